@@ -1,0 +1,12 @@
+# Runs PROGRAM and fails unless it exits 0 and prints exactly the file EXPECTED.
+execute_process(COMMAND "${PROGRAM}" OUTPUT_VARIABLE got RESULT_VARIABLE code)
+if(NOT code EQUAL 0)
+  message(FATAL_ERROR "${PROGRAM} ended with ${code}")
+endif()
+if(NOT EXISTS "${EXPECTED}")
+  message(FATAL_ERROR "${EXPECTED} is missing. If this output is right, write it there:\n${got}")
+endif()
+file(READ "${EXPECTED}" expected)
+if(NOT got STREQUAL expected)
+  message(FATAL_ERROR "the output differs from ${EXPECTED}\n--- expected\n${expected}\n--- got\n${got}")
+endif()

@@ -1,0 +1,27 @@
+# How everything here is compiled. Two INTERFACE targets, so that a target says what it wants by linking:
+#   contact_options   the language and the arithmetic; whoever uses the headers gets it too
+#   contact_warnings  for our own sources only
+
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+
+add_library(contact_options INTERFACE)
+target_compile_features(contact_options INTERFACE cxx_std_20)
+# One arithmetic everywhere, so that results are the same bits natively and in the page. A fused multiply-add rounds once
+# where the source rounds twice: with it, a watertight ray-triangle test leaks.
+target_compile_options(contact_options INTERFACE
+  $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off>)
+target_compile_definitions(contact_options INTERFACE EIGEN_DONT_VECTORIZE)
+target_link_libraries(contact_options INTERFACE Eigen3::Eigen)
+
+add_library(contact_warnings INTERFACE)
+target_compile_options(contact_warnings INTERFACE
+  $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion>)
+
+if(CONTACT_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+if(CONTACT_COVERAGE)
+  add_compile_options(--coverage)
+  add_link_options(--coverage)
+endif()

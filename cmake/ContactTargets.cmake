@@ -1,0 +1,81 @@
+# What a chapter's folders become. Everything is found by name; adding a chapter edits no list.
+
+# A Catch2 program; each of its test cases is one ctest test.
+function(contact_add_catch_test name library)
+  add_executable(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE ${library} contact_support Catch2::Catch2WithMain contact_warnings)
+  target_precompile_headers(${name} REUSE_FROM contact_support)
+  catch_discover_tests(${name} TEST_PREFIX "${name}: " PROPERTIES TIMEOUT 300)
+endfunction()
+
+# tests/NN_slug/*_test.cpp that are not an exercise's, and tests/NN_slug/hard_cases.cpp.
+function(contact_add_reference_tests chapter)
+  set(dir "${PROJECT_SOURCE_DIR}/tests/${chapter}")
+  file(GLOB sources CONFIGURE_DEPENDS "${dir}/*_test.cpp")
+  file(GLOB exercises RELATIVE "${PROJECT_SOURCE_DIR}/exercises/${chapter}" CONFIGURE_DEPENDS
+    "${PROJECT_SOURCE_DIR}/exercises/${chapter}/*")
+  foreach(exercise IN LISTS exercises)
+    list(REMOVE_ITEM sources "${dir}/${exercise}_test.cpp")
+  endforeach()
+  if(CONTACT_REFERENCE_TESTS_ONLY)
+    list(REMOVE_ITEM sources "${dir}/questions_test.cpp")
+  endif()
+  if(sources)
+    contact_add_catch_test(reference_tests_${chapter} contact_${chapter} ${sources})
+    # A construct question is judged by its figure's C++, which the test includes.
+    target_include_directories(reference_tests_${chapter} PRIVATE "${PROJECT_SOURCE_DIR}/chapters/${chapter}"
+      "${PROJECT_SOURCE_DIR}/docs/figure")
+    target_compile_definitions(reference_tests_${chapter} PRIVATE "CONTACT_CHAPTER=\"${chapter}\"")
+  endif()
+  if(EXISTS "${dir}/hard_cases.cpp")
+    add_executable(hard_cases_${chapter} "${dir}/hard_cases.cpp")
+    target_link_libraries(hard_cases_${chapter} PRIVATE contact_${chapter} contact_support contact_warnings)
+    target_precompile_headers(hard_cases_${chapter} REUSE_FROM contact_support)
+    add_test(NAME "hard_cases_${chapter}" COMMAND hard_cases_${chapter})
+  endif()
+endfunction()
+
+# chapters/NN_slug/examples/NAME.cpp must print exactly NAME.out.
+function(contact_add_examples chapter)
+  file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/chapters/${chapter}/examples/*.cpp")
+  foreach(source IN LISTS sources)
+    get_filename_component(stem "${source}" NAME_WE)
+    set(target example_${chapter}_${stem})
+    add_executable(${target} "${source}")
+    target_link_libraries(${target} PRIVATE contact_${chapter} contact_warnings)
+    add_test(NAME "${target}" COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:${target}>"
+      "-DEXPECTED=${PROJECT_SOURCE_DIR}/chapters/${chapter}/examples/${stem}.out"
+      -P "${PROJECT_SOURCE_DIR}/cmake/CompareOutput.cmake")
+  endforeach()
+endfunction()
+
+# The native twin of a live figure: the same source as the page's WebAssembly.
+function(contact_add_figures chapter)
+  file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/chapters/${chapter}/figures/*.cpp")
+  foreach(source IN LISTS sources)
+    get_filename_component(stem "${source}" NAME_WE)
+    set(target figure_${chapter}_${stem})
+    add_executable(${target} "${source}")
+    target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/docs/figure")
+    target_link_libraries(${target} PRIVATE contact_${chapter} nlohmann_json::nlohmann_json contact_warnings)
+  endforeach()
+endfunction()
+
+# Timed code is optimised whatever the preset, and without assertions.
+function(contact_add_ladder chapter)
+  set(source "${PROJECT_SOURCE_DIR}/chapters/${chapter}/ladder.cpp")
+  if(NOT EXISTS "${source}")
+    return()
+  endif()
+  set(target ladder_${chapter})
+  file(GLOB harness CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/support/ladder*.cpp")
+  add_executable(${target} "${source}" ${harness})
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
+  target_compile_options(${target} PRIVATE -O2 -U_GLIBCXX_ASSERTIONS)
+  target_compile_definitions(${target} PRIVATE NDEBUG CONTACT_HAS_GMP
+    "CONTACT_LADDER=\"${chapter}\"" "CONTACT_COMPILER=\"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}\""
+    "CONTACT_FLAGS=\"-std=c++20 ${CMAKE_CXX_FLAGS_${type}} -O2 -DNDEBUG -ffp-contract=off -DEIGEN_DONT_VECTORIZE\"")
+  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
+  target_link_libraries(${target} PRIVATE contact_${chapter} nlohmann_json::nlohmann_json Boost::headers
+    PkgConfig::GMP contact_warnings)
+endfunction()

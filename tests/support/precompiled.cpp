@@ -1,0 +1,1 @@
+// Gives the library of test support one source that needs nothing but the precompiled header.
