@@ -1,0 +1,243 @@
+/// @file
+/// Planes: three ways to make one, the side of a point, and its signed distance.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <concepts>
+
+#include <contact/invalid_argument.hpp>
+#include <contact/shapes.hpp>
+#include <contact/tolerance.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+/// On which side of a plane a point lies: the front is where the normal points.
+enum class Side { back = -1, on = 0, front = 1 };
+
+/// A plane normal · x = offset whose normal has any length but zero: what three points give before
+/// a square root.
+///
+/// Nothing is rounded if S is exact, so a sign computed from it is the true one. Distances are too
+/// long by the length of the normal.
+template <Ring S>
+struct RawPlane {
+  Vector3<S> normal = Vector3<S>::Zero();  ///< m² if made from three points in m
+  S offset = S(0);                         ///< m³ if made from three points in m
+};
+
+/// The raw plane through three points: N = (b − a) × (c − a), K = N · a. Its front sees a, b, c
+/// counter-clockwise. Collinear points give N = 0. In a floating-point type, large or tiny
+/// coordinates overflow or underflow.
+/// @param a, b, c points, m
+/// @see *Interaction and Normals*, slide "Triangle vs. Triangle"
+template <Ring S>
+RawPlane<S> raw_plane_from_points(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c) {
+  const Vector3<S> edge_ab = b - a;
+  const Vector3<S> edge_ac = c - a;
+  const Vector3<S> normal = edge_ab.cross(edge_ac);
+  return {normal, normal.dot(a)};
+}
+
+namespace detail {
+
+/// The exponent e with 2^e ≤ the largest |entry| of v < 2^(e+1), for a finite v other than 0.
+template <std::floating_point S>
+int binary_exponent(const Vector3<S>& v) {
+  return std::ilogb(std::max({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())}));
+}
+
+/// v times 2^power: exact, but for entries that become too small to matter beside the largest.
+template <std::floating_point S>
+Vector3<S> times_power_of_two(const Vector3<S>& v, int power) {
+  return {std::ldexp(v.x(), power), std::ldexp(v.y(), power), std::ldexp(v.z(), power)};
+}
+
+}  // namespace detail
+
+// [normalised]
+/// The unit vector in the direction of v.
+///
+/// The largest coordinate is first brought near 1 by a power of two, which rounds nothing. So
+/// neither the squares overflow (v near 1e200) nor do they underflow (v near 1e-200); only then the
+/// length is taken. Every entry of the result is off by at most 4 u of itself (u: unit roundoff),
+/// or by the smallest positive number.
+/// @param v any finite vector but 0
+/// @throws std::invalid_argument if v is 0 or not finite
+template <std::floating_point S>
+Vector3<S> normalised(const Vector3<S>& v) {
+  require_finite("normal", v);
+  if (v == Vector3<S>::Zero()) {
+    throw_invalid_argument("normal", vector_text(v), "the zero vector has no direction");
+  }
+  const Vector3<S> near_one = detail::times_power_of_two(v, -detail::binary_exponent(v));
+  return near_one / std::sqrt(near_one.dot(near_one));
+}
+// [/normalised]
+
+// [from-normal-and-point]
+/// The plane through a point, facing along a normal.
+/// @param normal any finite vector but 0; it is normalised here
+/// @param point a point of the plane, m
+/// @throws std::invalid_argument if normal is 0, if an argument is not finite, or if the plane is
+/// too far from the origin for its offset to be stored
+/// @note The offset is rounded: the stored plane misses the point by up to 4 u |point|. Far from
+/// the origin that is much; see signed_distance_from_point().
+/// @see *Interaction and Normals*, slides "Collision detection: point-plane" and "Sphere-Plane
+/// Intersection"
+template <std::floating_point S>
+Plane<S> plane_from_normal_and_point(const Vector3<S>& normal, const Vector3<S>& point) {
+  require_finite("point", point);
+  const Vector3<S> unit = normalised(normal);
+  const S offset = unit.dot(point);
+  if (!is_finite(offset)) {
+    throw_invalid_argument("point", vector_text(point), "the plane's offset overflows");
+  }
+  return {unit, offset};
+}
+// [/from-normal-and-point]
+
+// [from-coefficients]
+/// The plane of all (x, y, z) with a x + b y + c z + d = 0, facing along (a, b, c).
+///
+/// Mind the sign: here d stands on the left, so the offset is −d over the length of (a, b, c).
+/// @param a, b, c, d finite; a, b and c not all 0
+/// @throws std::invalid_argument if a, b and c are all 0, if one of the four is not finite, or if
+/// the offset overflows
+/// @see *Interaction and Normals*, slide "Collision detection: point-plane", E(p) = ax + by + cz +
+/// d
+template <std::floating_point S>
+Plane<S> plane_from_coefficients(S a, S b, S c, S d) {
+  const Vector3<S> normal(a, b, c);
+  require_finite("d", d);
+  const Vector3<S> unit = normalised(normal);
+  const int exponent = detail::binary_exponent(normal);
+  const Vector3<S> near_one = detail::times_power_of_two(normal, -exponent);
+  const S offset = std::ldexp(-d / std::sqrt(near_one.dot(near_one)), -exponent);
+  if (!is_finite(offset))
+    throw_invalid_argument("d", number_text(d), "the plane's offset overflows");
+  return {unit, offset};
+}
+// [/from-coefficients]
+
+// [from-points]
+/// The plane through three points; its front sees a, b, c counter-clockwise.
+/// @param a, b, c finite points that are not on one line, m
+/// @throws std::invalid_argument if a point is not finite, if the points are collinear, or if the
+/// offset overflows
+/// @note Long thin triangles lose digits: the normal's direction is off by about 8 u over the sine
+/// of the angle at a.
+/// @see *Interaction and Normals*, slide "The Plane Containing the Triangle"
+template <std::floating_point S>
+Plane<S> plane_from_points(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c) {
+  require_finite("a", a);
+  require_finite("b", b);
+  require_finite("c", c);
+  Vector3<S> edge_ab = b - a;
+  Vector3<S> edge_ac = c - a;
+  if (!all_finite(edge_ab) ||
+      !all_finite(edge_ac)) {  // corners on opposite ends of the number range
+    edge_ab = b / S(2) - a / S(2);
+    edge_ac = c / S(2) - a / S(2);
+  }
+  if (edge_ab != Vector3<S>::Zero() && edge_ac != Vector3<S>::Zero()) {
+    edge_ab = detail::times_power_of_two(edge_ab, -detail::binary_exponent(edge_ab));
+    edge_ac = detail::times_power_of_two(edge_ac, -detail::binary_exponent(edge_ac));
+  }
+  const Vector3<S> normal = edge_ab.cross(edge_ac);
+  if (normal == Vector3<S>::Zero()) {
+    throw_invalid_argument("a, b, c",
+                           vector_text(a) + ", " + vector_text(b) + ", " + vector_text(c),
+                           "the points lie on one line");
+  }
+  return plane_from_normal_and_point(normal, a);
+}
+// [/from-points]
+
+// [signed-distance]
+/// How far x is in front of the plane: E(x) = normal · x − offset. Negative behind it, 0 on it.
+///
+/// Total: for finite input the result is finite, or ±∞ if the true distance is beyond the largest
+/// number.
+/// @param plane with a unit normal
+/// @param x a point, m
+/// @return m; off by at most signed_distance_error(plane, x)
+/// @see *Interaction and Normals*, slide "Collision detection: point-plane"
+template <Ring S>
+S signed_distance(const Plane<S>& plane, const Vector3<S>& x) {
+  const S distance = plane.normal.dot(x) - plane.offset;
+  if constexpr (std::floating_point<S>) {
+    // A sum on the way may overflow though the distance does not: add up eighths instead.
+    if (!std::isfinite(distance)) {
+      return S(8) * (plane.normal.dot(Vector3<S>(x / S(8))) - plane.offset / S(8));
+    }
+  }
+  return distance;
+}
+// [/signed-distance]
+
+// [distance-error]
+/// A bound on the rounding error of signed_distance(plane, x), for the plane as it is stored.
+///
+/// A product of each coordinate goes through at most four roundings (×, two +, −), so the error is
+/// at most γ(4) (Σ|nᵢ xᵢ| + |k|), plus 3 η / 2 for products that underflow. The bound is itself
+/// computed with at most six roundings, for which γ(11) stands in place of γ(4), and 2 η for 3 η
+/// / 2.
+/// @return m, never NaN for finite input; ∞ if the sum of absolute values overflows
+template <std::floating_point S>
+S signed_distance_error(const Plane<S>& plane, const Vector3<S>& x) {
+  const S size = plane.normal.cwiseAbs().dot(x.cwiseAbs()) + std::abs(plane.offset);
+  return tolerance::gamma<S>(11) * size + S(2) * tolerance::underflow_unit<S>;
+}
+// [/distance-error]
+
+// [distance-from-point]
+/// How far x is in front of the plane through a point: normal · (x − point).
+///
+/// The difference is taken first. When x and the point are near each other and far from the origin,
+/// their difference is exact or nearly so, and the error is a few u of |x − point|. In
+/// signed_distance() it is a few u of |x|.
+/// @param normal unit vector
+/// @param point a point of the plane, m
+/// @param x a point, m
+template <Ring S>
+S signed_distance_from_point(const Vector3<S>& normal, const Vector3<S>& point,
+                             const Vector3<S>& x) {
+  return normal.dot(Vector3<S>(x - point));
+}
+// [/distance-from-point]
+
+/// The sign of a number as a side: front if positive, back if negative, on if zero.
+template <Ring S>
+Side side_of_value(const S& value) {
+  if (value > S(0)) return Side::front;
+  if (value < S(0)) return Side::back;
+  return Side::on;
+}
+
+// [side]
+/// On which side of the plane x lies, by the sign of the computed signed distance.
+///
+/// In a floating-point type it can be wrong when |distance| is at most signed_distance_error(plane,
+/// x); in an exact type it is right.
+template <Ring S>
+Side side(const Plane<S>& plane, const Vector3<S>& x) {
+  return side_of_value(signed_distance(plane, x));
+}
+// [/side]
+
+/// On which side of a raw plane x lies: the sign of N · x − K.
+template <Ring S>
+Side side(const RawPlane<S>& plane, const Vector3<S>& x) {
+  return side_of_value(S(plane.normal.dot(x) - plane.offset));
+}
+
+/// The same plane seen from behind.
+template <Ring S>
+Plane<S> flipped(const Plane<S>& plane) {
+  return {-plane.normal, -plane.offset};
+}
+
+}  // namespace contact
