@@ -1,0 +1,91 @@
+/// @file
+/// Barycentric coordinates: where in a triangle a point is, and how to blend what the corners
+/// carry.
+#pragma once
+
+#include <contact/shapes.hpp>
+#include <optional>
+
+namespace contact {
+
+/// The cross product of two vectors of the plane: the signed area of the parallelogram u, v,
+/// positive if v lies to the left of u.
+template <Ring S>
+S cross2(const Vector2<S>& u, const Vector2<S>& v) {
+  return u.x() * v.y() - u.y() * v.x();
+}
+
+// [largest-dimension]
+/// The index (0, 1 or 2) of the coordinate in which |v| is largest; the first of equals.
+template <Ring S>
+int largest_dimension(const Vector3<S>& v) {
+  const auto magnitude = [&v](int i) { return v[i] < S(0) ? S(-v[i]) : S(v[i]); };
+  int largest = 0;
+  if (magnitude(1) > magnitude(largest)) largest = 1;
+  if (magnitude(2) > magnitude(largest)) largest = 2;
+  return largest;
+}
+
+/// v without coordinate k. The other two stay in cyclic order (yz, zx or xy), so that the flat
+/// cross product keeps its sign: cross2(drop(u, k), drop(v, k)) is coordinate k of u × v.
+template <Ring S>
+Vector2<S> drop_dimension(const Vector3<S>& v, int k) {
+  return {v[(k + 1) % 3], v[(k + 2) % 3]};
+}
+// [/largest-dimension]
+
+// [barycentric]
+/// The barycentric coordinates of a point in a triangle's plane: the weights of a, b and c, in that
+/// order, with w_a a + w_b b + w_c c = point and w_a + w_b + w_c = 1. All three are at least 0
+/// exactly when the point is in the triangle, its edges included.
+///
+/// The coordinate in which the normal is largest is dropped: the triangle's shadow along that axis
+/// has the largest area, at least 1/√3 of the triangle's own. Dropping the smallest can leave a
+/// shadow without area.
+///
+/// @param point a point of the plane, m; for a point off the plane, the weights of its shadow along
+/// the dropped axis
+/// @return nothing if the triangle has no area, or if its area overflows or underflows in S
+/// Limits: each weight is off by about u (|x||e|/area), so slivers lose digits; no claim that three
+/// rounded weights make a decision that is right (see `intersect_exact`). Source: L20, Segment vs.
+/// Triangle, Faster Way, with the sign of β put right.
+template <Scalar S>
+std::optional<Vector3<S>> barycentric(const Vector3<S>& point, const Triangle<S>& triangle) {
+  const Vector3<S> ab = triangle.b - triangle.a;
+  const Vector3<S> ac = triangle.c - triangle.a;
+  const Vector3<S> normal = ab.cross(ac);
+  const int k = largest_dimension(normal);
+  if (normal[k] == S(0)) return std::nullopt;
+
+  const Vector3<S> ax = point - triangle.a;
+  const Vector2<S> x = drop_dimension(ax, k);
+  const Vector2<S> e1 = drop_dimension(ab, k);
+  const Vector2<S> e2 = drop_dimension(ac, k);
+  const S of_b = cross2(x, e2) / normal[k];
+  const S of_c = cross2(e1, x) / normal[k];  // e1 × x, not x × e1
+  const S of_a = S(1) - of_b - of_c;
+  const Vector3<S> weights(of_a, of_b, of_c);
+  if (!all_finite(weights)) return std::nullopt;
+  return weights;
+}
+
+/// Whether barycentric weights are those of a point in the triangle; its edges and corners are in.
+template <Scalar S>
+bool inside(const Vector3<S>& weights) {
+  return weights.x() >= S(0) && weights.y() >= S(0) && weights.z() >= S(0);
+}
+// [/barycentric]
+
+// [interpolate]
+/// The blend of what the corners carry (a temperature, a colour, a normal): linear in the triangle,
+/// and at each corner the corner's own value.
+/// @param weights of a, b and c
+/// @return in the unit of the values
+template <Scalar S, class Value>
+Value interpolate(const Vector3<S>& weights, const Value& at_a, const Value& at_b,
+                  const Value& at_c) {
+  return weights.x() * at_a + weights.y() * at_b + weights.z() * at_c;
+}
+// [/interpolate]
+
+}  // namespace contact

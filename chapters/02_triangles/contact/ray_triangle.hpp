@@ -1,0 +1,177 @@
+/// @file
+/// Ray and segment against triangle, three plain ways. They answer the same question and round
+/// differently; none of them is right for every input, and none hides that behind an epsilon.
+///
+/// All take touching as a hit, whichever side of the triangle the ray comes from. A ray in the
+/// triangle's plane, a zero direction and a triangle without area have no single point to give, so
+/// they are no hit. With an exact field for S, such as the rationals, each is exact.
+#pragma once
+
+#include <concepts>
+#include <contact/barycentric.hpp>
+#include <contact/shapes.hpp>
+#include <optional>
+
+namespace contact {
+
+/// A Ray or a Segment of S.
+template <class Line, class S>
+concept LineOf = std::same_as<Line, Ray<S>> || std::same_as<Line, Segment<S>>;
+
+/// The hit, or nothing if S could not hold it: an overflow on the way leaves no number to return.
+template <Scalar S>
+std::optional<TriangleHit<S>> finite_hit(const TriangleHit<S>& hit) {
+  if (!is_finite(hit.t) || !all_finite(hit.barycentric)) return std::nullopt;
+  return hit;
+}
+
+// [cross-plane]
+/// Where a segment crosses the plane through a point: the signed distances of its ends have
+/// opposite signs, or one is 0.
+/// @param normal any normal of the plane; both distances come out in lengths of it, and their ratio
+/// does not care
+/// @return nothing if both ends are on one side, or both in the plane
+/// Source: L20, Segment vs. Triangle.
+template <Scalar S>
+std::optional<RayHit<S>> cross_plane(const Segment<S>& segment, const Vector3<S>& on_plane,
+                                     const Vector3<S>& normal) {
+  const S start_distance = normal.dot(segment.start - on_plane);
+  const S end_distance = normal.dot(segment.end - on_plane);
+  if (start_distance > S(0) && end_distance > S(0)) return std::nullopt;
+  if (start_distance < S(0) && end_distance < S(0)) return std::nullopt;
+  if (start_distance == end_distance) return std::nullopt;
+  const S t = start_distance / (start_distance - end_distance);
+  return RayHit<S>{t, segment.start + t * (segment.end - segment.start)};
+}
+
+/// Where a ray crosses the plane through a point: distance to go over rate of approach.
+/// @return nothing if the ray runs along the plane or away from it
+template <Scalar S>
+std::optional<RayHit<S>> cross_plane(const Ray<S>& ray, const Vector3<S>& on_plane,
+                                     const Vector3<S>& normal) {
+  const S rate = normal.dot(ray.direction);
+  if (rate == S(0)) return std::nullopt;
+  const S t = normal.dot(on_plane - ray.origin) / rate;
+  if (!(t >= S(0))) return std::nullopt;
+  return RayHit<S>{t, ray.origin + t * ray.direction};
+}
+// [/cross-plane]
+
+// [edge-tests]
+/// (a) Signed distances, then edge tests: find the point in the plane, and ask of each edge whether
+/// it is on the inner side.
+/// @param line a Ray or a Segment
+/// Limits: the point is rounded before the edges see it, so two triangles that share an edge can
+/// both refuse a ray between them. t has a relative error of a few u |terms|/|rate|; the decision
+/// has no bound. Source: L20, Segment vs. Triangle.
+template <Scalar S, LineOf<S> Line>
+std::optional<TriangleHit<S>> intersect_by_edges(const Line& line, const Triangle<S>& triangle) {
+  const auto& [a, b, c] = triangle;
+  const Vector3<S> normal = (b - a).cross(c - a);
+  const std::optional<RayHit<S>> crossing = cross_plane(line, a, normal);
+  if (!crossing) return std::nullopt;
+
+  // normal × edge points into the triangle. Each product is twice the area beyond that edge, times
+  // |normal|.
+  const Vector3<S>& x = crossing->point;
+  const S beyond_bc = normal.cross(c - b).dot(x - b);
+  const S beyond_ca = normal.cross(a - c).dot(x - c);
+  const S beyond_ab = normal.cross(b - a).dot(x - a);
+  if (!(beyond_bc >= S(0) && beyond_ca >= S(0) && beyond_ab >= S(0))) return std::nullopt;
+
+  const S all = normal.dot(normal);
+  if (all == S(0)) return std::nullopt;
+  return finite_hit(
+      TriangleHit<S>{crossing->t, {beyond_bc / all, beyond_ca / all, beyond_ab / all}});
+}
+// [/edge-tests]
+
+// [dropped-dimension]
+/// (b) The same point, judged in two dimensions: its barycentric coordinates after the largest
+/// dimension is dropped.
+/// @param line a Ray or a Segment
+/// Limits: as for intersect_by_edges; fewer products, so a little faster and a little less wrong.
+/// Source: L20, Segment vs. Triangle, Faster Way.
+template <Scalar S, LineOf<S> Line>
+std::optional<TriangleHit<S>> intersect_by_dropping(const Line& line, const Triangle<S>& triangle) {
+  const Vector3<S> normal = (triangle.b - triangle.a).cross(triangle.c - triangle.a);
+  const std::optional<RayHit<S>> crossing = cross_plane(line, triangle.a, normal);
+  if (!crossing) return std::nullopt;
+  const std::optional<Vector3<S>> weights = barycentric(crossing->point, triangle);
+  if (!weights || !inside(*weights)) return std::nullopt;
+  return finite_hit(TriangleHit<S>{crossing->t, *weights});
+}
+// [/dropped-dimension]
+
+// [fractions]
+/// A hit before any division: t and the weights of b and c are these numbers over `denominator`,
+/// which is positive.
+template <Ring S>
+struct TriangleFractions {
+  S t;
+  S of_b;
+  S of_c;
+  S denominator;
+};
+
+/// The decision of (c), without a division, so that it also serves exact types that have none.
+/// @param origin, direction of the ray; t counts lengths of the direction
+/// @param last the largest t that counts, for a segment 1; nothing for a ray
+template <Ring S>
+std::optional<TriangleFractions<S>> moller_trumbore_fractions(const Vector3<S>& origin,
+                                                              const Vector3<S>& direction,
+                                                              const std::optional<S>& last,
+                                                              const Triangle<S>& triangle) {
+  const Vector3<S> ab = triangle.b - triangle.a;
+  const Vector3<S> ac = triangle.c - triangle.a;
+  const Vector3<S> p = direction.cross(ac);
+  const S determinant = ab.dot(p);  // −direction · (ab × ac)
+  if (determinant == S(0)) return std::nullopt;
+  const S sign = determinant < S(0) ? S(-1) : S(1);
+  const S denominator = sign * determinant;
+
+  const Vector3<S> s = sign * (origin - triangle.a);
+  const S of_b = s.dot(p);
+  if (of_b < S(0) || of_b > denominator) return std::nullopt;
+  const Vector3<S> q = s.cross(ab);
+  const S of_c = direction.dot(q);
+  if (of_c < S(0) || of_b + of_c > denominator) return std::nullopt;
+  const S t = ac.dot(q);
+  if (t < S(0) || (last && t > *last * denominator)) return std::nullopt;
+  return TriangleFractions<S>{t, of_b, of_c, denominator};
+}
+// [/fractions]
+
+/// The hit that the fractions stand for.
+template <Scalar S>
+std::optional<TriangleHit<S>> divide(const std::optional<TriangleFractions<S>>& hit) {
+  if (!hit) return std::nullopt;
+  const S of_b = hit->of_b / hit->denominator;
+  const S of_c = hit->of_c / hit->denominator;
+  return finite_hit(TriangleHit<S>{hit->t / hit->denominator, {S(1) - of_b - of_c, of_b, of_c}});
+}
+
+// [moller-trumbore]
+/// (c) Möller and Trumbore: solve origin + t direction = a + β(b − a) + γ(c − a) for t, β and γ by
+/// Cramer's rule. The plane's normal and the point are never formed. Limits: each of the four
+/// determinants is off by at most 8u Σ|its terms|, so t is off by at most c·u (Σ|terms of N| + |t|
+/// Σ|terms of D|) / |D|; the decision has no bound, and a shared edge can leak, since the two
+/// triangles measure from different corners.
+/// Source: Möller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, 1997 (recommended
+/// by FCA).
+template <Scalar S>
+std::optional<TriangleHit<S>> intersect_moller_trumbore(const Ray<S>& ray,
+                                                        const Triangle<S>& triangle) {
+  return divide(moller_trumbore_fractions<S>(ray.origin, ray.direction, std::nullopt, triangle));
+}
+
+/// (c) for a segment: the direction is the whole segment, so t runs from 0 to 1.
+template <Scalar S>
+std::optional<TriangleHit<S>> intersect_moller_trumbore(const Segment<S>& segment,
+                                                        const Triangle<S>& triangle) {
+  return divide(
+      moller_trumbore_fractions<S>(segment.start, segment.end - segment.start, S(1), triangle));
+}
+// [/moller-trumbore]
+
+}  // namespace contact
