@@ -1,0 +1,162 @@
+"""What serve.py and test.py share: where things are, how commands are run, what is built."""
+
+from __future__ import annotations
+
+import fcntl
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+BUILD = ROOT / "build"
+DEV = BUILD / "dev"
+LOGS = BUILD / "logs"
+SITE = BUILD / "site"
+PROGRAM = DEV / "bin" / "contact"
+
+# Colour codes and the like, which some tools print even to a file.
+_ESCAPES = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]")
+
+
+@dataclass(frozen=True)
+class Done:
+    """A command that has ended. `code` is None if it was stopped at its time limit."""
+
+    code: int | None
+    output: str
+    seconds: float
+    log: Path
+
+    @property
+    def ok(self) -> bool:
+        return self.code == 0
+
+    def tail(self, lines: int = 40) -> str:
+        kept = self.output.rstrip().splitlines()[-lines:]
+        return "\n".join(kept)
+
+
+def environment(extra: Mapping[str, str] | None = None) -> dict[str, str]:
+    """The environment of every command: plain output, and the venv's programs first."""
+    result = dict(os.environ)
+    result["PATH"] = f"{BUILD / 'venv' / 'bin'}{os.pathsep}{result.get('PATH', '')}"
+    result["CONTACT_ROOT"] = str(ROOT)
+    result["NO_COLOR"] = "1"
+    result["PYTHONDONTWRITEBYTECODE"] = "1"
+    result.update(extra or {})
+    return result
+
+
+class Children:
+    """The commands that are running, so that Ctrl-C can end them with all that they started."""
+
+    def __init__(self) -> None:
+        self._running: set[subprocess.Popen[bytes]] = set()
+        self.stopping = False
+
+    def start(self, process: subprocess.Popen[bytes]) -> None:
+        self._running.add(process)
+
+    def end(self, process: subprocess.Popen[bytes]) -> None:
+        self._running.discard(process)
+
+    def stop_all(self) -> None:
+        self.stopping = True
+        for process in list(self._running):
+            stop(process)
+
+
+CHILDREN = Children()
+
+
+def stop(process: subprocess.Popen[bytes]) -> None:
+    """Ends a command and everything in its process group, politely first."""
+    for signal_number, patience in ((signal.SIGTERM, 5.0), (signal.SIGKILL, 5.0)):
+        try:
+            os.killpg(process.pid, signal_number)
+        except ProcessLookupError:
+            return
+        try:
+            process.wait(patience)
+        except subprocess.TimeoutExpired:
+            continue
+        return
+
+
+def run(
+    command: Sequence[str | Path],
+    log: str,
+    *,
+    cwd: Path = ROOT,
+    limit: float | None = None,
+    extra: Mapping[str, str] | None = None,
+) -> Done:
+    """Runs a command, its output in build/logs/LOG.log; ends it when `limit` seconds are over."""
+    LOGS.mkdir(parents=True, exist_ok=True)
+    path = LOGS / f"{log}.log"
+    began = time.monotonic()
+    code: int | None
+    with path.open("wb") as output:
+        try:
+            process = subprocess.Popen(
+                [str(word) for word in command],
+                cwd=cwd,
+                env=environment(extra),
+                stdin=subprocess.DEVNULL,
+                stdout=output,
+                stderr=subprocess.STDOUT,
+                start_new_session=True,
+            )
+        except OSError as error:
+            output.write(f"{command[0]}: {error.strerror}\n".encode())
+            output.flush()
+            return Done(127, path.read_text(), time.monotonic() - began, path)
+        CHILDREN.start(process)
+        try:
+            code = process.wait(limit)
+        except subprocess.TimeoutExpired:
+            stop(process)
+            code = None
+            output.write(f"\nStopped at its limit of {limit:.0f} s.\n".encode())
+        except BaseException:
+            stop(process)
+            raise
+        finally:
+            CHILDREN.end(process)
+    text = _ESCAPES.sub("", path.read_text(encoding="utf-8", errors="replace"))
+    return Done(code, text, time.monotonic() - began, path)
+
+
+@contextmanager
+def build_lock() -> Iterator[None]:
+    """One native build at a time: two Ninjas in one folder spoil each other's work.
+
+    ./contact takes the same lock.
+    """
+    BUILD.mkdir(exist_ok=True)
+    with (BUILD / "lock").open("w") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        yield
+
+
+def native_targets(prefixes: Sequence[str]) -> list[str]:
+    """The targets of build/dev whose names begin so; chapters are found, not listed."""
+    done = run(["cmake", "--build", DEV, "--target", "help"], "targets")
+    if not done.ok:
+        sys.exit(f"{done.tail()}\ncontact: the build is not configured; try ./contact setup")
+    names = re.findall(r"^([A-Za-z0-9_]+): phony$", done.output, re.MULTILINE)
+    return sorted({name for name in names if name.startswith(tuple(prefixes))})
+
+
+def build_native(targets: Sequence[str], log: str, limit: float | None = None) -> Done:
+    """Builds targets of build/dev (everything, if none are named)."""
+    wanted = [word for target in targets for word in ("--target", target)]
+    with build_lock():
+        return run(["cmake", "--build", DEV, *wanted], log, limit=limit)

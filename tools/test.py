@@ -1,0 +1,462 @@
+"""./contact test: every check there is, stage by stage, and what each took.
+
+A stage is a list of checks; it goes on after one that fails, and so do the stages after it unless
+they need what the failed one was to build. The last line is `N passed, N failed, N skipped`, which
+adds up what the test programs themselves report: test cases of ctest, pytest and node:test, cases
+of `contact dev check`, and one for each linter, build and program that can only succeed or fail.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import steps
+from steps import BUILD, DEV, PROGRAM, ROOT, Done
+
+
+@dataclass
+class Tally:
+    """What a check found: counts, and for what failed or was not run, why."""
+
+    passed: int = 0
+    failed: int = 0
+    skipped: int = 0
+    why: list[str] = field(default_factory=list)
+
+    def add(self, other: Tally) -> None:
+        self.passed += other.passed
+        self.failed += other.failed
+        self.skipped += other.skipped
+        self.why += other.why
+
+
+Check = Callable[[float], Tally]  # takes the seconds that are left
+
+
+@dataclass(frozen=True)
+class Stage:
+    name: str
+    what: str
+    minutes: float  # a stage is stopped there, and has failed
+    checks: Callable[[], Iterator[Check]]
+    needs: tuple[str, ...] = ()
+
+
+# --- Checks ---------------------------------------------------------------------------------------
+
+
+def explain(what: str, done: Done) -> str:
+    ended = "was stopped at its time limit" if done.code is None else f"ended with {done.code}"
+    return f"{what} {ended}; all of it: {done.log.relative_to(ROOT)}\n{done.tail()}"
+
+
+def log_name(what: str) -> str:
+    return "test-" + re.sub(r"[^a-z0-9]+", "-", what.lower()).strip("-")
+
+
+def once(what: str, command: Sequence[str | Path], cwd: Path = ROOT) -> Check:
+    """A command that can only succeed or fail: one test."""
+
+    def check(seconds: float) -> Tally:
+        done = steps.run(command, log_name(what), cwd=cwd, limit=seconds)
+        return Tally(passed=1) if done.ok else Tally(failed=1, why=[explain(what, done)])
+
+    return check
+
+
+def counted(
+    what: str,
+    command: Sequence[str | Path],
+    count: Callable[[Done], Tally | None],
+    cwd: Path = ROOT,
+) -> Check:
+    """A command that runs tests. To end badly, or to count nothing, is itself a failure."""
+
+    def check(seconds: float) -> Tally:
+        done = steps.run(command, log_name(what), cwd=cwd, limit=seconds)
+        tally = count(done)
+        if tally is None:
+            return Tally(failed=1, why=[explain(f"{what} reported no counts and", done)])
+        if tally.failed:
+            tally.why.append(explain(what, done))
+        elif not done.ok:
+            tally.failed += 1
+            tally.why.append(explain(what, done))
+        elif tally.passed + tally.skipped == 0:
+            tally.failed += 1
+            tally.why.append(f"{what} ran no test at all; its words: {done.log.relative_to(ROOT)}")
+        return tally
+
+    return check
+
+
+def count_junit(file: Path) -> Callable[[Done], Tally | None]:
+    """The counts in a JUnit file of ctest or pytest. What was disabled or not run is skipped."""
+    file.unlink(missing_ok=True)
+
+    def count(_: Done) -> Tally | None:
+        if not file.exists():
+            return None
+        tally = Tally()
+        for case in ElementTree.parse(file).getroot().iter("testcase"):
+            name = case.get("name", "?")
+            if case.find("failure") is not None or case.find("error") is not None:
+                tally.failed += 1
+            elif (skip := case.find("skipped")) is not None or case.get("status") in (
+                "notrun",
+                "disabled",
+            ):
+                tally.skipped += 1
+                reason = skip.get("message") if skip is not None else None
+                tally.why.append(f"not run: {name}" + (f" ({reason})" if reason else ""))
+            else:
+                tally.passed += 1
+        return tally
+
+    return count
+
+
+def count_tap(done: Done) -> Tally | None:
+    """The totals that node --test prints at the end."""
+    totals = {
+        word: int(number)
+        for word, number in re.findall(
+            r"^# (pass|fail|cancelled|skipped|todo) (\d+)$", done.output, re.M
+        )
+    }
+    if "pass" not in totals:
+        return None
+    tally = Tally(
+        passed=totals["pass"],
+        failed=totals.get("fail", 0) + totals.get("cancelled", 0),
+        skipped=totals.get("skipped", 0) + totals.get("todo", 0),
+    )
+    if tally.skipped:
+        tally.why += [
+            f"not run: {name} ({reason or 'no reason given'})"
+            for name, reason in re.findall(
+                r"^\s*ok \d+ - (.*?) # (?:SKIP|TODO) ?(.*)$", done.output, re.M
+            )
+        ]
+    return tally
+
+
+def pytest(*folders: str) -> Iterator[Check]:
+    for folder in folders:
+        if any((ROOT / folder).glob("**/test_*.py")):
+            file = BUILD / "logs" / f"{log_name(folder)}.junit.xml"
+            python = [sys.executable, "-m", "pytest", "-q", f"--junitxml={file}", folder]
+            yield counted(f"pytest {folder}", python, count_junit(file))
+
+
+def node_tests(what: str, files: Sequence[Path], cwd: Path) -> Iterator[Check]:
+    if files:
+        command: list[str | Path] = ["node", "--test", "--test-reporter=tap", *files]
+        yield counted(what, command, count_tap, cwd)
+
+
+def ctest(preset: str) -> Check:
+    file = BUILD / "logs" / f"test-ctest-{preset}.junit.xml"
+    jobs = str(os.cpu_count() or 2)
+    command = [
+        "ctest",
+        "--preset",
+        preset,
+        "--no-tests=error",
+        "-j",
+        jobs,
+        "--output-junit",
+        str(file),
+    ]
+    return counted(f"ctest {preset}", command, count_junit(file))
+
+
+def cmake_build(preset: str) -> Iterator[Check]:
+    yield once(f"configure {preset}", ["cmake", "--preset", preset])
+
+    def build(seconds: float) -> Tally:
+        with steps.build_lock():
+            done = steps.run(
+                ["cmake", "--build", BUILD / preset, "--", "-k", "0"],
+                log_name(f"build {preset}"),
+                limit=seconds,
+            )
+        if done.ok:
+            return Tally(passed=1)
+        errors = [line for line in done.output.splitlines() if re.search(r"error:|FAILED:", line)]
+        what = explain(f"building {preset}", done)
+        return Tally(failed=1, why=["\n".join([*errors[:12], what])])
+
+    yield build
+
+
+# --- What each stage checks -----------------------------------------------------------------------
+
+
+def tracked(*patterns: str) -> list[str]:
+    """Files of the project: those in git, and new ones that git does not ignore."""
+    command = [
+        "git",
+        "ls-files",
+        "--cached",
+        "--others",
+        "--exclude-standard",
+        "-z",
+        "--",
+        *patterns,
+    ]
+    listed = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    return sorted({name for name in listed.split("\0") if name and (ROOT / name).is_file()})
+
+
+def style() -> Iterator[Check]:
+    cpp = [name for name in tracked("*.cpp", "*.hpp") if "third_party/" not in name]
+    venv = BUILD / "venv" / "bin"
+    yield once("clang-format", [venv / "clang-format", "--dry-run", "-Werror", *cpp])
+    yield once("ruff check", [venv / "ruff", "check", "."])
+    yield once("ruff format", [venv / "ruff", "format", "--check", "."])
+    yield once("mypy", [venv / "mypy", *python_sources()])
+    bin_ = ROOT / "docs" / "node_modules" / ".bin"
+    yield once("biome", [bin_ / "biome", "ci", "."], ROOT / "docs")
+    yield once("tsc", [bin_ / "tsc", "--noEmit", "-p", "."], ROOT / "docs")
+    scripts = [name for name in tracked() if is_shell(ROOT / name)]
+    yield once("shellcheck", ["shellcheck", *scripts])
+
+
+def python_sources() -> list[str]:
+    return [name for name in tracked("*.py") if not name.startswith("tests/")]
+
+
+def is_shell(file: Path) -> bool:
+    if file.suffix == ".sh":
+        return True
+    with file.open("rb") as opened:
+        return re.match(rb"#!.*\b(ba|da)?sh\b", opened.readline(80)) is not None
+
+
+def native() -> Iterator[Check]:
+    yield from cmake_build("dev")
+
+
+def native_tests() -> Iterator[Check]:
+    yield ctest("dev")
+
+
+def sanitize() -> Iterator[Check]:
+    yield from cmake_build("sanitize")
+    yield ctest("sanitize")
+
+
+def tidy() -> Iterator[Check]:
+    """clang-tidy over the program, and over the reference headers through one file with all."""
+    folder = BUILD / "tidy"
+    folder.mkdir(parents=True, exist_ok=True)
+    headers = sorted(ROOT.glob("chapters/*/contact/*.hpp"))
+    everything = folder / "headers.cpp"
+    everything.write_text("".join(f"#include <contact/{file.name}>\n" for file in headers))
+    commands = json.loads((DEV / "compile_commands.json").read_text())
+    chapters = sorted({str(file.parent.parent) for file in headers})
+    command = ["c++", "-std=c++20", "-ffp-contract=off", "-DEIGEN_DONT_VECTORIZE"]
+    command += [word for chapter in chapters for word in ("-I", chapter)]
+    command += ["-isystem", "/usr/include/eigen3", "-c", str(everything)]
+    own = [
+        entry
+        for entry in commands
+        if re.match(r"(cli|grading)/", os.path.relpath(entry["file"], ROOT))
+    ]
+    own.append({"directory": str(folder), "arguments": command, "file": str(everything)})
+    (folder / "compile_commands.json").write_text(json.dumps(own))
+    workers = str(os.cpu_count() or 2)
+    files = sorted({entry["file"] for entry in own})
+    listed = write_list(folder / "files", files)
+    command = ["xargs", "-a", str(listed), "-n", "1", "-P", workers]
+    yield once("clang-tidy", [*command, "clang-tidy", "--quiet", "-p", str(folder)])
+
+
+def write_list(file: Path, names: Sequence[str]) -> Path:
+    file.write_text("".join(f"{name}\n" for name in names))
+    return file
+
+
+def dev_check() -> Iterator[Check]:
+    def count(done: Done) -> Tally | None:
+        try:
+            report = json.loads(done.output)
+            return Tally(report["passed"], report["failed"], report.get("skipped", 0))
+        except (ValueError, KeyError, TypeError):
+            return None
+
+    yield counted("contact dev check", [PROGRAM, "dev", "check", "--json"], count)
+
+
+def outside() -> Iterator[Check]:
+    yield from pytest("tests/setup", "tests/package")
+
+
+def program() -> Iterator[Check]:
+    yield from pytest("tests/cli")
+
+
+def page() -> Iterator[Check]:
+    docs = ROOT / "docs"
+    yield once("npm run build", ["npm", "run", "--silent", "build"], docs)
+    yield from node_tests("tests of docs/web", sorted(docs.glob("web/test/*.test.mjs")), docs)
+
+
+def wasm() -> Iterator[Check]:
+    docs = ROOT / "docs"
+    yield from node_tests("tests of docs/wasm", sorted(docs.glob("wasm/*.test.mjs")), docs)
+    yield once("the contract in WebAssembly", ["node", docs / "wasm" / "prove_contract.mjs"])
+
+
+def book() -> Iterator[Check]:
+    python = [sys.executable, "-m", "sphinx", "-q", "-W", "-n", "--keep-going", "-b", "html"]
+    yield once("sphinx", [*python, ROOT / "docs", steps.SITE])
+    yield from pytest("tests/docs")
+
+
+def ladder() -> Iterator[Check]:
+    """Every ladder at a small size: that it runs, not what it measures."""
+    folder = BUILD / "logs" / "ladder"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    for file in sorted(ROOT.glob("chapters/*/ladder.cpp")):
+        chapter = file.parent.name
+        out = folder / f"{chapter}.json"
+        ladder = DEV / "bin" / f"ladder_{chapter}"
+        sized = ["--size", "200", "--repeats", "2", "--json", str(out)]
+        yield once(f"ladder {chapter}", [ladder, *sized])
+
+
+def browser() -> Iterator[Check]:
+    files = sorted((ROOT / "tests" / "browser").glob("*.test.mjs"))
+    yield from node_tests("tests in a browser", files, ROOT / "docs")
+
+
+# --- The stages, in order -------------------------------------------------------------------------
+
+STAGES = (
+    Stage("style", "format, linters and types of C++, Python, TypeScript and shell", 3, style),
+    Stage("native", "configure and build everything; each header alone", 12, native),
+    Stage(
+        "ctest",
+        "references against the oracle, hard cases, examples, questions",
+        5,
+        native_tests,
+        ("native",),
+    ),
+    Stage(
+        "dev-check", "stubs, solutions, wrong answers and null answers", 6, dev_check, ("native",)
+    ),
+    Stage("program", "the contact program from outside", 5, program, ("native",)),
+    Stage("outside", "set-up; the headers in another project", 4, outside),
+    Stage("ladder", "every ladder at a small size", 2, ladder, ("native",)),
+    Stage("tidy", "clang-tidy over the reference headers and the program", 4, tidy, ("native",)),
+    Stage("sanitize", "the reference tests under sanitizers", 12, sanitize),
+    Stage("page", "the page's scripts, figures and ladders in WebAssembly", 8, page, ("native",)),
+    Stage("wasm", "the compiler in the page; one contract three ways", 8, wasm, ("native",)),
+    Stage("book", "the book without a warning", 6, book, ("page",)),
+    Stage("browser", "the book in a real browser", 8, browser, ("book",)),
+)
+
+
+def run_stage(stage: Stage) -> tuple[Tally, float]:
+    began = time.monotonic()
+    tally = Tally()
+    try:
+        for check in stage.checks():
+            left = stage.minutes * 60 - (time.monotonic() - began)
+            if left <= 0:
+                tally.add(Tally(failed=1, why=[f"no time was left of {stage.minutes:g} minutes"]))
+                break
+            tally.add(check(left))
+    except OSError as error:
+        tally.add(Tally(failed=1, why=[f"{stage.name}: {error}"]))
+    if tally.passed + tally.failed + tally.skipped == 0:
+        tally.add(Tally(failed=1, why=[f"{stage.name} found nothing to check"]))
+    return tally, time.monotonic() - began
+
+
+def chosen(names: Sequence[str]) -> list[Stage]:
+    """The stages named and what they need, in order; all, if none is named."""
+    known = {stage.name: stage for stage in STAGES}
+    for name in names:
+        if name not in known:
+            sys.exit(f'contact: no stage "{name}"; ./contact test --list shows them')
+    wanted = list(names) or list(known)
+    for name in wanted:
+        wanted += [need for need in known[name].needs if need not in wanted]
+    return [stage for stage in STAGES if stage.name in wanted]
+
+
+def result(tally: Tally) -> str:
+    if tally.failed:
+        return "FAILED"
+    return "passed" if tally.passed else "not run"
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(
+        prog="./contact test", description="Runs every check there is."
+    )
+    parser.add_argument("stages", nargs="*", metavar="STAGE", help="only these, and what they need")
+    parser.add_argument("--list", action="store_true", help="show the stages and stop")
+    arguments = parser.parse_args()
+    if arguments.list:
+        for stage in STAGES:
+            print(f"{stage.name:10} at most {stage.minutes:4g} min  {stage.what}")
+        return 0
+
+    sys.stdout.reconfigure(line_buffering=True)  # type: ignore[union-attr]
+    rows: list[tuple[Stage, Tally, float]] = []
+    failed: set[str] = set()
+    for stage in chosen(arguments.stages):
+        missing = [need for need in stage.needs if need in failed]
+        if missing:
+            why = f"{stage.name} was not run: it needs {missing[0]}, which failed"
+            tally, seconds = Tally(failed=1, why=[why]), 0.0
+        else:
+            print(f"{stage.name}: {stage.what}")
+            tally, seconds = run_stage(stage)
+        if tally.failed:
+            failed.add(stage.name)
+        rows.append((stage, tally, seconds))
+        for why in tally.why:
+            print("\n".join(f"    {line}" for line in why.splitlines()))
+        counts = f"{tally.passed} passed, {tally.failed} failed, {tally.skipped} skipped"
+        print(f"{stage.name}: {result(tally)} in {seconds:.0f} s ({counts})")
+
+    total = Tally()
+    head = ("stage", "seconds", "limit", "passed", "failed", "skipped")
+    line = "{:10} {:>8} {:>6} {:>7} {:>7} {:>8}  {}"
+    print("\n" + line.format(*head, "result"))
+    for stage, tally, seconds in rows:
+        total.add(tally)
+        numbers = (tally.passed, tally.failed, tally.skipped)
+        print(
+            line.format(
+                stage.name, f"{seconds:.1f}", int(stage.minutes * 60), *numbers, result(tally)
+            )
+        )
+    print(f"{'all':10} {sum(seconds for _, _, seconds in rows):8.1f}\n")
+    print(f"{total.passed} passed, {total.failed} failed, {total.skipped} skipped")
+    return 1 if total.failed else 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        print("\nStopped.", file=sys.stderr)
+        sys.exit(130)
