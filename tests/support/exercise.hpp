@@ -1,0 +1,263 @@
+/// @file
+/// How an exercise's tests ask: one sentence that carries the question, its input, the student's
+/// answer, the right answer, and the wrong formulae that people are known to use.
+///
+///     ask("Where does the ray meet the triangle?")
+///         .given("ray", ray)
+///         .given("triangle", triangle)
+///         .suspect("beta-sign", [&] { return with_beta_negated(ray, triangle); })
+///         .answer([&] { return exercise::ray_triangle(ray, triangle); })
+///         .close_to(expected, within(bound));
+///
+/// The first answer that is not right ends its test case. Nothing about what is right may come from
+/// the answer.
+#pragma once
+
+#include <catch2/catch_test_macros.hpp>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <contact/value_compare.hpp>
+#include <contact/value_text.hpp>
+
+namespace contact::testing {
+
+/// What is told about the first wrong answer of a test.
+struct Failure {
+  std::string asked;
+  std::vector<std::pair<std::string, std::string>> inputs;  ///< name and text, in order
+  std::string got;
+  std::string right;
+  std::string allowed;        ///< how far from `right` an answer may be; empty if not at all
+  std::string misconception;  ///< id in chapters/misconceptions.toml; empty if none is recognised
+  bool stopped =
+      false;  ///< the code under test crashed, ended or ran out of time: there is no answer
+};
+
+/// The failure of the test that runs now or has just ended, or nullptr.
+const Failure* current_failure();
+void forget_failure();
+
+/// What random inputs start from: CONTACT_SEED of the environment, so that a grader can use one
+/// that nobody has seen; else always the same. `stream` keeps the numbers of one test apart from
+/// those of another.
+std::uint64_t seed(std::uint64_t stream);
+
+/// How far an answer may be from the right one.
+class Within {
+ public:
+  Within(std::vector<double> bounds, std::string text)
+      : bounds_(std::move(bounds)), text_(std::move(text)) {}
+  double bound(std::size_t i) const { return bounds_.size() == 1 ? bounds_[0] : bounds_.at(i); }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::vector<double> bounds_;
+  std::string text_;
+};
+
+/// Each number may be off by `tolerance`.
+Within within(double tolerance);
+
+/// Each number may be off by the number in its place in `tolerance`, a value of the same shape as
+/// the answer.
+template <Value T>
+requires(!std::is_same_v<T, double>) Within within(const T& tolerance) {
+  std::vector<double> bounds;
+  const auto collect = [&](double bound, double) {
+    bounds.push_back(bound);
+    return true;
+  };
+  agree(tolerance, tolerance, collect);
+  return {std::move(bounds), text_of(tolerance)};
+}
+
+namespace detail {
+
+struct Given {
+  std::string_view name;
+  const void* value;
+  std::string (*text)(const void*);
+};
+
+struct Asked {
+  std::string_view question;
+  std::vector<Given> givens;
+};
+
+/// How the student's function ended: `thrown` is empty if it returned.
+struct Ending {
+  std::string thrown;
+  bool invalid_argument = false;
+};
+
+/// Runs the call and catches what it throws. What the test program itself throws goes on its way.
+Ending run(const Asked& asked, const std::function<void()>& call);
+
+[[noreturn]] void fail(const Asked& asked, std::string got, std::string right, std::string allowed,
+                       std::string_view misconception);
+
+}  // namespace detail
+
+/// A misconception and how its answer is known: by what a wrong formula gives here (`wrong`), or by
+/// a look at the answer itself (`looks_like`). Neither is called unless the answer is wrong.
+template <class T>
+struct Suspect {
+  std::string_view misconception;
+  std::function<T()> wrong;
+  std::function<bool(const T&)> looks_like = nullptr;
+};
+
+/// The student's answer, to be judged once.
+template <Value T>
+class Answer {
+ public:
+  template <class Call>
+  Answer(detail::Asked asked, std::vector<Suspect<T>> suspects, Call&& call)
+      : asked_(std::move(asked)), suspects_(std::move(suspects)) {
+    ending_ = detail::run(asked_, [&] { answer_.emplace(call()); });
+  }
+
+  /// Every part is the same; NaN equals nothing.
+  void equals(const T& expected) && { judge(expected, "", equal<T>); }
+
+  /// Every number is as near as `allowed` says, and everything else is the same. NaN is near
+  /// nothing.
+  void close_to(const T& expected, const Within& allowed) && {
+    const auto close = [&](const T& x, const T& y) {
+      std::size_t i = 0;
+      const auto near = [&](double a, double b) {
+        const double bound = allowed.bound(i++);
+        return a == b || std::abs(a - b) <= bound;
+      };
+      return agree(x, y, near);
+    };
+    judge(expected, allowed.text(), close);
+  }
+
+  /// pred(answer) holds; `says` completes the sentence "Right is an answer that ...".
+  template <class Predicate>
+  void satisfies(std::string_view says, Predicate&& pred) && {
+    if (answer_ && pred(*answer_)) return;
+    fail(std::string{says}, "", equal<T>, [&](const T& wrong) { return pred(wrong); });
+  }
+
+  /// The call throws std::invalid_argument.
+  void throws_invalid_argument() && {
+    if (ending_.invalid_argument) return;
+    fail("throws std::invalid_argument", "", equal<T>, [](const T&) { return false; });
+  }
+
+ private:
+  detail::Asked asked_;
+  std::vector<Suspect<T>> suspects_;
+  std::optional<T> answer_;
+  detail::Ending ending_;
+
+  template <class Same>
+  void judge(const T& expected, std::string allowed, Same&& same) {
+    if (answer_ && same(*answer_, expected)) return;
+    fail(text_of(expected), std::move(allowed), same,
+         [&](const T& wrong) { return same(wrong, expected); });
+  }
+
+  template <class Same, class Right>
+  [[noreturn]] void fail(std::string right, std::string allowed, Same&& same, Right&& is_right) {
+    std::string_view misconception;
+    for (const auto& suspect : suspects_) {
+      if (answer_ && recognised(suspect, same, is_right)) {
+        misconception = suspect.misconception;
+        break;
+      }
+    }
+    detail::fail(asked_, answer_ ? text_of(*answer_) : ending_.thrown, std::move(right),
+                 std::move(allowed), misconception);
+  }
+
+  // A wrong formula that happens to be right here explains nothing. One that breaks down is not
+  // what the student used.
+  template <class Same, class Right>
+  bool recognised(const Suspect<T>& suspect, Same& same, Right& is_right) const {
+    if (suspect.looks_like) return suspect.looks_like(*answer_);
+    try {
+      const T wrong = suspect.wrong();
+      return same(*answer_, wrong) && !is_right(wrong);
+    } catch (const std::exception&) {
+      return false;
+    }
+  }
+};
+
+/// Stands for the type of the answer until it is known.
+struct NotAskedYet {};
+
+/// A question, its input and the wrong formulae whose results would be recognised.
+template <class T>
+class Question {
+ public:
+  explicit Question(detail::Asked asked, std::vector<Suspect<T>> suspects = {})
+      : asked_(std::move(asked)), suspects_(std::move(suspects)) {}
+
+  /// One argument, shown if the answer is wrong. It must outlive the sentence.
+  template <Value V>
+  Question&& given(std::string_view name, const V& value) && {
+    asked_.givens.push_back(
+        {name, &value, [](const void* v) { return text_of(*static_cast<const V*>(v)); }});
+    return std::move(*this);
+  }
+
+  /// A misconception, and what it would answer here. It is evaluated only when the answer is wrong.
+  template <class Wrong>
+  auto suspect(std::string_view misconception, Wrong wrong) && {
+    using R = std::invoke_result_t<Wrong>;
+    if constexpr (std::is_same_v<T, NotAskedYet>) {
+      return Question<R>(std::move(asked_), {{misconception, std::move(wrong)}});
+    } else {
+      static_assert(std::is_same_v<R, T>, "every suspect answers with the type of the answer");
+      suspects_.push_back({misconception, std::move(wrong)});
+      return std::move(*this);
+    }
+  }
+
+  /// A misconception that shows in the answer itself: `looks_like(answer)` holds.
+  template <class LooksLike>
+  Question&& suspect_if(std::string_view misconception, LooksLike looks_like) && {
+    suspects_.push_back({misconception, nullptr, std::move(looks_like)});
+    return std::move(*this);
+  }
+
+  /// Several at once, when a helper makes them.
+  template <class R>
+  Question<R> suspects(std::vector<Suspect<R>> several) && {
+    static_assert(std::is_same_v<T, NotAskedYet>, "suspects() comes before suspect()");
+    return Question<R>(std::move(asked_), std::move(several));
+  }
+
+  /// Calls the student's function. Its arguments and its judge must not depend on one another.
+  template <class Call>
+  auto answer(Call&& call) && {
+    using R = std::remove_cvref_t<std::invoke_result_t<Call>>;
+    if constexpr (std::is_same_v<T, NotAskedYet>) {
+      return Answer<R>(std::move(asked_), {}, std::forward<Call>(call));
+    } else {
+      static_assert(std::is_same_v<R, T>, "every suspect answers with the type of the answer");
+      return Answer<R>(std::move(asked_), std::move(suspects_), std::forward<Call>(call));
+    }
+  }
+
+ private:
+  detail::Asked asked_;
+  std::vector<Suspect<T>> suspects_;
+};
+
+/// Starts a question. `question` is a whole sentence, as the student reads it.
+inline Question<NotAskedYet> ask(std::string_view question) {
+  return Question<NotAskedYet>({question, {}});
+}
+
+}  // namespace contact::testing

@@ -1,0 +1,151 @@
+// The program around an exercise's tests: Catch2, and a reporter that says what happens as it
+// happens, one JSON object a line, each line flushed, so that whoever reads knows in which test the
+// program died.
+//
+//   {"event":"start","test":NAME}
+//   {"event":"end","test":NAME,"status":"passed"|"failed"|"not_attempted"|"stopped","seconds":S,"failure":{...}}
+//   {"event":"done"}
+//
+// failure: {"asked","inputs":[{"name","text"}],"got","right","allowed"?,"misconception"?}.
+// Use `-r contact::out=FILE`; stdout is left to the student. CONTACT_MEMORY_MB limits the memory
+// (not in a page, which has its own limit), CONTACT_SEED changes the random inputs.
+
+#include <catch2/catch_session.hpp>
+#include <catch2/catch_test_case_info.hpp>
+#include <catch2/reporters/catch_reporter_event_listener.hpp>
+#include <catch2/reporters/catch_reporter_registrars.hpp>
+#include <catch2/reporters/catch_reporter_streaming_base.hpp>
+#include <chrono>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#ifndef __wasi__
+#include <sys/resource.h>
+#endif
+
+#include <contact/host.hpp>
+#include <support/exercise.hpp>
+
+namespace contact::testing {
+namespace {
+
+using nlohmann::ordered_json;
+
+class TestStarts : public Catch::EventListenerBase {
+ public:
+  using EventListenerBase::EventListenerBase;
+  void testCaseStarting(const Catch::TestCaseInfo&) override {
+    forget_failure();
+    host::test_starts();
+  }
+};
+
+ordered_json described(const Failure& failure) {
+  ordered_json result{{"asked", failure.asked}, {"inputs", ordered_json::array()}};
+  for (const auto& [name, text] : failure.inputs) {
+    result["inputs"].push_back({{"name", name}, {"text", text}});
+  }
+  result["got"] = failure.got;
+  result["right"] = failure.right;
+  if (!failure.allowed.empty()) result["allowed"] = failure.allowed;
+  if (!failure.misconception.empty()) result["misconception"] = failure.misconception;
+  return result;
+}
+
+class ContactReporter : public Catch::StreamingReporterBase {
+ public:
+  using StreamingReporterBase::StreamingReporterBase;
+  static std::string getDescription() { return "one JSON object a line, as the tests run"; }
+
+  void testCaseStarting(const Catch::TestCaseInfo& info) override {
+    StreamingReporterBase::testCaseStarting(info);
+    fatal_.clear();
+    message_.clear();
+    started_ = Clock::now();
+    print({{"event", "start"}, {"test", info.name}});
+  }
+
+  void fatalErrorEncountered(Catch::StringRef error) override { fatal_ = std::string{error}; }
+
+  // For what is not asked through ask(): an author's own REQUIRE, or an exception outside an
+  // answer.
+  void assertionEnded(const Catch::AssertionStats& stats) override {
+    const auto& result = stats.assertionResult;
+    if (result.isOk() || !message_.empty()) return;
+    message_ = result.hasExpression() ? result.getExpandedExpression() : "";
+    if (result.hasMessage())
+      message_ += (message_.empty() ? "" : ": ") + std::string{result.getMessage()};
+  }
+
+  void testCaseEnded(const Catch::TestCaseStats& stats) override {
+    const std::chrono::duration<double> seconds = Clock::now() - started_;
+    ordered_json line{{"event", "end"}, {"test", stats.testInfo->name}};
+    const Failure* failure = current_failure();
+    if (!fatal_.empty()) {
+      line["status"] = "stopped";
+      line["failure"] = described({.asked = "",
+                                   .inputs = {},
+                                   .got = fatal_,
+                                   .right = "",
+                                   .allowed = "",
+                                   .misconception = ""});
+    } else if (failure != nullptr) {
+      line["status"] = failure->stopped ? "stopped" : "failed";
+      line["failure"] = described(*failure);
+    } else if (stats.totals.assertions.failed > 0) {
+      line["status"] = "failed";
+      line["failure"] = described({.asked = "",
+                                   .inputs = {},
+                                   .got = message_,
+                                   .right = "",
+                                   .allowed = "",
+                                   .misconception = ""});
+    } else if (stats.totals.assertions.skipped > 0) {
+      line["status"] = "not_attempted";
+    } else {
+      line["status"] = "passed";
+    }
+    line["seconds"] = seconds.count();
+    print(line);
+    StreamingReporterBase::testCaseEnded(stats);
+  }
+
+  void testRunEnded(const Catch::TestRunStats&) override { print({{"event", "done"}}); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point started_;
+  std::string fatal_, message_;
+
+  void print(const ordered_json& line) {
+    // Text that came from the code under test need not be UTF-8.
+    m_stream << line.dump(-1, ' ', false, ordered_json::error_handler_t::replace) << std::endl;
+  }
+};
+
+void limit_resources() {
+#ifndef __wasi__
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);
+  if (const char* text = std::getenv("CONTACT_MEMORY_MB")) {
+    const rlim_t bytes = rlim_t{std::strtoull(text, nullptr, 10)} << 20;
+    const rlimit memory{bytes, bytes};
+    setrlimit(RLIMIT_AS, &memory);
+  }
+#endif
+}
+
+}  // namespace
+
+CATCH_REGISTER_LISTENER(TestStarts)
+CATCH_REGISTER_REPORTER("contact", ContactReporter)
+
+}  // namespace contact::testing
+
+int main(int argc, char* argv[]) {
+  contact::testing::limit_resources();
+  Catch::Session session;
+  session.configData().runOrder = Catch::TestRunOrder::Declared;
+  if (const int error = session.applyCommandLine(argc, argv); error != 0) return error;
+  return session.run();
+}
