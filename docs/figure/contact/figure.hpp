@@ -20,7 +20,7 @@
 ///     FIGURE(Input, FIELDS(centre, radius), Output, FIELDS(problem, touching, nearest))
 ///
 /// - A field is a `double`, an Eigen column of fixed size, or a `std::array` of fields. Every field
-///   of the struct is listed, in the order of the struct (checked when it compiles).
+///   of the struct is listed (checked when it compiles).
 /// - `Output` has a field `double problem`: 0, or the reason why there is no answer. A number that
 /// is
 ///   not finite never reaches `compute`: the figure answers `not_finite`, all other outputs 0.
@@ -122,9 +122,7 @@ constexpr bool has_problem(const Fields& fields) {
       fields);
 }
 
-/// Every number of the struct is in the list, in order and without a gap, exactly if each field
-/// begins where the one before it ends. (Checked on the size here and on addresses when the figure
-/// starts.)
+/// Whether the fields in the list account for every byte of the struct.
 template <typename Struct, typename Fields>
 constexpr bool lists_everything(const Fields& fields) {
   return sizeof(Struct) == sizeof(double) * static_cast<std::size_t>(total_size(fields));
@@ -242,7 +240,7 @@ struct Figure {
   __VA_OPT__(, CONTACT_FIGURE_LIST_AGAIN CONTACT_FIGURE_PARENTHESES(__VA_ARGS__))
 #define CONTACT_FIGURE_LIST_AGAIN() CONTACT_FIGURE_LIST
 
-/// The fields of a figure's struct, in the order of the struct.
+/// The fields of a figure's struct, in the order in which the page sees them.
 #define FIELDS(...)                                                             \
   []<typename T>(std::type_identity<T>) {                                       \
     return std::tuple(CONTACT_FIGURE_EXPAND(CONTACT_FIGURE_LIST(__VA_ARGS__))); \

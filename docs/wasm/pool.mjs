@@ -1,0 +1,95 @@
+// Makes many things with two processes, each thing once its needs are there.
+import { fork } from 'node:child_process';
+import os from 'node:os';
+import { fileURLToPath } from 'node:url';
+import { isMade, key, needs } from './recipes.mjs';
+
+/** @typedef {import('./recipes.mjs').Recipe} Recipe */
+/** @typedef {{ ok: boolean, log: string, seconds: number }} Reply */
+/** @typedef {{ recipe: Recipe, ok: boolean, log: string, seconds: number }} Done */
+
+/**
+ * @param {Recipe[]} wanted
+ * @param {{ workers?: number, onDone?: (done: Done, left: number) => void }} [options]
+ * @returns {Promise<{ built: number, failed: Map<string, string> }>} by key, why each failed thing failed:
+ *   the compiler's words, or which need was missing
+ */
+export async function makeAll(wanted, { workers, onDone } = {}) {
+  /** @type {Map<string, { recipe: Recipe, waits: string[] }>} */
+  const todo = new Map();
+  const visit = (/** @type {Recipe} */ recipe) => {
+    const name = key(recipe);
+    if (todo.has(name) || isMade(name)) return;
+    for (const need of needs(recipe)) visit(need);
+    todo.set(name, { recipe, waits: needs(recipe).map(key).filter((need) => todo.has(need)) });
+  };
+  for (const recipe of wanted) visit(recipe);
+
+  /** @type {Map<string, string>} */
+  const failed = new Map();
+  let built = 0;
+  if (todo.size === 0) return { built, failed };
+
+  const count = Math.min(workers ?? 2, Math.max(1, os.cpus().length), todo.size);
+  const script = fileURLToPath(new URL('worker.mjs', import.meta.url));
+  const running = new Set();
+
+  const next = () => {
+    for (const [name, job] of todo) {
+      if (running.has(name)) continue;
+      const broken = job.waits.find((need) => failed.has(need));
+      if (broken) {
+        todo.delete(name);
+        failed.set(name, failed.get(broken) ?? '');
+        return next();
+      }
+      if (!job.waits.some((need) => todo.has(need))) return { name, recipe: job.recipe };
+    }
+    return undefined;
+  };
+
+  await new Promise((/** @type {(value?: undefined) => void} */ resolve, reject) => {
+    /** @type {{ process: import('node:child_process').ChildProcess, job?: { name: string, recipe: Recipe } }[]} */
+    const hands = [];
+    const stop = () => {
+      for (const hand of hands) if (hand.process.connected) hand.process.disconnect();
+    };
+    const deal = () => {
+      for (const hand of hands) {
+        if (hand.job) continue;
+        const job = next();
+        if (!job) break;
+        hand.job = job;
+        running.add(job.name);
+        hand.process.send({ recipe: job.recipe });
+      }
+      if (todo.size === 0) {
+        stop();
+        resolve();
+      }
+    };
+    for (let i = 0; i < count; ++i) {
+      const hand = { process: fork(script, { stdio: ['ignore', 'inherit', 'inherit', 'ipc'] }) };
+      hands.push(hand);
+      hand.process.on('message', (message) => {
+        const reply = /** @type {Reply} */ (message);
+        const { job } = /** @type {typeof hands[number]} */ (hand);
+        if (!job) return;
+        delete (/** @type {typeof hands[number]} */ (hand).job);
+        running.delete(job.name);
+        todo.delete(job.name);
+        if (reply.ok) ++built;
+        else failed.set(job.name, reply.log);
+        onDone?.({ recipe: job.recipe, ...reply }, todo.size);
+        deal();
+      });
+      hand.process.on('exit', (code, signal) => {
+        if (todo.size === 0) return;
+        stop();
+        reject(new Error(`a compiling process ended early (${signal ?? `exit code ${code}`})`));
+      });
+    }
+    deal();
+  });
+  return { built, failed };
+}

@@ -1,0 +1,200 @@
+// What there is to build, found from the folders of the repository, and the recipe of each.
+import fs from 'node:fs';
+import path from 'node:path';
+import { checkFlags, moduleLink, pageFlags, programLink, quiet, runtimeFlags } from './flags.mjs';
+import { inRoot } from './paths.mjs';
+
+/** @typedef {import('./recipes.mjs').Recipe} Recipe */
+/** @typedef {import('./recipes.mjs').Compile} Compile */
+/** @typedef {{ name: string, output: string, recipe: Recipe }} Product
+ *   `output` is where it goes, below the output folder */
+
+/** @param {string} folder @returns {string[]} */
+const names = (folder) => (fs.existsSync(folder) ? fs.readdirSync(folder).sort() : []);
+
+/** The chapters: every folder with a chapter.toml. */
+export const chapters = () =>
+  names(inRoot('chapters')).filter((slug) => fs.existsSync(inRoot('chapters', slug, 'chapter.toml')));
+
+/**
+ * A chapter's own folder, then those of the chapters that it builds on, near ones first.
+ * @param {string} slug @returns {string[]}
+ */
+export function chapterFolders(slug) {
+  const found = new Set([slug]);
+  for (const name of found) {
+    const toml = fs.readFileSync(inRoot('chapters', name, 'chapter.toml'), 'utf8');
+    const line = /^builds_on *=(.*)$/m.exec(toml)?.[1] ?? '';
+    for (const [, earlier] of line.matchAll(/"([^"]+)"/g)) found.add(String(earlier));
+  }
+  return [...found].map((name) => inRoot('chapters', name));
+}
+
+/** @type {import('./recipes.mjs').Precompile} */
+const pagePrelude = {
+  tool: 'precompile', what: 'the headers that all figures share', flags: pageFlags, folders: [],
+  source: inRoot('docs', 'wasm', 'figure_prelude.hpp'),
+};
+
+/** @type {import('./recipes.mjs').Precompile} */
+export const checkPrelude = {
+  tool: 'precompile', what: 'the prelude of the exercises', flags: checkFlags,
+  folders: [inRoot('grading')], source: inRoot('grading', 'contact', 'prelude.hpp'),
+};
+
+/** @type {Compile} */
+const throwStub = {
+  tool: 'compile', what: 'docs/wasm/throw_stub.cpp', language: 'c++', flags: pageFlags, folders: [],
+  source: inRoot('docs', 'wasm', 'throw_stub.cpp'),
+};
+
+/**
+ * A module that the page calls: one C++ file with its exports.
+ * @param {string} source @param {string[]} folders @returns {Recipe}
+ */
+export function moduleRecipe(source, folders) {
+  const what = path.relative(inRoot(), source);
+  return {
+    tool: 'link', what, ...moduleLink,
+    parts: [
+      { tool: 'compile', what, language: 'c++', flags: pageFlags, folders, source, pch: pagePrelude },
+      throwStub,
+    ],
+  };
+}
+
+/** Every figure: chapters/NN_slug/figures/NAME.cpp. @returns {Product[]} */
+export function figures() {
+  return chapters().flatMap((slug) =>
+    names(inRoot('chapters', slug, 'figures'))
+      .filter((file) => file.endsWith('.cpp'))
+      .map((file) => {
+        const name = `${slug}/${path.basename(file, '.cpp')}`;
+        const source = inRoot('chapters', slug, 'figures', file);
+        const folders = [inRoot('docs', 'figure'), ...chapterFolders(slug)];
+        return { name, output: `figures/${name}.wasm`, recipe: moduleRecipe(source, folders) };
+      }),
+  );
+}
+
+/** Every ladder: chapters/NN_slug/ladder.cpp. @returns {Product[]} */
+export function ladders() {
+  return chapters()
+    .map((slug) => ({ slug, source: inRoot('chapters', slug, 'ladder.cpp') }))
+    .filter(({ source }) => fs.existsSync(source))
+    .map(({ slug, source }) => ({
+      name: slug,
+      output: `ladders/${slug}.wasm`,
+      recipe: moduleRecipe(source, [inRoot('tests'), ...chapterFolders(slug)]),
+    }));
+}
+
+/**
+ * The runtime that makes throw and catch work: the compiler's package comes without it.
+ * @type {Recipe}
+ */
+export const exceptionRuntime = (() => {
+  const home = inRoot('docs', 'wasm', 'third_party', 'llvm-eh');
+  const folders = ['shim', 'libunwind/include', 'libcxxabi/include', 'libcxx/include',
+    'libcxx/src'].map((folder) =>
+    path.join(home, folder),
+  );
+  const part = (/** @type {string} */ file, /** @type {Compile['language']} */ language) => {
+    const flags = language === 'c++' ? runtimeFlags.cxx : runtimeFlags[language];
+    const source = path.join(home, file);
+    const what = path.relative(inRoot(), source);
+    return /** @type {Compile} */ ({ tool: 'compile', what, language, flags, folders, source });
+  };
+  return {
+    tool: 'archive',
+    what: 'the exception runtime',
+    parts: [
+      part('libunwind/src/Unwind-wasm.c', 'c'),
+      part('shim/tag.s', 'assembly'),
+      ...['cxa_exception', 'cxa_personality', 'cxa_exception_storage', 'cxa_aux_runtime',
+        'fallback_malloc'].map((name) => part(`libcxxabi/src/${name}.cpp`, 'c++')),
+    ],
+  };
+})();
+
+/** Where tools/fetch_catch2_source.sh puts Catch2's two amalgamated files. */
+export const catch2Source = inRoot('build', 'catch2', 'extras', 'catch_amalgamated.cpp');
+
+/** @returns {Recipe} */
+function catch2() {
+  if (!fs.existsSync(catch2Source))
+    throw new Error('the source of Catch2 is missing: run tools/fetch_catch2_source.sh');
+  return {
+    tool: 'archive', what: 'Catch2',
+    parts: [
+      {
+        tool: 'compile', what: 'Catch2', language: 'c++', flags: [...checkFlags, ...quiet],
+        folders: [path.dirname(catch2Source)], source: catch2Source,
+      },
+    ],
+  };
+}
+
+/** What the tests of every exercise are linked with. @returns {Recipe[]} */
+export function checkLibraries() {
+  const folders = [inRoot('tests'), inRoot('grading'), ...chapterFolders('00_vectors')];
+  const support = ['exercise.cpp', 'runner.cpp'].map((file) => {
+    const source = inRoot('tests', 'support', file);
+    const what = path.relative(inRoot(), source);
+    return /** @type {Compile} */ (
+      { tool: 'compile', what, language: 'c++', flags: checkFlags, folders, source, pch: checkPrelude }
+    );
+  });
+  return [...support, catch2(), exceptionRuntime];
+}
+
+/** @typedef {{ name: string, slug: string, test: string }} Exercise */
+
+/** Every exercise with tests: exercises/NN_slug/NAME/NAME.hpp, tests/NN_slug/NAME_test.cpp. */
+export function exerciseList() {
+  return names(inRoot('exercises')).flatMap((slug) =>
+    names(inRoot('exercises', slug)).map((short) => ({
+      name: `${slug}/${short}`, slug, test: inRoot('tests', slug, `${short}_test.cpp`),
+    })),
+  ).filter(({ test }) => fs.existsSync(test));
+}
+
+/** @param {Exercise} exercise */
+const exerciseFolders = ({ name, slug }) =>
+  [inRoot('exercises', name), inRoot('tests'), inRoot('grading'), ...chapterFolders(slug)];
+
+/**
+ * An exercise's tests, compiled once, as the page will link them with a student's object.
+ * @param {Exercise} exercise @returns {Compile}
+ */
+export const testObject = (exercise) => ({
+  tool: 'compile', what: path.relative(inRoot(), exercise.test), language: 'c++', flags: checkFlags,
+  folders: exerciseFolders(exercise), source: exercise.test, pch: checkPrelude,
+});
+
+/**
+ * An answer (stub, solution, wrong or a student's) linked with an exercise's tests.
+ * @param {Exercise} exercise @param {string} answer its .cpp @returns {Recipe}
+ */
+export function checkProgram(exercise, answer) {
+  const what = path.relative(inRoot(), answer);
+  /** @type {Compile} */
+  const object = {
+    tool: 'compile', what, language: 'c++', flags: checkFlags, source: answer, pch: checkPrelude,
+    // The student's side sees the contract, the prelude and the shared shapes; no tests.
+    folders: [inRoot('exercises', exercise.name), inRoot('grading'), inRoot('chapters', '00_vectors')],
+  };
+  return {
+    tool: 'link', what, ...programLink,
+    parts: [object, testObject(exercise), ...checkLibraries()],
+  };
+}
+
+/** What the page needs of each exercise. @returns {Product[]} */
+export const exercises = () => [
+  ...exerciseList().map((exercise) => ({
+    name: exercise.name,
+    output: `exercises/${exercise.name}.o`,
+    recipe: testObject(exercise),
+  })),
+];

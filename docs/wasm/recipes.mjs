@@ -1,0 +1,160 @@
+// How a product comes from sources: a small graph of compile, archive and link, each remembered by its content.
+import fs from 'node:fs';
+import path from 'node:path';
+import { createHash } from 'node:crypto';
+import { CompileError, compilerVersion, runTool } from './compiler.mjs';
+import { precompileFlags } from './flags.mjs';
+import { closure, virtualPath } from './headers.mjs';
+import { cacheDir } from './paths.mjs';
+
+/**
+ * @typedef {{ tool: 'compile', what: string, source: string, folders: string[], flags: string[],
+ *             language: 'c++' | 'c' | 'assembly', pch?: Precompile }} Compile
+ * @typedef {{ tool: 'precompile', what: string, source: string, folders: string[], flags: string[]
+ *          }} Precompile
+ * @typedef {{ tool: 'archive', what: string, parts: Recipe[] }} Archive
+ * @typedef {{ tool: 'link', what: string, before: string[], after: string[], parts: Recipe[] }} Link
+ * @typedef {Compile | Precompile | Archive | Link} Recipe
+ */
+
+/** What must be made before this can be. @param {Recipe} recipe @returns {Recipe[]} */
+export function needs(recipe) {
+  if (recipe.tool === 'compile') return recipe.pch ? [recipe.pch] : [];
+  if (recipe.tool === 'precompile') return [];
+  return recipe.parts;
+}
+
+/** The name under which the result is kept: it changes with the compiler, the flags and every file read.
+ * @param {Recipe} recipe @returns {string} */
+export function key(recipe) {
+  const hash = createHash('sha256');
+  const add = (/** @type {string[]} */ ...texts) => {
+    for (const text of texts) hash.update(`${text.length}:${text}`);
+  };
+  add('1', recipe.tool, compilerVersion());
+  if (recipe.tool === 'compile' || recipe.tool === 'precompile') {
+    add(...recipe.flags, '', ...recipe.folders.map(virtualPath), '');
+    for (const { virtual, hash } of closure(recipe.source, recipe.folders)) add(virtual, hash);
+  }
+  if (recipe.tool === 'link') add(...recipe.before, '', ...recipe.after, '');
+  for (const need of needs(recipe)) add(key(need));
+  return hash.digest('hex');
+}
+
+/** @param {string} name a key */
+const cached = (name) => path.join(cacheDir, 'made', name.slice(0, 2), name.slice(2));
+
+/** Whether the result is there; looking marks it as used. @param {string} name a key */
+export function isMade(name) {
+  try {
+    const now = new Date();
+    fs.utimesSync(cached(name), now, now);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+/** @param {string} name a key @returns {Uint8Array} */
+export function made(name) {
+  return new Uint8Array(fs.readFileSync(cached(name)));
+}
+
+/** Writes a file so that a reader sees the old one or the new one, never half.
+ * @param {string} file @param {Uint8Array | string} content */
+export function writeWhole(file, content) {
+  fs.mkdirSync(path.dirname(file), { recursive: true });
+  const part = `${file}.${process.pid}.part`;
+  fs.writeFileSync(part, content);
+  fs.renameSync(part, file);
+}
+
+/** Deletes what no build has used for some days. @param {number} days */
+export function prune(days) {
+  const before = Date.now() - days * 86_400_000;
+  const top = path.join(cacheDir, 'made');
+  if (!fs.existsSync(top)) return;
+  for (const folder of fs.readdirSync(top))
+    for (const name of fs.readdirSync(path.join(top, folder))) {
+      const file = path.join(top, folder, name);
+      if (fs.statSync(file).mtimeMs < before) fs.rmSync(file, { force: true });
+    }
+}
+
+/** @typedef {import('./compiler.mjs').Tree} Tree */
+
+/** @param {Tree} tree @param {string} file @param {Uint8Array} bytes */
+function put(tree, file, bytes) {
+  const parts = file.split('/');
+  const name = /** @type {string} */ (parts.pop());
+  let folder = tree;
+  for (const part of parts) folder = /** @type {Tree} */ (folder[part] ??= {});
+  folder[name] = bytes;
+}
+
+/** @param {Compile | Precompile} recipe @returns {Tree} */
+function treeFor(recipe) {
+  /** @type {Tree} */
+  const tree = {};
+  for (const { virtual, bytes } of closure(recipe.source, recipe.folders))
+    put(tree, virtual, new Uint8Array(bytes));
+  return tree;
+}
+
+/** @param {Compile | Precompile} recipe */
+const search = (recipe) => recipe.folders.flatMap((folder) => ['-I', `/${virtualPath(folder)}`]);
+
+/**
+ * Makes one thing whose needs are made, and keeps it. Gives back what the compiler said (warnings).
+ * @param {Recipe} recipe @returns {Promise<string>}
+ */
+export async function make(recipe) {
+  const result = 'result.out';
+  /** @type {Tree} */
+  let tree = {};
+  /** @type {string[]} */
+  let args;
+  switch (recipe.tool) {
+    case 'compile': {
+      tree = treeFor(recipe);
+      const source = virtualPath(recipe.source);
+      if (recipe.language === 'assembly') {
+        args = [...recipe.flags, '-o', result, source];
+        break;
+      }
+      args = [...recipe.flags, ...search(recipe)];
+      if (recipe.pch) {
+        for (const { virtual, bytes } of closure(recipe.pch.source, recipe.pch.folders))
+          put(tree, virtual, new Uint8Array(bytes));
+        tree['prelude.pch'] = made(key(recipe.pch));
+        args.push('-include-pch', 'prelude.pch');
+      }
+      args.push('-emit-obj', '-main-file-name', path.basename(source), '-o', result);
+      args.push('-x', recipe.language, source);
+      break;
+    }
+    case 'precompile':
+      tree = treeFor(recipe);
+      args = [...recipe.flags, ...precompileFlags, ...search(recipe), '-emit-pch', '-o', result];
+      args.push('-x', 'c++-header', virtualPath(recipe.source));
+      break;
+    case 'archive':
+    case 'link': {
+      const names = recipe.parts.map((part, i) => {
+        const name = part.tool === 'archive' ? `part${i}.a` : `part${i}.o`;
+        tree[name] = made(key(part));
+        return name;
+      });
+      args =
+        recipe.tool === 'archive'
+          ? ['ar', 'crsD', result, ...names]
+          : [...recipe.before, ...names, ...recipe.after, '-o', result];
+      break;
+    }
+  }
+  const { files, log } = await runTool(args, tree, recipe.what);
+  const bytes = files[result];
+  if (!(bytes instanceof Uint8Array)) throw new CompileError(`${recipe.what}: no result`, log);
+  writeWhole(cached(key(recipe)), bytes);
+  return log;
+}

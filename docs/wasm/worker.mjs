@@ -1,0 +1,21 @@
+// A process that makes things, one at a time, for pool.mjs. A compiler that has run a few times is faster than a
+// new one, so it stays until its parent lets go of it.
+import os from 'node:os';
+import { CompileError } from './compiler.mjs';
+import { forgetSources } from './headers.mjs';
+import { make } from './recipes.mjs';
+
+os.setPriority(5);
+
+process.on('message', async (/** @type {{ recipe: import('./recipes.mjs').Recipe }} */ { recipe }) => {
+  const start = performance.now();
+  try {
+    forgetSources();
+    const log = await make(recipe);
+    process.send?.({ ok: true, log, seconds: (performance.now() - start) / 1000 });
+  } catch (error) {
+    const log = error instanceof CompileError ? error.message : String(/** @type {Error} */ (error).stack);
+    process.send?.({ ok: false, log, seconds: (performance.now() - start) / 1000 });
+  }
+});
+process.on('disconnect', () => process.exit());
