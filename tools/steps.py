@@ -9,7 +9,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -156,7 +156,52 @@ def native_targets(prefixes: Sequence[str]) -> list[str]:
 
 
 def build_native(targets: Sequence[str], log: str, limit: float | None = None) -> Done:
-    """Builds targets of build/dev (everything, if none are named)."""
+    """Builds these targets of build/dev."""
     wanted = [word for target in targets for word in ("--target", target)]
+    if not wanted:
+        return Done(0, "", 0.0, LOGS / f"{log}.log")
     with build_lock():
         return run(["cmake", "--build", DEV, *wanted], log, limit=limit)
+
+
+# --- How the book is built ------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step towards the book; what has not changed is not done again."""
+
+    what: str
+    run: Callable[[], Done]
+
+
+def _page_programs() -> Done:
+    """The programs whose output the pages show: hard cases, and ladders without a kept result."""
+    kept = {file.name.split(".")[0] for file in (ROOT / "benchmarks" / "results").glob("*.json")}
+    names = native_targets(["hard_cases_", "ladder_"])
+    wanted = [name for name in names if name.removeprefix("ladder_") not in kept]
+    return build_native(wanted, "book-native")
+
+
+def _node(log: str, *words: str) -> Callable[[], Done]:
+    return lambda: run(["node", *words], log, cwd=ROOT / "docs")
+
+
+def build_book() -> Done:
+    """Doxygen and Sphinx; any warning fails."""
+    return run([sys.executable, ROOT / "docs" / "build.py", "--complete"], "book-pages")
+
+
+# What a reader needs to begin, in order.
+FIRST = (
+    Step("the programs whose results the pages show", _page_programs),
+    Step("the figures' C++ for the page", _node("book-figures", "wasm/build.mjs", "figures")),
+    Step("the page's scripts", _node("book-web", "web/build.mjs")),
+    Step("the pages", build_book),
+)
+# What can come while they read. The pages are built again, to take the ladders in.
+BEHIND = (
+    Step("the ladders' C++ for the page", _node("book-ladders", "wasm/build.mjs", "ladders")),
+    Step("the pages with all that", build_book),
+    Step("the program, for the exercises", lambda: build_native(["contact"], "book-program")),
+)

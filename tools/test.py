@@ -227,15 +227,18 @@ def style() -> Iterator[Check]:
     yield once("ruff check", [venv / "ruff", "check", "."])
     yield once("ruff format", [venv / "ruff", "format", "--check", "."])
     yield once("mypy", [venv / "mypy", *python_sources()])
+    yield once("mypy of the book", [venv / "mypy", "--config-file", "docs/pyproject.toml"])
     bin_ = ROOT / "docs" / "node_modules" / ".bin"
     yield once("biome", [bin_ / "biome", "ci", "."], ROOT / "docs")
-    yield once("tsc", [bin_ / "tsc", "--noEmit", "-p", "."], ROOT / "docs")
+    for project in tracked("docs/tsconfig.json", "docs/*/tsconfig.json"):
+        yield once(f"tsc {project}", [bin_ / "tsc", "--noEmit", "-p", ROOT / project])
     scripts = [name for name in tracked() if is_shell(ROOT / name)]
     yield once("shellcheck", ["shellcheck", *scripts])
 
 
 def python_sources() -> list[str]:
-    return [name for name in tracked("*.py") if not name.startswith("tests/")]
+    """Ours; docs/ says itself how it is checked."""
+    return [name for name in tracked("*.py") if not name.startswith(("docs/", "tests/docs/"))]
 
 
 def is_shell(file: Path) -> bool:
@@ -308,21 +311,32 @@ def program() -> Iterator[Check]:
     yield from pytest("tests/cli")
 
 
+def step_checks(book_steps: Sequence[steps.Step]) -> Iterator[Check]:
+    for step in book_steps:
+
+        def check(_: float, step: steps.Step = step) -> Tally:
+            done = step.run()
+            return Tally(passed=1) if done.ok else Tally(failed=1, why=[explain(step.what, done)])
+
+        yield check
+
+
 def page() -> Iterator[Check]:
+    """Everything the book is made of, as ./contact serve makes it, and the tests of the scripts."""
     docs = ROOT / "docs"
-    yield once("npm run build", ["npm", "run", "--silent", "build"], docs)
+    yield from step_checks(steps.FIRST[1:3] + steps.BEHIND[:1])
     yield from node_tests("tests of docs/web", sorted(docs.glob("web/test/*.test.mjs")), docs)
 
 
 def wasm() -> Iterator[Check]:
     docs = ROOT / "docs"
+    yield once("Catch2's source", [ROOT / "tools" / "fetch_catch2_source.sh"])
     yield from node_tests("tests of docs/wasm", sorted(docs.glob("wasm/*.test.mjs")), docs)
     yield once("the contract in WebAssembly", ["node", docs / "wasm" / "prove_contract.mjs"])
 
 
 def book() -> Iterator[Check]:
-    python = [sys.executable, "-m", "sphinx", "-q", "-W", "-n", "--keep-going", "-b", "html"]
-    yield once("sphinx", [*python, ROOT / "docs", steps.SITE])
+    yield from step_checks(steps.FIRST[3:])
     yield from pytest("tests/docs")
 
 

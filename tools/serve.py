@@ -1,0 +1,211 @@
+"""./contact serve: builds the book and serves it on this machine.
+
+The prose and the figures come first and are served as soon as they are there; what takes longer is
+built behind, and a line says when it is done. Ctrl-C stops the server and every build.
+"""
+
+from __future__ import annotations
+
+import argparse
+import functools
+import http.client
+import http.server
+import socket
+import sys
+import threading
+import time
+from html.parser import HTMLParser
+from http import HTTPStatus
+from urllib.parse import quote, unquote, urldefrag, urljoin, urlsplit
+
+import steps
+from steps import SITE
+
+DEFAULT_PORT = 8000
+
+
+class Handler(http.server.SimpleHTTPRequestHandler):
+    """Static files, of the types that browsers insist on, never stale."""
+
+    extensions_map = {  # noqa: RUF012 (the base class declares it so)
+        **http.server.SimpleHTTPRequestHandler.extensions_map,
+        ".js": "text/javascript",
+        ".mjs": "text/javascript",
+        ".wasm": "application/wasm",
+        ".json": "application/json",
+        ".svg": "image/svg+xml",
+        ".woff2": "font/woff2",
+        ".gz": "application/gzip",
+    }
+
+    def end_headers(self) -> None:
+        # What is rebuilt behind must be seen at the next load.
+        self.send_header("Cache-Control", "no-cache")
+        super().end_headers()
+
+    def log_message(self, format: str, *args: object) -> None:
+        """Says nothing: the terminal is for what the reader has to know."""
+
+    def log_error(self, format: str, *args: object) -> None:
+        if args and args[0] != HTTPStatus.NOT_FOUND:
+            print(format % args, file=sys.stderr)
+
+
+class Server(http.server.ThreadingHTTPServer):
+    daemon_threads = True
+    # Another server's port must not be shared silently.
+    allow_reuse_port = False
+
+    def handle_error(self, request: object, client_address: object) -> None:
+        """A browser that goes away in the middle of a file is no event."""
+        if not isinstance(sys.exc_info()[1], ConnectionError):
+            super().handle_error(request, client_address)  # type: ignore[arg-type]
+
+
+def open_server(port: int) -> Server:
+    handler = functools.partial(Handler, directory=str(SITE))
+    if is_taken(port):
+        print(f"Port {port} is taken; using a free one.")
+        port = 0
+    return Server(("127.0.0.1", port), handler)
+
+
+def is_taken(port: int) -> bool:
+    with socket.socket() as probe:
+        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            probe.bind(("127.0.0.1", port))
+        except OSError:
+            return True
+    return False
+
+
+# --- Building -------------------------------------------------------------------------------------
+
+
+def build(book_steps: tuple[steps.Step, ...]) -> bool:
+    """Runs steps in order, each with a line. False at the first that fails, after its own words."""
+    for step in book_steps:
+        if steps.CHILDREN.stopping:
+            return False
+        print(f"Building {step.what} ...", flush=True)
+        done = step.run()
+        if steps.CHILDREN.stopping:
+            return False
+        if not done.ok:
+            print(f"{done.tail()}\n", file=sys.stderr)
+            print(f"contact: building {step.what} failed; all of it: {done.log}", file=sys.stderr)
+            return False
+        print(f"Built {step.what} in {done.seconds:.0f} s.", flush=True)
+    return True
+
+
+class Behind(threading.Thread):
+    """Builds what the reader can begin without."""
+
+    def __init__(self) -> None:
+        super().__init__(daemon=True)
+        self.ok = False
+
+    def run(self) -> None:
+        began = time.monotonic()
+        self.ok = build(steps.BEHIND)
+        if self.ok:
+            took = time.monotonic() - began
+            print(f"Everything is built ({took:.0f} s). Reload a page to see it.", flush=True)
+        elif not steps.CHILDREN.stopping:
+            print("The book is served without what failed.", flush=True)
+
+
+# --- --once ---------------------------------------------------------------------------------------
+
+
+class Links(HTMLParser):
+    """The addresses that a page itself loads or leads to."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.found: set[str] = set()
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        for name, value in attrs:
+            if value and (name == "src" or (name == "href" and tag in {"a", "link"})):
+                self.found.add(value)
+
+
+def fetch_all(port: int) -> list[str]:
+    """Fetches every page, and everything of ours that a page names. Returns what was wrong."""
+    pages = [file for file in sorted(SITE.rglob("*.html")) if "_static" not in file.parts]
+    origin = f"http://127.0.0.1:{port}"
+    wanted: dict[str, str] = {}
+    for page in pages:
+        path = "/" + quote(page.relative_to(SITE).as_posix())
+        wanted.setdefault(path, "the site")
+        links = Links()
+        links.feed(page.read_text(encoding="utf-8"))
+        for link in links.found:
+            target = urlsplit(urljoin(origin + path, urldefrag(link).url))
+            if f"{target.scheme}://{target.netloc}" == origin and target.path:
+                wanted.setdefault(target.path, path)
+    wrong = []
+    connection = http.client.HTTPConnection("127.0.0.1", port, timeout=30)
+    for path, named_by in sorted(wanted.items()):
+        connection.request("GET", path)
+        answer = connection.getresponse()
+        answer.read()
+        if answer.status != HTTPStatus.OK:
+            wrong.append(f"{unquote(path)} ({named_by} names it): {answer.status} {answer.reason}")
+    connection.close()
+    print(f"Fetched {len(pages)} pages and {len(wanted) - len(pages)} other files.")
+    return wrong if pages else ["there is no page at all"]
+
+
+# --- Together -------------------------------------------------------------------------------------
+
+
+def serve(port: int, once: bool) -> int:
+    if not build(steps.FIRST):
+        return 1
+    server = open_server(port)
+    port = server.server_address[1]
+    behind = Behind()
+    thread = threading.Thread(target=server.serve_forever, daemon=True)
+    try:
+        thread.start()
+        print(f"\n  The book: http://127.0.0.1:{port}/\n", flush=True)
+        behind.start()
+        if once:
+            behind.join()
+            wrong = fetch_all(port)
+            print("\n".join(wrong) if wrong else "All of them are there.")
+            return 0 if behind.ok and not wrong else 1
+        print("Ctrl-C stops it.", flush=True)
+        thread.join()
+        return 0
+    finally:
+        steps.CHILDREN.stop_all()
+        server.shutdown()
+        server.server_close()
+
+
+def port_number(text: str) -> int:
+    if not text.isdigit() or int(text) > 65535:
+        raise argparse.ArgumentTypeError(f'a port is a number from 0 to 65535, not "{text}"')
+    return int(text)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="./contact serve", description=__doc__)
+    parser.add_argument("--port", type=port_number, default=DEFAULT_PORT)
+    parser.add_argument("--once", action="store_true")
+    arguments = parser.parse_args()
+    try:
+        return serve(arguments.port, arguments.once)
+    except KeyboardInterrupt:
+        steps.CHILDREN.stop_all()
+        print("\nStopped.", flush=True)
+        return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
