@@ -15,6 +15,7 @@ namespace contact {
 struct TextLimits {
   std::size_t elements = 24;     ///< of a sequence, or rows of a matrix
   std::size_t characters = 200;  ///< of a string
+  int digits = 0;                ///< of a double; 0: as many as bring back the same double
 };
 
 namespace value_detail {
@@ -105,11 +106,15 @@ std::string enum_text(E value) {
   return name.empty() ? text + '(' + std::to_string(number) + ')' : text + "::" + std::string{name};
 }
 
-inline std::string number_text(double x) {
+inline std::string number_text(double x, const TextLimits& limits) {
   if (x != x) return "NaN";
   std::array<char, 40> buffer;
-  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x);
-  return std::string(buffer.data(), end);
+  char* const first = buffer.data();
+  char* const last = first + buffer.size();
+  const auto [end, error] =
+      limits.digits == 0 ? std::to_chars(first, last, x)
+                         : std::to_chars(first, last, x, std::chars_format::general, limits.digits);
+  return std::string(first, end);
 }
 
 inline std::string quoted_text(std::string_view text, std::size_t most) {
@@ -135,18 +140,18 @@ inline std::string quoted_text(std::string_view text, std::size_t most) {
 }
 
 template <class M>
-std::string matrix_text(const M& m, std::size_t most) {
+std::string matrix_text(const M& m, const TextLimits& limits) {
   const bool column = m.cols() == 1;
   std::string text = column ? "(" : "[";
   for (Eigen::Index i = 0; i < m.rows(); ++i) {
     if (i > 0) text += column ? ", " : "; ";
-    if (static_cast<std::size_t>(i) >= most) {
+    if (static_cast<std::size_t>(i) >= limits.elements) {
       text += "and " + std::to_string(m.rows() - i) + " more";
       break;
     }
     for (Eigen::Index j = 0; j < m.cols(); ++j) {
       if (j > 0) text += ' ';
-      text += number_text(m(i, j));
+      text += number_text(m(i, j), limits);
     }
   }
   return text + (column ? ')' : ']');
@@ -164,16 +169,17 @@ std::string text_of(const T& value, const TextLimits& limits = {}) {
   } else if constexpr (kind == Kind::integer) {
     return std::to_string(value);
   } else if constexpr (kind == Kind::real) {
-    return number_text(value);
+    return number_text(value, limits);
   } else if constexpr (kind == Kind::enumeration) {
     return enum_text(value);
   } else if constexpr (kind == Kind::text) {
     return quoted_text(value, limits.characters);
   } else if constexpr (kind == Kind::matrix) {
-    return matrix_text(value, limits.elements);
+    return matrix_text(value, limits);
   } else if constexpr (kind == Kind::rotation) {
-    return "Quaternion{w: " + number_text(value.w()) + ", x: " + number_text(value.x()) +
-           ", y: " + number_text(value.y()) + ", z: " + number_text(value.z()) + '}';
+    return "Quaternion{w: " + number_text(value.w(), limits) +
+           ", x: " + number_text(value.x(), limits) + ", y: " + number_text(value.y(), limits) +
+           ", z: " + number_text(value.z(), limits) + '}';
   } else if constexpr (kind == Kind::sequence) {
     std::string text = "[";
     for (std::size_t i = 0; i < value.size(); ++i) {

@@ -44,12 +44,12 @@ std::optional<Hit> exact_hit(const Ray& ray, const Triangle& triangle) {
 /// 1e-3; c = 64 leaves room for longer ways.
 std::optional<Hit> bound(const Ray& ray, const Triangle& triangle) {
   const Vector e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a, n = e1.cross(e2);
-  const auto hit = exact_hit(ray, triangle);
-  if (!hit) return std::nullopt;
-  const double speed = ray.direction.norm();
-  const double largest = std::max(
-      {ray.origin.norm(), hit->t * speed, triangle.a.norm(), triangle.b.norm(), triangle.c.norm()});
-  const double slide = 64 * 0x1p-53 * largest * n.norm() * speed / std::abs(n.dot(ray.direction));
+  const double slope = std::abs(n.dot(ray.direction)), speed = ray.direction.norm();
+  if (slope == 0) return Hit{};
+  const double reach = std::abs(n.dot(ray.origin - triangle.a)) / slope * speed;
+  const double largest =
+      std::max({reach, ray.origin.norm(), triangle.a.norm(), triangle.b.norm(), triangle.c.norm()});
+  const double slide = 64 * 0x1p-53 * largest * n.norm() * speed / slope;
   const double edge = std::max({e1.norm(), e2.norm(), (e2 - e1).norm()});
   return Hit{slide / speed, Vector::Constant(slide * edge / n.norm())};
 }

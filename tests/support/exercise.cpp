@@ -65,7 +65,9 @@ std::uint64_t seed(std::uint64_t stream) {
   return x ^ (x >> 31);
 }
 
-Within within(double tolerance) { return {{tolerance}, "\u00b1" + text_of(tolerance)}; }
+Within within(double tolerance) {
+  return {{tolerance}, "\u00b1" + text_of(tolerance, {.digits = 2})};
+}
 
 namespace detail {
 

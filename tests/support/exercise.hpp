@@ -74,7 +74,7 @@ requires(!std::is_same_v<T, double>) Within within(const T& tolerance) {
     return true;
   };
   agree(tolerance, tolerance, collect);
-  return {std::move(bounds), text_of(tolerance)};
+  return {std::move(bounds), text_of(tolerance, {.digits = 2})};
 }
 
 namespace detail {
@@ -124,33 +124,23 @@ class Answer {
   }
 
   /// Every part is the same; NaN equals nothing.
-  void equals(const T& expected) && { judge(expected, "", equal<T>); }
+  void equals(const T& expected) && { judge(expected, Within({0}, "")); }
 
   /// Every number is as near as `allowed` says, and everything else is the same. NaN is near
   /// nothing.
-  void close_to(const T& expected, const Within& allowed) && {
-    const auto close = [&](const T& x, const T& y) {
-      std::size_t i = 0;
-      const auto near = [&](double a, double b) {
-        const double bound = allowed.bound(i++);
-        return a == b || std::abs(a - b) <= bound;
-      };
-      return agree(x, y, near);
-    };
-    judge(expected, allowed.text(), close);
-  }
+  void close_to(const T& expected, const Within& allowed) && { judge(expected, allowed); }
 
   /// pred(answer) holds; `says` completes the sentence "Right is an answer that ...".
   template <class Predicate>
   void satisfies(std::string_view says, Predicate&& pred) && {
     if (answer_ && pred(*answer_)) return;
-    fail(std::string{says}, "", equal<T>, [&](const T& wrong) { return pred(wrong); });
+    fail(std::string{says}, "", Within({0}, ""), [&](const T& wrong) { return pred(wrong); });
   }
 
   /// The call throws std::invalid_argument.
   void throws_invalid_argument() && {
     if (ending_.invalid_argument) return;
-    fail("throws std::invalid_argument", "", equal<T>, [](const T&) { return false; });
+    fail("throws std::invalid_argument", "", Within({0}, ""), [](const T&) { return false; });
   }
 
  private:
@@ -159,34 +149,46 @@ class Answer {
   std::optional<T> answer_;
   detail::Ending ending_;
 
-  template <class Same>
-  void judge(const T& expected, std::string allowed, Same&& same) {
-    if (answer_ && same(*answer_, expected)) return;
-    fail(text_of(expected), std::move(allowed), same,
-         [&](const T& wrong) { return same(wrong, expected); });
+  void judge(const T& expected, const Within& allowed) {
+    if (answer_ && close(*answer_, expected, allowed)) return;
+    bool has_numbers = false;
+    const auto number = [&](double, double) { return has_numbers = true; };
+    agree(expected, expected, number);
+    fail(text_of(expected), has_numbers ? allowed.text() : "", allowed,
+         [&](const T& wrong) { return close(wrong, expected, allowed); });
   }
 
-  template <class Same, class Right>
-  [[noreturn]] void fail(std::string right, std::string allowed, Same&& same, Right&& is_right) {
+  static bool close(const T& x, const T& y, const Within& allowed, bool nan_is_nan = false) {
+    std::size_t i = 0;
+    const auto near = [&](double a, double b) {
+      const double bound = allowed.bound(i++);
+      return a == b || std::abs(a - b) <= bound || (nan_is_nan && a != a && b != b);
+    };
+    return agree(x, y, near);
+  }
+
+  template <class Right>
+  [[noreturn]] void fail(std::string right, std::string text, const Within& allowed,
+                         Right&& is_right) {
     std::string_view misconception;
     for (const auto& suspect : suspects_) {
-      if (answer_ && recognised(suspect, same, is_right)) {
+      if (answer_ && recognised(suspect, allowed, is_right)) {
         misconception = suspect.misconception;
         break;
       }
     }
     detail::fail(asked_, answer_ ? text_of(*answer_) : ending_.thrown, std::move(right),
-                 std::move(allowed), misconception);
+                 std::move(text), misconception);
   }
 
   // A wrong formula that happens to be right here explains nothing. One that breaks down is not
-  // what the student used.
-  template <class Same, class Right>
-  bool recognised(const Suspect<T>& suspect, Same& same, Right& is_right) const {
+  // what the student used. To recognise a wrong answer (never to accept one), NaN is like NaN.
+  template <class Right>
+  bool recognised(const Suspect<T>& suspect, const Within& allowed, Right& is_right) const {
     if (suspect.looks_like) return suspect.looks_like(*answer_);
     try {
       const T wrong = suspect.wrong();
-      return same(*answer_, wrong) && !is_right(wrong);
+      return close(*answer_, wrong, allowed, true) && !is_right(wrong);
     } catch (const std::exception&) {
       return false;
     }
