@@ -1,0 +1,76 @@
+"""The Sphinx extension of the book: its directives, its mathematics, its built products."""
+
+from __future__ import annotations
+
+from docutils import nodes
+from sphinx.application import Sphinx
+from sphinx.util.typing import ExtensionMetadata
+
+from contact_book.api import depend_on_headers
+from contact_book.ask import Question, Recall
+from contact_book.assets import add_script, copy_components
+from contact_book.chapter import (
+    ChapterFoot,
+    ChapterHead,
+    ChapterRole,
+    Objectives,
+    append_frame,
+    place_head,
+)
+from contact_book.exercise import Exercise
+from contact_book.hard_cases import HardCases
+from contact_book.home import BookContents, ChapterMap, always_home
+from contact_book.html import depart_through, visit_component, visit_through
+from contact_book.ladder import Ladder
+from contact_book.listing import Code, Example
+from contact_book.live_figure import LiveFigure
+from contact_book.locations import name_authors_files
+from contact_book.maths import copy_style, visit_block, visit_inline
+from contact_book.nodes import component, slot
+
+DIRECTIVES = {
+    "live-figure": LiveFigure,
+    "exercise": Exercise,
+    "question": Question,
+    "recall": Recall,
+    "ladder": Ladder,
+    "hard-cases": HardCases,
+    "example": Example,
+    "code": Code,
+    "objectives": Objectives,
+    "chapter-head": ChapterHead,
+    "chapter-foot": ChapterFoot,
+    "chapter-map": ChapterMap,
+    "book-contents": BookContents,
+}
+
+
+def _add_node(app: Sphinx, node: type[nodes.Element]) -> None:
+    through = (visit_through, depart_through)
+    html = (visit_component, depart_through) if node is component else through
+    app.add_node(node, html=html, epub=html, latex=through, text=through, man=through)
+
+
+def setup(app: Sphinx) -> ExtensionMetadata:
+    app.add_config_value("contact_root", "", "env", str)
+    app.add_config_value("contact_products", "", "env", str)
+    app.add_config_value("contact_web", "", "env", str)
+    app.add_config_value("contact_node", "", "env", str)
+    app.add_config_value("contact_plotter", "", "env", str)
+    app.add_config_value("contact_complete", False, "env", bool)
+    for name, directive in DIRECTIVES.items():
+        app.add_directive(name, directive, override=True)
+    app.add_role("chapter", ChapterRole())
+    for node in (component, slot):
+        _add_node(app, node)
+    app.add_html_math_renderer("katex", (visit_inline, None), (visit_block, None))
+    app.add_css_file("katex/katex.css")
+    app.connect("builder-inited", name_authors_files)
+    app.connect("builder-inited", copy_style)
+    app.connect("builder-inited", copy_components)
+    app.connect("env-get-outdated", always_home)
+    app.connect("source-read", append_frame)
+    app.connect("source-read", depend_on_headers)
+    app.connect("doctree-read", place_head)
+    app.connect("html-page-context", add_script)
+    return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,21 @@
+"""API pages are stale when a header or what Doxygen made of it changes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from sphinx.application import Sphinx
+
+from contact_book.directive import open_book, slug_of
+
+
+def depend_on_headers(app: Sphinx, docname: str, source: list[str]) -> None:
+    """Called when a page is read; notes what an API page is made from."""
+    slug = slug_of(docname)
+    if not docname.startswith("api/") or slug is None:
+        return
+    xml = Path(app.config.breathe_projects["contact"])
+    for header in open_book(app.config).chapter(slug, docname).headers:
+        app.env.note_dependency(str(header))
+        group = f"group__header__{header.stem.replace('_', '__')}.xml"
+        app.env.note_dependency(str(xml / group))

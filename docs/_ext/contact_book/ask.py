@@ -1,0 +1,110 @@
+"""`{question}` and `{recall}`: questions the page checks, and paper can ask too."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from docutils import nodes
+from sphinx.writers.html5 import HTML5Translator
+
+from contact_book.directive import BookDirective
+from contact_book.errors import BookError
+from contact_book.html import attributes, base_path, can_run_scripts, json_script, renders, slots
+from contact_book.nodes import component, make_component, make_slot
+from contact_book.questions import Question as QuestionData
+from contact_book.questions import find_question
+
+LABELS = {
+    "predict": "Predict",
+    "choose": "Choose",
+    "order": "Put in order",
+    "construct": "Construct",
+}
+
+
+class Question(BookDirective):
+    required_arguments = 1
+
+    def build(self) -> list[nodes.Node]:
+        return [self.ask(self.arguments[0].strip())]
+
+    def ask(self, name: str) -> component:
+        question = find_question(self.book, name, self.here, self.source)
+        self.depends(question.chapter.folder / "questions.toml")
+        self.needs_script()
+        fields = [make_slot("text", self.inline_markdown(question.text))]
+        fields += [make_slot("choice", self.inline_markdown(item)) for item in question.choices]
+        fields += [make_slot("explain", self.markdown(question.explain))]
+        fields += [make_slot("why", self.inline_markdown(item.why)) for item in question.wrong]
+        return make_component("question", {"question": question}, fields)
+
+
+class Recall(Question):
+    """The questions from earlier chapters that chapter.toml asks again."""
+
+    required_arguments = 0
+
+    def build(self) -> list[nodes.Node]:
+        if self.here is None:
+            raise BookError("recall belongs in a chapter's lesson")
+        chapter = self.book.chapter(self.here, self.source)
+        self.depends(chapter.folder / "chapter.toml")
+        if not chapter.recall:
+            raise BookError(f"chapters/{chapter.slug}/chapter.toml lists no recall questions")
+        return [self.ask(name) for name in chapter.recall]
+
+
+def payload(question: QuestionData, parts: dict[str, list[str]]) -> dict[str, Any]:
+    """What the page's element needs; texts are HTML already."""
+    data: dict[str, Any] = {
+        "id": question.ref,
+        "kind": question.kind,
+        "objective": question.objective,
+        "text": parts["text"][0],
+        "explain": parts["explain"][0],
+        "wrong": [
+            {"answer": item.answer, "why": why}
+            for item, why in zip(question.wrong, parts.get("why", []), strict=True)
+        ],
+    }
+    if question.kind == "predict":
+        data |= {"answer": question.answer, "unit": question.unit, "tolerance": question.tolerance}
+    elif question.kind == "construct":
+        data |= {"figure": question.figure, "goal": question.goal}
+    else:
+        key = "items" if question.kind == "order" else "options"
+        data |= {key: parts["choice"], "answer": question.answer}
+    return data
+
+
+def shown_answer(question: QuestionData, parts: dict[str, list[str]]) -> str:
+    """The answer as words, for the reader without the page's script."""
+    if question.kind == "predict":
+        unit = f" {question.unit}" if question.unit else ""
+        return f"<p>{question.answer:.15g}{unit}</p>"
+    if question.kind == "choose":
+        return f"<p>{parts['choice'][question.answer]}</p>"
+    if question.kind == "order":
+        items = "".join(f"<li>{parts['choice'][index]}</li>" for index in question.answer)
+        return f"<ol>{items}</ol>"
+    return ""
+
+
+@renders("question")
+def question_html(translator: HTML5Translator, node: component) -> str:
+    question: QuestionData = node["data"]["question"]
+    parts = slots(translator, node)
+    choices = ""
+    if question.choices:
+        choices = "<ul>" + "".join(f"<li>{item}</li>" for item in parts["choice"]) + "</ul>"
+    fallback = (
+        f'<div class="question"><p class="kind">{LABELS[question.kind]}</p>'
+        f'<div class="asked">{parts["text"][0]}</div>{choices}'
+        f"<details><summary>Answer</summary>{shown_answer(question, parts)}"
+        f"{parts['explain'][0]}</details></div>"
+    )
+    if not can_run_scripts(translator):
+        return fallback
+    script = json_script(payload(question, parts))
+    where = attributes(base=base_path(translator), id=f"question-{question.id}")
+    return f"<contact-question{where}>{script}{fallback}</contact-question>\n"

@@ -1,0 +1,55 @@
+"""Puts the built components beside the pages, and their script on the pages that need it."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from typing import Any
+
+from docutils import nodes
+from sphinx.application import Sphinx
+
+SCRIPT = "contact/contact.js"
+STYLE = "contact/contact.css"
+
+
+def sync(source: Path, target: Path) -> int:
+    """Makes `target` a copy of `source`, touching only what differs; how many files it wrote."""
+    written = 0
+    wanted: set[Path] = set()
+    for path in sorted(source.rglob("*")):
+        copy = target / path.relative_to(source)
+        if path.is_dir():
+            continue
+        wanted.add(copy)
+        ours, theirs = path.stat(), copy.stat() if copy.is_file() else None
+        if theirs and (theirs.st_size, theirs.st_mtime_ns) == (ours.st_size, ours.st_mtime_ns):
+            continue
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy2(path, copy)
+        written += 1
+    for path in sorted(target.rglob("*")):
+        if path.is_file() and path not in wanted:
+            path.unlink()
+    return written
+
+
+def copy_components(app: Sphinx) -> None:
+    """Copies build/web into the pages' static files."""
+    web = Path(app.config.contact_web)
+    if app.builder.format == "html" and app.builder.name != "epub" and web.is_dir():
+        sync(web, Path(app.outdir) / "_static" / "contact")
+
+
+def add_script(
+    app: Sphinx, page: str, template: str, context: dict[str, Any], doctree: nodes.document | None
+) -> None:
+    """The script is a module, so it is deferred; pages without components do not load it."""
+    if doctree is None or app.builder.name == "epub":
+        return
+    if "contact-components" not in app.env.metadata.get(page, {}):
+        return
+    if (Path(app.config.contact_web) / "contact.css").is_file():
+        app.add_css_file(STYLE)
+    if (Path(app.config.contact_web) / "contact.js").is_file():
+        app.add_js_file(SCRIPT, type="module")

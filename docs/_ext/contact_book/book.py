@@ -1,0 +1,152 @@
+"""The book as found on disk. `chapters/` is the only registry; nothing is listed anywhere."""
+
+from __future__ import annotations
+
+import os
+import re
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+from contact_book.errors import BookError, unknown
+from contact_book.toml import Table, read_toml
+
+PARTS = (
+    "Before",
+    "Part I. Where things meet",
+    "Part II. What happens then",
+    "Part III. Together",
+)
+_SLUG = re.compile(r"\d\d_[a-z][a-z0-9_]*")
+
+
+@dataclass(frozen=True)
+class Objective:
+    id: str
+    text: str
+
+
+@dataclass(frozen=True)
+class Source:
+    lecture: str
+    topic: str
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """One folder of `chapters/`, as its chapter.toml describes it."""
+
+    root: Path
+    slug: str
+    title: str
+    part: int
+    status: str
+    tooltip: str
+    builds_on: tuple[str, ...]
+    minutes: int
+    recall: tuple[str, ...]
+    exercises: tuple[str, ...]
+    objectives: tuple[Objective, ...]
+    sources: tuple[Source, ...]
+
+    @property
+    def folder(self) -> Path:
+        return self.root / "chapters" / self.slug
+
+    @property
+    def number(self) -> int:
+        return int(self.slug[:2])
+
+    @property
+    def lesson(self) -> Path:
+        return self.folder / "lesson.md"
+
+    @property
+    def has_lesson(self) -> bool:
+        return self.status == "lesson" and self.lesson.is_file()
+
+    @property
+    def headers(self) -> list[Path]:
+        return sorted((self.folder / "contact").glob("*.hpp"))
+
+    @property
+    def figures(self) -> list[str]:
+        return sorted(path.stem for path in (self.folder / "figures").glob("*.cpp"))
+
+    @property
+    def examples(self) -> list[str]:
+        return sorted(path.stem for path in (self.folder / "examples").glob("*.cpp"))
+
+
+def _chapter(root: Path, folder: Path) -> Chapter:
+    slug = folder.name
+    if not _SLUG.fullmatch(slug):
+        raise BookError(f"chapters/{slug}: a chapter's folder is two digits, '_' and a name")
+    table = read_toml(folder / "chapter.toml", f"chapters/{slug}/chapter.toml")
+    status = table.need("status", str)
+    if status not in ("lesson", "reference"):
+        raise BookError(f"{table.where}: status is 'lesson' or 'reference', not '{status}'")
+    part = table.need("part", int)
+    if not 0 <= part < len(PARTS):
+        raise BookError(f"{table.where}: part is 0 to {len(PARTS) - 1}, not {part}")
+    return Chapter(
+        root=root,
+        slug=slug,
+        title=table.need("title", str),
+        part=part,
+        status=status,
+        tooltip=table.get("tooltip", str, ""),
+        builds_on=tuple(table.strings("builds_on")),
+        minutes=table.get("minutes", int, 0),
+        recall=tuple(table.strings("recall")),
+        exercises=tuple(table.strings("exercises")),
+        objectives=tuple(
+            Objective(row.need("id", str), row.need("text", str))
+            for row in table.tables("objectives")
+        ),
+        sources=tuple(
+            Source(row.need("lecture", str), row.need("topic", str))
+            for row in table.tables("sources")
+        ),
+    )
+
+
+class Book:
+    """Everything the pages are made from, read when first asked for."""
+
+    def __init__(self, root: Path, products: Path) -> None:
+        self.root = root
+        self.products = products
+
+    @cached_property
+    def chapters(self) -> dict[str, Chapter]:
+        folders = sorted(path.parent for path in (self.root / "chapters").glob("*/chapter.toml"))
+        return {folder.name: _chapter(self.root, folder) for folder in folders}
+
+    def chapter(self, slug: str, where: str) -> Chapter:
+        if slug not in self.chapters:
+            raise unknown("chapter", slug, self.chapters, where)
+        return self.chapters[slug]
+
+    def split(self, name: str, here: str | None, where: str) -> tuple[Chapter, str]:
+        """`NAME` in the chapter `here`, or `NN_slug/NAME` from anywhere."""
+        slug, slash, rest = name.partition("/")
+        if slash:
+            return self.chapter(slug, where), rest
+        if here is None:
+            raise BookError(f"'{name}' needs its chapter before it, as in 02_triangles/{name}")
+        return self.chapter(here, where), name
+
+    def relative(self, path: Path) -> str:
+        return os.path.relpath(path, self.root)
+
+    def header(self, include: str) -> Path | None:
+        """The file that `#include <include>` finds in the chapters."""
+        for chapter in self.chapters.values():
+            path = chapter.folder / include
+            if path.is_file():
+                return path
+        return None
+
+    def table(self, path: Path) -> Table:
+        return read_toml(path, self.relative(path))

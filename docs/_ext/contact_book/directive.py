@@ -1,0 +1,97 @@
+"""What every directive of the book shares: the book, the chapter it stands in, and its errors."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, ClassVar
+
+from docutils import nodes
+from sphinx.config import Config
+from sphinx.util import logging
+from sphinx.util.docutils import SphinxDirective
+
+from contact_book.book import Book
+from contact_book.errors import BookError
+
+logger = logging.getLogger(__name__)
+
+
+def open_book(config: Config) -> Book:
+    """The book that this configuration points to."""
+    return Book(Path(config.contact_root), Path(config.contact_products))
+
+
+def slug_of(docname: str) -> str | None:
+    """The chapter a document belongs to, or None for pages outside chapters."""
+    folder, _, name = docname.partition("/")
+    return name if folder in ("chapters", "api") and name[:2].isdigit() else None
+
+
+def source_of(docname: str) -> str:
+    """Where the author finds this document, from the root of the project."""
+    slug = slug_of(docname)
+    if slug and docname.startswith("chapters/"):
+        return f"chapters/{slug}/lesson.md"
+    return f"docs/{docname}.md"
+
+
+class BookDirective(SphinxDirective):
+    """A directive whose mistakes are reported against the author's own file."""
+
+    required_arguments = 0
+    optional_arguments = 0
+    final_argument_whitespace = True
+    has_content = False
+    option_spec: ClassVar[dict[str, Any]] = {}
+
+    def build(self) -> list[nodes.Node]:
+        """The nodes; raises BookError when the author's words cannot be honoured."""
+        raise NotImplementedError
+
+    def run(self) -> list[nodes.Node]:
+        try:
+            return self.build()
+        except BookError as error:
+            place = f"{source_of(self.env.docname)}:{self.lineno}"
+            logger.error("%s: %s", self.name, error, location=place, type="contact")
+            return [nodes.error("", nodes.paragraph("", str(error)))]
+
+    @property
+    def book(self) -> Book:
+        if "contact_book" not in self.env.temp_data:
+            self.env.temp_data["contact_book"] = open_book(self.config)
+        book: Book = self.env.temp_data["contact_book"]
+        return book
+
+    @property
+    def here(self) -> str | None:
+        return slug_of(self.env.docname)
+
+    @property
+    def source(self) -> str:
+        return source_of(self.env.docname)
+
+    def depends(self, *paths: Path) -> None:
+        """The page is stale when one of these changes, appears or disappears."""
+        for path in paths:
+            self.env.note_dependency(str(path))
+
+    def missing_product(self, message: str) -> None:
+        """A thing the build makes is not there: an error only when the build should be complete."""
+        if self.config.contact_complete:
+            raise BookError(message)
+
+    def needs_script(self) -> None:
+        """This page has components that the page's script brings to life."""
+        self.env.metadata[self.env.docname]["contact-components"] = "yes"
+
+    def markdown(self, text: str) -> list[nodes.Node]:
+        """Parsed MyST, as block content."""
+        return self.parse_text_to_nodes(text.strip())
+
+    def inline_markdown(self, text: str) -> list[nodes.Node]:
+        """Parsed MyST; a lone paragraph gives its inline content."""
+        parsed = self.markdown(text)
+        if len(parsed) == 1 and isinstance(parsed[0], nodes.paragraph):
+            return list(parsed[0].children)
+        return parsed

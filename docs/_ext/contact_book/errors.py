@@ -1,0 +1,16 @@
+"""One kind of mistake: something an author wrote that the book cannot honour."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+
+class BookError(Exception):
+    """A mistake in the book's sources, worded for the author who made it."""
+
+
+def unknown(what: str, name: str, known: Iterable[str], where: str) -> BookError:
+    """An error for a name that does not exist, listing the names that do."""
+    names = sorted(known)
+    listing = ", ".join(names) if names else "none"
+    return BookError(f"unknown {what} '{name}' in {where}; there is: {listing}")

@@ -1,0 +1,81 @@
+"""Exercises as their folder describes them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from contact_book.book import Book, Chapter
+from contact_book.errors import BookError, unknown
+from contact_book.toml import Table
+
+KINDS = {
+    "worked": "worked example",
+    "completion": "complete it",
+    "blank": "from a blank page",
+    "transfer": "on your own",
+}
+
+
+@dataclass(frozen=True)
+class Points:
+    """What one test is worth."""
+
+    name: str
+    points: float
+
+
+@dataclass(frozen=True)
+class Exercise:
+    chapter: Chapter
+    name: str
+    folder: Path
+    title: str
+    objective: str
+    kind: str
+    minutes: int
+    brief: str
+    hints: tuple[str, ...]
+    tests: tuple[Points, ...]
+
+    @property
+    def ref(self) -> str:
+        return f"{self.chapter.slug}/{self.name}"
+
+    @property
+    def contract(self) -> Path:
+        return self.folder / f"{self.name}.hpp"
+
+
+def _points(row: Table) -> Points:
+    value = row.need("points", float)
+    return Points(row.need("name", str), value)
+
+
+def find_exercise(book: Book, name: str, here: str | None, where: str) -> Exercise:
+    """The exercise called `NAME` in the chapter `here`, or `NN_slug/NAME`."""
+    chapter, short = book.split(name, here, where)
+    shelf = book.root / "exercises" / chapter.slug
+    folder = shelf / short
+    if not (folder / "exercise.toml").is_file():
+        known = [path.parent.name for path in shelf.glob("*/exercise.toml")]
+        raise unknown("exercise", short, known, f"exercises/{chapter.slug}")
+    table = book.table(folder / "exercise.toml")
+    kind = table.need("kind", str)
+    if kind not in KINDS:
+        raise unknown("kind of exercise", kind, KINDS, table.where)
+    tests = tuple(_points(row) for row in table.tables("tests"))
+    if not tests:
+        raise BookError(f"{table.where}: an exercise needs at least one test")
+    return Exercise(
+        chapter=chapter,
+        name=short,
+        folder=folder,
+        title=table.need("title", str),
+        objective=table.need("objective", str),
+        kind=kind,
+        minutes=table.get("minutes", int, 0),
+        brief=table.need("brief", str),
+        hints=tuple(table.strings("hints")),
+        tests=tests,
+    )

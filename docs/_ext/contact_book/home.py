@@ -1,0 +1,73 @@
+"""The map of chapters and the table of contents, both made from the chapters there are."""
+
+from __future__ import annotations
+
+from docutils import nodes
+from sphinx.application import Sphinx
+
+from contact_book.book import PARTS, Chapter
+from contact_book.chapter import chapter_link, joined
+from contact_book.directive import BookDirective
+
+
+def _parts(chapters: list[Chapter]) -> list[tuple[str, list[Chapter]]]:
+    found = [(name, [c for c in chapters if c.part == part]) for part, name in enumerate(PARTS)]
+    return [(name, group) for name, group in found if group]
+
+
+class ChapterMap(BookDirective):
+    def build(self) -> list[nodes.Node]:
+        box = nodes.container(classes=["chapter-map"])
+        for name, chapters in _parts(list(self.book.chapters.values())):
+            box += nodes.paragraph("", name, classes=["part"])
+            cards = nodes.bullet_list("", bullet="-", classes=["cards"])
+            cards += [self.card(chapter) for chapter in chapters]
+            box += cards
+        return [box]
+
+    def card(self, chapter: Chapter) -> nodes.list_item:
+        self.depends(chapter.folder / "chapter.toml")
+        kind = "lesson" if chapter.has_lesson else "code-only"
+        item = nodes.list_item(classes=["card", kind])
+        title = nodes.paragraph(classes=["name"])
+        title += nodes.inline("", f"{chapter.number:02d}", classes=["number"])
+        title += nodes.Text(" ")
+        title += chapter_link(chapter, self.env.docname)
+        item += title
+        if chapter.tooltip:
+            item += nodes.paragraph("", "", *self.inline_markdown(chapter.tooltip))
+        facts = nodes.paragraph(classes=["facts"])
+        if chapter.has_lesson and chapter.minutes:
+            facts += nodes.inline("", f"{chapter.minutes} minutes")
+        if not chapter.has_lesson:
+            facts += nodes.inline("", "code only")
+        if chapter.builds_on:
+            earlier = [self.book.chapter(slug, self.source) for slug in chapter.builds_on]
+            titles: list[nodes.Node] = [nodes.Text(other.title) for other in earlier]
+            facts += nodes.inline("", "", nodes.Text("builds on "), *joined(titles))
+        item += facts
+        return item
+
+
+class BookContents(BookDirective):
+    """The hidden tables of contents behind the sidebar, one for each part, and one for the code."""
+
+    def build(self) -> list[nodes.Node]:
+        lessons = [chapter for chapter in self.book.chapters.values() if chapter.has_lesson]
+        blocks = [
+            self.toctree(name, [f"chapters/{chapter.slug}" for chapter in group])
+            for name, group in _parts(lessons)
+        ]
+        blocks.append(self.toctree("Reference code", ["api/index"]))
+        return self.markdown("\n\n".join(blocks))
+
+    def toctree(self, caption: str, pages: list[str]) -> str:
+        lines = [":::{toctree}", ":hidden:", f":caption: {caption}", "", *pages, ":::"]
+        return "\n".join(lines)
+
+
+def always_home(
+    app: Sphinx, env: object, added: object, changed: object, removed: object
+) -> list[str]:
+    """The home page shows which chapters there are, so it is read in every build."""
+    return ["index"]

@@ -1,0 +1,23 @@
+// Renders mathematics: one JSON request a line in, one JSON answer a line out.
+// The argument is the folder whose node_modules holds KaTeX.
+import { createRequire } from "node:module";
+import { createInterface } from "node:readline";
+import { join } from "node:path";
+
+const katex = createRequire(join(process.argv[2], "package.json"))("katex");
+const macros = {
+  "\\norm": "\\lVert #1\\rVert",
+  "\\abs": "\\lvert #1\\rvert",
+};
+
+for await (const line of createInterface({ input: process.stdin })) {
+  const { tex, display } = JSON.parse(line);
+  let answer;
+  try {
+    const options = { displayMode: display, throwOnError: true, strict: "error", trust: false };
+    answer = { html: katex.renderToString(tex, { ...options, macros: { ...macros } }) };
+  } catch (error) {
+    answer = { error: error.message };
+  }
+  process.stdout.write(`${JSON.stringify(answer)}\n`);
+}

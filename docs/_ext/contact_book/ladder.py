@@ -1,0 +1,141 @@
+"""`{ladder}`: what each method costs and how often it is wrong, from the newest measurement."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from pathlib import Path
+from typing import Any
+
+from docutils import nodes
+from sphinx.writers.html5 import HTML5Translator
+
+from contact_book.directive import BookDirective
+from contact_book.errors import BookError
+from contact_book.html import attributes, base_path, can_run_scripts, json_script, renders, slots
+from contact_book.nodes import component, make_component, make_slot
+from contact_book.tables import table
+
+
+def newest(folder: Path, slug: str) -> Path | None:
+    """The measurement with the latest date among `<slug>.<machine>.json`."""
+    found = []
+    for path in sorted(folder.glob(f"{slug}.*.json")):
+        found.append((json.loads(path.read_text(encoding="utf-8"))["date"], path))
+    return max(found)[1] if found else None
+
+
+def _number(value: float | None) -> str:
+    if value is None:
+        return "–"
+    if value != 0 and (abs(value) < 1e-3 or abs(value) >= 1e6):
+        mantissa, _, exponent = f"{value:.1e}".partition("e")
+        return f"{mantissa}·10^{int(exponent)}"
+    return f"{value:,.3g}" if abs(value) < 1000 else f"{value:,.0f}"
+
+
+def _count(value: int) -> str:
+    return f"{value:,}"
+
+
+class Ladder(BookDirective):
+    optional_arguments = 1
+
+    def build(self) -> list[nodes.Node]:
+        slug = self.arguments[0].strip() if self.arguments else self.here
+        if slug is None:
+            raise BookError("ladder needs a chapter here, as in {ladder} 02_triangles")
+        chapter = self.book.chapter(slug, self.source)
+        if not (chapter.folder / "ladder.cpp").is_file():
+            raise BookError(f"chapters/{slug}/ladder.cpp is missing")
+        measured = newest(self.book.root / "benchmarks" / "results", slug)
+        smoke = self.book.products / "ladders" / f"{slug}.json"
+        path = measured or smoke
+        self.depends(path)
+        self.needs_script()
+        if not path.is_file():
+            self.missing_product(f"ladder_{slug} has not run: {path}")
+            words = "The measurements of this ladder are still being built."
+            return [nodes.paragraph("", words, classes=["not-built"])]
+        data = json.loads(path.read_text(encoding="utf-8"))
+        plot = self.plot(path)
+        content = [make_slot("source", self.origin(data, measured is not None))]
+        content += [make_slot("table", [self.results(data)])]
+        values = {"slug": slug, "ladder": data, "plot": plot}
+        return [make_component("ladder", values, content)]
+
+    def plot(self, path: Path) -> str:
+        """The drawing, made by the code that draws it in the page."""
+        drawer = Path(self.config.contact_plotter)
+        if not drawer.is_file():
+            self.missing_product(f"the plot of {path.name} needs {drawer}")
+            return ""
+        self.depends(drawer)
+        made = subprocess.run(
+            ["node", str(drawer), str(path)], capture_output=True, text=True, check=False
+        )
+        if made.returncode != 0:
+            raise BookError(f"drawing {path.name} failed: {made.stderr.strip()[-800:]}")
+        return made.stdout
+
+    def origin(self, data: dict[str, Any], measured: bool) -> list[nodes.Node]:
+        machine = data["machine"]
+        words = (
+            f"Measured on {machine['cpu']} ({machine['cores']} cores, {machine['os']}) with "
+            f"{data['compiler']}, {data['date']}, on {_count(data['size'])} inputs a family."
+        )
+        if not measured:
+            words += (
+                " This is the quick run of the build, on few inputs: read its times as rough, "
+                "and make your own with "
+            )
+            command = f"./contact ladder {data['ladder']}"
+            return [
+                nodes.paragraph(
+                    "", "", nodes.Text(words), nodes.literal("", command), nodes.Text(".")
+                )
+            ]
+        return [nodes.paragraph("", words)]
+
+    def results(self, data: dict[str, Any]) -> nodes.Element:
+        methods = {row["id"]: row for row in data["methods"]}
+        families = {row["id"]: row for row in data["families"]}
+        rows = []
+        for row in data["results"]:
+            method = methods[row["method"]]
+            spread = (
+                f"{_number(row['ns_median'])} ({_number(row['ns_q1'])}–{_number(row['ns_q3'])})"
+            )
+            cells = [
+                families[row["family"]]["title"],
+                f"{method['title']}, {method['scalar']}",
+                f"{_count(row['wrong'])} of {_count(row['n'])}",
+                _number(row["error_median"]),
+                _number(row["error_max"]),
+                spread,
+            ]
+            rows.append([nodes.Text(cell) for cell in cells])
+        heads = [
+            "Inputs",
+            "Method",
+            "Wrong answers",
+            "Median error",
+            "Largest error",
+            "Time, ns: median (quartiles)",
+        ]
+        return table(heads, rows, data["question"], ["ladder"])
+
+
+@renders("ladder")
+def ladder_html(translator: HTML5Translator, node: component) -> str:
+    data = node["data"]
+    parts = slots(translator, node)
+    fallback = (
+        f'<div class="plot">{data["plot"]}</div><div class="measured">{parts["source"][0]}</div>'
+        "<details open><summary>The numbers</summary>"
+        f'<div class="wide">{parts["table"][0]}</div></details>'
+    )
+    if not can_run_scripts(translator):
+        return fallback
+    where = attributes(base=base_path(translator), name=data["slug"])
+    return f"<contact-ladder{where}>{json_script(data['ladder'])}{fallback}</contact-ladder>\n"

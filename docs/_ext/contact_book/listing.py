@@ -1,0 +1,88 @@
+"""`{code} FILE REGION` and `{example} NAME`: listings taken from files that are compiled."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from docutils import nodes
+
+from contact_book.directive import BookDirective
+from contact_book.errors import BookError, unknown
+from contact_book.regions import region, without_markers
+
+
+def listing(text: str, language: str, caption: list[nodes.Node]) -> nodes.Element:
+    """Highlighted code under the name of the file it comes from."""
+    code = nodes.literal_block(text, text, language=language)
+    code["classes"].append("listing")
+    if not caption:
+        return code
+    box = nodes.container("", literal_block=True, classes=["literal-block-wrapper"])
+    box += nodes.caption("", "", *caption)
+    box += code
+    return box
+
+
+def language_of(path: Path) -> str:
+    return {".py": "python", ".ts": "typescript", ".toml": "toml", ".json": "json"}.get(
+        path.suffix, "cpp"
+    )
+
+
+class Code(BookDirective):
+    """A named region of a file, or the whole file when no region is named."""
+
+    required_arguments = 1
+    optional_arguments = 1
+    final_argument_whitespace = False
+
+    def find(self, name: str) -> Path:
+        header = self.book.header(name)
+        if header is not None:
+            return header
+        if self.here is not None:
+            path = self.book.chapter(self.here, self.source).folder / name
+            if path.is_file():
+                return path
+        known = [
+            path.relative_to(chapter.folder).as_posix()
+            for chapter in self.book.chapters.values()
+            for path in chapter.headers
+        ]
+        raise unknown("file", name, known, "the chapters' headers or this chapter's folder")
+
+    def build(self) -> list[nodes.Node]:
+        name = self.arguments[0]
+        path = self.find(name)
+        self.depends(path)
+        where = self.book.relative(path)
+        text = path.read_text(encoding="utf-8")
+        if len(self.arguments) > 1:
+            text = region(text, self.arguments[1], where).text
+        else:
+            text = without_markers(text)
+        caption: list[nodes.Node] = [nodes.literal(name, name)]
+        return [listing(text, language_of(path), caption)]
+
+
+class Example(BookDirective):
+    """A program that the tests compile and run, with the output they compare."""
+
+    required_arguments = 1
+
+    def build(self) -> list[nodes.Node]:
+        chapter, name = self.book.split(self.arguments[0].strip(), self.here, self.source)
+        if name not in chapter.examples:
+            raise unknown("example", name, chapter.examples, f"chapters/{chapter.slug}/examples")
+        program = chapter.folder / "examples" / f"{name}.cpp"
+        output = program.with_suffix(".out")
+        self.depends(program, output)
+        if not output.is_file():
+            raise BookError(f"{self.book.relative(output)} is missing: an example shows its output")
+        box = nodes.container(classes=["example"])
+        title = f"examples/{name}.cpp"
+        code = without_markers(program.read_text(encoding="utf-8"))
+        box += listing(code, "cpp", [nodes.literal(title, title)])
+        printed = output.read_text(encoding="utf-8")
+        box += listing(printed, "text", [nodes.Text("prints")])
+        return [box]

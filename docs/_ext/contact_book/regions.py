@@ -1,0 +1,67 @@
+"""Named regions of a source file: the lines between `// [name]` and `// [/name]`."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from dataclasses import dataclass
+
+from contact_book.errors import BookError, unknown
+
+_MARKER = re.compile(r"^\s*//\s*\[(?P<close>/?)(?P<name>[a-z0-9][a-z0-9_-]*)\]\s*$")
+
+
+@dataclass(frozen=True)
+class Region:
+    """A stretch of a file; `first` and `last` are its one-based lines without the markers."""
+
+    name: str
+    first: int
+    last: int
+    text: str
+
+
+def find_regions(text: str, where: str) -> dict[str, Region]:
+    """Every region of `text`; regions may nest, and markers never appear in what is shown."""
+    lines = text.splitlines()
+    opened: dict[str, int] = {}
+    spans: dict[str, tuple[int, int]] = {}
+    markers: set[int] = set()
+    for number, line in enumerate(lines, start=1):
+        match = _MARKER.match(line)
+        if match is None:
+            continue
+        markers.add(number)
+        name = match["name"]
+        if not match["close"]:
+            if name in opened or name in spans:
+                raise BookError(f"{where}:{number}: region '{name}' is opened twice")
+            opened[name] = number
+        elif name in opened:
+            spans[name] = (opened.pop(name) + 1, number - 1)
+        else:
+            raise BookError(f"{where}:{number}: region '{name}' is closed but was never opened")
+    for name, number in opened.items():
+        raise BookError(f"{where}:{number}: region '{name}' is never closed")
+    regions = {}
+    for name, (first, last) in spans.items():
+        shown = [lines[n - 1] for n in range(first, last + 1) if n not in markers]
+        body = textwrap.dedent("\n".join(shown)).strip("\n")
+        if not body.strip():
+            raise BookError(f"{where}:{first}: region '{name}' is empty")
+        regions[name] = Region(name, first, last, body + "\n")
+    return regions
+
+
+def region(text: str, name: str, where: str) -> Region:
+    """The region called `name`, or an error that lists the regions there are."""
+    regions = find_regions(text, where)
+    if name not in regions:
+        raise unknown("region", name, regions, where)
+    return regions[name]
+
+
+def without_markers(text: str) -> str:
+    """The whole text, less its marker lines."""
+    kept = [line for line in text.splitlines() if _MARKER.match(line) is None]
+    return "\n".join(kept).strip("\n") + "\n"

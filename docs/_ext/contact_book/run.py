@@ -1,0 +1,20 @@
+"""Runs Sphinx as its own process, strictly."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+
+
+def run_sphinx(
+    builder: str, docs: Path, build: Path, target: Path, environment: Mapping[str, str]
+) -> int:
+    """Sphinx's exit code; every warning counts as an error, after all of them are printed."""
+    command = [
+        *(sys.executable, "-m", "sphinx", "-W", "-n", "-q", "-j", "auto"),
+        *("-b", builder, "-c", str(docs), "-d", str(build / "doctrees")),
+        *(str(build / "docs-src"), str(target)),
+    ]
+    return subprocess.run(command, env=dict(environment), check=False).returncode

@@ -1,0 +1,83 @@
+"""Gathers what Sphinx reads into one folder: the book's pages, the lessons, a page of API each."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from contact_book.book import Book, Chapter
+
+_LESSON_LINK = re.compile(r"\(\.\./(\d\d_[a-z0-9_]+)/lesson\.md")
+_CONCEPT = re.compile(r"^template <[^\n]*>\nconcept (?P<name>\w+) =.*?;\n(?!\s)", re.M | re.S)
+_ABOUT = re.compile(r"\A/// @file\n(?P<about>(?:///[^\n]*\n)+)")
+
+
+def lesson_page(text: str) -> str:
+    """The lesson with links between lessons turned to the pages; no line moves."""
+    return _LESSON_LINK.sub(r"(\1.md", text)
+
+
+def header_section(header: Path) -> str:
+    """One header's part of the API page. Breathe drops a concept's body, so it is shown as code."""
+    text = header.read_text(encoding="utf-8")
+    label = header.name.replace("_", "__").replace(".", "_8")
+    parts = [f"({label})=\n## `contact/{header.name}`"]
+    about = _ABOUT.match(text)
+    if about:
+        parts.append(re.sub(r"^/// ?", "", about["about"], flags=re.M).strip())
+    for match in _CONCEPT.finditer(text):
+        parts.append(f":::{{doxygenconcept}} contact::{match['name']}\n:::")
+        parts.append(f"```cpp\n{match[0]}```")
+    parts.append(f":::{{doxygennamespace}} header_{header.stem}\n:content-only:\n:::")
+    return "\n\n".join(parts)
+
+
+def api_page(chapter: Chapter) -> str:
+    parts = [f"# {chapter.title}: the code"]
+    if chapter.has_lesson:
+        parts.append(f"What it is for is told in {{chapter}}`{chapter.slug}`.")
+    parts += [header_section(header) for header in chapter.headers]
+    return "\n\n".join(parts) + "\n"
+
+
+def api_index(chapters: list[Chapter]) -> str:
+    intro = (
+        "# Reference code\n\n"
+        "What the tests check, the figures run and the ladders time. "
+        "Each chapter's headers build only on those of the chapters before it.\n\n"
+        "```cpp\n#include <contact/plane.hpp>\n```\n\n"
+        if chapters
+        else "# Reference code\n\nThere is none yet.\n\n"
+    )
+    pages = "\n".join(chapter.slug for chapter in chapters)
+    return f"{intro}:::{{toctree}}\n:maxdepth: 1\n\n{pages}\n:::\n"
+
+
+def pages(book: Book, docs: Path, *, api: bool) -> dict[str, str]:
+    """Every source file by its place in the staged folder."""
+    made = {path.name: path.read_text(encoding="utf-8") for path in sorted(docs.glob("*.md"))}
+    for chapter in book.chapters.values():
+        if chapter.has_lesson:
+            text = chapter.lesson.read_text(encoding="utf-8")
+            made[f"chapters/{chapter.slug}.md"] = lesson_page(text)
+    coded = [chapter for chapter in book.chapters.values() if chapter.headers and api]
+    made |= {f"api/{chapter.slug}.md": api_page(chapter) for chapter in coded}
+    made["api/index.md"] = api_index(coded)
+    return made
+
+
+def stage(book: Book, docs: Path, target: Path, *, api: bool = True) -> list[str]:
+    """Writes what changed, removes what is gone, and says which files it wrote."""
+    wanted = pages(book, docs, api=api)
+    written = []
+    for name, text in wanted.items():
+        path = target / name
+        if path.is_file() and path.read_text(encoding="utf-8") == text:
+            continue
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+        written.append(name)
+    for path in target.rglob("*.md"):
+        if path.relative_to(target).as_posix() not in wanted:
+            path.unlink()
+    return written

@@ -1,0 +1,31 @@
+"""Tables made from data."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from docutils import nodes
+
+Cell = nodes.Node | Sequence[nodes.Node]
+
+
+def _row(cells: Sequence[Cell]) -> nodes.row:
+    row = nodes.row()
+    for cell in cells:
+        content = [cell] if isinstance(cell, nodes.Node) else list(cell)
+        row += nodes.entry("", nodes.paragraph("", "", *content))
+    return row
+
+
+def table(
+    heads: Sequence[str], rows: Sequence[Sequence[Cell]], title: str, classes: Sequence[str]
+) -> nodes.table:
+    """A table with a caption and a head row."""
+    made = nodes.table("", nodes.title("", title), classes=list(classes))
+    group = nodes.tgroup(cols=len(heads))
+    group += [nodes.colspec(colwidth=1) for _ in heads]
+    head = nodes.thead("", _row([nodes.Text(text) for text in heads]))
+    body = nodes.tbody("", *[_row(row) for row in rows])
+    group += [head, body]
+    made += group
+    return made

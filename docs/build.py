@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""Builds the book: measurements, Doxygen, staged pages, Sphinx. Does again only what is stale.
+
+build/venv/bin/python docs/build.py             with whatever is built already
+build/venv/bin/python docs/build.py --complete  everything a page shows must be there
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import time
+from pathlib import Path
+
+DOCS = Path(__file__).resolve().parent
+sys.path.insert(0, str(DOCS / "_ext"))
+
+from contact_book.book import Book  # noqa: E402
+from contact_book.doxygen import run_doxygen  # noqa: E402
+from contact_book.errors import BookError  # noqa: E402
+from contact_book.products import run_programs  # noqa: E402
+from contact_book.run import run_sphinx  # noqa: E402
+from contact_book.stage import stage  # noqa: E402
+
+
+class Steps:
+    """Says which step is running, and how long the last one took."""
+
+    def __init__(self) -> None:
+        self.began = self.last = time.monotonic()
+
+    def say(self, words: str) -> None:
+        now = time.monotonic()
+        print(f"[{now - self.began:5.1f} s] {words}", flush=True)
+
+
+def arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description="Build the book.")
+    parser.add_argument("--root", type=Path, default=DOCS.parent, help="the project's root")
+    parser.add_argument(
+        "--build", type=Path, help="where everything is built (default: ROOT/build)"
+    )
+    parser.add_argument("--site", type=Path, help="where the pages go (default: BUILD/site)")
+    parser.add_argument("--web", type=Path, help="the built components (default: BUILD/web)")
+    parser.add_argument("--programs", type=Path, help="built programs (default: BUILD/dev/bin)")
+    parser.add_argument("--complete", action="store_true", help="fail if a product is missing")
+    parser.add_argument("--skip-api", action="store_true", help="leave out the API pages")
+    parser.add_argument("--builder", default="html", choices=["html", "epub", "linkcheck"])
+    return parser.parse_args()
+
+
+def api(book: Book, target: Path, strict: bool) -> str:
+    return run_doxygen(book, DOCS / "Doxyfile.in", target, strict=strict)
+
+
+def build(options: argparse.Namespace) -> int:
+    root: Path = options.root.resolve()
+    made: Path = (options.build or root / "build").resolve()
+    site: Path = (options.site or made / "site").resolve()
+    web: Path = (options.web or made / "web").resolve()
+    book = Book(root, made / "docs-data")
+    steps = Steps()
+    steps.say("reading what the chapters' programs say")
+    for line in run_programs(book, (options.programs or made / "dev" / "bin").resolve()):
+        steps.say(f"  {line}")
+    if not options.skip_api:
+        steps.say("Doxygen: " + api(book, made / "doxygen", options.complete))
+    written = stage(book, DOCS, made / "docs-src", api=not options.skip_api)
+    steps.say(f"pages changed: {', '.join(written) or 'none'}")
+    environment = os.environ | {
+        "CONTACT_BOOK_ROOT": str(root),
+        "CONTACT_BOOK_BUILD": str(made),
+        "CONTACT_BOOK_WEB": str(web),
+        "CONTACT_BOOK_COMPLETE": "1" if options.complete else "0",
+    }
+    steps.say("Sphinx")
+    code = run_sphinx(options.builder, DOCS, made, site, environment)
+    if code == 0:
+        steps.say(f"the book is at {site / 'index.html'}")
+    return code
+
+
+def main() -> int:
+    try:
+        return build(arguments())
+    except BookError as error:
+        print(f"docs/build.py: {error}", file=sys.stderr)
+        return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

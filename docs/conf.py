@@ -1,0 +1,74 @@
+"""Sphinx's settings. docs/build.py passes every place by environment."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+DOCS = Path(__file__).resolve().parent
+sys.path.insert(0, str(DOCS / "_ext"))
+
+contact_root = os.environ.get("CONTACT_BOOK_ROOT", str(DOCS.parent))
+_build = Path(os.environ.get("CONTACT_BOOK_BUILD", str(DOCS.parent / "build")))
+contact_products = str(_build / "docs-data")
+contact_web = os.environ.get("CONTACT_BOOK_WEB", str(_build / "web"))
+contact_node = str(DOCS)
+contact_plotter = os.environ.get("CONTACT_BOOK_PLOTTER", str(DOCS / "web" / "plot.mjs"))
+contact_complete = os.environ.get("CONTACT_BOOK_COMPLETE") == "1"
+
+project = "Contact Hours"
+author = "the authors of Contact Hours"
+language = "en"
+version = release = ""
+extensions = ["myst_parser", "breathe", "sphinx_copybutton", "contact_book"]
+exclude_patterns: list[str] = []
+
+myst_enable_extensions = [
+    "amsmath",
+    "attrs_block",
+    "attrs_inline",
+    "colon_fence",
+    "deflist",
+    "dollarmath",
+    "smartquotes",
+]
+myst_heading_anchors = 3
+suppress_warnings: list[str] = []
+
+primary_domain = "cpp"
+highlight_language = "cpp"
+html_math_renderer = "katex"
+numfig = False
+
+breathe_projects = {"contact": str(_build / "doxygen" / "xml")}
+breathe_default_project = "contact"
+breathe_default_members = ("members", "undoc-members")
+breathe_show_include = False
+
+nitpicky = True
+# Other libraries, template parameters and what headers keep to themselves have no page here.
+nitpick_ignore_regex = [
+    (r"cpp:identifier", r"Eigen(::.*)?|std(::.*)?|S|T|Value|u?int\d+_t|size_t"),
+    (r"cpp:identifier", r".*<S>::.*"),
+    (r"cpp:identifier", r"(contact::)?(detail|internal)(::.*)?|contact(::tolerance)?"),
+]
+
+html_theme = "furo"
+html_title = "Contact Hours"
+html_static_path = ["_static"]
+html_css_files = ["book.css"]
+html_copy_source = False
+html_show_sourcelink = False
+html_show_sphinx = False
+html_show_copyright = False
+html_permalinks_icon = "#"
+html_theme_options = {
+    "sidebar_hide_name": False,
+    "navigation_with_keys": True,
+    "top_of_page_buttons": [],
+}
+pygments_style = "a11y-high-contrast-light"
+pygments_dark_style = "a11y-high-contrast-dark"
+copybutton_selector = ".commands div.highlight pre, .example div.highlight-cpp pre, div.copy pre"
+copybutton_prompt_text = "$ "

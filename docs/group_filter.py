@@ -1,0 +1,32 @@
+#!/usr/bin/env python3
+"""Doxygen's input filter: puts what a header declares into a group of the header's own.
+
+A page can then show a header with one directive, without declaring the namespace again for each.
+Lines keep their numbers.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+
+_OPEN = re.compile(r"^(namespace contact(?:::\w+)* \{)$", re.MULTILINE)
+_CLOSE = re.compile(r"^(\}  // namespace contact(?:::\w+)*)$", re.MULTILINE)
+
+
+def group_of(header: Path) -> str:
+    """The group's name, as the API page writes it."""
+    return f"header_{header.stem}"
+
+
+def grouped(text: str, header: Path) -> str:
+    """The header with its group opened and closed just inside the namespace."""
+    name = group_of(header)
+    text = _OPEN.sub(rf"\1 /** @addtogroup {name} contact/{header.name} */ /** @{{ */", text)
+    return _CLOSE.sub(r"/** @} */ \1", text)
+
+
+if __name__ == "__main__":
+    path = Path(sys.argv[1])
+    sys.stdout.write(grouped(path.read_text(encoding="utf-8"), path))
