@@ -40,4 +40,18 @@ bool sphere_meets_plane(const Sphere<S>& sphere, const RawPlane<S>& plane) {
 }
 // [/sphere-raw-plane]
 
+// [sphere-exact]
+/// Whether a sphere and the plane through three points have a point in common: right for all finite
+/// numbers, without a tolerance. Collinear points are no plane, and nothing meets them.
+/// @param sphere with a radius that is not negative, m
+/// @param a, b, c points, m
+template <std::floating_point S>
+bool sphere_meets_plane_exactly(const Sphere<S>& sphere, const Vector3<S>& a, const Vector3<S>& b,
+                                const Vector3<S>& c) {
+  const Sphere<Exact> exact{exact_vector(sphere.centre), Exact(double(sphere.radius))};
+  return sphere_meets_plane(
+      exact, raw_plane_from_points(exact_vector(a), exact_vector(b), exact_vector(c)));
+}
+// [/sphere-exact]
+
 }  // namespace contact
