@@ -1,0 +1,345 @@
+#include "book.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <numeric>
+#include <set>
+#include <sstream>
+
+#include <toml++/toml.h>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace contact::grading {
+
+namespace {
+
+toml::table parse(const fs::path& file) {
+  try {
+    return toml::parse_file(file.string());
+  } catch (const toml::parse_error& error) {
+    std::ostringstream text;
+    text << file.string() << ":" << error.source().begin.line << ": " << error.description();
+    throw BookError(text.str());
+  }
+}
+
+std::string text_of(const toml::table& table, std::string_view key) {
+  return table[key].value_or(std::string());
+}
+
+std::vector<std::string> texts_of(const toml::table& table, std::string_view key) {
+  std::vector<std::string> result;
+  if (const toml::array* list = table[key].as_array()) {
+    for (const toml::node& node : *list) result.push_back(node.value_or(std::string()));
+  }
+  return result;
+}
+
+std::vector<fs::path> folders_in(const fs::path& parent) {
+  std::vector<fs::path> result;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(parent, error)) {
+    if (entry.is_directory() && entry.path().filename().string().front() != '.') result.push_back(entry.path());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+Chapter read_chapter(const fs::path& folder) {
+  const toml::table table = parse(folder / "chapter.toml");
+  Chapter chapter;
+  chapter.slug = folder.filename().string();
+  chapter.folder = folder;
+  chapter.title = text_of(table, "title");
+  chapter.status = text_of(table, "status");
+  chapter.tooltip = text_of(table, "tooltip");
+  chapter.part = table["part"].value_or(0);
+  chapter.minutes = table["minutes"].value_or(0.0);
+  chapter.builds_on = texts_of(table, "builds_on");
+  chapter.recall = texts_of(table, "recall");
+  chapter.exercise_names = texts_of(table, "exercises");
+  if (const toml::array* list = table["objectives"].as_array()) {
+    for (const toml::node& node : *list) {
+      if (const toml::table* objective = node.as_table()) {
+        chapter.objectives.push_back({text_of(*objective, "id"), text_of(*objective, "text")});
+      }
+    }
+  }
+  return chapter;
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      diagonal = above;
+    }
+  }
+  return row[b.size()];
+}
+
+std::string without_number(std::string_view slug) {
+  const std::size_t underscore = slug.find('_');
+  return std::string(underscore == std::string_view::npos ? slug : slug.substr(underscore + 1));
+}
+
+bool all_digits(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+}  // namespace
+
+double Exercise::max_points() const {
+  return std::accumulate(tests.begin(), tests.end(), 0.0,
+                         [](double sum, const TestSpec& test) { return sum + test.points; });
+}
+
+Exercise read_exercise(const fs::path& root, const std::string& chapter, const std::string& name) {
+  Exercise exercise;
+  exercise.chapter = chapter;
+  exercise.name = name;
+  exercise.folder = root / "exercises" / chapter / name;
+  exercise.contract = exercise.folder / (name + ".hpp");
+  exercise.stub = exercise.folder / (name + ".cpp");
+  exercise.solution = root / "solutions" / chapter / name / (name + ".cpp");
+  exercise.wrong_answers = root / "solutions" / chapter / name / "wrong";
+  exercise.test_source = root / "tests" / chapter / (name + "_test.cpp");
+
+  const fs::path file = exercise.folder / "exercise.toml";
+  const toml::table table = parse(file);
+  exercise.title = text_of(table, "title");
+  exercise.objective = text_of(table, "objective");
+  exercise.kind = text_of(table, "kind");
+  exercise.brief = text_of(table, "brief");
+  exercise.minutes = table["minutes"].value_or(0.0);
+  exercise.hints = texts_of(table, "hints");
+  exercise.misconceptions = texts_of(table, "misconceptions");
+  exercise.time_limit = table["time_limit"].value_or(exercise.time_limit);
+  if (!(exercise.time_limit > 0.0)) throw BookError(file.string() + ": time_limit must be above zero");
+  if (const toml::array* list = table["tests"].as_array()) {
+    for (const toml::node& node : *list) {
+      const toml::table* test = node.as_table();
+      if (test == nullptr) throw BookError(file.string() + ": each of [[tests]] must be a table");
+      exercise.tests.push_back({text_of(*test, "name"), (*test)["points"].value_or(0.0), texts_of(*test, "requires"),
+                                (*test)["withheld"].value_or(false)});
+    }
+  }
+  if (exercise.tests.empty()) throw BookError(file.string() + ": it lists no [[tests]]");
+  return exercise;
+}
+
+Book::Book(fs::path root, fs::path work) : root_(std::move(root)), work_(std::move(work)) {
+  read_chapters();
+  read_exercises();
+  read_misconceptions();
+}
+
+void Book::read_chapters() {
+  for (const fs::path& folder : folders_in(root_ / "chapters")) {
+    if (!fs::exists(folder / "chapter.toml")) continue;
+    try {
+      chapters_.push_back(read_chapter(folder));
+    } catch (const BookError& error) {
+      problems_.push_back({folder / "chapter.toml", error.what()});
+    }
+  }
+}
+
+void Book::read_exercises() {
+  // The chapter says the order; a folder that it does not mention comes after, so that nothing is invisible.
+  std::vector<std::string> slugs;
+  for (const fs::path& folder : folders_in(root_ / "exercises")) slugs.push_back(folder.filename().string());
+  for (const std::string& slug : slugs) {
+    std::vector<std::string> names;
+    const auto chapter = std::find_if(chapters_.begin(), chapters_.end(),
+                                      [&](const Chapter& candidate) { return candidate.slug == slug; });
+    std::set<std::string> seen;
+    if (chapter != chapters_.end()) {
+      for (const std::string& name : chapter->exercise_names) {
+        if (fs::exists(root_ / "exercises" / slug / name / "exercise.toml") && seen.insert(name).second)
+          names.push_back(name);
+      }
+    }
+    for (const fs::path& folder : folders_in(root_ / "exercises" / slug)) {
+      const std::string name = folder.filename().string();
+      if (fs::exists(folder / "exercise.toml") && seen.insert(name).second) names.push_back(name);
+    }
+    for (const std::string& name : names) {
+      try {
+        exercises_.push_back(read_exercise(root_, slug, name));
+      } catch (const BookError& error) {
+        problems_.push_back({root_ / "exercises" / slug / name / "exercise.toml", error.what()});
+      }
+    }
+  }
+}
+
+void Book::read_misconceptions() {
+  const fs::path file = root_ / "chapters" / "misconceptions.toml";
+  if (!fs::exists(file)) return;
+  try {
+    for (const auto& [key, node] : parse(file)) {
+      if (const toml::table* entry = node.as_table()) {
+        const std::string id(key.str());
+        misconceptions_[id] = {id, text_of(*entry, "summary"), text_of(*entry, "hint")};
+      }
+    }
+  } catch (const BookError& error) {
+    problems_.push_back({file, error.what()});
+  }
+}
+
+fs::path Book::work_file(const Exercise& exercise) const {
+  return work_ / exercise.chapter / (exercise.name + ".cpp");
+}
+
+bool Book::started(const Exercise& exercise) const { return fs::exists(work_file(exercise)); }
+
+const Exercise* Book::find_exercise(std::string_view name) const {
+  std::vector<const Exercise*> found;
+  for (const Exercise& exercise : exercises_) {
+    if (exercise.id() == name) return &exercise;
+    if (exercise.name == name) found.push_back(&exercise);
+  }
+  if (found.size() == 1) return found.front();
+  if (found.size() > 1) {
+    std::string text = "more than one exercise is called '" + std::string(name) + "': ";
+    for (const Exercise* exercise : found) text += exercise->id() + " ";
+    throw UnknownName(text + "(give the chapter too)");
+  }
+  // A path: the last component that names an exercise wins, read together with a chapter folder before it.
+  const fs::path path{std::string(name)};
+  std::vector<std::string> parts;
+  for (const fs::path& part : path) parts.push_back(part.string());
+  if (parts.empty()) return nullptr;
+  parts.back() = path.filename().stem().string();
+  for (std::size_t i = parts.size(); i-- > 0;) {
+    for (const Exercise& exercise : exercises_) {
+      if (exercise.name != parts[i]) continue;
+      for (std::size_t j = 0; j < i; ++j) {
+        if (const Chapter* chapter = find_chapter(parts[j]); chapter != nullptr && chapter->slug == exercise.chapter)
+          return &exercise;
+      }
+    }
+  }
+  return parts.size() > 1 ? find_exercise(parts.back()) : nullptr;
+}
+
+const Exercise& Book::exercise(std::string_view name) const {
+  if (const Exercise* found = find_exercise(name)) return *found;
+  for (const BookProblem& problem : problems_) {
+    const fs::path folder = problem.file.parent_path();
+    if (folder.filename() == fs::path(std::string(name)).stem()) throw BookError(problem.what);
+  }
+  std::vector<std::string> names;
+  for (const Exercise& candidate : exercises_) {
+    names.push_back(candidate.name);
+    names.push_back(candidate.id());
+  }
+  std::string text = "there is no exercise called '" + std::string(name) + "'.";
+  const std::vector<std::string> near = nearest(name, names);
+  if (!near.empty()) {
+    text += " Did you mean ";
+    for (std::size_t i = 0; i < near.size(); ++i) text += (i ? " or " : "") + near[i];
+    text += "?";
+  }
+  throw UnknownName(text + " `contact list` shows all.");
+}
+
+const Chapter* Book::find_chapter(std::string_view name) const {
+  while (!name.empty() && name.back() == '/') name.remove_suffix(1);
+  if (const std::size_t slash = name.rfind('/'); slash != std::string_view::npos) name.remove_prefix(slash + 1);
+  for (const Chapter& chapter : chapters_) {
+    if (chapter.slug == name || without_number(chapter.slug) == name) return &chapter;
+    if (all_digits(name) && name.size() <= 4 && all_digits(chapter.slug.substr(0, 2)) &&
+        std::stoi(std::string(name)) == std::stoi(chapter.slug.substr(0, 2)))
+      return &chapter;
+  }
+  return nullptr;
+}
+
+std::vector<const Exercise*> Book::exercises_of(const Chapter& chapter) const {
+  std::vector<const Exercise*> result;
+  for (const Exercise& exercise : exercises_) {
+    if (exercise.chapter == chapter.slug) result.push_back(&exercise);
+  }
+  return result;
+}
+
+std::string Book::hint_for(const std::string& misconception) const {
+  const auto found = misconceptions_.find(misconception);
+  return found == misconceptions_.end() ? std::string() : found->second.hint;
+}
+
+fs::path find_root() {
+  const auto is_root = [](const fs::path& folder) {
+    return fs::is_directory(folder / "chapters") && fs::is_directory(folder / "exercises");
+  };
+  if (const char* given = std::getenv("CONTACT_ROOT"); given != nullptr && *given != '\0') {
+    const fs::path root = fs::absolute(given).lexically_normal();
+    if (!is_root(root)) throw BookError("CONTACT_ROOT is " + root.string() + ", which holds no chapters/ and exercises/");
+    return root;
+  }
+  for (fs::path folder = fs::current_path();; folder = folder.parent_path()) {
+    if (is_root(folder)) return folder;
+    if (folder == folder.parent_path()) break;
+  }
+  throw BookError("this is not inside the book: no folder from here upwards holds chapters/ and exercises/");
+}
+
+fs::path find_work(const fs::path& root) {
+  if (const char* given = std::getenv("CONTACT_WORK"); given != nullptr && *given != '\0')
+    return fs::absolute(given).lexically_normal();
+  return root / "work";
+}
+
+std::vector<std::string> nearest(std::string_view name, const std::vector<std::string>& names) {
+  std::vector<std::pair<std::size_t, std::string>> ranked;
+  for (const std::string& candidate : names) {
+    const std::size_t distance = edit_distance(name, candidate);
+    if (distance <= std::max<std::size_t>(2, name.size() / 3)) ranked.emplace_back(distance, candidate);
+  }
+  std::sort(ranked.begin(), ranked.end());
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < ranked.size() && i < 3; ++i) result.push_back(ranked[i].second);
+  return result;
+}
+
+std::string read_text(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw BookError("cannot read " + file.string());
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+void write_text(const fs::path& file, std::string_view text) {
+  const fs::path partial = file.parent_path() / ("." + file.filename().string() + "." + std::to_string(::getpid()));
+  {
+    std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
+    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+    stream.flush();
+    if (!stream) {
+      std::error_code ignored;
+      fs::remove(partial, ignored);
+      throw BookError("cannot write " + file.string() + " (is the disk full, or the folder read-only?)");
+    }
+  }
+  std::error_code error;
+  fs::rename(partial, file, error);
+  if (error) {
+    std::error_code ignored;
+    fs::remove(partial, ignored);
+    throw BookError("cannot write " + file.string() + ": " + error.message());
+  }
+}
+
+}  // namespace contact::grading

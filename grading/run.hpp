@@ -1,0 +1,41 @@
+#pragma once
+
+// One check from a source file to a verdict: compile, link, run. `contact check`, `watch` and `dev check` all come here.
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "build.hpp"
+#include "run_process.hpp"
+#include "verdict.hpp"
+
+namespace contact::grading {
+
+struct Limits {
+  /// Megabytes of address space: CONTACT_MEMORY_MB, else 1024.
+  int memory_mb = 1024;
+  /// Bytes that a student's program may print before it is stopped.
+  std::size_t output_bytes = 1u << 20;
+};
+
+/// @throws BookError if CONTACT_MEMORY_MB is not a number of megabytes.
+Limits limits_from_environment();
+
+/// Runs every test of a linked program. A test that crashes or never ends costs itself only: the rest run in a new
+/// process.
+std::vector<TestResult> run_tests(Loop& loop, const Exercise& exercise, const std::filesystem::path& program,
+                                  const Limits& limits, std::string& output);
+
+/// Compiles, links and runs `source` as an answer to `exercise`.
+Verdict check_file(Loop& loop, const Book& book, const BuildDescription& build, const Exercise& exercise,
+                   const std::filesystem::path& source, const Limits& limits);
+
+/// A signal in words: "segmentation fault: ...".
+std::string signal_in_words(int signal, const std::string& printed);
+
+/// A test's name as Catch2's command line and input file must spell it.
+std::string escaped_test_name(const std::string& name);
+
+}  // namespace contact::grading

@@ -1,0 +1,108 @@
+#pragma once
+
+// Child processes, each the leader of its own group, so that nothing it starts outlives it.
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <uv.h>
+
+namespace contact::grading {
+
+/// Ctrl-C (or SIGTERM, SIGHUP) arrived: unwind, so that every temporary folder is removed on the way out.
+class Interrupted {};
+
+/// What was under way is no longer wanted (the file was saved again): unwind and begin anew.
+class Cancelled {};
+
+/// The event loop that processes, timers and file events of one thread share.
+class Loop {
+ public:
+  Loop();
+  ~Loop();
+  Loop(const Loop&) = delete;
+  Loop& operator=(const Loop&) = delete;
+
+  [[nodiscard]] uv_loop_t* get() { return &loop_; }
+
+  /// Handles one batch of events. @throws Interrupted.
+  void run_once();
+  /// The same, but returns at once if nothing has happened.
+  void poll();
+
+  /// From a callback on this loop: the process that runs now is ended and run_process() throws Cancelled.
+  void cancel() { cancelled_ = true; }
+  void clear_cancel() { cancelled_ = false; }
+  [[nodiscard]] bool cancelled() const { return cancelled_; }
+
+  void interrupt() { interrupted_ = true; }
+  [[nodiscard]] bool interrupted() const { return interrupted_; }
+
+ private:
+  uv_loop_t loop_{};
+  std::array<uv_signal_t, 3> signals_{};
+  bool interrupted_ = false;
+  bool cancelled_ = false;
+};
+
+/// Why a process was ended from outside.
+enum class Ended { by_itself, time, output };
+
+struct ProcessSpec {
+  std::vector<std::string> command;
+  std::filesystem::path folder;
+  /// Set on top of the environment that this program has.
+  std::vector<std::pair<std::string, std::string>> environment;
+  /// Wall seconds; 0 means no limit.
+  double time_limit = 0.0;
+  /// Bytes of standard output and error kept, each.
+  std::size_t output_limit = 64u << 20;
+  /// Past this many bytes the process is ended; 0 means that the rest is read and dropped.
+  std::size_t output_stop = 0;
+  /// Gives the child a pipe as descriptor 3 and passes on what it writes there.
+  std::function<void(std::string_view)> on_events;
+  /// Asked every few milliseconds; anything but by_itself ends the process.
+  std::function<Ended(int pid)> watchdog;
+  /// Standard input, output and error are this program's own.
+  bool inherit = false;
+};
+
+struct ProcessResult {
+  int exit_code = -1;
+  /// The signal that ended it; 0 if it exited.
+  int signal = 0;
+  Ended ended = Ended::by_itself;
+  std::string output;
+  std::string errors;
+  double seconds = 0.0;
+  [[nodiscard]] bool succeeded() const { return exit_code == 0 && signal == 0 && ended == Ended::by_itself; }
+};
+
+/// Runs a command to its end and leaves none of its group behind.
+/// @throws std::runtime_error if it cannot be started; Interrupted on Ctrl-C and Cancelled if the loop says so, both
+/// after ending it.
+ProcessResult run_process(Loop& loop, const ProcessSpec& spec);
+
+/// Seconds of processor time a running process has used; negative if the system does not say.
+double processor_seconds(int pid);
+
+/// A private folder that is removed with everything in it.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace contact::grading

@@ -1,0 +1,216 @@
+#include "verdict.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+namespace contact::grading {
+
+namespace {
+
+struct StatusName {
+  TestStatus status;
+  std::string_view key;
+  std::string_view words;
+};
+
+constexpr std::array<StatusName, 5> status_names{{
+    {TestStatus::passed, "passed", "passed"},
+    {TestStatus::failed, "failed", "failed"},
+    {TestStatus::not_attempted, "not_attempted", "not attempted"},
+    {TestStatus::stopped, "stopped", "stopped"},
+    {TestStatus::skipped, "skipped", "skipped"},
+}};
+
+struct OutcomeName {
+  Outcome outcome;
+  std::string_view key;
+  std::string_view words;
+};
+
+constexpr std::array<OutcomeName, 4> outcome_names{{
+    {Outcome::passed, "passed", "passed"},
+    {Outcome::failed, "failed", "failed"},
+    {Outcome::not_attempted, "not_attempted", "not attempted"},
+    {Outcome::does_not_compile, "does_not_compile", "does not compile"},
+}};
+
+const TestSpec* spec_of(const Exercise& exercise, const std::string& name) {
+  const auto found = std::find_if(exercise.tests.begin(), exercise.tests.end(),
+                                  [&](const TestSpec& test) { return test.name == name; });
+  return found == exercise.tests.end() ? nullptr : &*found;
+}
+
+// A test counts only if all that it requires, directly or through others, passed.
+std::string unmet_need(const Exercise& exercise, const TestSpec& test, const std::map<std::string, TestStatus>& status) {
+  std::set<std::string> visited;
+  const std::function<std::string(const TestSpec&)> search = [&](const TestSpec& current) -> std::string {
+    for (const std::string& need : current.needs) {
+      if (!visited.insert(need).second) continue;
+      const auto found = status.find(need);
+      if (found == status.end() || found->second != TestStatus::passed) return need;
+      if (const TestSpec* next = spec_of(exercise, need)) {
+        if (const std::string deeper = search(*next); !deeper.empty()) return deeper;
+      }
+    }
+    return {};
+  };
+  return search(test);
+}
+
+Outcome outcome_of(const std::vector<TestVerdict>& tests) {
+  const auto all = [&](auto predicate) { return std::all_of(tests.begin(), tests.end(), predicate); };
+  if (all([](const TestVerdict& test) { return test.status == TestStatus::passed; })) return Outcome::passed;
+  if (all([](const TestVerdict& test) { return test.status == TestStatus::not_attempted; }))
+    return Outcome::not_attempted;
+  return Outcome::failed;
+}
+
+}  // namespace
+
+Verdict judge(const Exercise& exercise, const Book& book, const std::vector<TestResult>& results) {
+  std::map<std::string, const TestResult*> by_name;
+  std::map<std::string, TestStatus> status;
+  for (const TestResult& result : results) {
+    by_name[result.name] = &result;
+    status[result.name] = result.status;
+  }
+  Verdict verdict;
+  verdict.exercise = exercise.id();
+  verdict.max_points = exercise.max_points();
+  for (const TestSpec& spec : exercise.tests) {
+    TestVerdict test;
+    test.name = spec.name;
+    test.max_points = spec.points;
+    const auto found = by_name.find(spec.name);
+    if (found == by_name.end()) {
+      test.status = TestStatus::stopped;
+      test.failure.reason = "this test did not run";
+      verdict.missing_tests.push_back(spec.name);
+    } else {
+      test.status = found->second->status;
+      test.failure = found->second->failure;
+      test.seconds = found->second->seconds;
+      if (test.status != TestStatus::not_attempted) {
+        if (const std::string need = unmet_need(exercise, spec, status); !need.empty()) {
+          test.status = TestStatus::skipped;
+          test.failure = Failure{};
+          test.failure.reason = "it counts once this passes: " + need;
+        }
+      }
+    }
+    if (test.status == TestStatus::passed) test.points = spec.points;
+    if (spec.withheld) {
+      test.failure.right.clear();
+      test.failure.allowed.clear();
+    }
+    if (!test.failure.misconception.empty()) test.failure.hint = book.hint_for(test.failure.misconception);
+    verdict.points += test.points;
+    verdict.tests.push_back(std::move(test));
+  }
+  for (const TestResult& result : results) {
+    if (spec_of(exercise, result.name) == nullptr) verdict.unlisted_tests.push_back(result.name);
+  }
+  verdict.outcome = outcome_of(verdict.tests);
+  return verdict;
+}
+
+Verdict judge_uncompiled(const Exercise& exercise, CompileError error) {
+  Verdict verdict;
+  verdict.exercise = exercise.id();
+  verdict.outcome = Outcome::does_not_compile;
+  verdict.max_points = exercise.max_points();
+  verdict.compile_error = std::move(error);
+  for (const TestSpec& spec : exercise.tests) {
+    TestVerdict test;
+    test.name = spec.name;
+    test.max_points = spec.points;
+    verdict.tests.push_back(std::move(test));
+  }
+  return verdict;
+}
+
+const TestVerdict* first_failure(const Verdict& verdict) {
+  const auto found = std::find_if(verdict.tests.begin(), verdict.tests.end(), [](const TestVerdict& test) {
+    return test.status == TestStatus::failed || test.status == TestStatus::stopped;
+  });
+  return found == verdict.tests.end() ? nullptr : &*found;
+}
+
+std::string_view words(TestStatus status) { return status_names[static_cast<std::size_t>(status)].words; }
+std::string_view key(TestStatus status) { return status_names[static_cast<std::size_t>(status)].key; }
+std::string_view words(Outcome outcome) { return outcome_names[static_cast<std::size_t>(outcome)].words; }
+std::string_view key(Outcome outcome) { return outcome_names[static_cast<std::size_t>(outcome)].key; }
+
+std::optional<TestStatus> status_from_key(std::string_view key) {
+  for (const StatusName& name : status_names) {
+    if (name.key == key) return name.status;
+  }
+  return std::nullopt;
+}
+
+std::string points_text(double points) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", points);
+  return text.data();
+}
+
+nlohmann::json to_json(const Failure& failure) {
+  nlohmann::json inputs = nlohmann::json::array();
+  for (const auto& [name, value] : failure.inputs) inputs.push_back({{"name", name}, {"text", value}});
+  nlohmann::json json = {{"asked", failure.asked}, {"inputs", inputs}};
+  const auto put = [&](const char* name, const std::string& value) {
+    if (!value.empty()) json[name] = value;
+  };
+  put("got", failure.got);
+  put("right", failure.right);
+  put("allowed", failure.allowed);
+  put("misconception", failure.misconception);
+  put("hint", failure.hint);
+  put("reason", failure.reason);
+  return json;
+}
+
+nlohmann::json to_json(const Verdict& verdict) {
+  nlohmann::json tests = nlohmann::json::array();
+  for (const TestVerdict& test : verdict.tests) {
+    nlohmann::json entry = {{"name", test.name},
+                            {"status", key(test.status)},
+                            {"points", test.points},
+                            {"max_points", test.max_points},
+                            {"seconds", test.seconds}};
+    if (test.status == TestStatus::failed || test.status == TestStatus::stopped ||
+        test.status == TestStatus::skipped)
+      entry["failure"] = to_json(test.failure);
+    tests.push_back(std::move(entry));
+  }
+  nlohmann::json json = {
+      {"exercise", verdict.exercise},
+      {"file", verdict.file},
+      {"verdict", key(verdict.outcome)},
+      {"points", verdict.points},
+      {"max_points", verdict.max_points},
+      {"tests", std::move(tests)},
+      {"warnings", verdict.warnings},
+      {"output", verdict.output},
+      {"seconds",
+       {{"compile", verdict.seconds.compile}, {"link", verdict.seconds.link}, {"run", verdict.seconds.run}}}};
+  if (verdict.compile_error) {
+    const CompileError& error = *verdict.compile_error;
+    nlohmann::json contract = nlohmann::json::array();
+    for (const ContractLine& line : error.contract)
+      contract.push_back({{"file", line.file}, {"line", line.line}, {"text", line.text}});
+    json["compile_error"] = {{"file", error.file},       {"line", error.line},
+                             {"column", error.column},   {"message", error.message},
+                             {"excerpt", error.excerpt}, {"explanation", error.explanation},
+                             {"contract", contract},     {"full", error.full}};
+  }
+  return json;
+}
+
+}  // namespace contact::grading
