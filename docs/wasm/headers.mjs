@@ -11,6 +11,7 @@ const systemPackages = [
   { start: 'Eigen/', dir: eigenDir, as: `${systemRoot}/eigen3` },
   { start: 'unsupported/Eigen/', dir: eigenDir, as: `${systemRoot}/eigen3` },
   { start: 'nlohmann/', dir: '/usr/include', as: systemRoot },
+  { start: 'catch2/', dir: '/usr/include', as: systemRoot },
 ];
 
 /** @typedef {{ bytes: Buffer, hash: string, includes: { name: string, quoted: boolean }[] }} Source */

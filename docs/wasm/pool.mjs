@@ -2,10 +2,11 @@
 import { fork } from 'node:child_process';
 import os from 'node:os';
 import { fileURLToPath } from 'node:url';
+import { forgetSources } from './headers.mjs';
 import { isMade, key, needs } from './recipes.mjs';
 
 /** @typedef {import('./recipes.mjs').Recipe} Recipe */
-/** @typedef {{ ok: boolean, log: string, seconds: number }} Reply */
+/** @typedef {{ ok: boolean, changed?: boolean, log: string, seconds: number }} Reply */
 /** @typedef {{ recipe: Recipe, ok: boolean, log: string, seconds: number }} Done */
 
 /**
@@ -14,14 +15,17 @@ import { isMade, key, needs } from './recipes.mjs';
  * @returns {Promise<{ built: number, failed: Map<string, string> }>} by key, why each failed thing failed:
  *   the compiler's words, or which need was missing
  */
-export async function makeAll(wanted, { workers, onDone } = {}) {
-  /** @type {Map<string, { recipe: Recipe, waits: string[] }>} */
+export async function makeAll(wanted, options = {}) {
+  const { workers, onDone } = options;
+  let changed = false;
+  /** @type {Map<string, { recipe: Recipe, needed: string[], waits: string[] }>} */
   const todo = new Map();
   const visit = (/** @type {Recipe} */ recipe) => {
     const name = key(recipe);
     if (todo.has(name) || isMade(name)) return;
     for (const need of needs(recipe)) visit(need);
-    todo.set(name, { recipe, waits: needs(recipe).map(key).filter((need) => todo.has(need)) });
+    const needed = needs(recipe).map(key);
+    todo.set(name, { recipe, needed, waits: needed.filter((need) => todo.has(need)) });
   };
   for (const recipe of wanted) visit(recipe);
 
@@ -43,13 +47,13 @@ export async function makeAll(wanted, { workers, onDone } = {}) {
         failed.set(name, failed.get(broken) ?? '');
         return next();
       }
-      if (!job.waits.some((need) => todo.has(need))) return { name, recipe: job.recipe };
+      if (!job.waits.some((need) => todo.has(need))) return { name, ...job };
     }
     return undefined;
   };
 
   await new Promise((/** @type {(value?: undefined) => void} */ resolve, reject) => {
-    /** @type {{ process: import('node:child_process').ChildProcess, job?: { name: string, recipe: Recipe } }[]} */
+    /** @type {{ process: import('node:child_process').ChildProcess, job?: { name: string, recipe: Recipe, needed: string[] } }[]} */
     const hands = [];
     const stop = () => {
       for (const hand of hands) if (hand.process.connected) hand.process.disconnect();
@@ -61,7 +65,7 @@ export async function makeAll(wanted, { workers, onDone } = {}) {
         if (!job) break;
         hand.job = job;
         running.add(job.name);
-        hand.process.send({ recipe: job.recipe });
+        hand.process.send({ recipe: job.recipe, name: job.name, needed: job.needed });
       }
       if (todo.size === 0) {
         stop();
@@ -80,7 +84,8 @@ export async function makeAll(wanted, { workers, onDone } = {}) {
         todo.delete(job.name);
         if (reply.ok) ++built;
         else failed.set(job.name, reply.log);
-        onDone?.({ recipe: job.recipe, ...reply }, todo.size);
+        if (reply.changed) changed = true;
+        else onDone?.({ recipe: job.recipe, ...reply }, todo.size);
         deal();
       });
       hand.process.on('exit', (code, signal) => {
@@ -91,5 +96,9 @@ export async function makeAll(wanted, { workers, onDone } = {}) {
     }
     deal();
   });
-  return { built, failed };
+  if (!changed) return { built, failed };
+  // Someone saved a file meanwhile: what is made stays, the rest is looked at anew.
+  forgetSources();
+  const again = await makeAll(wanted, options);
+  return { built: built + again.built, failed: again.failed };
 }

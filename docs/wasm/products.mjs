@@ -117,6 +117,9 @@ export const exceptionRuntime = (() => {
   };
 })();
 
+/** Warnings are the native build's to give. */
+const testFlags = [...checkFlags, ...quiet];
+
 /** Where tools/fetch_catch2_source.sh puts Catch2's two amalgamated files. */
 export const catch2Source = inRoot('build', 'catch2', 'extras', 'catch_amalgamated.cpp');
 
@@ -128,7 +131,8 @@ function catch2() {
     tool: 'archive', what: 'Catch2',
     parts: [
       {
-        tool: 'compile', what: 'Catch2', language: 'c++', flags: [...checkFlags, ...quiet],
+        tool: 'compile', what: 'Catch2', language: 'c++',
+        flags: [...testFlags, '-DCATCH_AMALGAMATED_CUSTOM_MAIN'],
         folders: [path.dirname(catch2Source)], source: catch2Source,
       },
     ],
@@ -142,7 +146,7 @@ export function checkLibraries() {
     const source = inRoot('tests', 'support', file);
     const what = path.relative(inRoot(), source);
     return /** @type {Compile} */ (
-      { tool: 'compile', what, language: 'c++', flags: checkFlags, folders, source, pch: checkPrelude }
+      { tool: 'compile', what, language: 'c++', flags: testFlags, folders, source, pch: checkPrelude }
     );
   });
   return [...support, catch2(), exceptionRuntime];
@@ -168,7 +172,7 @@ const exerciseFolders = ({ name, slug }) =>
  * @param {Exercise} exercise @returns {Compile}
  */
 export const testObject = (exercise) => ({
-  tool: 'compile', what: path.relative(inRoot(), exercise.test), language: 'c++', flags: checkFlags,
+  tool: 'compile', what: path.relative(inRoot(), exercise.test), language: 'c++', flags: testFlags,
   folders: exerciseFolders(exercise), source: exercise.test, pch: checkPrelude,
 });
 
@@ -180,7 +184,7 @@ export function checkProgram(exercise, answer) {
   const what = path.relative(inRoot(), answer);
   /** @type {Compile} */
   const object = {
-    tool: 'compile', what, language: 'c++', flags: checkFlags, source: answer, pch: checkPrelude,
+    tool: 'compile', what, language: 'c++', flags: testFlags, source: answer, pch: checkPrelude,
     // The student's side sees the contract, the prelude and the shared shapes; no tests.
     folders: [inRoot('exercises', exercise.name), inRoot('grading'), inRoot('chapters', '00_vectors')],
   };

@@ -104,11 +104,15 @@ function treeFor(recipe) {
 /** @param {Compile | Precompile} recipe */
 const search = (recipe) => recipe.folders.flatMap((folder) => ['-I', `/${virtualPath(folder)}`]);
 
+/** A source was edited between the moment when its key was computed and the moment when it was read. */
+export class Changed extends Error {}
+
 /**
  * Makes one thing whose needs are made, and keeps it. Gives back what the compiler said (warnings).
- * @param {Recipe} recipe @returns {Promise<string>}
+ * @param {Recipe} recipe @param {string} name its key @param {string[]} needed the keys of its needs
+ * @returns {Promise<string>}
  */
-export async function make(recipe) {
+export async function make(recipe, name, needed) {
   const result = 'result.out';
   /** @type {Tree} */
   let tree = {};
@@ -126,7 +130,7 @@ export async function make(recipe) {
       if (recipe.pch) {
         for (const { virtual, bytes } of closure(recipe.pch.source, recipe.pch.folders))
           put(tree, virtual, new Uint8Array(bytes));
-        tree['prelude.pch'] = made(key(recipe.pch));
+        tree['prelude.pch'] = made(String(needed[0]));
         args.push('-include-pch', 'prelude.pch');
       }
       args.push('-emit-obj', '-main-file-name', path.basename(source), '-o', result);
@@ -141,9 +145,9 @@ export async function make(recipe) {
     case 'archive':
     case 'link': {
       const names = recipe.parts.map((part, i) => {
-        const name = part.tool === 'archive' ? `part${i}.a` : `part${i}.o`;
-        tree[name] = made(key(part));
-        return name;
+        const file = part.tool === 'archive' ? `part${i}.a` : `part${i}.o`;
+        tree[file] = made(String(needed[i]));
+        return file;
       });
       args =
         recipe.tool === 'archive'
@@ -152,9 +156,11 @@ export async function make(recipe) {
       break;
     }
   }
+  if ((recipe.tool === 'compile' || recipe.tool === 'precompile') && key(recipe) !== name)
+    throw new Changed(recipe.what);
   const { files, log } = await runTool(args, tree, recipe.what);
   const bytes = files[result];
   if (!(bytes instanceof Uint8Array)) throw new CompileError(`${recipe.what}: no result`, log);
-  writeWhole(cached(key(recipe)), bytes);
+  writeWhole(cached(name), bytes);
   return log;
 }

@@ -3,19 +3,22 @@
 import os from 'node:os';
 import { CompileError } from './compiler.mjs';
 import { forgetSources } from './headers.mjs';
-import { make } from './recipes.mjs';
+import { Changed, make } from './recipes.mjs';
 
 os.setPriority(5);
 
-process.on('message', async (/** @type {{ recipe: import('./recipes.mjs').Recipe }} */ { recipe }) => {
+/** @typedef {{ recipe: import('./recipes.mjs').Recipe, name: string, needed: string[] }} Job */
+
+process.on('message', async (/** @type {Job} */ { recipe, name, needed }) => {
   const start = performance.now();
   try {
     forgetSources();
-    const log = await make(recipe);
+    const log = await make(recipe, name, needed);
     process.send?.({ ok: true, log, seconds: (performance.now() - start) / 1000 });
   } catch (error) {
     const log = error instanceof CompileError ? error.message : String(/** @type {Error} */ (error).stack);
-    process.send?.({ ok: false, log, seconds: (performance.now() - start) / 1000 });
+    const changed = error instanceof Changed;
+    process.send?.({ ok: false, changed, log, seconds: (performance.now() - start) / 1000 });
   }
 });
 process.on('disconnect', () => process.exit());
