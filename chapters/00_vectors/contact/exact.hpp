@@ -212,23 +212,50 @@ inline Exact operator*(const Exact& x, const Exact& y) {
 }
 
 inline Exact::Leading Exact::leading_bits(const Exact& numerator, const Exact& denominator) {
-  const Exact divisor = abs(denominator);
-  Exact rest = abs(numerator);
-  // Scale by whole limbs until rest < divisor: then each doubling of the rest yields one bit of the
-  // quotient.
-  std::int64_t exponent = 32 * (rest.top() - divisor.top() + 1);
-  rest.scale_ -= exponent / 32;
+  // Long division in base 2, on whole numbers of one size (least significant limb first). The
+  // divisor ends one limb below the top, which is room to double into, and the numerator another
+  // limb lower: so the rest starts below the divisor.
+  const std::size_t size = std::max(numerator.limbs_.size() + 1, denominator.limbs_.size()) + 1;
+  const auto ending_at = [size](std::size_t end, const Limbs& limbs) {
+    Limbs wide(size, 0);
+    std::copy_backward(limbs.begin(), limbs.end(), wide.begin() + static_cast<std::ptrdiff_t>(end));
+    return wide;
+  };
+  Limbs rest = ending_at(size - 2, numerator.limbs_);
+  const Limbs divisor = ending_at(size - 1, denominator.limbs_);
+  const auto at_least_divisor = [&] {
+    return !std::lexicographical_compare(rest.rbegin(), rest.rend(), divisor.rbegin(),
+                                         divisor.rend());
+  };
+  const auto subtract_divisor = [&] {
+    std::uint64_t borrow = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const std::uint64_t difference = std::uint64_t{rest[i]} - divisor[i] - borrow;
+      rest[i] = static_cast<std::uint32_t>(difference);
+      borrow = difference >> 63;
+    }
+  };
+  const auto double_rest = [&] {
+    std::uint32_t carry = 0;
+    for (std::uint32_t& limb : rest) {
+      const std::uint32_t out = limb >> 31;
+      limb = limb << 1 | carry;
+      carry = out;
+    }
+  };
+
+  std::int64_t exponent = 32 * (numerator.top() - denominator.top() + 1);
   std::uint64_t bits = 0;
-  while ((bits >> 63) == 0 && rest.sign_ != 0) {
-    rest = add_magnitudes(rest, rest);
+  while ((bits >> 63) == 0) {
+    double_rest();
     --exponent;
     bits <<= 1;
-    if (compare_magnitudes(rest, divisor) >= 0) {
-      rest -= divisor;
+    if (at_least_divisor()) {
+      subtract_divisor();
       bits |= 1;
     }
   }
-  if (rest.sign_ != 0) bits |= 1;
+  if (std::any_of(rest.begin(), rest.end(), [](auto limb) { return limb != 0; })) bits |= 1;
   return {bits, exponent};
 }
 

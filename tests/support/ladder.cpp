@@ -1,0 +1,194 @@
+// The native program of a ladder: rounds of timed passes, then a table or JSON.
+#include <support/ladder.hpp>
+
+#include <sys/utsname.h>
+
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+#include <thread>
+
+#ifndef CONTACT_LADDER
+#define CONTACT_LADDER "ladder"
+#endif
+#ifndef CONTACT_COMPILER
+#define CONTACT_COMPILER "unknown"
+#endif
+#ifndef CONTACT_FLAGS
+#define CONTACT_FLAGS "unknown"
+#endif
+
+namespace {
+
+using nlohmann::json;
+
+struct Options {
+  std::size_t size = 100000;
+  std::size_t repeats = 9;
+  std::string json_file;
+  bool help = false;
+};
+
+/// The options, or nothing after a complaint.
+std::optional<Options> read(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view name = argv[i];
+    if (name == "--help" || name == "-h") {
+      options.help = true;
+      return options;
+    }
+    if ((name != "--size" && name != "--repeats" && name != "--json") || i + 1 == argc) {
+      std::fprintf(stderr, "%s: %s\n", argv[i],
+                   i + 1 == argc ? "unknown, or its value is missing" : "unknown option");
+      return std::nullopt;
+    }
+    const std::string_view value = argv[++i];
+    if (name == "--json") {
+      options.json_file = value;
+      continue;
+    }
+    std::size_t number = 0;
+    const auto [end, problem] = std::from_chars(value.data(), value.data() + value.size(), number);
+    if (problem != std::errc() || end != value.data() + value.size() || number < 1) {
+      std::fprintf(stderr, "%s takes a whole number from 1, not %s\n", argv[i - 1], argv[i]);
+      return std::nullopt;
+    }
+    (name == "--size" ? options.size : options.repeats) = number;
+  }
+  return options;
+}
+
+/// The value of the first line that starts with key, without quotes.
+std::string line_of(const char* file, std::string_view key, char separator) {
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with(key)) continue;
+    std::string value = line.substr(line.find(separator) + 1);
+    std::erase(value, '"');
+    value.erase(0, value.find_first_not_of(" \t"));
+    return value;
+  }
+  return "";
+}
+
+json machine() {
+  utsname system{};
+  uname(&system);
+  std::string cpu = line_of("/proc/cpuinfo", "model name", ':');
+  if (cpu.empty()) cpu = system.machine;
+  std::string os = line_of("/etc/os-release", "PRETTY_NAME", '=');
+  if (os.empty()) os = std::string(system.sysname) + " " + system.release;
+  return {{"cpu", cpu}, {"cores", std::thread::hardware_concurrency()}, {"os", os}};
+}
+
+std::string now() {
+  const std::time_t seconds = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&seconds, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+double timed_pass(ladder::Experiment& experiment, std::size_t method) {
+  const auto start = std::chrono::steady_clock::now();
+  experiment.pass(method);
+  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+}
+
+// JSON has no NaN: no value is null.
+json number(double x) { return std::isfinite(x) ? json(x) : json(nullptr); }
+
+}  // namespace
+
+int ladder::run_program(Experiment& experiment, int argc, char** argv) {
+  const std::optional<Options> options = read(argc, argv);
+  if (!options || options->help) {
+    std::fprintf(options ? stdout : stderr,
+                 "usage: %s [--size N] [--repeats R] [--json FILE]\n%s\n"
+                 "  --size N     inputs a family (100000)\n"
+                 "  --repeats R  timed passes; the medians and quartiles are over these (9)\n"
+                 "  --json FILE  write the results there as well\n",
+                 argv[0], experiment.question().c_str());
+    return options ? 0 : 2;
+  }
+
+  json results = json::array();
+  json families = json::array();
+  std::printf("%s\n\n%-14s %-28s %-8s %9s %9s %9s %9s  %s\n", experiment.question().c_str(),
+              "family", "method", "scalar", "wrong", "of", "error", "largest", "ns (quartiles)");
+  const auto& methods = experiment.methods();
+  for (std::size_t family = 0; family < experiment.families().size(); ++family) {
+    const Family& about = experiment.families()[family];
+    experiment.prepare(family, options->size);
+    families.push_back({{"id", about.id}, {"title", about.title}, {"n", options->size}});
+
+    // First every method once, to judge it and to warm up. Then in turns, so that a slow moment of
+    // the machine does not fall on one method only.
+    std::vector<Judgement> judged;
+    for (std::size_t method = 0; method < methods.size(); ++method) {
+      experiment.pass(method);
+      judged.push_back(experiment.judge());
+    }
+    std::vector<std::vector<double>> ns(methods.size());
+    for (std::size_t repeat = 0; repeat < options->repeats; ++repeat) {
+      for (std::size_t method = 0; method < methods.size(); ++method) {
+        ns[method].push_back(timed_pass(experiment, method) / static_cast<double>(options->size));
+      }
+    }
+    for (std::size_t method = 0; method < methods.size(); ++method) {
+      const Judgement& verdict = judged[method];
+      const Spread times = spread(ns[method]);
+      results.push_back({{"family", about.id},
+                         {"method", methods[method].id},
+                         {"n", verdict.n},
+                         {"wrong", verdict.wrong},
+                         {"undecided", verdict.undecided},
+                         {"error_median", number(verdict.error_median)},
+                         {"error_max", number(verdict.error_max)},
+                         {"ns_median", times.median},
+                         {"ns_q1", times.q1},
+                         {"ns_q3", times.q3},
+                         {"repeats", options->repeats}});
+      std::printf("%-14s %-28s %-8s %9zu %9zu %9.1e %9.1e  %.1f (%.1f-%.1f)\n", about.id.c_str(),
+                  methods[method].id.c_str(), methods[method].scalar.c_str(), verdict.wrong,
+                  verdict.n, verdict.error_median, verdict.error_max, times.median, times.q1,
+                  times.q3);
+      std::fflush(stdout);
+    }
+  }
+
+  if (!options->json_file.empty()) {
+    json listed = json::array();
+    for (const Method& method : methods) {
+      listed.push_back({{"id", method.id},
+                        {"title", method.title},
+                        {"scalar", method.scalar},
+                        {"exact", method.exact}});
+    }
+    std::ofstream out(options->json_file);
+    out << json{{"ladder", CONTACT_LADDER},
+                {"question", experiment.question()},
+                {"size", options->size},
+                {"machine", machine()},
+                {"compiler", CONTACT_COMPILER},
+                {"flags", CONTACT_FLAGS},
+                {"date", now()},
+                {"families", families},
+                {"methods", listed},
+                {"results", results}}
+               .dump(1)
+        << "\n";
+    if (!out.flush()) {
+      std::fprintf(stderr, "%s: cannot be written\n", options->json_file.c_str());
+      return 1;
+    }
+  }
+  return 0;
+}

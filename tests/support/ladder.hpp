@@ -1,0 +1,262 @@
+/// @file
+/// A ladder: several methods for one question, each with how often it is wrong and what it costs.
+///
+///     ladder::Ladder<Input, Answer> experiment() {
+///       ladder::Ladder<Input, Answer> ladder("Does the ray hit?", truth, judge);
+///       ladder.family("random", "random", [](generators::Random& random) { return Input{...}; });
+///       ladder.method({.id = "plain", .title = "plain", .scalar = "float", .exact = false},
+///                     [](const Input& input) { return plain(input); });
+///       return ladder;
+///     }
+///     LADDER(experiment)
+///
+/// Natively this is a program: `--size N` inputs a family, `--repeats R` timed passes, `--json
+/// FILE`. In WebAssembly it exports
+/// - `layout()`: address of a JSON text, ended by a 0: {"question", "families": [{id, title}],
+/// "methods": [{id, title, scalar,
+///   exact}]};
+/// - `prepare(family, n)`: makes n inputs of the family with that number, and the true answers;
+/// - `run(method)`: address of nine doubles: n, wrong, undecided, error_median, error_max,
+/// ns_median, ns_q1, ns_q3, repeats; and imports `env.now`, the time in milliseconds. Inputs are
+/// the same everywhere, so the wrong answers are too.
+#pragma once
+
+#include <support/generators.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ladder {
+
+/// One answer held against the truth.
+struct Verdict {
+  bool wrong = false;
+  bool undecided = false;       ///< the method says that it does not know
+  double error = std::nan("");  ///< of the value; NaN where there is none to compare
+};
+
+struct Method {
+  std::string id;
+  std::string title;
+  std::string scalar;  ///< the type that it computes in
+  bool exact = false;  ///< whether its decision is never wrong
+};
+
+struct Family {
+  std::string id;
+  std::string title;
+};
+
+/// What a method made of one family.
+struct Judgement {
+  std::size_t n = 0, wrong = 0, undecided = 0;
+  double error_median = std::nan(""), error_max = std::nan("");
+};
+
+/// A median between its quartiles.
+struct Spread {
+  double median = 0, q1 = 0, q3 = 0;
+};
+
+/// The quartiles of at least one number, between neighbours by linear interpolation.
+inline Spread spread(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const auto at = [&values](double share) {
+    const double place = share * static_cast<double>(values.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, values.size() - 1);
+    return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+  };
+  return {at(0.5), at(0.25), at(0.75)};
+}
+
+/// A ladder whatever its inputs and answers: what the program and the page see.
+class Experiment {
+ public:
+  virtual ~Experiment() = default;
+  virtual const std::string& question() const = 0;
+  virtual const std::vector<Family>& families() const = 0;
+  virtual const std::vector<Method>& methods() const = 0;
+  /// Makes n inputs and their true answers.
+  virtual void prepare(std::size_t family, std::size_t n) = 0;
+  /// Answers every input once; nothing but the method is done here, so the caller times it.
+  virtual void pass(std::size_t method) = 0;
+  /// Holds the last pass against the truth.
+  virtual Judgement judge() const = 0;
+};
+
+/// @tparam Input what a method is asked; it holds the numbers in each scalar that a method wants,
+/// so that no conversion is timed
+/// @tparam Answer what a method says
+template <class Input, class Answer>
+class Ladder : public Experiment {
+ public:
+  using Truth = std::function<Answer(const Input&)>;
+  using Judge = std::function<Verdict(const Answer& got, const Answer& right)>;
+  using Generator = std::function<Input(generators::Random&)>;
+
+  Ladder(std::string question, Truth truth, Judge judge)
+      : question_(std::move(question)), truth_(std::move(truth)), judge_(std::move(judge)) {}
+
+  /// Adds a family of inputs.
+  void family(const std::string& id, const std::string& title, Generator generator) {
+    families_.push_back({id, title});
+    generators_.push_back(std::move(generator));
+  }
+
+  /// Adds a method. The loop over the inputs is compiled for each, so that calls can be inlined.
+  template <class Call>
+  void method(Method about, Call call) {
+    methods_.push_back(std::move(about));
+    loops_.push_back([call](const std::vector<Input>& inputs, std::vector<Answer>& answers) {
+      for (std::size_t i = 0; i < inputs.size(); ++i) answers[i] = call(inputs[i]);
+    });
+  }
+
+  const std::string& question() const override { return question_; }
+  const std::vector<Family>& families() const override { return families_; }
+  const std::vector<Method>& methods() const override { return methods_; }
+
+  void prepare(std::size_t family, std::size_t n) override {
+    generators::Random random(family + 1);
+    inputs_.clear();
+    truths_.clear();
+    inputs_.reserve(n);
+    truths_.reserve(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      inputs_.push_back(generators_[family](random));
+      truths_.push_back(truth_(inputs_.back()));
+    }
+    answers_.assign(n, Answer());
+  }
+
+  void pass(std::size_t method) override { loops_[method](inputs_, answers_); }
+
+  Judgement judge() const override {
+    Judgement result;
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < answers_.size(); ++i) {
+      const Verdict verdict = judge_(answers_[i], truths_[i]);
+      ++result.n;
+      result.wrong += verdict.wrong;
+      result.undecided += verdict.undecided;
+      if (!std::isnan(verdict.error)) errors.push_back(verdict.error);
+    }
+    if (!errors.empty()) {
+      result.error_max = *std::max_element(errors.begin(), errors.end());
+      result.error_median = spread(std::move(errors)).median;
+    }
+    return result;
+  }
+
+ private:
+  std::string question_;
+  Truth truth_;
+  Judge judge_;
+  std::vector<Family> families_;
+  std::vector<Generator> generators_;
+  std::vector<Method> methods_;
+  std::vector<std::function<void(const std::vector<Input>&, std::vector<Answer>&)>> loops_;
+  std::vector<Input> inputs_;
+  std::vector<Answer> truths_, answers_;
+};
+
+/// The program (ladder.cpp): runs every method on every family and writes a table, or JSON.
+int run_program(Experiment& experiment, int argc, char** argv);
+
+/// Text between quotes; ids and titles need no other escapes.
+inline std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
+/// What there is to run, as JSON.
+inline std::string layout(const Experiment& experiment) {
+  std::string text = "{\"question\":" + quoted(experiment.question()) + ",\"families\":[";
+  for (const Family& family : experiment.families()) {
+    if (text.back() == '}') text += ",";
+    text += "{\"id\":" + quoted(family.id) + ",\"title\":" + quoted(family.title) + "}";
+  }
+  text += "],\"methods\":[";
+  for (const Method& method : experiment.methods()) {
+    if (text.back() == '}') text += ",";
+    text += "{\"id\":" + quoted(method.id) + ",\"title\":" + quoted(method.title) +
+            ",\"scalar\":" + quoted(method.scalar) +
+            ",\"exact\":" + (method.exact ? "true" : "false") + "}";
+  }
+  return text + "]}";
+}
+
+/// The timed passes of one method in the page, after one that warms up: enough for a median, few
+/// enough to wait for.
+inline constexpr int passes_in_page = 7;
+
+/// One method on the prepared family: the nine numbers of `run`.
+template <class Now>
+void run_in_page(Experiment& experiment, std::size_t method, const Now& now_in_ms, double* to) {
+  experiment.pass(method);
+  const Judgement judged = experiment.judge();
+  std::vector<double> ns;
+  // A browser's clock is coarse: a pass that it cannot resolve is repeated until it can.
+  constexpr double long_enough = 4;
+  for (int i = 0; i < passes_in_page; ++i) {
+    const double start = now_in_ms();
+    double elapsed = 0;
+    int rounds = 0;
+    while (elapsed < long_enough) {
+      experiment.pass(method);
+      ++rounds;
+      elapsed = now_in_ms() - start;
+    }
+    ns.push_back(elapsed * 1e6 / (rounds * static_cast<double>(judged.n)));
+  }
+  const Spread times = spread(std::move(ns));
+  for (const double value :
+       {static_cast<double>(judged.n), static_cast<double>(judged.wrong),
+        static_cast<double>(judged.undecided), judged.error_median, judged.error_max, times.median,
+        times.q1, times.q3, double{passes_in_page}}) {
+    *to++ = value;
+  }
+}
+
+}  // namespace ladder
+
+#if defined(__wasm__)
+#define LADDER_EXPORT(name) [[gnu::used]] __attribute__((export_name(name)))
+/// Makes the module's exports from a function that returns a ladder.
+#define LADDER(make)                                                                              \
+  __attribute__((import_module("env"), import_name("now"))) extern "C" double ladder_now_in_ms(); \
+  static auto& the_ladder() {                                                                     \
+    static auto ladder = make();                                                                  \
+    return ladder;                                                                                \
+  }                                                                                               \
+  LADDER_EXPORT("layout") const char* ladder_layout() {                                           \
+    static const std::string text = ladder::layout(the_ladder());                                 \
+    return text.c_str();                                                                          \
+  }                                                                                               \
+  LADDER_EXPORT("prepare") void ladder_prepare(int family, int n) {                               \
+    the_ladder().prepare(static_cast<std::size_t>(family), static_cast<std::size_t>(n));          \
+  }                                                                                               \
+  LADDER_EXPORT("run") const double* ladder_run(int method) {                                     \
+    static double row[9];                                                                         \
+    ladder::run_in_page(the_ladder(), static_cast<std::size_t>(method), ladder_now_in_ms, row);   \
+    return row;                                                                                   \
+  }
+#else
+/// Makes the program from a function that returns a ladder.
+#define LADDER(make)                                    \
+  int main(int argc, char** argv) {                     \
+    auto the_ladder = make();                           \
+    return ladder::run_program(the_ladder, argc, argv); \
+  }
+#endif
