@@ -1,0 +1,256 @@
+// node docs/web/build.mjs [--out build/web] [--check] [--scripts-only] [--quiet]
+//
+// Bundles the page's script, one module a figure and the style sheet, then draws each figure's
+// fallback picture with its own C++ (docs/wasm/build.mjs figures comes first). Only what changed is
+// written. `--check` checks types and style instead. `--scripts-only` leaves the pictures out.
+// Exit code 0: all there; 1: something failed (the rest is written); 2: wrong usage.
+
+import { spawnSync } from "node:child_process";
+import { createHash } from "node:crypto";
+import fs from "node:fs";
+import path from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { parseArgs } from "node:util";
+import { build, transform } from "esbuild";
+import { DARK, drawingRules, FORCED, LIGHT, ROLES, variables } from "./palette.mjs";
+
+const here = path.dirname(fileURLToPath(import.meta.url));
+const docs = path.dirname(here);
+const root = path.dirname(docs);
+const modules = path.join(docs, "node_modules");
+
+/** @returns {{ values: Record<string, any> }} */
+function options() {
+  try {
+    return parseArgs({
+      options: {
+        out: { type: "string", default: path.join(root, "build", "web") },
+        check: { type: "boolean", default: false },
+        "scripts-only": { type: "boolean", default: false },
+        quiet: { type: "boolean", default: false },
+      },
+    });
+  } catch (error) {
+    console.error(`${error instanceof Error ? error.message : error}`);
+    console.error(
+      "usage: node docs/web/build.mjs [--out FOLDER] [--check] [--scripts-only] [--quiet]",
+    );
+    process.exit(2);
+  }
+}
+
+const { out, check, quiet, "scripts-only": scriptsOnly } = options().values;
+
+/** @param {string} text */
+const say = (text) => {
+  if (!quiet) console.log(text);
+};
+
+/** Writes a file if its content is another one; says whether it did.
+ * @param {string} file @param {string | Uint8Array} content */
+function write(file, content) {
+  const bytes = Buffer.from(content);
+  if (fs.existsSync(file) && fs.readFileSync(file).equals(bytes)) return false;
+  fs.mkdirSync(path.dirname(file), { recursive: true });
+  const part = `${file}.${process.pid}.part`;
+  fs.writeFileSync(part, bytes);
+  fs.renameSync(part, file);
+  return true;
+}
+
+/** Every figure's drawing: chapters/NN_slug/figures/NAME.ts. */
+function figures() {
+  const chapters = path.join(root, "chapters");
+  const folders = fs.existsSync(chapters) ? fs.readdirSync(chapters).sort() : [];
+  return folders.flatMap((slug) => {
+    const folder = path.join(chapters, slug, "figures");
+    const files = fs.existsSync(folder) ? fs.readdirSync(folder).sort() : [];
+    return files
+      .filter((file) => file.endsWith(".ts"))
+      .map((file) => ({ name: `${slug}/${file.slice(0, -3)}`, source: path.join(folder, file) }));
+  });
+}
+
+/** @type {import("esbuild").BuildOptions} */
+const common = {
+  bundle: true,
+  format: "esm",
+  splitting: true,
+  write: false,
+  target: ["es2022", "safari16"],
+  // three's renderer is never used: its core alone is a quarter of the size.
+  alias: {
+    "@contact": path.join(here, "src"),
+    three: path.join(modules, "three", "src", "Three.Core.js"),
+    "three/addons": path.join(modules, "three", "examples", "jsm"),
+  },
+  nodePaths: [modules],
+  logLevel: "warning",
+  legalComments: "none",
+};
+
+/** @param {import("esbuild").BuildOptions} wanted */
+async function bundle(wanted) {
+  const { outputFiles = [] } = await build({ ...common, ...wanted });
+  const written = outputFiles.filter(({ path: file, contents }) => write(file, contents)).length;
+  const chunks = path.join(/** @type {string} */ (wanted.outdir), "chunks");
+  const kept = new Set(outputFiles.map(({ path: file }) => file));
+  if (fs.existsSync(chunks))
+    for (const file of fs.readdirSync(chunks).map((name) => path.join(chunks, name)))
+      if (!kept.has(file)) fs.rmSync(file);
+  return written;
+}
+
+function styles() {
+  const roles = ROLES.map(
+    (role) =>
+      `contact-figure .grip.r-${role},contact-figure .t-${role}{color:var(--contact-${role})}`,
+  ).join("\n");
+  return `
+:root{${variables(LIGHT)}}
+body[data-theme="dark"]{${variables(DARK)}}
+@media(prefers-color-scheme:dark){body:not([data-theme="light"]){${variables(DARK)}}}
+@media print{body,body[data-theme]{${variables(LIGHT)}}}
+@media(forced-colors:active){body,body[data-theme]{${variables(FORCED)}}}
+contact-figure .stage{${drawingRules}}
+${roles}
+${fs.readFileSync(path.join(here, "src", "contact.css"), "utf8")}`;
+}
+
+/** The libraries inside the page's script, with their licences. */
+function notices() {
+  const bundled = fs
+    .readdirSync(modules)
+    .flatMap((name) =>
+      name.startsWith("@")
+        ? fs.readdirSync(path.join(modules, name)).map((inner) => `${name}/${inner}`)
+        : [name],
+    )
+    .filter((name) => used.has(name));
+  const texts = bundled.map((name) => {
+    const folder = path.join(modules, name);
+    const about = JSON.parse(fs.readFileSync(path.join(folder, "package.json"), "utf8"));
+    const licence = fs.readdirSync(folder).find((file) => /^licen[cs]e/i.test(file));
+    const text = licence ? fs.readFileSync(path.join(folder, licence), "utf8").trim() : "";
+    return `${name} ${about.version} (${about.license})\n\n${text}\n`;
+  });
+  return texts.join(`\n${"-".repeat(78)}\n\n`);
+}
+
+/** Names of packages whose code is in the bundle. @type {Set<string>} */
+const used = new Set();
+
+async function scripts() {
+  const entries = [
+    { in: path.join(here, "src", "contact.ts"), out: "contact" },
+    { in: path.join(here, "src", "ladder-worker.ts"), out: "ladder-worker" },
+    ...figures().map(({ name, source }) => ({ in: source, out: `figures/${name}` })),
+  ];
+  const collect = {
+    name: "collect",
+    /** @param {import("esbuild").PluginBuild} plugin */
+    setup(plugin) {
+      plugin.onEnd(({ metafile }) => {
+        for (const file of Object.keys(metafile?.inputs ?? {})) {
+          const match = /node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(file);
+          if (match) used.add(/** @type {string} */ (match[1]));
+        }
+      });
+    },
+  };
+  let written = await bundle({
+    entryPoints: entries,
+    outdir: out,
+    chunkNames: "chunks/[name]-[hash]",
+    minify: true,
+    metafile: true,
+    plugins: [collect],
+  });
+  const { code } = await transform(styles(), {
+    loader: "css",
+    minify: true,
+    target: ["chrome111", "firefox113", "safari16"],
+  });
+  if (write(path.join(out, "contact.css"), code)) written += 1;
+  if (write(path.join(out, "notices.txt"), notices())) written += 1;
+  return written;
+}
+
+/** Draws the pictures whose figure or C++ changed; returns what went wrong. */
+async function pictures() {
+  const cache = path.join(root, "build", "web-node");
+  const list = figures();
+  await bundle({
+    entryPoints: [
+      { in: path.join(here, "src", "node", "picture.ts"), out: "picture" },
+      ...list.map(({ name, source }) => ({ in: source, out: `figures/${name}` })),
+    ],
+    outdir: cache,
+    outExtension: { ".js": ".mjs" },
+    chunkNames: "chunks/[name]-[hash]",
+    platform: "node",
+    target: "node18",
+  });
+  const module = (/** @type {string} */ name) => path.join(cache, `${name}.mjs`);
+  const { drawPicture } = await import(pathToFileURL(module("picture")).href);
+  const record = path.join(cache, "pictures.json");
+  /** @type {Record<string, string>} */
+  const drawn = fs.existsSync(record) ? JSON.parse(fs.readFileSync(record, "utf8")) : {};
+  /** @type {string[]} */
+  const wrong = [];
+  let count = 0;
+  for (const { name } of list) {
+    const target = path.join(out, "figures", name);
+    if (!fs.existsSync(`${target}.wasm`)) {
+      wrong.push(`${name}: no ${name}.wasm yet (node docs/wasm/build.mjs figures makes it)`);
+      continue;
+    }
+    const wasm = fs.readFileSync(`${target}.wasm`);
+    const hash = createHash("sha256").update(wasm);
+    for (const part of [module("picture"), module(`figures/${name}`)])
+      hash.update(fs.readFileSync(part));
+    const now = hash.digest("hex");
+    const there = fs.existsSync(`${target}.svg`) && fs.existsSync(`${target}.json`);
+    if (there && drawn[name] === now) continue;
+    try {
+      const { default: figure } = await import(pathToFileURL(module(`figures/${name}`)).href);
+      const { svg, facts } = await drawPicture(figure, wasm);
+      write(`${target}.svg`, svg);
+      write(`${target}.json`, `${JSON.stringify(facts, null, 1)}\n`);
+      drawn[name] = now;
+      count += 1;
+    } catch (error) {
+      wrong.push(`${name}: ${error instanceof Error ? error.message : error}`);
+    }
+  }
+  write(record, JSON.stringify(drawn));
+  return { wrong, count };
+}
+
+function checkAll() {
+  const run = (/** @type {string} */ file, /** @type {string[]} */ args) =>
+    spawnSync(process.execPath, [path.join(modules, file), ...args], {
+      cwd: docs,
+      stdio: "inherit",
+    }).status ?? 1;
+  const types = run("typescript/bin/tsc", ["--project", "tsconfig.json"]);
+  const style = run("@biomejs/biome/bin/biome", ["check", "--error-on-warnings"]);
+  return types === 0 && style === 0 ? 0 : 1;
+}
+
+async function main() {
+  if (check) return checkAll();
+  const start = performance.now();
+  const written = await scripts();
+  say(`${written} scripts and styles written`);
+  if (!scriptsOnly) {
+    const { wrong, count } = await pictures();
+    say(`${count} of ${figures().length} pictures drawn`);
+    for (const line of wrong) console.error(line);
+    if (wrong.length > 0) return 1;
+  }
+  say(`${((performance.now() - start) / 1000).toFixed(1)} s`);
+  return 0;
+}
+
+process.exitCode = await main();

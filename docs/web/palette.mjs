@@ -1,0 +1,75 @@
+// The colours of drawings by role, once, for pages and for fallback pictures. Each text colour has
+// a contrast of at least 4.5 with its background. No two roles differ in hue alone where they meet:
+// dashes, labels and shapes tell them apart as well.
+
+export const LIGHT = {
+  paper: "#ffffff",
+  ink: "#1c2128",
+  muted: "#5b6470",
+  ghost: "#c3cad3",
+  ray: "#0a5cad",
+  surface: "#41566f",
+  normal: "#a3195b",
+  hit: "#0f7040",
+  miss: "#b3261e",
+  a: "#a8430b",
+  b: "#0b6e75",
+  c: "#6b35b8",
+  ball: "#8a5a00",
+};
+
+export const DARK = {
+  paper: "#131416",
+  ink: "#e8eaed",
+  muted: "#a2abb6",
+  ghost: "#3c434c",
+  ray: "#74b8ff",
+  surface: "#a9bdd4",
+  normal: "#ff8fbd",
+  hit: "#5fd696",
+  miss: "#ff8b80",
+  a: "#ffab70",
+  b: "#56d0d9",
+  c: "#c8a6ff",
+  ball: "#f0c064",
+};
+
+/** Colours of the reader's own choosing. */
+export const FORCED = Object.fromEntries(
+  Object.keys(LIGHT).map((role) => [
+    role,
+    role === "paper" ? "Canvas" : role === "ghost" || role === "muted" ? "GrayText" : "CanvasText",
+  ]),
+);
+
+export const ROLES = Object.keys(LIGHT).filter((name) => name !== "paper");
+
+/** @param {Record<string, string>} colours */
+export const variables = (colours) =>
+  Object.entries(colours)
+    .map(([name, colour]) => `--contact-${name}:${colour};`)
+    .join("");
+
+/** The rules that colour a drawing, wherever it is. */
+export const drawingRules = `
+.line{fill:none;stroke-linecap:round;stroke-linejoin:round}
+.line.dashed{stroke-dasharray:5 5}
+.line.faint{opacity:.75}
+.line.r-ghost.faint{opacity:1}
+.face{stroke:none}
+.face.outlined{stroke-width:1.6;stroke-linejoin:round}
+.face.dashed{stroke-dasharray:5 5}
+.dot{stroke:var(--contact-paper);stroke-width:1.5}
+.dot.hollow{fill:var(--contact-paper)}
+.label{font:600 14px system-ui,sans-serif;paint-order:stroke;stroke:var(--contact-paper);stroke-width:4px;stroke-linejoin:round}
+.label.small{font-size:12px;font-weight:500}
+${ROLES.map((role) => {
+  const colour = `var(--contact-${role})`;
+  return [
+    `.line.r-${role}{stroke:${colour}}`,
+    `.face.r-${role}{fill:${colour}}.face.outlined.r-${role}{stroke:${colour}}`,
+    `.head.r-${role},.dot.r-${role},.label.r-${role}{fill:${colour}}`,
+    `.dot.hollow.r-${role}{fill:var(--contact-paper);stroke:${colour};stroke-width:2}`,
+  ].join("\n");
+}).join("\n")}
+`;

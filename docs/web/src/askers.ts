@@ -1,0 +1,51 @@
+// What each kind of question has in common for the element that asks it, and the simplest kind.
+
+import { html } from "./dom.ts";
+import type { Choose } from "./question.ts";
+
+export interface Answer {
+  readonly right: boolean;
+  /** HTML that answers the reader. */
+  readonly say: string;
+  /** What to remember; left out when there was no answer to judge. */
+  readonly kept?: string | number | boolean | readonly number[];
+}
+
+export interface Asker {
+  readonly element: HTMLElement;
+  readonly checkLabel?: string;
+  check(): Answer;
+  lock(locked: boolean): void;
+  focus(): void;
+  /** HTML of the right answer. */
+  solution(): string;
+  /** Registers what to do when the answer is sent from inside, as with Enter. */
+  onSubmit?(send: () => void): void;
+}
+
+export function chooseAsker(question: Choose, labelId: string): Asker {
+  const inputs: HTMLInputElement[] = [];
+  const element = html("fieldset", { role: "radiogroup", "aria-labelledby": labelId });
+  for (const [i, option] of question.options.entries()) {
+    const input = html("input", { type: "radio", name: labelId, value: String(i) });
+    const text = html("span");
+    text.innerHTML = option;
+    inputs.push(input);
+    element.append(html("label", { class: "option" }, input, text));
+  }
+  return {
+    element,
+    check() {
+      const chosen = inputs.findIndex((input) => input.checked);
+      if (chosen < 0) return { right: false, say: "Choose one first." };
+      const right = chosen === question.answer;
+      const why = question.wrong?.find(({ answer }) => answer === chosen)?.why;
+      return { right, kept: chosen, say: right ? "" : (why ?? "Another one holds.") };
+    },
+    lock(locked) {
+      for (const input of inputs) input.disabled = locked;
+    },
+    focus: () => (inputs.find((input) => input.checked) ?? inputs[0])?.focus(),
+    solution: () => `The answer: ${question.options[question.answer]}`,
+  };
+}

@@ -1,0 +1,112 @@
+// <contact-question><script type="application/json">{…}</script>…fallback…</contact-question>
+//
+// Asks, checks and remembers. An answer is locked when it is checked; the verdict, the hint for a
+// recognised mistake and, once right or given up, the explanation follow. Texts are HTML made by
+// the book's build.
+
+import { type Answer, type Asker, chooseAsker } from "./askers.ts";
+import { constructAsker } from "./construct.ts";
+import { button, freshId, html } from "./dom.ts";
+import { orderAsker } from "./order-list.ts";
+import { predictAsker } from "./predict.ts";
+import type { Question } from "./question.ts";
+import { recall, remember } from "./storage.ts";
+
+const KINDS = {
+  predict: "Predict",
+  choose: "Choose",
+  order: "Put in order",
+  construct: "Construct",
+} as const;
+
+function askerFor(question: Question, labelId: string): Asker {
+  switch (question.kind) {
+    case "predict":
+      return predictAsker(question, labelId);
+    case "choose":
+      return chooseAsker(question, labelId);
+    case "order":
+      return orderAsker(question, labelId);
+    case "construct":
+      return constructAsker(question);
+  }
+}
+
+export class ContactQuestion extends HTMLElement {
+  #built = false;
+
+  connectedCallback(): void {
+    if (this.#built) return;
+    const data = this.querySelector<HTMLScriptElement>(':scope > script[type="application/json"]');
+    if (!data?.textContent) return;
+    this.#built = true;
+    this.#build(JSON.parse(data.textContent) as Question);
+  }
+
+  #build(question: Question): void {
+    const labelId = freshId("question");
+    const asker = askerFor(question, labelId);
+    const verdict = html("div", { class: "verdict", role: "status" });
+    const explain = html("div", { class: "explain" });
+    const check = button(asker.checkLabel ?? "Check", () => tryAnswer());
+    const again = button("Try again", () => retry());
+    const give = button("Show the answer", () => giveUp());
+
+    const say = (right: boolean | undefined, words: string): void => {
+      verdict.replaceChildren();
+      const paragraph = html("p");
+      if (right !== undefined) {
+        const mark = right ? "Right." : "Not yet.";
+        paragraph.append(html("strong", { class: right ? "right" : "wrong" }, mark), " ");
+      }
+      const text = html("span");
+      text.innerHTML = words;
+      paragraph.append(text);
+      verdict.append(paragraph);
+    };
+    const show = (state: "open" | "wrong" | "right" | "given"): void => {
+      asker.lock(state !== "open");
+      this.toggleAttribute("locked", state !== "open");
+      check.hidden = state !== "open";
+      again.hidden = state === "open";
+      give.hidden = state !== "wrong";
+      if (state === "right" || state === "wrong") this.setAttribute("result", state);
+      else this.removeAttribute("result");
+      const explained = state === "right" || state === "given";
+      explain.innerHTML = explained ? question.explain : "";
+    };
+    const judge = (answer: Answer): void => {
+      if (answer.kept === undefined) {
+        say(undefined, answer.say);
+        return;
+      }
+      remember(question.id, { kind: question.kind, answer: answer.kept, right: answer.right });
+      say(answer.right, answer.say);
+      show(answer.right ? "right" : "wrong");
+      again.focus({ preventScroll: true });
+    };
+    const tryAnswer = (): void => judge(asker.check());
+    const retry = (): void => {
+      verdict.replaceChildren();
+      show("open");
+      asker.focus();
+    };
+    const giveUp = (): void => {
+      say(undefined, asker.solution());
+      show("given");
+      again.focus({ preventScroll: true });
+    };
+
+    const asked = html("div", { class: "asked", id: labelId });
+    asked.innerHTML = question.text;
+    asker.onSubmit?.(tryAnswer);
+    const answer = html("div", { class: "answer" }, asker.element);
+    const buttons = html("div", { class: "buttons" }, check, again, give);
+    const kind = html("p", { class: "kind" }, KINDS[question.kind]);
+    const script = this.querySelector("script")!;
+    this.replaceChildren(script, kind, asked, answer, buttons, verdict, explain);
+    show("open");
+    const before = recall(question.id);
+    if (before?.right) say(undefined, "You have answered this one right before.");
+  }
+}

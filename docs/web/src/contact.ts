@@ -1,0 +1,9 @@
+// The page's one script: it only names the elements. What an element needs it loads when it is used.
+
+import { ContactFigure } from "./contact-figure.ts";
+import { ContactLadder } from "./contact-ladder.ts";
+import { ContactQuestion } from "./contact-question.ts";
+
+customElements.define("contact-figure", ContactFigure);
+customElements.define("contact-question", ContactQuestion);
+customElements.define("contact-ladder", ContactLadder);

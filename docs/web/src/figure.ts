@@ -1,0 +1,122 @@
+// What the author of a figure writes. A figure computes nothing here: every number that it shows
+// comes from its C++ (`output`), or is an input. `draw` only says what to draw where.
+
+import type { Fields } from "./layout.ts";
+import type { Vec2, Vec3 } from "./numbers.ts";
+import type { Role, Scene } from "./scene.ts";
+
+export type { Vec2, Vec3 } from "./numbers.ts";
+export { pretty, prettyVector } from "./numbers.ts";
+export type { Role, Scene } from "./scene.ts";
+
+export interface View2 {
+  readonly kind: "2d";
+  /** The part of the plane that is always visible, however the stage is shaped. */
+  readonly x: Vec2;
+  readonly y: Vec2;
+  readonly grid?: number;
+}
+
+export interface View3 {
+  readonly kind: "3d";
+  /** The point in the middle of the picture; z points up. */
+  readonly target: Vec3;
+  /** Where the eye is as seen from the target: degrees from +x towards +y, and above the ground. */
+  readonly azimuth: number;
+  readonly elevation: number;
+  /** How much of the world fits across the smaller side of the picture. */
+  readonly span: number;
+  readonly projection?: "perspective" | "orthographic";
+  /** Half the width of the ground grid, its height, and the distance between its lines. */
+  readonly ground?: { readonly half: number; readonly z: number; readonly step: number };
+}
+
+/** A point of the input that is taken hold of in the drawing. */
+export interface PointHandle<Input> {
+  readonly kind: "point";
+  readonly field: keyof Input & string;
+  readonly label: string;
+  readonly role: Role;
+  /** The field where the vector begins, when it is an arrow and not a place. */
+  readonly from?: keyof Input & string;
+  /** In 3D: along the picture, or kept at its height. In 2D of no effect. */
+  readonly move?: "picture" | "level";
+  readonly step?: number;
+  /** Dragging and arrow keys stay within; typing does not. */
+  readonly limit?: readonly [min: number, max: number];
+}
+
+/** One number of the input, drawn as a grip that slides along a line. */
+export interface SlideHandle<Input, Output> {
+  readonly kind: "slide";
+  readonly field: keyof Input & string;
+  readonly label: string;
+  readonly role: Role;
+  /** Where the grip is, and how far it goes, in world units, when the number grows by one. */
+  at(input: Input, output: Output): Vec2 | Vec3;
+  along(input: Input, output: Output): Vec2 | Vec3;
+  readonly step?: number;
+  readonly limit?: readonly [min: number, max: number];
+}
+
+export type Handle<Input, Output> = PointHandle<Input> | SlideHandle<Input, Output>;
+
+/** How one field of the input is typed or slid beside the drawing. */
+export type Control<Input> =
+  | {
+      readonly kind: "numbers";
+      readonly field: keyof Input & string;
+      readonly label: string;
+      readonly role?: Role;
+      readonly step?: number;
+      readonly unit?: string;
+    }
+  | {
+      readonly kind: "slider";
+      readonly field: keyof Input & string;
+      readonly label: string;
+      readonly min: number;
+      readonly max: number;
+      readonly step: number;
+      readonly unit?: string;
+      /** Seconds from one end to the other, for a slider that can be played. */
+      readonly play?: number;
+    }
+  | {
+      readonly kind: "choice";
+      readonly field: keyof Input & string;
+      readonly label: string;
+      readonly options: readonly { readonly value: number; readonly label: string }[];
+    };
+
+/** One number that the C++ gave, named as the lesson names it. `_` begins a subscript. */
+export interface Value {
+  readonly name: string;
+  readonly meaning: string;
+  readonly value: number | readonly number[] | string;
+  readonly unit?: string;
+  readonly role?: Role;
+}
+
+export interface Figure<Input = Fields, Output = Fields> {
+  readonly title: string;
+  readonly view: View2 | View3;
+  /** Width over height of the drawing; a phone may get a taller one. */
+  readonly aspect?: number;
+  readonly initial: Input;
+  readonly handles: readonly Handle<Input, Output>[];
+  readonly controls: readonly Control<Input>[];
+  /** Also called when the output has a problem: then only the input may be drawn. */
+  draw(scene: Scene, input: Input, output: Output & { readonly problem: number }): void;
+  values(input: Input, output: Output): Value[];
+  /** One sentence that says what is to be seen: for a screen reader, for print, under the values. */
+  describe(input: Input, output: Output): string;
+}
+
+/** A figure whose types are forgotten, as the page handles it. */
+// biome-ignore lint/suspicious/noExplicitAny: the page checks fields against the C++ layout instead
+export type AnyFigure = Figure<any, any>;
+
+export function defineFigure<Input, Output>(figure: Figure<Input, Output>): Figure<Input, Output> {
+  return figure;
+}

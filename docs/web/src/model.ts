@@ -1,0 +1,82 @@
+// The state of one figure: its input, what its C++ makes of it, and who wants to know.
+
+import type { AnyFigure } from "./figure.ts";
+import type { Engine, Fields, FieldValue } from "./layout.ts";
+
+export class FigureModel {
+  readonly figure: AnyFigure;
+  readonly engine: Engine;
+  #input: Fields;
+  #output: Fields;
+  #problem = "";
+  readonly #listeners: (() => void)[] = [];
+
+  constructor(figure: AnyFigure, engine: Engine, fields: Fields = {}) {
+    this.figure = figure;
+    this.engine = engine;
+    this.#input = { ...figure.initial, ...fields };
+    this.#output = {};
+    this.#compute();
+  }
+
+  get input(): Fields {
+    return this.#input;
+  }
+
+  get output(): Fields {
+    return this.#output;
+  }
+
+  /** Why there is no answer, as a clause; empty if there is one. */
+  get problem(): string {
+    return this.#problem;
+  }
+
+  size(field: string): number {
+    return this.engine.layout.inputs.find(({ name }) => name === field)?.size ?? 0;
+  }
+
+  numbers(field: string): readonly number[] {
+    const value = this.#input[field];
+    return typeof value === "number" ? [value] : (value ?? []);
+  }
+
+  /** Changes some fields; the output is up to date when this returns. */
+  set(fields: Fields): void {
+    this.#input = { ...this.#input, ...fields };
+    this.#compute();
+    for (const listener of this.#listeners) listener();
+  }
+
+  setNumber(field: string, index: number, value: number): void {
+    const numbers = this.numbers(field).map((old, i) => (i === index ? value : old));
+    this.set({ [field]: this.size(field) === 1 ? (numbers[0] as FieldValue) : numbers });
+  }
+
+  reset(): void {
+    this.set(this.figure.initial as Fields);
+  }
+
+  onChange(listener: () => void): void {
+    this.#listeners.push(listener);
+  }
+
+  #compute(): void {
+    try {
+      this.#output = this.engine.compute(this.#input);
+      this.#problem = problemText(this.engine, this.#output);
+    } catch (error) {
+      this.#problem = error instanceof Error ? error.message : String(error);
+    }
+  }
+}
+
+function problemText(engine: Engine, output: Fields): string {
+  const code = Number(output.problem);
+  return code === 0 ? "" : (engine.layout.problems[code] ?? `problem ${code}`);
+}
+
+/** What the figure says of its state, in one sentence. */
+export function sentence({ figure, input, output, problem }: FigureModel): string {
+  return problem ? `There is no answer: ${problem}.` : figure.describe(input, output);
+}

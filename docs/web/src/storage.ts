@@ -1,0 +1,42 @@
+// What the page remembers of a reader, on the reader's own machine only.
+//
+// localStorage["contact-hours/1/questions"] is a JSON object from a question's name
+// ("02_triangles/beta-sign") to { kind, answer, right, tries, at }: the last answer given (a number
+// with its unit as typed, an index, a list of indices, or true for a construction), whether it was
+// right, how many answers were given, and when (ISO time). The 1 is the version of this format: a
+// reader's later page never misreads an earlier one's record.
+
+export interface Answered {
+  readonly kind: string;
+  readonly answer: string | number | boolean | readonly number[];
+  readonly right: boolean;
+  readonly tries: number;
+  readonly at: string;
+}
+
+export const QUESTIONS_KEY = "contact-hours/1/questions";
+
+function readAll(): Record<string, Answered> {
+  try {
+    const kept: unknown = JSON.parse(localStorage.getItem(QUESTIONS_KEY) ?? "{}");
+    return typeof kept === "object" && kept !== null ? (kept as Record<string, Answered>) : {};
+  } catch {
+    return {};
+  }
+}
+
+export function recall(id: string): Answered | undefined {
+  return readAll()[id];
+}
+
+/** Keeps an answer; where the browser keeps nothing, the page works all the same. */
+export function remember(id: string, answer: Omit<Answered, "tries" | "at">): void {
+  const all = readAll();
+  const tries = (all[id]?.tries ?? 0) + 1;
+  all[id] = { ...answer, tries, at: new Date().toISOString() };
+  try {
+    localStorage.setItem(QUESTIONS_KEY, JSON.stringify(all));
+  } catch {
+    // Storage is full or switched off.
+  }
+}
