@@ -253,7 +253,7 @@ setup_npm() {
       "$root/docs/package.json" | tr '\n' ' ')"
   setup_log=$root/build/logs/setup-npm.log
   mkdir -p "$root/build/logs"
-  if ! (cd "$root/docs" && npm ci --no-audit --no-fund --fetch-retries=1 --fetch-retry-maxtimeout=10000) \
+  if ! (cd "$root/docs" && npm ci --no-audit --no-fund --fetch-retries=1 --fetch-retry-mintimeout=2000) \
     > "$setup_log" 2>&1 < /dev/null; then
     tail -n 8 "$setup_log" >&2
     if setup_unreachable; then

@@ -1,0 +1,247 @@
+"""The script ./contact, before anything is built and on machines that lack things."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+SHELLS = [shell for shell in ("dash", "bash", "busybox") if shutil.which(shell)]
+# Nothing listens there, so a connection is refused at once.
+NOWHERE = "http://127.0.0.1:9"
+
+
+@pytest.fixture
+def clone(tmp_path: Path) -> Path:
+    """The script and what it reads, as in a fresh clone in which nothing has been built."""
+    folder = tmp_path / "clone"
+    for name in (
+        "contact",
+        "tools/setup.sh",
+        "docs/package.json",
+        "docs/package-lock.json",
+        "docs/requirements.txt",
+        "CMakeLists.txt",
+        "CMakePresets.json",
+    ):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy2(ROOT / name, folder / name)
+    return folder
+
+
+def contact(
+    folder: Path, *words: str, extra: Mapping[str, str] | None = None, shell: str = "sh"
+) -> subprocess.CompletedProcess[str]:
+    command = [*shell.split(), str(folder / "contact"), *words]
+    return subprocess.run(
+        command,
+        capture_output=True,
+        text=True,
+        stdin=subprocess.DEVNULL,
+        env={**os.environ, **(extra or {})},
+        timeout=300,
+    )
+
+
+def commands_without(folder: Path, *absent: str) -> Path:
+    """A folder that offers every command of this machine but these: a PATH of its own."""
+    offered = folder / "bin"
+    offered.mkdir()
+    for place in reversed(os.environ["PATH"].split(os.pathsep)):
+        if not Path(place).is_dir():
+            continue
+        for file in Path(place).iterdir():
+            if file.name not in absent and os.access(file, os.X_OK) and not file.is_dir():
+                link = offered / file.name
+                link.unlink(missing_ok=True)
+                link.symlink_to(file)
+    return offered
+
+
+def set_up(folder: Path, what: str) -> None:
+    """Makes the script believe that the Python or npm packages are there already."""
+    if what == "python":
+        (folder / "build/venv/bin").mkdir(parents=True)
+        (folder / "build/venv/bin/python").symlink_to(sys.executable)
+        stamp = folder / "build/venv/contact-requirements.txt"
+        shutil.copy2(folder / "docs/requirements.txt", stamp)
+
+
+@pytest.mark.parametrize("shell", SHELLS)
+@pytest.mark.parametrize("words", [(), ("--help",), ("-h",), ("help",)])
+def test_help_needs_no_build(clone: Path, shell: str, words: tuple[str, ...]) -> None:
+    began = time.monotonic()
+    done = contact(clone, *words, shell="busybox sh" if shell == "busybox" else shell)
+    assert done.returncode == 0
+    assert "./contact COMMAND" in done.stdout
+    assert time.monotonic() - began < 1
+    assert not (clone / "build").exists()
+
+
+@pytest.mark.parametrize("command", ["setup", "serve", "test"])
+def test_help_of_a_command_needs_no_build(clone: Path, command: str) -> None:
+    done = contact(clone, command, "--help")
+    assert done.returncode == 0
+    assert done.stdout.startswith(f"Usage: ./contact {command}")
+    assert not (clone / "build").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "named"),
+    [
+        (("serv",), '"serv"'),
+        (("--colour",), '"--colour"'),
+        (("setup", "--for", "everybody"), '"everybody"'),
+        (("setup", "now"), '"now"'),
+    ],
+)
+def test_what_is_not_understood_is_named(clone: Path, words: tuple[str, ...], named: str) -> None:
+    done = contact(clone, *words)
+    assert done.returncode == 2
+    assert named in done.stderr
+    assert len(done.stderr.strip().splitlines()) == 1
+    assert not (clone / "build").exists()
+
+
+def test_help_lists_what_the_program_offers(clone: Path) -> None:
+    program = ROOT / "build/dev/bin/contact"
+    if not program.exists():
+        pytest.skip("the program is not built")
+    lines = subprocess.run([program, "--help"], capture_output=True, text=True).stdout.splitlines()
+    begin = next(i for i, line in enumerate(lines) if line.lower().startswith("subcommands"))
+    offered = set()
+    for line in lines[begin + 1 :]:
+        if not line.strip():
+            break
+        if line.startswith("  ") and line[2] != " ":
+            offered.add(line.split()[0])
+    text = (clone / "contact").read_text()
+    listed = text.split("program_commands='")[1].split("'")[0].split()
+    assert offered == set(listed)
+    shown = contact(clone, "--help").stdout
+    assert [name for name in listed if f"\n  {name} " not in shown] == []
+
+
+def test_without_apt_the_tools_are_listed(clone: Path, tmp_path: Path) -> None:
+    absent = ("apt-get", "apt", "dpkg", "doxygen", "cmake", "brew")
+    path = commands_without(tmp_path, *absent)
+    done = contact(clone, "setup", extra={"PATH": str(path)})
+    assert done.returncode == 3
+    assert "no apt" in done.stderr
+    assert "  CMake 3.25 or newer" in done.stderr
+    assert "  Doxygen" in done.stderr
+    assert "Ninja" not in done.stderr  # is there, so need not be installed
+
+
+def test_the_level_says_what_is_wanted(clone: Path, tmp_path: Path) -> None:
+    path = commands_without(tmp_path, "apt-get", "apt", "dpkg", "doxygen", "cmake", "shellcheck")
+    done = contact(clone, "setup", "--for", "program", extra={"PATH": str(path)})
+    assert done.returncode == 3
+    assert "CMake" in done.stderr
+    assert "Doxygen" not in done.stderr
+    assert "ShellCheck" not in done.stderr
+
+
+@pytest.mark.skipif(not shutil.which("apt-get"), reason="this system has no apt")
+def test_debian_packages_out_of_reach(clone: Path, tmp_path: Path) -> None:
+    # An apt with no lists and a proxy that refuses: as on a new machine without a network.
+    state = tmp_path / "apt"
+    for folder in ("lists/partial", "cache/archives/partial"):
+        (state / folder).mkdir(parents=True)
+    config = state / "apt.conf"
+    # With an empty list of what is installed, and no dpkg, nothing could be installed by mistake.
+    (state / "status").touch()
+    config.write_text(
+        f'Dir::State::status "{state}/status";\nDir::Bin::dpkg "/bin/false";\n'
+        f'Dir::State::lists "{state}/lists";\nDir::Cache "{state}/cache";\n'
+        f'Acquire::http::Proxy "{NOWHERE}";\nAcquire::https::Proxy "{NOWHERE}";\n'
+        'Acquire::Retries "0";\n'
+    )
+    path = commands_without(tmp_path, "doxygen", "sudo")
+    if os.geteuid() != 0:
+        (path / "sudo").write_text('#!/bin/sh\n[ "$1" = -n ] && shift\nexec "$@"\n')
+        (path / "sudo").chmod(0o755)
+    extra = {"PATH": str(path), "APT_CONFIG": str(config)}
+    done = contact(clone, "setup", "--for", "book", extra=extra)
+    assert done.returncode == 3
+    last = done.stderr.strip().splitlines()[-1]
+    assert "Debian packages are out of reach" in last
+    assert "./contact setup again" in last
+
+
+def test_python_packages_out_of_reach(clone: Path) -> None:
+    extra = {
+        "PIP_INDEX_URL": f"{NOWHERE}/simple",
+        "PIP_NO_CACHE_DIR": "1",
+        "PIP_RETRIES": "0",
+        "PIP_FIND_LINKS": "",
+        "http_proxy": "",
+        "https_proxy": "",
+    }
+    done = contact(clone, "setup", "--for", "book", extra=extra)
+    assert done.returncode == 3, done.stderr
+    last = done.stderr.strip().splitlines()[-1]
+    assert "Python packages are out of reach" in last
+    assert "PIP_INDEX_URL" in last
+    # What was going to be installed was said first.
+    assert "Sphinx==" in done.stderr.split("out of reach")[0]
+
+
+def test_npm_packages_out_of_reach(clone: Path) -> None:
+    set_up(clone, "python")
+    extra = {
+        "npm_config_registry": NOWHERE,
+        "npm_config_cache": str(clone / "npm-cache"),
+        "npm_config_fetch_retries": "0",
+    }
+    done = contact(clone, "setup", "--for", "book", extra=extra)
+    assert done.returncode == 3, done.stderr
+    last = done.stderr.strip().splitlines()[-1]
+    assert "npm packages are out of reach" in last
+    assert "./contact setup again" in last
+
+
+def test_a_second_setup_is_quick_and_installs_nothing() -> None:
+    if not (ROOT / "build/venv/contact-requirements.txt").exists():
+        pytest.skip("this tree was not set up by ./contact setup")
+    first = contact(ROOT, "setup", "--for", "book")
+    assert first.returncode == 0, first.stderr
+    venv = (ROOT / "build/venv/contact-requirements.txt").stat().st_mtime_ns
+    began = time.monotonic()
+    second = contact(ROOT, "setup", "--for", "book")
+    took = time.monotonic() - began
+    assert second.returncode == 0, second.stderr
+    assert "Installing" not in second.stderr
+    assert (ROOT / "build/venv/contact-requirements.txt").stat().st_mtime_ns == venv
+    assert took < 2
+
+
+def test_the_npm_lock_serves_every_system() -> None:
+    # A lock made where a registry lacks some system's build leaves it out, and then `npm ci`
+    # fails everywhere else.
+    packages = json.loads((ROOT / "docs/package-lock.json").read_text())["packages"]
+    missing = [
+        wanted
+        for name, package in packages.items()
+        for wanted in package.get("optionalDependencies", {})
+        if f"node_modules/{wanted}" not in packages
+        and f"{name}/node_modules/{wanted}" not in packages
+    ]
+    assert missing == []
+
+
+def test_it_works_through_a_link_and_from_elsewhere(clone: Path, tmp_path: Path) -> None:
+    link = tmp_path / "elsewhere" / "contact"
+    link.parent.mkdir()
+    link.symlink_to("../clone/contact")
+    done = subprocess.run([str(link), "serv"], capture_output=True, text=True, cwd="/")
+    assert done.returncode == 2
+    assert 'no command "serv"' in done.stderr
