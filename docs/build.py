@@ -66,7 +66,7 @@ def build(options: argparse.Namespace) -> int:
         steps.say(f"  {line}")
     if not options.skip_api:
         steps.say("Doxygen: " + api(book, made / "doxygen", options.complete))
-    written = stage(book, DOCS, made / "docs-src", api=not options.skip_api)
+    written = stage(book, root / "docs", made / "docs-src", api=not options.skip_api)
     steps.say(f"pages changed: {', '.join(written) or 'none'}")
     environment = os.environ | {
         "CONTACT_BOOK_ROOT": str(root),

@@ -14,7 +14,7 @@ _build = Path(os.environ.get("CONTACT_BOOK_BUILD", str(DOCS.parent / "build")))
 contact_products = str(_build / "docs-data")
 contact_web = os.environ.get("CONTACT_BOOK_WEB", str(_build / "web"))
 contact_node = str(DOCS)
-contact_plotter = os.environ.get("CONTACT_BOOK_PLOTTER", str(DOCS / "web" / "plot.mjs"))
+contact_plotter = os.environ.get("CONTACT_BOOK_PLOTTER", str(DOCS / "web" / "ladder_svg.mjs"))
 contact_complete = os.environ.get("CONTACT_BOOK_COMPLETE") == "1"
 
 project = "Contact Hours"
@@ -68,7 +68,7 @@ html_theme_options = {
     "navigation_with_keys": True,
     "top_of_page_buttons": [],
 }
-pygments_style = "a11y-high-contrast-light"
-pygments_dark_style = "a11y-high-contrast-dark"
+pygments_style = "github-light-high-contrast"
+pygments_dark_style = "github-dark"
 copybutton_selector = ".commands div.highlight pre, .example div.highlight-cpp pre, div.copy pre"
 copybutton_prompt_text = "$ "

@@ -18,6 +18,7 @@ from contact_book.chapter import (
     place_head,
 )
 from contact_book.exercise import Exercise
+from contact_book.fonts import copy_fonts
 from contact_book.hard_cases import HardCases
 from contact_book.home import BookContents, ChapterMap, always_home
 from contact_book.html import depart_through, visit_component, visit_through
@@ -25,7 +26,7 @@ from contact_book.ladder import Ladder
 from contact_book.listing import Code, Example
 from contact_book.live_figure import LiveFigure
 from contact_book.locations import name_authors_files
-from contact_book.maths import copy_style, visit_block, visit_inline
+from contact_book.maths import visit_block, visit_inline
 from contact_book.nodes import component, slot
 
 DIRECTIVES = {
@@ -66,7 +67,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.add_html_math_renderer("katex", (visit_inline, None), (visit_block, None))
     app.add_css_file("katex/katex.css")
     app.connect("builder-inited", name_authors_files)
-    app.connect("builder-inited", copy_style)
+    app.connect("builder-inited", copy_fonts)
     app.connect("builder-inited", copy_components)
     app.connect("env-get-outdated", always_home)
     app.connect("source-read", append_frame)

@@ -33,7 +33,7 @@ def chapter_link(chapter: Chapter, here: str) -> nodes.Node:
     if chapter.has_lesson:
         return page_link(f"chapters/{chapter.slug}", chapter.title, here)
     if chapter.headers:
-        return page_link(f"api/{chapter.slug}", f"{chapter.title} (code)", here)
+        return page_link(f"api/{chapter.slug}", chapter.title, here)
     return nodes.inline("", chapter.title)
 
 

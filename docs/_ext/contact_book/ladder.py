@@ -17,6 +17,9 @@ from contact_book.nodes import component, make_component, make_slot
 from contact_book.tables import table
 
 
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
 def newest(folder: Path, slug: str) -> Path | None:
     """The measurement with the latest date among `<slug>.<machine>.json`."""
     found = []
@@ -30,7 +33,7 @@ def _number(value: float | None) -> str:
         return "–"
     if value != 0 and (abs(value) < 1e-3 or abs(value) >= 1e6):
         mantissa, _, exponent = f"{value:.1e}".partition("e")
-        return f"{mantissa}·10^{int(exponent)}"
+        return f"{mantissa}·10{str(int(exponent)).translate(_RAISED)}"
     return f"{value:,.3g}" if abs(value) < 1000 else f"{value:,.0f}"
 
 
@@ -70,7 +73,7 @@ class Ladder(BookDirective):
         if not drawer.is_file():
             self.missing_product(f"the plot of {path.name} needs {drawer}")
             return ""
-        self.depends(drawer)
+        self.depends(drawer, drawer.parent / "src" / "ladder-plot.ts")
         made = subprocess.run(
             ["node", str(drawer), str(path)], capture_output=True, text=True, check=False
         )

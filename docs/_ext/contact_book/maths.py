@@ -5,14 +5,11 @@ from __future__ import annotations
 import atexit
 import json
 import os
-import re
-import shutil
 import subprocess
 from functools import lru_cache
 from pathlib import Path
 
 from docutils import nodes
-from sphinx.application import Sphinx
 from sphinx.util import logging
 from sphinx.util.math import get_node_equation_number
 from sphinx.writers.html5 import HTML5Translator
@@ -20,7 +17,6 @@ from sphinx.writers.html5 import HTML5Translator
 from contact_book.errors import BookError
 
 logger = logging.getLogger(__name__)
-_OTHER_FONTS = re.compile(r',url\([^)]*\.(?:woff|ttf)\) format\("[a-z]+"\)')
 
 
 class Katex:
@@ -89,18 +85,3 @@ def visit_block(translator: HTML5Translator, node: nodes.math_block) -> None:
         translator.body.append("</span>")
     translator.body.append(f"{_rendered(translator, node, True)}</div>\n")
     raise nodes.SkipNode
-
-
-def copy_style(app: Sphinx) -> None:
-    """KaTeX's style and its woff2 fonts, served from the book itself."""
-    if app.builder.format != "html":
-        return
-    source = Path(app.config.contact_node) / "node_modules" / "katex" / "dist"
-    target = Path(app.outdir) / "_static" / "katex"
-    if not source.is_dir():
-        return
-    (target / "fonts").mkdir(parents=True, exist_ok=True)
-    style = _OTHER_FONTS.sub("", (source / "katex.min.css").read_text(encoding="utf-8"))
-    (target / "katex.css").write_text(style, encoding="utf-8")
-    for font in (source / "fonts").glob("*.woff2"):
-        shutil.copy2(font, target / "fonts" / font.name)
