@@ -4,6 +4,7 @@
 
 int main() {
   using Vector = contact::Vector3<double>;
-  const auto floor = contact::plane_from_normal_and_point(Vector(0.0, 0.0, 2.0), Vector(1.0, 1.0, 3.0));
+  const auto floor =
+      contact::plane_from_normal_and_point(Vector(0.0, 0.0, 2.0), Vector(1.0, 1.0, 3.0));
   std::cout << contact::signed_distance(floor, Vector(4.0, 4.0, 7.0)) << '\n';
 }
