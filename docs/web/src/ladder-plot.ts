@@ -4,11 +4,10 @@
 
 import * as Plot from "@observablehq/plot";
 import type { LadderMethod, LadderResult, LadderRow } from "./ladder-data.ts";
-import { methodName } from "./ladder-data.ts";
 
 const WIDTH = 720;
-const BAND = 190;
-const LETTER = 6.4;
+const BAND = 200;
+const LETTER = 6.3;
 const LINE = 15;
 
 type Measure = {
@@ -94,13 +93,13 @@ export function ladderPlot(
     marginTop: 26,
     marginBottom: 44,
     className: "contact-plot",
-    style: "background: none; color: inherit; font: 12px system-ui, sans-serif; overflow: visible",
+    style: { background: "none", color: "inherit", font: "12px system-ui, sans-serif" },
     x: {
       type: "log",
       label: null,
       tickFormat: (ns: number) => ns.toLocaleString("en"),
       ticks: 5,
-      insetRight: 130,
+      insetRight: 110,
       insetLeft: 20,
     },
     y: {
@@ -165,8 +164,8 @@ function annotate(
   if (!x || !y || !fy) return;
   const add = (tag: string, attributes: Record<string, string | number>, text = ""): void => {
     const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
-    for (const [name, value] of Object.entries(attributes))
-      element.setAttribute(name, String(value));
+    const all = tag === "text" ? { "text-anchor": "start", ...attributes } : attributes;
+    for (const [name, value] of Object.entries(all)) element.setAttribute(name, String(value));
     element.textContent = text;
     svg.append(element);
   };
@@ -195,19 +194,14 @@ function annotate(
     const bottom = top + (fy.bandwidth ?? BAND);
     for (const { row, px, py } of points) {
       const method = result.methods.find(({ id }) => id === row.method);
-      const name = method ? methodName(method) : row.method;
+      const name = method?.title ?? row.method;
       const place = freePlace(px, py, name.length * LETTER, taken, top, bottom);
       taken.push(place.box);
       const stroke = colour(method);
-      if (Math.abs(place.y - 4 - py) > 9)
-        add("line", {
-          x1: px,
-          y1: py,
-          x2: place.x - 2,
-          y2: place.y - 4,
-          stroke,
-          "stroke-width": 0.8,
-        });
+      const x2 = place.x > px ? place.x - 2 : place.box.right;
+      const y2 = place.y - 4;
+      if (Math.hypot(y2 - py, x2 - px) > 14)
+        add("line", { x1: px, y1: py, x2, y2, stroke, "stroke-width": 0.7 });
       add("text", { x: place.x, y: place.y, fill: stroke, "font-size": 12 }, name);
     }
   }
@@ -227,11 +221,20 @@ function annotate(
     ] as const
   ).entries()) {
     const fill = colour({ id: "", title: "", scalar, exact });
-    add("text", { x: 300 + 90 * i, y: 14, fill, "font-size": 12 }, words);
+    add("text", { x: 330 + 85 * i, y: 14, fill, "font-size": 12 }, words);
   }
 }
 
-/** The first place near a point, to its right and ever further up or down, where a name fits. */
+const PLACES = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10]
+  .flatMap((lines) => (lines === 0 ? [0] : [-lines, lines]))
+  .flatMap((lines) => [10, 22, 40, 62, 86, 112].map((right) => ({ right, down: lines * LINE })))
+  .sort((p, q) => effort(p) - effort(q));
+
+function effort({ right, down }: { readonly right: number; readonly down: number }): number {
+  return Math.abs(down) + 0.55 * (right - 10) + (down > 0 ? 1 : 0);
+}
+
+/** The nearest place to the right of a point, or beyond it to the left, where a name fits. */
 function freePlace(
   px: number,
   py: number,
@@ -246,13 +249,13 @@ function freePlace(
     top: y - 11,
     bottom: y + 3,
   });
-  for (let away = 0; away < 12; ++away) {
-    for (const side of away === 0 ? [0] : [-1, 1]) {
-      const x = px + 10 + (away > 0 ? Math.min(away * 3, 14) : 0);
-      const y = py + 4 + side * away * LINE;
+  for (const { right, down } of PLACES) {
+    for (const x of right < 40 ? [px + right, px - right - width] : [px + right]) {
+      const y = py + 4 + down;
       const box = boxAt(x, y);
-      const inside = box.top > top + 2 && box.bottom < bottom - 1 && box.right < WIDTH;
-      if (inside && !taken.some((other) => overlap(other, box))) return { x, y, box };
+      const inside = box.top > top + 2 && box.bottom < bottom - 1 && box.right < WIDTH - 20;
+      if (inside && box.left > 72 && !taken.some((other) => overlap(other, box)))
+        return { x, y, box };
     }
   }
   return { x: px + 10, y: py + 4, box: boxAt(px + 10, py + 4) };
