@@ -9,12 +9,29 @@ export interface Hider {
   hides(point: Vector3): boolean;
 }
 
-/** The line's ends and all cuts between them, in order. */
-export function cutPoints(hiders: readonly Hider[], from: Vector3, to: Vector3): number[] {
+export interface Piece {
+  readonly from: number;
+  readonly to: number;
+  readonly hidden: boolean;
+}
+
+/** The line in as few pieces as are wholly hidden or wholly to be seen, by shares of its length. */
+export function visibility(hiders: readonly Hider[], from: Vector3, to: Vector3): Piece[] {
   const inner = hiders
     .flatMap((hider) => hider.cuts(from, to))
-    .filter((share) => share > 1e-6 && share < 1 - 1e-6);
-  return [0, ...inner.sort((p, q) => p - q), 1];
+    .filter((share) => share > 1e-6 && share < 1 - 1e-6)
+    .sort((p, q) => p - q);
+  const pieces: Piece[] = [];
+  let start = 0;
+  for (const end of [...inner, 1]) {
+    const middle = from.clone().lerp(to, (start + end) / 2);
+    const hidden = hiders.some((hider) => hider.hides(middle));
+    const before = pieces.at(-1);
+    if (before?.hidden === hidden) pieces[pieces.length - 1] = { ...before, to: end };
+    else pieces.push({ from: start, to: end, hidden });
+    start = end;
+  }
+  return pieces;
 }
 
 /** A point that all lines of sight pass through, or the way they all go. */

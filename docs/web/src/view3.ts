@@ -4,7 +4,7 @@
 import { type Camera, OrthographicCamera, PerspectiveCamera, Vector3 } from "three";
 import { clipLine, clipLineToStage, clipPolygon, clipPolygonToStage } from "./clip.ts";
 import type { View3 } from "./figure.ts";
-import { ballHider, cutPoints, faceHider, type Hider } from "./hidden.ts";
+import { ballHider, faceHider, type Hider, visibility } from "./hidden.ts";
 import type { Vec2, Vec3 } from "./numbers.ts";
 import type { FaceStyle, LineStyle, Point, Role, Scene, Thing } from "./scene.ts";
 import type { Shape } from "./shapes.ts";
@@ -191,15 +191,15 @@ export class SpaceView implements View {
     for (let i = 0; i + 1 < points.length; ++i) {
       const from = points[i]!;
       const to = points[i + 1]!;
-      const cuts = style.through ? [0, 1] : cutPoints(hiders, from, to);
-      for (let j = 0; j + 1 < cuts.length; ++j) {
-        const piece: [Vector3, Vector3] = [mix(from, to, cuts[j]!), mix(from, to, cuts[j + 1]!)];
-        const middle = mix(piece[0], piece[1], 0.5);
-        const behind = !style.through && hiders.some((hider) => hider.hides(middle));
-        const last = i + 2 === points.length && j + 2 === cuts.length;
+      const pieces = style.through
+        ? [{ from: 0, to: 1, hidden: false }]
+        : visibility(hiders, from, to);
+      for (const [j, piece] of pieces.entries()) {
+        const last = i + 2 === points.length && j + 1 === pieces.length;
+        const ends = [mix(from, to, piece.from), mix(from, to, piece.to)] as const;
         const arrow = (style.arrow ?? false) && last;
-        const shape = this.#piece(piece, { ...style, arrow }, behind);
-        if (shape) (behind ? under : over).push(shape);
+        const shape = this.#piece(ends, { ...style, arrow }, piece.hidden);
+        if (shape) (piece.hidden ? under : over).push(shape);
       }
     }
   }
