@@ -102,6 +102,9 @@ Ending run(const Asked& asked, const std::function<void()>& call);
 [[noreturn]] void fail(const Asked& asked, std::string got, std::string right, std::string allowed,
                        std::string_view misconception);
 
+template <class C, class A>
+std::type_identity<std::remove_cvref_t<A>> parameter_of(bool (C::*)(A) const);
+
 }  // namespace detail
 
 /// A misconception and how its answer is known: by what a wrong formula gives here (`wrong`), or by
@@ -110,7 +113,12 @@ template <class T>
 struct Suspect {
   std::string_view misconception;
   std::function<T()> wrong;
-  std::function<bool(const T&)> looks_like = nullptr;
+  std::function<bool(const T&)> looks_like;
+
+  Suspect(std::string_view id, std::function<T()> formula)
+      : misconception(id), wrong(std::move(formula)) {}
+  Suspect(std::string_view id, std::function<bool(const T&)> look)
+      : misconception(id), looks_like(std::move(look)) {}
 };
 
 /// The student's answer, to be judged once.
@@ -218,19 +226,28 @@ class Question {
   auto suspect(std::string_view misconception, Wrong wrong) && {
     using R = std::invoke_result_t<Wrong>;
     if constexpr (std::is_same_v<T, NotAskedYet>) {
-      return Question<R>(std::move(asked_), {{misconception, std::move(wrong)}});
+      std::vector<Suspect<R>> suspects;
+      suspects.emplace_back(misconception, std::function<R()>(std::move(wrong)));
+      return Question<R>(std::move(asked_), std::move(suspects));
     } else {
       static_assert(std::is_same_v<R, T>, "every suspect answers with the type of the answer");
-      suspects_.push_back({misconception, std::move(wrong)});
+      suspects_.emplace_back(misconception, std::function<T()>(std::move(wrong)));
       return std::move(*this);
     }
   }
 
-  /// A misconception that shows in the answer itself: `looks_like(answer)` holds.
+  /// A misconception that shows in the answer itself: `looks_like(answer)` holds. It is a lambda
+  /// that takes the answer by const reference.
   template <class LooksLike>
-  Question&& suspect_if(std::string_view misconception, LooksLike looks_like) && {
-    suspects_.push_back({misconception, nullptr, std::move(looks_like)});
-    return std::move(*this);
+  auto suspect_if(std::string_view misconception, LooksLike looks_like) && {
+    using R = decltype(detail::parameter_of(&LooksLike::operator()));
+    static_assert(std::is_same_v<T, NotAskedYet> || std::is_same_v<T, typename R::type>,
+                  "every suspect is about the type of the answer");
+    std::vector<Suspect<typename R::type>> suspects;
+    if constexpr (!std::is_same_v<T, NotAskedYet>) suspects = std::move(suspects_);
+    suspects.emplace_back(misconception,
+                          std::function<bool(const typename R::type&)>(std::move(looks_like)));
+    return Question<typename R::type>(std::move(asked_), std::move(suspects));
   }
 
   /// Several at once, when a helper makes them.

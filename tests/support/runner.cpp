@@ -20,7 +20,7 @@
 #include <nlohmann/json.hpp>
 
 #ifndef __wasi__
-#include <sys/resource.h>
+#include <contact/remote_frames.hpp>
 #endif
 
 #include <contact/host.hpp>
@@ -123,18 +123,6 @@ class ContactReporter : public Catch::StreamingReporterBase {
   }
 };
 
-void limit_resources() {
-#ifndef __wasi__
-  const rlimit no_core{0, 0};
-  setrlimit(RLIMIT_CORE, &no_core);
-  if (const char* text = std::getenv("CONTACT_MEMORY_MB")) {
-    const rlim_t bytes = rlim_t{std::strtoull(text, nullptr, 10)} << 20;
-    const rlimit memory{bytes, bytes};
-    setrlimit(RLIMIT_AS, &memory);
-  }
-#endif
-}
-
 }  // namespace
 
 CATCH_REGISTER_LISTENER(TestStarts)
@@ -143,7 +131,9 @@ CATCH_REGISTER_REPORTER("contact", ContactReporter)
 }  // namespace contact::testing
 
 int main(int argc, char* argv[]) {
-  contact::testing::limit_resources();
+#ifndef __wasi__
+  contact::remote::limit_resources();
+#endif
   Catch::Session session;
   session.configData().runOrder = Catch::TestRunOrder::Declared;
   if (const int error = session.applyCommandLine(argc, argv); error != 0) return error;
