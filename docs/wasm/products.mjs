@@ -142,7 +142,9 @@ function catch2() {
 /** What the tests of every exercise are linked with. @returns {Recipe[]} */
 export function checkLibraries() {
   const folders = [inRoot('tests'), inRoot('grading'), ...chapterFolders('00_vectors')];
-  const support = ['exercise.cpp', 'runner.cpp'].map((file) => {
+  const files = names(inRoot('tests', 'support')).filter((file) =>
+    /^(exercise|runner).*\.cpp$/.test(file) && !file.endsWith('_test.cpp'));
+  const support = files.map((file) => {
     const source = inRoot('tests', 'support', file);
     const what = path.relative(inRoot(), source);
     return /** @type {Compile} */ (
