@@ -2,7 +2,10 @@
 /// A sphere at rest against a plane.
 #pragma once
 
+#include <cmath>
 #include <concepts>
+#include <limits>
+#include <optional>
 
 #include <contact/plane.hpp>
 #include <contact/shapes.hpp>
@@ -40,14 +43,61 @@ bool sphere_meets_plane(const Sphere<S>& sphere, const RawPlane<S>& plane) {
 }
 // [/sphere-raw-plane]
 
+namespace detail {
+
+// [sphere-filter]
+/// The answer in rounded arithmetic if it is certain, else nothing: |N · (c − a)| against r |N|.
+///
+/// With P = Σ Mᵢ |cᵢ − aᵢ| and Mᵢ the products of entry i of the cross product, both taken
+/// positive: each term of N · (c − a) goes through at most eight roundings (two differences,
+/// product, difference; one difference, product, two sums), so the left side is off by at most γ(8)
+/// P. The entries of N are off by γ(4) Mᵢ and the root adds 4 u, so the right side is off by at
+/// most γ(8) r ΣMᵢ. γ(24) leaves room for the rounding of the bound itself, and for the squares in
+/// N · N that underflow as long as N · N ≥ 2^-900. Products that underflow are off by η / 2 each: 8
+/// η (Σ|cᵢ − aᵢ| + r + 1) covers them. Whatever overflows makes the comparison false, and the
+/// answer uncertain.
+inline std::optional<bool> sphere_meets_plane_if_certain(const Sphere<double>& sphere,
+                                                         const Vector3<double>& a,
+                                                         const Vector3<double>& b,
+                                                         const Vector3<double>& c) {
+  const Vector3<double> ab = b - a;
+  const Vector3<double> ac = c - a;
+  const Vector3<double> to_centre = sphere.centre - a;
+  const Vector3<double> normal = ab.cross(ac);
+  const Vector3<double> products(std::abs(ab.y() * ac.z()) + std::abs(ab.z() * ac.y()),
+                                 std::abs(ab.z() * ac.x()) + std::abs(ab.x() * ac.z()),
+                                 std::abs(ab.x() * ac.y()) + std::abs(ab.y() * ac.x()));
+  const double length_squared = normal.dot(normal);
+  const double left = std::abs(normal.dot(to_centre));
+  const double right = sphere.radius * std::sqrt(length_squared);
+  const double bound =
+      tolerance::gamma<double>(24) *
+          (products.dot(to_centre.cwiseAbs()) + sphere.radius * products.sum()) +
+      8 * tolerance::underflow_unit<double> * (to_centre.cwiseAbs().sum() + sphere.radius + 1);
+  if (!(length_squared >= 0x1p-900) || !std::isfinite(right)) return std::nullopt;
+  if (left - right > bound) return false;
+  if (right - left > bound) return true;
+  return std::nullopt;
+}
+// [/sphere-filter]
+
+}  // namespace detail
+
 // [sphere-exact]
 /// Whether a sphere and the plane through three points have a point in common: right for all finite
-/// numbers, without a tolerance. Collinear points are no plane, and nothing meets them.
+/// numbers, without a tolerance. Rounded arithmetic answers when it is certain, exact arithmetic
+/// when it is not.
 /// @param sphere with a radius that is not negative, m
-/// @param a, b, c points, m
+/// @param a, b, c points, m; collinear points are no plane, and nothing meets them
 template <std::floating_point S>
 bool sphere_meets_plane_exactly(const Sphere<S>& sphere, const Vector3<S>& a, const Vector3<S>& b,
                                 const Vector3<S>& c) {
+  static_assert(std::numeric_limits<S>::digits <= 53, "Exact holds floats and doubles");
+  const Sphere<double> in_double{sphere.centre.template cast<double>(), double(sphere.radius)};
+  if (sphere.radius < S(0)) return false;
+  const auto certain = detail::sphere_meets_plane_if_certain(
+      in_double, a.template cast<double>(), b.template cast<double>(), c.template cast<double>());
+  if (certain) return *certain;
   const Sphere<Exact> exact{exact_vector(sphere.centre), Exact(double(sphere.radius))};
   return sphere_meets_plane(
       exact, raw_plane_from_points(exact_vector(a), exact_vector(b), exact_vector(c)));

@@ -43,7 +43,7 @@ export default defineFigure<Input, Output>({
     span: 7.2,
     ground: { half: 3.5, z: GROUND, step: 0.5 },
   },
-  aspect: 1.15,
+  aspect: 0.98,
   initial: {
     normal: [0.25, 0, 1],
     point: [0.2, 0, -0.4],

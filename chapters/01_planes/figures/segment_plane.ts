@@ -39,7 +39,7 @@ export default defineFigure<Input, Output>({
     span: 7.4,
     ground: { half: 3.5, z: -2.6, step: 0.5 },
   },
-  aspect: 1.15,
+  aspect: 0.98,
   initial: {
     normal: [0.4, -0.1, 1.2],
     point: [0, 0, -0.2],
