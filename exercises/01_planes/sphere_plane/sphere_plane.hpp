@@ -1,0 +1,29 @@
+/// @file
+/// Exercise: whether a sphere meets a plane, with and without a square root.
+#pragma once
+
+#include <contact/prelude.hpp>
+
+#include <contact/shapes.hpp>
+
+namespace exercise {
+
+/// A plane normal·x = offset whose normal has any length but zero.
+struct LoosePlane {
+  Eigen::Vector3d normal;
+  double offset;
+};
+
+/// Whether the sphere and the plane have a point in common. Touching counts; the side does not
+/// matter.
+///
+/// @param sphere centre and radius, m; the radius is not negative
+/// @param plane with a unit normal
+bool meets(const contact::Sphere<double>& sphere, const contact::Plane<double>& plane);
+
+/// The same question for a plane whose normal is no unit vector, answered without a square root and
+/// without a division: when all numbers are small integers, nothing is rounded and a touch is a
+/// touch.
+bool meets_loose(const contact::Sphere<double>& sphere, const LoosePlane& plane);
+
+}  // namespace exercise

@@ -1,0 +1,20 @@
+// misconception: contact-point-is-centre
+// caught by: the contact point is on the plane
+#include "moving_sphere_plane.hpp"
+
+namespace exercise {
+
+std::optional<FirstTouch> moving_sphere_plane(const contact::Sphere<double>& sphere,
+                                              const Eigen::Vector3d& displacement,
+                                              const contact::Plane<double>& plane) {
+  const double distance = plane.normal.dot(sphere.centre) - plane.offset;
+  const double side = distance < 0 ? -1 : 1;
+  const double gap = side * distance - sphere.radius;
+  if (gap <= 0) return FirstTouch{0, sphere.centre};
+  const double closing = -side * plane.normal.dot(displacement);
+  if (gap > closing) return std::nullopt;
+  const double t = gap / closing;
+  return FirstTouch{t, sphere.centre + t * displacement};
+}
+
+}  // namespace exercise

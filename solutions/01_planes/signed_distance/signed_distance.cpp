@@ -1,0 +1,16 @@
+#include "signed_distance.hpp"
+
+namespace exercise {
+
+double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d normal(plane.a, plane.b, plane.c);
+  return (normal.dot(point) + plane.d) / normal.norm();
+}
+
+int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  const double value = Eigen::Vector3d(plane.a, plane.b, plane.c).dot(point) + plane.d;
+  // The length of the normal is positive: dividing by it changes no sign.
+  return value > 0 ? 1 : (value < 0 ? -1 : 0);
+}
+
+}  // namespace exercise

@@ -1,0 +1,17 @@
+// misconception: distance-without-sign
+// caught by: behind the plane the distance is negative
+#include "signed_distance.hpp"
+
+namespace exercise {
+
+double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d normal(plane.a, plane.b, plane.c);
+  return std::abs(normal.dot(point) + plane.d) / normal.norm();
+}
+
+int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  const double value = Eigen::Vector3d(plane.a, plane.b, plane.c).dot(point) + plane.d;
+  return value > 0 ? 1 : (value < 0 ? -1 : 0);
+}
+
+}  // namespace exercise

@@ -1,0 +1,17 @@
+// misconception: normal-not-normalised
+// caught by: a loose plane is judged in lengths of its normal
+#include "sphere_plane.hpp"
+
+namespace exercise {
+
+bool meets(const contact::Sphere<double>& sphere, const contact::Plane<double>& plane) {
+  const double distance = plane.normal.dot(sphere.centre) - plane.offset;
+  return std::abs(distance) <= sphere.radius;
+}
+
+bool meets_loose(const contact::Sphere<double>& sphere, const LoosePlane& plane) {
+  const double value = plane.normal.dot(sphere.centre) - plane.offset;
+  return std::abs(value) <= sphere.radius;
+}
+
+}  // namespace exercise

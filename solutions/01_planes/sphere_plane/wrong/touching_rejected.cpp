@@ -1,0 +1,17 @@
+// misconception: touching-rejected
+// caught by: a sphere that touches meets the plane
+#include "sphere_plane.hpp"
+
+namespace exercise {
+
+bool meets(const contact::Sphere<double>& sphere, const contact::Plane<double>& plane) {
+  const double distance = plane.normal.dot(sphere.centre) - plane.offset;
+  return std::abs(distance) < sphere.radius;
+}
+
+bool meets_loose(const contact::Sphere<double>& sphere, const LoosePlane& plane) {
+  const double value = plane.normal.dot(sphere.centre) - plane.offset;
+  return value * value < sphere.radius * sphere.radius * plane.normal.squaredNorm();
+}
+
+}  // namespace exercise
