@@ -10,6 +10,7 @@ program|g++|command g++ c++|gcc|a C++20 compiler: g++ 12 or newer, or clang 16 o
 program|cmake|command cmake|cmake|CMake 3.25 or newer, which describes the build
 program|ninja-build|command ninja|ninja|Ninja, which runs the build
 program|pkg-config|command pkg-config|pkgconf|pkg-config, which finds libraries
+program|mold|command mold|-|mold: links a student's program in a blink
 program|libeigen3-dev|header Eigen/Core|eigen|Eigen 3.4: vectors and matrices
 program|libcatch2-dev|header catch2/catch_test_macros.hpp|catch2|Catch2 3 (2 is too old): tests
 program|libcli11-dev|header CLI/CLI.hpp|cli11|CLI11: the program's command line
@@ -20,12 +21,12 @@ program|libboost-dev|header boost/multiprecision/gmp.hpp|boost|Boost.Multiprecis
 program|libgmp-dev|header gmp.h|gmp|GMP: integers and fractions of any size
 program|libmpfr-dev|header mpfr.h|mpfr|MPFR: directed rounding
 program|libmpfi-dev|header mpfi.h|mpfi|MPFI: intervals
+program|python3|python|python|Python 3.11 or newer: writes the glue of exercises, runs Sphinx
+program|python3-venv|venv|python|Python's venv: keeps this project's Python packages apart
+program|ca-certificates|file /etc/ssl/certs/ca-certificates.crt /etc/ssl/cert.pem|ca-certificates|certificates, to fetch packages
 book|doxygen|command doxygen|doxygen|Doxygen: reads the headers' comments
 book|nodejs|node|node|Node 18 or newer: builds the page's scripts
 book|npm|command npm|node|npm: fetches the page's packages
-book|python3|python|python|Python 3.11 or newer: runs Sphinx
-book|python3-venv|venv|python|Python's venv: keeps the book's Python packages apart
-book|ca-certificates|file /etc/ssl/certs/ca-certificates.crt /etc/ssl/cert.pem|ca-certificates|certificates, to fetch packages
 test|git|command git|git|Git: the checks look only at files that are in it
 test|clang-tidy|command clang-tidy|llvm|clang-tidy: a second reading of the C++
 test|shellcheck|command shellcheck|shellcheck|ShellCheck: the same for shell scripts
@@ -70,8 +71,8 @@ setup_at_or_below() {
 setup_missing() {
   setup_table | while IFS='|' read -r level package look brew what; do
     setup_at_or_below "$level" "$1" || continue
-    # Only Debian's way of carrying Catch2's source needs dpkg-source.
-    [ "$package" != dpkg-dev ] || command -v apt-get > /dev/null 2>&1 || continue
+    # Without a name for Homebrew: wanted only where there is apt.
+    [ "$brew" != - ] || command -v apt-get > /dev/null 2>&1 || continue
     setup_there "$look" || printf '%s|%s|%s\n' "$package" "$brew" "$what"
   done
 }
@@ -290,7 +291,6 @@ setup() {
       exit 3
     fi
   fi
-  [ "$setup_level" = program ] && return
   setup_venv
-  setup_npm
+  [ "$setup_level" = program ] || setup_npm
 }
