@@ -45,7 +45,9 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--web", type=Path, help="the built components (default: BUILD/web)")
     parser.add_argument("--programs", type=Path, help="built programs (default: BUILD/dev/bin)")
     parser.add_argument("--complete", action="store_true", help="fail if a product is missing")
-    parser.add_argument("--skip-api", action="store_true", help="leave out the API pages")
+    parser.add_argument(
+        "--skip-api", action="store_true", help="leave Doxygen out of the API pages"
+    )
     parser.add_argument("--builder", default="html", choices=["html", "epub", "linkcheck"])
     return parser.parse_args()
 

@@ -20,7 +20,8 @@ contact_complete = os.environ.get("CONTACT_BOOK_COMPLETE") == "1"
 project = "Contact Hours"
 author = "the authors of Contact Hours"
 language = "en"
-version = release = ""
+version = release = "0.1.0"
+project_copyright = f"2026, {author}"
 extensions = ["myst_parser", "breathe", "sphinx_copybutton", "contact_book"]
 exclude_patterns: list[str] = []
 

@@ -20,7 +20,7 @@ from contact_book.chapter import (
 from contact_book.exercise import Exercise
 from contact_book.fonts import copy_fonts
 from contact_book.hard_cases import HardCases
-from contact_book.home import BookContents, ChapterMap, always_home
+from contact_book.home import BookContents, ChapterMap, read_again
 from contact_book.html import depart_through, visit_component, visit_through
 from contact_book.ladder import Ladder
 from contact_book.listing import Code, Example
@@ -69,7 +69,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.connect("builder-inited", name_authors_files)
     app.connect("builder-inited", copy_fonts)
     app.connect("builder-inited", copy_components)
-    app.connect("env-get-outdated", always_home)
+    app.connect("env-get-outdated", read_again)
     app.connect("source-read", append_frame)
     app.connect("source-read", depend_on_headers)
     app.connect("doctree-read", place_head)

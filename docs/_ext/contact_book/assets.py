@@ -13,11 +13,11 @@ SCRIPT = "contact/contact.js"
 STYLE = "contact/contact.css"
 
 
-def sync(source: Path, target: Path) -> int:
+def sync(source: Path, target: Path, pattern: str = "*") -> int:
     """Makes `target` a copy of `source`, touching only what differs; how many files it wrote."""
     written = 0
     wanted: set[Path] = set()
-    for path in sorted(source.rglob("*")):
+    for path in sorted(source.rglob(pattern)):
         copy = target / path.relative_to(source)
         if path.is_dir():
             continue
@@ -35,10 +35,11 @@ def sync(source: Path, target: Path) -> int:
 
 
 def copy_components(app: Sphinx) -> None:
-    """Copies build/web into the pages' static files."""
+    """Copies build/web into the pages' static files; an e-book takes the pictures alone."""
     web = Path(app.config.contact_web)
-    if app.builder.format == "html" and app.builder.name != "epub" and web.is_dir():
-        sync(web, Path(app.outdir) / "_static" / "contact")
+    if app.builder.format == "html" and web.is_dir():
+        pattern = "*.svg" if app.builder.name == "epub" else "*"
+        sync(web, Path(app.outdir) / "_static" / "contact", pattern)
 
 
 def add_script(

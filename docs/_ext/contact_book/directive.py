@@ -80,6 +80,7 @@ class BookDirective(SphinxDirective):
         """A thing the build makes is not there: an error only when the build should be complete."""
         if self.config.contact_complete:
             raise BookError(message)
+        self.env.metadata[self.env.docname]["contact-incomplete"] = "yes"
 
     def needs_script(self) -> None:
         """This page has components that the page's script brings to life."""

@@ -7,9 +7,14 @@ import shutil
 from pathlib import Path
 
 from sphinx.application import Sphinx
+from sphinx.builders import _epub_base
 
 _OTHER_FORMATS = re.compile(r',url\([^)]*\.(?:woff|ttf)\) format\("[a-z]+"\)')
 _TEXT_FACES = ("400-normal", "400-italic", "600-normal")
+
+
+# Sphinx 8.2 does not know it, and would leave the fonts out of an e-book.
+_epub_base.MEDIA_TYPES.setdefault(".woff2", "font/woff2")
 
 
 def copy_fonts(app: Sphinx) -> None:

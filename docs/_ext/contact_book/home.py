@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from docutils import nodes
 from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
 
 from contact_book.book import PARTS, Chapter
 from contact_book.chapter import chapter_link, joined
@@ -66,8 +67,9 @@ class BookContents(BookDirective):
         return "\n".join(lines)
 
 
-def always_home(
-    app: Sphinx, env: object, added: object, changed: object, removed: object
+def read_again(
+    app: Sphinx, env: BuildEnvironment, added: object, changed: object, removed: object
 ) -> list[str]:
-    """The home page shows which chapters there are, so it is read in every build."""
-    return ["index"]
+    """The home page shows which chapters there are; other pages may lack what is built by now."""
+    incomplete = [name for name, data in env.metadata.items() if "contact-incomplete" in data]
+    return ["index", *incomplete]

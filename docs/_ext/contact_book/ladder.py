@@ -16,7 +16,6 @@ from contact_book.html import attributes, base_path, can_run_scripts, json_scrip
 from contact_book.nodes import component, make_component, make_slot
 from contact_book.tables import table
 
-
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 

@@ -17,7 +17,7 @@ def lesson_page(text: str) -> str:
     return _LESSON_LINK.sub(r"(\1.md", text)
 
 
-def header_section(header: Path) -> str:
+def header_section(header: Path, *, full: bool) -> str:
     """One header's part of the API page. Breathe drops a concept's body, so it is shown as code."""
     text = header.read_text(encoding="utf-8")
     label = header.name.replace("_", "__").replace(".", "_8")
@@ -25,6 +25,8 @@ def header_section(header: Path) -> str:
     about = _ABOUT.match(text)
     if about:
         parts.append(re.sub(r"^/// ?", "", about["about"], flags=re.M).strip())
+    if not full:
+        return "\n\n".join(parts)
     for match in _CONCEPT.finditer(text):
         parts.append(f":::{{doxygenconcept}} contact::{match['name']}\n:::")
         parts.append(f"```cpp\n{match[0]}```")
@@ -32,11 +34,12 @@ def header_section(header: Path) -> str:
     return "\n\n".join(parts)
 
 
-def api_page(chapter: Chapter) -> str:
+def api_page(chapter: Chapter, *, full: bool) -> str:
+    """The chapter's headers; without `full`, only what each is about, and no Doxygen."""
     parts = [f"# {chapter.title}: the code"]
     if chapter.has_lesson:
         parts.append(f"What it is for is told in {{chapter}}`{chapter.slug}`.")
-    parts += [header_section(header) for header in chapter.headers]
+    parts += [header_section(header, full=full) for header in chapter.headers]
     return "\n\n".join(parts) + "\n"
 
 
@@ -60,8 +63,8 @@ def pages(book: Book, docs: Path, *, api: bool) -> dict[str, str]:
         if chapter.has_lesson:
             text = chapter.lesson.read_text(encoding="utf-8")
             made[f"chapters/{chapter.slug}.md"] = lesson_page(text)
-    coded = [chapter for chapter in book.chapters.values() if chapter.headers and api]
-    made |= {f"api/{chapter.slug}.md": api_page(chapter) for chapter in coded}
+    coded = [chapter for chapter in book.chapters.values() if chapter.headers]
+    made |= {f"api/{chapter.slug}.md": api_page(chapter, full=api) for chapter in coded}
     made["api/index.md"] = api_index(coded)
     return made
 

@@ -1,0 +1,1 @@
+// The sample book's figure is known by this file's name; its picture stands in web/.

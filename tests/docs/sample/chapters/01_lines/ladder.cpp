@@ -1,0 +1,1 @@
+// The sample book's ladder is known by this file.

@@ -1,0 +1,1 @@
+// The sample book has no components to wake.

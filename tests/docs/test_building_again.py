@@ -1,0 +1,75 @@
+"""A second build does only what is stale, and a new chapter needs no list."""
+
+from __future__ import annotations
+
+import os
+import shutil
+
+from sample_book import Sample
+
+
+def test_a_change_in_a_header_reaches_the_lesson_that_shows_it(sample: Sample) -> None:
+    assert sample.make("--skip-api").returncode == 0
+    sample.edit("chapters/01_lines/contact/line.hpp", "The first coefficient", "What x is times")
+    assert sample.make("--skip-api").returncode == 0
+    assert "What x is times" in sample.page("chapters/01_lines.html")
+
+
+def test_a_picture_that_arrives_later_is_shown(sample: Sample) -> None:
+    picture = sample.root / "web" / "figures" / "01_lines" / "point_line.svg"
+    kept = picture.with_suffix(".kept")
+    picture.rename(kept)
+    assert sample.make("--skip-api").returncode == 0
+    kept.rename(picture)
+    assert sample.make("--skip-api").returncode == 0
+    assert "point_line.svg" in sample.page("chapters/01_lines.html")
+
+
+def test_a_chapter_is_found_by_its_folder_and_gone_with_it(sample: Sample) -> None:
+    assert sample.make("--skip-api").returncode == 0
+    folder = sample.root / "chapters" / "02_more"
+    folder.mkdir()
+    (folder / "lesson.md").write_text("# More\n\nAfter [lines](../01_lines/lesson.md).\n", "utf-8")
+    old = (sample.root / "chapters" / "00_numbers" / "chapter.toml").read_text("utf-8")
+    new = (
+        old.replace("reference", "lesson")
+        .replace("Numbers", "More")
+        .replace("part = 0", "part = 1")
+    )
+    (folder / "chapter.toml").write_text(new, "utf-8")
+    made = sample.make("--skip-api")
+    assert made.returncode == 0, made.stderr
+    assert 'href="chapters/02_more.html"' in sample.page("index.html")
+    assert 'href="01_lines.html"' in sample.page("chapters/02_more.html")
+    shutil.rmtree(folder)
+    assert sample.make("--skip-api").returncode == 0
+    assert "02_more" not in sample.page("index.html")
+
+
+def test_programs_run_only_when_newer_than_what_they_said(sample: Sample) -> None:
+    programs = sample.root / "bin"
+    programs.mkdir()
+    program = programs / "hard_cases_01_lines"
+    program.write_text(f"#!/bin/sh\ncat {sample.root}/products/hard_cases/01_lines.json\n", "utf-8")
+    program.chmod(0o755)
+    said = sample.build / "docs-data" / "hard_cases" / "01_lines.json"
+    os.utime(said, (0, 0))
+    first = sample.make("--skip-api", "--programs", str(programs))
+    assert "hard cases of 01_lines" in first.stdout
+    again = sample.make("--skip-api", "--programs", str(programs))
+    assert "hard cases of 01_lines" not in again.stdout
+    program.write_text("#!/bin/sh\necho 'case on-the-line has changed' >&2\nexit 1\n", "utf-8")
+    os.utime(program)
+    failing = sample.make("--skip-api", "--programs", str(programs))
+    assert failing.returncode == 1
+    assert "case on-the-line has changed" in failing.stderr
+
+
+def test_an_e_book_has_fallbacks_and_no_elements(sample: Sample) -> None:
+    target = sample.build / "epub"
+    made = sample.make("--skip-api", "--builder", "epub", "--site", str(target))
+    assert made.returncode == 0, made.stderr
+    page = (target / "chapters" / "01_lines.xhtml").read_text("utf-8")
+    assert "<contact-" not in page
+    assert "Drag the point." in page
+    assert (target / "_static/contact/figures/01_lines/point_line.svg").is_file()

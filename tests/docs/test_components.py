@@ -1,0 +1,172 @@
+"""The HTML of each directive: the element for the page, and a fallback that needs no script."""
+
+from __future__ import annotations
+
+import json
+import re
+
+import pytest
+from bs4 import BeautifulSoup, Tag
+from sample_book import Sample
+
+
+@pytest.fixture(scope="module")
+def lesson(built: Sample) -> BeautifulSoup:
+    return BeautifulSoup(built.page("chapters/01_lines.html"), "html.parser")
+
+
+def one(page: BeautifulSoup | Tag, selector: str) -> Tag:
+    found = page.select(selector)
+    assert len(found) == 1, f"{len(found)} of {selector}"
+    return found[0]
+
+
+def data(element: Tag) -> dict[str, object]:
+    """The JSON an element carries."""
+    script = one(element, 'script[type="application/json"]')
+    loaded = json.loads(script.get_text())
+    assert isinstance(loaded, dict)
+    return loaded
+
+
+def without_scripts(element: Tag) -> str:
+    """The words a reader sees when nothing runs."""
+    copy = BeautifulSoup(str(element), "html.parser")
+    for hidden in copy.select("script, annotation, details"):
+        hidden.decompose()
+    return re.sub(r"\s+", " ", copy.get_text(" "))
+
+
+def test_a_figure_has_a_picture_with_words_inside_the_element(lesson: BeautifulSoup) -> None:
+    element = one(lesson, "figure.live > contact-figure")
+    assert element["name"] == "01_lines/point_line"
+    assert element["base"] == "../_static/contact/"
+    picture = one(element, "img")
+    assert picture["src"] == "../_static/contact/figures/01_lines/point_line.svg"
+    assert picture["alt"] == "The point is 2 m in front of the line."
+    assert (picture["width"], picture["height"]) == ("400", "240")
+    assert "Drag the point" in one(lesson, "figure.live > figcaption").get_text()
+
+
+def test_the_picture_and_the_script_are_where_the_page_looks(built: Sample) -> None:
+    static = built.site / "_static" / "contact"
+    assert (static / "figures" / "01_lines" / "point_line.svg").is_file()
+    assert 'type="module"' in built.page("chapters/01_lines.html")
+    assert "contact.js" not in built.page("api/01_lines.html")
+
+
+def test_a_choice_carries_html_and_its_key(lesson: BeautifulSoup) -> None:
+    question = data(one(lesson, "#question-side"))
+    assert question["id"] == "01_lines/side"
+    assert question["kind"] == "choose"
+    assert question["answer"] == 0
+    options = question["options"]
+    assert isinstance(options, list)
+    assert 'class="katex"' in options[0]
+    wrong = question["wrong"]
+    assert wrong == [{"answer": 2, "why": "Look at the <strong>sign</strong>."}]
+
+
+def test_no_text_of_a_question_can_end_its_script(lesson: BeautifulSoup) -> None:
+    script = one(lesson, "#question-side > script")
+    assert "<" not in script.get_text()
+
+
+@pytest.mark.parametrize("name", ["side", "how-far", "steps", "touch"])
+def test_the_answer_without_script_is_inside_details(lesson: BeautifulSoup, name: str) -> None:
+    element = one(lesson, f"#question-{name}")
+    explanation = BeautifulSoup(str(data(element)["explain"]), "html.parser").get_text()
+    assert explanation.strip() in one(element, "details").get_text()
+    assert explanation.strip() not in without_scripts(element)
+
+
+def test_a_predicted_number_keeps_unit_and_tolerance(lesson: BeautifulSoup) -> None:
+    element = one(lesson, "#question-how-far")
+    question = data(element)
+    assert (question["answer"], question["unit"], question["tolerance"]) == (2.0, "m", 0.01)
+    assert "2 m" in one(element, "details").get_text()
+    assert "2 m" not in without_scripts(element)
+
+
+def test_steps_are_shown_as_asked_and_put_right_in_the_answer(lesson: BeautifulSoup) -> None:
+    element = one(lesson, "#question-steps")
+    asked = [item.get_text() for item in element.select("div.question > ul > li")]
+    assert asked[0] == "compare with 0"
+    right = [item.get_text() for item in element.select("details > ol > li")]
+    assert right[1] == "compare with 0"
+
+
+def test_a_construction_names_its_figure_and_goal(lesson: BeautifulSoup) -> None:
+    question = data(one(lesson, "#question-touch"))
+    assert (question["figure"], question["goal"]) == ("01_lines/point_line", "on")
+
+
+def test_the_ladder_has_its_plot_its_table_and_where_it_was_measured(lesson: BeautifulSoup) -> None:
+    element = one(lesson, "contact-ladder")
+    assert data(element)["ladder"] == "01_lines"
+    assert element.select(".plot svg")
+    rows = [row.get_text(" ", strip=True) for row in element.select("tbody tr")]
+    assert len(rows) == 2
+    assert "12 of 1,000" in rows[0]
+    assert "2.0·10⁻⁷" in rows[0]
+    words = without_scripts(element)
+    assert "Some CPU" in words
+    assert "quick run" in words
+
+
+def test_hard_cases_show_each_method_right_or_wrong(lesson: BeautifulSoup) -> None:
+    table = one(lesson, "table.hard-cases")
+    assert one(table, ".verdict.wrong").get_text() == "wrong"
+    assert one(table, ".verdict.right").get_text() == "right"
+    assert "1 of 2 verdicts are wrong" in one(table, "caption").get_text()
+
+
+def test_an_exercise_shows_contract_points_commands_and_folded_hints(lesson: BeautifulSoup) -> None:
+    section = one(lesson, "section.exercise")
+    words = section.get_text()
+    assert "double distance(double a, double b, double c, double x, double y);" in words
+    assert "./contact start 01_lines/distance" in words
+    assert "5 points" in words
+    assert len(section.select("table.points tbody tr")) == 2
+    assert "Divide by the length" in one(section, "details details").get_text()
+    assert not section.select("button")
+
+
+def test_code_comes_from_its_region_and_examples_show_their_output(lesson: BeautifulSoup) -> None:
+    listing = lesson.select(".literal-block-wrapper")[0].get_text()
+    assert "struct Line" in listing
+    assert "[second]" not in listing
+    assert "pragma" not in listing
+    example = one(lesson, "div.example").get_text()
+    assert "printf" in example
+    assert "prints" in example
+
+
+def test_the_head_says_time_what_it_builds_on_and_objectives(lesson: BeautifulSoup) -> None:
+    head = one(lesson, ".chapter-head")
+    assert head.find_previous_sibling().name == "h1"  # type: ignore[union-attr]
+    assert "About 20 minutes" in head.get_text()
+    assert one(head, 'a[href="../api/00_numbers.html"]').get_text() == "Numbers"
+    assert len(head.select(".objectives li")) == 2
+    assert "lines & planes" in one(lesson, ".chapter-foot").get_text()
+
+
+def test_the_map_links_lessons_and_shows_the_rest_as_code(built: Sample) -> None:
+    home = BeautifulSoup(built.page("index.html"), "html.parser")
+    cards = home.select(".chapter-map li.card")
+    assert [card.select("a")[0]["href"] for card in cards] == [
+        "api/00_numbers.html",
+        "chapters/01_lines.html",
+    ]
+    assert "code only" in cards[0].get_text()
+    assert "builds on Numbers" in cards[1].get_text()
+
+
+def test_an_api_page_has_every_declaration_in_its_namespace(built: Sample) -> None:
+    page = BeautifulSoup(built.page("api/01_lines.html"), "html.parser")
+    names = [str(entry.get("id", "")) for entry in page.select("dt.sig")]
+    assert any("N7contact4LineE" in name for name in names)
+    assert any("N7contact4sideE" in name for name in names)
+    numbers = built.page("api/00_numbers.html")
+    assert "std" in numbers
+    assert "floating_point" in numbers

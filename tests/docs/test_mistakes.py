@@ -1,0 +1,120 @@
+"""What an author is told: the file, the line, and what there is instead."""
+
+from __future__ import annotations
+
+import pytest
+from sample_book import Sample
+
+LESSON = "chapters/01_lines/lesson.md"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "message"),
+    [
+        (
+            ":::{live-figure} point_line",
+            ":::{live-figure} circle",
+            3,
+            "unknown figure 'circle' in chapters/01_lines/figures; there is: point_line",
+        ),
+        (
+            ":::{code} contact/line.hpp line",
+            ":::{code} contact/line.hpp lin",
+            16,
+            "unknown region 'lin' in chapters/01_lines/contact/line.hpp; there is: line, second",
+        ),
+        (
+            ":::{code} contact/line.hpp line",
+            ":::{code} contact/lime.hpp line",
+            16,
+            "unknown file 'contact/lime.hpp'",
+        ),
+        (":::{example} far", ":::{example} near", 19, "unknown example 'near'"),
+        (
+            ":::{question} how-far",
+            ":::{question} how-deep",
+            22,
+            "unknown question 'how-deep' in chapters/01_lines/questions.toml; "
+            "there is: how-far, side, steps, touch",
+        ),
+        (
+            "{question} 01_lines/touch",
+            "{question} 03_none/touch",
+            28,
+            "unknown chapter '03_none'",
+        ),
+        (
+            ":::{exercise} distance",
+            ":::{exercise} area",
+            43,
+            "unknown exercise 'area' in exercises/01_lines; there is: distance",
+        ),
+        ("\\norm{n}", "\\nrm{n}", 12, "mathematics: KaTeX parse error"),
+    ],
+)
+def test_a_wrong_name_is_an_error_at_its_line(
+    sample: Sample, old: str, new: str, line: int, message: str
+) -> None:
+    sample.edit(LESSON, old, new)
+    made = sample.make("--skip-api")
+    assert made.returncode != 0
+    assert message in made.stderr
+    assert f"{LESSON}:{line}:" in made.stderr
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new", "message"),
+    [
+        (
+            "chapters/01_lines/questions.toml",
+            'objective = "distance"',
+            'objective = "length"',
+            "unknown objective 'length' in chapters/01_lines/questions.toml: question 'how-far'",
+        ),
+        (
+            "chapters/01_lines/questions.toml",
+            "answer = [1, 0]",
+            "answer = [1, 1]",
+            "question 'steps': answer must order the items 0 to 1",
+        ),
+        (
+            "exercises/01_lines/distance/exercise.toml",
+            'kind = "blank"',
+            'kind = "hard"',
+            "unknown kind of exercise 'hard'",
+        ),
+    ],
+)
+def test_a_wrong_table_is_an_error_that_names_its_file(
+    sample: Sample, name: str, old: str, new: str, message: str
+) -> None:
+    sample.edit(name, old, new)
+    made = sample.make("--skip-api")
+    assert made.returncode != 0
+    assert message in made.stderr
+    assert name in made.stderr
+
+
+def test_a_chapter_without_status_stops_the_build_in_words(sample: Sample) -> None:
+    sample.edit("chapters/01_lines/chapter.toml", 'status = "lesson"\n', "")
+    made = sample.make("--skip-api")
+    assert made.returncode == 1
+    assert "chapters/01_lines/chapter.toml: 'status' is missing" in made.stderr
+
+
+def test_a_missing_picture_is_an_error_only_when_all_must_be_there(sample: Sample) -> None:
+    (sample.root / "web" / "figures" / "01_lines" / "point_line.svg").unlink()
+    made = sample.make("--skip-api")
+    assert made.returncode == 0, made.stderr
+    assert "still being built" in sample.page("chapters/01_lines.html")
+    strict = sample.make("--skip-api", "--complete")
+    assert strict.returncode != 0
+    assert "the picture of figure 01_lines/point_line is not built" in strict.stderr
+
+
+def test_what_is_undocumented_stops_a_complete_build(sample: Sample) -> None:
+    sample.edit("chapters/01_lines/contact/line.hpp", "  /// The offset.\n", "")
+    made = sample.make("--complete")
+    assert made.returncode == 1
+    assert "chapters/01_lines/contact/line.hpp:" in made.stderr
+    assert "c (variable) of struct contact::Line is not documented" in made.stderr
