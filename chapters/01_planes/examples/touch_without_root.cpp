@@ -10,11 +10,11 @@ int main() {
   int by_unit_plane = 0;
   int by_squares = 0;
   for (int times = 1; times <= 300; ++times) {
-    // (2, 3, 6) is normal to the plane and 7 long, so the centre is exactly 7 · times away.
-    const V a(5, -7, 11);
-    const V b = a + V(3, -2, 0);
-    const V c = a + V(0, 6, -3);
-    const contact::Sphere<double> sphere{a + times * V(2, 3, 6), 7.0 * times};
+    // (1, 4, 8) is normal to the plane and 9 long, so the centre is exactly 9 · times away.
+    const V a(1, 2, 3);
+    const V b = a + V(4, -1, 0);
+    const V c = a + V(0, 2, -1);
+    const contact::Sphere<double> sphere{a + times * V(1, 4, 8), 9.0 * times};
     touching += contact::sphere_meets_plane_exactly(sphere, a, b, c);
     by_unit_plane += contact::sphere_meets_plane(sphere, contact::plane_from_points(a, b, c));
     by_squares += contact::sphere_meets_plane(sphere, contact::raw_plane_from_points(a, b, c));
