@@ -39,6 +39,7 @@ suppress_warnings: list[str] = []
 
 primary_domain = "cpp"
 highlight_language = "cpp"
+toc_object_entries_show_parents = "hide"
 html_math_renderer = "katex"
 numfig = False
 

@@ -12,6 +12,8 @@ import sys
 from pathlib import Path
 
 _OPEN = re.compile(r"^(namespace contact(?:::\w+)* \{)$", re.MULTILINE)
+# "Limits:" and "Source:" in a doc comment become paragraphs with a heading.
+_HEADED = re.compile(r"^(\s*/// (?:.*[.;)] )?)(Limits|Source): ", re.MULTILINE)
 _CLOSE = re.compile(r"^(\}  // namespace contact(?:::\w+)*)$", re.MULTILINE)
 
 
@@ -24,6 +26,8 @@ def grouped(text: str, header: Path) -> str:
     """The header with its group opened and closed just inside the namespace."""
     name = group_of(header)
     text = _OPEN.sub(rf"\1 /** @addtogroup {name} contact/{header.name} */ /** @{{ */", text)
+    while _HEADED.search(text):
+        text = _HEADED.sub(lambda m: f"{m[1]}@{m[2].lower()} ", text)
     return _CLOSE.sub(r"/** @} */ \1", text)
 
 

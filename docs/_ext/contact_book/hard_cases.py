@@ -9,7 +9,7 @@ from docutils import nodes
 
 from contact_book.directive import BookDirective
 from contact_book.errors import BookError
-from contact_book.tables import table
+from contact_book.tables import scrolled, table
 
 
 def _verdict(word: str) -> nodes.Node:
@@ -53,9 +53,7 @@ class HardCases(BookDirective):
             f"{len(cases)} hard cases; {wrong} of {len(cases) * len(methods)} verdicts are wrong"
         )
         heads = ["Case", "Exact answer", *methods]
-        box = nodes.container(classes=["wide"])
-        box += table(heads, rows, words, ["hard-cases"])
-        return [box]
+        return [scrolled(table(heads, rows, words, ["hard-cases"]), "Hard cases")]
 
     def row(self, methods: tuple[str, ...], case: dict[str, Any]) -> list[Any]:
         name = nodes.strong("", case["name"].replace("-", " "))

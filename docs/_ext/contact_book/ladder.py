@@ -14,7 +14,7 @@ from contact_book.directive import BookDirective
 from contact_book.errors import BookError
 from contact_book.html import attributes, base_path, can_run_scripts, json_script, renders, slots
 from contact_book.nodes import component, make_component, make_slot
-from contact_book.tables import table
+from contact_book.tables import scrolled, table
 
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -84,7 +84,7 @@ class Ladder(BookDirective):
         machine = data["machine"]
         words = (
             f"Measured on {machine['cpu']} ({machine['cores']} cores, {machine['os']}) with "
-            f"{data['compiler']}, {data['date']}, on {_count(data['size'])} inputs a family."
+            f"{data['compiler']}, {data['date'][:10]}, on {_count(data['size'])} inputs a family."
         )
         if not measured:
             words += (
@@ -125,7 +125,7 @@ class Ladder(BookDirective):
             "Largest error",
             "Time, ns: median (quartiles)",
         ]
-        return table(heads, rows, data["question"], ["ladder"])
+        return scrolled(table(heads, rows, data["question"], ["ladder"]), "Measurements")
 
 
 @renders("ladder")
@@ -135,7 +135,7 @@ def ladder_html(translator: HTML5Translator, node: component) -> str:
     fallback = (
         f'<div class="plot">{data["plot"]}</div><div class="measured">{parts["source"][0]}</div>'
         "<details open><summary>The numbers</summary>"
-        f'<div class="wide">{parts["table"][0]}</div></details>'
+        f"{parts['table'][0]}</details>"
     )
     if not can_run_scripts(translator):
         return fallback
