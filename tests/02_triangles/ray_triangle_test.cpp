@@ -7,34 +7,17 @@
 #include <support/exercise.hpp>
 #include <support/generators.hpp>
 
-#include <contact/exact.hpp>
+#include <02_triangles/exact_hit.hpp>
 
 namespace {
 
 using namespace contact::testing;
-using contact::Exact;
+using exact::aimed;
+using exact::exact_hit;
 using Ray = contact::Ray<double>;
 using Triangle = contact::Triangle<double>;
 using Hit = contact::TriangleHit<double>;
 using Vector = Eigen::Vector3d;
-
-/// Where a ray with these numbers meets a triangle with these numbers, rounded once at the end.
-std::optional<Hit> exact_hit(const Ray& ray, const Triangle& triangle) {
-  using V = contact::Vector3<Exact>;
-  const V a = triangle.a.cast<Exact>();
-  const V e1 = triangle.b.cast<Exact>() - a, e2 = triangle.c.cast<Exact>() - a;
-  const V s = ray.origin.cast<Exact>() - a, d = ray.direction.cast<Exact>();
-  const V n = e1.cross(e2);
-  const Exact det = -n.dot(d);
-  if (det.sign() == 0) return std::nullopt;
-  const Exact t = n.dot(s), beta = e2.dot(s.cross(d)), gamma = -e1.dot(s.cross(d));
-  const Exact alpha = det - beta - gamma;
-  for (const Exact& x : {t, alpha, beta, gamma}) {
-    if (x.sign() * det.sign() < 0) return std::nullopt;
-  }
-  const auto over = [&](const Exact& x) { return quotient<double>(x, det); };
-  return Hit{over(t), {over(alpha), over(beta), over(gamma)}};
-}
 
 /// How far rounding can take a plain method. It works as if each coordinate were off by c·u·L, L
 /// the largest one on the way (u = 2^-53). The plane then moves by that much, so the hit slides
@@ -115,14 +98,6 @@ void check(const Ray& ray, const Triangle& triangle, std::initializer_list<Mista
       .suspect_if("division-by-zero", not_a_number)
       .answer([&] { return exercise::ray_triangle(ray, triangle); })
       .close_to(exact_hit(ray, triangle), within(bound(ray, triangle)));
-}
-
-/// The ray that meets the plane of the triangle after t, where the weights are 1 - beta - gamma,
-/// beta and gamma.
-Ray aimed(const Triangle& triangle, double beta, double gamma, const Vector& direction, double t) {
-  const Vector x =
-      triangle.a + beta * (triangle.b - triangle.a) + gamma * (triangle.c - triangle.a);
-  return {x - t * direction, direction};
 }
 
 Triangle scaled(const Triangle& triangle, double factor) {
