@@ -152,7 +152,7 @@ std::optional<TriangleHit<S>> divide(const std::optional<TriangleFractions<S>>& 
 }
 
 // [moller-trumbore]
-/// (c) Möller and Trumbore: solve origin + t direction = a + β(b − a) + γ(c − a) for t, β and γ by
+/// (c) Möller and Trumbore: solve origin + t direction = a + w_b (b − a) + w_c (c − a) for t, w_b and w_c by
 /// Cramer's rule. The plane's normal and the point are never formed. Limits: each of the four
 /// determinants is off by at most 8u Σ|its terms|, so t is off by at most c·u (Σ|terms of N| + |t|
 /// Σ|terms of D|) / |D|; the decision has no bound, and a shared edge can leak, since the two
