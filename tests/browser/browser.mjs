@@ -13,7 +13,7 @@ export const site = process.env.CONTACT_SITE ?? path.join(root, "build", "site")
 /** Packages live with the page's sources. */
 export const require = createRequire(path.join(root, "docs", "package.json"));
 
-/** The browser to use, or undefined. CONTACT says which names are looked for. */
+/** The browser to use: $CHROMIUM, or the first of the usual names; undefined if there is none. */
 function findBrowser() {
   if (process.env.CHROMIUM) return process.env.CHROMIUM;
   for (const name of ["chromium", "chromium-browser", "google-chrome-stable", "google-chrome"]) {
@@ -24,12 +24,24 @@ function findBrowser() {
   return undefined;
 }
 
-/** Why the tests of the page cannot be run here, or undefined if they can. */
-export function whyNot() {
-  if (!findBrowser()) return "no Chromium found: set CHROMIUM to one";
-  if (!fs.existsSync(path.join(site, "index.html"))) return `the book is not built in ${site}`;
-  return undefined;
+/** Why the tests of the page are not run here, or false if they are: for node:test's `skip`. */
+export function notRun() {
+  return findBrowser() ? false : "not run: no Chromium found (set CHROMIUM to one)";
 }
+
+/** The built pages with components: every lesson, and the page with one of everything. */
+export function pages() {
+  if (!fs.existsSync(path.join(site, "index.html")))
+    throw new Error(`the book is not built in ${site}: run ./contact serve or docs/build.py`);
+  const lessons = fs
+    .readdirSync(path.join(site, "chapters"))
+    .filter((name) => name.endsWith(".html"))
+    .sort()
+    .map((name) => `chapters/${name}`);
+  return ["kitchen_sink.html", ...lessons];
+}
+
+export const lessons = () => pages().filter((page) => page.startsWith("chapters/"));
 
 const types = {
   ".html": "text/html; charset=utf-8",
@@ -92,3 +104,49 @@ export async function launch() {
   };
   return { browser, close };
 }
+
+/**
+ * A page in a context of its own that gathers what must not happen: console errors, exceptions,
+ * failed requests and requests to other origins.
+ * @param {import("playwright-core").Browser} browser
+ * @param {string} url
+ * @param {import("playwright-core").BrowserContextOptions} options
+ */
+export async function open(browser, url, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1200, height: 900 }, ...options });
+  const page = await context.newPage();
+  const { origin } = new URL(url);
+  /** @type {string[]} */
+  const trouble = [];
+  page.on("console", (message) => {
+    if (message.type() === "error") trouble.push(`console: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => trouble.push(`exception: ${error.message}`));
+  page.on("request", (request) => {
+    const asked = request.url();
+    if (!asked.startsWith(`${origin}/`) && !/^(data|blob):/.test(asked))
+      trouble.push(`off the origin: ${asked}`);
+  });
+  page.on("response", (response) => {
+    if (response.status() >= 400) trouble.push(`${response.status()}: ${response.url()}`);
+  });
+  await page.goto(url, { waitUntil: "load" });
+  return { page, trouble, close: () => context.close() };
+}
+
+/** Loads every figure of a page, as scrolling through it does. @param {import("playwright-core").Page} page */
+export async function loadFigures(page) {
+  await page.evaluate(async () => {
+    await customElements.whenDefined("contact-figure");
+    for (const figure of document.querySelectorAll("contact-figure"))
+      await /** @type {any} */ (figure).ready;
+  });
+}
+
+/** A figure's input or output as plain fields, -0 and NaN kept. @param {any} locator @param {"input" | "output"} which */
+export const fieldsOf = (locator, which) =>
+  locator.evaluate(
+    (/** @type {any} */ figure, /** @type {"input" | "output"} */ name) =>
+      Object.fromEntries(Object.entries(figure[name])),
+    which,
+  );

@@ -52,7 +52,13 @@ export default defineFigure<Input, Output>({
     displacement: [3, -0.3, -3.1],
   },
   handles: [
-    { kind: "point", field: "centre", label: "c, centre at the start", role: "ball", limit: [-5, 5] },
+    {
+      kind: "point",
+      field: "centre",
+      label: "c, centre at the start",
+      role: "ball",
+      limit: [-5, 5],
+    },
     {
       kind: "point",
       field: "displacement",
@@ -117,10 +123,19 @@ export default defineFigure<Input, Output>({
       role: "hit",
       offset: [12, -10],
     });
-    scene.label(output.contact_point, "contact", { role: "hit", offset: [0, 22], anchor: "middle" });
+    scene.label(output.contact_point, "contact", {
+      role: "hit",
+      offset: [0, 22],
+      anchor: "middle",
+    });
   },
   values: (_input, output) => [
-    { name: "n·c − k", meaning: "distance of the centre", value: output.start_distance, role: "ball" },
+    {
+      name: "n·c − k",
+      meaning: "distance of the centre",
+      value: output.start_distance,
+      role: "ball",
+    },
     { name: "|n·c − k| − r", meaning: "gap", value: output.gap },
     { name: "∓ n·d", meaning: "closing in the step", value: output.closing, role: "ray" },
     {

@@ -26,8 +26,7 @@ interface Output {
 }
 
 const sideRole = (side: number): Role => (side > 0 ? "b" : side < 0 ? "a" : "hit");
-const sideWord = (side: number): string =>
-  side > 0 ? "in front of" : side < 0 ? "behind" : "on";
+const sideWord = (side: number): string => (side > 0 ? "in front of" : side < 0 ? "behind" : "on");
 
 export default defineFigure<Input, Output>({
   title: "A segment and a plane",
@@ -47,7 +46,13 @@ export default defineFigure<Input, Output>({
     end: [1.6, -0.2, -1.8],
   },
   handles: [
-    { kind: "point", field: "start", label: "a, start of the segment", role: "ray", limit: [-5, 5] },
+    {
+      kind: "point",
+      field: "start",
+      label: "a, start of the segment",
+      role: "ray",
+      limit: [-5, 5],
+    },
     { kind: "point", field: "end", label: "b, end of the segment", role: "ray", limit: [-5, 5] },
     {
       kind: "point",

@@ -43,11 +43,11 @@ export default defineFigure<Input, Output>({
   },
   aspect: 0.98,
   initial: {
-    origin: [0.31, -2.96, 1.63],
-    a: [-1.61, -0.1, 0.07],
-    b: [1.49, 0.1, 0.57],
-    c: [-0.24, 0.63, 1.5],
-    d: [0.27, -0.35, -0.62],
+    origin: [0.52, -3.17, 1.95],
+    a: [-1.92, 0.04, 0.51],
+    b: [1.86, 0.06, 0.66],
+    c: [0.29, 0.98, 1.57],
+    d: [0.32, -0.28, -0.81],
   },
   handles: [
     { kind: "point", field: "origin", label: "o, start of the rays", role: "ray", step: 0.01 },

@@ -8,6 +8,8 @@ import type { FigureModel } from "./model.ts";
 type AnyControl = Control<Fields>;
 type Kind<K extends AnyControl["kind"]> = Extract<AnyControl, { kind: K }>;
 
+const XYZ = ["x", "y", "z"];
+
 export interface ControlsPart {
   readonly element: HTMLElement;
   refresh(): void;
@@ -25,7 +27,12 @@ export function makeControls(model: FigureModel): ControlsPart {
     if (control.kind === "choice") element.append(choice(control, model, refreshers));
     else if (model.size(control.field) === 1) element.append(row(control, model, refreshers));
   }
-  if (vectors.length > 0) element.append(table(vectors, model, refreshers));
+  const groups = new Map<string, Kind<"numbers">[]>();
+  for (const control of vectors) {
+    const heads = (control.axes ?? XYZ).join();
+    groups.set(heads, [...(groups.get(heads) ?? []), control]);
+  }
+  for (const group of groups.values()) element.append(table(group, model, refreshers));
   return { element, refresh: () => refreshers.forEach((again) => void again()) };
 }
 
@@ -35,7 +42,7 @@ function table(
   refreshers: (() => void)[],
 ): HTMLElement {
   const size = Math.max(...controls.map(({ field }) => model.size(field)));
-  const axes = ["x", "y", "z"].slice(0, size);
+  const axes = (controls[0]?.axes ?? XYZ).slice(0, size);
   const head = html("tr", {}, html("th", { scope: "col" }, "Given"));
   for (const axis of axes) head.append(html("th", { scope: "col" }, html("var", {}, axis)));
   const body = html("tbody");

@@ -70,6 +70,8 @@ export type Control<Input> =
       readonly role?: Role;
       readonly step?: number;
       readonly unit?: string;
+      /** What the numbers of a vector are, when they are not x, y and z. */
+      readonly axes?: readonly string[];
     }
   | {
       readonly kind: "slider";
@@ -116,6 +118,21 @@ export interface Figure<Input = Fields, Output = Fields> {
 /** A figure whose types are forgotten, as the page handles it. */
 // biome-ignore lint/suspicious/noExplicitAny: the page checks fields against the C++ layout instead
 export type AnyFigure = Figure<any, any>;
+
+/** The vector with the given number in a field that is an array of vectors. */
+export function vectorAt(numbers: readonly number[], index: number): Vec3 {
+  const [x = Number.NaN, y = Number.NaN, z = Number.NaN] = numbers.slice(3 * index);
+  return [x, y, z];
+}
+
+/** For placing labels and drawing on: a point some shares of the way from one to another. */
+export function along(from: Vec3, to: Vec3, share: number): Vec3 {
+  return [
+    from[0] + (to[0] - from[0]) * share,
+    from[1] + (to[1] - from[1]) * share,
+    from[2] + (to[2] - from[2]) * share,
+  ];
+}
 
 export function defineFigure<Input, Output>(figure: Figure<Input, Output>): Figure<Input, Output> {
   return figure;

@@ -47,7 +47,14 @@ export interface LabelStyle {
   readonly size?: "small" | "normal";
 }
 
+/** A row of small cells under the drawing: one verdict each, empty where there is none. */
+export interface Strip {
+  readonly name: string;
+  readonly cells: readonly (Role | undefined)[];
+}
+
 export type Thing =
+  | { readonly kind: "strips"; readonly strips: readonly Strip[] }
   | { readonly kind: "line"; readonly points: readonly Point[]; readonly style: LineStyle }
   | { readonly kind: "face"; readonly points: readonly Point[]; readonly style: FaceStyle }
   | {
@@ -103,6 +110,12 @@ export class Scene {
     return this.#add({ kind: "label", at, text, style });
   }
 
+  /** Rows of cells along the lower edge of the picture. */
+  strips(strips: readonly Strip[]): this {
+    this.things.push({ kind: "strips", strips });
+    return this;
+  }
+
   /** In 3D: the line down to the ground, and the point there, by which the eye reads depth. */
   drop(at: Vec3, z = 0, role: Role = "muted"): this {
     const foot: Vec3 = [at[0], at[1], z];
@@ -147,7 +160,7 @@ export class Scene {
   }
 
   /** What is not finite has no place in the drawing. */
-  #add(thing: Thing): this {
+  #add(thing: Exclude<Thing, { kind: "strips" }>): this {
     const points = "points" in thing ? thing.points : ["at" in thing ? thing.at : thing.centre];
     const size = thing.kind === "ball" ? thing.radius : 1;
     if (points.every((point) => point.every(Number.isFinite)) && size > 0 && size < 1e300)

@@ -2,7 +2,7 @@
 // fallback picture and the tests all go through here.
 
 import type { Vec2 } from "./numbers.ts";
-import type { Role } from "./scene.ts";
+import type { Role, Strip } from "./scene.ts";
 
 export type Shape =
   | {
@@ -113,4 +113,43 @@ function shapeSvg(shape: Shape): string {
 
 export function shapesToSvg(shapes: readonly Shape[]): string {
   return shapes.map(shapeSvg).join("");
+}
+
+const ROW = 17;
+
+/** Rows of cells along the lower edge, named on the left; an empty cell is only outlined. */
+export function stripShapes(strips: readonly Strip[], width: number, height: number): Shape[] {
+  const left = Math.min(130, width * 0.34);
+  const right = width - 6;
+  return strips.flatMap(({ name, cells }, row): Shape[] => {
+    const top = height - ROW * (strips.length - row);
+    const size = (right - left) / cells.length;
+    const boxes = cells.map((role, i): Shape => {
+      const [x1, x2] = [left + i * size, left + (i + 1) * size - Math.min(1, size * 0.25)];
+      const [y1, y2] = role ? [top, top + 11] : [top + 2, top + 9];
+      return {
+        kind: "face",
+        points: [
+          [x1, y1],
+          [x2, y1],
+          [x2, y2],
+          [x1, y2],
+        ],
+        role: role ?? "miss",
+        fill: role ? 0.75 : 0,
+        outline: !role,
+        dashed: false,
+      };
+    });
+    const at: Vec2 = [left - 8, top + 10];
+    const label = {
+      kind: "label",
+      at,
+      text: name,
+      role: "ink",
+      anchor: "end",
+      small: true,
+    } as const;
+    return [label, ...boxes];
+  });
 }

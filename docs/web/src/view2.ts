@@ -4,7 +4,7 @@ import { clipLineToStage, clipPolygonToStage } from "./clip.ts";
 import type { View2 } from "./figure.ts";
 import type { Vec2 } from "./numbers.ts";
 import type { Point, Scene, Thing } from "./scene.ts";
-import type { Shape } from "./shapes.ts";
+import { type Shape, stripShapes } from "./shapes.ts";
 import type { View } from "./view.ts";
 
 const PADDING = 12;
@@ -68,6 +68,8 @@ export class FlatView implements View {
     const { toScreen } = this;
     const place = (point: Point): Vec2 => toScreen.call(this, point);
     switch (thing.kind) {
+      case "strips":
+        return stripShapes(thing.strips, this.#width, this.#height);
       case "line":
         return this.#line(thing.points.map(place), thing);
       case "face":
@@ -145,6 +147,6 @@ export class FlatView implements View {
 
 /** Faces lie under lines, lines under dots, dots under words; otherwise as drawn. */
 function layered(things: readonly Thing[]): Thing[] {
-  const layer = { face: 0, ball: 0, line: 1, dot: 2, label: 3 };
+  const layer = { strips: 4, face: 0, ball: 0, line: 1, dot: 2, label: 3 };
   return [...things].sort((p, q) => layer[p.kind] - layer[q.kind]);
 }

@@ -7,7 +7,7 @@ import type { View3 } from "./figure.ts";
 import { ballHider, faceHider, type Hider, visibility } from "./hidden.ts";
 import type { Vec2, Vec3 } from "./numbers.ts";
 import type { FaceStyle, LineStyle, Point, Role, Scene, Thing } from "./scene.ts";
-import type { Shape } from "./shapes.ts";
+import { type Shape, stripShapes } from "./shapes.ts";
 import type { View } from "./view.ts";
 
 const FIELD_OF_VIEW = 28;
@@ -134,8 +134,12 @@ export class SpaceView implements View {
     const faces: { depth: number; shapes: Shape[] }[] = [];
     const over: Shape[] = [];
     const top: Shape[] = [];
+    const below: Shape[] = [];
     for (const thing of scene.things) {
       switch (thing.kind) {
+        case "strips":
+          below.push(...stripShapes(thing.strips, this.#width, this.#height));
+          break;
         case "line":
           this.#line(thing.points.map(vector), thing.style, hiders, under, over);
           break;
@@ -160,7 +164,14 @@ export class SpaceView implements View {
     faces.sort((p, q) => q.depth - p.depth);
     top.sort((p, q) => (p.kind === "label" ? 1 : 0) - (q.kind === "label" ? 1 : 0));
     const ground = this.#ground();
-    return [...ground, ...under, ...faces.flatMap(({ shapes }) => shapes), ...over, ...top];
+    return [
+      ...ground,
+      ...under,
+      ...faces.flatMap(({ shapes }) => shapes),
+      ...over,
+      ...top,
+      ...below,
+    ];
   }
 
   #pixel(inCamera: Vector3): Vec2 {

@@ -1,0 +1,58 @@
+// "Run it here": the chapter's ladder, timed as WebAssembly in the reader's browser.
+
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { launch, lessons, notRun, open, serve } from "./browser.mjs";
+
+const skip = notRun();
+
+describe("ladders", { skip }, () => {
+  /** @type {Awaited<ReturnType<typeof serve>>} */
+  let server;
+  /** @type {Awaited<ReturnType<typeof launch>>} */
+  let chromium;
+  before(async () => {
+    server = await serve();
+    chromium = await launch();
+  });
+  after(async () => {
+    await chromium.close();
+    server.close();
+  });
+
+  for (const where of skip ? [] : lessons()) {
+    test(`${where}: run here`, { timeout: 60_000 }, async () => {
+      const { page, trouble, close } = await open(chromium.browser, `${server.origin}/${where}`);
+      const ladder = page.locator("contact-ladder").first();
+      const data = JSON.parse((await ladder.locator(":scope > script").textContent()) ?? "");
+      const before = await ladder.locator(".plot").innerHTML();
+      await ladder.getByRole("button", { name: "Run it here" }).click();
+      await ladder.locator(".status").filter({ hasText: "timed in" }).waitFor({ timeout: 50_000 });
+      const rows = await ladder.evaluate((/** @type {any} */ element) => element.rows);
+      assert.ok(rows.length >= data.families.length, `${rows.length} rows`);
+      for (const row of rows) {
+        assert.ok(row.ns_median > 0 && row.ns_q1 <= row.ns_median && row.ns_median <= row.ns_q3);
+        const method = data.methods.find((/** @type {any} */ each) => each.id === row.method);
+        assert.ok(method, row.method);
+        if (method.exact) assert.equal(row.wrong, 0, row.method);
+      }
+      assert.equal(await ladder.locator(".here tbody tr").count(), rows.length);
+      await page.waitForFunction(
+        (old) => document.querySelector("contact-ladder .plot")?.innerHTML !== old,
+        before,
+      );
+      assert.deepEqual(trouble, []);
+      await close();
+    });
+
+    test(`${where}: cancelled`, async () => {
+      const { page, close } = await open(chromium.browser, `${server.origin}/${where}`);
+      const ladder = page.locator("contact-ladder").first();
+      await ladder.getByRole("button", { name: "Run it here" }).click();
+      await ladder.getByRole("button", { name: "Cancel" }).click();
+      await ladder.getByText("Stopped.").waitFor();
+      assert.ok(await ladder.getByRole("button", { name: "Run it here" }).isVisible());
+      await close();
+    });
+  }
+});

@@ -1,0 +1,69 @@
+// A figure's C++ as a native program, to hold the page's WebAssembly against.
+
+import { spawnSync } from "node:child_process";
+import path from "node:path";
+import { root } from "./browser.mjs";
+
+const bin = process.env.CONTACT_PROGRAMS ?? path.join(root, "build", "dev", "bin");
+
+/** @typedef {Record<string, number | number[]>} Fields */
+
+/** JSON.stringify writes −0 as 0. @param {number} value */
+const text = (value) => (Object.is(value, -0) ? "-0.0" : String(value));
+
+/** @param {Fields} fields */
+const line = (fields) =>
+  `{${Object.entries(fields)
+    .map(([name, value]) => `"${name}":[${[value].flat().map(text).join(",")}]`)
+    .join(",")}}`;
+
+const special = { nan: Number.NaN, inf: Infinity, "-inf": -Infinity };
+
+/** @param {string} name "01_planes/segment_plane" @param {Fields[]} inputs @returns {Fields[]} */
+export function native(name, inputs) {
+  const program = path.join(bin, `figure_${name.replace("/", "_")}`);
+  const input = `${inputs.map(line).join("\n")}\n`;
+  const done = spawnSync(program, { input, encoding: "utf8", maxBuffer: 1 << 28 });
+  if (done.status !== 0) throw new Error(`${program}: ${done.error?.message ?? done.stderr}`);
+  return done.stdout
+    .trim()
+    .split("\n")
+    .map((row) => {
+      // A number as printed has 17 digits, and "-0" must stay negative.
+      const fields = JSON.parse(row, (_key, value) =>
+        typeof value === "string" && value in special
+          ? special[/** @type {keyof typeof special} */ (value)]
+          : value,
+      );
+      if (fields.error) throw new Error(`${name}: ${fields.error}`);
+      for (const key of Object.keys(fields))
+        if (fields[key].length === 1) fields[key] = fields[key][0];
+      return fields;
+    });
+}
+
+/** Pseudo-random numbers in [0, 1), the same every time. @param {number} seed */
+export function random(seed) {
+  let state = seed >>> 0;
+  return () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32;
+  };
+}
+
+/**
+ * Inputs of the same shape on a grid of quarters, some with a zero, so that edge cases occur.
+ * @param {Fields} like @param {number} count @param {number} seed @returns {Fields[]}
+ */
+export function inputsLike(like, count, seed) {
+  const next = random(seed);
+  const number = () => (next() < 0.15 ? 0 : Math.round((next() * 8 - 4) * 4) / 4);
+  return Array.from({ length: count }, () =>
+    Object.fromEntries(
+      Object.entries(like).map(([name, value]) => [
+        name,
+        Array.isArray(value) ? value.map(number) : Math.abs(number()),
+      ]),
+    ),
+  );
+}

@@ -1,0 +1,117 @@
+// The built pages as readers meet them: without errors, without strangers, without a script, on
+// paper, on a phone, and through assistive technology.
+
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { launch, lessons, loadFigures, notRun, open, pages, require, serve } from "./browser.mjs";
+
+const skip = notRun();
+const all = skip ? [] : pages();
+
+describe("pages", { skip }, () => {
+  /** @type {Awaited<ReturnType<typeof serve>>} */
+  let server;
+  /** @type {Awaited<ReturnType<typeof launch>>} */
+  let chromium;
+  before(async () => {
+    server = await serve();
+    chromium = await launch();
+  });
+  after(async () => {
+    await chromium.close();
+    server.close();
+  });
+  const url = (/** @type {string} */ where) => `${server.origin}/${where}`;
+
+  for (const where of all) {
+    test(`${where}: no console error, no request off the origin`, async () => {
+      const { page, trouble, close } = await open(chromium.browser, url(where));
+      await loadFigures(page);
+      await page.evaluate(() => scrollTo(0, document.body.scrollHeight));
+      await page.waitForLoadState("networkidle");
+      assert.deepEqual(trouble, []);
+      await close();
+    });
+
+    for (const colorScheme of /** @type {const} */ (["light", "dark"]))
+      test(`${where}: axe finds nothing, ${colorScheme}`, async () => {
+        const { page, close } = await open(chromium.browser, url(where), {
+          colorScheme,
+          reducedMotion: "reduce",
+        });
+        await loadFigures(page);
+        const paper = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+        const [red = 0] = (paper.match(/\d+/g) ?? []).map(Number);
+        assert.equal(red > 127, colorScheme === "light", paper);
+        await page.addScriptTag({ path: require.resolve("axe-core/axe.min.js") });
+        const found = await page.evaluate(async () => {
+          const { violations } = await /** @type {any} */ (globalThis).axe.run(document, {
+            resultTypes: ["violations"],
+          });
+          return violations.map((/** @type {any} */ rule) => ({
+            rule: rule.id,
+            where: rule.nodes.map((/** @type {any} */ node) => `${node.target} ${node.failureSummary}`),
+          }));
+        });
+        assert.deepEqual(found, []);
+        await close();
+      });
+
+    test(`${where}: nothing sticks out on a phone`, async () => {
+      const { page, close } = await open(chromium.browser, url(where), {
+        viewport: { width: 360, height: 740 },
+        isMobile: true,
+        hasTouch: true,
+      });
+      await loadFigures(page);
+      const width = await page.evaluate(() => document.documentElement.scrollWidth);
+      assert.ok(width <= 360, `${width} pixels wide`);
+      await close();
+    });
+  }
+
+  for (const where of skip ? [] : lessons()) {
+    test(`${where}: complete without a script`, async () => {
+      const { page, trouble, close } = await open(chromium.browser, url(where), {
+        javaScriptEnabled: false,
+      });
+      const pictures = await page.locator("contact-figure > img").all();
+      assert.ok(pictures.length >= 2);
+      for (const picture of pictures) {
+        await picture.scrollIntoViewIfNeeded();
+        assert.ok(await picture.isVisible());
+        assert.ok(((await picture.getAttribute("alt")) ?? "").length > 20);
+      }
+      const questions = await page.locator("contact-question").all();
+      assert.ok(questions.length > 0);
+      for (const question of questions) {
+        const data = JSON.parse((await question.locator(":scope > script").textContent()) ?? "");
+        const asked = await question.locator(".asked").innerText();
+        assert.ok(asked.length > 10, data.id);
+        assert.ok(await question.locator("details").isVisible(), data.id);
+      }
+      assert.ok(await page.locator("contact-ladder svg").first().isVisible());
+      assert.ok(await page.locator("contact-ladder table").first().isVisible());
+      assert.deepEqual(trouble, []);
+      await close();
+    });
+
+    test(`${where}: on paper, dark ink on white and nothing to press`, async () => {
+      const { page, close } = await open(chromium.browser, url(where), { colorScheme: "dark" });
+      await loadFigures(page);
+      await page.emulateMedia({ media: "print" });
+      const figure = page.locator("contact-figure").first();
+      assert.ok(await figure.locator(".stage").isVisible());
+      assert.ok(await figure.locator(".computed").isVisible());
+      assert.equal(await figure.locator(".buttons").isVisible(), false);
+      assert.equal(await figure.locator(".inputs").isVisible(), false);
+      const paper = await figure
+        .locator(".live-parts")
+        .evaluate((node) => getComputedStyle(node).backgroundColor);
+      assert.equal(paper, "rgb(255, 255, 255)");
+      const pdf = await page.pdf();
+      assert.ok(pdf.length > 20000);
+      await close();
+    });
+  }
+});

@@ -1,0 +1,187 @@
+// Every question of every lesson is answered wrong, then right, by the means its kind has.
+
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { fieldsOf, launch, lessons, loadFigures, notRun, open, serve } from "./browser.mjs";
+import { inputsLike, native } from "./native.mjs";
+
+const skip = notRun();
+
+describe("questions", { skip }, () => {
+  /** @type {Awaited<ReturnType<typeof serve>>} */
+  let server;
+  /** @type {Awaited<ReturnType<typeof launch>>} */
+  let chromium;
+  before(async () => {
+    server = await serve();
+    chromium = await launch();
+  });
+  after(async () => {
+    await chromium.close();
+    server.close();
+  });
+
+  /** @typedef {import("playwright-core").Locator} Locator */
+  /** @type {Set<string>} */
+  const kinds = new Set();
+
+  const press = (/** @type {Locator} */ element, /** @type {string} */ name) =>
+    element.getByRole("button", { name, exact: true }).click();
+
+  /** Sorts the steps with their buttons. @param {Locator} element @param {any} question @param {number[]} wanted */
+  async function sort(element, question, wanted) {
+    const text = (/** @type {Locator} */ row) => row.locator(".step").innerHTML();
+    for (const [place, index] of wanted.entries()) {
+      for (;;) {
+        const rows = await element.locator("ol.steps > li").all();
+        const html = await Promise.all(rows.map(text));
+        const items = await element.evaluate((_, list) => {
+          const box = document.createElement("span");
+          return list.map((/** @type {string} */ item) => {
+            box.innerHTML = item;
+            return box.innerHTML;
+          });
+        }, question.items);
+        const at = html.indexOf(items[index]);
+        if (at === place) break;
+        await /** @type {Locator} */ (rows[at]).getByRole("button", { name: /^Move up/ }).click();
+      }
+    }
+  }
+
+  /** A state of the figure for which its C++ says yes, found by trying. */
+  function winning(/** @type {string} */ name, /** @type {string} */ goal, /** @type {any} */ like) {
+    for (let seed = 1; seed <= 20; ++seed) {
+      const inputs = inputsLike(like, 5000, seed);
+      const found = native(name, inputs).findIndex((output) => Number(output[goal]) >= 1);
+      if (found >= 0) return inputs[found];
+    }
+    throw new Error(`no state of ${name} reaches ${goal}`);
+  }
+
+  const answers = {
+    /** @param {Locator} element @param {any} question @param {boolean} right */
+    async predict(element, question, right) {
+      const wrong = question.answer + 1 + 10 * question.tolerance;
+      const value = right ? question.answer : wrong;
+      await element.locator('input[type="text"]').fill(`${value} ${question.unit}`);
+      await press(element, "Check");
+    },
+    /** @param {Locator} element @param {any} question @param {boolean} right */
+    async choose(element, question, right) {
+      const index = right ? question.answer : (question.answer + 1) % question.options.length;
+      await element.getByRole("radio").nth(index).check();
+      await press(element, "Check");
+    },
+    /** @param {Locator} element @param {any} question @param {boolean} right */
+    async order(element, question, right) {
+      await sort(element, question, right ? question.answer : [...question.answer].reverse());
+      await press(element, "Check");
+    },
+    /** @param {Locator} element @param {any} question @param {boolean} right */
+    async construct(element, question, right) {
+      const figure = element.page().locator(`contact-figure[name="${question.figure}"]`);
+      if (right) {
+        const like = await fieldsOf(figure, "input");
+        const state = winning(question.figure, question.goal, like);
+        await figure.evaluate((/** @type {any} */ it, fields) => it.set(fields), state);
+        await element.getByText("does what is asked now").waitFor();
+      } else await figure.evaluate((/** @type {any} */ it) => it.reset());
+      await press(element, "Check the figure");
+    },
+  };
+
+  for (const where of skip ? [] : lessons())
+    test(`${where}: every question, wrong then right`, async () => {
+      const { page, trouble, close } = await open(chromium.browser, `${server.origin}/${where}`);
+      await loadFigures(page);
+      const all = await page.locator("contact-question").all();
+      assert.ok(all.length > 0);
+      for (const element of all) {
+        const text = await element.locator(":scope > script").textContent();
+        const question = JSON.parse(text ?? "");
+        const answer = answers[/** @type {keyof typeof answers} */ (question.kind)];
+        kinds.add(question.kind);
+        const explain = element.locator(".explain");
+        await answer(element, question, false);
+        assert.equal(await element.getAttribute("result"), "wrong", question.id);
+        assert.equal((await explain.innerHTML()).trim(), "", question.id);
+        await press(element, "Try again");
+        assert.equal(await element.getAttribute("result"), null);
+        await answer(element, question, true);
+        assert.equal(await element.getAttribute("result"), "right", question.id);
+        assert.ok((await explain.innerText()).length > 10, question.id);
+        const kept = await page.evaluate(
+          (id) => JSON.parse(localStorage.getItem("contact-hours/1/questions") ?? "{}")[id],
+          question.id,
+        );
+        assert.equal(kept.right, true);
+        assert.equal(kept.tries, 2);
+      }
+      assert.deepEqual(trouble, []);
+      await close();
+    });
+
+  test("there was a question of each kind", () => {
+    assert.deepEqual([...kinds].sort(), ["choose", "construct", "order", "predict"]);
+  });
+
+  /** The first question of a kind, with what it says. @param {string} kind */
+  async function first(kind) {
+    for (const where of lessons()) {
+      const shown = await open(chromium.browser, `${server.origin}/${where}`);
+      for (const element of await shown.page.locator("contact-question").all()) {
+        const question = JSON.parse((await element.locator(":scope > script").textContent()) ?? "");
+        if (question.kind === kind) return { ...shown, element, question };
+      }
+      await shown.close();
+    }
+    throw new Error(`no question to ${kind}`);
+  }
+
+  test("a prediction without its unit is not judged, and nonsense is refused", async () => {
+    const { page, element, question, close } = await first("predict");
+    const box = element.locator('input[type="text"]');
+    await box.fill("soon");
+    await page.keyboard.press("Tab");
+    await press(element, "Check");
+    await element.getByText("Begin with a number").waitFor();
+    assert.equal(await element.getAttribute("result"), null);
+    if (question.unit) {
+      await box.fill(String(question.answer));
+      await box.press("Enter");
+      assert.equal(await element.getAttribute("result"), null);
+    }
+    await box.fill(`${question.answer + 100} ${question.unit}`);
+    await box.press("Enter");
+    assert.equal(await element.getAttribute("result"), "wrong");
+    assert.equal(await box.isEditable(), false);
+    await press(element, "Show the answer");
+    assert.ok((await element.locator(".explain").innerText()).length > 10);
+    await close();
+  });
+
+  test("steps are moved by arrow keys and by dragging", async () => {
+    const { page, element, close } = await first("order");
+    const rows = element.locator("ol.steps > li");
+    const order = () => rows.locator(".step").allInnerTexts();
+    const start = await order();
+    await element.scrollIntoViewIfNeeded();
+    await rows.nth(0).getByRole("button", { name: /^Move down/ }).focus();
+    await page.keyboard.press("ArrowDown");
+    const [first0, second0, ...rest] = start;
+    assert.deepEqual(await order(), [second0, first0, ...rest]);
+    assert.ok(await rows.nth(1).getByRole("button", { name: /^Move down/ }).evaluate(
+      (node) => node === document.activeElement || node.matches(":disabled"),
+    ));
+    const from = await rows.nth(1).locator(".step").boundingBox();
+    const to = await rows.nth(0).locator(".step").boundingBox();
+    assert.ok(from && to);
+    await page.mouse.move(from.x + 5, from.y + from.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(to.x + 5, to.y + to.height / 2, { steps: 6 });
+    await page.mouse.up();
+    assert.deepEqual(await order(), start);
+    await close();
+  });
+});
