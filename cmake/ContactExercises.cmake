@@ -170,13 +170,12 @@ function(contact_add_exercise chapter name)
   set_property(GLOBAL APPEND_STRING PROPERTY CONTACT_EXERCISES_JSON
     "${CONTACT_JSON_SEPARATOR}\n    \"${chapter}/${name}\": {
       \"include\": [\"${contract_dir}\"],
-      \"tests\": \"${out}/tests.o\",
-      \"server\": \"${out}/server.o\",
-      \"asks\": \"${out}/asks\",
       \"target\": \"${target}\",
-      \"test_object\": \"$<TARGET_OBJECTS:${target}_tests>\",
-      \"proxy_object\": \"$<TARGET_OBJECTS:${target}_proxy>\",
-      \"server_object\": \"$<TARGET_OBJECTS:${target}_server>\"
+      \"test_object\": \"${out}/tests.o\",
+      \"server_object\": \"${out}/server.o\",
+      \"asks\": \"${out}/asks\",
+      \"compiled_tests\": \"$<TARGET_OBJECTS:${target}_tests>\",
+      \"proxy_object\": \"$<TARGET_OBJECTS:${target}_proxy>\"
     }")
   set(CONTACT_JSON_SEPARATOR "," PARENT_SCOPE)
 endfunction()

@@ -3,13 +3,14 @@
 namespace exercise {
 
 // Möller and Trumbore: solve origin + t·d = a + β·e₁ + γ·e₂ for t, β and γ by Cramer's rule.
-std::optional<contact::TriangleHit<double>> ray_triangle(const contact::Ray<double>& ray,
-                                                         const contact::Triangle<double>& triangle) {
+std::optional<contact::TriangleHit<double>> ray_triangle(
+    const contact::Ray<double>& ray, const contact::Triangle<double>& triangle) {
   const Eigen::Vector3d e1 = triangle.b - triangle.a;
   const Eigen::Vector3d e2 = triangle.c - triangle.a;
   const Eigen::Vector3d p = ray.direction.cross(e2);
   const double det = e1.dot(p);
-  // No tolerance: a determinant is as small as the triangle is, and what counts as parallel must not depend on that.
+  // No tolerance: a determinant is as small as the triangle is, and what counts as parallel must
+  // not depend on that.
   if (det == 0) return std::nullopt;
 
   const Eigen::Vector3d s = ray.origin - triangle.a;

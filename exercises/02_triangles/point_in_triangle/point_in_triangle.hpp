@@ -1,0 +1,24 @@
+/// @file
+/// Exercise: from three dimensions to two, and is the point inside?
+#pragma once
+
+#include <contact/prelude.hpp>
+
+namespace exercise {
+
+/// The dimension (0 for x, 1 for y, 2 for z) to leave out when points of a plane are looked at in
+/// two dimensions: the one along which a triangle in that plane keeps the most of its area. If
+/// several are equally good, any of them.
+///
+/// @param normal of the plane; not zero, of any length
+int dropped_dimension(const Eigen::Vector3d& normal);
+
+/// Whether the point is in the triangle a, b, c, sides and corners included.
+///
+/// The corners may run either way round. A triangle without area contains nothing.
+///
+/// @param point, a, b, c in m
+bool point_in_triangle(const Eigen::Vector2d& point, const Eigen::Vector2d& a,
+                       const Eigen::Vector2d& b, const Eigen::Vector2d& c);
+
+}  // namespace exercise

@@ -1,0 +1,25 @@
+// misconception: equal-weights
+// caught by: temperature and velocity are blended by the weights
+#include "barycentric_interpolation.hpp"
+
+namespace exercise {
+
+Eigen::Vector3d barycentric(const contact::Triangle<double>& triangle,
+                            const Eigen::Vector3d& point) {
+  const Eigen::Vector3d e1 = triangle.b - triangle.a;
+  const Eigen::Vector3d e2 = triangle.c - triangle.a;
+  const Eigen::Vector3d n = e1.cross(e2);  // as long as twice the triangle's area
+  if (n.squaredNorm() == 0) throw std::invalid_argument("triangle: it has no area");
+
+  const Eigen::Vector3d x = point - triangle.a;
+  const double gamma = n.dot(e1.cross(x)) / n.squaredNorm();
+  const double beta = n.dot(x.cross(e2)) / n.squaredNorm();
+  return {1 - beta - gamma, beta, gamma};
+}
+
+Air interpolated(const Air& a, const Air& b, const Air& c, const Eigen::Vector3d& weights) {
+  return {(a.temperature + b.temperature + c.temperature) / 3,
+          (a.velocity + b.velocity + c.velocity) / 3};
+}
+
+}  // namespace exercise

@@ -1,0 +1,26 @@
+// misconception: unsigned-areas
+// caught by: beyond a side, the weight of the corner opposite is negative
+#include "barycentric_interpolation.hpp"
+
+namespace exercise {
+
+Eigen::Vector3d barycentric(const contact::Triangle<double>& triangle,
+                            const Eigen::Vector3d& point) {
+  const Eigen::Vector3d e1 = triangle.b - triangle.a;
+  const Eigen::Vector3d e2 = triangle.c - triangle.a;
+  const Eigen::Vector3d n = e1.cross(e2);  // as long as twice the triangle's area
+  if (n.squaredNorm() == 0) throw std::invalid_argument("triangle: it has no area");
+
+  const Eigen::Vector3d x = point - triangle.a;
+  const double gamma = e1.cross(x).norm() / n.norm();
+  const double beta = x.cross(e2).norm() / n.norm();
+  const double alpha = (triangle.b - point).cross(triangle.c - point).norm() / n.norm();
+  return {alpha, beta, gamma};
+}
+
+Air interpolated(const Air& a, const Air& b, const Air& c, const Eigen::Vector3d& weights) {
+  return {weights[0] * a.temperature + weights[1] * b.temperature + weights[2] * c.temperature,
+          weights[0] * a.velocity + weights[1] * b.velocity + weights[2] * c.velocity};
+}
+
+}  // namespace exercise
