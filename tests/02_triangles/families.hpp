@@ -46,9 +46,10 @@ inline Aimed random(generators::Random& random) {
   const contact::Triangle<float> triangle{random_point(random), random_point(random),
                                           random_point(random)};
   const contact::Vector3<float> origin = random_point(random);
+  const double along_ab = random.uniform(-0.5, 1.5);
+  const double towards_c = random.uniform(-0.5, 1.5);
   const contact::Vector3<float> target =
-      between(between(triangle.a, triangle.b, random.uniform(-0.5, 1.5)), triangle.c,
-              random.uniform(-0.5, 1.5));
+      between(between(triangle.a, triangle.b, along_ab), triangle.c, towards_c);
   return {towards(origin, target), {triangle, triangle}, 1};
 }
 
