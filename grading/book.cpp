@@ -42,7 +42,8 @@ std::vector<fs::path> folders_in(const fs::path& parent) {
   std::vector<fs::path> result;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(parent, error)) {
-    if (entry.is_directory() && entry.path().filename().string().front() != '.') result.push_back(entry.path());
+    if (entry.is_directory() && entry.path().filename().string().front() != '.')
+      result.push_back(entry.path());
   }
   std::sort(result.begin(), result.end());
   return result;
@@ -123,13 +124,14 @@ Exercise read_exercise(const fs::path& root, const std::string& chapter, const s
   exercise.hints = texts_of(table, "hints");
   exercise.misconceptions = texts_of(table, "misconceptions");
   exercise.time_limit = table["time_limit"].value_or(exercise.time_limit);
-  if (!(exercise.time_limit > 0.0)) throw BookError(file.string() + ": time_limit must be above zero");
+  if (!(exercise.time_limit > 0.0))
+    throw BookError(file.string() + ": time_limit must be above zero");
   if (const toml::array* list = table["tests"].as_array()) {
     for (const toml::node& node : *list) {
       const toml::table* test = node.as_table();
       if (test == nullptr) throw BookError(file.string() + ": each of [[tests]] must be a table");
-      exercise.tests.push_back({text_of(*test, "name"), (*test)["points"].value_or(0.0), texts_of(*test, "requires"),
-                                (*test)["withheld"].value_or(false)});
+      exercise.tests.push_back({text_of(*test, "name"), (*test)["points"].value_or(0.0),
+                                texts_of(*test, "requires"), (*test)["withheld"].value_or(false)});
     }
   }
   if (exercise.tests.empty()) throw BookError(file.string() + ": it lists no [[tests]]");
@@ -154,17 +156,21 @@ void Book::read_chapters() {
 }
 
 void Book::read_exercises() {
-  // The chapter says the order; a folder that it does not mention comes after, so that nothing is invisible.
+  // The chapter says the order; a folder that it does not mention comes after, so that nothing is
+  // invisible.
   std::vector<std::string> slugs;
-  for (const fs::path& folder : folders_in(root_ / "exercises")) slugs.push_back(folder.filename().string());
+  for (const fs::path& folder : folders_in(root_ / "exercises"))
+    slugs.push_back(folder.filename().string());
   for (const std::string& slug : slugs) {
     std::vector<std::string> names;
-    const auto chapter = std::find_if(chapters_.begin(), chapters_.end(),
-                                      [&](const Chapter& candidate) { return candidate.slug == slug; });
+    const auto chapter =
+        std::find_if(chapters_.begin(), chapters_.end(),
+                     [&](const Chapter& candidate) { return candidate.slug == slug; });
     std::set<std::string> seen;
     if (chapter != chapters_.end()) {
       for (const std::string& name : chapter->exercise_names) {
-        if (fs::exists(root_ / "exercises" / slug / name / "exercise.toml") && seen.insert(name).second)
+        if (fs::exists(root_ / "exercises" / slug / name / "exercise.toml") &&
+            seen.insert(name).second)
           names.push_back(name);
       }
     }
@@ -215,7 +221,8 @@ const Exercise* Book::find_exercise(std::string_view name) const {
     for (const Exercise* exercise : found) text += exercise->id() + " ";
     throw UnknownName(text + "(give the chapter too)");
   }
-  // A path: the last component that names an exercise wins, read together with a chapter folder before it.
+  // A path: the last component that names an exercise wins, read together with a chapter folder
+  // before it.
   const fs::path path{std::string(name)};
   std::vector<std::string> parts;
   for (const fs::path& part : path) parts.push_back(part.string());
@@ -225,7 +232,8 @@ const Exercise* Book::find_exercise(std::string_view name) const {
     for (const Exercise& exercise : exercises_) {
       if (exercise.name != parts[i]) continue;
       for (std::size_t j = 0; j < i; ++j) {
-        if (const Chapter* chapter = find_chapter(parts[j]); chapter != nullptr && chapter->slug == exercise.chapter)
+        if (const Chapter* chapter = find_chapter(parts[j]);
+            chapter != nullptr && chapter->slug == exercise.chapter)
           return &exercise;
       }
     }
@@ -256,7 +264,8 @@ const Exercise& Book::exercise(std::string_view name) const {
 
 const Chapter* Book::find_chapter(std::string_view name) const {
   while (!name.empty() && name.back() == '/') name.remove_suffix(1);
-  if (const std::size_t slash = name.rfind('/'); slash != std::string_view::npos) name.remove_prefix(slash + 1);
+  if (const std::size_t slash = name.rfind('/'); slash != std::string_view::npos)
+    name.remove_prefix(slash + 1);
   for (const Chapter& chapter : chapters_) {
     if (chapter.slug == name || without_number(chapter.slug) == name) return &chapter;
     if (all_digits(name) && name.size() <= 4 && all_digits(chapter.slug.substr(0, 2)) &&
@@ -285,14 +294,17 @@ fs::path find_root() {
   };
   if (const char* given = std::getenv("CONTACT_ROOT"); given != nullptr && *given != '\0') {
     const fs::path root = fs::absolute(given).lexically_normal();
-    if (!is_root(root)) throw BookError("CONTACT_ROOT is " + root.string() + ", which holds no chapters/ and exercises/");
+    if (!is_root(root))
+      throw BookError("CONTACT_ROOT is " + root.string() +
+                      ", which holds no chapters/ and exercises/");
     return root;
   }
   for (fs::path folder = fs::current_path();; folder = folder.parent_path()) {
     if (is_root(folder)) return folder;
     if (folder == folder.parent_path()) break;
   }
-  throw BookError("this is not inside the book: no folder from here upwards holds chapters/ and exercises/");
+  throw BookError(
+      "this is not inside the book: no folder from here upwards holds chapters/ and exercises/");
 }
 
 fs::path find_work(const fs::path& root) {
@@ -305,7 +317,8 @@ std::vector<std::string> nearest(std::string_view name, const std::vector<std::s
   std::vector<std::pair<std::size_t, std::string>> ranked;
   for (const std::string& candidate : names) {
     const std::size_t distance = edit_distance(name, candidate);
-    if (distance <= std::max<std::size_t>(2, name.size() / 3)) ranked.emplace_back(distance, candidate);
+    if (distance <= std::max<std::size_t>(2, name.size() / 3))
+      ranked.emplace_back(distance, candidate);
   }
   std::sort(ranked.begin(), ranked.end());
   std::vector<std::string> result;
@@ -322,7 +335,8 @@ std::string read_text(const fs::path& file) {
 }
 
 void write_text(const fs::path& file, std::string_view text) {
-  const fs::path partial = file.parent_path() / ("." + file.filename().string() + "." + std::to_string(::getpid()));
+  const fs::path partial =
+      file.parent_path() / ("." + file.filename().string() + "." + std::to_string(::getpid()));
   {
     std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
     stream.write(text.data(), static_cast<std::streamsize>(text.size()));
@@ -330,7 +344,8 @@ void write_text(const fs::path& file, std::string_view text) {
     if (!stream) {
       std::error_code ignored;
       fs::remove(partial, ignored);
-      throw BookError("cannot write " + file.string() + " (is the disk full, or the folder read-only?)");
+      throw BookError("cannot write " + file.string() +
+                      " (is the disk full, or the folder read-only?)");
     }
   }
   std::error_code error;

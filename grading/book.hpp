@@ -1,6 +1,7 @@
 #pragma once
 
-// The book as the command line sees it: chapters, exercises and misconceptions, read from their folders.
+// The book as the command line sees it: chapters, exercises and misconceptions, read from their
+// folders.
 
 #include <filesystem>
 #include <map>
@@ -89,7 +90,8 @@ struct BookProblem {
   std::string what;
 };
 
-/// Everything under one project root. A broken file is kept as a problem, so that the rest stays usable.
+/// Everything under one project root. A broken file is kept as a problem, so that the rest stays
+/// usable.
 class Book {
  public:
   /// Reads the folders under `root`; the student's copies live in `work`.
@@ -103,7 +105,9 @@ class Book {
   [[nodiscard]] const std::vector<Chapter>& chapters() const { return chapters_; }
   /// Exercises in the order of chapter.toml, chapter by chapter.
   [[nodiscard]] const std::vector<Exercise>& exercises() const { return exercises_; }
-  [[nodiscard]] const std::map<std::string, Misconception>& misconceptions() const { return misconceptions_; }
+  [[nodiscard]] const std::map<std::string, Misconception>& misconceptions() const {
+    return misconceptions_;
+  }
   [[nodiscard]] const std::vector<BookProblem>& problems() const { return problems_; }
 
   [[nodiscard]] std::filesystem::path work_file(const Exercise& exercise) const;
@@ -136,9 +140,11 @@ class Book {
 };
 
 /// Reads one exercise folder. @throws BookError naming file and line.
-Exercise read_exercise(const std::filesystem::path& root, const std::string& chapter, const std::string& name);
+Exercise read_exercise(const std::filesystem::path& root, const std::string& chapter,
+                       const std::string& name);
 
-/// The project root: CONTACT_ROOT if set, else the nearest folder upwards that holds chapters/ and exercises/.
+/// The project root: CONTACT_ROOT if set, else the nearest folder upwards that holds chapters/ and
+/// exercises/.
 /// @throws BookError if there is none.
 std::filesystem::path find_root();
 
@@ -151,7 +157,8 @@ std::vector<std::string> nearest(std::string_view name, const std::vector<std::s
 /// The whole file as text. @throws BookError if it cannot be read.
 std::string read_text(const std::filesystem::path& file);
 
-/// Writes beside the target and renames, so that a reader never sees half a file. @throws BookError.
+/// Writes beside the target and renames, so that a reader never sees half a file. @throws
+/// BookError.
 void write_text(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace contact::grading

@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include <fcntl.h>
-#include <nlohmann/json.hpp>
 #include <sys/file.h>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include "build_messages.hpp"
 
@@ -36,8 +36,8 @@ void newest_in(const fs::path& folder, fs::file_time_type& newest) {
   }
 }
 
-// When any file last changed that the compiled tests may be made of. A superset is fine: after a build, the stamp says
-// that everything of that time is built.
+// When any file last changed that the compiled tests may be made of. A superset is fine: after a
+// build, the stamp says that everything of that time is built.
 fs::file_time_type newest_source(const Book& book, const Exercise& exercise) {
   fs::file_time_type newest = modified(exercise.contract);
   newest = std::max(newest, modified(exercise.test_source));
@@ -61,10 +61,13 @@ void touch(const fs::path& stamp, fs::file_time_type time) {
 }
 
 std::vector<std::string> texts(const nlohmann::json& json, const char* key) {
-  return json.contains(key) ? json.at(key).get<std::vector<std::string>>() : std::vector<std::string>{};
+  return json.contains(key) ? json.at(key).get<std::vector<std::string>>()
+                            : std::vector<std::string>{};
 }
 
-std::string target_of(const Exercise& exercise) { return "exercise_" + exercise.chapter + "_" + exercise.name; }
+std::string target_of(const Exercise& exercise) {
+  return "exercise_" + exercise.chapter + "_" + exercise.name;
+}
 
 std::string last_lines(const std::string& text, int count) {
   std::size_t at = text.size();
@@ -86,7 +89,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 // Two builds in one folder spoil each other's work; the script ./contact takes the same lock.
 class BuildLock {
  public:
-  BuildLock(Loop& loop, const fs::path& file) : descriptor_(::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644)) {
+  BuildLock(Loop& loop, const fs::path& file)
+      : descriptor_(::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644)) {
     if (descriptor_ < 0) return;
     while (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       loop.poll();
@@ -125,7 +129,8 @@ std::vector<std::string> functions_defined_in(Loop& loop, const fs::path& object
 BuildDescription read_build_description(const fs::path& build_dir) {
   const fs::path file = build_dir / "exercises.json";
   if (!fs::exists(file))
-    throw BookError("the exercises are not built yet (" + file.string() + " is missing): run ./contact setup");
+    throw BookError("the exercises are not built yet (" + file.string() +
+                    " is missing): run ./contact setup");
   try {
     const nlohmann::json json = nlohmann::json::parse(read_text(file));
     BuildDescription build;
@@ -136,8 +141,8 @@ BuildDescription read_build_description(const fs::path& build_dir) {
     build.link_flags = texts(json, "link_flags");
     build.support_libs = texts(json, "support_libs");
     for (const auto& [id, entry] : json.at("exercises").items())
-      build.test_objects[id] = entry.at("test_object").get<std::string>();
-    build.written = modified(file);
+      build.exercises[id] = {entry.at("tests").get<std::string>(),
+                             entry.at("target").get<std::string>(), texts(entry, "include")};
     return build;
   } catch (const nlohmann::json::exception& error) {
     throw BookError(file.string() + " is not understood: " + error.what());
@@ -145,13 +150,14 @@ BuildDescription read_build_description(const fs::path& build_dir) {
 }
 
 bool tests_are_stale(const Book& book, const BuildDescription& build, const Exercise& exercise) {
-  const auto object = build.test_objects.find(exercise.id());
-  if (object == build.test_objects.end() || !fs::exists(object->second)) return true;
+  const auto bundle = build.exercises.find(exercise.id());
+  if (bundle == build.exercises.end() || !fs::exists(bundle->second.tests)) return true;
   if (!build.pch.empty() && !fs::exists(build.pch + ".gch")) return true;
   for (const std::string& library : build.support_libs) {
     if (!fs::exists(library)) return true;
   }
-  const fs::file_time_type built = std::max(modified(object->second), modified(stamp_of(book, exercise)));
+  const fs::file_time_type built =
+      std::max(modified(bundle->second.tests), modified(stamp_of(book, exercise)));
   return newest_source(book, exercise) > built;
 }
 
@@ -175,44 +181,59 @@ void build_tests(Loop& loop, const Book& book, const std::vector<const Exercise*
     targets.push_back(target_of(*exercise));
     times.push_back(newest_source(book, *exercise));
   }
-  const std::string what = exercises.size() == 1 ? exercises.front()->id() : std::to_string(exercises.size()) + " exercises";
-  std::fprintf(stderr, "Building the tests of %s (once; they changed or are new) ...\n", what.c_str());
+  const std::string what = exercises.size() == 1 ? exercises.front()->id()
+                                                 : std::to_string(exercises.size()) + " exercises";
+  std::fprintf(stderr, "Building the tests of %s (once; they changed or are new) ...\n",
+               what.c_str());
   build_target(loop, book, targets);
   for (std::size_t i = 0; i < exercises.size(); ++i) touch(stamp_of(book, *exercises[i]), times[i]);
 }
 
-BuildDescription ready_build(Loop& loop, const Book& book, const std::vector<const Exercise*>& exercises) {
+BuildDescription ready_build(Loop& loop, const Book& book,
+                             const std::vector<const Exercise*>& exercises) {
   std::optional<BuildDescription> build;
-  if (fs::exists(book.build_dir() / "exercises.json")) build = read_build_description(book.build_dir());
+  if (fs::exists(book.build_dir() / "exercises.json"))
+    build = read_build_description(book.build_dir());
   std::vector<const Exercise*> stale;
   for (const Exercise* exercise : exercises) {
     if (!build || tests_are_stale(book, *build, *exercise)) stale.push_back(exercise);
   }
   if (stale.empty() && build) return *build;
   if (!fs::exists(book.build_dir() / "build.ninja") && !fs::exists(book.build_dir() / "Makefile"))
-    throw BookError("nothing is built yet in " + book.build_dir().string() + ": run ./contact setup");
+    throw BookError("nothing is built yet in " + book.build_dir().string() +
+                    ": run ./contact setup");
   if (!stale.empty()) build_tests(loop, book, stale);
-  return read_build_description(book.build_dir());
+  build = read_build_description(book.build_dir());
+  for (const Exercise* exercise : exercises) {
+    if (build->exercises.count(exercise->id()) == 0)
+      throw BookError("the build knows nothing of " + exercise->id() +
+                      ": its contract, stub, tests and solution must all exist");
+  }
+  return *build;
 }
 
-std::vector<std::string> compile_command(const BuildDescription& build, const Exercise& exercise, const fs::path& source,
-                                         const fs::path& object) {
+std::vector<std::string> compile_command(const BuildDescription& build, const Exercise& exercise,
+                                         const fs::path& source, const fs::path& object) {
   std::vector<std::string> command{build.compiler};
   command.insert(command.end(), build.compile_flags.begin(), build.compile_flags.end());
   // Nothing may come before the prelude, or the compiler cannot use its precompiled form.
   if (!build.pch.empty()) command.insert(command.end(), {"-include", build.pch});
-  command.push_back("-I" + exercise.folder.string());
   for (const std::string& folder : build.include) command.push_back("-I" + folder);
-  command.insert(command.end(), {"-fdiagnostics-color=never", "-c", source.string(), "-o", object.string()});
+  for (const std::string& folder : build.exercises.at(exercise.id()).include)
+    command.push_back("-I" + folder);
+  command.insert(command.end(),
+                 {"-fdiagnostics-color=never", "-c", source.string(), "-o", object.string()});
   return command;
 }
 
-CompiledFile compile(Loop& loop, const Book& book, const BuildDescription& build, const Exercise& exercise,
-                     const fs::path& source, const fs::path& folder) {
+CompiledFile compile(Loop& loop, const Book& book, const BuildDescription& build,
+                     const Exercise& exercise, const fs::path& source, const fs::path& folder,
+                     const std::vector<std::string>& more_include) {
   CompiledFile compiled;
   compiled.object = folder / (exercise.name + ".o");
   ProcessSpec spec;
   spec.command = compile_command(build, exercise, source, compiled.object);
+  for (const std::string& include : more_include) spec.command.push_back("-I" + include);
   spec.folder = book.root();
   // The messages are parsed, so they come in English and without a terminal's width.
   spec.environment = {{"LC_ALL", "C.UTF-8"}, {"COLUMNS", "0"}};
@@ -231,17 +252,19 @@ CompiledFile compile(Loop& loop, const Book& book, const BuildDescription& build
   return compiled;
 }
 
-std::vector<std::string> link_command(const BuildDescription& build, const Exercise& exercise, const fs::path& object,
-                                      const fs::path& program) {
-  std::vector<std::string> command{build.compiler, "-o", program.string(), object.string(),
-                                   build.test_objects.at(exercise.id())};
-  command.insert(command.end(), build.support_libs.begin(), build.support_libs.end());
+std::vector<std::string> link_command(const BuildDescription& build, const Exercise& exercise,
+                                      const fs::path& object, const fs::path& program) {
+  std::vector<std::string> command{build.compiler};
   command.insert(command.end(), build.link_flags.begin(), build.link_flags.end());
+  command.insert(command.end(), {object.string(), build.exercises.at(exercise.id()).tests});
+  command.insert(command.end(), build.support_libs.begin(), build.support_libs.end());
+  command.insert(command.end(), {"-o", program.string()});
   return command;
 }
 
-LinkedProgram link(Loop& loop, const Book& book, const BuildDescription& build, const Exercise& exercise,
-                   const fs::path& source, const fs::path& object, const fs::path& folder) {
+LinkedProgram link(Loop& loop, const Book& book, const BuildDescription& build,
+                   const Exercise& exercise, const fs::path& source, const fs::path& object,
+                   const fs::path& folder) {
   LinkedProgram linked;
   linked.program = folder / exercise.name;
   ProcessSpec spec;
@@ -253,7 +276,8 @@ LinkedProgram link(Loop& loop, const Book& book, const BuildDescription& build, 
   const ProcessResult result = run_process(loop, spec);
   linked.seconds = result.seconds;
   if (!result.succeeded())
-    linked.error = explain_link(result.errors, exercise, source, functions_defined_in(loop, object));
+    linked.error =
+        explain_link(result.errors, exercise, source, functions_defined_in(loop, object));
   return linked;
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
-// From a student's file to a program that runs an exercise's tests: one compile with the precompiled prelude, one link
-// with the tests that were compiled before. Neither CMake nor Ninja is started for it.
+// From a student's file to a program that runs an exercise's tests: one compile with the
+// precompiled prelude, one link with the tests that were compiled before. Neither CMake nor Ninja
+// is started for it.
 
 #include <filesystem>
 #include <map>
@@ -24,18 +25,23 @@ struct BuildDescription {
   std::string pch;
   std::vector<std::string> link_flags;
   std::vector<std::string> support_libs;
-  /// Test object of each exercise.
-  std::map<std::string, std::string> test_objects;
-  std::filesystem::file_time_type written;
+  struct Bundle {
+    std::string tests;   ///< one object that holds the tests, the asking, Catch2 and main
+    std::string target;  ///< what CMake calls it
+    std::vector<std::string> include;
+  };
+  std::map<std::string, Bundle> exercises;
 };
 
 /// @throws BookError if the file is missing or not understood.
 BuildDescription read_build_description(const std::filesystem::path& build_dir);
 
-/// Whether the compiled tests of an exercise are older than what they are made of. Costs a few dozen stat calls.
+/// Whether the compiled tests of an exercise are older than what they are made of. Costs a few
+/// dozen stat calls.
 bool tests_are_stale(const Book& book, const BuildDescription& build, const Exercise& exercise);
 
-/// Builds CMake targets, one build at a time with whatever else builds here (they share build/lock).
+/// Builds CMake targets, one build at a time with whatever else builds here (they share
+/// build/lock).
 /// @throws BookError with the end of what the build printed.
 void build_target(Loop& loop, const Book& book, const std::vector<std::string>& targets);
 
@@ -43,8 +49,10 @@ void build_target(Loop& loop, const Book& book, const std::vector<std::string>& 
 /// @throws BookError with the end of what the build printed.
 void build_tests(Loop& loop, const Book& book, const std::vector<const Exercise*>& exercises);
 
-/// Brings the compiled tests up to date if they are stale, and returns a description that knows them.
-BuildDescription ready_build(Loop& loop, const Book& book, const std::vector<const Exercise*>& exercises);
+/// Brings the compiled tests up to date if they are stale, and returns a description that knows
+/// them.
+BuildDescription ready_build(Loop& loop, const Book& book,
+                             const std::vector<const Exercise*>& exercises);
 
 struct CompiledFile {
   std::filesystem::path object;
@@ -53,9 +61,12 @@ struct CompiledFile {
   double seconds = 0.0;
 };
 
-/// Compiles a student's file for an exercise into `folder`. @throws BookError if the compiler cannot be started.
-CompiledFile compile(Loop& loop, const Book& book, const BuildDescription& build, const Exercise& exercise,
-                     const std::filesystem::path& source, const std::filesystem::path& folder);
+/// Compiles a student's file for an exercise into `folder`. @throws BookError if the compiler
+/// cannot be started.
+CompiledFile compile(Loop& loop, const Book& book, const BuildDescription& build,
+                     const Exercise& exercise, const std::filesystem::path& source,
+                     const std::filesystem::path& folder,
+                     const std::vector<std::string>& more_include = {});
 
 struct LinkedProgram {
   std::filesystem::path program;
@@ -64,14 +75,16 @@ struct LinkedProgram {
 };
 
 /// Links a student's object with the exercise's tests into `folder`.
-LinkedProgram link(Loop& loop, const Book& book, const BuildDescription& build, const Exercise& exercise,
-                   const std::filesystem::path& source, const std::filesystem::path& object,
-                   const std::filesystem::path& folder);
+LinkedProgram link(Loop& loop, const Book& book, const BuildDescription& build,
+                   const Exercise& exercise, const std::filesystem::path& source,
+                   const std::filesystem::path& object, const std::filesystem::path& folder);
 
 /// The command that compile() runs: for the benchmark, which measures it alone.
 std::vector<std::string> compile_command(const BuildDescription& build, const Exercise& exercise,
-                                         const std::filesystem::path& source, const std::filesystem::path& object);
+                                         const std::filesystem::path& source,
+                                         const std::filesystem::path& object);
 std::vector<std::string> link_command(const BuildDescription& build, const Exercise& exercise,
-                                      const std::filesystem::path& object, const std::filesystem::path& program);
+                                      const std::filesystem::path& object,
+                                      const std::filesystem::path& program);
 
 }  // namespace contact::grading

@@ -1,8 +1,8 @@
 #include "build_messages.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cctype>
+#include <charconv>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -48,7 +48,9 @@ bool same_file(const std::string& a, const fs::path& b) {
   return fs::path(a).lexically_normal() == b.lexically_normal();
 }
 
-bool identifier_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool identifier_character(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
 
 std::size_t end_of_brackets(const std::string& text, std::size_t open) {
   int depth = 0;
@@ -68,13 +70,17 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
 std::string readable(std::string text) {
   static const std::regex aka(R"( ?\{aka [^}]*\})");
   text = std::regex_replace(text, aka, "");
-  static const std::regex vector_long(R"(Eigen::Matrix<(\w+(?: \w+)?), ([234]), 1(?:, 0, [234], 1)?>)");
+  static const std::regex vector_long(
+      R"(Eigen::Matrix<(\w+(?: \w+)?), ([234]), 1(?:, 0, [234], 1)?>)");
   text = std::regex_replace(text, vector_long, "Vector$2<$1>");
   replace_all(text, "contact::Vector", "Vector");
-  replace_all(text, "std::__cxx11::basic_string<char, std::char_traits<char>, std::allocator<char> >", "std::string");
+  replace_all(text,
+              "std::__cxx11::basic_string<char, std::char_traits<char>, std::allocator<char> >",
+              "std::string");
   replace_all(text, "std::__cxx11::basic_string<char>", "std::string");
   // What an Eigen expression is made of helps nobody here.
-  for (std::size_t at = text.find("Eigen::"); at != std::string::npos; at = text.find("Eigen::", at + 1)) {
+  for (std::size_t at = text.find("Eigen::"); at != std::string::npos;
+       at = text.find("Eigen::", at + 1)) {
     std::size_t end = at + 7;
     while (end < text.size() && (identifier_character(text[end]) || text[end] == ':')) ++end;
     if (end < text.size() && text[end] == '<') {
@@ -87,7 +93,7 @@ std::string readable(std::string text) {
 
 // EIGEN_STATIC_ASSERT spells its sentence in capitals.
 std::string eigen_sentence(const std::string& message) {
-  static const std::regex pattern(R"(\b([A-Z][A-Z0-9]*(?:_+[A-Z0-9]+){3,})\b)");
+  static const std::regex pattern(R"(\b([A-Z][A-Z0-9]*(?:_+[A-Z0-9]+){2,})\b)");
   std::smatch match;
   if (!std::regex_search(message, match, pattern)) return {};
   std::string sentence = match[1];
@@ -105,7 +111,8 @@ std::string eigen_sentence(const std::string& message) {
 std::string line_of_file(const fs::path& file, int number) {
   try {
     const std::vector<std::string> lines = split_lines(read_text(file));
-    if (number >= 1 && static_cast<std::size_t>(number) <= lines.size()) return lines[static_cast<std::size_t>(number) - 1];
+    if (number >= 1 && static_cast<std::size_t>(number) <= lines.size())
+      return lines[static_cast<std::size_t>(number) - 1];
   } catch (const BookError&) {
     // A header that cannot be read has no line to show.
   }
@@ -117,8 +124,16 @@ std::string excerpt_at(const fs::path& file, int line, int column) {
   if (text.empty()) return {};
   const std::string number = std::to_string(line);
   std::string excerpt = "  " + number + " | " + text;
-  if (column > 0) excerpt += "\n  " + std::string(number.size(), ' ') + " | " + std::string(static_cast<std::size_t>(column) - 1, ' ') + "^";
+  if (column > 0)
+    excerpt += "\n  " + std::string(number.size(), ' ') + " | " +
+               std::string(static_cast<std::size_t>(column) - 1, ' ') + "^";
   return excerpt;
+}
+
+std::string library_of(const std::string& header) {
+  if (header.find("/Eigen/") != std::string::npos) return "Eigen";
+  if (header.find("/c++/") != std::string::npos) return "the standard library";
+  return fs::path(header).filename().string();
 }
 
 // What a message quotes: ‘name’ (g++) or 'name' (clang++).
@@ -140,35 +155,49 @@ std::vector<std::string> quoted_names(const std::string& message) {
   return names;
 }
 
-fs::path root_of(const Exercise& exercise) { return exercise.folder.parent_path().parent_path().parent_path(); }
+fs::path root_of(const Exercise& exercise) {
+  return exercise.folder.parent_path().parent_path().parent_path();
+}
 
 // The contract itself, then the plain shapes that contracts are written with.
 std::vector<fs::path> contract_files(const Exercise& exercise) {
   std::vector<fs::path> files{exercise.contract};
   std::error_code error;
-  for (const fs::directory_entry& chapter : fs::directory_iterator(root_of(exercise) / "chapters", error)) {
+  for (const fs::directory_entry& chapter :
+       fs::directory_iterator(root_of(exercise) / "chapters", error)) {
     const fs::path shapes = chapter.path() / "contact" / "shapes.hpp";
     if (fs::exists(shapes)) files.push_back(shapes);
   }
   return files;
 }
 
+// A line and those after it, to the end of the declaration.
+std::string declaration_at(const fs::path& file, int line) {
+  std::string text;
+  for (int next = line; next < line + 8; ++next) {
+    const std::string part = line_of_file(file, next);
+    text += (next > line ? "\n" : "") + part;
+    if (part.empty() || part.find_first_of(";{") != std::string::npos) break;
+  }
+  return text;
+}
+
 void add_contract(CompileError& error, const std::vector<ContractLine>& lines) {
   for (const ContractLine& line : lines) {
-    const bool known = std::any_of(error.contract.begin(), error.contract.end(), [&](const ContractLine& other) {
-      return other.file == line.file && other.line == line.line;
-    });
+    const bool known =
+        std::any_of(error.contract.begin(), error.contract.end(), [&](const ContractLine& other) {
+          return other.file == line.file && other.line == line.line;
+        });
     if (!known && error.contract.size() < 3) error.contract.push_back(line);
   }
 }
 
-// The contract's lines beside the error: those that the compiler's notes point at, else those that declare what the
-// message names.
+// The contract's lines beside the error: those that the compiler's notes point at, else those that
+// declare what the message names.
 void find_contract(CompileError& error, const Diagnostic& diagnostic, const Exercise& exercise) {
-  const std::string here = line_of_file(error.file, error.line);
   for (const Diagnostic& note : diagnostic.notes) {
     if (same_file(note.file, exercise.contract))
-      add_contract(error, {{note.file, note.line, line_of_file(exercise.contract, note.line)}});
+      add_contract(error, {{note.file, note.line, declaration_at(exercise.contract, note.line)}});
   }
   if (!error.contract.empty()) return;
   for (const fs::path& file : contract_files(exercise)) {
@@ -179,7 +208,28 @@ void find_contract(CompileError& error, const Diagnostic& diagnostic, const Exer
   }
 }
 
-std::string first_sentence(const std::string& message) { return readable(message); }
+// The student's definition that was probably meant for a missing one.
+std::string what_is_there_instead(const std::string& name, const std::string& symbol,
+                                  const Exercise& exercise,
+                                  const std::vector<std::string>& defined) {
+  const std::string qualified = symbol.substr(0, symbol.find('('));
+  std::vector<std::string> others;
+  for (const std::string& other : defined) {
+    const std::string other_qualified = other.substr(0, other.find('('));
+    if (other_qualified == qualified)
+      return "Your file defines " + readable(other) +
+             ", whose parameters are not the contract's: " + readable(symbol) + ".";
+    if (other_qualified == name || other_qualified.ends_with("::" + name))
+      return "Your file defines " + readable(other) + ", which is not in namespace exercise.";
+    if (other_qualified.starts_with("exercise::")) others.push_back(other_qualified.substr(10));
+  }
+  for (const std::string& other : nearest(name, others)) {
+    if (declaration_of(exercise.contract, other).empty())
+      return "Your file defines " + other + ", which the contract does not name: is it " + name +
+             ", misspelt?";
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -197,7 +247,8 @@ std::vector<Diagnostic> parse_diagnostics(std::string_view text) {
     static const std::regex severity(R"(^(fatal error|error|warning|note): (.*)$)");
     std::smatch match;
     if (!std::regex_match(head.rest, match, severity)) {
-      if (head.rest.find("required from") != std::string::npos || head.rest.find("required by") != std::string::npos)
+      if (head.rest.find("required from") != std::string::npos ||
+          head.rest.find("required by") != std::string::npos)
         required_from.emplace_back(head.file, head.line);
       latest = nullptr;
       continue;
@@ -241,20 +292,24 @@ std::vector<ContractLine> declaration_of(const fs::path& contract, const std::st
     for (std::size_t j = i; j < lines.size() && j < i + 12; ++j) {
       text += (j > i ? "\n" : "") + lines[j];
       const bool block = is_type && text.find('{') != std::string::npos;
-      if (block ? lines[j].find("};") != std::string::npos : lines[j].find(';') != std::string::npos) break;
+      if (block ? lines[j].find("};") != std::string::npos
+                : lines[j].find(';') != std::string::npos)
+        break;
     }
     return {{contract.string(), static_cast<int>(i) + 1, text}};
   }
   return {};
 }
 
-CompileError explain_compile(std::string_view text, const Exercise& exercise, const fs::path& source) {
+CompileError explain_compile(std::string_view text, const Exercise& exercise,
+                             const fs::path& source) {
   CompileError error;
   error.full = std::string(text);
   const std::vector<Diagnostic> diagnostics = parse_diagnostics(text);
-  const auto first = std::find_if(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& diagnostic) {
-    return diagnostic.severity == "error" || diagnostic.severity == "fatal error";
-  });
+  const auto first =
+      std::find_if(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& diagnostic) {
+        return diagnostic.severity == "error" || diagnostic.severity == "fatal error";
+      });
   if (first == diagnostics.end()) {
     error.file = source.string();
     const std::vector<std::string> lines = split_lines(text);
@@ -264,28 +319,34 @@ CompileError explain_compile(std::string_view text, const Exercise& exercise, co
   error.file = first->file;
   error.line = first->line;
   error.column = first->column;
-  error.message = first_sentence(first->message);
+  error.message = readable(first->message);
   error.excerpt = first->excerpt;
   if (!same_file(first->file, source)) {
-    // Raised in a header: the last step on the way there that lies in the student's file is where it came from.
+    // Raised in a header: the last step on the way there that lies in the student's file is where
+    // it came from.
     for (const auto& [file, line] : first->required_from) {
       if (!same_file(file, source)) continue;
       error.file = file;
       error.line = line;
       error.column = 0;
       error.excerpt = excerpt_at(source, line, 0);
-      error.explanation = "This line asks for something that " + fs::path(first->file).filename().string() +
-                          " cannot do.";
+      error.explanation = "The error is raised inside " + library_of(first->file) +
+                          ", by what this line asks of it.";
     }
   }
   if (const std::string said = eigen_sentence(first->message); !said.empty()) {
     error.message = "these types do not go together";
     error.explanation = said;
   }
+  if (first->message.find("ambiguating new declaration") != std::string::npos ||
+      first->message.find("differ only in their return type") != std::string::npos)
+    error.explanation = "The contract declares it with another return type.";
   find_contract(error, *first, exercise);
   try {
-    if (read_text(source).find("\"" + exercise.contract.filename().string() + "\"") == std::string::npos)
-      error.explanation = "The file does not include \"" + exercise.contract.filename().string() + "\", its contract.";
+    if (read_text(source).find("\"" + exercise.contract.filename().string() + "\"") ==
+        std::string::npos)
+      error.explanation = "The file does not include \"" + exercise.contract.filename().string() +
+                          "\", its contract.";
   } catch (const BookError&) {
     error.explanation = "The file cannot be read.";
   }
@@ -296,7 +357,8 @@ std::vector<std::string> warnings_of(std::string_view text, const fs::path& sour
   std::vector<std::string> result;
   for (const Diagnostic& diagnostic : parse_diagnostics(text)) {
     if (diagnostic.severity == "warning" && same_file(diagnostic.file, source))
-      result.push_back("line " + std::to_string(diagnostic.line) + ": " + readable(diagnostic.message));
+      result.push_back("line " + std::to_string(diagnostic.line) + ": " +
+                       readable(diagnostic.message));
   }
   return result;
 }
@@ -306,19 +368,22 @@ CompileError explain_link(std::string_view text, const Exercise& exercise, const
   CompileError error;
   error.full = std::string(text);
   error.file = source.string();
-  static const std::regex undefined(R"((?:undefined reference to [`']|undefined symbol: )(.*?)'?$)");
+  static const std::regex undefined(
+      R"((?:undefined reference to [`']|undefined symbol: )(.*?)'?$)");
   static const std::regex multiple(R"((?:multiple definition of [`']|duplicate symbol: )([^']*))");
   std::vector<std::string> missing;
   for (const std::string& line : split_lines(text)) {
     std::smatch match;
     if (std::regex_search(line, match, multiple)) {
       error.message = std::string(match[1]) + " is defined twice";
-      error.explanation = match[1] == "main" ? "The tests bring their own main(); yours must go."
-                                             : "The tests or the book define it too; give yours another name.";
+      error.explanation = match[1] == "main"
+                              ? "The tests bring their own main(); yours must go."
+                              : "The tests or the book define it too; give yours another name.";
       return error;
     }
     if (!std::regex_search(line, match, undefined)) continue;
-    if (std::find(missing.begin(), missing.end(), match[1]) == missing.end()) missing.push_back(match[1]);
+    if (std::find(missing.begin(), missing.end(), match[1]) == missing.end())
+      missing.push_back(match[1]);
   }
   if (missing.empty()) {
     const std::vector<std::string> lines = split_lines(text);
@@ -328,19 +393,13 @@ CompileError explain_link(std::string_view text, const Exercise& exercise, const
   std::string names;
   for (const std::string& symbol : missing) {
     const std::string qualified = symbol.substr(0, symbol.find('('));
-    const std::string name = qualified.substr(qualified.rfind(':') == std::string::npos ? 0 : qualified.rfind(':') + 1);
+    const std::string name =
+        qualified.substr(qualified.rfind(':') == std::string::npos ? 0 : qualified.rfind(':') + 1);
     const std::vector<ContractLine> declared = declaration_of(exercise.contract, name);
     add_contract(error, declared);
     if (!declared.empty()) names += (names.empty() ? "" : ", ") + name;
     if (!error.explanation.empty() || declared.empty()) continue;
-    for (const std::string& other : defined) {
-      const std::string other_qualified = other.substr(0, other.find('('));
-      if (other_qualified == name)
-        error.explanation = "Your file defines " + name + " outside namespace exercise.";
-      else if (other_qualified == qualified)
-        error.explanation = "Your file defines " + readable(other) + ", whose parameters are not the contract's: " +
-                            readable(symbol) + ".";
-    }
+    error.explanation = what_is_there_instead(name, symbol, exercise, defined);
   }
   if (names.empty()) {
     error.message = readable(missing.front()) + " is used but defined nowhere";

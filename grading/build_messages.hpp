@@ -1,7 +1,7 @@
 #pragma once
 
-// What a compiler or linker printed, reduced to what helps: its first error at a line of the student's file, and the
-// line of the contract that it is about.
+// What a compiler or linker printed, reduced to what helps: its first error at a line of the
+// student's file, and the line of the contract that it is about.
 
 #include <filesystem>
 #include <string>
@@ -28,16 +28,20 @@ struct Diagnostic {
 std::vector<Diagnostic> parse_diagnostics(std::string_view text);
 
 /// The first error, told at the student's line even where a template of a library raised it.
-CompileError explain_compile(std::string_view text, const Exercise& exercise, const std::filesystem::path& source);
+CompileError explain_compile(std::string_view text, const Exercise& exercise,
+                             const std::filesystem::path& source);
 
 /// Warnings at lines of the student's file, one line each.
 std::vector<std::string> warnings_of(std::string_view text, const std::filesystem::path& source);
 
 /// A link error; `defined` lists the functions that the student's object defines, demangled.
-CompileError explain_link(std::string_view text, const Exercise& exercise, const std::filesystem::path& source,
+CompileError explain_link(std::string_view text, const Exercise& exercise,
+                          const std::filesystem::path& source,
                           const std::vector<std::string>& defined);
 
-/// The lines of the contract that declare a name (a function, a struct), to the end of the declaration.
-std::vector<ContractLine> declaration_of(const std::filesystem::path& contract, const std::string& name);
+/// The lines of the contract that declare a name (a function, a struct), to the end of the
+/// declaration.
+std::vector<ContractLine> declaration_of(const std::filesystem::path& contract,
+                                         const std::string& name);
 
 }  // namespace contact::grading

@@ -16,10 +16,12 @@ namespace {
 
 constexpr const char* format_name = "contact-progress/1";
 
-// Two programs may record at once (a watch and a check): the file is read, changed and written under this lock.
+// Two programs may record at once (a watch and a check): the file is read, changed and written
+// under this lock.
 class FileLock {
  public:
-  explicit FileLock(const fs::path& file) : descriptor_(::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644)) {
+  explicit FileLock(const fs::path& file)
+      : descriptor_(::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644)) {
     if (descriptor_ >= 0) ::flock(descriptor_, LOCK_EX);
   }
   ~FileLock() {
@@ -84,9 +86,11 @@ void Progress::load() {
     aside += formatted_time(".broken-%Y%m%d-%H%M%S");
     std::error_code failed;
     fs::rename(file_, aside, failed);
-    if (failed) throw BookError(file_.string() + " could not be read (" + error.what() + ") nor put aside: " + failed.message());
-    notice_ = file_.string() + " could not be read (" + error.what() + "). It is kept as " + aside.string() +
-              ", and progress starts anew.";
+    if (failed)
+      throw BookError(file_.string() + " could not be read (" + error.what() +
+                      ") nor put aside: " + failed.message());
+    notice_ = file_.string() + " could not be read (" + error.what() + "). It is kept as " +
+              aside.string() + ", and progress starts anew.";
   }
 }
 
@@ -124,13 +128,15 @@ void Progress::change(const std::string& exercise, Change apply) {
 
 void Progress::record(const Verdict& verdict) {
   // What does not compile, and what still says todo() everywhere, is no attempt.
-  if (verdict.outcome == Outcome::does_not_compile || verdict.outcome == Outcome::not_attempted) return;
+  if (verdict.outcome == Outcome::does_not_compile || verdict.outcome == Outcome::not_attempted)
+    return;
   change(verdict.exercise, [&](nlohmann::json& entry) {
     entry["attempts"] = read(entry, "attempts", 0) + 1;
     entry["best_points"] = std::max(read(entry, "best_points", 0.0), verdict.points);
     entry["max_points"] = verdict.max_points;
     entry["last_checked"] = now_utc();
-    if (verdict.outcome == Outcome::passed && read(entry, "passed", std::string()).empty()) entry["passed"] = now_utc();
+    if (verdict.outcome == Outcome::passed && read(entry, "passed", std::string()).empty())
+      entry["passed"] = now_utc();
     entry["tests"] = nlohmann::json::object();
     for (const TestVerdict& test : verdict.tests) entry["tests"][test.name] = key(test.status);
   });

@@ -1,6 +1,7 @@
 #pragma once
 
-// work/progress.json: what a reader has done so far. The page exports the same format; see cli/README.md.
+// work/progress.json: what a reader has done so far. The page exports the same format; see
+// cli/README.md.
 
 #include <filesystem>
 #include <map>
@@ -31,7 +32,8 @@ class Progress {
   /// What is known of an exercise; all zero if it was never checked.
   [[nodiscard]] ExerciseProgress of(const std::string& exercise) const;
 
-  /// Counts an attempt if something was attempted, keeps the best points and the first time that all passed.
+  /// Counts an attempt if something was attempted, keeps the best points and the first time that
+  /// all passed.
   void record(const Verdict& verdict);
   /// Remembers that one more hint was shown and says how many that makes.
   int record_hint(const std::string& exercise);

@@ -31,7 +31,8 @@ Failure failure_from(const nlohmann::json& json) {
   failure.reason = text_at(json, "reason");
   if (const auto inputs = json.find("inputs"); inputs != json.end() && inputs->is_array()) {
     for (const nlohmann::json& input : *inputs) {
-      if (input.is_object()) failure.inputs.emplace_back(text_at(input, "name"), text_at(input, "text"));
+      if (input.is_object())
+        failure.inputs.emplace_back(text_at(input, "name"), text_at(input, "text"));
     }
   }
   return failure;
@@ -87,7 +88,8 @@ class EventReader {
   std::vector<TestResult> results_;
 };
 
-// Time is the processor's, so that a busy machine fails nobody; a test that sleeps or waits meets the wall clock later.
+// Time is the processor's, so that a busy machine fails nobody; a test that sleeps or waits meets
+// the wall clock later.
 class TimeLimit {
  public:
   TimeLimit(const EventReader& reader, double seconds) : reader_(reader), seconds_(seconds) {}
@@ -112,6 +114,45 @@ class TimeLimit {
   Clock::time_point start_ = Clock::now();
 };
 
+// An assertion's own sentence is worth more than the name of its signal.
+std::string assertion_in(const std::string& printed) {
+  if (const std::size_t at = printed.rfind("terminate called"); at != std::string::npos) {
+    std::string text = printed.substr(at, 600);
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+  }
+  std::size_t at = printed.rfind("Assertion `");
+  if (at == std::string::npos) at = printed.rfind("Assertion '");
+  if (at == std::string::npos) return {};
+  const std::size_t start =
+      printed.rfind('\n', at) == std::string::npos ? 0 : printed.rfind('\n', at) + 1;
+  const std::string before = printed.substr(start, at - start);
+  const std::string sentence =
+      printed.substr(at, std::min<std::size_t>(printed.find('\n', at) - at, 400));
+  // Most assertions that a student meets are a library's own, about an index or an empty container.
+  if (before.find("/Eigen/") != std::string::npos)
+    return "Eigen found a wrong index or size: " + sentence;
+  if (before.find("/c++/") != std::string::npos)
+    return "the standard library found a wrong index or an empty container: " + sentence;
+  return sentence;
+}
+
+// What a program printed, without the line that already stands in the reason.
+std::string without_assertion(const std::string& printed) {
+  std::string result;
+  std::size_t at = 0;
+  while (at < printed.size()) {
+    const std::size_t end = std::min(printed.find('\n', at), printed.size() - 1) + 1;
+    const std::string line = printed.substr(at, end - at);
+    if (line.find("Assertion `") == std::string::npos &&
+        line.find("Assertion '") == std::string::npos)
+      result += line;
+    at = end;
+  }
+  return result;
+}
+
 std::string seconds_text(double seconds) {
   const std::string text = points_text(seconds);
   return text + (text == "1" ? " second" : " seconds");
@@ -120,31 +161,16 @@ std::string seconds_text(double seconds) {
 std::string why_stopped(const ProcessResult& process, const Exercise& exercise) {
   switch (process.ended) {
     case Ended::time:
-      return "no answer after " + seconds_text(exercise.time_limit) + ": an endless loop, or far too much work";
+      return "no answer after " + seconds_text(exercise.time_limit) +
+             ": an endless loop, or far too much work";
     case Ended::output:
       return "it printed without end and was stopped";
     case Ended::by_itself:
       break;
   }
   if (process.signal != 0) return signal_in_words(process.signal, process.errors);
-  return "the program ended in the middle of this test (exit code " + std::to_string(process.exit_code) +
+  return "the program ended by itself (exit code " + std::to_string(process.exit_code) +
          "): does your code call exit()?";
-}
-
-// An assertion's own sentence is worth more than the name of its signal.
-std::string assertion_in(const std::string& printed) {
-  for (const std::string_view mark : {"Assertion `", "Assertion '", "terminate called"}) {
-    const std::size_t at = printed.rfind(mark);
-    if (at == std::string::npos) continue;
-    const std::size_t start = printed.rfind('\n', at);
-    const std::size_t from = start == std::string::npos ? 0 : start + 1;
-    const std::size_t to = mark == "terminate called" ? printed.size() : printed.find('\n', at);
-    std::string text = printed.substr(from, std::min(to, from + 600) - from);
-    while (!text.empty() && text.back() == '\n') text.pop_back();
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text;
-  }
-  return {};
 }
 
 // Catch2 may say "SIGSEGV - ..." itself before the process dies; our words then replace its own.
@@ -152,6 +178,7 @@ void put_in_words(TestResult& result, const std::string& reason) {
   result.status = TestStatus::stopped;
   result.failure.got.clear();
   result.failure.right.clear();
+  result.failure.allowed.clear();
   result.failure.reason = reason;
 }
 
@@ -163,7 +190,8 @@ Limits limits_from_environment() {
     char* end = nullptr;
     const long value = std::strtol(text, &end, 10);
     if (*end != '\0' || value < 64 || value > 1'000'000)
-      throw BookError("CONTACT_MEMORY_MB is '" + std::string(text) + "'; it must be a number of megabytes, 64 or more");
+      throw BookError("CONTACT_MEMORY_MB is '" + std::string(text) +
+                      "'; it must be a number of megabytes, 64 or more");
     limits.memory_mb = static_cast<int>(value);
   }
   return limits;
@@ -183,25 +211,29 @@ std::string signal_in_words(int signal, const std::string& printed) {
   switch (signal) {
     case SIGSEGV:
     case SIGBUS:
-      return "segmentation fault: it touched memory that is not its own (an index out of range, an empty optional or "
+      return "segmentation fault: it touched memory that is not its own (an index out of range, an "
+             "empty optional or "
              "container, or a function that calls itself without end)";
     case SIGABRT:
-      return assertion.empty() ? "aborted: it called abort(), or an exception left a noexcept function"
-                               : "aborted: " + assertion;
+      return assertion.empty()
+                 ? "aborted: it called abort(), or an exception left a noexcept function"
+                 : "aborted: " + assertion;
     case SIGFPE:
       return "arithmetic fault: an integer was divided by zero";
     case SIGILL:
     case SIGTRAP:
-      return "illegal instruction: often the end of a function that promises a value and returns none";
+      return "illegal instruction: often the end of a function that promises a value and returns "
+             "none";
     case SIGKILL:
       return "killed by the system: out of memory?";
     default:
-      return std::string("ended by signal ") + std::to_string(signal) + " (" + ::strsignal(signal) + ")";
+      return std::string("ended by signal ") + std::to_string(signal) + " (" + ::strsignal(signal) +
+             ")";
   }
 }
 
-std::vector<TestResult> run_tests(Loop& loop, const Exercise& exercise, const fs::path& program, const Limits& limits,
-                                  std::string& output) {
+std::vector<TestResult> run_tests(Loop& loop, const Exercise& exercise, const fs::path& program,
+                                  const Limits& limits, std::string& output) {
   std::vector<TestResult> results;
   std::set<std::string> finished;
   const auto take = [&](TestResult result) {
@@ -229,11 +261,16 @@ std::vector<TestResult> run_tests(Loop& loop, const Exercise& exercise, const fs
     spec.on_events = [&](std::string_view text) { reader.feed(text); };
     spec.watchdog = TimeLimit(reader, exercise.time_limit);
     const ProcessResult process = run_process(loop, spec);
-    if (output.size() < limits.output_bytes) output += process.output + process.errors;
+    if (output.size() < limits.output_bytes)
+      output += process.output +
+                (process.signal == SIGABRT ? without_assertion(process.errors) : process.errors);
 
     std::vector<TestResult>& seen = reader.results();
-    const bool died = !reader.done();
-    if (died && !reader.running() && !seen.empty() && seen.back().status == TestStatus::stopped && process.signal != 0)
+    // After a crash Catch2 still says how the test ended and that all is done, then lets the signal
+    // through.
+    const bool died = !reader.done() || process.signal != 0 || process.ended != Ended::by_itself;
+    if (died && !reader.running() && !seen.empty() && seen.back().status == TestStatus::stopped &&
+        process.signal != 0)
       put_in_words(seen.back(), why_stopped(process, exercise));
     for (TestResult& result : seen) take(std::move(result));
     if (!died) break;
@@ -244,7 +281,8 @@ std::vector<TestResult> run_tests(Loop& loop, const Exercise& exercise, const fs
       put_in_words(result, why_stopped(process, exercise));
       take(std::move(result));
     } else if (seen.empty()) {
-      // It died before any test began (a constructor of a global, say): every test left has the same end.
+      // It died before any test began (a constructor of a global, say): every test left has the
+      // same end.
       for (const TestSpec& test : exercise.tests) {
         TestResult result;
         result.name = test.name;
@@ -257,24 +295,28 @@ std::vector<TestResult> run_tests(Loop& loop, const Exercise& exercise, const fs
   return results;
 }
 
-Verdict check_file(Loop& loop, const Book& book, const BuildDescription& build, const Exercise& exercise,
-                   const fs::path& source, const Limits& limits) {
+Verdict check_file(Loop& loop, const Book& book, const BuildDescription& build,
+                   const Exercise& exercise, const fs::path& source, const Limits& limits,
+                   const std::vector<std::string>& more_include) {
   const TemporaryFolder folder;
-  const CompiledFile compiled = compile(loop, book, build, exercise, source, folder.path());
+  const CompiledFile compiled =
+      compile(loop, book, build, exercise, source, folder.path(), more_include);
   Verdict verdict;
   Seconds seconds;
   seconds.compile = compiled.seconds;
   if (compiled.error) {
     verdict = judge_uncompiled(exercise, *compiled.error);
   } else {
-    const LinkedProgram linked = link(loop, book, build, exercise, source, compiled.object, folder.path());
+    const LinkedProgram linked =
+        link(loop, book, build, exercise, source, compiled.object, folder.path());
     seconds.link = linked.seconds;
     if (linked.error) {
       verdict = judge_uncompiled(exercise, *linked.error);
     } else {
       std::string output;
       const Clock::time_point start = Clock::now();
-      const std::vector<TestResult> results = run_tests(loop, exercise, linked.program, limits, output);
+      const std::vector<TestResult> results =
+          run_tests(loop, exercise, linked.program, limits, output);
       seconds.run = std::chrono::duration<double>(Clock::now() - start).count();
       verdict = judge(exercise, book, results);
       verdict.output = std::move(output);

@@ -1,6 +1,7 @@
 #pragma once
 
-// One check from a source file to a verdict: compile, link, run. `contact check`, `watch` and `dev check` all come here.
+// One check from a source file to a verdict: compile, link, run. `contact check`, `watch` and `dev
+// check` all come here.
 
 #include <filesystem>
 #include <functional>
@@ -23,14 +24,16 @@ struct Limits {
 /// @throws BookError if CONTACT_MEMORY_MB is not a number of megabytes.
 Limits limits_from_environment();
 
-/// Runs every test of a linked program. A test that crashes or never ends costs itself only: the rest run in a new
-/// process.
-std::vector<TestResult> run_tests(Loop& loop, const Exercise& exercise, const std::filesystem::path& program,
-                                  const Limits& limits, std::string& output);
+/// Runs every test of a linked program. A test that crashes or never ends costs itself only: the
+/// rest run in a new process.
+std::vector<TestResult> run_tests(Loop& loop, const Exercise& exercise,
+                                  const std::filesystem::path& program, const Limits& limits,
+                                  std::string& output);
 
 /// Compiles, links and runs `source` as an answer to `exercise`.
-Verdict check_file(Loop& loop, const Book& book, const BuildDescription& build, const Exercise& exercise,
-                   const std::filesystem::path& source, const Limits& limits);
+Verdict check_file(Loop& loop, const Book& book, const BuildDescription& build,
+                   const Exercise& exercise, const std::filesystem::path& source,
+                   const Limits& limits, const std::vector<std::string>& more_include = {});
 
 /// A signal in words: "segmentation fault: ...".
 std::string signal_in_words(int signal, const std::string& printed);

@@ -20,7 +20,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 struct Pipe {
   uv_pipe_t handle{};
@@ -45,12 +47,14 @@ void start_reading(Pipe& pipe) {
       },
       [](uv_stream_t* stream, ssize_t count, const uv_buf_t* buffer) {
         auto* self = static_cast<Pipe*>(stream->data);
-        if (count > 0) self->deliver(std::string_view(buffer->base, static_cast<std::size_t>(count)));
+        if (count > 0)
+          self->deliver(std::string_view(buffer->base, static_cast<std::size_t>(count)));
         if (count < 0) close_pipe(*self);
       });
 }
 
-std::vector<std::string> environment_with(const std::vector<std::pair<std::string, std::string>>& changes) {
+std::vector<std::string> environment_with(
+    const std::vector<std::pair<std::string, std::string>>& changes) {
   std::vector<std::string> result;
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string_view text(*entry);
@@ -119,8 +123,10 @@ class Child {
         stdio[static_cast<std::size_t>(i)].data.fd = i;
       }
     } else {
-      open(output_, stdio[1], [this](std::string_view text) { keep(result_.output, output_bytes_, text); });
-      open(errors_, stdio[2], [this](std::string_view text) { keep(result_.errors, error_bytes_, text); });
+      open(output_, stdio[1],
+           [this](std::string_view text) { keep(result_.output, output_bytes_, text); });
+      open(errors_, stdio[2],
+           [this](std::string_view text) { keep(result_.errors, error_bytes_, text); });
     }
     if (spec_.on_events) {
       open(events_, stdio[3], spec_.on_events);
@@ -134,7 +140,8 @@ class Child {
     if (!folder.empty()) options.cwd = folder.c_str();
     options.stdio = stdio.data();
     options.stdio_count = stdio_count;
-    // A group of its own; one that shares the terminal must stay in ours, or it could not be interrupted from there.
+    // A group of its own; one that shares the terminal must stay in ours, or it could not be
+    // interrupted from there.
     if (!spec_.inherit) options.flags = UV_PROCESS_DETACHED;
     options.exit_cb = [](uv_process_t* process, std::int64_t code, int signal) {
       auto* self = static_cast<Child*>(process->data);
@@ -167,7 +174,8 @@ class Child {
         &timer_,
         [](uv_timer_t* timer) {
           auto* self = static_cast<Child*>(timer->data);
-          if (self->spec_.time_limit > 0.0 && seconds_since(self->start_time_) > self->spec_.time_limit)
+          if (self->spec_.time_limit > 0.0 &&
+              seconds_since(self->start_time_) > self->spec_.time_limit)
             self->end(Ended::time);
           else if (self->spec_.watchdog)
             self->end(self->spec_.watchdog(self->process_.pid));
@@ -175,8 +183,10 @@ class Child {
         10, 10);
   }
 
-  // A true pipe, not the socket pair that UV_CREATE_PIPE makes: a socket cannot be opened as /dev/fd/3.
-  void open(Pipe& pipe, uv_stdio_container_t& container, std::function<void(std::string_view)> deliver) {
+  // A true pipe, not the socket pair that UV_CREATE_PIPE makes: a socket cannot be opened as
+  // /dev/fd/3.
+  void open(Pipe& pipe, uv_stdio_container_t& container,
+            std::function<void(std::string_view)> deliver) {
     std::array<uv_file, 2> ends{};
     if (const int error = uv_pipe(ends.data(), UV_NONBLOCK_PIPE, 0); error != 0)
       throw std::runtime_error(std::string("cannot make a pipe: ") + uv_strerror(error));
@@ -199,7 +209,8 @@ class Child {
 
   void keep(std::string& kept, std::size_t& bytes, std::string_view text) {
     bytes += text.size();
-    if (kept.size() < spec_.output_limit) kept.append(text.substr(0, spec_.output_limit - kept.size()));
+    if (kept.size() < spec_.output_limit)
+      kept.append(text.substr(0, spec_.output_limit - kept.size()));
     if (spec_.output_stop > 0 && bytes > spec_.output_stop) end(Ended::output);
   }
 
@@ -244,8 +255,10 @@ Loop::Loop() {
   for (std::size_t i = 0; i < signals_.size(); ++i) {
     uv_signal_init(&loop_, &signals_[i]);
     signals_[i].data = this;
-    uv_signal_start(&signals_[i], [](uv_signal_t* signal, int) { static_cast<Loop*>(signal->data)->interrupt(); },
-                    numbers[i]);
+    uv_signal_start(
+        &signals_[i],
+        [](uv_signal_t* signal, int) { static_cast<Loop*>(signal->data)->interrupt(); },
+        numbers[i]);
     uv_unref(reinterpret_cast<uv_handle_t*>(&signals_[i]));
   }
 }
@@ -283,7 +296,8 @@ double processor_seconds(int pid) {
 TemporaryFolder::TemporaryFolder() {
   std::string pattern = (fs::temp_directory_path() / "contact-XXXXXX").string();
   if (::mkdtemp(pattern.data()) == nullptr)
-    throw std::system_error(errno, std::generic_category(), "cannot make a folder in " + fs::temp_directory_path().string());
+    throw std::system_error(errno, std::generic_category(),
+                            "cannot make a folder in " + fs::temp_directory_path().string());
   path_ = pattern;
 }
 

@@ -15,7 +15,8 @@
 
 namespace contact::grading {
 
-/// Ctrl-C (or SIGTERM, SIGHUP) arrived: unwind, so that every temporary folder is removed on the way out.
+/// Ctrl-C (or SIGTERM, SIGHUP) arrived: unwind, so that every temporary folder is removed on the
+/// way out.
 class Interrupted {};
 
 /// What was under way is no longer wanted (the file was saved again): unwind and begin anew.
@@ -36,7 +37,8 @@ class Loop {
   /// The same, but returns at once if nothing has happened.
   void poll();
 
-  /// From a callback on this loop: the process that runs now is ended and run_process() throws Cancelled.
+  /// From a callback on this loop: the process that runs now is ended and run_process() throws
+  /// Cancelled.
   void cancel() { cancelled_ = true; }
   void clear_cancel() { cancelled_ = false; }
   [[nodiscard]] bool cancelled() const { return cancelled_; }
@@ -81,12 +83,14 @@ struct ProcessResult {
   std::string output;
   std::string errors;
   double seconds = 0.0;
-  [[nodiscard]] bool succeeded() const { return exit_code == 0 && signal == 0 && ended == Ended::by_itself; }
+  [[nodiscard]] bool succeeded() const {
+    return exit_code == 0 && signal == 0 && ended == Ended::by_itself;
+  }
 };
 
 /// Runs a command to its end and leaves none of its group behind.
-/// @throws std::runtime_error if it cannot be started; Interrupted on Ctrl-C and Cancelled if the loop says so, both
-/// after ending it.
+/// @throws std::runtime_error if it cannot be started; Interrupted on Ctrl-C and Cancelled if the
+/// loop says so, both after ending it.
 ProcessResult run_process(Loop& loop, const ProcessSpec& spec);
 
 /// Seconds of processor time a running process has used; negative if the system does not say.

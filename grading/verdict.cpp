@@ -47,9 +47,11 @@ const TestSpec* spec_of(const Exercise& exercise, const std::string& name) {
 }
 
 // A test counts only if all that it requires, directly or through others, passed.
-std::string unmet_need(const Exercise& exercise, const TestSpec& test, const std::map<std::string, TestStatus>& status) {
+std::string unmet_need(const Exercise& exercise, const TestSpec& test,
+                       const std::map<std::string, TestStatus>& status) {
   std::set<std::string> visited;
-  const std::function<std::string(const TestSpec&)> search = [&](const TestSpec& current) -> std::string {
+  const std::function<std::string(const TestSpec&)> search =
+      [&](const TestSpec& current) -> std::string {
     for (const std::string& need : current.needs) {
       if (!visited.insert(need).second) continue;
       const auto found = status.find(need);
@@ -64,8 +66,11 @@ std::string unmet_need(const Exercise& exercise, const TestSpec& test, const std
 }
 
 Outcome outcome_of(const std::vector<TestVerdict>& tests) {
-  const auto all = [&](auto predicate) { return std::all_of(tests.begin(), tests.end(), predicate); };
-  if (all([](const TestVerdict& test) { return test.status == TestStatus::passed; })) return Outcome::passed;
+  const auto all = [&](auto predicate) {
+    return std::all_of(tests.begin(), tests.end(), predicate);
+  };
+  if (all([](const TestVerdict& test) { return test.status == TestStatus::passed; }))
+    return Outcome::passed;
   if (all([](const TestVerdict& test) { return test.status == TestStatus::not_attempted; }))
     return Outcome::not_attempted;
   return Outcome::failed;
@@ -109,13 +114,23 @@ Verdict judge(const Exercise& exercise, const Book& book, const std::vector<Test
       test.failure.right.clear();
       test.failure.allowed.clear();
     }
-    if (!test.failure.misconception.empty()) test.failure.hint = book.hint_for(test.failure.misconception);
+    if (!test.failure.misconception.empty())
+      test.failure.hint = book.hint_for(test.failure.misconception);
     verdict.points += test.points;
     verdict.tests.push_back(std::move(test));
   }
   for (const TestResult& result : results) {
     if (spec_of(exercise, result.name) == nullptr) verdict.unlisted_tests.push_back(result.name);
   }
+  std::vector<std::string> ran;
+  std::vector<std::string> listed;
+  for (const TestResult& result : results) {
+    if (spec_of(exercise, result.name) != nullptr) ran.push_back(result.name);
+  }
+  for (const TestSpec& spec : exercise.tests) {
+    if (by_name.count(spec.name) != 0) listed.push_back(spec.name);
+  }
+  verdict.in_order = ran == listed;
   verdict.outcome = outcome_of(verdict.tests);
   return verdict;
 }
@@ -136,16 +151,25 @@ Verdict judge_uncompiled(const Exercise& exercise, CompileError error) {
 }
 
 const TestVerdict* first_failure(const Verdict& verdict) {
-  const auto found = std::find_if(verdict.tests.begin(), verdict.tests.end(), [](const TestVerdict& test) {
-    return test.status == TestStatus::failed || test.status == TestStatus::stopped;
-  });
+  const auto found =
+      std::find_if(verdict.tests.begin(), verdict.tests.end(), [](const TestVerdict& test) {
+        return test.status == TestStatus::failed || test.status == TestStatus::stopped;
+      });
   return found == verdict.tests.end() ? nullptr : &*found;
 }
 
-std::string_view words(TestStatus status) { return status_names[static_cast<std::size_t>(status)].words; }
-std::string_view key(TestStatus status) { return status_names[static_cast<std::size_t>(status)].key; }
-std::string_view words(Outcome outcome) { return outcome_names[static_cast<std::size_t>(outcome)].words; }
-std::string_view key(Outcome outcome) { return outcome_names[static_cast<std::size_t>(outcome)].key; }
+std::string_view words(TestStatus status) {
+  return status_names[static_cast<std::size_t>(status)].words;
+}
+std::string_view key(TestStatus status) {
+  return status_names[static_cast<std::size_t>(status)].key;
+}
+std::string_view words(Outcome outcome) {
+  return outcome_names[static_cast<std::size_t>(outcome)].words;
+}
+std::string_view key(Outcome outcome) {
+  return outcome_names[static_cast<std::size_t>(outcome)].key;
+}
 
 std::optional<TestStatus> status_from_key(std::string_view key) {
   for (const StatusName& name : status_names) {
@@ -162,7 +186,8 @@ std::string points_text(double points) {
 
 nlohmann::json to_json(const Failure& failure) {
   nlohmann::json inputs = nlohmann::json::array();
-  for (const auto& [name, value] : failure.inputs) inputs.push_back({{"name", name}, {"text", value}});
+  for (const auto& [name, value] : failure.inputs)
+    inputs.push_back({{"name", name}, {"text", value}});
   nlohmann::json json = {{"asked", failure.asked}, {"inputs", inputs}};
   const auto put = [&](const char* name, const std::string& value) {
     if (!value.empty()) json[name] = value;
@@ -189,17 +214,18 @@ nlohmann::json to_json(const Verdict& verdict) {
       entry["failure"] = to_json(test.failure);
     tests.push_back(std::move(entry));
   }
-  nlohmann::json json = {
-      {"exercise", verdict.exercise},
-      {"file", verdict.file},
-      {"verdict", key(verdict.outcome)},
-      {"points", verdict.points},
-      {"max_points", verdict.max_points},
-      {"tests", std::move(tests)},
-      {"warnings", verdict.warnings},
-      {"output", verdict.output},
-      {"seconds",
-       {{"compile", verdict.seconds.compile}, {"link", verdict.seconds.link}, {"run", verdict.seconds.run}}}};
+  nlohmann::json json = {{"exercise", verdict.exercise},
+                         {"file", verdict.file},
+                         {"verdict", key(verdict.outcome)},
+                         {"points", verdict.points},
+                         {"max_points", verdict.max_points},
+                         {"tests", std::move(tests)},
+                         {"warnings", verdict.warnings},
+                         {"output", verdict.output},
+                         {"seconds",
+                          {{"compile", verdict.seconds.compile},
+                           {"link", verdict.seconds.link},
+                           {"run", verdict.seconds.run}}}};
   if (verdict.compile_error) {
     const CompileError& error = *verdict.compile_error;
     nlohmann::json contract = nlohmann::json::array();

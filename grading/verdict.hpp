@@ -1,7 +1,8 @@
 #pragma once
 
-// What a check says about one exercise. Every host (the command line, `dev check`, the page, the grader) hands what
-// happened to judge(), so that a verdict, its points and its hint come from one place.
+// What a check says about one exercise. Every host (the command line, `dev check`, the page, the
+// grader) hands what happened to judge(), so that a verdict, its points and its hint come from one
+// place.
 
 #include <optional>
 #include <string>
@@ -98,11 +99,13 @@ struct Verdict {
   /// Names in exercise.toml without a compiled test, and the reverse.
   std::vector<std::string> missing_tests;
   std::vector<std::string> unlisted_tests;
+  /// Whether the compiled tests run in the order of exercise.toml.
+  bool in_order = true;
   Seconds seconds;
 };
 
-/// Points, skips and hints from what happened to each test. Tests come in the order of exercise.toml; one that did not
-/// run counts as stopped, and is named in `missing_tests`.
+/// Points, skips and hints from what happened to each test. Tests come in the order of
+/// exercise.toml; one that did not run counts as stopped, and is named in `missing_tests`.
 Verdict judge(const Exercise& exercise, const Book& book, const std::vector<TestResult>& results);
 
 /// The verdict on a file that does not compile: no attempt, no points.

@@ -1,0 +1,50 @@
+#pragma once
+
+// One file a command. Each adds its options to the command line and says what to run.
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "../grading/book.hpp"
+#include "../grading/run_process.hpp"
+#include "exit_codes.hpp"
+
+namespace contact::cli {
+
+/// What a command needs, read only when a command runs, so that --help works anywhere.
+class Context {
+ public:
+  [[nodiscard]] const grading::Book& book();
+  /// Reads the book again, after files of it changed.
+  void reread_book();
+  [[nodiscard]] grading::Loop& loop();
+
+ private:
+  std::unique_ptr<grading::Book> book_;
+  std::unique_ptr<grading::Loop> loop_;
+};
+
+/// The command that was chosen; main() runs it after parsing.
+using Action = std::function<int(Context&)>;
+
+void add_list(CLI::App& app, Action& action);
+void add_start(CLI::App& app, Action& action);
+void add_check(CLI::App& app, Action& action);
+void add_watch(CLI::App& app, Action& action);
+void add_hint(CLI::App& app, Action& action);
+void add_solution(CLI::App& app, Action& action);
+void add_reset(CLI::App& app, Action& action);
+void add_progress(CLI::App& app, Action& action);
+void add_ladder(CLI::App& app, Action& action);
+void add_new(CLI::App& app, Action& action);
+void add_doctor(CLI::App& app, Action& action);
+void add_dev(CLI::App& app, Action& action);
+
+/// Copies the pristine stub to the student's folder unless a copy is there. Returns whether it made
+/// one.
+bool start_exercise(const grading::Book& book, const grading::Exercise& exercise);
+
+}  // namespace contact::cli

@@ -1,0 +1,14 @@
+#pragma once
+
+namespace contact::cli {
+
+/// What `contact` returns to the shell. cli/README.md and --help say the same.
+enum ExitCode : int {
+  exit_passed = 0,        ///< all that was asked for is well
+  exit_not_passed = 1,    ///< a test failed, was not attempted or could not be compiled
+  exit_usage = 2,         ///< the command line was not understood
+  exit_trouble = 3,       ///< the set-up or the book's files must be put right first
+  exit_interrupted = 130  ///< Ctrl-C
+};
+
+}  // namespace contact::cli

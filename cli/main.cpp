@@ -1,0 +1,86 @@
+// The `contact` program: parse, run the command, turn what went wrong into a sentence and an exit
+// code.
+
+#include <csignal>
+#include <exception>
+
+#include "commands.hpp"
+#include "terminal.hpp"
+
+namespace contact::cli {
+
+const grading::Book& Context::book() {
+  if (!book_) reread_book();
+  return *book_;
+}
+
+void Context::reread_book() {
+  const std::filesystem::path root = grading::find_root();
+  book_ = std::make_unique<grading::Book>(root, grading::find_work(root));
+}
+
+grading::Loop& Context::loop() {
+  if (!loop_) loop_ = std::make_unique<grading::Loop>();
+  return *loop_;
+}
+
+namespace {
+
+constexpr const char* footer =
+    "Handled by the script ./contact before this program is called:\n"
+    "  serve                       Build the book and serve it at an address that it prints\n"
+    "  test                        Run every test there is\n"
+    "  setup                       Install what is missing\n"
+    "\n"
+    "Exit codes:\n"
+    "  0    all that was asked for is well: every test passed\n"
+    "  1    a test failed, was not attempted, or the file does not compile\n"
+    "  2    the command line was not understood\n"
+    "  3    the set-up or the book's own files must be put right first\n"
+    "  130  Ctrl-C\n"
+    "\n"
+    "CONTACT_WORK is the folder of your copies (work/ if unset); CONTACT_MEMORY_MB limits your "
+    "program's memory\n"
+    "(1024 if unset); NO_COLOR turns colour off.";
+
+int run(int argc, char** argv) {
+  CLI::App app("Contact Hours: exercises in collision detection and response, checked as you save.",
+               "contact");
+  app.require_subcommand(1);
+  app.footer(footer);
+  app.get_formatter()->column_width(30);
+  app.set_version_flag("--version", CONTACT_VERSION);
+  Action action;
+  for (const auto& add : {add_list, add_start, add_watch, add_check, add_hint, add_solution,
+                          add_reset, add_progress, add_ladder, add_new, add_doctor, add_dev})
+    add(app, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? exit_passed : exit_usage;
+  }
+  Context context;
+  const Style style(stderr);
+  try {
+    return action(context);
+  } catch (const grading::Interrupted&) {
+    return exit_interrupted;
+  } catch (const grading::UnknownName& error) {
+    note(style.bad("contact: ") + error.what());
+    return exit_usage;
+  } catch (const std::exception& error) {
+    note(style.bad("contact: ") + error.what());
+    return exit_trouble;
+  }
+}
+
+}  // namespace
+
+}  // namespace contact::cli
+
+int main(int argc, char** argv) {
+  // A reader that closes the pipe (`contact list | head`) is an error of a write, not the end of
+  // the program.
+  std::signal(SIGPIPE, SIG_IGN);
+  return contact::cli::run(argc, argv);
+}
