@@ -21,7 +21,9 @@ namespace contact {
 /// of a polynomial of the input, as most decisions of geometry are, can be made without any error.
 /// There is no division: a third is not dyadic. Use `quotient`, which rounds once, at the end.
 ///
-/// The value is ± Σ limbs[i]·2^(32·(i + scale)). Limits: none but memory; a product has as many
+/// The value is ± Σ limbs[i]·2^(32·(i + scale)).
+///
+/// Limits: none but memory; a product has as many
 /// limbs as its factors together, so the time grows with the degree of the polynomial and with the
 /// spread of the exponents.
 class Exact {
@@ -52,6 +54,7 @@ class Exact {
     if (x.sign_ != y.sign_) return x.sign_ <=> y.sign_;
     return x.sign_ < 0 ? compare_magnitudes(y, x) : compare_magnitudes(x, y);
   }
+  /// The magnitude of x.
   friend Exact abs(Exact x) {
     if (x.sign_ < 0) x.sign_ = 1;
     return x;

@@ -23,10 +23,20 @@ concept FloatOrDouble = std::same_as<S, float> || std::same_as<S, double>;
 /// T = Exact not at all.
 template <Ring T>
 struct LineAndTriangle {
+  /// From the start of the line to its second point, or the ray's direction.
   Vector3<T> direction;
-  Vector3<T> a, b, c;  // corners, seen from the start of the line
-  Vector3<T> end_a;    // corner a, seen from the end of the segment; unused for a ray
-  Vector3<T> ab, ac;   // edges
+  /// Corner a, seen from the start of the line.
+  Vector3<T> a;
+  /// Corner b, seen from the start of the line.
+  Vector3<T> b;
+  /// Corner c, seen from the start of the line.
+  Vector3<T> c;
+  /// Corner a, seen from the end of the segment; unused for a ray.
+  Vector3<T> end_a;
+  /// The edge from a to b.
+  Vector3<T> ab;
+  /// The edge from a to c.
+  Vector3<T> ac;
 };
 
 /// The five numbers whose signs are the answer, and the denominator. Each is the determinant of
@@ -60,7 +70,9 @@ auto evaluate(const LineAndTriangle<T>& x, Determinant which, const Volume& volu
 // [filter]
 /// A determinant in double, and how far it can be from the exact one.
 struct Bounded {
+  /// The determinant as computed.
   double value;
+  /// The exact determinant is within this of it.
   double bound;
 
   /// The sign of the exact value where the bound leaves no doubt, else 0. Written so that NaN is
@@ -115,6 +127,7 @@ class ExactQuery {
         filtered_(filtered) {
     if (filtered_) rounded_ = differences<double>();
   }
+  /// The same for a segment.
   ExactQuery(const Segment<double>& segment, const Triangle<double>& triangle, bool filtered)
       : start_(segment.start),
         second_(segment.end),
@@ -124,6 +137,7 @@ class ExactQuery {
     if (filtered_) rounded_ = differences<double>();
   }
 
+  /// Whether every coordinate is finite; nothing else may be asked if not.
   bool finite() const {
     return all_finite(start_) && all_finite(second_) && all_finite(triangle_.a) &&
            all_finite(triangle_.b) && all_finite(triangle_.c);
@@ -226,15 +240,17 @@ std::optional<TriangleHit<S>> answer(ExactQuery query) {
   return query.hit<S>();
 }
 
-/// A line or a triangle of floats, unchanged, as doubles.
+/// A ray of floats, unchanged, as doubles.
 template <FloatOrDouble S>
 Ray<double> in_double(const Ray<S>& ray) {
   return {ray.origin.template cast<double>(), ray.direction.template cast<double>()};
 }
+/// A segment of floats, unchanged, as doubles.
 template <FloatOrDouble S>
 Segment<double> in_double(const Segment<S>& segment) {
   return {segment.start.template cast<double>(), segment.end.template cast<double>()};
 }
+/// A triangle of floats, unchanged, as doubles.
 template <FloatOrDouble S>
 Triangle<double> in_double(const Triangle<S>& triangle) {
   return {triangle.a.template cast<double>(), triangle.b.template cast<double>(),
@@ -251,7 +267,9 @@ Triangle<double> in_double(const Triangle<S>& triangle) {
 /// Limits: t is within 2^-40 max(1, |t|) of the exact value and each weight within 2^-40, and then
 /// rounded to S. All are in range (t ≥ 0, for a segment t ≤ 1, weights from 0 to 1); the sum of the
 /// weights is off by 2^-38 at most (float: and four roundings). A ray's t may lie beyond the
-/// largest number of S: then it is infinite. Source: the filter is a semi-static one after
+/// largest number of S: then it is infinite.
+///
+/// Source: the filter is a semi-static one after
 /// Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates,
 /// 1997; the determinants are those of Möller and Trumbore.
 template <FloatOrDouble S, LineOf<S> Line>

@@ -31,6 +31,7 @@ std::optional<TriangleHit<S>> finite_hit(const TriangleHit<S>& hit) {
 /// @param normal any normal of the plane; both distances come out in lengths of it, and their ratio
 /// does not care
 /// @return nothing if both ends are on one side, or both in the plane
+///
 /// Source: L20, Segment vs. Triangle.
 template <Scalar S>
 std::optional<RayHit<S>> cross_plane(const Segment<S>& segment, const Vector3<S>& on_plane,
@@ -61,9 +62,12 @@ std::optional<RayHit<S>> cross_plane(const Ray<S>& ray, const Vector3<S>& on_pla
 /// (a) Signed distances, then edge tests: find the point in the plane, and ask of each edge whether
 /// it is on the inner side.
 /// @param line a Ray or a Segment
+///
 /// Limits: the point is rounded before the edges see it, so two triangles that share an edge can
 /// both refuse a ray between them. t has a relative error of a few u |terms|/|rate|; the decision
-/// has no bound. Source: L20, Segment vs. Triangle.
+/// has no bound.
+///
+/// Source: L20, Segment vs. Triangle.
 template <Scalar S, LineOf<S> Line>
 std::optional<TriangleHit<S>> intersect_by_edges(const Line& line, const Triangle<S>& triangle) {
   const auto& [a, b, c] = triangle;
@@ -90,7 +94,9 @@ std::optional<TriangleHit<S>> intersect_by_edges(const Line& line, const Triangl
 /// (b) The same point, judged in two dimensions: its barycentric coordinates after the largest
 /// dimension is dropped.
 /// @param line a Ray or a Segment
-/// Limits: as for intersect_by_edges; fewer products, so a little faster and a little less wrong.
+///
+/// Limits: as for intersect_by_edges.
+///
 /// Source: L20, Segment vs. Triangle, Faster Way.
 template <Scalar S, LineOf<S> Line>
 std::optional<TriangleHit<S>> intersect_by_dropping(const Line& line, const Triangle<S>& triangle) {
@@ -108,9 +114,13 @@ std::optional<TriangleHit<S>> intersect_by_dropping(const Line& line, const Tria
 /// which is positive.
 template <Ring S>
 struct TriangleFractions {
+  /// t times the denominator.
   S t;
+  /// The weight of b times the denominator.
   S of_b;
+  /// The weight of c times the denominator.
   S of_c;
+  /// Positive: the magnitude of direction · normal.
   S denominator;
 };
 
@@ -152,11 +162,14 @@ std::optional<TriangleHit<S>> divide(const std::optional<TriangleFractions<S>>& 
 }
 
 // [moller-trumbore]
-/// (c) Möller and Trumbore: solve origin + t direction = a + w_b (b − a) + w_c (c − a) for t, w_b and w_c by
-/// Cramer's rule. The plane's normal and the point are never formed. Limits: each of the four
+/// (c) Möller and Trumbore: solve origin + t direction = a + w_b (b − a) + w_c (c − a) for t, w_b
+/// and w_c by Cramer's rule. The plane's normal and the point are never formed.
+///
+/// Limits: each of the four
 /// determinants is off by at most 8u Σ|its terms|, so t is off by at most c·u (Σ|terms of N| + |t|
 /// Σ|terms of D|) / |D|; the decision has no bound, and a shared edge can leak, since the two
 /// triangles measure from different corners.
+///
 /// Source: Möller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, 1997 (recommended
 /// by FCA).
 template <Scalar S>
