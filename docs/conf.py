@@ -58,6 +58,7 @@ nitpick_ignore_regex = [
 
 html_theme = "furo"
 html_title = "Contact Hours"
+html_favicon = "_static/favicon.svg"
 html_static_path = ["_static"]
 html_css_files = ["book.css"]
 html_copy_source = False

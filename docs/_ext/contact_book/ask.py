@@ -43,11 +43,13 @@ class Recall(Question):
     """The questions from earlier chapters that chapter.toml asks again."""
 
     required_arguments = 0
+    optional_arguments = 1
 
     def build(self) -> list[nodes.Node]:
-        if self.here is None:
-            raise BookError("recall belongs in a chapter's lesson")
-        chapter = self.book.chapter(self.here, self.source)
+        slug = self.arguments[0].strip() if self.arguments else self.here
+        if slug is None:
+            raise BookError("needs a chapter here, as in {recall} 02_triangles")
+        chapter = self.book.chapter(slug, self.source)
         self.depends(chapter.folder / "chapter.toml")
         if not chapter.recall:
             raise BookError(f"chapters/{chapter.slug}/chapter.toml lists no recall questions")

@@ -50,11 +50,14 @@ def joined(items: list[nodes.Node]) -> list[nodes.Node]:
 class ChapterDirective(BookDirective):
     """A directive about the chapter it stands in."""
 
+    optional_arguments = 1
+
     @property
     def chapter(self) -> Chapter:
-        if self.here is None:
-            raise BookError("this belongs in a chapter's lesson")
-        chapter = self.book.chapter(self.here, self.source)
+        slug = self.arguments[0].strip() if self.arguments else self.here
+        if slug is None:
+            raise BookError("needs a chapter here, as in {objectives} 02_triangles")
+        chapter = self.book.chapter(slug, self.source)
         self.depends(chapter.folder / "chapter.toml")
         return chapter
 

@@ -21,6 +21,12 @@ def _fingerprint(files: list[Path]) -> str:
     return digest.hexdigest()
 
 
+def _worth_saying(log: str) -> str:
+    """Doxygen's warnings; an operator says by itself what it does."""
+    lines = dict.fromkeys(line for line in log.splitlines() if "Member operator" not in line)
+    return "\n".join(lines)
+
+
 def _install(made: Path, target: Path) -> int:
     """Moves XML that differs, so that Breathe sees only real changes; how many files did."""
     target.mkdir(parents=True, exist_ok=True)
@@ -68,7 +74,7 @@ def run_doxygen(book: Book, template: Path, target: Path, *, strict: bool) -> st
         )
     except FileNotFoundError:
         raise BookError("doxygen is not installed: run ./contact setup") from None
-    warnings = log.read_text(encoding="utf-8").strip() if log.is_file() else ""
+    warnings = _worth_saying(log.read_text(encoding="utf-8")) if log.is_file() else ""
     if done.returncode != 0 or warnings:
         shown = warnings.replace(f"{book.root}/", "") or done.stderr.strip()
         words = f"the headers are not documented as they must be:\n{shown}"
