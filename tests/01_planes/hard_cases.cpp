@@ -259,9 +259,9 @@ void add_moving_sphere(hard_cases::Runner& runner) {
 
 int main(int argc, char** argv) {
   hard_cases::Runner runner("01_planes");
-  add_normalise(runner);
-  add_exists(runner);
   add_side(runner);
+  add_exists(runner);
+  add_normalise(runner);
   add_segment(runner);
   add_sphere(runner);
   add_moving_sphere(runner);
