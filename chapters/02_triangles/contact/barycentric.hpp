@@ -46,8 +46,11 @@ Vector2<S> drop_dimension(const Vector3<S>& v, int k) {
 /// @param point a point of the plane, m; for a point off the plane, the weights of its shadow along
 /// the dropped axis
 /// @return nothing if the triangle has no area, or if its area overflows or underflows in S
+///
 /// Limits: each weight is off by about u (|x||e|/area), so slivers lose digits; no claim that three
-/// rounded weights make a decision that is right (see `intersect_exact`). Source: L20, Segment vs.
+/// rounded weights make a decision that is right (see `intersect_exact`).
+///
+/// Source: L20, Segment vs.
 /// Triangle, Faster Way, where α is w_b and β is w_c; the sign of β is put right here.
 template <Scalar S>
 std::optional<Vector3<S>> barycentric(const Vector3<S>& point, const Triangle<S>& triangle) {

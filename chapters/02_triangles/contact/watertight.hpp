@@ -47,10 +47,13 @@ class WatertightRay {
   /// (d) Woop, Benthin and Wald: shear the corners, then ask three flat edge functions on which
   /// side the z axis passes.
   /// @param last the largest t that counts
+  ///
   /// Limits: the shear rounds each corner, so a hit near an edge may be given to the neighbour:
   /// wrong by itself, yet never lost between the two, since both round the shared corners alike.
   /// That holds as long as no product over- or underflows, and only without fused multiply-adds in
-  /// the shear and the edge function (`-ffp-contract=off`). Source: Woop, Benthin and Wald,
+  /// the shear and the edge function (`-ffp-contract=off`).
+  ///
+  /// Source: Woop, Benthin and Wald,
   /// Watertight Ray/Triangle Intersection, 2013.
   std::optional<TriangleHit<S>> meet(const Triangle<S>& triangle,
                                      const std::optional<S>& last) const {

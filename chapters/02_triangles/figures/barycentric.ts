@@ -42,7 +42,7 @@ export default defineFigure<Input, Output>({
     a: [-1.7, -0.7, 0.9],
     b: [1.6, -0.6, 1.3],
     c: [-0.1, 1.5, 2.4],
-    point: [-0.2, -0.3, 1.6],
+    point: [-0.2, -0.7, 2.4],
     values: [10, 20, 40],
   },
   handles: [
