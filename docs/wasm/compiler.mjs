@@ -1,10 +1,10 @@
 // Clang, LLD and ar as WebAssembly, in this process: one call compiles, links or archives a tree of files
 // held in memory. The package is used as published but for two faults, mended in a copy.
-import fs from 'node:fs';
-import { createRequire } from 'node:module';
-import path from 'node:path';
-import { pathToFileURL } from 'node:url';
-import { cacheDir } from './paths.mjs';
+import fs from "node:fs";
+import { createRequire } from "node:module";
+import path from "node:path";
+import { pathToFileURL } from "node:url";
+import { cacheDir } from "./paths.mjs";
 
 /** A tree of files: a name to bytes, text or a further tree.
  * @typedef {{ [name: string]: Tree | string | Uint8Array }} Tree */
@@ -16,27 +16,29 @@ export class CompileError extends Error {
   /** @param {string} what @param {string} log */
   constructor(what, log) {
     super(`${what}\n${log.trim()}`);
-    this.name = 'CompileError';
+    this.name = "CompileError";
     this.log = log.trim();
   }
 }
 
-const packageName = '@yowasp/clang';
+const packageName = "@yowasp/clang";
 const require = createRequire(import.meta.url);
 
 /** The folder of the installed package. */
 function packageDir() {
   try {
-    return path.resolve(path.dirname(require.resolve(packageName)), '..');
+    return path.resolve(path.dirname(require.resolve(packageName)), "..");
   } catch {
-    throw new Error(`${packageName} is not installed: run \`npm ci\` in docs/ (or ./contact setup)`);
+    throw new Error(
+      `${packageName} is not installed: run \`npm ci\` in docs/ (or ./contact setup)`,
+    );
   }
 }
 
 /** The version of the installed compiler, as in its package.json. @returns {string} */
 export function compilerVersion() {
-  const file = path.join(packageDir(), 'package.json');
-  return JSON.parse(fs.readFileSync(file, 'utf8')).version;
+  const file = path.join(packageDir(), "package.json");
+  return JSON.parse(fs.readFileSync(file, "utf8")).version;
 }
 
 /**
@@ -55,7 +57,7 @@ const mends = [
     do {`,
   },
   {
-    why: 'the same',
+    why: "the same",
     from: `      else if (segment === "..")
         ;
       else if (Object.hasOwn(files, segment))
@@ -68,7 +70,7 @@ const mends = [
       }`,
   },
   {
-    why: 'each write copies the whole file, so a 28 MB precompiled header takes minutes',
+    why: "each write copies the whole file, so a 28 MB precompiled header takes minutes",
     from: `    const newData = new Uint8Array(Math.max(this.file.data.length, offset + contents.length));
     newData.set(this.file.data);
     newData.subarray(offset).set(contents);
@@ -99,23 +101,23 @@ export function mended(source) {
 
 /** Makes (once) a folder with the mended program beside links to the package's large files. */
 function mendedCopy() {
-  const source = path.join(packageDir(), 'gen');
+  const source = path.join(packageDir(), "gen");
   const target = path.join(cacheDir, `compiler-${compilerVersion()}`);
-  const bundle = path.join(target, 'bundle.mjs');
+  const bundle = path.join(target, "bundle.mjs");
   fs.mkdirSync(target, { recursive: true });
-  const text = mended(fs.readFileSync(path.join(source, 'bundle.js'), 'utf8'));
+  const text = mended(fs.readFileSync(path.join(source, "bundle.js"), "utf8"));
   for (const name of fs.readdirSync(source)) {
     const link = path.join(target, name);
-    if (name === 'bundle.js') continue;
+    if (name === "bundle.js") continue;
     if (fs.existsSync(link)) continue;
-    fs.rmSync(link, { force: true });  // a link whose target has moved
+    fs.rmSync(link, { force: true }); // a link whose target has moved
     try {
       fs.symlinkSync(path.join(source, name), link);
     } catch (error) {
-      if (/** @type {NodeJS.ErrnoException} */ (error).code !== 'EEXIST') throw error;
+      if (/** @type {NodeJS.ErrnoException} */ (error).code !== "EEXIST") throw error;
     }
   }
-  if (!fs.existsSync(bundle) || fs.readFileSync(bundle, 'utf8') !== text) {
+  if (!fs.existsSync(bundle) || fs.readFileSync(bundle, "utf8") !== text) {
     const part = `${bundle}.${process.pid}`;
     fs.writeFileSync(part, text);
     fs.renameSync(part, bundle);
@@ -144,7 +146,7 @@ async function loaded() {
 export async function runTool(args, files, what) {
   const llvm = await loaded();
   const decoder = new TextDecoder();
-  let log = '';
+  let log = "";
   const write = (/** @type {Uint8Array | null} */ bytes) => {
     if (bytes) log += decoder.decode(bytes, { stream: true });
   };

@@ -1,17 +1,18 @@
 // Which files a source may include. The same list is what the compiler is given and what the cache's key is made
 // of, so nothing can be read that the key does not know.
-import fs from 'node:fs';
-import path from 'node:path';
-import { createHash } from 'node:crypto';
-import { systemRoot } from './flags.mjs';
-import { eigenDir, root } from './paths.mjs';
+
+import { createHash } from "node:crypto";
+import fs from "node:fs";
+import path from "node:path";
+import { systemRoot } from "./flags.mjs";
+import { eigenDir, root } from "./paths.mjs";
 
 /** Packages of the machine whose headers a source may ask for, by the start of the header's name. */
 const systemPackages = [
-  { start: 'Eigen/', dir: eigenDir, as: `${systemRoot}/eigen3` },
-  { start: 'unsupported/Eigen/', dir: eigenDir, as: `${systemRoot}/eigen3` },
-  { start: 'nlohmann/', dir: '/usr/include', as: systemRoot },
-  { start: 'catch2/', dir: '/usr/include', as: systemRoot },
+  { start: "Eigen/", dir: eigenDir, as: `${systemRoot}/eigen3` },
+  { start: "unsupported/Eigen/", dir: eigenDir, as: `${systemRoot}/eigen3` },
+  { start: "nlohmann/", dir: "/usr/include", as: systemRoot },
+  { start: "catch2/", dir: "/usr/include", as: systemRoot },
 ];
 
 /** @typedef {{ bytes: Buffer, hash: string, includes: { name: string, quoted: boolean }[] }} Source */
@@ -30,11 +31,11 @@ function source(file) {
   let found = null;
   if (fs.statSync(file, { throwIfNoEntry: false })?.isFile()) {
     const bytes = fs.readFileSync(file);
-    const includes = [...bytes.toString('latin1').matchAll(includeLine)].map((match) => ({
+    const includes = [...bytes.toString("latin1").matchAll(includeLine)].map((match) => ({
       name: String(match[2]),
       quoted: match[1] === '"',
     }));
-    found = { bytes, hash: createHash('sha256').update(bytes).digest('hex'), includes };
+    found = { bytes, hash: createHash("sha256").update(bytes).digest("hex"), includes };
   }
   sources.set(file, found);
   return found;
@@ -51,15 +52,15 @@ export function virtualPath(file) {
   for (const { dir, as } of systemPackages) {
     if (as === systemRoot) continue;
     const inside = path.relative(dir, file);
-    if (!inside.startsWith('..')) return path.posix.join(as, inside);
+    if (!inside.startsWith("..")) return path.posix.join(as, inside);
   }
   const inside = path.relative(root, file);
-  if (!inside.startsWith('..')) return inside.split(path.sep).join('/');
+  if (!inside.startsWith("..")) return inside.split(path.sep).join("/");
   for (const { start, dir, as } of systemPackages) {
     const inside = path.relative(dir, file);
     if (inside.startsWith(start)) return path.posix.join(as, inside);
   }
-  return path.posix.join('outside', file.split(path.sep).join('/'));
+  return path.posix.join("outside", file.split(path.sep).join("/"));
 }
 
 /**
@@ -73,7 +74,7 @@ function resolve(name, quoted, from, folders) {
     const file = path.resolve(place, name);
     if (source(file)) return file;
   }
-  return undefined;  // the standard library's, which comes with the compiler
+  return undefined; // the standard library's, which comes with the compiler
 }
 
 /**

@@ -1,9 +1,9 @@
 // Makes many things with two processes, each thing once its needs are there.
-import { fork } from 'node:child_process';
-import os from 'node:os';
-import { fileURLToPath } from 'node:url';
-import { forgetSources } from './headers.mjs';
-import { isMade, key, needs } from './recipes.mjs';
+import { fork } from "node:child_process";
+import os from "node:os";
+import { fileURLToPath } from "node:url";
+import { forgetSources } from "./headers.mjs";
+import { isMade, key, needs } from "./recipes.mjs";
 
 /** @typedef {import('./recipes.mjs').Recipe} Recipe */
 /** @typedef {{ ok: boolean, changed?: boolean, log: string, seconds: number }} Reply */
@@ -35,7 +35,7 @@ export async function makeAll(wanted, options = {}) {
   if (todo.size === 0) return { built, failed };
 
   const count = Math.min(workers ?? 2, Math.max(1, os.cpus().length), todo.size);
-  const script = fileURLToPath(new URL('worker.mjs', import.meta.url));
+  const script = fileURLToPath(new URL("worker.mjs", import.meta.url));
   const running = new Set();
 
   const next = () => {
@@ -44,7 +44,7 @@ export async function makeAll(wanted, options = {}) {
       const broken = job.waits.find((need) => failed.has(need));
       if (broken) {
         todo.delete(name);
-        failed.set(name, failed.get(broken) ?? '');
+        failed.set(name, failed.get(broken) ?? "");
         return next();
       }
       if (!job.waits.some((need) => todo.has(need))) return { name, ...job };
@@ -73,9 +73,9 @@ export async function makeAll(wanted, options = {}) {
       }
     };
     for (let i = 0; i < count; ++i) {
-      const hand = { process: fork(script, { stdio: ['ignore', 'inherit', 'inherit', 'ipc'] }) };
+      const hand = { process: fork(script, { stdio: ["ignore", "inherit", "inherit", "ipc"] }) };
       hands.push(hand);
-      hand.process.on('message', (message) => {
+      hand.process.on("message", (message) => {
         const reply = /** @type {Reply} */ (message);
         const { job } = /** @type {typeof hands[number]} */ (hand);
         if (!job) return;
@@ -88,7 +88,7 @@ export async function makeAll(wanted, options = {}) {
         else onDone?.({ recipe: job.recipe, ...reply }, todo.size);
         deal();
       });
-      hand.process.on('exit', (code, signal) => {
+      hand.process.on("exit", (code, signal) => {
         if (todo.size === 0) return;
         stop();
         reject(new Error(`a compiling process ended early (${signal ?? `exit code ${code}`})`));

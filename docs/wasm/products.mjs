@@ -1,8 +1,8 @@
 // What there is to build, found from the folders of the repository, and the recipe of each.
-import fs from 'node:fs';
-import path from 'node:path';
-import { checkFlags, moduleLink, pageFlags, programLink, quiet, runtimeFlags } from './flags.mjs';
-import { inRoot } from './paths.mjs';
+import fs from "node:fs";
+import path from "node:path";
+import { checkFlags, moduleLink, pageFlags, programLink, quiet, runtimeFlags } from "./flags.mjs";
+import { inRoot } from "./paths.mjs";
 
 /** @typedef {import('./recipes.mjs').Recipe} Recipe */
 /** @typedef {import('./recipes.mjs').Compile} Compile */
@@ -14,7 +14,9 @@ const names = (folder) => (fs.existsSync(folder) ? fs.readdirSync(folder).sort()
 
 /** The chapters: every folder with a chapter.toml. */
 export const chapters = () =>
-  names(inRoot('chapters')).filter((slug) => fs.existsSync(inRoot('chapters', slug, 'chapter.toml')));
+  names(inRoot("chapters")).filter((slug) =>
+    fs.existsSync(inRoot("chapters", slug, "chapter.toml")),
+  );
 
 /**
  * A chapter's own folder, then those of the chapters that it builds on, near ones first.
@@ -23,29 +25,39 @@ export const chapters = () =>
 export function chapterFolders(slug) {
   const found = new Set([slug]);
   for (const name of found) {
-    const toml = fs.readFileSync(inRoot('chapters', name, 'chapter.toml'), 'utf8');
-    const line = /^builds_on *=(.*)$/m.exec(toml)?.[1] ?? '';
+    const toml = fs.readFileSync(inRoot("chapters", name, "chapter.toml"), "utf8");
+    const line = /^builds_on *=(.*)$/m.exec(toml)?.[1] ?? "";
     for (const [, earlier] of line.matchAll(/"([^"]+)"/g)) found.add(String(earlier));
   }
-  return [...found].map((name) => inRoot('chapters', name));
+  return [...found].map((name) => inRoot("chapters", name));
 }
 
 /** @type {import('./recipes.mjs').Precompile} */
 const pagePrelude = {
-  tool: 'precompile', what: 'the headers that all figures share', flags: pageFlags, folders: [],
-  source: inRoot('docs', 'wasm', 'figure_prelude.hpp'),
+  tool: "precompile",
+  what: "the headers that all figures share",
+  flags: pageFlags,
+  folders: [],
+  source: inRoot("docs", "wasm", "figure_prelude.hpp"),
 };
 
 /** @type {import('./recipes.mjs').Precompile} */
 export const checkPrelude = {
-  tool: 'precompile', what: 'the prelude of the exercises', flags: checkFlags,
-  folders: [inRoot('grading')], source: inRoot('grading', 'contact', 'prelude.hpp'),
+  tool: "precompile",
+  what: "the prelude of the exercises",
+  flags: checkFlags,
+  folders: [inRoot("grading")],
+  source: inRoot("grading", "contact", "prelude.hpp"),
 };
 
 /** @type {Compile} */
 const throwStub = {
-  tool: 'compile', what: 'docs/wasm/throw_stub.cpp', language: 'c++', flags: pageFlags, folders: [],
-  source: inRoot('docs', 'wasm', 'throw_stub.cpp'),
+  tool: "compile",
+  what: "docs/wasm/throw_stub.cpp",
+  language: "c++",
+  flags: pageFlags,
+  folders: [],
+  source: inRoot("docs", "wasm", "throw_stub.cpp"),
 };
 
 /**
@@ -55,9 +67,19 @@ const throwStub = {
 export function moduleRecipe(source, folders) {
   const what = path.relative(inRoot(), source);
   return {
-    tool: 'link', what, ...moduleLink,
+    tool: "link",
+    what,
+    ...moduleLink,
     parts: [
-      { tool: 'compile', what, language: 'c++', flags: pageFlags, folders, source, pch: pagePrelude },
+      {
+        tool: "compile",
+        what,
+        language: "c++",
+        flags: pageFlags,
+        folders,
+        source,
+        pch: pagePrelude,
+      },
       throwStub,
     ],
   };
@@ -66,12 +88,12 @@ export function moduleRecipe(source, folders) {
 /** Every figure: chapters/NN_slug/figures/NAME.cpp. @returns {Product[]} */
 export function figures() {
   return chapters().flatMap((slug) =>
-    names(inRoot('chapters', slug, 'figures'))
-      .filter((file) => file.endsWith('.cpp'))
+    names(inRoot("chapters", slug, "figures"))
+      .filter((file) => file.endsWith(".cpp"))
       .map((file) => {
-        const name = `${slug}/${path.basename(file, '.cpp')}`;
-        const source = inRoot('chapters', slug, 'figures', file);
-        const folders = [inRoot('docs', 'figure'), ...chapterFolders(slug)];
+        const name = `${slug}/${path.basename(file, ".cpp")}`;
+        const source = inRoot("chapters", slug, "figures", file);
+        const folders = [inRoot("docs", "figure"), ...chapterFolders(slug)];
         return { name, output: `figures/${name}.wasm`, recipe: moduleRecipe(source, folders) };
       }),
   );
@@ -80,12 +102,12 @@ export function figures() {
 /** Every ladder: chapters/NN_slug/ladder.cpp. @returns {Product[]} */
 export function ladders() {
   return chapters()
-    .map((slug) => ({ slug, source: inRoot('chapters', slug, 'ladder.cpp') }))
+    .map((slug) => ({ slug, source: inRoot("chapters", slug, "ladder.cpp") }))
     .filter(({ source }) => fs.existsSync(source))
     .map(({ slug, source }) => ({
       name: slug,
       output: `ladders/${slug}.wasm`,
-      recipe: moduleRecipe(source, [inRoot('tests'), ...chapterFolders(slug)]),
+      recipe: moduleRecipe(source, [inRoot("tests"), ...chapterFolders(slug)]),
     }));
 }
 
@@ -94,25 +116,33 @@ export function ladders() {
  * @type {Recipe}
  */
 export const exceptionRuntime = (() => {
-  const home = inRoot('docs', 'wasm', 'third_party', 'llvm-eh');
-  const folders = ['shim', 'libunwind/include', 'libcxxabi/include', 'libcxx/include',
-    'libcxx/src'].map((folder) =>
-    path.join(home, folder),
-  );
+  const home = inRoot("docs", "wasm", "third_party", "llvm-eh");
+  const folders = [
+    "shim",
+    "libunwind/include",
+    "libcxxabi/include",
+    "libcxx/include",
+    "libcxx/src",
+  ].map((folder) => path.join(home, folder));
   const part = (/** @type {string} */ file, /** @type {Compile['language']} */ language) => {
-    const flags = language === 'c++' ? runtimeFlags.cxx : runtimeFlags[language];
+    const flags = language === "c++" ? runtimeFlags.cxx : runtimeFlags[language];
     const source = path.join(home, file);
     const what = path.relative(inRoot(), source);
-    return /** @type {Compile} */ ({ tool: 'compile', what, language, flags, folders, source });
+    return /** @type {Compile} */ ({ tool: "compile", what, language, flags, folders, source });
   };
   return {
-    tool: 'archive',
-    what: 'the exception runtime',
+    tool: "archive",
+    what: "the exception runtime",
     parts: [
-      part('libunwind/src/Unwind-wasm.c', 'c'),
-      part('shim/tag.s', 'assembly'),
-      ...['cxa_exception', 'cxa_personality', 'cxa_exception_storage', 'cxa_aux_runtime',
-        'fallback_malloc'].map((name) => part(`libcxxabi/src/${name}.cpp`, 'c++')),
+      part("libunwind/src/Unwind-wasm.c", "c"),
+      part("shim/tag.s", "assembly"),
+      ...[
+        "cxa_exception",
+        "cxa_personality",
+        "cxa_exception_storage",
+        "cxa_aux_runtime",
+        "fallback_malloc",
+      ].map((name) => part(`libcxxabi/src/${name}.cpp`, "c++")),
     ],
   };
 })();
@@ -121,19 +151,23 @@ export const exceptionRuntime = (() => {
 const testFlags = [...checkFlags, ...quiet];
 
 /** Where tools/fetch_catch2_source.sh puts Catch2's two amalgamated files. */
-export const catch2Source = inRoot('build', 'catch2', 'extras', 'catch_amalgamated.cpp');
+export const catch2Source = inRoot("build", "catch2", "extras", "catch_amalgamated.cpp");
 
 /** @returns {Recipe} */
 function catch2() {
   if (!fs.existsSync(catch2Source))
-    throw new Error('the source of Catch2 is missing: run tools/fetch_catch2_source.sh');
+    throw new Error("the source of Catch2 is missing: run tools/fetch_catch2_source.sh");
   return {
-    tool: 'archive', what: 'Catch2',
+    tool: "archive",
+    what: "Catch2",
     parts: [
       {
-        tool: 'compile', what: 'Catch2', language: 'c++',
-        flags: [...testFlags, '-DCATCH_AMALGAMATED_CUSTOM_MAIN'],
-        folders: [path.dirname(catch2Source)], source: catch2Source,
+        tool: "compile",
+        what: "Catch2",
+        language: "c++",
+        flags: [...testFlags, "-DCATCH_AMALGAMATED_CUSTOM_MAIN"],
+        folders: [path.dirname(catch2Source)],
+        source: catch2Source,
       },
     ],
   };
@@ -141,41 +175,63 @@ function catch2() {
 
 /** What the tests of every exercise are linked with. @returns {Recipe[]} */
 export function checkLibraries() {
-  const folders = [inRoot('tests'), inRoot('grading'), ...chapterFolders('00_vectors')];
-  const files = names(inRoot('tests', 'support')).filter((file) =>
-    /^(exercise|runner).*\.cpp$/.test(file) && !file.endsWith('_test.cpp'));
+  const folders = [inRoot("tests"), inRoot("grading"), ...chapterFolders("00_vectors")];
+  const files = names(inRoot("tests", "support")).filter(
+    (file) => /^(exercise|runner).*\.cpp$/.test(file) && !file.endsWith("_test.cpp"),
+  );
   const support = files.map((file) => {
-    const source = inRoot('tests', 'support', file);
+    const source = inRoot("tests", "support", file);
     const what = path.relative(inRoot(), source);
-    return /** @type {Compile} */ (
-      { tool: 'compile', what, language: 'c++', flags: testFlags, folders, source, pch: checkPrelude }
-    );
+    return /** @type {Compile} */ ({
+      tool: "compile",
+      what,
+      language: "c++",
+      flags: testFlags,
+      folders,
+      source,
+      pch: checkPrelude,
+    });
   });
   return [...support, catch2(), exceptionRuntime];
 }
 
-/** @typedef {{ name: string, slug: string, test: string }} Exercise */
+/** @typedef {{ name: string, slug: string, folder: string, test: string }} Exercise
+ *   `folder` holds the contract, `test` is the file of its tests */
 
 /** Every exercise with tests: exercises/NN_slug/NAME/NAME.hpp, tests/NN_slug/NAME_test.cpp. */
 export function exerciseList() {
-  return names(inRoot('exercises')).flatMap((slug) =>
-    names(inRoot('exercises', slug)).map((short) => ({
-      name: `${slug}/${short}`, slug, test: inRoot('tests', slug, `${short}_test.cpp`),
-    })),
-  ).filter(({ test }) => fs.existsSync(test));
+  return names(inRoot("exercises"))
+    .flatMap((slug) =>
+      names(inRoot("exercises", slug)).map((short) => ({
+        name: `${slug}/${short}`,
+        slug,
+        folder: inRoot("exercises", slug, short),
+        test: inRoot("tests", slug, `${short}_test.cpp`),
+      })),
+    )
+    .filter(({ test }) => fs.existsSync(test));
 }
 
 /** @param {Exercise} exercise */
-const exerciseFolders = ({ name, slug }) =>
-  [inRoot('exercises', name), inRoot('tests'), inRoot('grading'), ...chapterFolders(slug)];
+const exerciseFolders = ({ folder, slug }) => [
+  folder,
+  inRoot("tests"),
+  inRoot("grading"),
+  ...chapterFolders(slug),
+];
 
 /**
  * An exercise's tests, compiled once, as the page will link them with a student's object.
  * @param {Exercise} exercise @returns {Compile}
  */
 export const testObject = (exercise) => ({
-  tool: 'compile', what: path.relative(inRoot(), exercise.test), language: 'c++', flags: testFlags,
-  folders: exerciseFolders(exercise), source: exercise.test, pch: checkPrelude,
+  tool: "compile",
+  what: path.relative(inRoot(), exercise.test),
+  language: "c++",
+  flags: testFlags,
+  folders: exerciseFolders(exercise),
+  source: exercise.test,
+  pch: checkPrelude,
 });
 
 /**
@@ -186,12 +242,19 @@ export function checkProgram(exercise, answer) {
   const what = path.relative(inRoot(), answer);
   /** @type {Compile} */
   const object = {
-    tool: 'compile', what, language: 'c++', flags: testFlags, source: answer, pch: checkPrelude,
+    tool: "compile",
+    what,
+    language: "c++",
+    flags: testFlags,
+    source: answer,
+    pch: checkPrelude,
     // The student's side sees the contract, the prelude and the shared shapes; no tests.
-    folders: [inRoot('exercises', exercise.name), inRoot('grading'), inRoot('chapters', '00_vectors')],
+    folders: [exercise.folder, inRoot("grading"), inRoot("chapters", "00_vectors")],
   };
   return {
-    tool: 'link', what, ...programLink,
+    tool: "link",
+    what,
+    ...programLink,
     parts: [object, testObject(exercise), ...checkLibraries()],
   };
 }

@@ -1,11 +1,12 @@
 // How a product comes from sources: a small graph of compile, archive and link, each remembered by its content.
-import fs from 'node:fs';
-import path from 'node:path';
-import { createHash } from 'node:crypto';
-import { CompileError, compilerVersion, runTool } from './compiler.mjs';
-import { precompileFlags } from './flags.mjs';
-import { closure, virtualPath } from './headers.mjs';
-import { cacheDir } from './paths.mjs';
+
+import { createHash } from "node:crypto";
+import fs from "node:fs";
+import path from "node:path";
+import { CompileError, compilerVersion, runTool } from "./compiler.mjs";
+import { precompileFlags } from "./flags.mjs";
+import { closure, virtualPath } from "./headers.mjs";
+import { cacheDir } from "./paths.mjs";
 
 /**
  * @typedef {{ tool: 'compile', what: string, source: string, folders: string[], flags: string[],
@@ -19,30 +20,30 @@ import { cacheDir } from './paths.mjs';
 
 /** What must be made before this can be. @param {Recipe} recipe @returns {Recipe[]} */
 export function needs(recipe) {
-  if (recipe.tool === 'compile') return recipe.pch ? [recipe.pch] : [];
-  if (recipe.tool === 'precompile') return [];
+  if (recipe.tool === "compile") return recipe.pch ? [recipe.pch] : [];
+  if (recipe.tool === "precompile") return [];
   return recipe.parts;
 }
 
 /** The name under which the result is kept: it changes with the compiler, the flags and every file read.
  * @param {Recipe} recipe @returns {string} */
 export function key(recipe) {
-  const hash = createHash('sha256');
+  const hash = createHash("sha256");
   const add = (/** @type {string[]} */ ...texts) => {
     for (const text of texts) hash.update(`${text.length}:${text}`);
   };
-  add('1', recipe.tool, compilerVersion());
-  if (recipe.tool === 'compile' || recipe.tool === 'precompile') {
-    add(...recipe.flags, '', ...recipe.folders.map(virtualPath), '');
+  add("1", recipe.tool, compilerVersion());
+  if (recipe.tool === "compile" || recipe.tool === "precompile") {
+    add(...recipe.flags, "", ...recipe.folders.map(virtualPath), "");
     for (const { virtual, hash } of closure(recipe.source, recipe.folders)) add(virtual, hash);
   }
-  if (recipe.tool === 'link') add(...recipe.before, '', ...recipe.after, '');
+  if (recipe.tool === "link") add(...recipe.before, "", ...recipe.after, "");
   for (const need of needs(recipe)) add(key(need));
-  return hash.digest('hex');
+  return hash.digest("hex");
 }
 
 /** @param {string} name a key */
-const cached = (name) => path.join(cacheDir, 'made', name.slice(0, 2), name.slice(2));
+const cached = (name) => path.join(cacheDir, "made", name.slice(0, 2), name.slice(2));
 
 /** Whether the result is there; looking marks it as used. @param {string} name a key */
 export function isMade(name) {
@@ -72,7 +73,7 @@ export function writeWhole(file, content) {
 /** Deletes what no build has used for some days. @param {number} days */
 export function prune(days) {
   const before = Date.now() - days * 86_400_000;
-  const top = path.join(cacheDir, 'made');
+  const top = path.join(cacheDir, "made");
   if (!fs.existsSync(top)) return;
   for (const folder of fs.readdirSync(top))
     for (const name of fs.readdirSync(path.join(top, folder))) {
@@ -85,10 +86,10 @@ export function prune(days) {
 
 /** @param {Tree} tree @param {string} file @param {Uint8Array} bytes */
 function put(tree, file, bytes) {
-  const parts = file.split('/');
+  const parts = file.split("/");
   const name = /** @type {string} */ (parts.pop());
   let folder = tree;
-  for (const part of parts) folder = /** @type {Tree} */ (folder[part] ??= {});
+  for (const part of parts) folder = /** @type {Tree} */ ((folder[part] ??= {}));
   folder[name] = bytes;
 }
 
@@ -102,7 +103,7 @@ function treeFor(recipe) {
 }
 
 /** @param {Compile | Precompile} recipe */
-const search = (recipe) => recipe.folders.flatMap((folder) => ['-I', `/${virtualPath(folder)}`]);
+const search = (recipe) => recipe.folders.flatMap((folder) => ["-I", `/${virtualPath(folder)}`]);
 
 /** A source was edited between the moment when its key was computed and the moment when it was read. */
 export class Changed extends Error {}
@@ -113,50 +114,50 @@ export class Changed extends Error {}
  * @returns {Promise<string>}
  */
 export async function make(recipe, name, needed) {
-  const result = 'result.out';
+  const result = "result.out";
   /** @type {Tree} */
   let tree = {};
   /** @type {string[]} */
   let args;
   switch (recipe.tool) {
-    case 'compile': {
+    case "compile": {
       tree = treeFor(recipe);
       const source = virtualPath(recipe.source);
-      if (recipe.language === 'assembly') {
-        args = [...recipe.flags, '-o', result, source];
+      if (recipe.language === "assembly") {
+        args = [...recipe.flags, "-o", result, source];
         break;
       }
       args = [...recipe.flags, ...search(recipe)];
       if (recipe.pch) {
         for (const { virtual, bytes } of closure(recipe.pch.source, recipe.pch.folders))
           put(tree, virtual, new Uint8Array(bytes));
-        tree['prelude.pch'] = made(String(needed[0]));
-        args.push('-include-pch', 'prelude.pch');
+        tree["prelude.pch"] = made(String(needed[0]));
+        args.push("-include-pch", "prelude.pch");
       }
-      args.push('-emit-obj', '-main-file-name', path.basename(source), '-o', result);
-      args.push('-x', recipe.language, source);
+      args.push("-emit-obj", "-main-file-name", path.basename(source), "-o", result);
+      args.push("-x", recipe.language, source);
       break;
     }
-    case 'precompile':
+    case "precompile":
       tree = treeFor(recipe);
-      args = [...recipe.flags, ...precompileFlags, ...search(recipe), '-emit-pch', '-o', result];
-      args.push('-x', 'c++-header', virtualPath(recipe.source));
+      args = [...recipe.flags, ...precompileFlags, ...search(recipe), "-emit-pch", "-o", result];
+      args.push("-x", "c++-header", virtualPath(recipe.source));
       break;
-    case 'archive':
-    case 'link': {
+    case "archive":
+    case "link": {
       const names = recipe.parts.map((part, i) => {
-        const file = part.tool === 'archive' ? `part${i}.a` : `part${i}.o`;
+        const file = part.tool === "archive" ? `part${i}.a` : `part${i}.o`;
         tree[file] = made(String(needed[i]));
         return file;
       });
       args =
-        recipe.tool === 'archive'
-          ? ['ar', 'crsD', result, ...names]
-          : [...recipe.before, ...names, ...recipe.after, '-o', result];
+        recipe.tool === "archive"
+          ? ["ar", "crsD", result, ...names]
+          : [...recipe.before, ...names, ...recipe.after, "-o", result];
       break;
     }
   }
-  if ((recipe.tool === 'compile' || recipe.tool === 'precompile') && key(recipe) !== name)
+  if ((recipe.tool === "compile" || recipe.tool === "precompile") && key(recipe) !== name)
     throw new Changed(recipe.what);
   const { files, log } = await runTool(args, tree, recipe.what);
   const bytes = files[result];

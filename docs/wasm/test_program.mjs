@@ -1,6 +1,6 @@
 // Runs the tests of an exercise, compiled to WebAssembly with an answer, in this thread. Works in Node and in a
 // browser's worker. The program reports as its native twin does: one JSON object a line (tests/support/runner.cpp).
-import { ConsoleStdout, File, OpenFile, PreopenDirectory, WASI } from '@bjorn3/browser_wasi_shim';
+import { ConsoleStdout, File, OpenFile, PreopenDirectory, WASI } from "@bjorn3/browser_wasi_shim";
 
 /** @typedef {{ asked: string, inputs: { name: string, text: string }[], got: string, right: string,
  *              allowed?: string, misconception?: string }} Failure */
@@ -38,9 +38,9 @@ class PipeFile extends File {
 /** Cuts a stream of bytes into lines. @param {(line: string) => void} take */
 function lines(take) {
   const decoder = new TextDecoder();
-  let rest = '';
+  let rest = "";
   return (/** @type {Uint8Array} */ bytes) => {
-    const parts = (rest + decoder.decode(bytes, { stream: true })).split('\n');
+    const parts = (rest + decoder.decode(bytes, { stream: true })).split("\n");
     rest = /** @type {string} */ (parts.pop());
     for (const part of parts) take(part);
   };
@@ -57,10 +57,14 @@ const keptOutput = 4000;
  */
 export function trapText(error) {
   const text = String(error instanceof Error ? error.message : error);
-  if (/call stack|stack overflow/i.test(text)) return 'crashed: the stack overflowed (endless recursion?)';
-  if (/out of bounds|memory access/i.test(text)) return 'crashed: it used memory that is not its own';
-  if (/divide by zero|remainder by zero/i.test(text)) return 'crashed: an integer was divided by zero';
-  if (/unreachable/i.test(text)) return 'crashed: the program ended itself (abort, assertion or broken rule)';
+  if (/call stack|stack overflow/i.test(text))
+    return "crashed: the stack overflowed (endless recursion?)";
+  if (/out of bounds|memory access/i.test(text))
+    return "crashed: it used memory that is not its own";
+  if (/divide by zero|remainder by zero/i.test(text))
+    return "crashed: an integer was divided by zero";
+  if (/unreachable/i.test(text))
+    return "crashed: the program ended itself (abort, assertion or broken rule)";
   return `crashed: ${text}`;
 }
 
@@ -78,45 +82,60 @@ export async function runTests(program, tests, tell, { seed } = {}) {
     /** @type {string | undefined} */
     let running;
     let started = 0;
-    let output = '';
-    const printed = () => new ConsoleStdout((bytes) => {
-      output = (output + new TextDecoder().decode(bytes)).slice(-keptOutput);
-    });
-    const events = new PipeFile(lines((line) => {
-      const event = /** @type {Event} */ (JSON.parse(line));
-      if (event.event === 'start') {
-        running = event.test;
-        started = performance.now();
-        left = left.filter((name) => name !== event.test);
-      } else if (event.event === 'end') {
-        running = undefined;
-      } else {
-        return;
-      }
-      tell(event);
-    }));
+    let output = "";
+    const printed = () =>
+      new ConsoleStdout((bytes) => {
+        output = (output + new TextDecoder().decode(bytes)).slice(-keptOutput);
+      });
+    const events = new PipeFile(
+      lines((line) => {
+        const event = /** @type {Event} */ (JSON.parse(line));
+        if (event.event === "start") {
+          running = event.test;
+          started = performance.now();
+          left = left.filter((name) => name !== event.test);
+        } else if (event.event === "end") {
+          running = undefined;
+        } else {
+          return;
+        }
+        tell(event);
+      }),
+    );
     const stop = (/** @type {string} */ why) => {
       const test = running ?? left.shift();
       if (test === undefined) return;
-      if (running === undefined) tell({ event: 'start', test });
-      const got = output.trim() === '' ? why : `${why}\n${output.trim()}`;
+      if (running === undefined) tell({ event: "start", test });
+      const got = output.trim() === "" ? why : `${why}\n${output.trim()}`;
       const seconds = running === undefined ? 0 : (performance.now() - started) / 1000;
-      tell({ event: 'end', test, status: 'stopped', seconds, failure: { asked: '', inputs: [], got, right: '' } });
+      tell({
+        event: "end",
+        test,
+        status: "stopped",
+        seconds,
+        failure: { asked: "", inputs: [], got, right: "" },
+      });
       running = undefined;
     };
     const before = left.length;
     const wasi = new WASI(
-      ['tests', '-r', 'contact::out=/events', left.map(escaped).join(',')],
+      ["tests", "-r", "contact::out=/events", left.map(escaped).join(",")],
       seed === undefined ? [] : [`CONTACT_SEED=${seed}`],
-      [new OpenFile(new File([])), printed(), printed(),
-        new PreopenDirectory('/', new Map([['events', events]]))],
+      [
+        new OpenFile(new File([])),
+        printed(),
+        printed(),
+        new PreopenDirectory("/", new Map([["events", events]])),
+      ],
       { debug: false },
     );
     try {
-      const instance = await WebAssembly.instantiate(program, { wasi_snapshot_preview1: wasi.wasiImport });
+      const instance = await WebAssembly.instantiate(program, {
+        wasi_snapshot_preview1: wasi.wasiImport,
+      });
       // The types of the shim ask for what only a running program can have.
       wasi.start(/** @type {any} */ (instance));
-      if (running !== undefined) stop('ended the program');
+      if (running !== undefined) stop("ended the program");
     } catch (error) {
       stop(trapText(error));
     }
@@ -124,12 +143,12 @@ export async function runTests(program, tests, tell, { seed } = {}) {
       // Nothing ran and nothing died: these names are not in the program.
       for (const test of left) {
         running = undefined;
-        output = '';
+        output = "";
         left = [test];
-        stop('this test is not in the program');
+        stop("this test is not in the program");
       }
       left = [];
     }
   }
-  tell({ event: 'done' });
+  tell({ event: "done" });
 }

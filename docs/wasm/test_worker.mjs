@@ -1,6 +1,6 @@
 // The thread in which an answer's tests run, so that an endless loop can be ended from outside.
-import { parentPort, workerData } from 'node:worker_threads';
-import { runTests } from './test_program.mjs';
+import { parentPort, workerData } from "node:worker_threads";
+import { runTests } from "./test_program.mjs";
 
 /** @typedef {{ program: Uint8Array<ArrayBuffer>, tests: string[], seed?: string }} Order */
 
