@@ -16,19 +16,22 @@ cannot() {
 
 command -v apt-get >/dev/null 2>&1 || cannot "this machine has no apt-get. Download the source of Catch2 3.x" \
   "and copy its extras/catch_amalgamated.hpp and .cpp to $target/extras."
+# Debian calls it libcatch2-dev, Ubuntu 24.04 catch2.
+package=libcatch2-dev
+dpkg-query -W "$package" >/dev/null 2>&1 || package=catch2
 # ${...} here is dpkg-query's own language.
 # shellcheck disable=SC2016
-version=$(dpkg-query -W -f '${source:Version}' libcatch2-dev 2>/dev/null || :)
+version=$(dpkg-query -W -f '${source:Version}' "$package" 2>/dev/null || :)
 case $version in
-  '') cannot "libcatch2-dev is not installed; ./contact setup installs it." ;;
-  [012].*) cannot "libcatch2-dev is $version, and this needs version 3; ./contact setup installs it." ;;
+  '') cannot "Catch2's package (libcatch2-dev) is not installed; ./contact setup installs it." ;;
+  [012].*) cannot "$package is $version, and this needs version 3; ./contact setup installs it." ;;
 esac
 if [ -f "$target/extras/catch_amalgamated.cpp" ] && [ "$(cat "$target/VERSION" 2>/dev/null)" = "$version" ]; then
   exit 0
 fi
 
 # Where the installed version came from: "URI SUITE", one a line. Empty if the machine's package lists are gone.
-origins=$(LC_ALL=C apt-cache policy libcatch2-dev | awk '
+origins=$(LC_ALL=C apt-cache policy "$package" | awk '
   /^ \*\*\* /   { installed = 1; next }
   /^     [^ ]/  { installed = 0 }
   installed && $2 !~ /^\/var\/lib\/dpkg/ && NF >= 4 { split($3, part, "/"); print $2, part[1] }' | sort -u)
@@ -74,7 +77,7 @@ for file in /etc/apt/sources.list.d/*.sources; do
     END { emit() }' "$file" >>"$private/sources/stanzas.sources"
 done
 [ -s "$private/sources/lines.list" ] || [ -s "$private/sources/stanzas.sources" ] ||
-  cannot "no package source of this machine is known for libcatch2-dev $version, so its source package cannot be found."
+  cannot "no package source of this machine is known for $package $version, so its source package cannot be found."
 
 apt() {
   apt-get -q -o Dir::Etc::sourcelist=/dev/null -o "Dir::Etc::sourceparts=$private/sources" \
