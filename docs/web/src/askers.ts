@@ -23,6 +23,13 @@ export interface Asker {
   onSubmit?(send: () => void): void;
 }
 
+/** What an option says, for a name made of mathematics alone, which axe and some readers pass over. */
+export function spoken(option: HTMLElement): string {
+  const copy = option.cloneNode(true) as HTMLElement;
+  for (const part of copy.querySelectorAll("annotation, .katex-html")) part.remove();
+  return (copy.textContent ?? "").replace(/\s+/g, " ").trim();
+}
+
 export function chooseAsker(question: Choose, labelId: string): Asker {
   const inputs: HTMLInputElement[] = [];
   const element = html("fieldset", { role: "radiogroup", "aria-labelledby": labelId });
@@ -30,6 +37,7 @@ export function chooseAsker(question: Choose, labelId: string): Asker {
     const input = html("input", { type: "radio", name: labelId, value: String(i) });
     const text = html("span");
     text.innerHTML = option;
+    if (text.querySelector("math")) input.setAttribute("aria-label", spoken(text));
     inputs.push(input);
     element.append(html("label", { class: "option" }, input, text));
   }

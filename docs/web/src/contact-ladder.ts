@@ -36,7 +36,7 @@ export class ContactLadder extends HTMLElement {
 
   #build(result: LadderResult): void {
     const base = new URL(this.getAttribute("base") ?? "./", document.baseURI).href;
-    for (const scrolling of this.querySelectorAll<HTMLElement>(".plot, .wide")) {
+    for (const scrolling of this.querySelectorAll<HTMLElement>(":is(.plot, .wide):not([role])")) {
       scrolling.tabIndex = 0;
       scrolling.setAttribute("role", "region");
       scrolling.setAttribute("aria-label", "Measurements, may scroll sideways");

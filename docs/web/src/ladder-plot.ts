@@ -126,6 +126,8 @@ export function ladderPlot(
   svg.setAttribute("class", `${svg.getAttribute("class") ?? ""} ladder`);
   svg.setAttribute("role", "img");
   svg.setAttribute("aria-label", `${result.question} ${measure.title} against time, plotted.`);
+  // Plot names its groups, and a group without a role may have no name.
+  for (const group of svg.querySelectorAll("g[aria-label]")) group.removeAttribute("aria-label");
   annotate(svg, result, rows, measure, document);
   return svg;
 }

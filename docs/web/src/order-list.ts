@@ -1,6 +1,6 @@
 // Steps to put in order: move buttons, arrow keys on a step, or dragging.
 
-import type { Asker } from "./askers.ts";
+import { type Asker, spoken as wordsOf } from "./askers.ts";
 import { button, html } from "./dom.ts";
 import { moved, rightFromStart } from "./order.ts";
 import type { Order } from "./question.ts";
@@ -16,7 +16,7 @@ export function orderAsker(question: Order, labelId: string): Asker {
   function step(item: string, index: number): HTMLLIElement {
     const text = html("span", { class: "step" });
     text.innerHTML = item;
-    const name = text.textContent ?? "";
+    const name = wordsOf(text);
     const up = button("↑", () => move(index, -1, up));
     const down = button("↓", () => move(index, 1, down));
     up.setAttribute("aria-label", `Move up: ${name}`);
