@@ -61,6 +61,7 @@ html_title = "Contact Hours"
 html_favicon = "_static/favicon.svg"
 html_static_path = ["_static"]
 html_css_files = ["book.css"]
+html_js_files = [("book.js", {"type": "module"})]
 html_copy_source = False
 html_show_sourcelink = False
 html_show_sphinx = False

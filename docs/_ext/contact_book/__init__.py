@@ -23,6 +23,7 @@ from contact_book.hard_cases import HardCases
 from contact_book.home import BookContents, ChapterMap, read_again
 from contact_book.html import depart_through, visit_component, visit_through
 from contact_book.ladder import Ladder
+from contact_book.landmarks import name_columns, plain_captions
 from contact_book.listing import Code, Example
 from contact_book.live_figure import LiveFigure
 from contact_book.locations import name_authors_files
@@ -74,4 +75,6 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.connect("source-read", depend_on_headers)
     app.connect("doctree-read", place_head)
     app.connect("html-page-context", add_script)
+    app.connect("html-page-context", plain_captions, priority=900)
+    app.connect("build-finished", name_columns)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

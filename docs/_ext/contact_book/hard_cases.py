@@ -53,7 +53,8 @@ class HardCases(BookDirective):
             f"{len(cases)} hard cases; {wrong} of {len(cases) * len(methods)} verdicts are wrong"
         )
         heads = ["Case", "Exact answer", *methods]
-        return [scrolled(table(heads, rows, words, ["hard-cases"]), "Hard cases")]
+        label = f"Hard cases of {', '.join(methods)}"
+        return [scrolled(table(heads, rows, words, ["hard-cases"]), label)]
 
     def row(self, methods: tuple[str, ...], case: dict[str, Any]) -> list[Any]:
         name = nodes.strong("", case["name"].replace("-", " "))

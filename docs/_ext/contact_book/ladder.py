@@ -125,7 +125,10 @@ class Ladder(BookDirective):
             "Largest error",
             "Time, ns: median (quartiles)",
         ]
-        return scrolled(table(heads, rows, data["question"], ["ladder"]), "Measurements")
+        return scrolled(table(heads, rows, data["question"], ["ladder"]), "Table of measurements")
+
+
+_PLOT = 'role="region" tabindex="0" aria-label="Plot of measurements"'
 
 
 @renders("ladder")
@@ -133,7 +136,8 @@ def ladder_html(translator: HTML5Translator, node: component) -> str:
     data = node["data"]
     parts = slots(translator, node)
     fallback = (
-        f'<div class="plot">{data["plot"]}</div><div class="measured">{parts["source"][0]}</div>'
+        f'<div class="plot" {_PLOT}>{data["plot"]}</div>'
+        f'<div class="measured">{parts["source"][0]}</div>'
         "<details open><summary>The numbers</summary>"
         f"{parts['table'][0]}</details>"
     )
