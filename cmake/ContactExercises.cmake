@@ -180,6 +180,52 @@ function(contact_add_exercise chapter name)
   set(CONTACT_JSON_SEPARATOR "," PARENT_SCOPE)
 endfunction()
 
+# Tests of the machinery itself (tests/grading): what is reported, what a misbehaving process can do, and that nothing in
+# a student's file takes the place of something in the tests.
+function(contact_add_exercise_checks)
+  set(dir "${PROJECT_SOURCE_DIR}/tests/grading")
+  set(host "$<TARGET_OBJECTS:contact_exercise_host>")
+  foreach(target IN ITEMS exercise_specimen exercise_tests remote_specimen remote_tests)
+    string(REPLACE "_tests" "_test" stem "${target}")
+    add_executable(${target} "${dir}/${stem}.cpp")
+    target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests" "${PROJECT_SOURCE_DIR}/grading")
+    target_link_libraries(${target} PRIVATE contact_00_vectors nlohmann_json::nlohmann_json contact_warnings)
+  endforeach()
+  target_sources(exercise_specimen PRIVATE "${host}")
+  target_link_libraries(exercise_specimen PRIVATE Catch2::Catch2)
+  target_link_libraries(exercise_tests PRIVATE Catch2::Catch2WithMain)
+  target_sources(remote_tests PRIVATE "$<TARGET_OBJECTS:contact_remote>")
+  target_link_libraries(remote_tests PRIVATE Catch2::Catch2)
+  foreach(name IN ITEMS exercise remote)
+    add_dependencies(${name}_tests ${name}_specimen)
+    target_compile_definitions(${name}_tests PRIVATE "CONTACT_SPECIMEN=\"$<TARGET_FILE:${name}_specimen>\"")
+    add_test(NAME ${name}_tests COMMAND ${name}_tests)
+  endforeach()
+
+  # The same object, once linked with the sealed tests and once with the open ones: the first is what is done, the second
+  # shows that the attack works where nothing is sealed.
+  if(NOT TARGET exercise_02_triangles_ray_triangle)
+    return()
+  endif()
+  set(out "${CMAKE_BINARY_DIR}/exercises/sealed")
+  file(MAKE_DIRECTORY "${out}")
+  contact_compile_as_student("${out}/attack.o" "${dir}/sealed/replaces_exact_product.cpp" 02_triangles ray_triangle)
+  set(sealed "${CMAKE_BINARY_DIR}/exercises/02_triangles/ray_triangle/tests.o")
+  add_custom_command(OUTPUT "${out}/sealed" COMMAND "${CMAKE_CXX_COMPILER}" ${CONTACT_STUDENT_LINK_FLAGS}
+      "${out}/attack.o" "${sealed}" -o "${out}/sealed"
+    DEPENDS "${out}/attack.o" "${sealed}" exercise_02_triangles_ray_triangle VERBATIM)
+  set(open "$<TARGET_OBJECTS:exercise_02_triangles_ray_triangle_tests>" "$<FILTER:${host},EXCLUDE,gch$>"
+    "$<TARGET_FILE:Catch2::Catch2>")
+  add_custom_command(OUTPUT "${out}/open" COMMAND "${CMAKE_CXX_COMPILER}" "${out}/attack.o" ${open} -o "${out}/open"
+    DEPENDS "${out}/attack.o" ${open} COMMAND_EXPAND_LISTS VERBATIM)
+  add_custom_target(contact_sealed ALL DEPENDS "${out}/sealed" "${out}/open")
+  add_dependencies(exercises contact_sealed)
+  set(test "a ray hits where it passes inside the triangle and misses beside it")
+  add_test(NAME sealed_tests_cannot_be_changed COMMAND "${out}/sealed" "${test}")
+  set_tests_properties(sealed_tests_cannot_be_changed PROPERTIES WILL_FAIL ON)
+  add_test(NAME open_tests_could_be_changed COMMAND "${out}/open" "${test}")
+endfunction()
+
 # Finds every exercise and builds what it needs; the target `exercises` is all of them.
 function(contact_add_exercises)
   contact_student_flags(CONTACT_STUDENT_FLAGS)
@@ -203,6 +249,7 @@ function(contact_add_exercises)
     endif()
     contact_add_exercise(${chapter} ${name})
   endforeach()
+  contact_add_exercise_checks()
 
   contact_json_strings(flags ${CONTACT_STUDENT_FLAGS})
   contact_json_strings(link_flags ${CONTACT_STUDENT_LINK_FLAGS})

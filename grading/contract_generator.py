@@ -2,9 +2,10 @@
 
     contract_generator.py CONTRACT.hpp --proxy OUT.cpp --server OUT.cpp
 
-The contract is an exercise's header. Generated code names its functions and the types of their parameters, as the
-header spells them; how a value crosses to another process is deduced from its type (contact/value.hpp), so nothing
-about a type is generated. What a contract must not hold is refused with its line.
+The contract is an exercise's header. Generated code names its functions and the types
+of their parameters, as the header spells them; how a value crosses to another process is deduced
+from its type (contact/value.hpp), so nothing about a type is generated. What a contract must not
+hold is refused with its line.
 """
 
 from __future__ import annotations
@@ -64,7 +65,9 @@ class Parameter:
     by_reference: bool
 
     def declared(self) -> str:
-        return f"const {self.type}& {self.name}" if self.by_reference else f"{self.type} {self.name}"
+        return (
+            f"const {self.type}& {self.name}" if self.by_reference else f"{self.type} {self.name}"
+        )
 
 
 @dataclass(frozen=True)
@@ -96,11 +99,17 @@ def field(node: Node, name: str) -> Node:
 def check_type(node: Node, spelled: str) -> None:
     for word in re.findall(r"\w+", spelled):
         if word in FORBIDDEN_TYPES:
-            raise ContractError(node, f"`{spelled}`: no `{word}` in a contract: {FORBIDDEN_TYPES[word]}")
+            raise ContractError(
+                node, f"`{spelled}`: no `{word}` in a contract: {FORBIDDEN_TYPES[word]}"
+            )
         if re.fullmatch(r"u?int(8|16|32|_\w+)_t|uint64_t|\w+ptr_t", word):
-            raise ContractError(node, f"`{spelled}`: no `{word}` in a contract: use int or std::int64_t")
+            raise ContractError(
+                node, f"`{spelled}`: no `{word}` in a contract: use int or std::int64_t"
+            )
     if re.search(r"[*&]", spelled):
-        raise ContractError(node, f"`{spelled}`: no pointer or reference inside a type of a contract")
+        raise ContractError(
+            node, f"`{spelled}`: no pointer or reference inside a type of a contract"
+        )
 
 
 def read_parameter(node: Node) -> Parameter:
@@ -112,13 +121,18 @@ def read_parameter(node: Node) -> Parameter:
     qualifiers = [text(child) for child in node.children if child.type == "type_qualifier"]
     declarator = node.child_by_field_name("declarator")
     if declarator is None:
-        raise ContractError(node, f"`{text(node)}`: name the parameter, for the reader and for the report of a failure")
+        raise ContractError(
+            node,
+            f"`{text(node)}`: name the parameter, for the reader and for the report of a failure",
+        )
     by_reference = declarator.type == "reference_declarator"
     if by_reference:
         if text(declarator).startswith("&&"):
             raise ContractError(node, f"`{text(node)}`: take it by value or by const reference")
         if "const" not in qualifiers:
-            raise ContractError(node, f"`{text(node)}`: a reference must be const; results are returned")
+            raise ContractError(
+                node, f"`{text(node)}`: a reference must be const; results are returned"
+            )
         declarator = declarator.named_children[0]
     if declarator.type != "identifier":
         raise ContractError(node, f"`{text(node)}`: no pointer, array or function as a parameter")
@@ -129,32 +143,44 @@ def read_parameter(node: Node) -> Parameter:
 def read_function(node: Node) -> Function:
     declarator = field(node, "declarator")
     if declarator.type in ("pointer_declarator", "reference_declarator"):
-        raise ContractError(node, f"`{text(node)}`: a contract returns a value, not a pointer or a reference")
+        raise ContractError(
+            node, f"`{text(node)}`: a contract returns a value, not a pointer or a reference"
+        )
     if declarator.type != "function_declarator":
-        raise ContractError(node, f"`{text(node)}`: a contract declares functions and types, no variables")
+        raise ContractError(
+            node, f"`{text(node)}`: a contract declares functions and types, no variables"
+        )
     for child in node.children:
         if child.type in ("storage_class_specifier", "attribute_declaration", "virtual"):
             raise ContractError(node, f"`{text(child)}` on a function of a contract")
     for child in declarator.children:
         if child.type in ("noexcept", "throw_specifier"):
-            raise ContractError(node, "a function of a contract is not noexcept: todo() must get out of it")
+            raise ContractError(
+                node, "a function of a contract is not noexcept: todo() must get out of it"
+            )
         if child.type == "trailing_return_type":
             raise ContractError(node, "write the result's type before the function's name")
     result = text(field(node, "type"))
     if any(child.type == "type_qualifier" for child in node.children):
-        raise ContractError(node, f"`{text(node)}`: return a plain value, without const or constexpr")
+        raise ContractError(
+            node, f"`{text(node)}`: return a plain value, without const or constexpr"
+        )
     check_type(node, result)
     name = field(declarator, "declarator")
     if name.type != "identifier":
         raise ContractError(node, f"`{text(name)}`: a plain name, please")
-    parameters = [child for child in field(declarator, "parameters").named_children if child.type != "comment"]
+    parameters = [
+        child for child in field(declarator, "parameters").named_children if child.type != "comment"
+    ]
     if not parameters:
-        raise ContractError(node, f"`{text(node)}`: a function without input has one answer; ask a question instead")
+        raise ContractError(
+            node, f"`{text(node)}`: a function without input has one answer; ask a question instead"
+        )
     return Function(text(name), result, tuple(read_parameter(p) for p in parameters))
 
 
 def check_struct(node: Node) -> None:
-    """A struct is plain data. Whether its types may cross is decided by the compiler, in the generated code."""
+    """A struct is plain data. Whether its types may cross, the compiler decides in generated code."""
     body = node.child_by_field_name("body")
     if body is None:
         raise ContractError(node, f"`{text(node)}`: define the type, so that its values can cross")
@@ -162,14 +188,20 @@ def check_struct(node: Node) -> None:
         if member.type == "comment":
             continue
         if member.type != "field_declaration":
-            raise ContractError(member, f"`{text(member)}`: a struct of a contract has public members and nothing else")
+            raise ContractError(
+                member,
+                f"`{text(member)}`: a struct of a contract has public members and nothing else",
+            )
         for child in member.children:
             if child.type == "storage_class_specifier":
                 raise ContractError(member, f"`{text(member)}`: no static member")
         declarators = member.children_by_field_name("declarator")
         for declarator in declarators:
             if declarator.type != "field_identifier":
-                raise ContractError(member, f"`{text(member)}`: no pointer, array, reference or function as a member")
+                raise ContractError(
+                    member,
+                    f"`{text(member)}`: no pointer, array, reference or function as a member",
+                )
         check_type(member, text(field(member, "type")))
 
 
@@ -177,7 +209,13 @@ def declarations(node: Node) -> Iterator[Node]:
     """What a contract's namespace declares; raises for what it must not."""
     for child in node.named_children:
         match child.type:
-            case "comment" | "preproc_include" | "preproc_call" | "using_declaration" | "alias_declaration":
+            case (
+                "comment"
+                | "preproc_include"
+                | "preproc_call"
+                | "using_declaration"
+                | "alias_declaration"
+            ):
                 continue
             case "static_assert_declaration":
                 continue
@@ -189,15 +227,23 @@ def declarations(node: Node) -> Iterator[Node]:
                 check_struct(child)
             case "enum_specifier":
                 if not text(child).startswith("enum class"):
-                    raise ContractError(child, "an enum class, please: any other may not hold what is read into it")
+                    raise ContractError(
+                        child, "an enum class, please: any other may not hold what is read into it"
+                    )
             case "function_definition":
-                raise ContractError(child, "a contract declares its functions; the student defines them")
+                raise ContractError(
+                    child, "a contract declares its functions; the student defines them"
+                )
             case "template_declaration":
-                raise ContractError(child, "no templates: the tests are compiled once, against plain functions")
+                raise ContractError(
+                    child, "no templates: the tests are compiled once, against plain functions"
+                )
             case "preproc_def" | "preproc_function_def":
                 raise ContractError(child, "no macros in a contract")
             case _:
-                raise ContractError(child, f"`{text(child)[:60]}`: a contract holds types and functions only")
+                raise ContractError(
+                    child, f"`{text(child)[:60]}`: a contract holds types and functions only"
+                )
 
 
 def read_contract(source: bytes) -> list[Function]:
@@ -217,16 +263,22 @@ def read_contract(source: bytes) -> list[Function]:
             case "namespace_definition":
                 namespaces.append(child)
             case _:
-                raise ContractError(child, f"everything in a contract is in `namespace {NAMESPACE}`")
+                raise ContractError(
+                    child, f"everything in a contract is in `namespace {NAMESPACE}`"
+                )
     if len(namespaces) != 1 or text(field(namespaces[0], "name")) != NAMESPACE:
         raise ContractError(root, f"a contract has one namespace, `{NAMESPACE}`")
     functions: list[Function] = []
     for node in declarations(field(namespaces[0], "body")):
         if field(node, "declarator").type == "init_declarator":
-            raise ContractError(node, f"`{text(node)}`: a contract declares functions and types, no variables")
+            raise ContractError(
+                node, f"`{text(node)}`: a contract declares functions and types, no variables"
+            )
         function = read_function(node)
         if any(function.name == earlier.name for earlier in functions):
-            raise ContractError(node, f"`{function.name}` is overloaded; give each function a name of its own")
+            raise ContractError(
+                node, f"`{function.name}` is overloaded; give each function a name of its own"
+            )
         functions.append(function)
     if not functions:
         raise ContractError(root, "a contract declares at least one function")
@@ -267,10 +319,14 @@ constexpr contact::remote::Contract kContract{{"{header.stem}", {fingerprint(fun
 """
 
 
+def call_arguments(index: int, function: Function) -> list[str]:
+    return ["kContract", str(index), *(p.name for p in function.parameters)]
+
+
 def proxy(header: Path, functions: list[Function]) -> str:
     bodies = "\n".join(
         f"{f.declared()} {{\n"
-        f"  return contact::remote::call<{f.result}>(kContract, {i}{''.join(', ' + p.name for p in f.parameters)});\n"
+        f"  return contact::remote::call<{f.result}>({', '.join(call_arguments(i, f))});\n"
         f"}}\n"
         for i, f in enumerate(functions)
     )
@@ -299,7 +355,9 @@ def main() -> int:
     options = argparse.ArgumentParser(description="Write a contract's proxy and server.")
     options.add_argument("contract", type=Path)
     options.add_argument("--proxy", type=Path, help="where to write the side of the tests")
-    options.add_argument("--server", type=Path, help="where to write the side of the student's code")
+    options.add_argument(
+        "--server", type=Path, help="where to write the side of the student's code"
+    )
     arguments = options.parse_args()
     contract: Path = arguments.contract
     try:

@@ -1,0 +1,140 @@
+// Tests that fail, crash and stop on purpose. exercise_test.cpp runs this program and reads what it
+// reports.
+#include <csignal>
+#include <cstdlib>
+#include <limits>
+
+#include <contact/host.hpp>
+#include <contact/prelude.hpp>
+#include <support/exercise.hpp>
+
+namespace {
+
+using namespace contact::testing;
+using Found = std::optional<double>;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+struct Pair {
+  double small = 0, large = 0;
+};
+
+}  // namespace
+
+TEST_CASE("right") {
+  ask("One?").answer([] { return 1; }).equals(1);
+  ask("A third?").answer([] { return 1.0 / 3; }).close_to(0.3333, within(1e-3));
+  ask("Even?").answer([] { return 4; }).satisfies("is even", [](int i) { return i % 2 == 0; });
+  ask("A bad plane?")
+      .answer([]() -> int { throw std::invalid_argument("n"); })
+      .throws_invalid_argument();
+}
+
+TEST_CASE("wrong and recognised") {
+  const Eigen::Vector3d x{1, 2, 0.1};
+  const int n = 7;
+  ask("What is it?")
+      .given("x", x)
+      .given("n", n)
+      .suspect("not-this-one", [] { return 3.0; })
+      .suspect("this-one", [] { return 2.5; })
+      .answer([] { return 2.5; })
+      .close_to(2, within(0.25));
+}
+
+TEST_CASE("a suspect that is right here is not recognised") {
+  ask("What is it?")
+      .suspect("right-here", [] { return 2.125; })
+      .suspect("breaks-down", []() -> double { throw std::domain_error("no"); })
+      .answer([] { return 2.375; })
+      .close_to(2, within(0.25));
+}
+
+TEST_CASE("a suspect by its looks") {
+  ask("What is it?")
+      .suspect_if("not-a-number", [](const double& y) { return y != y; })
+      .answer([] { return kNaN; })
+      .close_to(2, within(0.25));
+}
+
+TEST_CASE("NaN is near nothing and not even NaN") {
+  ask("What is it?").answer([] { return Found{kNaN}; }).close_to(Found{kNaN}, within(1e300));
+}
+
+TEST_CASE("each number has its own tolerance") {
+  ask("What are they?")
+      .answer([] {
+        return Pair{1.5, 105};
+      })
+      .close_to({1, 100}, within(Pair{1, 10}));
+  ask("What are they?").answer([] { return Pair{5, 105}; }).close_to({1, 100}, within(Pair{1, 10}));
+}
+
+TEST_CASE("the wrong exception") {
+  ask("Refused?")
+      .answer([]() -> int { throw std::out_of_range("far out"); })
+      .throws_invalid_argument();
+}
+
+TEST_CASE("no exception") {
+  ask("Refused?")
+      .suspect("accepts-all", [] { return 1; })
+      .answer([] { return 1; })
+      .throws_invalid_argument();
+}
+
+TEST_CASE("not an exception") {
+  ask("What is it?").answer([]() -> int { throw 5; }).equals(1);
+}
+
+TEST_CASE("out of memory") {
+  ask("How much?")
+      .answer([] {
+        // Small pieces, so that no allocator refuses the size as such; the limit is
+        // CONTACT_MEMORY_MB.
+        std::vector<std::vector<double>> all;
+        while (true) all.emplace_back(std::size_t{1} << 17, 1.0);
+        return static_cast<int>(all.size());
+      })
+      .equals(1);
+}
+
+TEST_CASE("not attempted") {
+  ask("What is it?").answer([]() -> int { contact::todo(); }).equals(1);
+}
+
+TEST_CASE("asked in vain") {
+  ask("What is it?").answer([]() -> int { throw contact::host::Stopped("gone"); }).equals(1);
+}
+
+TEST_CASE("text that is no UTF-8") {
+  ask("What is it?").answer([] { return std::string("\xff\xfe"); }).equals("x");
+}
+
+TEST_CASE("an author's own check") {
+  const int found = 1;
+  REQUIRE(found == 2);
+}
+
+TEST_CASE("prints") {
+  std::puts("the student's line");
+  ask("One?").answer([] { return 1; }).equals(1);
+}
+
+TEST_CASE("crashes") {
+  ask("What is it?")
+      .answer([] {
+        std::raise(SIGSEGV);
+        return 1;
+      })
+      .equals(1);
+}
+
+TEST_CASE("leaves") {
+  ask("What is it?")
+      .answer([] {
+        std::_Exit(0);
+        return 1;
+      })
+      .equals(1);
+}
