@@ -1,6 +1,7 @@
 #include "support/hard_cases.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -188,8 +189,10 @@ std::string answer_text(const Json& answer) {
     if (value.is_string()) {
       const std::string text = value.get<std::string>();
       if (text.find('x') == std::string::npos) return text;
-      char decimal[48];  // a hexadecimal float: for the reader in decimal
-      std::snprintf(decimal, sizeof decimal, "%.17g", std::strtod(text.c_str(), nullptr));
+      char decimal[48];  // a hexadecimal float: for the reader in decimal, as short as gives the
+                         // same double
+      const double number = std::strtod(text.c_str(), nullptr);
+      *std::to_chars(decimal, decimal + sizeof decimal - 1, number).ptr = '\0';
       return decimal;
     }
     if (value.is_array()) {
