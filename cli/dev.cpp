@@ -49,19 +49,25 @@ class ProgressLine {
   std::size_t last_ = 0;
 };
 
-// Builds the tests that are stale. If one does not build, the others must still be checked.
+std::string target_of(const Exercise& exercise) {
+  return "exercise_" + exercise.chapter + "_" + exercise.name;
+}
+
+// Builds whatever is not current, generated code too. If one exercise does not build, the others must still be checked.
 void build_all(grading::Loop& loop, const grading::Book& book,
                std::vector<const Exercise*>& exercises, std::vector<DevResult>& results) {
+  std::vector<std::string> targets;
+  for (const Exercise* exercise : exercises) targets.push_back(target_of(*exercise));
   try {
-    grading::ready_build(loop, book, exercises);
+    grading::build_target(loop, book, targets);
     return;
   } catch (const grading::BookError&) {
-    if (exercises.size() == 1) throw;
+    // Said below, for those that it is true of.
   }
   std::vector<const Exercise*> usable;
   for (const Exercise* exercise : exercises) {
     try {
-      grading::ready_build(loop, book, {exercise});
+      grading::build_target(loop, book, {target_of(*exercise)});
       usable.push_back(exercise);
     } catch (const grading::BookError& error) {
       results.push_back({"exercise", exercise->id(), {error.what()}});
@@ -169,10 +175,11 @@ int run(Context& context, const Options& options) {
     });
   }
   if (!exercises.empty()) {
+    ProgressLine line(!options.json);
+    line.show("Building what is not current ...");
     build_all(context.loop(), book, exercises, results);
     const grading::BuildDescription build = grading::read_build_description(book.build_dir());
     const grading::TemporaryFolder folder;
-    ProgressLine line(!options.json);
     line.show("Writing null answers ...");
     const std::vector<AnswerJob> jobs =
         answer_jobs(context.loop(), book, exercises, folder.path(), results);
