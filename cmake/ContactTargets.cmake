@@ -58,6 +58,8 @@ function(contact_add_figures chapter)
     add_executable(${target} "${source}")
     target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/docs/figure")
     target_link_libraries(${target} PRIVATE contact_${chapter} nlohmann_json::nlohmann_json contact_warnings)
+    # `Output out{}` sets an Eigen column to nothing in particular otherwise; as in docs/wasm/flags.mjs.
+    target_compile_definitions(${target} PRIVATE EIGEN_INITIALIZE_MATRICES_BY_ZERO)
   endforeach()
 endfunction()
 
