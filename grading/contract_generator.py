@@ -180,7 +180,7 @@ def read_function(node: Node) -> Function:
 
 
 def check_struct(node: Node) -> None:
-    """A struct is plain data. Whether its types may cross, the compiler decides in generated code."""
+    """A struct is plain data. Whether its types may cross is for the compiler to decide."""
     body = node.child_by_field_name("body")
     if body is None:
         raise ContractError(node, f"`{text(node)}`: define the type, so that its values can cross")

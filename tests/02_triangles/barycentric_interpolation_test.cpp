@@ -25,16 +25,20 @@ Vector exact_weights(const Triangle& triangle, const Vector& point) {
           quotient<double>(gamma, all)};
 }
 
-/// A plain method works as if each coordinate were off by c·u·L, L the largest (u = 2^-53). A
-/// weight changes by that times (longest edge)/|n|, and n itself by that times the edge, relative
-/// to |n|, for each unit of the weights. c = 64 leaves room for longer ways.
+/// A plain method works as if each coordinate were off by c·u·L, L the largest (u = 2^-53): a
+/// weight changes by that times (longest edge)/|n|. The way by dot products of the edges loses the
+/// square of |e₁||e₂|/|n| besides. Both in proportion to the weights. Over 50,000 of the random
+/// points below, areas, the dropped dimension and dot products stay within c = 4.5; c = 64 leaves
+/// room.
 Vector bound(const Triangle& triangle, const Vector& point) {
   const Vector e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a;
+  const double n = e1.cross(e2).norm();
   const double edge = std::max({e1.norm(), e2.norm(), (e2 - e1).norm()});
   const double largest =
       std::max({point.norm(), triangle.a.norm(), triangle.b.norm(), triangle.c.norm()});
+  const double skew = e1.norm() * e2.norm() / n;
   const double weight = 1 + exact_weights(triangle, point).cwiseAbs().maxCoeff();
-  return Vector::Constant(64 * 0x1p-53 * largest * edge / e1.cross(e2).norm() * weight);
+  return Vector::Constant(64 * 0x1p-53 * (largest * edge / n + skew * skew) * weight);
 }
 
 Vector at(const Triangle& triangle, double beta, double gamma) {

@@ -120,7 +120,8 @@ TEST_CASE("random scenes agree with exact arithmetic") {
       const double beta = random.uniform(-0.5, 1), gamma = random.uniform(-0.5, 1);
       const double t = random.uniform(-8, 16), alpha = 1 - beta - gamma;
       const Vector e1 = vector(8), e2 = vector(8), n = e1.cross(e2);
-      if (n.norm() < 4 || std::abs(n.dot(direction)) < n.norm() * direction.norm() / 4) continue;
+      if (n.norm() < std::max(4.0, e1.norm() * e2.norm() / 4)) continue;
+      if (std::abs(n.dot(direction)) < n.norm() * direction.norm() / 4) continue;
       if (std::min({std::abs(alpha), std::abs(beta), std::abs(gamma), std::abs(t)}) < 1e-3)
         continue;
       const auto too_near = [&](double other) { return std::abs(t - other) < 1e-3; };
@@ -130,8 +131,8 @@ TEST_CASE("random scenes agree with exact arithmetic") {
       scene.push_back({a, a + e1, a + e2});
     }
     ++asked;
-    // Coordinates stay below 64 and the cosine above 1/4: 64 u · 64 · 4, over the direction's
-    // length, is below 1e-11.
-    check(ray, scene, 1e-11);
+    // As in ray_triangle's test: 64 u L |e1||e2|/(|n| cos) for a direction of at least 1, with
+    // L < 128, |e1||e2| < 4 |n| and cos > 1/4.
+    check(ray, scene, 2e-11);
   }
 }

@@ -20,11 +20,12 @@ using Hit = contact::TriangleHit<double>;
 using Vector = Eigen::Vector3d;
 
 /// How far rounding can take a plain method. It works as if each coordinate were off by c·u·L, L
-/// the largest one on the way (u = 2^-53). The plane then moves by that much, so the hit slides
-/// along the ray by c·u·L/cos, where cos = |n·d|/(|n||d|), and along the triangle by as much; a
-/// weight changes by the slide times (longest edge)/|n|. The dropped dimension and Möller–Trumbore
-/// both stay within c = 4 on these inputs, and the nearest wrong answer of the bank is further than
-/// 1e-3; c = 64 leaves room for longer ways.
+/// the largest one on the way (u = 2^-53), and products of edges by as much of |e₁||e₂|. The plane
+/// then moves so that the hit slides along the ray by c·u·L·|e₁||e₂|/(|n| cos), where cos =
+/// |n·d|/(|n||d|), and along the triangle by as much; a weight changes by the slide times (longest
+/// edge)/|n|. Over 50,000 of the random rays below, Möller–Trumbore, edge tests and the dropped
+/// dimension stay within c = 3.5; c = 64 leaves room for longer ways. The largest bound is then
+/// 2.1e-11, while every mistake of the bank is off by more than 1e-3 or by a yes for a no.
 std::optional<Hit> bound(const Ray& ray, const Triangle& triangle) {
   const Vector e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a, n = e1.cross(e2);
   const double slope = std::abs(n.dot(ray.direction)), speed = ray.direction.norm();
@@ -32,7 +33,7 @@ std::optional<Hit> bound(const Ray& ray, const Triangle& triangle) {
   const double reach = std::abs(n.dot(ray.origin - triangle.a)) / slope * speed;
   const double largest =
       std::max({reach, ray.origin.norm(), triangle.a.norm(), triangle.b.norm(), triangle.c.norm()});
-  const double slide = 64 * 0x1p-53 * largest * n.norm() * speed / slope;
+  const double slide = 64 * 0x1p-53 * largest * e1.norm() * e2.norm() * speed / slope;
   const double edge = std::max({e1.norm(), e2.norm(), (e2 - e1).norm()});
   return Hit{slide / speed, Vector::Constant(slide * edge / n.norm())};
 }
