@@ -234,7 +234,8 @@ function checkAll() {
       stdio: "inherit",
     }).status ?? 1;
   const types = run("typescript/bin/tsc", ["--project", "tsconfig.json"]);
-  const style = run("@biomejs/biome/bin/biome", ["check", "--error-on-warnings"]);
+  const places = ["web", "../chapters", "../tests/browser", "package.json", "tsconfig.json"];
+  const style = run("@biomejs/biome/bin/biome", ["check", "--error-on-warnings", ...places]);
   return types === 0 && style === 0 ? 0 : 1;
 }
 

@@ -115,7 +115,7 @@ export async function launch() {
 export async function open(browser, url, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1200, height: 900 }, ...options });
   const page = await context.newPage();
-  const { origin } = new URL(url);
+  const { origin } = url.startsWith("about:") ? { origin: "" } : new URL(url);
   /** @type {string[]} */
   const trouble = [];
   page.on("console", (message) => {

@@ -50,7 +50,9 @@ describe("pages", { skip }, () => {
           });
           return violations.map((/** @type {any} */ rule) => ({
             rule: rule.id,
-            where: rule.nodes.map((/** @type {any} */ node) => `${node.target} ${node.failureSummary}`),
+            where: rule.nodes.map(
+              (/** @type {any} */ node) => `${node.target} ${node.failureSummary}`,
+            ),
           }));
         });
         assert.deepEqual(found, []);
@@ -86,7 +88,7 @@ describe("pages", { skip }, () => {
       assert.ok(questions.length > 0);
       for (const question of questions) {
         const data = JSON.parse((await question.locator(":scope > script").textContent()) ?? "");
-        const asked = await question.locator(".asked").innerText();
+        const asked = await question.locator(".asked").textContent();
         assert.ok(asked.length > 10, data.id);
         assert.ok(await question.locator("details").isVisible(), data.id);
       }

@@ -50,7 +50,11 @@ describe("questions", { skip }, () => {
   }
 
   /** A state of the figure for which its C++ says yes, found by trying. */
-  function winning(/** @type {string} */ name, /** @type {string} */ goal, /** @type {any} */ like) {
+  function winning(
+    /** @type {string} */ name,
+    /** @type {string} */ goal,
+    /** @type {any} */ like,
+  ) {
     for (let seed = 1; seed <= 20; ++seed) {
       const inputs = inputsLike(like, 5000, seed);
       const found = native(name, inputs).findIndex((output) => Number(output[goal]) >= 1);
@@ -110,7 +114,7 @@ describe("questions", { skip }, () => {
         assert.equal(await element.getAttribute("result"), null);
         await answer(element, question, true);
         assert.equal(await element.getAttribute("result"), "right", question.id);
-        assert.ok((await explain.innerText()).length > 10, question.id);
+        assert.ok((await explain.textContent()).length > 10, question.id);
         const kept = await page.evaluate(
           (id) => JSON.parse(localStorage.getItem("contact-hours/1/questions") ?? "{}")[id],
           question.id,
@@ -157,23 +161,29 @@ describe("questions", { skip }, () => {
     assert.equal(await element.getAttribute("result"), "wrong");
     assert.equal(await box.isEditable(), false);
     await press(element, "Show the answer");
-    assert.ok((await element.locator(".explain").innerText()).length > 10);
+    assert.ok((await element.locator(".explain").textContent()).length > 10);
     await close();
   });
 
   test("steps are moved by arrow keys and by dragging", async () => {
     const { page, element, close } = await first("order");
     const rows = element.locator("ol.steps > li");
-    const order = () => rows.locator(".step").allInnerTexts();
+    const order = () => rows.locator(".step").allTextContents();
     const start = await order();
     await element.scrollIntoViewIfNeeded();
-    await rows.nth(0).getByRole("button", { name: /^Move down/ }).focus();
+    await rows
+      .nth(0)
+      .getByRole("button", { name: /^Move down/ })
+      .focus();
     await page.keyboard.press("ArrowDown");
     const [first0, second0, ...rest] = start;
     assert.deepEqual(await order(), [second0, first0, ...rest]);
-    assert.ok(await rows.nth(1).getByRole("button", { name: /^Move down/ }).evaluate(
-      (node) => node === document.activeElement || node.matches(":disabled"),
-    ));
+    assert.ok(
+      await rows
+        .nth(1)
+        .getByRole("button", { name: /^Move down/ })
+        .evaluate((node) => node === document.activeElement || node.matches(":disabled")),
+    );
     const from = await rows.nth(1).locator(".step").boundingBox();
     const to = await rows.nth(0).locator(".step").boundingBox();
     assert.ok(from && to);

@@ -37,7 +37,7 @@ export default defineFigure<Input, Output>({
   title: "A moving sphere and a plane",
   view: {
     kind: "3d",
-    target: [0.1, 0, 0.5],
+    target: [0.3, 0.4, 0.4],
     azimuth: -68,
     elevation: 14,
     span: 7.2,
@@ -46,7 +46,7 @@ export default defineFigure<Input, Output>({
   aspect: 0.98,
   initial: {
     normal: [0.25, 0, 1],
-    point: [0.2, 0, -0.4],
+    point: [0.8, 1.2, -0.55],
     centre: [-1.5, 0.2, 2.3],
     radius: 0.7,
     displacement: [3, -0.3, -3.1],
@@ -63,7 +63,7 @@ export default defineFigure<Input, Output>({
       kind: "point",
       field: "displacement",
       from: "centre",
-      label: "d, displacement in one step",
+      label: "D, displacement in one step",
       role: "ray",
       limit: [-8, 8],
     },
@@ -79,9 +79,9 @@ export default defineFigure<Input, Output>({
   controls: [
     { kind: "slider", field: "radius", label: "r", min: 0.1, max: 1.5, step: 0.05 },
     { kind: "numbers", field: "centre", label: "c", role: "ball" },
-    { kind: "numbers", field: "displacement", label: "d", role: "ray" },
+    { kind: "numbers", field: "displacement", label: "D", role: "ray" },
     { kind: "numbers", field: "normal", label: "N", role: "normal" },
-    { kind: "numbers", field: "point", label: "p", role: "surface" },
+    { kind: "numbers", field: "point", label: "a", role: "surface" },
   ],
   draw(scene, input, output) {
     const { centre, point, normal, radius, displacement } = input;
@@ -102,7 +102,7 @@ export default defineFigure<Input, Output>({
     scene.arrow(point, tip, { role: "normal", width: 2.5 });
     scene.label(tip, "N", { role: "normal", offset: [14, -6] });
     scene.label(centre, "c", { role: "ball", offset: [-14, -12], anchor: "end" });
-    scene.label(end, "c + d", { role: "ray", offset: [14, 16] });
+    scene.label(end, "c + D", { role: "ray", offset: [14, 16] });
 
     scene.ball(centre, radius, { role: "ball", fill: 0.22 });
     const up: Vec3 = [0, 0, 1];
@@ -121,7 +121,8 @@ export default defineFigure<Input, Output>({
     scene.dot(output.contact_point, "hit", 6);
     scene.label(output.touch_centre, `t = ${pretty(output.t, 3)}`, {
       role: "hit",
-      offset: [12, -10],
+      offset: [-12, -2],
+      anchor: "end",
     });
     scene.label(output.contact_point, "contact", {
       role: "hit",
@@ -130,14 +131,10 @@ export default defineFigure<Input, Output>({
     });
   },
   values: (_input, output) => [
-    {
-      name: "n·c − k",
-      meaning: "distance of the centre",
-      value: output.start_distance,
-      role: "ball",
-    },
-    { name: "|n·c − k| − r", meaning: "gap", value: output.gap },
-    { name: "∓ n·d", meaning: "closing in the step", value: output.closing, role: "ray" },
+    { name: "d", meaning: "n·c − k", value: output.start_distance, role: "ball" },
+    { name: "s", meaning: "side of the plane", value: output.start_side, role: "ball" },
+    { name: "gap", meaning: "s d − r", value: output.gap },
+    { name: "closing", meaning: "−s n·D", value: output.closing, role: "ray" },
     {
       name: "t",
       meaning: "gap / closing",
@@ -145,8 +142,8 @@ export default defineFigure<Input, Output>({
       role: output.hit ? "hit" : "miss",
     },
     {
-      name: "q",
-      meaning: "contact point",
+      name: "x",
+      meaning: "c + t D − s r n",
       value: output.hit ? output.contact_point : "–",
       role: output.hit ? "hit" : "miss",
     },

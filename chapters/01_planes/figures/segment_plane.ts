@@ -49,11 +49,11 @@ export default defineFigure<Input, Output>({
     {
       kind: "point",
       field: "start",
-      label: "a, start of the segment",
+      label: "p, start of the segment",
       role: "ray",
       limit: [-5, 5],
     },
-    { kind: "point", field: "end", label: "b, end of the segment", role: "ray", limit: [-5, 5] },
+    { kind: "point", field: "end", label: "q, end of the segment", role: "ray", limit: [-5, 5] },
     {
       kind: "point",
       field: "normal",
@@ -65,22 +65,22 @@ export default defineFigure<Input, Output>({
     {
       kind: "point",
       field: "point",
-      label: "p, point of the plane",
+      label: "a, point of the plane",
       role: "surface",
       limit: [-3, 3],
     },
   ],
   controls: [
-    { kind: "numbers", field: "start", label: "a", role: "ray" },
-    { kind: "numbers", field: "end", label: "b", role: "ray" },
+    { kind: "numbers", field: "start", label: "p", role: "ray" },
+    { kind: "numbers", field: "end", label: "q", role: "ray" },
     { kind: "numbers", field: "normal", label: "N", role: "normal" },
-    { kind: "numbers", field: "point", label: "p", role: "surface" },
+    { kind: "numbers", field: "point", label: "a", role: "surface" },
   ],
   draw(scene, input, output) {
     const { start, end, point, normal } = input;
     scene.line(start, end, { role: "ray", width: 3 });
-    scene.label(start, "a", { role: "ray", offset: [-14, -14], anchor: "end" });
-    scene.label(end, "b", { role: "ray", offset: [14, 18] });
+    scene.label(start, "p", { role: "ray", offset: [-14, -14], anchor: "end" });
+    scene.label(end, "q", { role: "ray", offset: [14, 18] });
     if (output.problem) return;
     const tip: Vec3 = [point[0] + normal[0], point[1] + normal[1], point[2] + normal[2]];
     scene.patch(point, output.unit_normal, 2.5, { role: "surface", fill: 0.16, hides: true });
@@ -106,14 +106,14 @@ export default defineFigure<Input, Output>({
   },
   values: (_input, output) => [
     {
-      name: "n·a − k",
-      meaning: "distance of a",
+      name: "d_0",
+      meaning: "E(p) = n·p − k",
       value: output.start_distance,
       role: sideRole(output.start_side),
     },
     {
-      name: "n·b − k",
-      meaning: "distance of b",
+      name: "d_1",
+      meaning: "E(q) = n·q − k",
       value: output.end_distance,
       role: sideRole(output.end_side),
     },
@@ -121,20 +121,20 @@ export default defineFigure<Input, Output>({
     { name: "k", meaning: "offset", value: output.offset, role: "surface" },
     {
       name: "t",
-      meaning: "fraction of the way",
+      meaning: "d₀ / (d₀ − d₁)",
       value: output.hit ? output.t : "no crossing",
       role: output.hit ? "hit" : "miss",
     },
     {
       name: "x",
-      meaning: "a + t(b − a)",
+      meaning: "(1 − t) p + t q",
       value: output.hit ? output.meeting : "–",
       role: output.hit ? "hit" : "miss",
     },
   ],
   describe(_input, output) {
     if (output.in_plane) return "Both ends lie on the plane, so no single point is the crossing.";
-    const ends = `a is ${sideWord(output.start_side)} the plane and b is ${sideWord(output.end_side)} it`;
+    const ends = `p is ${sideWord(output.start_side)} the plane and q is ${sideWord(output.end_side)} it`;
     if (output.hit) return `${ends}: the segment crosses at ${pretty(output.t, 3)} of its way.`;
     return `${ends}: both distances have one sign, so the segment does not cross.`;
   },

@@ -9,7 +9,7 @@
 
 import { makeControls } from "./controls.ts";
 import { button, freshId, html, onceAFrame, svg } from "./dom.ts";
-import { fetchEngine } from "./engine.ts";
+import { startEngine } from "./engine.ts";
 import type { AnyFigure } from "./figure.ts";
 import { Grip } from "./handles.ts";
 import type { Fields } from "./layout.ts";
@@ -103,7 +103,7 @@ export class ContactFigure extends HTMLElement {
     const base = new URL(this.getAttribute("base") ?? "./", document.baseURI).href;
     const [module, engine] = await Promise.all([
       import(`${base}figures/${this.name}.js`) as Promise<{ default: AnyFigure }>,
-      fetchEngine(`${base}figures/${this.name}.wasm`),
+      startEngine(`${base}figures/${this.name}.wasm`),
     ]);
     const figure = module.default;
     const linked = decodeState(location.hash, this.name, engine.layout.inputs);

@@ -31,9 +31,11 @@ export function button(label: string, pressed: () => void, className = ""): HTML
   return element;
 }
 
-/** A name with lowered letters after `_`, as a variable. */
+/** A name with lowered letters after `_`: slanted as a variable, unless it is a word. */
 export function symbol(name: string, className = ""): HTMLElement {
-  const element = html("var", className ? { class: className } : {});
+  const word = /[A-Za-z]{3}/.test(name);
+  const classes = [word ? "word" : "", className].filter(Boolean).join(" ");
+  const element = html(word ? "span" : "var", classes ? { class: classes } : {});
   for (const part of name.split(/(_[A-Za-z0-9]+)/)) {
     if (part.startsWith("_")) element.append(html("sub", {}, part.slice(1)));
     else if (part) element.append(part);

@@ -1,49 +1,23 @@
-// A figure's C++ in WebAssembly: four exports and two arrays of doubles.
+// A figure's C++ in WebAssembly, with its fields as the drawing code wants them: one number plain,
+// several as a list, and no field that there is not.
 
-import { type Engine, type Fields, flatten, type Layout, unflatten } from "./layout.ts";
+import { loadFigure, type Source } from "../../wasm/loader.ts";
+import { type Engine, flatten, unflatten } from "./layout.ts";
 
-interface Exports {
-  readonly memory: WebAssembly.Memory;
-  _initialize?(): void;
-  layout(): number;
-  input(): number;
-  output(): number;
-  compute(): void;
-}
-
-/** Links a compiled figure. It calls no system, so whatever it imports answers "not supported". */
-export async function startEngine(module: WebAssembly.Module): Promise<Engine> {
-  const imports: Record<string, Record<string, () => number>> = {};
-  for (const { module: from, name } of WebAssembly.Module.imports(module)) {
-    imports[from] ??= {};
-    imports[from][name] = () => 52;
-  }
-  const instance = await WebAssembly.instantiate(module, imports);
-  const figure = instance.exports as unknown as Exports;
-  figure._initialize?.();
-  const layout = readLayout(figure);
-  const inputs = layout.inputs.reduce((sum, { size }) => sum + size, 0);
-  const outputs = layout.outputs.reduce((sum, { size }) => sum + size, 0);
+export async function startEngine(source: Source): Promise<Engine> {
+  const figure = await loadFigure(source);
+  const { layout } = figure;
   return {
     layout,
-    compute(input: Fields): Fields {
-      const numbers = flatten(layout.inputs, input);
-      new Float64Array(figure.memory.buffer, figure.input(), inputs).set(numbers);
-      figure.compute();
-      const result = new Float64Array(figure.memory.buffer, figure.output(), outputs);
-      return unflatten(layout.outputs, result);
+    ready: () => figure.ready(),
+    compute(input) {
+      const given: Record<string, number[]> = {};
+      for (const field of layout.inputs) given[field.name] = flatten([field], input);
+      const found = figure.compute(given);
+      return unflatten(
+        layout.outputs,
+        layout.outputs.flatMap(({ name }) => found[name] ?? []),
+      );
     },
   };
-}
-
-function readLayout(figure: Exports): Layout {
-  const bytes = new Uint8Array(figure.memory.buffer, figure.layout());
-  const text = new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
-  return JSON.parse(text) as Layout;
-}
-
-export async function fetchEngine(url: string): Promise<Engine> {
-  const response = await fetch(url);
-  if (!response.ok) throw new Error(`${url}: ${response.status}`);
-  return startEngine(await WebAssembly.compile(await response.arrayBuffer()));
 }

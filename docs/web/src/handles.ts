@@ -45,6 +45,10 @@ export class Grip {
     this.element.addEventListener("pointermove", (event) => this.#move(event));
     for (const end of ["pointerup", "pointercancel"] as const)
       this.element.addEventListener(end, () => this.#release());
+    // A finger on a grip drags it; without this some browsers scroll the page as well.
+    this.element.addEventListener("touchstart", (event) => event.preventDefault(), {
+      passive: false,
+    });
     this.element.addEventListener("keydown", (event) => this.#key(event));
   }
 
@@ -153,13 +157,13 @@ export class Grip {
     if (this.#handle.kind === "slide") {
       const sign = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[event.key];
       if (!sign) return;
-      event.preventDefault();
+      keep(event);
       this.#model.set({ [this.#handle.field]: this.#tidy(numbers[0]! + sign * size, 100) });
       return;
     }
     const step = this.#view.keyStep(event.key);
     if (!step) return;
-    event.preventDefault();
+    keep(event);
     const moved = numbers.map((value, i) =>
       step[i] ? this.#tidy(value + step[i]! * size, 100) : value,
     );
@@ -178,4 +182,10 @@ export class Grip {
     this.#grab = undefined;
     this.element.classList.remove("held");
   }
+}
+
+/** Takes a key for itself: the book's pages turn by arrow keys elsewhere. */
+function keep(event: KeyboardEvent): void {
+  event.preventDefault();
+  event.stopPropagation();
 }

@@ -18,7 +18,9 @@ export type Fields = Readonly<Record<string, FieldValue>>;
 /** The C++ of a figure, ready to run. */
 export interface Engine {
   readonly layout: Layout;
+  /** Throws if the C++ stops in the middle; `ready` tells when it can be asked again. */
   compute(input: Fields): Fields;
+  ready(): Promise<void>;
 }
 
 /** The numbers of a struct, flat, in the order of its fields. */

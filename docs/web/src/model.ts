@@ -1,7 +1,7 @@
 // The state of one figure: its input, what its C++ makes of it, and who wants to know.
 
 import type { AnyFigure } from "./figure.ts";
-import type { Engine, Fields, FieldValue } from "./layout.ts";
+import { type Engine, type Fields, type FieldValue, type Layout, unflatten } from "./layout.ts";
 
 export class FigureModel {
   readonly figure: AnyFigure;
@@ -45,7 +45,7 @@ export class FigureModel {
   set(fields: Fields): void {
     this.#input = { ...this.#input, ...fields };
     this.#compute();
-    for (const listener of this.#listeners) listener();
+    this.#tell();
   }
 
   setNumber(field: string, index: number, value: number): void {
@@ -61,14 +61,35 @@ export class FigureModel {
     this.#listeners.push(listener);
   }
 
+  #tell(): void {
+    for (const listener of this.#listeners) listener();
+  }
+
   #compute(): void {
+    const asked = this.#input;
     try {
       this.#output = this.engine.compute(this.#input);
       this.#problem = problemText(this.engine, this.#output);
     } catch (error) {
       this.#problem = error instanceof Error ? error.message : String(error);
+      this.#output = unanswered(this.engine.layout);
+      // The C++ starts afresh; if the reader has moved on meanwhile, ask it again.
+      const again = (): void => {
+        if (this.#input === asked) return;
+        this.#compute();
+        this.#tell();
+      };
+      this.engine.ready().then(again, () => {});
     }
   }
+}
+
+/** What is drawn from when the C++ stopped: no numbers, and a problem. */
+function unanswered({ outputs }: Layout): Fields {
+  const numbers = outputs.flatMap(({ name, size }) =>
+    Array(size).fill(name === "problem" ? -1 : 0),
+  );
+  return unflatten(outputs, numbers);
 }
 
 function problemText(engine: Engine, output: Fields): string {

@@ -33,6 +33,7 @@ export function orderAsker(question: Order, labelId: string): Asker {
       const by = { ArrowUp: -1, ArrowDown: 1 }[event.key];
       if (!by || locked) return;
       event.preventDefault();
+      event.stopPropagation();
       move(index, by, event.target as HTMLElement);
     });
     drag(row, index);

@@ -26,7 +26,7 @@ const WIDTH = 600;
 const LINE = 21;
 
 export async function drawPicture(figure: AnyFigure, wasm: Uint8Array): Promise<Picture> {
-  const engine = await startEngine(await WebAssembly.compile(wasm as BufferSource));
+  const engine = await startEngine(wasm as BufferSource);
   checkFields(figure, engine.layout);
   const model = new FigureModel(figure, engine);
   if (model.problem) throw new Error(`its initial state has a problem: ${model.problem}`);
@@ -41,7 +41,7 @@ export async function drawPicture(figure: AnyFigure, wasm: Uint8Array): Promise<
     const y = height + 24 + LINE * i;
     const name = subscripted(value.name, (sub) => `<tspan font-size="80%">${sub}</tspan>`);
     return (
-      `<text class="name" x="14" y="${y}">${name}</text>` +
+      `<text class="${/[A-Za-z]{3}/.test(value.name) ? "name word" : "name"}" x="14" y="${y}">${name}</text>` +
       `<text class="text" x="130" y="${y}">${escapeText(valueText(value))}</text>` +
       `<text class="meaning" x="330" y="${y}">${escapeText(value.meaning)}</text>`
     );
@@ -53,7 +53,7 @@ export async function drawPicture(figure: AnyFigure, wasm: Uint8Array): Promise<
     `<style>svg{${variables(LIGHT)}}@media(prefers-color-scheme:dark){svg{${variables(DARK)}}}@media print{svg{${variables(LIGHT)}}}` +
     `${drawingRules}.paper{fill:var(--contact-paper)}` +
     ".name,.text,.meaning{font:13px system-ui,sans-serif;fill:var(--contact-ink)}" +
-    ".name{font-style:italic;font-weight:600}.meaning{fill:var(--contact-muted)}</style>" +
+    ".name{font-style:italic;font-weight:600}.word{font-style:normal}.meaning{fill:var(--contact-muted)}</style>" +
     `<rect class="paper" width="${WIDTH}" height="${full}"/>` +
     `<svg width="${WIDTH}" height="${height}">${shapesToSvg(view.project(scene))}</svg>${rows.join("")}</svg>\n`;
   const facts = {
