@@ -11,7 +11,7 @@ import { pageFlags } from "./flags.mjs";
 import { forgetSources } from "./headers.mjs";
 import { inRoot } from "./paths.mjs";
 import { makeAll } from "./pool.mjs";
-import { moduleRecipe } from "./products.mjs";
+import { figureRecipe } from "./products.mjs";
 import { isMade, key, made } from "./recipes.mjs";
 
 const run = promisify(execFile);
@@ -67,8 +67,7 @@ test("other flags make another product", () => {
 test("a C++ error is told in the compiler's words, and the rest is built", async () => {
   fs.writeFileSync(header, "#pragma once\n");
   const wrong = small(`int wrong_${mark}() { return undeclared; }`);
-  const right = moduleRecipe(inRoot("docs", "wasm", "fixtures", "stops.cpp"), [
-    inRoot("docs", "figure"),
+  const right = figureRecipe(inRoot("docs", "wasm", "fixtures", "stops.cpp"), [
     inRoot("chapters", "01_planes"),
     inRoot("chapters", "00_vectors"),
   ]);
@@ -81,7 +80,7 @@ test("a C++ error is told in the compiler's words, and the rest is built", async
 test("what needs a thing that failed fails with the same words", async () => {
   fs.writeFileSync(header, `#pragma once\n#error "no ${mark}"\n`);
   small("");
-  const recipe = moduleRecipe(source, [folder]);
+  const recipe = figureRecipe(source, [folder]);
   const { failed } = await makeAll([recipe]);
   assert.match(failed.get(key(recipe)) ?? "", new RegExp(`no ${mark}`));
 });

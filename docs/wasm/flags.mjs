@@ -80,9 +80,10 @@ export const pageFlags = [
   ...warnings,
   "-O2",
   "-DNDEBUG",
-  // A figure's `Output out{}` leaves Eigen's columns unset without it: numbers of the state before.
-  "-DEIGEN_INITIALIZE_MATRICES_BY_ZERO",
 ];
+
+/** A figure's `Output out{}` leaves Eigen's columns unset without it: numbers of the state before. */
+export const figureFlags = [...pageFlags, "-DEIGEN_INITIALIZE_MATRICES_BY_ZERO"];
 
 /** Exercises: as the native check, with assertions and exceptions. */
 export const checkFlags = [

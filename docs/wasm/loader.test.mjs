@@ -9,11 +9,10 @@ import { before, describe, test } from "node:test";
 import { importLoader } from "./import_loader.mjs";
 import { inRoot } from "./paths.mjs";
 import { makeAll } from "./pool.mjs";
-import { figures, ladders, moduleRecipe } from "./products.mjs";
+import { figureRecipe, figures, ladders } from "./products.mjs";
 import { key, made } from "./recipes.mjs";
 
-const stops = moduleRecipe(inRoot("docs", "wasm", "fixtures", "stops.cpp"), [
-  inRoot("docs", "figure"),
+const stops = figureRecipe(inRoot("docs", "wasm", "fixtures", "stops.cpp"), [
   inRoot("chapters", "01_planes"),
   inRoot("chapters", "00_vectors"),
 ]);

@@ -1,7 +1,15 @@
 // What there is to build, found from the folders of the repository, and the recipe of each.
 import fs from "node:fs";
 import path from "node:path";
-import { checkFlags, moduleLink, pageFlags, programLink, quiet, runtimeFlags } from "./flags.mjs";
+import {
+  checkFlags,
+  figureFlags,
+  moduleLink,
+  pageFlags,
+  programLink,
+  quiet,
+  runtimeFlags,
+} from "./flags.mjs";
 import { inRoot } from "./paths.mjs";
 
 /** @typedef {import('./recipes.mjs').Recipe} Recipe */
@@ -32,14 +40,14 @@ export function chapterFolders(slug) {
   return [...found].map((name) => inRoot("chapters", name));
 }
 
-/** @type {import('./recipes.mjs').Precompile} */
-const pagePrelude = {
+/** @param {string[]} flags @returns {import('./recipes.mjs').Precompile} */
+const pagePrelude = (flags) => ({
   tool: "precompile",
-  what: "the headers that all figures share",
-  flags: pageFlags,
+  what: `the headers that all ${flags === figureFlags ? "figures" : "ladders"} share`,
+  flags,
   folders: [],
-  source: inRoot("docs", "wasm", "figure_prelude.hpp"),
-};
+  source: inRoot("docs", "wasm", "page_prelude.hpp"),
+});
 
 /** @type {import('./recipes.mjs').Precompile} */
 export const checkPrelude = {
@@ -62,28 +70,22 @@ const throwStub = {
 
 /**
  * A module that the page calls: one C++ file with its exports.
- * @param {string} source @param {string[]} folders @returns {Recipe}
+ * @param {string} source @param {string[]} folders @param {string[]} flags @returns {Recipe}
  */
-export function moduleRecipe(source, folders) {
+function moduleRecipe(source, folders, flags) {
   const what = path.relative(inRoot(), source);
+  const pch = pagePrelude(flags);
   return {
     tool: "link",
     what,
     ...moduleLink,
-    parts: [
-      {
-        tool: "compile",
-        what,
-        language: "c++",
-        flags: pageFlags,
-        folders,
-        source,
-        pch: pagePrelude,
-      },
-      throwStub,
-    ],
+    parts: [{ tool: "compile", what, language: "c++", flags, folders, source, pch }, throwStub],
   };
 }
+
+/** @param {string} source @param {string[]} folders where the reference headers are */
+export const figureRecipe = (source, folders) =>
+  moduleRecipe(source, [inRoot("docs", "figure"), ...folders], figureFlags);
 
 /** Every figure: chapters/NN_slug/figures/NAME.cpp. @returns {Product[]} */
 export function figures() {
@@ -93,8 +95,8 @@ export function figures() {
       .map((file) => {
         const name = `${slug}/${path.basename(file, ".cpp")}`;
         const source = inRoot("chapters", slug, "figures", file);
-        const folders = [inRoot("docs", "figure"), ...chapterFolders(slug)];
-        return { name, output: `figures/${name}.wasm`, recipe: moduleRecipe(source, folders) };
+        const recipe = figureRecipe(source, chapterFolders(slug));
+        return { name, output: `figures/${name}.wasm`, recipe };
       }),
   );
 }
@@ -107,7 +109,7 @@ export function ladders() {
     .map(({ slug, source }) => ({
       name: slug,
       output: `ladders/${slug}.wasm`,
-      recipe: moduleRecipe(source, [inRoot("tests"), ...chapterFolders(slug)]),
+      recipe: moduleRecipe(source, [inRoot("tests"), ...chapterFolders(slug)], pageFlags),
     }));
 }
 

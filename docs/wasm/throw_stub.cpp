@@ -1,5 +1,6 @@
-// Figures and ladders do not catch, so they need no unwinding: a throw says what it threw, on stderr, and
-// traps. The page shows the sentence and goes on; the module's instance is not used again.
+// Figures and ladders do not catch, so they need no unwinding: a throw says what it threw, on
+// stderr, and traps. The page shows the sentence and goes on; the module's instance is not used
+// again.
 #include <unistd.h>
 
 #include <cstddef>
@@ -39,10 +40,10 @@ void* __cxa_allocate_exception(std::size_t size) {
 void __cxa_free_exception(void*) {}
 
 [[noreturn]] void __cxa_throw(void* thrown, std::type_info* type, void* (*)(void*)) {
-  const char* text = message<std::invalid_argument, std::domain_error, std::out_of_range,
-                             std::length_error, std::logic_error, std::range_error,
-                             std::overflow_error, std::underflow_error, std::runtime_error,
-                             std::bad_alloc>(thrown, *type);
+  const char* text =
+      message<std::invalid_argument, std::domain_error, std::out_of_range, std::length_error,
+              std::logic_error, std::range_error, std::overflow_error, std::underflow_error,
+              std::runtime_error, std::bad_alloc>(thrown, *type);
   say(text != nullptr ? text : type->name());
   say("\n");
   __builtin_trap();

@@ -24,6 +24,7 @@
 /// - `Output` has a field `double problem`: 0, or the reason why there is no answer. A number that
 /// is
 ///   not finite never reaches `compute`: the figure answers `not_finite`, all other outputs 0.
+/// - An output that `compute` leaves alone is 0: figures are compiled with Eigen's vectors zeroed.
 /// - `compute` does not throw: check what a factory would refuse, and answer with a `problem`. If
 /// it
 ///   throws all the same, the page shows the message in place of the numbers.
@@ -250,6 +251,11 @@ struct Figure {
 #define FIGURE(In, in_fields, Out, out_fields)                                                   \
   using TheFigure = ::contact::figure::detail::Figure<In, Out, in_fields, out_fields, &compute>; \
   CONTACT_FIGURE_ENTRY(TheFigure)
+
+#if !defined(CONTACT_FIGURE_NO_MAIN) && !defined(EIGEN_INITIALIZE_MATRICES_BY_ZERO)
+#error \
+    "compile figures with -DEIGEN_INITIALIZE_MATRICES_BY_ZERO: `Output out{}` leaves vectors unset"
+#endif
 
 #if defined(CONTACT_FIGURE_NO_MAIN)
 #define CONTACT_FIGURE_ENTRY(TheFigure)

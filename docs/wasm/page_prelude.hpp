@@ -1,7 +1,7 @@
 #pragma once
 
-// Compiled once for all figures and ladders: it changes only with the compiler, the flags or Eigen. Nothing
-// may rely on it: each source includes what it uses, as its native build proves.
+// Compiled once for all figures and ladders: it changes only with the compiler, the flags or Eigen.
+// Nothing may rely on it: each source includes what it uses, as its native build proves.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
