@@ -51,17 +51,41 @@ std::vector<Job> jobs_for(const grading::Book& book, const Options& options) {
       jobs.push_back(job_for(book, name));
     }
   }
-  if (options.names.empty()) {
-    for (const Exercise& exercise : book.exercises()) {
-      if (book.started(exercise)) jobs.push_back({&exercise, book.work_file(exercise)});
-    }
-  }
   return jobs;
+}
+
+// What is started, in two parts: copies that were changed, and those that are still as they were
+// given, whose verdict is known.
+struct Started {
+  std::vector<Job> changed;
+  std::vector<std::string> untouched;
+};
+
+Started started(const grading::Book& book) {
+  Started result;
+  for (const Exercise& exercise : book.exercises()) {
+    if (!book.started(exercise)) continue;
+    const fs::path copy = book.work_file(exercise);
+    if (grading::read_text(copy) == grading::read_text(exercise.stub))
+      result.untouched.push_back(exercise.id());
+    else
+      result.changed.push_back({&exercise, copy});
+  }
+  return result;
 }
 
 int run(Context& context, const Options& options) {
   const grading::Book& book = context.book();
-  const std::vector<Job> jobs = jobs_for(book, options);
+  std::vector<Job> jobs = jobs_for(book, options);
+  std::vector<std::string> untouched;
+  if (options.names.empty()) {
+    Started all = started(book);
+    jobs = std::move(all.changed);
+    untouched = std::move(all.untouched);
+  }
+  if (!untouched.empty() && !options.json)
+    note(std::to_string(untouched.size()) + (untouched.size() == 1 ? " copy is" : " copies are") +
+         " as given, so not attempted.");
   for (const Job& job : jobs) {
     if (!fs::exists(job.file)) {
       note("You have not started " + job.exercise->id() + " yet: ./contact start " +
@@ -70,12 +94,17 @@ int run(Context& context, const Options& options) {
     }
   }
   if (jobs.empty()) {
-    note(
-        "Nothing is started yet. `contact list` shows what there is; `contact start EXERCISE` "
-        "begins.");
+    if (untouched.empty())
+      note(
+          "Nothing is started yet. `contact list` shows what there is; `contact start EXERCISE` "
+          "begins.");
     if (options.json)
-      say(nlohmann::json{{"format", "contact-check/1"}, {"results", nlohmann::json::array()}}.dump(
-          2));
+      say(nlohmann::json{{"format", "contact-check/1"},
+                         {"points", 0.0},
+                         {"max_points", 0.0},
+                         {"untouched", untouched},
+                         {"results", nlohmann::json::array()}}
+              .dump(2));
     return exit_not_passed;
   }
   std::vector<const Exercise*> exercises;
@@ -106,6 +135,7 @@ int run(Context& context, const Options& options) {
     say(nlohmann::json{{"format", "contact-check/1"},
                        {"points", points},
                        {"max_points", max_points},
+                       {"untouched", untouched},
                        {"results", results}}
             .dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   else if (jobs.size() > 1)

@@ -57,6 +57,15 @@ std::string text_or_empty(const fs::path& file) {
   }
 }
 
+// `contact new` writes this where an author must write.
+void check_written(const fs::path& folder, Problems& problems) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error)) {
+    if (entry.is_regular_file() && text_or_empty(entry.path()).find("TO WRITE") != std::string::npos)
+      problems.push_back("still to write: " + shown(entry.path()));
+  }
+}
+
 const Chapter* chapter_called(const Book& book, const std::string& slug) {
   for (const Chapter& chapter : book.chapters()) {
     if (chapter.slug == slug) return &chapter;
@@ -191,6 +200,11 @@ DevResult check_chapter(const Book& book, const Chapter& chapter,
   check_includes(book, chapter, home, problems);
   static const std::set<std::string> known{"chapter.toml", "lesson.md",  "contact",       "figures",
                                            "examples",     "ladder.cpp", "questions.toml"};
+  check_written(chapter.folder, problems);
+  for (const fs::path& file : entries_of(book.root() / "tests" / chapter.slug)) {
+    if (text_or_empty(file).find("TO WRITE") != std::string::npos)
+      problems.push_back("still to write: " + shown(file));
+  }
   require_only(
       chapter.folder,
       [](const fs::path& entry) { return known.count(entry.filename().string()) != 0; }, problems);
@@ -253,6 +267,8 @@ void check_wrong_answers(const Book& book, const Exercise& exercise, Problems& p
 }
 
 void check_sources(const Exercise& exercise, Problems& problems) {
+  check_written(exercise.folder, problems);
+  check_written(exercise.solution.parent_path(), problems);
   const std::string contract = text_or_empty(exercise.contract);
   const std::string stub = text_or_empty(exercise.stub);
   if (contract.empty()) problems.push_back("there is no " + shown(exercise.contract));

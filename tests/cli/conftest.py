@@ -1,0 +1,111 @@
+"""Runs the program as a student does, in a folder of copies of its own."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
+SOLUTION = (ROOT / "solutions/02_triangles/ray_triangle/ray_triangle.cpp").read_text()
+BODY = "const contact::Triangle<double>& triangle) {\n"
+
+Run = Callable[..., subprocess.CompletedProcess[str]]
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    config.addinivalue_line("markers", "slow: configures and builds a copy of the project")
+
+
+@pytest.fixture
+def work(tmp_path: Path) -> Path:
+    return tmp_path / "work"
+
+
+@pytest.fixture
+def temporary(tmp_path: Path) -> Path:
+    """TMPDIR of the program, to see what it leaves there."""
+    folder = tmp_path / "tmp"
+    folder.mkdir()
+    return folder
+
+
+@pytest.fixture
+def environment(work: Path, temporary: Path) -> dict[str, str]:
+    return {
+        **os.environ,
+        "CONTACT_ROOT": str(ROOT),
+        "CONTACT_WORK": str(work),
+        "TMPDIR": str(temporary),
+        "CONTACT_MEMORY_MB": "512",
+    }
+
+
+@pytest.fixture
+def contact(environment: dict[str, str], tmp_path: Path) -> Run:
+    def run(*words: str, **extra: str) -> subprocess.CompletedProcess[str]:
+        return subprocess.run(
+            [str(PROGRAM), *words],
+            capture_output=True,
+            text=True,
+            env={**environment, **extra},
+            cwd=tmp_path,
+            stdin=subprocess.DEVNULL,
+            timeout=600,
+        )
+
+    return run
+
+
+@pytest.fixture
+def answer(work: Path) -> Callable[[str], Path]:
+    """Writes the student's copy of ray_triangle."""
+
+    def write(text: str) -> Path:
+        copy = work / "02_triangles" / "ray_triangle.cpp"
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.write_text(text)
+        return copy
+
+    return write
+
+
+@pytest.fixture
+def solution() -> str:
+    return SOLUTION
+
+
+@pytest.fixture
+def spoiled() -> Callable[[str], str]:
+    """The solution with a statement put first."""
+
+    def write(statement: str) -> str:
+        assert BODY in SOLUTION
+        return SOLUTION.replace(BODY, BODY + statement + "\n")
+
+    return write
+
+
+@pytest.fixture
+def clean_after(temporary: Path) -> Iterator[None]:
+    """Holds afterwards that no temporary folder and no child is left."""
+    yield
+    assert list(temporary.iterdir()) == []
+    assert running_from(temporary) == []
+
+
+def running_from(folder: Path) -> list[str]:
+    """Processes whose program or arguments lie under a folder."""
+    found = []
+    for process in Path("/proc").glob("[0-9]*"):
+        try:
+            command = (process / "cmdline").read_bytes().decode(errors="replace")
+        except OSError:
+            continue
+        if str(folder) + "/contact-" in command:
+            found.append(command)
+    return found

@@ -1,0 +1,175 @@
+"""start, reset, hint, solution, list and progress: what happens to the student's copies and record."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+Run = Callable[..., subprocess.CompletedProcess[str]]
+ROOT = Path(__file__).resolve().parents[2]
+STUB = (ROOT / "exercises/02_triangles/ray_triangle/ray_triangle.cpp").read_text()
+
+
+def test_start_copies_the_stub(contact: Run, work: Path) -> None:
+    done = contact("start", "ray_triangle")
+    assert done.returncode == 0
+    assert (work / "02_triangles/ray_triangle.cpp").read_text() == STUB
+
+
+def test_start_never_overwrites(contact: Run, answer: Callable[[str], Path]) -> None:
+    copy = answer("// mine\n")
+    done = contact("start", "02_triangles/ray_triangle")
+    assert done.returncode == 0
+    assert "untouched" in done.stdout
+    assert copy.read_text() == "// mine\n"
+
+
+def test_start_takes_a_chapter(contact: Run, work: Path) -> None:
+    assert contact("start", "02_triangles").returncode == 0
+    names = {copy.stem for copy in (work / "02_triangles").iterdir()}
+    assert names == {folder.name for folder in (ROOT / "exercises/02_triangles").iterdir()}
+
+
+def test_reset_keeps_a_copy(contact: Run, work: Path, answer: Callable[[str], Path]) -> None:
+    copy = answer("// first\n")
+    assert contact("reset", "ray_triangle").returncode == 0
+    assert copy.read_text() == STUB
+    copy.write_text("// second\n")
+    done = contact("reset", "ray_triangle")
+    kept = sorted((work / ".kept/02_triangles").iterdir())
+    assert {file.read_text() for file in kept} == {"// first\n", "// second\n"}
+    assert any(file.name in done.stdout for file in kept)
+
+
+def test_reset_of_a_pristine_copy_keeps_nothing(contact: Run, work: Path) -> None:
+    contact("start", "ray_triangle")
+    assert contact("reset", "ray_triangle").returncode == 0
+    assert not (work / ".kept").exists()
+
+
+def test_hints_come_one_at_a_time(contact: Run) -> None:
+    first = contact("hint", "ray_triangle").stdout
+    second = contact("hint", "ray_triangle").stdout
+    assert "Hint 1 of" in first
+    assert "Hint 2 of" in second
+    again = contact("hint", "ray_triangle", "--again").stdout
+    assert "Hint 1 of" in again
+    assert "Hint 2 of" in again
+    assert "Hint 3 of" not in again
+
+
+def test_the_solution_opens_after_passing(
+    contact: Run, solution: str, answer: Callable[[str], Path]
+) -> None:
+    shut = contact("solution", "ray_triangle")
+    assert shut.returncode == 1
+    assert shut.stdout == ""
+    answer(solution)
+    assert contact("check", "ray_triangle").returncode == 0
+    opened = contact("solution", "ray_triangle")
+    assert opened.returncode == 0
+    assert opened.stdout.strip() == solution.strip()
+
+
+def test_the_solution_opens_for_who_gives_up(contact: Run, solution: str) -> None:
+    assert contact("solution", "ray_triangle", "--give-up").stdout.strip() == solution.strip()
+    record = json.loads(contact("progress", "--json").stdout)
+    assert record["exercises"]["02_triangles/ray_triangle"]["solution_shown"] is True
+
+
+def test_list_says_how_far_each_has_come(
+    contact: Run, solution: str, answer: Callable[[str], Path]
+) -> None:
+    def status() -> str:
+        document = json.loads(contact("list", "--json").stdout)
+        assert document["format"] == "contact-list/1"
+        entries = {e["id"]: e for chapter in document["chapters"] for e in chapter["exercises"]}
+        return str(entries["02_triangles/ray_triangle"]["status"])
+
+    assert status() == "not_started"
+    contact("start", "ray_triangle")
+    assert status() == "started"
+    answer(solution)
+    contact("check", "ray_triangle")
+    assert status() == "passed"
+
+
+def test_progress_counts_attempts_and_keeps_the_best(
+    contact: Run, solution: str, spoiled: Callable[[str], str], answer: Callable[[str], Path]
+) -> None:
+    answer(solution)
+    contact("check", "ray_triangle")
+    answer(spoiled("return std::nullopt;"))
+    contact("check", "ray_triangle")
+    answer("does not compile")
+    contact("check", "ray_triangle")
+    answer(STUB)
+    contact("check", "ray_triangle")
+    entry = json.loads(contact("progress", "--json").stdout)["exercises"]["02_triangles/ray_triangle"]
+    assert entry["attempts"] == 2
+    assert entry["best_points"] == entry["max_points"]
+    assert entry["passed"]
+
+
+@pytest.mark.parametrize("broken", ["{", "[]", '{"format": "other"}', '{"exercises": {"a": 1}}'])
+def test_a_broken_record_is_kept_aside(contact: Run, work: Path, broken: str) -> None:
+    work.mkdir()
+    (work / "progress.json").write_text(broken)
+    done = contact("hint", "ray_triangle")
+    assert done.returncode == 0
+    assert "kept as" in done.stderr
+    (aside,) = work.glob("progress.json.broken-*")
+    assert aside.read_text() == broken
+    assert json.loads((work / "progress.json").read_text())["format"] == "contact-progress/1"
+
+
+def test_what_others_wrote_into_the_record_stays(contact: Run, work: Path) -> None:
+    work.mkdir()
+    record = {"format": "contact-progress/1", "exercises": {}, "questions": {"00/a": "right"}}
+    (work / "progress.json").write_text(json.dumps(record))
+    contact("hint", "ray_triangle")
+    assert json.loads((work / "progress.json").read_text())["questions"] == {"00/a": "right"}
+
+
+def test_a_wrong_name_is_a_usage_error_that_helps(contact: Run) -> None:
+    done = contact("start", "ray_triangel")
+    assert done.returncode == 2
+    assert "ray_triangle" in done.stderr
+
+
+@pytest.mark.parametrize(
+    "words", [[], ["nonsense"], ["list", "--nonsense"], ["start"], ["new", "chapter", "polygons"]]
+)
+def test_usage_errors(contact: Run, words: list[str]) -> None:
+    assert contact(*words).returncode == 2
+
+
+def test_outside_the_book_is_trouble(contact: Run, tmp_path: Path) -> None:
+    assert contact("list", CONTACT_ROOT=str(tmp_path)).returncode == 3
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        [],
+        *[[command] for command in "list start check watch hint solution reset progress".split()],
+        *[[command] for command in "ladder new doctor dev".split()],
+        ["dev", "check"],
+        ["new", "chapter"],
+        ["new", "exercise"],
+    ],
+)
+def test_every_command_has_help(contact: Run, words: list[str]) -> None:
+    done = contact(*words, "--help")
+    assert done.returncode == 0
+    assert "Usage" in done.stdout
+
+
+def test_help_says_the_exit_codes(contact: Run) -> None:
+    text = contact("--help").stdout
+    for word in ("serve", "test", "setup", "130", "NO_COLOR", "CONTACT_WORK"):
+        assert word in text
