@@ -8,58 +8,60 @@ from sample_book import Sample
 LESSON = "chapters/01_lines/lesson.md"
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "line", "message"),
-    [
-        (
-            ":::{live-figure} point_line",
-            ":::{live-figure} circle",
-            3,
-            "unknown figure 'circle' in chapters/01_lines/figures; there is: point_line",
-        ),
-        (
-            ":::{code} contact/line.hpp line",
-            ":::{code} contact/line.hpp lin",
-            16,
-            "unknown region 'lin' in chapters/01_lines/contact/line.hpp; there is: line, second",
-        ),
-        (
-            ":::{code} contact/line.hpp line",
-            ":::{code} contact/lime.hpp line",
-            16,
-            "unknown file 'contact/lime.hpp'",
-        ),
-        (":::{example} far", ":::{example} near", 19, "unknown example 'near'"),
-        (
-            ":::{question} how-far",
-            ":::{question} how-deep",
-            22,
-            "unknown question 'how-deep' in chapters/01_lines/questions.toml; "
-            "there is: how-far, side, steps, touch",
-        ),
-        (
-            "{question} 01_lines/touch",
-            "{question} 03_none/touch",
-            28,
-            "unknown chapter '03_none'",
-        ),
-        (
-            ":::{exercise} distance",
-            ":::{exercise} area",
-            43,
-            "unknown exercise 'area' in exercises/01_lines; there is: distance",
-        ),
-        ("\\norm{n}", "\\nrm{n}", 12, "mathematics: KaTeX parse error"),
-    ],
-)
-def test_a_wrong_name_is_an_error_at_its_line(
-    sample: Sample, old: str, new: str, line: int, message: str
-) -> None:
-    sample.edit(LESSON, old, new)
+# What an author might write instead of what the sample says, the line, and what the build answers.
+MISTAKES = [
+    (
+        ":::{live-figure} point_line",
+        ":::{live-figure} circle",
+        3,
+        "unknown figure 'circle' in chapters/01_lines/figures; there is: point_line",
+    ),
+    (
+        ":::{code} contact/line.hpp line",
+        ":::{code} contact/line.hpp lin",
+        16,
+        "unknown region 'lin' in chapters/01_lines/contact/line.hpp; there is: line, second",
+    ),
+    (":::{example} far", ":::{example} near", 19, "unknown example 'near'"),
+    (
+        ":::{question} how-far",
+        ":::{question} how-deep",
+        22,
+        "unknown question 'how-deep' in chapters/01_lines/questions.toml; "
+        "there is: how-far, side, steps, touch",
+    ),
+    (
+        "{question} 01_lines/touch",
+        "{question} 03_none/touch",
+        28,
+        "unknown chapter '03_none'",
+    ),
+    (
+        ":::{exercise} distance",
+        ":::{exercise} area",
+        43,
+        "unknown exercise 'area' in exercises/01_lines; there is: distance",
+    ),
+    ("\\norm{n}", "\\nrm{n}", 12, "mathematics: KaTeX parse error"),
+]
+
+
+@pytest.fixture(scope="module")
+def answers(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """One build with every mistake in the lesson at once."""
+    sample = Sample(tmp_path_factory.mktemp("mistakes"))
+    for old, new in {old: new for old, new, _, _ in MISTAKES}.items():
+        sample.edit(LESSON, old, new)
     made = sample.make("--skip-api")
     assert made.returncode != 0
-    assert message in made.stderr
-    assert f"{LESSON}:{line}:" in made.stderr
+    return made.stderr
+
+
+@pytest.mark.parametrize(("line", "message"), [(line, words) for _, _, line, words in MISTAKES])
+def test_a_wrong_name_is_an_error_at_its_line(answers: str, line: int, message: str) -> None:
+    said = [words for words in answers.splitlines() if message in words]
+    assert said, answers
+    assert said[0].startswith(f"{LESSON}:{line}:")
 
 
 @pytest.mark.parametrize(
@@ -93,6 +95,14 @@ def test_a_wrong_table_is_an_error_that_names_its_file(
     assert made.returncode != 0
     assert message in made.stderr
     assert name in made.stderr
+
+
+def test_an_unknown_header_lists_those_there_are(sample: Sample) -> None:
+    sample.edit(LESSON, "contact/line.hpp line", "contact/lime.hpp line")
+    made = sample.make("--skip-api")
+    assert made.returncode != 0
+    assert "unknown file 'contact/lime.hpp'" in made.stderr
+    assert "contact/line.hpp, contact/number.hpp" in made.stderr
 
 
 def test_a_chapter_without_status_stops_the_build_in_words(sample: Sample) -> None:
