@@ -49,8 +49,8 @@ Json readable(const Rational& x) {
 std::optional<truth::Hit> meant_hit(const Case& c) {
   const Vector start = c.exact_vector(is_segment(c) ? "start" : "origin");
   const Vector second = c.exact_vector(is_segment(c) ? "end" : "direction");
-  return truth::meet(start, is_segment(c) ? Vector(second - start) : second, is_segment(c),
-                     meant_triangle(c));
+  return truth::meet<Rational>(start, is_segment(c) ? Vector(second - start) : second,
+                               is_segment(c), meant_triangle(c));
 }
 
 /// Whether a method decides as the exact answer does, and keeps ten bits of t. A method that says
