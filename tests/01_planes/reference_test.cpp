@@ -602,6 +602,23 @@ TEST_CASE("a distance that overflows only on the way is still right") {
   REQUIRE(hit.has_value());
   CHECK(hit->t == 0.5);
   CHECK(hit->point == Vector3<double>(0, 0, 0));
+  // The start is 2.5 / √3 times the largest number away and the step takes 3 / √3 of it back: 5/6
+  // of the step.
+  const auto diagonal = contact::plane_from_coefficients(1.0, 1.0, 1.0, 0.0);
+  const auto touch =
+      contact::moving_sphere_plane<double>({{big / 2, big, big}, 1}, {-big, -big, -big}, diagonal);
+  REQUIRE(touch.has_value());
+  CHECK(std::abs(touch->t - 5.0 / 6) < 1e-15);
+  CHECK(contact::all_finite(touch->point));
+  // Edges longer than the largest number.
+  const auto wide =
+      contact::plane_from_points<double>({big, 0, 0}, {-big, big / 2, 0}, {-big, 0, big / 2});
+  const auto unit = oracle::unit_normal(oracle::plane_through(
+      oracle::exact(Vector3<double>(big, 0, 0)), oracle::exact(Vector3<double>(-big, big / 2, 0)),
+      oracle::exact(Vector3<double>(-big, 0, big / 2))));
+  for (std::size_t k = 0; k < 3; ++k) {
+    CHECK(oracle::exact(oracle::error(wide.normal(int(k)), unit[k])) <= 256 * u<double>());
+  }
 }
 
 TEST_CASE("touching counts, and a segment in the plane has no single point") {
