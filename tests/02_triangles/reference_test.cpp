@@ -511,48 +511,62 @@ TEST_CASE("a closed mesh takes every ray that starts inside it") {
   }
 }
 
-TEST_CASE("the watertight test's t is inside its bound") {
+TEST_CASE("the watertight test decides beyond its rounding, with t inside its bound") {
   // The sheared x of a corner is x − (d_x/d_z) z: at most four roundings a term. An edge function
   // multiplies two such, five more with its difference; sum, quotient, z, product, sum of three and
   // the last division bring it to less than 20. The terms are those of the sheared products.
   Random random(27);
-  int judged = 0;
-  for (int i = 0; i < 6000; ++i) {
+  const Rational c = 20 * oracle::exact(u);
+  int values = 0, decided = 0;
+  for (int i = 0; i < 8000; ++i) {
     const Family family =
-        std::array{Family::random, Family::far, Family::grid}[static_cast<std::size_t>(i) % 3];
+        generators::all_families[static_cast<std::size_t>(i) % generators::all_families.size()];
     const Triangle<double> triangle = generators::proper_triangle(random, family);
     const Ray<double> ray = generators::ray(random, family, triangle);
+    if (ray.direction.isZero(0)) continue;
     const auto got = contact::intersect_watertight(ray, triangle);
     const auto right = truth::meet(ray, triangle);
-    if (!got || !right) continue;
+
     const Vector o = oracle::exact(ray.origin), d = oracle::exact(ray.direction);
     const int z = contact::largest_dimension(ray.direction), x = (z + 1) % 3, y = (z + 2) % 3;
-    std::array<contact::Vector2<Rational>, 3> size;
-    std::array<Rational, 3> depth;
     const Triangle<Rational> exact = oracle::exact(triangle);
+    std::array<contact::Vector2<Rational>, 3> seen, size;
+    std::array<Rational, 3> depth;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector p = (k == 0 ? exact.a : k == 1 ? exact.b : exact.c) - o;
-      size[k] = {absolute(p[x]) + absolute(Rational(d[x] / d[z] * p[z])),
-                 absolute(p[y]) + absolute(Rational(d[y] / d[z] * p[z]))};
-      depth[k] = absolute(Rational(p[z] / d[z]));
+      const Rational shift_x = d[x] / d[z] * p[z], shift_y = d[y] / d[z] * p[z];
+      seen[k] = {p[x] - shift_x, p[y] - shift_y};
+      size[k] = {absolute(p[x]) + absolute(shift_x), absolute(p[y]) + absolute(shift_y)};
+      depth[k] = p[z] / d[z];
     }
-    Rational n_terms = 0, d_terms = 0;
+    Rational sum = 0, sum_terms = 0, t = 0, t_terms = 0;
+    bool clear = true;
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto& p = size[(k + 1) % 3];
-      const auto& q = size[(k + 2) % 3];
-      const Rational terms = p.x() * q.y() + p.y() * q.x();
-      n_terms += terms * depth[k];
-      d_terms += terms;
+      const std::size_t m = (k + 1) % 3, n = (k + 2) % 3;
+      const Rational edge = contact::cross2(seen[m], seen[n]);
+      const Rational terms = size[m].x() * size[n].y() + size[m].y() * size[n].x();
+      clear = clear && absolute(edge) > c * terms;
+      sum += edge;
+      sum_terms += terms;
+      t += edge * depth[k];
+      t_terms += terms * absolute(depth[k]);
     }
-    // The sum of the exact edge functions: the determinant over the cubed scale of the shear.
-    const Conditions c(o, d, exact);
-    const Rational sum = absolute(Rational(c.denominator / d[z]));
-    if (sum <= 20 * 1024 * oracle::exact(u) * d_terms) continue;
-    REQUIRE(oracle::error(got->t, right->t) <=
-            20 * oracle::exact(u) * (n_terms + right->t * d_terms) / sum);
-    ++judged;
+    if (absolute(sum) <= 1024 * c * sum_terms) continue;
+    t /= sum;
+    const Rational bound = c * (t_terms + absolute(t) * sum_terms) / absolute(sum);
+    CAPTURE(generators::name(family), i);
+    if (clear && absolute(t) > bound) {
+      REQUIRE(got.has_value() == right.has_value());
+      ++decided;
+    }
+    if (got && right) {
+      REQUIRE(oracle::error(got->t, right->t) <= bound);
+      ++values;
+    }
   }
-  REQUIRE(judged > 400);
+  CAPTURE(values, decided);
+  REQUIRE(values > 400);
+  REQUIRE(decided > 3000);
 }
 
 // ------------------------------------------------------------------------------------------ exact
