@@ -27,6 +27,7 @@ using grading::Exercise;
 struct Options {
   std::vector<std::string> names;
   bool json = false;
+  bool files_only = false;
   unsigned jobs = 0;
 };
 
@@ -174,7 +175,7 @@ int run(Context& context, const Options& options) {
                           [&](const Exercise* exercise) { return exercise->id() == result.name; });
     });
   }
-  if (!exercises.empty()) {
+  if (!exercises.empty() && !options.files_only) {
     ProgressLine line(!options.json);
     line.show("Building what is not current ...");
     build_all(context.loop(), book, exercises, results);
@@ -202,6 +203,7 @@ void add_dev(CLI::App& app, Action& action) {
       "check", "Prove that stubs, solutions, wrong answers and null answers get what they must");
   check->add_option("exercise", options->names, "Only these exercises");
   check->add_option("--jobs", options->jobs, "Answers checked at a time (default: one a core)");
+  check->add_flag("--files", options->files_only, "Look at the files only; build and run nothing");
   check->add_flag("--json", options->json, "Print JSON");
   check->callback([&action, options] {
     action = [options](Context& context) { return run(context, *options); };

@@ -1,0 +1,209 @@
+"""new, dev check, ladder and doctor: what authors use. The slow ones build a copy of the project."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+Run = Callable[..., subprocess.CompletedProcess[str]]
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
+SOURCES = ("chapters", "exercises", "solutions", "tests", "grading", "cmake", "cli", "docs/figure")
+
+
+@pytest.fixture
+def clone(tmp_path: Path) -> Path:
+    """The sources, without what is built."""
+    folder = tmp_path / "clone"
+    folder.mkdir()
+    ignored = shutil.ignore_patterns("__pycache__", "node_modules")
+    for name in SOURCES:
+        shutil.copytree(ROOT / name, folder / name, ignore=ignored)
+    for name in ("CMakeLists.txt", "CMakePresets.json"):
+        shutil.copy2(ROOT / name, folder / name)
+    (folder / "build").mkdir()
+    if (ROOT / "build/venv").exists():
+        (folder / "build/venv").symlink_to(ROOT / "build/venv")
+    return folder
+
+
+def contact(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
+    environment = {**os.environ, "CONTACT_ROOT": str(folder), "CONTACT_WORK": str(folder / "work")}
+    return subprocess.run(
+        [str(PROGRAM), *words],
+        capture_output=True,
+        text=True,
+        env=environment,
+        cwd=folder,
+        timeout=1800,
+    )
+
+
+def cmake(folder: Path, *words: str) -> None:
+    done = subprocess.run(
+        ["cmake", *words], capture_output=True, text=True, cwd=folder, timeout=1800
+    )
+    assert done.returncode == 0, done.stdout[-4000:] + done.stderr[-4000:]
+
+
+def problems(folder: Path, name: str) -> dict[str, list[str]]:
+    """What `dev check` finds, by kind, of everything whose name begins so."""
+    done = contact(folder, "dev", "check", "--json", *([name] if "/" in name else []))
+    document = json.loads(done.stdout)
+    assert document["format"] == "contact-dev-check/1"
+    assert done.returncode == (1 if document["failed"] else 0)
+    found: dict[str, list[str]] = {}
+    for result in document["results"]:
+        if result["name"].startswith(name):
+            found.setdefault(result["kind"], []).extend(result["problems"])
+    return found
+
+
+def test_new_refuses_what_is_there(clone: Path) -> None:
+    assert contact(clone, "new", "chapter", "02_circles").returncode == 3
+    assert contact(clone, "new", "exercise", "02_triangles/ray_triangle").returncode == 3
+    assert contact(clone, "new", "exercise", "77_nowhere/anything").returncode == 2
+
+
+def test_new_overwrites_nothing(clone: Path) -> None:
+    mine = clone / "tests/31_trial/reference_test.cpp"
+    mine.parent.mkdir()
+    mine.write_text("// mine\n")
+    assert contact(clone, "new", "chapter", "31_trial").returncode == 3
+    assert mine.read_text() == "// mine\n"
+    assert not (clone / "chapters/31_trial").exists()
+
+
+@pytest.mark.slow
+def test_a_new_chapter_and_exercise_build_and_lack_content_only(clone: Path) -> None:
+    assert contact(clone, "new", "chapter", "31_trial").returncode == 0
+    made = contact(clone, "new", "exercise", "31_trial/first_trial")
+    assert made.returncode == 0, made.stderr
+    assert 'exercises = ["first_trial"]' in (clone / "chapters/31_trial/chapter.toml").read_text()
+    shutil.rmtree(clone / "chapters/02_triangles")
+    for tree in ("exercises", "solutions", "tests"):
+        shutil.rmtree(clone / tree / "02_triangles")
+    cmake(clone, "--preset", "dev")
+    targets = [
+        "reference_tests_31_trial",
+        "hard_cases_31_trial",
+        "figure_31_trial_trial",
+        "example_31_trial_trial",
+        "ladder_31_trial",
+        "exercise_31_trial_first_trial",
+    ]
+    cmake(clone, "--build", "build/dev", "--target", *targets)
+    programs = clone / "build/dev/bin"
+    subprocess.run([str(programs / "reference_tests_31_trial")], check=True, cwd=clone)
+    subprocess.run([str(programs / "hard_cases_31_trial")], check=True, cwd=clone)
+    printed = subprocess.run(
+        [str(programs / "example_31_trial_trial")], check=True, capture_output=True, text=True
+    ).stdout
+    assert printed == (clone / "chapters/31_trial/examples/trial.out").read_text()
+    found = problems(clone, "31_trial/first_trial")
+    assert found["stub"] == []
+    assert found["null answer"] == []
+    assert any("not attempted" in text for text in found["solution"])
+    assert any("TO WRITE" in text or "recognises nothing" in text for text in found["wrong answer"])
+    assert any("still to write" in text for text in found["exercise"])
+
+
+def test_dev_check_sees_what_is_wrong_in_the_files(clone: Path) -> None:
+    folder = clone / "exercises/02_triangles/ray_triangle"
+    (folder / "notes.txt").write_text("stray")
+    (folder / "ray_triangle.cpp").write_text('#include "ray_triangle.hpp"\n')
+    toml = folder / "exercise.toml"
+    toml.write_text(
+        toml.read_text()
+        .replace('"beta-sign",', '"beta-sign", "never-heard-of",')
+        .replace("points = 3", 'points = 3\nrequires = ["no such test"]')
+    )
+    chapter = clone / "chapters/01_planes/chapter.toml"
+    chapter.write_text(
+        chapter.read_text().replace('builds_on = ["00_vectors"]', 'builds_on = ["02_triangles"]')
+    )
+    shutil.copy2(
+        clone / "chapters/01_planes/contact/plane.hpp",
+        clone / "chapters/02_triangles/contact/plane.hpp",
+    )
+    # Nothing is built in this copy, so the answers are not checked: the files are.
+    environment = {**os.environ, "CONTACT_ROOT": str(clone)}
+    text = subprocess.run(
+        [str(PROGRAM), "dev", "check", "--files"], capture_output=True, text=True, env=environment
+    ).stdout
+    for part in (
+        "notes.txt",
+        "does not say contact::todo()",
+        "no hint for never-heard-of",
+        "requires one that does not exist: 'no such test'",
+        "builds on itself",
+        "plane.hpp is in 01_planes and in 02_triangles",
+    ):
+        assert part in " ".join(text.split()), part
+
+
+def test_dev_check_proves_one_exercise_whatever_is_in_work(contact: Run, work: Path) -> None:
+    copy = work / "02_triangles/ray_triangle.cpp"
+    copy.parent.mkdir(parents=True)
+    copy.write_text("#error mine\n")
+    done = contact("dev", "check", "02_triangles/ray_triangle", "--json")
+    document: dict[str, Any] = json.loads(done.stdout)
+    assert done.returncode == 0, [r for r in document["results"] if not r["passed"]]
+    assert document["failed"] == 0
+    wrong = list((ROOT / "solutions/02_triangles/ray_triangle/wrong").iterdir())
+    assert document["counts"]["wrong answers"]["passed"] == len(wrong)
+    assert document["counts"]["null answers"]["passed"] >= 7
+
+
+def test_dev_check_reports_a_wrong_answer_that_nobody_catches(
+    contact: Run, solution: str, tmp_path: Path
+) -> None:
+    root = tmp_path / "root"
+    root.mkdir()
+    for name in ("chapters", "exercises", "tests", "grading", "build"):
+        (root / name).symlink_to(ROOT / name)
+    shutil.copytree(ROOT / "solutions", root / "solutions")
+    wrong = root / "solutions/02_triangles/ray_triangle/wrong/one_sided.cpp"
+    wrong.write_text("".join(wrong.read_text().splitlines(keepends=True)[:2]) + solution)
+    done = contact("dev", "check", "ray_triangle", "--json", CONTACT_ROOT=str(root))
+    assert done.returncode == 1
+    (failed,) = [result for result in json.loads(done.stdout)["results"] if not result["passed"]]
+    assert failed["kind"] == "wrong answer"
+    assert "should fail where it does not" in failed["problems"][0]
+
+
+def test_ladder_measures_and_keeps_the_result(contact: Run, tmp_path: Path) -> None:
+    kept = tmp_path / "ladder.json"
+    done = contact("ladder", "02", "--size", "50", "--repeats", "2", "--output", str(kept))
+    assert done.returncode == 0, done.stderr
+    ladder = json.loads(kept.read_text())
+    assert ladder["ladder"] == "02_triangles"
+    assert ladder["machine"]["cpu"]
+    assert len(ladder["results"]) == len(ladder["families"]) * len(ladder["methods"])
+    for family in ladder["families"]:
+        assert family["title"] in done.stdout
+
+
+def test_doctor_says_what_is_there(contact: Run) -> None:
+    done = contact("doctor", "--json")
+    findings = json.loads(done.stdout)["findings"]
+    missing = [finding for finding in findings if finding["standing"] == "missing"]
+    assert done.returncode == (3 if missing else 0)
+    assert all(finding["remedy"] for finding in missing)
+    assert any(finding["what"].startswith("C++ compiler") for finding in findings)
+
+
+def test_doctor_says_what_is_missing(contact: Run, tmp_path: Path) -> None:
+    empty = tmp_path / "empty"
+    empty.mkdir()
+    done = contact("doctor", PATH=str(empty))
+    assert done.returncode == 3
+    assert "missing" in done.stdout
+    assert "./contact setup" in done.stdout
