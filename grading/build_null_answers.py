@@ -2,8 +2,8 @@
 
     build_null_answers.py CONTRACT.hpp --output FOLDER
 
-FOLDER gets one file a kind: zeros, nan, infinity, minus_infinity, huge, random, echo. In each, every
-function of the contract is defined and returns such a value of its result's type, made by
+FOLDER gets one file a kind: zeros, nan, infinity, minus_infinity, huge, random, echo. In each,
+every function of the contract is defined and returns such a value of its result's type, made by
 grading/build_null_answers.hpp, or, for echo, the first argument that has that type.
 """
 
@@ -37,7 +37,9 @@ def answer(contract: Path, kind: str) -> str:
 def main() -> None:
     options = argparse.ArgumentParser(description="Write an answer that knows nothing.")
     options.add_argument("contract", type=Path)
-    options.add_argument("--output", type=Path, required=True, help="folder for KIND.cpp of every kind")
+    options.add_argument(
+        "--output", type=Path, required=True, help="folder for KIND.cpp of every kind"
+    )
     arguments = options.parse_args()
     for kind in KINDS:
         (arguments.output / f"{kind}.cpp").write_text(answer(arguments.contract, kind))

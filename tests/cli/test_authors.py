@@ -1,4 +1,4 @@
-"""new, dev check, ladder and doctor: what authors use. The slow ones build a copy of the project."""
+"""new, dev check, ladder and doctor: what authors use. The slow one builds a copy of the book."""
 
 from __future__ import annotations
 

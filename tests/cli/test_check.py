@@ -187,9 +187,7 @@ def test_an_error_inside_eigen_is_told_at_the_students_line(
     assert "Eigen/src" in full
 
 
-def test_a_missing_function_shows_the_contract(
-    contact: Run, solution: str, answer: Answer
-) -> None:
+def test_a_missing_function_shows_the_contract(contact: Run, solution: str, answer: Answer) -> None:
     answer(solution.replace(" ray_triangle(", " ray_triangel("))
     error = compile_error(contact)
     assert "ray_triangle is declared in the contract but not defined" in error["message"]

@@ -1,4 +1,4 @@
-"""start, reset, hint, solution, list and progress: what happens to the student's copies and record."""
+"""start, reset, hint, solution, list and progress: the student's copies and record."""
 
 from __future__ import annotations
 
@@ -11,6 +11,8 @@ import pytest
 
 Run = Callable[..., subprocess.CompletedProcess[str]]
 ROOT = Path(__file__).resolve().parents[2]
+COMMANDS = ["list", "start", "check", "watch", "hint", "solution", "reset", "progress"]
+COMMANDS += ["ladder", "new", "doctor", "dev"]
 STUB = (ROOT / "exercises/02_triangles/ray_triangle/ray_triangle.cpp").read_text()
 
 
@@ -109,7 +111,8 @@ def test_progress_counts_attempts_and_keeps_the_best(
     contact("check", "ray_triangle")
     answer(STUB)
     contact("check", "ray_triangle")
-    entry = json.loads(contact("progress", "--json").stdout)["exercises"]["02_triangles/ray_triangle"]
+    record = json.loads(contact("progress", "--json").stdout)
+    entry = record["exercises"]["02_triangles/ray_triangle"]
     assert entry["attempts"] == 2
     assert entry["best_points"] == entry["max_points"]
     assert entry["passed"]
@@ -156,8 +159,7 @@ def test_outside_the_book_is_trouble(contact: Run, tmp_path: Path) -> None:
     "words",
     [
         [],
-        *[[command] for command in "list start check watch hint solution reset progress".split()],
-        *[[command] for command in "ladder new doctor dev".split()],
+        *[[command] for command in COMMANDS],
         ["dev", "check"],
         ["new", "chapter"],
         ["new", "exercise"],
