@@ -10,6 +10,7 @@ import argparse
 import functools
 import http.client
 import http.server
+import signal
 import socket
 import sys
 import threading
@@ -199,6 +200,10 @@ def main() -> int:
     parser.add_argument("--port", type=port_number, default=DEFAULT_PORT)
     parser.add_argument("--once", action="store_true")
     arguments = parser.parse_args()
+    # Also when started in the background, where a shell has interrupts ignored; and a plain kill is
+    # as clean as Ctrl-C.
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.default_int_handler)
     try:
         return serve(arguments.port, arguments.once)
     except KeyboardInterrupt:

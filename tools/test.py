@@ -358,7 +358,7 @@ def wasm() -> Iterator[Check]:
 
 def book() -> Iterator[Check]:
     yield from step_checks(steps.FIRST[3:])
-    yield from pytest("tests/docs")
+    yield from pytest("tests/docs", "tests/serve")
 
 
 def ladder() -> Iterator[Check]:
@@ -395,7 +395,7 @@ STAGES = (
         "dev-check", "stubs, solutions, wrong answers and null answers", 6, dev_check, ("native",)
     ),
     Stage("program", "the contact program from outside", 5, program, ("native",)),
-    Stage("outside", "set-up; the headers in another project", 4, outside),
+    Stage("outside", "set-up; the headers in another project", 4, outside, ("native",)),
     Stage("ladder", "every ladder at a small size", 2, ladder, ("native",)),
     Stage(
         "tidy",
@@ -407,7 +407,7 @@ STAGES = (
     Stage("sanitize", "the reference tests under sanitizers", 12, sanitize),
     Stage("page", "the page's scripts, figures and ladders in WebAssembly", 8, page, ("native",)),
     Stage("wasm", "the compiler in the page; one contract three ways", 8, wasm, ("native",)),
-    Stage("book", "the book without a warning", 6, book, ("page",)),
+    Stage("book", "the book without a warning, and served", 6, book, ("page",)),
     Stage("browser", "the book in a real browser", 8, browser, ("book",)),
 )
 

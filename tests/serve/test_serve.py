@@ -1,0 +1,88 @@
+"""./contact serve, on a book that is built: a taken port, what is served, and Ctrl-C."""
+
+from __future__ import annotations
+
+import http.client
+import os
+import re
+import signal
+import socket
+import subprocess
+import threading
+from pathlib import Path
+from queue import Empty, Queue
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def lines_of(process: subprocess.Popen[str]) -> Queue[str]:
+    lines: Queue[str] = Queue()
+
+    def read() -> None:
+        assert process.stdout is not None
+        for line in process.stdout:
+            lines.put(line)
+
+    threading.Thread(target=read, daemon=True).start()
+    return lines
+
+
+def wait_for(pattern: str, lines: Queue[str], seconds: float) -> re.Match[str]:
+    seen: list[str] = []
+    try:
+        while True:
+            seen.append(lines.get(timeout=seconds))
+            if match := re.search(pattern, seen[-1]):
+                return match
+    except Empty:
+        raise AssertionError(f"no line with {pattern}; there were:\n{''.join(seen)}") from None
+
+
+def children_of(pid: int) -> list[int]:
+    """What it started, where the system says so (Linux)."""
+    listed = [file.read_text() for file in Path(f"/proc/{pid}/task").glob("*/children")]
+    return [int(word) for text in listed for word in text.split()]
+
+
+def test_a_taken_port_what_is_served_and_an_interrupt() -> None:
+    if not (ROOT / "build/site/index.html").exists():
+        pytest.skip("the book is not built")
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = taken.getsockname()[1]
+        process = subprocess.Popen(
+            [ROOT / "contact", "serve", "--port", str(port)],
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            start_new_session=True,
+        )
+        try:
+            lines = lines_of(process)
+            wait_for(f"Port {port} is taken", lines, 240)
+            served = int(wait_for(r"The book: http://127\.0\.0\.1:(\d+)/", lines, 30)[1])
+            connection = http.client.HTTPConnection("127.0.0.1", served, timeout=10)
+            wasm = next((ROOT / "build/site").rglob("*.wasm")).relative_to(ROOT / "build/site")
+            for path, status, kind in (
+                ("/", 200, "text/html"),
+                (f"/{wasm.as_posix()}", 200, "application/wasm"),
+                ("/../../contact", 404, None),
+            ):
+                connection.request("GET", path)
+                answer = connection.getresponse()
+                answer.read()
+                assert answer.status == status, path
+                assert kind is None or answer.headers["Content-Type"] == kind
+            children = children_of(process.pid)
+            os.kill(process.pid, signal.SIGINT)
+            wait_for("Stopped", lines, 20)
+            assert process.wait(20) == 0
+            alive = {child for child in children if Path(f"/proc/{child}").exists()}
+            assert alive == set()
+        finally:
+            if process.poll() is None:
+                os.killpg(process.pid, signal.SIGKILL)
