@@ -20,6 +20,8 @@ DEV = BUILD / "dev"
 LOGS = BUILD / "logs"
 SITE = BUILD / "site"
 PROGRAM = DEV / "bin" / "contact"
+# Seconds after which a step hangs rather than works, on any machine.
+STEP_LIMIT = 1200.0
 
 # Colour codes and the like, which some tools print even to a file.
 _ESCAPES = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]")
@@ -155,13 +157,13 @@ def native_targets(prefixes: Sequence[str]) -> list[str]:
     return sorted({name for name in names if name.startswith(tuple(prefixes))})
 
 
-def build_native(targets: Sequence[str], log: str, limit: float | None = None) -> Done:
+def build_native(targets: Sequence[str], log: str) -> Done:
     """Builds these targets of build/dev."""
     wanted = [word for target in targets for word in ("--target", target)]
     if not wanted:
         return Done(0, "", 0.0, LOGS / f"{log}.log")
     with build_lock():
-        return run(["cmake", "--build", DEV, *wanted], log, limit=limit)
+        return run(["cmake", "--build", DEV, *wanted], log, limit=STEP_LIMIT)
 
 
 # --- How the book is built ------------------------------------------------------------------------
@@ -184,12 +186,14 @@ def _page_programs() -> Done:
 
 
 def _node(log: str, *words: str) -> Callable[[], Done]:
-    return lambda: run(["node", *words], log, cwd=ROOT / "docs")
+    return lambda: run(["node", *words], log, cwd=ROOT / "docs", limit=STEP_LIMIT)
 
 
 def build_book() -> Done:
     """Doxygen and Sphinx; any warning fails."""
-    return run([sys.executable, ROOT / "docs" / "build.py", "--complete"], "book-pages")
+    return run(
+        [sys.executable, ROOT / "docs" / "build.py", "--complete"], "book-pages", limit=STEP_LIMIT
+    )
 
 
 # What a reader needs to begin, in order.
