@@ -54,7 +54,8 @@ std::string target_of(const Exercise& exercise) {
   return "exercise_" + exercise.chapter + "_" + exercise.name;
 }
 
-// Builds whatever is not current, generated code too. If one exercise does not build, the others must still be checked.
+// Builds whatever is not current, generated code too. If one exercise does not build, the others
+// must still be checked.
 void build_all(grading::Loop& loop, const grading::Book& book,
                std::vector<const Exercise*>& exercises, std::vector<DevResult>& results) {
   std::vector<std::string> targets;

@@ -61,7 +61,8 @@ std::string text_or_empty(const fs::path& file) {
 void check_written(const fs::path& folder, Problems& problems) {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error)) {
-    if (entry.is_regular_file() && text_or_empty(entry.path()).find("TO WRITE") != std::string::npos)
+    if (entry.is_regular_file() &&
+        text_or_empty(entry.path()).find("TO WRITE") != std::string::npos)
       problems.push_back("still to write: " + shown(entry.path()));
   }
 }

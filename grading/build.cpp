@@ -65,8 +65,8 @@ std::vector<std::string> texts(const nlohmann::json& json, const char* key) {
                             : std::vector<std::string>{};
 }
 
-// What a check needs and no more: the sealed tests, not the solution and the proxy that the whole exercise's target
-// also builds. Ninja takes a file for a target.
+// What a check needs and no more: the sealed tests, not the solution and the proxy that the whole
+// exercise's target also builds. Ninja takes a file for a target.
 std::string tests_file(const Exercise& exercise) {
   return "exercises/" + exercise.chapter + "/" + exercise.name + "/tests.o";
 }

@@ -96,6 +96,12 @@ class Child {
     while (!exited_ && !loop_.interrupted() && !loop_.cancelled()) turn();
     if (loop_.interrupted() || loop_.cancelled()) {
       kill_group();
+      // It is gone when the kernel says so, not when the signal is sent.
+      const Clock::time_point kill_time = Clock::now();
+      while (!exited_ && seconds_since(kill_time) < 2.0) {
+        uv_run(loop_.get(), UV_RUN_NOWAIT);
+        if (!exited_) uv_sleep(1);
+      }
       if (loop_.interrupted()) throw Interrupted{};
       throw Cancelled{};
     }
