@@ -27,7 +27,9 @@ describe("ladders", { skip }, () => {
       const data = JSON.parse((await ladder.locator(":scope > script").textContent()) ?? "");
       const before = await ladder.locator(".plot").innerHTML();
       await ladder.getByRole("button", { name: "Run it here" }).click();
-      await ladder.locator(".status").filter({ hasText: "timed in" }).waitFor({ timeout: 50_000 });
+      const status = ladder.locator(".status").filter({ hasText: /timed in|could not/ });
+      await status.waitFor({ timeout: 50_000 });
+      assert.match((await status.textContent()) ?? "", /timed in/);
       const rows = await ladder.evaluate((/** @type {any} */ element) => element.rows);
       assert.ok(rows.length >= data.families.length, `${rows.length} rows`);
       for (const row of rows) {

@@ -128,12 +128,12 @@ export function ladderPlot(
   svg.setAttribute("aria-label", `${result.question} ${measure.title} against time, plotted.`);
   // Plot names its groups, and a group without a role may have no name.
   for (const group of svg.querySelectorAll("g[aria-label]")) group.removeAttribute("aria-label");
-  annotate(svg, result, rows, measure, document);
+  annotate(svg, result, here, measure, document);
   return svg;
 }
 
 function yTicks(smallest: number, largest: number): number[] {
-  const low = Math.floor(Math.log10(smallest));
+  const low = Math.ceil(Math.log10(smallest));
   const high = Math.ceil(Math.log10(largest));
   const every = Math.max(1, Math.ceil((high - low) / 5));
   const ticks = [0];
@@ -156,7 +156,7 @@ const overlap = (p: Box, q: Box): boolean =>
 function annotate(
   svg: SVGSVGElement & Plot.Plot,
   result: LadderResult,
-  rows: readonly LadderRow[],
+  here: readonly LadderRow[],
   measure: Measure,
   document: Document,
 ): void {
@@ -175,23 +175,30 @@ function annotate(
   const firstTop = bandTop(result.families[0]?.id ?? "");
   for (const family of result.families) {
     const top = bandTop(family.id);
-    const own = rows.filter((row) => row.family === family.id);
-    const n = own[0]?.n ?? family.n;
+    const place = (row: LadderRow): { row: LadderRow; px: number; py: number } => ({
+      row,
+      px: Number(x.apply(row.ns_median)),
+      py: Number(y.apply(measure.of(row))) + top - firstTop,
+    });
+    const inBand = (row: LadderRow): boolean => row.family === family.id;
+    const points = result.results
+      .filter(inBand)
+      .map(place)
+      .sort((p, q) => p.px - q.px);
+    const n = points[0]?.row.n ?? family.n;
     add(
       "text",
       { x: 74, y: top + 15, "font-size": 13, "font-weight": 600, fill: "currentColor" },
       n ? `${family.title} (${n.toLocaleString("en")} inputs)` : family.title,
     );
-    const points = own
-      .map((row) => ({
-        row,
-        px: Number(x.apply(row.ns_median)),
-        py: Number(y.apply(measure.of(row))) + top - firstTop,
-      }))
-      .sort((p, q) => p.px - q.px);
     const taken: Box[] = [
       { left: 70, right: 70 + 260, top, bottom: top + 18 },
-      ...points.map(({ px, py }) => ({ left: px - 6, right: px + 6, top: py - 6, bottom: py + 6 })),
+      ...[...points, ...here.filter(inBand).map(place)].map(({ px, py }) => ({
+        left: px - 6,
+        right: px + 6,
+        top: py - 6,
+        bottom: py + 6,
+      })),
     ];
     const bottom = top + (fy.bandwidth ?? BAND);
     for (const { row, px, py } of points) {

@@ -57,7 +57,10 @@ export function predictAsker(question: Predict, labelId: string): Asker {
     solution: () => `The answer is ${shown()}.`,
     onSubmit(send) {
       input.addEventListener("keydown", (event) => {
-        if (event.key === "Enter" && !input.readOnly) send();
+        if (event.key !== "Enter" || input.readOnly) return;
+        // The verdict moves the focus to a button, which this key must not press.
+        event.preventDefault();
+        send();
       });
     },
   };
