@@ -91,7 +91,9 @@ TEST_CASE("random points in random triangles agree with exact arithmetic") {
   };
   for (int asked = 0; asked < 500;) {
     const Triangle triangle{vector(8), vector(8), vector(8)};
-    const Vector point = at(triangle, random.uniform(-1, 2), random.uniform(-1, 2));
+    // Named, because compilers differ in the order in which they evaluate arguments.
+    const double beta = random.uniform(-1, 2), gamma = random.uniform(-1, 2);
+    const Vector point = at(triangle, beta, gamma);
     if ((triangle.b - triangle.a).cross(triangle.c - triangle.a).norm() < 4) continue;  // a sliver
     ++asked;
     check(triangle, point);
