@@ -41,9 +41,12 @@ struct LineAndTriangle {
 
 /// The five numbers whose signs are the answer, and the denominator. Each is the determinant of
 /// three differences, six times the volume of a tetrahedron:
-///   of_a = d·(b × c), of_b = d·(c × a), of_c = d·(a × b)   on which side of each edge the line
-///   passes start = a·(ab × ac), end = end_a·(ab × ac)             on which side of the plane the
-///   start and the end are denominator = d·(ab × ac) = of_a + of_b + of_c
+/// - of_a = d·(b × c), of_b = d·(c × a), of_c = d·(a × b): on which side of each edge the line
+///   passes;
+/// - start = a·(ab × ac), end = end_a·(ab × ac): on which side of the plane the start and the end
+///   are;
+/// - denominator = d·(ab × ac) = of_a + of_b + of_c;
+///
 /// so that w_a = of_a/denominator and so on, and t = start/denominator.
 enum class Determinant { of_a, of_b, of_c, start, end, denominator };
 

@@ -165,10 +165,9 @@ std::optional<TriangleHit<S>> divide(const std::optional<TriangleFractions<S>>& 
 /// (c) Möller and Trumbore: solve origin + t direction = a + w_b (b − a) + w_c (c − a) for t, w_b
 /// and w_c by Cramer's rule. The plane's normal and the point are never formed.
 ///
-/// Limits: each of the four
-/// determinants is off by at most 8u Σ|its terms|, so t is off by at most c·u (Σ|terms of N| + |t|
-/// Σ|terms of D|) / |D|; the decision has no bound, and a shared edge can leak, since the two
-/// triangles measure from different corners.
+/// Limits: each of the four determinants is off by at most 8u Σ|its terms|, so t is off by at most
+/// c·u (Σ|terms of N| + |t| Σ|terms of D|) / |D|; the decision has no bound, and a shared edge can
+/// leak, since the two triangles measure from different corners.
 ///
 /// Source: Möller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, 1997 (recommended
 /// by FCA).

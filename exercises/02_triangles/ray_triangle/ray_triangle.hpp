@@ -18,8 +18,7 @@ namespace exercise {
 /// - Touching counts: a hit on an edge, on a corner, or at the origin itself (t = 0) is a hit.
 /// - Both sides of the triangle can be hit.
 /// - A ray in a parallel plane, or in the plane of the triangle, has no single point of hit:
-/// nothing. The same holds for
-///   a direction of length zero and for a triangle without area.
+///   nothing. The same holds for a direction of length zero and for a triangle without area.
 /// - Size does not matter: a triangle a micrometre wide is hit like one a kilometre wide.
 ///
 /// @param ray origin in m; direction of any length but finite, in m for each unit of t
