@@ -293,7 +293,7 @@ fs::path find_root() {
     return fs::is_directory(folder / "chapters") && fs::is_directory(folder / "exercises");
   };
   if (const char* given = std::getenv("CONTACT_ROOT"); given != nullptr && *given != '\0') {
-    const fs::path root = fs::absolute(given).lexically_normal();
+    fs::path root = fs::absolute(given).lexically_normal();
     if (!is_root(root))
       throw BookError("CONTACT_ROOT is " + root.string() +
                       ", which holds no chapters/ and exercises/");

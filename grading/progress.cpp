@@ -72,7 +72,7 @@ T read(const nlohmann::json& entry, const char* name, T otherwise) {
 
 std::string now_utc() { return formatted_time("%Y-%m-%dT%H:%M:%SZ"); }
 
-Progress::Progress(fs::path work) : file_(std::move(work) / "progress.json") { load(); }
+Progress::Progress(const fs::path& work) : file_(work / "progress.json") { load(); }
 
 void Progress::load() {
   data_ = empty_document();

@@ -27,7 +27,7 @@ struct ExerciseProgress {
 
 class Progress {
  public:
-  explicit Progress(std::filesystem::path work);
+  explicit Progress(const std::filesystem::path& work);
 
   /// What is known of an exercise; all zero if it was never checked.
   [[nodiscard]] ExerciseProgress of(const std::string& exercise) const;

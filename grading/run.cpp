@@ -128,7 +128,7 @@ std::string assertion_in(const std::string& printed) {
   const std::size_t start =
       printed.rfind('\n', at) == std::string::npos ? 0 : printed.rfind('\n', at) + 1;
   const std::string before = printed.substr(start, at - start);
-  const std::string sentence =
+  std::string sentence =
       printed.substr(at, std::min<std::size_t>(printed.find('\n', at) - at, 400));
   // Most assertions that a student meets are a library's own, about an index or an empty container.
   if (before.find("/Eigen/") != std::string::npos)

@@ -57,7 +57,7 @@ std::string unmet_need(const Exercise& exercise, const TestSpec& test,
       const auto found = status.find(need);
       if (found == status.end() || found->second != TestStatus::passed) return need;
       if (const TestSpec* next = spec_of(exercise, need)) {
-        if (const std::string deeper = search(*next); !deeper.empty()) return deeper;
+        if (std::string deeper = search(*next); !deeper.empty()) return deeper;
       }
     }
     return {};
