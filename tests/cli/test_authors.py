@@ -179,6 +179,24 @@ def test_dev_check_reports_a_wrong_answer_that_nobody_catches(
     assert "should fail where it does not" in failed["problems"][0]
 
 
+def test_dev_check_reports_what_anybody_would_earn(
+    contact: Run, solution: str, tmp_path: Path
+) -> None:
+    root = tmp_path / "root"
+    root.mkdir()
+    for name in ("chapters", "exercises", "solutions", "tests", "build"):
+        (root / name).symlink_to(ROOT / name)
+    shutil.copytree(ROOT / "grading", root / "grading")
+    # In place of the answers that know nothing: one that knows all.
+    (root / "grading/build_null_answers.py").write_text(
+        f"import pathlib, sys\npathlib.Path(sys.argv[-1], 'clever.cpp').write_text({solution!r})\n"
+    )
+    done = contact("dev", "check", "ray_triangle", "--json", CONTACT_ROOT=str(root))
+    (failed,) = [result for result in json.loads(done.stdout)["results"] if not result["passed"]]
+    assert failed["kind"] == "null answer"
+    assert "it earns 3" in failed["problems"][0]
+
+
 def test_ladder_measures_and_keeps_the_result(contact: Run, tmp_path: Path) -> None:
     kept = tmp_path / "ladder.json"
     done = contact("ladder", "02", "--size", "50", "--repeats", "2", "--output", str(kept))
