@@ -81,7 +81,8 @@ inline std::optional<contact::RayHit<Rational>> crossing(const contact::Segment<
   return contact::RayHit<Rational>{t, Vector(segment.start + way * t)};
 }
 
-/// Whether a sphere meets a plane: |N · c − K| against r |N|, compared as numbers with a root. Nothing meets what is no plane.
+/// Whether a sphere meets a plane: |N · c − K| against r |N|, compared as numbers with a root.
+/// Nothing meets what is no plane.
 inline bool meets(const contact::Sphere<Rational>& sphere, const ExactPlane& plane) {
   if (!plane.exists()) return false;
   const Rational length_squared = dot(plane.normal, plane.normal);

@@ -1,8 +1,8 @@
 // Renders mathematics: one JSON request a line in, one JSON answer a line out.
 // The argument is the folder whose node_modules holds KaTeX.
 import { createRequire } from "node:module";
-import { createInterface } from "node:readline";
 import { join } from "node:path";
+import { createInterface } from "node:readline";
 
 const katex = createRequire(join(process.argv[2], "package.json"))("katex");
 const macros = {
