@@ -190,6 +190,8 @@ TEST_CASE(
   const Triangle<double> huge{{-1e300, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}};
   REQUIRE_FALSE(
       contact::barycentric(Vector3<double>(0, 0, 0), huge).has_value());  // the area overflows
+  const Triangle<double> large{{0, 0, 0}, {1e200, 0, 0}, {0, 1e200, 0}};  // finite edges, and still
+  REQUIRE_FALSE(contact::barycentric(Vector3<double>(1, 1, 0), large).has_value());
 
   const Triangle<double> triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
   const auto at_corner = contact::barycentric(triangle.b, triangle);

@@ -58,7 +58,7 @@ std::optional<Vector3<S>> barycentric(const Vector3<S>& point, const Triangle<S>
   const Vector3<S> ac = triangle.c - triangle.a;
   const Vector3<S> normal = ab.cross(ac);
   const int k = largest_dimension(normal);
-  if (normal[k] == S(0)) return std::nullopt;
+  if (normal[k] == S(0) || !is_finite(normal[k])) return std::nullopt;
 
   const Vector3<S> ax = point - triangle.a;
   const Vector2<S> x = drop_dimension(ax, k);
