@@ -120,8 +120,8 @@ Vector3<S> normalised(const Vector3<S>& v) {
 /// The plane through a point, facing along a normal.
 /// @param normal any finite vector but 0; it is normalised here
 /// @param point a point of the plane, m
-/// @throws std::invalid_argument if normal is 0, if an argument is not finite, or if the plane is
-/// too far from the origin for its offset to be stored
+/// @throws std::invalid_argument if normal is 0, if an argument is not finite, or if the sum that
+/// gives the offset overflows
 /// @note The offset is rounded: the stored plane misses the point by up to 4 u |point|. Far from
 /// the origin that is much; see signed_distance_from_point().
 /// @see *Interaction and Normals*, slides "Collision detection: point-plane" and "Sphere-Plane
@@ -166,13 +166,13 @@ Plane<S> plane_from_coefficients(S a, S b, S c, S d) {
 ///
 /// If the edges at a are far from parallel, rounded arithmetic is good enough. If not, the cross
 /// product is computed again without rounding: a thin triangle gets as good a normal as a stout
-/// one, and points are refused if they are collinear as stored, and only then. (In long double, for
-/// which there is no exact arithmetic here, only the first way.)
+/// one, and points are called collinear if they are so as stored, and only then. (In long double,
+/// for which there is no exact arithmetic here, only the first way.)
 /// @param a, b, c finite points that are not on one line, m
 /// @throws std::invalid_argument if a point is not finite, if the points are collinear, or if the
 /// offset overflows
-/// @note The normal's direction is off by less than 256 u. The offset is rounded as in
-/// plane_from_normal_and_point().
+/// @note In float and double the normal's direction is off by less than 256 u. The offset is
+/// rounded as in plane_from_normal_and_point().
 /// @see *Interaction and Normals*, slide "The Plane Containing the Triangle"
 template <std::floating_point S>
 Plane<S> plane_from_points(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c) {

@@ -61,7 +61,7 @@ Vector3<S> between(const Segment<S>& segment, const S& weight_start, const S& we
 /// if both ends are on the same side, and nothing if both are *on* the plane: then the segment lies
 /// in the plane and has no single point.
 /// @note In a floating-point type the sides are those of the rounded distances. Near grazing t has
-/// an error of about 8 u (|n·start| + |n·end| + |k|) / |d₀ − d₁|.
+/// an error of about 8 u (Σ|nᵢ startᵢ| + Σ|nᵢ endᵢ| + |k|) / |d₀ − d₁|.
 /// @see *Interaction and Normals*, slides "Segment vs. Triangle" and "Collision detection: time of
 /// impact"
 template <Scalar S>

@@ -269,7 +269,7 @@ Triangle<double> in_double(const Triangle<S>& triangle) {
 ///
 /// Limits: t is within 2^-40 max(1, |t|) of the exact value and each weight within 2^-40, and then
 /// rounded to S. All are in range (t ≥ 0, for a segment t ≤ 1, weights from 0 to 1); the sum of the
-/// weights is off by 2^-38 at most (float: and four roundings). A ray's t may lie beyond the
+/// weights is off by 2^-38 at most (float: and three roundings). A ray's t may lie beyond the
 /// largest number of S: then it is infinite.
 ///
 /// Source: the filter is a semi-static one after

@@ -64,8 +64,8 @@ std::optional<RayHit<S>> cross_plane(const Ray<S>& ray, const Vector3<S>& on_pla
 /// @param line a Ray or a Segment
 ///
 /// Limits: the point is rounded before the edges see it, so two triangles that share an edge can
-/// both refuse a ray between them. t has a relative error of a few u |terms|/|rate|; the decision
-/// has no bound.
+/// both refuse a ray between them. t is off by a few u (Σ|terms of N| + |t| Σ|terms of D|) / |D|,
+/// where N and D are the numerator and the denominator of t; the decision has no bound.
 ///
 /// Source: L20, Segment vs. Triangle.
 template <Scalar S, LineOf<S> Line>
@@ -75,8 +75,8 @@ std::optional<TriangleHit<S>> intersect_by_edges(const Line& line, const Triangl
   const std::optional<RayHit<S>> crossing = cross_plane(line, a, normal);
   if (!crossing) return std::nullopt;
 
-  // normal × edge points into the triangle. Each product is twice the area beyond that edge, times
-  // |normal|.
+  // normal × edge points into the triangle. Each product is twice the area between x and
+  // that edge, times |normal|.
   const Vector3<S>& x = crossing->point;
   const S beyond_bc = normal.cross(c - b).dot(x - b);
   const S beyond_ca = normal.cross(a - c).dot(x - c);
@@ -165,12 +165,13 @@ std::optional<TriangleHit<S>> divide(const std::optional<TriangleFractions<S>>& 
 /// (c) Möller and Trumbore: solve origin + t direction = a + w_b (b − a) + w_c (c − a) for t, w_b
 /// and w_c by Cramer's rule. The plane's normal and the point are never formed.
 ///
-/// Limits: each of the four determinants is off by at most 8u Σ|its terms|, so t is off by at most
-/// c·u (Σ|terms of N| + |t| Σ|terms of D|) / |D|; the decision has no bound, and a shared edge can
-/// leak, since the two triangles measure from different corners.
+/// Limits: while nothing over- or underflows, each of the four determinants is off by at most γ(8)
+/// Σ|its terms|, so t, a quotient N / D of two of them, is off by at most 10 u (Σ|terms of N| + |t|
+/// Σ|terms of D|) / |D|, unless D is nearly lost in its own rounding. The decision has no bound,
+/// and a shared edge can leak, since the two triangles measure from different corners.
 ///
-/// Source: Möller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, 1997 (recommended
-/// by FCA).
+/// Source: Möller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, 1997 (marked
+/// as the best by L20, Ray Basics).
 template <Scalar S>
 std::optional<TriangleHit<S>> intersect_moller_trumbore(const Ray<S>& ray,
                                                         const Triangle<S>& triangle) {

@@ -19,7 +19,7 @@ namespace contact {
 /// Rounding keeps order: if u.x v.y is the larger product, its rounded value is not the smaller
 /// one. So the difference of the two rounded products has the right sign, or is 0. When it is 0,
 /// the two products' own rounding errors decide, and a fused multiply-add gives each of them
-/// exactly. Exchanging u and v changes the sign of the result and no other bit.
+/// exactly. Exchanging u and v gives the same number with the other sign.
 template <std::floating_point S>
 S cross2_right_sign(const Vector2<S>& u, const Vector2<S>& v) {
   const S left = u.x() * v.y();
@@ -50,8 +50,9 @@ class WatertightRay {
   ///
   /// Limits: the shear rounds each corner, so a hit near an edge may be given to the neighbour:
   /// wrong by itself, yet never lost between the two, since both round the shared corners alike.
-  /// That holds as long as no product over- or underflows, and only without fused multiply-adds in
-  /// the shear and the edge function (`-ffp-contract=off`).
+  /// That holds as long as no product over- or underflows and t is not within its rounding of 0 or
+  /// `last`, and only without fused multiply-adds in the shear and the edge function
+  /// (`-ffp-contract=off`).
   ///
   /// Source: Woop, Benthin and Wald,
   /// Watertight Ray/Triangle Intersection, 2013.
