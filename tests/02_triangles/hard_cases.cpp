@@ -54,7 +54,7 @@ std::optional<truth::Hit> meant_hit(const Case& c) {
 }
 
 /// Whether a method decides as the exact answer does, and keeps ten bits of t. A method that says
-/// where the hit is and has lost all but three digits is not right because it said yes.
+/// where the hit is and is wrong in the third digit is not right because it said yes.
 bool right(const Case& c, const std::optional<TriangleHit<double>>& got) {
   const auto exact = meant_hit(c);
   if (got.has_value() != exact.has_value()) return false;
