@@ -1,6 +1,6 @@
 """From a save to its verdict in `contact watch`, beside the least that it could take.
 
-    build/venv/bin/python benchmarks/edit_to_verdict.py [--repeats 15] [--json FILE]
+    build/venv/bin/python benchmarks/edit_to_verdict.py [--repeats 25] [--json FILE]
 
 Three things are timed in turn, so that whatever else the machine does meets them alike:
 
@@ -11,7 +11,8 @@ Three things are timed in turn, so that whatever else the machine does meets the
   two full files   compile the student's file without the precompiled header and the tests' file,
                    link both with Catch2, run: what a plain Makefile would do
 
-Each run changes a comment, so that no two files are the same. Medians and quartiles are printed.
+Each run changes a comment, so that no two files are the same. Medians and quartiles are printed;
+the ratio is the median over pairs of neighbouring runs.
 """
 
 from __future__ import annotations
@@ -147,7 +148,7 @@ def summary(times: list[float]) -> dict[str, float]:
 
 def main() -> int:
     options = argparse.ArgumentParser(description="Time from a save to its verdict.")
-    options.add_argument("--repeats", type=int, default=15, help="timed runs of each (default 15)")
+    options.add_argument("--repeats", type=int, default=25, help="timed runs of each (default 25)")
     options.add_argument("--json", type=Path, help="also write the figures here")
     arguments = options.parse_args()
 
@@ -174,13 +175,17 @@ def main() -> int:
         shutil.rmtree(folder, ignore_errors=True)
 
     figures = {name: summary(taken) for name, taken in times.items()}
-    ratio = figures["edit to verdict"]["median"] / figures["the floor"]["median"]
+    # Of runs that follow one another, so that a busy moment counts on both sides.
+    pairs = zip(times["edit to verdict"], times["the floor"], strict=True)
+    ratio = statistics.median(watched / plain for watched, plain in pairs)
     for name, figure in figures.items():
         print(
             f"{name:16}  median {figure['median']:.3f} s"
             f"  (quartiles {figure['q1']:.3f} - {figure['q3']:.3f}, {figure['runs']:.0f} runs)"
         )
-    print(f"edit to verdict is {ratio:.2f} times the floor; at most {MOST} is wanted")
+    print(
+        f"edit to verdict is {ratio:.2f} times the floor (median of pairs); at most {MOST} is wanted"
+    )
     if arguments.json:
         arguments.json.write_text(json.dumps({"ratio": ratio, **figures}, indent=1) + "\n")
     return 0 if ratio <= MOST else 1
