@@ -184,7 +184,8 @@ def main() -> int:
             f"  (quartiles {figure['q1']:.3f} - {figure['q3']:.3f}, {figure['runs']:.0f} runs)"
         )
     print(
-        f"edit to verdict is {ratio:.2f} times the floor (median of pairs); at most {MOST} is wanted"
+        f"edit to verdict is {ratio:.2f} times the floor (median of pairs);"
+        f" at most {MOST} is wanted"
     )
     if arguments.json:
         arguments.json.write_text(json.dumps({"ratio": ratio, **figures}, indent=1) + "\n")

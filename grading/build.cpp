@@ -24,15 +24,12 @@ fs::file_time_type modified(const fs::path& file) {
   return error ? fs::file_time_type::min() : time;
 }
 
-bool is_source(const fs::path& file) {
-  const std::string extension = file.extension().string();
-  return extension == ".hpp" || extension == ".cpp" || extension == ".h";
-}
+bool is_header(const fs::path& file) { return file.extension() == ".hpp"; }
 
 void newest_in(const fs::path& folder, fs::file_time_type& newest) {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    if (is_source(entry.path())) newest = std::max(newest, modified(entry.path()));
+    if (is_header(entry.path())) newest = std::max(newest, modified(entry.path()));
   }
 }
 
@@ -41,7 +38,8 @@ void newest_in(const fs::path& folder, fs::file_time_type& newest) {
 fs::file_time_type newest_source(const Book& book, const Exercise& exercise) {
   fs::file_time_type newest = modified(exercise.contract);
   newest = std::max(newest, modified(exercise.test_source));
-  newest_in(exercise.folder, newest);
+  for (const char* host : {"exercise.cpp", "runner.cpp"})
+    newest = std::max(newest, modified(book.root() / "tests" / "support" / host));
   newest_in(exercise.test_source.parent_path(), newest);
   newest_in(book.root() / "tests" / "support", newest);
   newest_in(book.root() / "grading" / "contact", newest);
