@@ -84,8 +84,14 @@ void check(const Sphere& sphere, const Vector& displacement, const Plane& plane,
   constexpr std::string_view kIds[] = {"offset-to-one-side", "overlap-at-start-missed",
                                        "contact-point-is-centre", "sphere-as-point",
                                        "separating-touches"};
+  const double distance = plane.normal.dot(sphere.centre) - plane.offset;
   std::vector<Suspect<std::optional<FirstTouch>>> suspects;
   for (const Mistake mistake : mistakes) {
+    // A hint must be true of what is in front of the student: "from behind" of a sphere there, and
+    // a touch where the centre arrives of an answer that is one.
+    const bool misses = !mistaken(sphere, displacement, plane, mistake);
+    if (misses && mistake != Mistake::overlap_at_start_missed) continue;
+    if (mistake == Mistake::offset_to_one_side && distance >= 0) continue;
     suspects.push_back({kIds[static_cast<std::size_t>(mistake)],
                         [&, mistake] { return mistaken(sphere, displacement, plane, mistake); }});
   }

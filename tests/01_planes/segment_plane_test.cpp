@@ -124,10 +124,11 @@ TEST_CASE("the plane is met from the front and from the back") {
 
 TEST_CASE("an end on the plane counts") {
   check({{0, 0, 5}, {8, 4, 4}}, kLevel);
-  check({{1, 2, 3}, {1, 2, 5}}, kLevel, {Mistake::touching_rejected});
   check({{1, 2, 3}, {1, 2, -5}}, kLevel, {Mistake::touching_rejected});
   check({{1, 2, 7}, {4, 2, 3}}, kLevel, {Mistake::touching_rejected});
-  check({{1, 2, -7}, {4, 2, 3}}, kLevel, {Mistake::touching_rejected});
+  // From back to front a miss has another cause as well.
+  check({{1, 2, 3}, {1, 2, 5}}, kLevel);
+  check({{1, 2, -7}, {4, 2, 3}}, kLevel);
 }
 
 TEST_CASE("a segment in the plane, or of no length, has no single point") {
@@ -141,6 +142,9 @@ TEST_CASE("a segment in the plane, or of no length, has no single point") {
 TEST_CASE("tiny distances keep their signs") {
   const Plane floor{{0, 0, 1}, 0};
   check({{0, 0, 0x1p-600}, {1, 0, -0x1p-600}}, floor);
+  // The same at a size whose products are not zero: who fails here does not fail for being tiny.
+  check({{0, 0, 4}, {1, 0, 8}}, floor);
+  check({{0, 0, 8}, {1, 0, 2}}, floor, {Mistake::hits_beyond_the_end});
   check({{0, 0, 0x1p-600}, {1, 0, 0x1p-599}}, floor, {Mistake::product_of_signs});
   check({{0, 0, -0x1p-598}, {1, 0, -0x1p-600}}, floor, {Mistake::product_of_signs});
 }
@@ -160,7 +164,7 @@ TEST_CASE("random segments agree with exact arithmetic") {
     const double d1 = plane.normal.dot(segment.end) - plane.offset;
     if (std::min({std::abs(d0), std::abs(d1), std::abs(d0 - d1)}) < 1e-3) continue;
     ++asked;
-    check(segment, plane,
-          {Mistake::one_sided, Mistake::fraction_from_the_end, Mistake::hits_beyond_the_end});
+    // Only mistakes that leave a number behind: a miss has too many causes here.
+    check(segment, plane, {Mistake::fraction_from_the_end, Mistake::hits_beyond_the_end});
   }
 }

@@ -86,6 +86,7 @@ TEST_CASE("a loose plane is judged in lengths of its normal") {
 
 TEST_CASE("a touch is a touch for integers, whatever the normal") {
   check_loose({{2, 3, 6}, 4.5}, kSeven);
+  check_loose({{2, 3, 6}, 6}, kSeven);  // deep in it: who fails here does not fail for touching
   check_loose({{2, 3, 6}, 5}, kSeven);  // 49 − 14 = 35 = 5 · 7
   check_loose({{0, 0, 0}, 2}, kSeven);
   check_loose({{0, 0, 0}, 1.75}, kSeven);
