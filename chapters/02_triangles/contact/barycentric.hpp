@@ -50,8 +50,8 @@ Vector2<S> drop_dimension(const Vector3<S>& v, int k) {
 /// Limits: each weight is off by about u (|x||e|/area), so slivers lose digits; no claim that three
 /// rounded weights make a decision that is right (see `intersect_exact`).
 ///
-/// Source: L20, Segment vs.
-/// Triangle, Faster Way, where α is w_b and β is w_c; the sign of β is put right here.
+/// Source: *Interaction and Normals*, slide "Faster Way", where α is w_b and β is w_c; the sign of
+/// β is put right here.
 template <Scalar S>
 std::optional<Vector3<S>> barycentric(const Vector3<S>& point, const Triangle<S>& triangle) {
   const Vector3<S> ab = triangle.b - triangle.a;

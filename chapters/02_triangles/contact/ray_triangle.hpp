@@ -32,7 +32,7 @@ std::optional<TriangleHit<S>> finite_hit(const TriangleHit<S>& hit) {
 /// does not care
 /// @return nothing if both ends are on one side, or both in the plane
 ///
-/// Source: L20, Segment vs. Triangle.
+/// Source: *Interaction and Normals*, slide "Segment vs. Triangle".
 template <Scalar S>
 std::optional<RayHit<S>> cross_plane(const Segment<S>& segment, const Vector3<S>& on_plane,
                                      const Vector3<S>& normal) {
@@ -67,7 +67,7 @@ std::optional<RayHit<S>> cross_plane(const Ray<S>& ray, const Vector3<S>& on_pla
 /// both refuse a ray between them. t is off by a few u (Σ|terms of N| + |t| Σ|terms of D|) / |D|,
 /// where N and D are the numerator and the denominator of t; the decision has no bound.
 ///
-/// Source: L20, Segment vs. Triangle.
+/// Source: *Interaction and Normals*, slide "Segment vs. Triangle".
 template <Scalar S, LineOf<S> Line>
 std::optional<TriangleHit<S>> intersect_by_edges(const Line& line, const Triangle<S>& triangle) {
   const auto& [a, b, c] = triangle;
@@ -97,7 +97,7 @@ std::optional<TriangleHit<S>> intersect_by_edges(const Line& line, const Triangl
 ///
 /// Limits: as for intersect_by_edges.
 ///
-/// Source: L20, Segment vs. Triangle, Faster Way.
+/// Source: *Interaction and Normals*, slide "Faster Way".
 template <Scalar S, LineOf<S> Line>
 std::optional<TriangleHit<S>> intersect_by_dropping(const Line& line, const Triangle<S>& triangle) {
   const Vector3<S> normal = (triangle.b - triangle.a).cross(triangle.c - triangle.a);
@@ -170,8 +170,8 @@ std::optional<TriangleHit<S>> divide(const std::optional<TriangleFractions<S>>& 
 /// Σ|terms of D|) / |D|, unless D is nearly lost in its own rounding. The decision has no bound,
 /// and a shared edge can leak, since the two triangles measure from different corners.
 ///
-/// Source: Möller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, 1997 (marked
-/// as the best by L20, Ray Basics).
+/// Source: Möller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, 1997; *Interaction
+/// and Normals*, slide "Ray Basics", marks it as the best.
 template <Scalar S>
 std::optional<TriangleHit<S>> intersect_moller_trumbore(const Ray<S>& ray,
                                                         const Triangle<S>& triangle) {
