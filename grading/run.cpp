@@ -260,6 +260,7 @@ std::vector<TestResult> run_tests(Loop& loop, const Exercise& exercise, const fs
     EventReader reader;
     spec.on_events = [&](std::string_view text) { reader.feed(text); };
     spec.watchdog = TimeLimit(reader, exercise.time_limit);
+    spec.grace = 0.3;
     const ProcessResult process = run_process(loop, spec);
     if (output.size() < limits.output_bytes)
       output += process.output +

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <ctime>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 
@@ -180,8 +181,10 @@ class Child {
         &timer_,
         [](uv_timer_t* timer) {
           auto* self = static_cast<Child*>(timer->data);
-          if (self->spec_.time_limit > 0.0 &&
-              seconds_since(self->start_time_) > self->spec_.time_limit)
+          if (self->asked_to_end_) {
+            if (seconds_since(*self->asked_to_end_) > self->spec_.grace) self->kill_group();
+          } else if (self->spec_.time_limit > 0.0 &&
+                     seconds_since(self->start_time_) > self->spec_.time_limit)
             self->end(Ended::time);
           else if (self->spec_.watchdog)
             self->end(self->spec_.watchdog(self->process_.pid));
@@ -223,7 +226,12 @@ class Child {
   void end(Ended why) {
     if (why == Ended::by_itself || exited_ || result_.ended != Ended::by_itself) return;
     result_.ended = why;
-    kill_group();
+    if (why == Ended::time && spec_.grace > 0.0) {
+      asked_to_end_ = Clock::now();
+      ::kill(-process_.pid, SIGTERM);
+    } else {
+      kill_group();
+    }
   }
 
   void kill_group() {
@@ -248,6 +256,7 @@ class Child {
   std::size_t error_bytes_ = 0;
   ProcessResult result_;
   Clock::time_point start_time_;
+  std::optional<Clock::time_point> asked_to_end_;
   bool started_ = false;
   bool exited_ = false;
   bool timing_ = false;

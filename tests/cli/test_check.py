@@ -76,7 +76,10 @@ def test_a_crash_costs_its_own_test_only(
     contact: Run, spoiled: Callable[[str], str], answer: Answer
 ) -> None:
     answer(spoiled(f"if ({NO_DIRECTION}) *static_cast<volatile int*>(nullptr) = 1;"))
-    assert "segmentation fault" in only_failure(verdict(contact), "stopped")["reason"]
+    failure = only_failure(verdict(contact), "stopped")
+    assert "segmentation fault" in failure["reason"]
+    assert failure["asked"]
+    assert [given["name"] for given in failure["inputs"]] == ["ray", "triangle"]
 
 
 def test_an_assertion_is_quoted(
@@ -92,7 +95,9 @@ def test_an_endless_loop_is_stopped(
     contact: Run, spoiled: Callable[[str], str], answer: Answer
 ) -> None:
     answer(spoiled(f"for (volatile int i = 0; {NO_DIRECTION};) i = i + 1;"))
-    assert "endless loop" in only_failure(verdict(contact), "stopped")["reason"]
+    failure = only_failure(verdict(contact), "stopped")
+    assert "endless loop" in failure["reason"]
+    assert [given["name"] for given in failure["inputs"]] == ["ray", "triangle"]
 
 
 def test_a_memory_bomb_is_stopped(

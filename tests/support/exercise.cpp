@@ -44,6 +44,17 @@ Failure described(const detail::Asked& asked) {
   return f;
 }
 
+const detail::Asked* open = nullptr;
+
+/// Marks a question as open while it lives.
+class Open {
+ public:
+  explicit Open(const detail::Asked& asked) { open = &asked; }
+  ~Open() { open = nullptr; }
+  Open(const Open&) = delete;
+  Open& operator=(const Open&) = delete;
+};
+
 [[noreturn]] void end_test(Failure f) {
   failure() = std::move(f);
   FAIL(told(*failure()));
@@ -54,6 +65,7 @@ Failure described(const detail::Asked& asked) {
 
 const Failure* current_failure() { return failure() ? &*failure() : nullptr; }
 void forget_failure() { failure().reset(); }
+Failure open_question() { return open != nullptr ? described(*open) : Failure{}; }
 
 std::uint64_t seed(std::uint64_t stream) {
   const char* text = std::getenv("CONTACT_SEED");
@@ -73,6 +85,7 @@ namespace detail {
 
 Ending run(const Asked& asked, const std::function<void()>& call) {
   try {
+    const Open question(asked);
     call();
     return {};
   } catch (const Catch::TestSkipException&) {

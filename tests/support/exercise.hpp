@@ -43,6 +43,10 @@ struct Failure {
 const Failure* current_failure();
 void forget_failure();
 
+/// The question whose answer is being computed, with its inputs: what to say when that never ends
+/// or crashes. Empty between questions.
+Failure open_question();
+
 /// What random inputs start from: CONTACT_SEED of the environment, so that a grader can use one
 /// that nobody has seen; else always the same. `stream` keeps the numbers of one test apart from
 /// those of another.

@@ -83,12 +83,9 @@ class ContactReporter : public Catch::StreamingReporterBase {
     const Failure* failure = current_failure();
     if (!fatal_.empty()) {
       line["status"] = "stopped";
-      line["failure"] = described({.asked = "",
-                                   .inputs = {},
-                                   .got = fatal_,
-                                   .right = "",
-                                   .allowed = "",
-                                   .misconception = ""});
+      Failure crash = open_question();
+      crash.got = fatal_;
+      line["failure"] = described(crash);
     } else if (failure != nullptr) {
       line["status"] = failure->stopped ? "stopped" : "failed";
       line["failure"] = described(*failure);
