@@ -13,6 +13,7 @@ import json
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -507,8 +508,11 @@ def main() -> int:
 
 
 if __name__ == "__main__":
+    # A plain kill ends what was started as cleanly as Ctrl-C does.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         sys.exit(main())
     except KeyboardInterrupt:
+        steps.CHILDREN.stop_all()
         print("\nStopped.", file=sys.stderr)
         sys.exit(130)
