@@ -76,7 +76,7 @@ function(contact_add_ladder chapter)
   target_compile_options(${target} PRIVATE -O2 -U_GLIBCXX_ASSERTIONS)
   target_compile_definitions(${target} PRIVATE NDEBUG CONTACT_HAS_GMP
     "CONTACT_LADDER=\"${chapter}\"" "CONTACT_COMPILER=\"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}\""
-    "CONTACT_FLAGS=\"-std=c++20 ${CMAKE_CXX_FLAGS_${type}} -O2 -DNDEBUG -ffp-contract=off -DEIGEN_DONT_VECTORIZE\"")
+    "CONTACT_FLAGS=\"-std=c++20 ${CMAKE_CXX_FLAGS_${type}} -O2 -U_GLIBCXX_ASSERTIONS -DNDEBUG -ffp-contract=off -DEIGEN_DONT_VECTORIZE\"")
   target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
   target_link_libraries(${target} PRIVATE contact_${chapter} nlohmann_json::nlohmann_json Boost::headers
     PkgConfig::GMP contact_warnings)
