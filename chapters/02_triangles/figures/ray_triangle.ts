@@ -141,7 +141,7 @@ export default defineFigure<Input, Output>({
       { name: "w_a", meaning: "weight of a", value: weight(0), role: "a" },
       { name: "w_b", meaning: "weight of b", value: weight(1), role: "b" },
       { name: "w_c", meaning: "weight of c", value: weight(2), role: "c" },
-      { name: "n·o − k", meaning: "height of o", value: output.origin_height, role: "ray" },
+      { name: "d_o", meaning: "distance of o", value: output.origin_height, role: "ray" },
       ...METHODS.map((name, i) => ({
         name,
         meaning: "double, float",

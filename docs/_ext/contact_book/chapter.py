@@ -10,6 +10,7 @@ from sphinx.util.docutils import SphinxRole
 from contact_book.book import Chapter
 from contact_book.directive import BookDirective, open_book, slug_of, source_of
 from contact_book.errors import BookError
+from contact_book.exercises import find_exercise
 
 _PLACED = "contact-objectives"
 
@@ -85,6 +86,15 @@ class Objectives(ChapterDirective):
 class ChapterHead(ChapterDirective):
     """Added to every lesson by `append_frame`, then moved to its place under the title."""
 
+    def time(self) -> str:
+        chapter = self.chapter
+        exercises = sum(
+            find_exercise(self.book, name, chapter.slug, self.source).minutes
+            for name in chapter.exercises
+        )
+        reading = f"About {chapter.minutes} minutes"
+        return f"{reading}, and {exercises} more for the exercises" if exercises else reading
+
     def build(self) -> list[nodes.Node]:
         chapter = self.chapter
         head = nodes.container(classes=["chapter-head"])
@@ -93,7 +103,7 @@ class ChapterHead(ChapterDirective):
             head += nodes.paragraph("", "", *words, classes=["tooltip"])
         facts = nodes.paragraph(classes=["facts"])
         if chapter.minutes:
-            facts += nodes.inline("", f"About {chapter.minutes} minutes")
+            facts += nodes.inline("", self.time())
         if chapter.builds_on:
             earlier = [self.book.chapter(slug, self.source) for slug in chapter.builds_on]
             links = joined([chapter_link(item, self.env.docname) for item in earlier])

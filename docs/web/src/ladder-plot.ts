@@ -133,7 +133,7 @@ export function ladderPlot(
 }
 
 function yTicks(smallest: number, largest: number): number[] {
-  const low = Math.ceil(Math.log10(smallest));
+  const low = Math.floor(Math.log10(smallest));
   const high = Math.ceil(Math.log10(largest));
   const every = Math.max(1, Math.ceil((high - low) / 5));
   const ticks = [0];
