@@ -68,6 +68,7 @@ fi
 
 [ -n "$folder" ] || folder=$(mktemp -d /var/tmp/contact-hours-bare.XXXXXX)
 mkdir -p "$folder"
+chmod 755 "$folder" # it becomes the root, which --user must be able to enter
 folder=$(CDPATH='' cd -- "$folder" && pwd)
 mounted=no
 # shellcheck disable=SC2317 # called by the trap
