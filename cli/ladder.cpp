@@ -112,7 +112,8 @@ int run(Context& context, const Options& options) {
   const grading::Book& book = context.book();
   const grading::Chapter* chapter = book.find_chapter(options.chapter);
   if (chapter == nullptr)
-    throw grading::UnknownName("there is no chapter called '" + options.chapter + "'");
+    throw grading::UnknownName("there is no chapter called '" + options.chapter +
+                               "'; `contact list` shows them");
   if (!fs::exists(chapter->folder / "ladder.cpp"))
     throw grading::BookError(chapter->slug + " has no ladder.cpp");
 

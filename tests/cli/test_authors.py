@@ -197,6 +197,13 @@ def test_dev_check_reports_what_anybody_would_earn(
     assert "it earns 3" in failed["problems"][0]
 
 
+def test_ladder_of_an_unknown_chapter_says_where_to_look(contact: Run) -> None:
+    done = contact("ladder", "09_nothing")
+    assert done.returncode == 2
+    assert "09_nothing" in done.stderr
+    assert "contact list" in done.stderr
+
+
 def test_ladder_measures_and_keeps_the_result(contact: Run, tmp_path: Path) -> None:
     kept = tmp_path / "ladder.json"
     done = contact("ladder", "02", "--size", "50", "--repeats", "2", "--output", str(kept))
