@@ -30,10 +30,11 @@ std::optional<Failure>& failure() {
 std::string told(const Failure& f) {
   std::string text = "\n" + f.asked + '\n';
   for (const auto& [name, value] : f.inputs) text += "  " + name + " = " + value + '\n';
-  text += "  came back: " + f.got + '\n';
-  text += "  right:     " + f.right + '\n';
+  if (!f.got.empty()) text += "  came back: " + f.got + '\n';
+  if (!f.right.empty()) text += "  right:     " + f.right + '\n';
   if (!f.allowed.empty()) text += "  allowed:   " + f.allowed + '\n';
   if (!f.misconception.empty()) text += "  hint:      " + f.misconception + '\n';
+  if (!f.reason.empty()) text += "  stopped:   " + f.reason + '\n';
   return text;
 }
 
@@ -59,6 +60,13 @@ class Open {
   failure() = std::move(f);
   FAIL(told(*failure()));
   std::abort();  // FAIL throws
+}
+
+[[noreturn]] void stop_test(const detail::Asked& asked, std::string reason) {
+  Failure f = described(asked);
+  f.stopped = true;
+  f.reason = std::move(reason);
+  end_test(std::move(f));
 }
 
 }  // namespace
@@ -93,19 +101,15 @@ Ending run(const Asked& asked, const std::function<void()>& call) {
   } catch (const Catch::TestFailureException&) {
     throw;
   } catch (const host::Stopped& stopped) {
-    Failure f = described(asked);
-    f.got = stopped.what();
-    f.right = "an answer";
-    f.stopped = true;
-    end_test(std::move(f));
+    stop_test(asked, stopped.what());
   } catch (const std::invalid_argument& error) {
     return {"threw std::invalid_argument: " + std::string{error.what()}, true};
   } catch (const std::bad_alloc&) {
-    return {"ran out of memory", false};
+    stop_test(asked, "ran out of memory");
   } catch (const std::exception& error) {
-    return {"threw an exception: " + std::string{error.what()}, false};
+    stop_test(asked, "threw an exception: " + std::string{error.what()});
   } catch (...) {
-    return {"threw something that is not a std::exception", false};
+    stop_test(asked, "threw something that is not a std::exception");
   }
 }
 

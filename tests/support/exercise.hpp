@@ -35,8 +35,10 @@ struct Failure {
   std::string right;
   std::string allowed;        ///< how far from `right` an answer may be; empty if not at all
   std::string misconception;  ///< id in chapters/misconceptions.toml; empty if none is recognised
-  bool stopped =
-      false;  ///< the code under test crashed, ended or ran out of time: there is no answer
+  /// The code under test threw, crashed, ended or ran out of time, as `reason` says: there is no
+  /// answer.
+  bool stopped = false;
+  std::string reason;
 };
 
 /// The failure of the test that runs now or has just ended, or nullptr.

@@ -49,6 +49,7 @@ ordered_json described(const Failure& failure) {
   result["right"] = failure.right;
   if (!failure.allowed.empty()) result["allowed"] = failure.allowed;
   if (!failure.misconception.empty()) result["misconception"] = failure.misconception;
+  if (!failure.reason.empty()) result["reason"] = failure.reason;
   return result;
 }
 
@@ -84,7 +85,7 @@ class ContactReporter : public Catch::StreamingReporterBase {
     if (!fatal_.empty()) {
       line["status"] = "stopped";
       Failure crash = open_question();
-      crash.got = fatal_;
+      crash.reason = fatal_;
       line["failure"] = described(crash);
     } else if (failure != nullptr) {
       line["status"] = failure->stopped ? "stopped" : "failed";
@@ -96,7 +97,9 @@ class ContactReporter : public Catch::StreamingReporterBase {
                                    .got = message_,
                                    .right = "",
                                    .allowed = "",
-                                   .misconception = ""});
+                                   .misconception = "",
+                                   .stopped = false,
+                                   .reason = ""});
     } else if (stats.totals.assertions.skipped > 0) {
       line["status"] = "not_attempted";
     } else {
