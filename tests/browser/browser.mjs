@@ -54,12 +54,21 @@ const types = {
   ".woff2": "font/woff2",
   ".png": "image/png",
   ".txt": "text/plain; charset=utf-8",
+  ".gz": "application/gzip",
 };
 
-/** Serves a folder on the loopback; it holds no test run open. */
+/** @typedef {(pathname: string, response: http.ServerResponse, file: string) => boolean} Answer */
+
+/**
+ * Serves a folder on the loopback; it holds no test run open. `asked` is every path asked for, in
+ * order. `answer`, if it is set, may answer itself and then returns true.
+ */
 export async function serve(folder = site) {
+  /** @type {{ origin: string, close: () => void, asked: string[], answer?: Answer }} */
+  const served = { origin: "", close: () => {}, asked: [] };
   const server = http.createServer((request, response) => {
     const { pathname } = new URL(request.url ?? "/", "http://localhost");
+    served.asked.push(pathname);
     const asked = path.join(folder, decodeURIComponent(pathname));
     const file = asked.endsWith("/") ? path.join(asked, "index.html") : asked;
     if (!file.startsWith(folder) || !fs.existsSync(file) || fs.statSync(file).isDirectory()) {
@@ -67,17 +76,19 @@ export async function serve(folder = site) {
       return;
     }
     const type = types[path.extname(file)] ?? "application/octet-stream";
-    response.writeHead(200, { "content-type": type });
+    response.setHeader("content-type", type);
+    if (served.answer?.(pathname, response, file)) return;
     fs.createReadStream(file).pipe(response);
   });
   await new Promise((done) => server.listen(0, "127.0.0.1", () => done(undefined)));
   server.unref();
   const address = /** @type {import("node:net").AddressInfo} */ (server.address());
-  const close = () => {
+  served.origin = `http://127.0.0.1:${address.port}`;
+  served.close = () => {
     server.closeAllConnections();
     server.close();
   };
-  return { origin: `http://127.0.0.1:${address.port}`, close };
+  return served;
 }
 
 /** A fresh browser with a profile of its own, which goes when it is closed. */
@@ -106,16 +117,12 @@ export async function launch() {
 }
 
 /**
- * A page in a context of its own that gathers what must not happen: console errors, exceptions,
- * failed requests and requests to other origins.
- * @param {import("playwright-core").Browser} browser
- * @param {string} url
- * @param {import("playwright-core").BrowserContextOptions} options
+ * Gathers what must not happen on a page: console errors, exceptions, failed requests and requests
+ * to other origins.
+ * @param {import("playwright-core").Page} page
+ * @param {string} origin
  */
-export async function open(browser, url, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1200, height: 900 }, ...options });
-  const page = await context.newPage();
-  const { origin } = url.startsWith("about:") ? { origin: "" } : new URL(url);
+export function gatherTrouble(page, origin) {
   /** @type {string[]} */
   const trouble = [];
   page.on("console", (message) => {
@@ -130,6 +137,20 @@ export async function open(browser, url, options = {}) {
   page.on("response", (response) => {
     if (response.status() >= 400) trouble.push(`${response.status()}: ${response.url()}`);
   });
+  return trouble;
+}
+
+/**
+ * A page in a context of its own, with what must not happen on it.
+ * @param {import("playwright-core").Browser} browser
+ * @param {string} url
+ * @param {import("playwright-core").BrowserContextOptions} options
+ */
+export async function open(browser, url, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1200, height: 900 }, ...options });
+  const page = await context.newPage();
+  const { origin } = url.startsWith("about:") ? { origin: "" } : new URL(url);
+  const trouble = gatherTrouble(page, origin);
   await page.goto(url, { waitUntil: "load" });
   return { page, trouble, close: () => context.close() };
 }

@@ -1,0 +1,285 @@
+// An exercise in a page, as a reader's eyes and hands meet it: its buttons, its editor, what it says.
+// Everything goes through the page's own DOM, the keyboard and the mouse.
+
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import path from "node:path";
+import { gatherTrouble, require, root } from "./browser.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+/** @typedef {import("playwright-core").Locator} Locator */
+/** @typedef {import("playwright-core").BrowserContext} BrowserContext */
+
+/** A first check on a busy machine: download, start, compile without the precompiled header. */
+export const PATIENCE = 120_000;
+
+/** @param {string[]} parts */
+const read = (...parts) => fs.readFileSync(path.join(root, ...parts), "utf8");
+/** @param {string} id NN_slug/NAME */
+const file = (id) => `${path.basename(id)}.cpp`;
+
+/** @param {string} id */
+export const stubOf = (id) => read("exercises", id, file(id));
+/** @param {string} id */
+export const solutionOf = (id) => read("solutions", id, file(id));
+
+/** Every wrong answer of an exercise, with what its first lines promise. @param {string} id */
+export function wrongAnswersOf(id) {
+  const folder = path.join(root, "solutions", id, "wrong");
+  return fs
+    .readdirSync(folder)
+    .sort()
+    .map((name) => {
+      const text = fs.readFileSync(path.join(folder, name), "utf8");
+      const said = (/** @type {string} */ what) =>
+        /** @type {string} */ (text.match(new RegExp(`^// ${what}: (.*)$`, "m"))?.[1]);
+      return { name, text, misconception: said("misconception"), caughtBy: said("caught by") };
+    });
+}
+
+/** The tests of an exercise in their order, with their points. @param {string} id */
+export function testsOf(id) {
+  const found = read("exercises", id, "exercise.toml").matchAll(
+    /\[\[tests\]\]\s+name = "(.*)"\s+points = (\d+)/g,
+  );
+  return [...found].map(([, name, points]) => ({ name, points: Number(points) }));
+}
+
+/** What a student reads of a misconception, as text. @param {string} id */
+export function hintFor(id) {
+  const table = read("chapters", "misconceptions.toml");
+  const hint = table.match(new RegExp(`^\\[${id}\\]\\n(?:.*\\n)*?hint = "(.*)"$`, "m"))?.[1];
+  assert.ok(hint, `no misconception ${id}`);
+  return plain(hint);
+}
+
+/** Without markup, and with one kind of quotation mark and space. @param {string} text */
+export const plain = (text) =>
+  text
+    .replace(/[`*]|\\(?=")/g, "")
+    .replace(/[“”]/g, '"')
+    .replace(/[‘’]/g, "'")
+    .replace(/\s+/g, " ")
+    .trim();
+
+/** A text with one part of it replaced, which must be there. @param {string} text @param {string} from @param {string} to */
+export function changed(text, from, to) {
+  assert.ok(text.includes(from), `no ${from} in\n${text}`);
+  return text.replace(from, () => to);
+}
+
+/** The number of the line on which something stands. @param {string} text @param {string} part */
+export function lineOf(text, part) {
+  const at = text.indexOf(part);
+  assert.ok(at >= 0, `no ${part} in\n${text}`);
+  return text.slice(0, at).split("\n").length;
+}
+
+/** The page on which an exercise is. @param {string} id */
+export const pageOf = (id) => `chapters/${path.dirname(id)}.html`;
+
+/**
+ * A page of a context that other pages share, and with them the toolchain that was downloaded.
+ * @param {BrowserContext} context @param {string} origin @param {string} where
+ */
+export async function visit(context, origin, where) {
+  const page = await context.newPage();
+  const trouble = gatherTrouble(page, origin);
+  await page.goto(`${origin}/${where}`, { waitUntil: "load" });
+  return { page, trouble };
+}
+
+/** @param {Page} page @param {string} id */
+export function exerciseOn(page, id) {
+  const element = page.locator(`contact-exercise[name="${id}"]`);
+  const content = element.locator(".code .cm-content");
+  const attribute = (/** @type {string} */ name) => element.getAttribute(name);
+  const button = (/** @type {string | RegExp} */ name) =>
+    element.locator(".bench").getByRole("button", { name, exact: true });
+  const press = (/** @type {string | RegExp} */ name) => button(name).click();
+
+  /** Does something that ends in a verdict, and waits for it. @param {() => Promise<unknown>} act */
+  async function untilDone(act) {
+    // The state is "done" from the last check as well: what counts is when it becomes so again.
+    const done = await element.evaluateHandle((node) => {
+      const again = new Promise((resolve) => {
+        let left = node.getAttribute("state") !== "done";
+        new MutationObserver(() => {
+          if (node.getAttribute("state") !== "done") left = true;
+          else if (left) resolve(node.getAttribute("verdict"));
+        }).observe(node, { attributeFilter: ["state"] });
+      });
+      return { again };
+    });
+    await act();
+    const verdict = done.evaluate(({ again }) => again);
+    /** @type {ReturnType<typeof setTimeout> | undefined} */
+    let timer;
+    const late = new Promise((_, reject) => {
+      timer = setTimeout(
+        async () => reject(new Error(`no verdict: ${await attribute("state")}, ${await status()}`)),
+        PATIENCE,
+      );
+    });
+    try {
+      return /** @type {string | null} */ (await Promise.race([verdict, late]));
+    } finally {
+      clearTimeout(timer);
+      verdict.catch(() => {});
+    }
+  }
+
+  /** Makes an editor of the code, as a click on it does, and puts the caret in it. */
+  async function edit() {
+    if (!(await content.count())) await element.locator(".code pre").first().click();
+    await content.waitFor();
+    await content.focus();
+  }
+
+  /** The code as the editor shows it. */
+  async function text() {
+    await content.waitFor();
+    return (await content.locator(".cm-line").allTextContents()).join("\n");
+  }
+
+  /** Puts a whole file in the place of what is there. @param {string} source */
+  async function paste(source) {
+    await edit();
+    await page.keyboard.press("ControlOrMeta+A");
+    await page.evaluate((whole) => navigator.clipboard.writeText(whole), source);
+    await page.keyboard.press("ControlOrMeta+V");
+    assert.equal(await text(), source, "the editor holds what was pasted");
+  }
+
+  /** Selects a piece of the code with the mouse and types over it. @param {string} from @param {string} to */
+  async function typeOver(from, to) {
+    await edit();
+    const line = content.locator(".cm-line").filter({ hasText: from }).first();
+    await line.scrollIntoViewIfNeeded();
+    const box = await line.evaluate((node, wanted) => {
+      const start = (node.textContent ?? "").indexOf(wanted);
+      const range = document.createRange();
+      const walk = document.createTreeWalker(node, NodeFilter.SHOW_TEXT);
+      let passed = 0;
+      for (let piece = walk.nextNode(); piece; piece = walk.nextNode()) {
+        const length = piece.textContent?.length ?? 0;
+        if (start >= passed && start < passed + length) range.setStart(piece, start - passed);
+        const end = start + wanted.length - passed;
+        if (end > 0 && end <= length) range.setEnd(piece, end);
+        passed += length;
+      }
+      const { left, right, top, bottom } = range.getBoundingClientRect();
+      return { left, right, middle: (top + bottom) / 2 };
+    }, from);
+    await page.mouse.move(box.left + 0.5, box.middle);
+    await page.mouse.down();
+    await page.mouse.move(box.right - 0.5, box.middle, { steps: 5 });
+    await page.mouse.up();
+    const selected = await page.evaluate(() => String(getSelection()));
+    assert.equal(selected, from, "the mouse selects what is to be replaced");
+    await page.keyboard.type(to);
+  }
+
+  const status = async () => plain((await element.locator(".status").textContent()) ?? "");
+
+  /** Each test's sentence with its mark. */
+  const tests = () =>
+    element.locator("ol.tests > li").evaluateAll((rows) =>
+      rows.map((row) => ({
+        status: row.getAttribute("data-status"),
+        text: (row.textContent ?? "").replace(/\s+/g, " ").trim(),
+      })),
+    );
+
+  /** The first failure whole, as pairs of what it is and what it says, in the order of the page. */
+  const failure = async () => {
+    const pairs = await element.locator(".failure").evaluateAll((boxes) =>
+      boxes.flatMap((box) =>
+        [...box.querySelectorAll("dt")].map((term) => {
+          const said = [];
+          for (
+            let next = term.nextElementSibling;
+            next?.matches("dd");
+            next = next.nextElementSibling
+          )
+            said.push(next.textContent);
+          return [term.textContent?.trim() ?? "", said.join("\n")];
+        }),
+      ),
+    );
+    return pairs.map(([what = "", says = ""]) => ({ what, says: plain(says) }));
+  };
+
+  /** What the compiler said, as it is listed. */
+  const messages = () =>
+    element.locator(".messages > li").evaluateAll((rows) =>
+      rows.map((row) => {
+        const details = row.querySelector("details");
+        const original = details?.textContent ?? "";
+        return {
+          words: (row.textContent ?? "").replace(original, "").replace(/\s+/g, " ").trim(),
+          original: original.replace(/\s+/g, " ").trim(),
+          open: details?.open,
+        };
+      }),
+    );
+
+  /** The numbers of the lines that are marked in the editor, with what is marked. */
+  const marks = () =>
+    content.locator(".cm-line").evaluateAll((lines) =>
+      lines.flatMap((line, index) => {
+        const marked = [...line.querySelectorAll(".cm-lintRange, .cm-lintPoint")];
+        return marked.length
+          ? [{ line: index + 1, text: marked.map((mark) => mark.textContent).join("") }]
+          : [];
+      }),
+    );
+
+  return {
+    page,
+    element,
+    content,
+    attribute,
+    button,
+    press,
+    untilDone,
+    edit,
+    text,
+    paste,
+    typeOver,
+    status,
+    tests,
+    failure,
+    messages,
+    marks,
+    /** Presses Check and waits for the verdict. */
+    check: () => untilDone(() => press("Check")),
+    /** Pastes a whole file and checks it. @param {string} source */
+    async submit(source) {
+      await paste(source);
+      return untilDone(() => press("Check"));
+    },
+    /** As it was given, without a trace of what was done. */
+    async forget() {
+      await page.evaluate(() => localStorage.clear());
+      await page.reload({ waitUntil: "load" });
+    },
+  };
+}
+
+/** @typedef {ReturnType<typeof exerciseOn>} Exercise */
+
+/** What axe has to say about an element. @param {Page} page @param {string} selector */
+export async function axe(page, selector) {
+  if (!(await page.evaluate(() => "axe" in globalThis)))
+    await page.addScriptTag({ path: require.resolve("axe-core/axe.min.js") });
+  return page.evaluate(async (where) => {
+    const { violations } = await /** @type {any} */ (globalThis).axe.run(where, {
+      resultTypes: ["violations"],
+    });
+    return violations.map((/** @type {any} */ rule) => ({
+      rule: rule.id,
+      where: rule.nodes.map((/** @type {any} */ node) => `${node.target} ${node.failureSummary}`),
+    }));
+  }, selector);
+}
