@@ -1,0 +1,159 @@
+// A reader's work as one file, as `contact export` writes and `contact check`, `grade` and `import`
+// read it: a zip archive of
+//
+//   contact-submission.json      {"format": "contact-submission/1", "exported": time, "from": "page"}
+//   work/progress.json           the record of progress
+//   work/NN_slug/NAME.cpp        the code, one file an exercise
+
+import { strFromU8, strToU8, unzipSync, type Zippable, zipSync } from "fflate";
+import {
+  type ExerciseProgress,
+  isExerciseId,
+  type Progress,
+  parseProgress,
+  Work,
+  type WorkStore,
+} from "./work.ts";
+
+export const SUBMISSION_FORMAT = "contact-submission/1";
+
+const ABOUT = "contact-submission.json";
+const PROGRESS = "work/progress.json";
+const CODE = /^work\/(.+)\.cpp$/;
+/** Nobody's solution is longer; an archive that says otherwise is not a reader's. */
+const MOST_BYTES = 1 << 20;
+const MOST_FILES = 1000;
+
+export interface Imported {
+  /** Exercises whose code is now the archive's. The former text is an earlier version of each in
+   * `replaced`. */
+  readonly added: readonly string[];
+  readonly replaced: readonly string[];
+  /** Exercises whose code was the same already. */
+  readonly same: readonly string[];
+  /** How many exercises the archive's record of progress speaks of. */
+  readonly progress: number;
+  /** Files that were left alone: not a reader's work, or too large. */
+  readonly ignored: readonly string[];
+  /** A sentence if the browser did not keep all of it. */
+  readonly problem: string | undefined;
+}
+
+/** Says to the reader why a file cannot be imported. Nothing was changed. */
+export class ArchiveError extends Error {}
+
+export function exportWork(store: WorkStore = Work, now = new Date()): Uint8Array {
+  const exported = now.toISOString().replace(/\.\d+Z$/, "Z");
+  const about = { format: SUBMISSION_FORMAT, exported, from: "page" };
+  const json = (data: unknown): Uint8Array => strToU8(`${JSON.stringify(data, null, 2)}\n`);
+  const files: Zippable = { [ABOUT]: json(about), [PROGRESS]: json(store.progress()) };
+  for (const id of store.ids()) files[`work/${id}.cpp`] = strToU8(store.code(id)?.text ?? "");
+  return zipSync(files, { mtime: now });
+}
+
+interface Contents {
+  readonly code: ReadonlyMap<string, string>;
+  readonly progress: Progress | undefined;
+  readonly ignored: readonly string[];
+}
+
+function text(bytes: Uint8Array, name: string): string {
+  try {
+    return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+  } catch {
+    throw new ArchiveError(`${name} in this archive is not text in UTF-8.`);
+  }
+}
+
+function requireOurs(bytes: Uint8Array | undefined): void {
+  let format: unknown;
+  try {
+    format = bytes && JSON.parse(strFromU8(bytes)).format;
+  } catch {
+    format = undefined;
+  }
+  if (format === SUBMISSION_FORMAT) return;
+  if (typeof format === "string" && /^contact-submission\/\d+$/.test(format))
+    throw new ArchiveError("This archive comes from a newer version of the book than this one.");
+  throw new ArchiveError(
+    `This archive is not an export of Contact Hours: it holds no ${ABOUT} that says so.`,
+  );
+}
+
+function open(bytes: Uint8Array): Contents {
+  const ignored: string[] = [];
+  let count = 0;
+  const wanted = ({ name, originalSize }: { name: string; originalSize: number }): boolean => {
+    if (name.endsWith("/")) return false;
+    count += 1;
+    const known = name === ABOUT || name === PROGRESS || isExerciseId(CODE.exec(name)?.[1] ?? "");
+    if (known && originalSize <= MOST_BYTES && count <= MOST_FILES) return true;
+    ignored.push(name);
+    return false;
+  };
+  let files: Record<string, Uint8Array>;
+  try {
+    files = unzipSync(bytes, { filter: wanted });
+  } catch {
+    throw new ArchiveError("This file is not a zip archive, or it is damaged.");
+  }
+  requireOurs(files[ABOUT]);
+  const code = new Map<string, string>();
+  for (const [name, content] of Object.entries(files)) {
+    const id = CODE.exec(name)?.[1];
+    if (id) code.set(id, text(content, name));
+  }
+  const record = files[PROGRESS];
+  const progress = record && parseProgress(text(record, PROGRESS));
+  if (record && !progress)
+    throw new ArchiveError(`${PROGRESS} in this archive is not a record of progress.`);
+  return { code, progress, ignored };
+}
+
+const earliest = (a?: string, b?: string): string | undefined =>
+  a && b ? (a < b ? a : b) : a || b;
+
+/** The better of two records of one exercise: best points, earliest pass, most attempts, most
+ * help. The tests are those of the later check. */
+function mergeEntry(ours: ExerciseProgress, theirs: ExerciseProgress): ExerciseProgress {
+  const most = (a: unknown, b: unknown): number =>
+    Math.max(typeof a === "number" ? a : 0, typeof b === "number" ? b : 0);
+  const later = (theirs.last_checked ?? "") > (ours.last_checked ?? "") ? theirs : ours;
+  const merged: ExerciseProgress = { ...theirs, ...ours, ...later };
+  for (const name of ["attempts", "best_points", "hints_shown"] as const)
+    if (name in ours || name in theirs) merged[name] = most(ours[name], theirs[name]);
+  if ("solution_shown" in ours || "solution_shown" in theirs)
+    merged.solution_shown = ours.solution_shown === true || theirs.solution_shown === true;
+  const passed = earliest(ours.passed, theirs.passed);
+  if (passed) merged.passed = passed;
+  return merged;
+}
+
+/** Both records as one. Members that this version does not know stay as they are. */
+export function mergeProgress(ours: Progress, theirs: Progress): Progress {
+  const exercises = { ...ours.exercises };
+  for (const [id, entry] of Object.entries(theirs.exercises))
+    if (isExerciseId(id)) exercises[id] = mergeEntry(exercises[id] ?? {}, entry);
+  return { ...theirs, ...ours, exercises };
+}
+
+/** Takes in an archive. No text is lost: one that gives way becomes an earlier version. */
+export function importWork(bytes: Uint8Array, store: WorkStore = Work): Imported {
+  const { code, progress, ignored } = open(bytes);
+  const added: string[] = [];
+  const replaced: string[] = [];
+  const same: string[] = [];
+  for (const [id, content] of code) {
+    const present = store.code(id);
+    if (present?.text === content) {
+      same.push(id);
+      continue;
+    }
+    if (present) store.keep(id, "import");
+    store.save(id, content, present?.base ?? "");
+    (present ? replaced : added).push(id);
+  }
+  if (progress) store.setProgress(mergeProgress(store.progress(), progress));
+  const entries = Object.keys(progress?.exercises ?? {}).filter(isExerciseId).length;
+  return { added, replaced, same, progress: entries, ignored, problem: store.problem };
+}
