@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "../grading/progress.hpp"
+#include "../grading/progress_report.hpp"
 #include "commands.hpp"
 #include "terminal.hpp"
 
@@ -11,99 +12,14 @@ namespace contact::cli {
 namespace {
 
 using grading::Book;
-using grading::Exercise;
+using grading::ChapterTally;
 using grading::points_text;
-
-struct Tally {
-  int exercises = 0;
-  int passed = 0;
-  double points = 0.0;
-  double max_points = 0.0;
-
-  void add(const Exercise& exercise, const grading::ExerciseProgress& done) {
-    ++exercises;
-    passed += done.passed.empty() ? 0 : 1;
-    points += std::min(done.best_points, exercise.max_points());
-    max_points += exercise.max_points();
-  }
-  [[nodiscard]] bool mastered() const { return exercises > 0 && passed == exercises; }
-  [[nodiscard]] nlohmann::json json() const {
-    return {{"exercises", exercises},
-            {"passed", passed},
-            {"points", points},
-            {"max_points", max_points},
-            {"mastered", mastered()}};
-  }
-};
-
-// An objective may be written alone or as NN_slug/objective.
-bool serves(const Exercise& exercise, const grading::Chapter& chapter,
-            const grading::Objective& objective) {
-  return exercise.objective == objective.id ||
-         exercise.objective == chapter.slug + "/" + objective.id;
-}
-
-struct ChapterTally {
-  const grading::Chapter* chapter;
-  Tally all;
-  std::vector<std::pair<const grading::Objective*, Tally>> objectives;
-};
-
-std::vector<ChapterTally> tally(const Book& book, const grading::Progress& progress) {
-  std::vector<ChapterTally> result;
-  for (const grading::Chapter& chapter : book.chapters()) {
-    ChapterTally entry{&chapter, {}, {}};
-    for (const grading::Objective& objective : chapter.objectives)
-      entry.objectives.push_back({&objective, {}});
-    for (const Exercise* exercise : book.exercises_of(chapter)) {
-      const grading::ExerciseProgress done = progress.of(exercise->id());
-      entry.all.add(*exercise, done);
-      for (auto& [objective, sum] : entry.objectives) {
-        if (serves(*exercise, chapter, *objective)) sum.add(*exercise, done);
-      }
-    }
-    if (entry.all.exercises > 0) result.push_back(std::move(entry));
-  }
-  return result;
-}
-
-nlohmann::json json_of(const Book& book, const grading::Progress& progress) {
-  nlohmann::json chapters = nlohmann::json::array();
-  Tally total;
-  for (const ChapterTally& entry : tally(book, progress)) {
-    nlohmann::json json = entry.all.json();
-    json["slug"] = entry.chapter->slug;
-    json["objectives"] = nlohmann::json::array();
-    for (const auto& [objective, sum] : entry.objectives) {
-      nlohmann::json item = sum.json();
-      item["id"] = objective->id;
-      item["text"] = objective->text;
-      json["objectives"].push_back(std::move(item));
-    }
-    chapters.push_back(std::move(json));
-  }
-  nlohmann::json exercises = nlohmann::json::object();
-  for (const Exercise& exercise : book.exercises()) {
-    const grading::ExerciseProgress done = progress.of(exercise.id());
-    total.add(exercise, done);
-    exercises[exercise.id()] = {{"attempts", done.attempts},
-                                {"best_points", done.best_points},
-                                {"max_points", exercise.max_points()},
-                                {"passed", done.passed},
-                                {"hints_shown", done.hints_shown},
-                                {"solution_shown", done.solution_shown},
-                                {"tests", done.tests}};
-  }
-  return {{"format", "contact-progress-report/1"},
-          {"total", total.json()},
-          {"chapters", chapters},
-          {"exercises", exercises}};
-}
+using grading::Tally;
 
 void print(const Book& book, const grading::Progress& progress) {
   const Style style(stdout);
   Tally total;
-  for (const ChapterTally& entry : tally(book, progress)) {
+  for (const ChapterTally& entry : grading::tally(book, progress.known())) {
     const Tally& all = entry.all;
     say(style.bold(entry.chapter->slug) + "  " + points_text(all.points) + " of " +
         points_text(all.max_points) + " points, " + std::to_string(all.passed) + " of " +
@@ -131,7 +47,7 @@ int run(Context& context, bool json) {
   const grading::Progress progress(book.work());
   if (!progress.notice().empty()) note(progress.notice());
   if (json)
-    say(json_of(book, progress).dump(2));
+    say(grading::progress_report(book, progress.known()).dump(2));
   else
     print(book, progress);
   return exit_passed;

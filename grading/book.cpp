@@ -1,14 +1,13 @@
 #include "book.hpp"
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
+#include <array>
+#include <cstdio>
+#include <memory>
 #include <numeric>
 #include <set>
-#include <sstream>
 
 #include <toml++/toml.h>
-#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -17,12 +16,12 @@ namespace contact::grading {
 namespace {
 
 toml::table parse(const fs::path& file) {
+  const std::string text = read_text(file);
   try {
-    return toml::parse_file(file.string());
+    return toml::parse(std::string_view(text), file.string());
   } catch (const toml::parse_error& error) {
-    std::ostringstream text;
-    text << file.string() << ":" << error.source().begin.line << ": " << error.description();
-    throw BookError(text.str());
+    throw BookError(file.string() + ":" + std::to_string(error.source().begin.line) + ": " +
+                    std::string(error.description()));
   }
 }
 
@@ -288,31 +287,6 @@ std::string Book::hint_for(const std::string& misconception) const {
   return found == misconceptions_.end() ? std::string() : found->second.hint;
 }
 
-fs::path find_root() {
-  const auto is_root = [](const fs::path& folder) {
-    return fs::is_directory(folder / "chapters") && fs::is_directory(folder / "exercises");
-  };
-  if (const char* given = std::getenv("CONTACT_ROOT"); given != nullptr && *given != '\0') {
-    fs::path root = fs::absolute(given).lexically_normal();
-    if (!is_root(root))
-      throw BookError("CONTACT_ROOT is " + root.string() +
-                      ", which holds no chapters/ and exercises/");
-    return root;
-  }
-  for (fs::path folder = fs::current_path();; folder = folder.parent_path()) {
-    if (is_root(folder)) return folder;
-    if (folder == folder.parent_path()) break;
-  }
-  throw BookError(
-      "this is not inside the book: no folder from here upwards holds chapters/ and exercises/");
-}
-
-fs::path find_work(const fs::path& root) {
-  if (const char* given = std::getenv("CONTACT_WORK"); given != nullptr && *given != '\0')
-    return fs::absolute(given).lexically_normal();
-  return root / "work";
-}
-
 std::vector<std::string> nearest(std::string_view name, const std::vector<std::string>& names) {
   std::vector<std::pair<std::size_t, std::string>> ranked;
   for (const std::string& candidate : names) {
@@ -327,34 +301,14 @@ std::vector<std::string> nearest(std::string_view name, const std::vector<std::s
 }
 
 std::string read_text(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw BookError("cannot read " + file.string());
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-void write_text(const fs::path& file, std::string_view text) {
-  const fs::path partial =
-      file.parent_path() / ("." + file.filename().string() + "." + std::to_string(::getpid()));
-  {
-    std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
-    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-    stream.flush();
-    if (!stream) {
-      std::error_code ignored;
-      fs::remove(partial, ignored);
-      throw BookError("cannot write " + file.string() +
-                      " (is the disk full, or the folder read-only?)");
-    }
-  }
-  std::error_code error;
-  fs::rename(partial, file, error);
-  if (error) {
-    std::error_code ignored;
-    fs::remove(partial, ignored);
-    throw BookError("cannot write " + file.string() + ": " + error.message());
-  }
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
+                                                               &std::fclose);
+  std::string text;
+  std::array<char, 16384> part{};
+  while (stream && std::feof(stream.get()) == 0 && std::ferror(stream.get()) == 0)
+    text.append(part.data(), std::fread(part.data(), 1, part.size(), stream.get()));
+  if (!stream || std::ferror(stream.get()) != 0) throw BookError("cannot read " + file.string());
+  return text;
 }
 
 }  // namespace contact::grading

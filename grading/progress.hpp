@@ -1,36 +1,24 @@
 #pragma once
 
-// work/progress.json: what a reader has done so far. The page exports the same format; see
-// cli/README.md.
+// work/progress.json: the record of what a reader has done, kept in a file.
 
 #include <filesystem>
-#include <map>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
-#include "verdict.hpp"
+#include "progress_record.hpp"
 
 namespace contact::grading {
-
-struct ExerciseProgress {
-  int attempts = 0;
-  double best_points = 0.0;
-  double max_points = 0.0;
-  /// When every test first passed, as an ISO 8601 time in UTC; empty before.
-  std::string passed;
-  std::string last_checked;
-  int hints_shown = 0;
-  bool solution_shown = false;
-  std::map<std::string, std::string> tests;
-};
 
 class Progress {
  public:
   explicit Progress(const std::filesystem::path& work);
 
+  /// The record as it was read last.
+  [[nodiscard]] const ProgressRecord& known() const { return record_; }
   /// What is known of an exercise; all zero if it was never checked.
-  [[nodiscard]] ExerciseProgress of(const std::string& exercise) const;
+  [[nodiscard]] ExerciseProgress of(const std::string& exercise) const {
+    return record_.of(exercise);
+  }
 
   /// Counts an attempt if something was attempted, keeps the best points and the first time that
   /// all passed.
@@ -45,10 +33,10 @@ class Progress {
  private:
   void load();
   template <typename Change>
-  void change(const std::string& exercise, Change apply);
+  void change(Change apply);
 
   std::filesystem::path file_;
-  nlohmann::json data_;
+  ProgressRecord record_;
   std::string notice_;
 };
 

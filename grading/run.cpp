@@ -21,23 +21,6 @@ std::string text_at(const nlohmann::json& json, const char* key) {
   return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-Failure failure_from(const nlohmann::json& json) {
-  Failure failure;
-  failure.asked = text_at(json, "asked");
-  failure.got = text_at(json, "got");
-  failure.right = text_at(json, "right");
-  failure.allowed = text_at(json, "allowed");
-  failure.misconception = text_at(json, "misconception");
-  failure.reason = text_at(json, "reason");
-  if (const auto inputs = json.find("inputs"); inputs != json.end() && inputs->is_array()) {
-    for (const nlohmann::json& input : *inputs) {
-      if (input.is_object())
-        failure.inputs.emplace_back(text_at(input, "name"), text_at(input, "text"));
-    }
-  }
-  return failure;
-}
-
 // Follows the event stream of one process and knows which test is running.
 class EventReader {
  public:
@@ -66,13 +49,8 @@ class EventReader {
       started_ = Clock::now();
       ++starts_;
     } else if (kind == "end") {
-      TestResult result;
+      TestResult result = result_from_json(json);
       result.name = text_at(json, "test");
-      result.status = status_from_key(text_at(json, "status")).value_or(TestStatus::stopped);
-      if (const auto seconds = json.find("seconds"); seconds != json.end() && seconds->is_number())
-        result.seconds = seconds->get<double>();
-      if (const auto failure = json.find("failure"); failure != json.end() && failure->is_object())
-        result.failure = failure_from(*failure);
       results_.push_back(std::move(result));
       current_.clear();
     } else if (kind == "done") {

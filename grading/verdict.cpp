@@ -40,6 +40,28 @@ constexpr std::array<OutcomeName, 4> outcome_names{{
     {Outcome::does_not_compile, "does_not_compile", "does not compile"},
 }};
 
+std::string text_at(const nlohmann::json& json, const char* key) {
+  const auto found = json.find(key);
+  return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+Failure failure_from(const nlohmann::json& json) {
+  Failure failure;
+  failure.asked = text_at(json, "asked");
+  failure.got = text_at(json, "got");
+  failure.right = text_at(json, "right");
+  failure.allowed = text_at(json, "allowed");
+  failure.misconception = text_at(json, "misconception");
+  failure.reason = text_at(json, "reason");
+  if (const auto inputs = json.find("inputs"); inputs != json.end() && inputs->is_array()) {
+    for (const nlohmann::json& input : *inputs) {
+      if (input.is_object())
+        failure.inputs.emplace_back(text_at(input, "name"), text_at(input, "text"));
+    }
+  }
+  return failure;
+}
+
 const TestSpec* spec_of(const Exercise& exercise, const std::string& name) {
   const auto found = std::find_if(exercise.tests.begin(), exercise.tests.end(),
                                   [&](const TestSpec& test) { return test.name == name; });
@@ -184,6 +206,17 @@ std::string points_text(double points) {
   return text.data();
 }
 
+TestResult result_from_json(const nlohmann::json& json) {
+  TestResult result;
+  result.name = text_at(json, "name");
+  result.status = status_from_key(text_at(json, "status")).value_or(TestStatus::stopped);
+  if (const auto seconds = json.find("seconds"); seconds != json.end() && seconds->is_number())
+    result.seconds = seconds->get<double>();
+  if (const auto failure = json.find("failure"); failure != json.end() && failure->is_object())
+    result.failure = failure_from(*failure);
+  return result;
+}
+
 nlohmann::json to_json(const Failure& failure) {
   nlohmann::json inputs = nlohmann::json::array();
   for (const auto& [name, value] : failure.inputs)
@@ -237,6 +270,27 @@ nlohmann::json to_json(const Verdict& verdict) {
                              {"contract", contract},     {"full", error.full}};
   }
   return json;
+}
+
+Verdict verdict_from_json(const nlohmann::json& json) {
+  Verdict verdict;
+  verdict.exercise = json.at("exercise").get<std::string>();
+  const std::string outcome = json.at("verdict").get<std::string>();
+  for (const OutcomeName& name : outcome_names) {
+    if (name.key == outcome) verdict.outcome = name.outcome;
+  }
+  verdict.points = json.at("points").get<double>();
+  verdict.max_points = json.at("max_points").get<double>();
+  for (const nlohmann::json& entry : json.at("tests")) {
+    TestVerdict test;
+    test.name = entry.at("name").get<std::string>();
+    test.status =
+        status_from_key(entry.at("status").get<std::string>()).value_or(TestStatus::stopped);
+    test.points = entry.at("points").get<double>();
+    test.max_points = entry.at("max_points").get<double>();
+    verdict.tests.push_back(std::move(test));
+  }
+  return verdict;
 }
 
 }  // namespace contact::grading

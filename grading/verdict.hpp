@@ -124,7 +124,13 @@ std::optional<TestStatus> status_from_key(std::string_view key);
 /// "3" for 3.0, "2.5" for 2.5.
 std::string points_text(double points);
 
+/// A test's result as a runner's event tells it: {name, status, seconds, failure?}. What is missing
+/// or of the wrong kind reads as empty, an unknown status as stopped.
+TestResult result_from_json(const nlohmann::json& json);
 nlohmann::json to_json(const Failure& failure);
 nlohmann::json to_json(const Verdict& verdict);
+/// What a record of progress needs of a verdict: exercise, outcome, points, and the tests' names,
+/// status and points. @throws nlohmann::json::exception if it is no verdict.
+Verdict verdict_from_json(const nlohmann::json& json);
 
 }  // namespace contact::grading

@@ -12,6 +12,7 @@ const systemPackages = [
   { start: "Eigen/", dir: eigenDir, as: `${systemRoot}/eigen3` },
   { start: "unsupported/Eigen/", dir: eigenDir, as: `${systemRoot}/eigen3` },
   { start: "nlohmann/", dir: "/usr/include", as: systemRoot },
+  { start: "toml++/", dir: "/usr/include", as: systemRoot },
   { start: "catch2/", dir: "/usr/include", as: systemRoot },
 ];
 

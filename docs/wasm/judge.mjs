@@ -1,0 +1,50 @@
+// The judge: the grading library of `contact check`, as one small module for the page.
+import path from "node:path";
+import { checkFlags, moduleLink, quiet } from "./flags.mjs";
+import { inRoot } from "./paths.mjs";
+import { exceptionRuntime } from "./products.mjs";
+
+/** @typedef {import('./recipes.mjs').Compile} Compile */
+
+/** Small before quick: a verdict takes it a few milliseconds either way. */
+const flags = [
+  ...checkFlags.filter((flag) => flag !== "-O1"),
+  "-Oz",
+  "-DNDEBUG",
+  // The two libraries without their streams, which would bring the whole of <locale>.
+  "-DJSON_NO_IO",
+  "-DTOML_ENABLE_FORMATTERS=0",
+  ...quiet,
+];
+
+/** What of grading/ the page needs: no file is written there, no process started. */
+const sources = [
+  "book.cpp",
+  "build_messages.cpp",
+  "progress_record.cpp",
+  "progress_report.cpp",
+  "verdict.cpp",
+  "page/judge.cpp",
+];
+
+/** @returns {import('./recipes.mjs').Link} */
+export const judgeRecipe = () => ({
+  tool: "link",
+  what: "the judge",
+  ...moduleLink,
+  parts: [
+    ...sources.map((file) => {
+      const source = inRoot("grading", file);
+      const what = path.relative(inRoot(), source);
+      return /** @type {Compile} */ ({
+        tool: "compile",
+        what,
+        language: "c++",
+        flags,
+        folders: [],
+        source,
+      });
+    }),
+    exceptionRuntime,
+  ],
+});

@@ -1,0 +1,110 @@
+// The judge of the page: the library under `contact check`, compiled to WebAssembly. The page hands
+// in what happened as JSON and gets back what the program would say. The book's files are given as
+// a tree of files, which Book reads as it reads the disk.
+
+#include <cstdlib>
+#include <exception>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "../book.hpp"
+#include "../build_messages.hpp"
+#include "../progress_record.hpp"
+#include "../progress_report.hpp"
+#include "../verdict.hpp"
+
+namespace contact::grading {
+
+namespace {
+
+using nlohmann::json;
+
+const Book& book() {
+  static const Book the_book("", "work");
+  return the_book;
+}
+
+std::string text(const json& request, const char* name) { return request.value(name, ""); }
+
+const Exercise& exercise_of(const json& request) {
+  return book().exercise(request.at("exercise").get<std::string>());
+}
+
+json judged(const json& request) {
+  std::vector<TestResult> results;
+  for (const json& result : request.at("results")) results.push_back(result_from_json(result));
+  Verdict verdict = judge(exercise_of(request), book(), results);
+  verdict.file = text(request, "file");
+  verdict.output = text(request, "output");
+  return to_json(verdict);
+}
+
+json recorded(const json& request) {
+  ProgressRecord record(request.at("progress"));
+  record.record(verdict_from_json(request.at("verdict")), text(request, "now"));
+  return record.document();
+}
+
+json hint_recorded(const json& request) {
+  ProgressRecord record(request.at("progress"));
+  record.record_hint(text(request, "exercise"));
+  return record.document();
+}
+
+json solution_recorded(const json& request) {
+  ProgressRecord record(request.at("progress"));
+  record.record_solution_shown(text(request, "exercise"));
+  return record.document();
+}
+
+json problems() {
+  json list = json::array();
+  for (const BookProblem& problem : book().problems()) list.push_back(problem.what);
+  return list;
+}
+
+json answer(const json& request) {
+  const std::string what = request.at("do").get<std::string>();
+  if (what == "judge") return judged(request);
+  if (what == "record") return recorded(request);
+  if (what == "record_hint") return hint_recorded(request);
+  if (what == "record_solution_shown") return solution_recorded(request);
+  if (what == "empty_progress") return ProgressRecord().document();
+  if (what == "report") return progress_report(book(), ProgressRecord(request.at("progress")));
+  if (what == "problems") return problems();
+  throw std::runtime_error("the judge does not know how to '" + what + "'");
+}
+
+std::string answer_text(std::string_view request) {
+  json reply;
+  try {
+    reply = {{"ok", answer(json::parse(request))}};
+  } catch (const std::exception& error) {
+    reply = {{"error", error.what()}};
+  }
+  return reply.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+}  // namespace
+
+}  // namespace contact::grading
+
+/// Room for a request of this many bytes; judge_answer frees it.
+extern "C" __attribute__((export_name("judge_room"))) char* judge_room(std::size_t bytes) {
+  return static_cast<char*>(std::malloc(bytes));
+}
+
+/// Takes a request, {"do": ..., ...}, and gives back {"ok": ...} or {"error": "..."}, which stays
+/// until the next call.
+extern "C" __attribute__((export_name("judge_answer"))) const char* judge_answer(
+    char* request, std::size_t bytes) {
+  static std::string reply;
+  reply = contact::grading::answer_text({request, bytes});
+  std::free(request);
+  return reply.c_str();
+}

@@ -1,0 +1,97 @@
+#include "progress_record.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace contact::grading {
+
+namespace {
+
+constexpr const char* format_name = "contact-progress/1";
+
+void require_shape(const nlohmann::json& data) {
+  if (!data.is_object() || data.value("format", "") != format_name || !data.contains("exercises") ||
+      !data["exercises"].is_object())
+    throw std::runtime_error(std::string("it is not ") + format_name);
+  for (const auto& [id, entry] : data["exercises"].items()) {
+    if (!entry.is_object()) throw std::runtime_error("the entry of " + id + " is not an object");
+    if (entry.contains("tests") && !entry["tests"].is_object())
+      throw std::runtime_error("the tests of " + id + " are not an object");
+  }
+}
+
+// A value of the wrong type (a file edited by hand) reads as if it were not there.
+template <typename T>
+T read(const nlohmann::json& entry, const char* name, T otherwise) {
+  try {
+    return entry.value(name, otherwise);
+  } catch (const nlohmann::json::exception&) {
+    return otherwise;
+  }
+}
+
+}  // namespace
+
+ProgressRecord::ProgressRecord()
+    : data_({{"format", format_name}, {"exercises", nlohmann::json::object()}}) {}
+
+ProgressRecord::ProgressRecord(nlohmann::json document) {
+  require_shape(document);
+  data_ = std::move(document);
+}
+
+ExerciseProgress ProgressRecord::of(const std::string& exercise) const {
+  ExerciseProgress progress;
+  const auto found = data_["exercises"].find(exercise);
+  if (found == data_["exercises"].end()) return progress;
+  progress.attempts = read(*found, "attempts", 0);
+  progress.best_points = read(*found, "best_points", 0.0);
+  progress.max_points = read(*found, "max_points", 0.0);
+  progress.passed = read(*found, "passed", std::string());
+  progress.last_checked = read(*found, "last_checked", std::string());
+  progress.hints_shown = read(*found, "hints_shown", 0);
+  progress.solution_shown = read(*found, "solution_shown", false);
+  if (found->contains("tests")) {
+    for (const auto& [name, status] : (*found)["tests"].items()) {
+      if (status.is_string()) progress.tests[name] = status.get<std::string>();
+    }
+  }
+  return progress;
+}
+
+nlohmann::json& ProgressRecord::entry_of(const std::string& exercise) {
+  nlohmann::json& entry = data_["exercises"][exercise];
+  if (entry.is_null()) entry = nlohmann::json::object();
+  return entry;
+}
+
+void ProgressRecord::record(const Verdict& verdict, const std::string& now) {
+  if (!is_attempt(verdict)) return;
+  nlohmann::json& entry = entry_of(verdict.exercise);
+  entry["attempts"] = read(entry, "attempts", 0) + 1;
+  entry["best_points"] = std::max(read(entry, "best_points", 0.0), verdict.points);
+  entry["max_points"] = verdict.max_points;
+  entry["last_checked"] = now;
+  if (verdict.outcome == Outcome::passed && read(entry, "passed", std::string()).empty())
+    entry["passed"] = now;
+  entry["tests"] = nlohmann::json::object();
+  for (const TestVerdict& test : verdict.tests) entry["tests"][test.name] = key(test.status);
+}
+
+int ProgressRecord::record_hint(const std::string& exercise) {
+  nlohmann::json& entry = entry_of(exercise);
+  const int shown = read(entry, "hints_shown", 0) + 1;
+  entry["hints_shown"] = shown;
+  return shown;
+}
+
+void ProgressRecord::record_solution_shown(const std::string& exercise) {
+  entry_of(exercise)["solution_shown"] = true;
+}
+
+bool is_attempt(const Verdict& verdict) {
+  return verdict.outcome != Outcome::does_not_compile && verdict.outcome != Outcome::not_attempted;
+}
+
+}  // namespace contact::grading
