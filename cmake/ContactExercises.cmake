@@ -14,7 +14,9 @@ find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
 function(contact_student_flags out)
   get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
   set(flags -std=c++20 -O1 -pipe -D_GLIBCXX_ASSERTIONS -ffp-contract=off -DEIGEN_DONT_VECTORIZE
-    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-unused-parameter)
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-unused-parameter
+    # What a function without its return does differs between compilers, so that none may judge it.
+    -Werror=return-type)
   foreach(dir IN LISTS eigen)
     list(APPEND flags -isystem "${dir}")
   endforeach()

@@ -85,20 +85,38 @@ export const pageFlags = [
 /** A figure's `Output out{}` leaves Eigen's columns unset without it: numbers of the state before. */
 export const figureFlags = [...pageFlags, "-DEIGEN_INITIALIZE_MATRICES_BY_ZERO"];
 
-/** Exercises: as the native check, with assertions and exceptions. */
-export const checkFlags = [
+/**
+ * What a student's file is compiled with, in the build and in the page: as contact_student_flags of
+ * cmake/ContactExercises.cmake has it, with the same warnings and with exceptions. Where libstdc++ asserts
+ * (_GLIBCXX_ASSERTIONS), libc++ does.
+ */
+export const studentFlags = [
   ...compiler,
   ...arithmetic,
   ...libraries,
   ...cxx,
   ...warnings,
+  "-Wpedantic",
+  "-Wshadow",
+  "-Wconversion",
+  "-Wno-unused-parameter",
+  "-Werror=return-type",
   ...exceptions,
   "-O1",
-  "-DCATCH_CONFIG_NO_POSIX_SIGNALS",
+  // Address 0 is memory like any other here: without this, following a null pointer stops nothing.
+  "-fsanitize=null",
+  "-fsanitize-trap=null",
+  "-D_LIBCPP_HARDENING_MODE=_LIBCPP_HARDENING_MODE_EXTENSIVE",
 ];
+
+/** So that a message can be shown at its place in the editor: ranges as numbers. */
+export const diagnosticFlags = ["-fdiagnostics-print-source-range-info"];
 
 /** Libraries that are not ours: their warnings are not ours to read. */
 export const quiet = ["-w"];
+
+/** The tests of exercises and Catch2; warnings are the native build's to give. */
+export const testFlags = [...studentFlags, ...quiet, "-DCATCH_CONFIG_NO_POSIX_SIGNALS"];
 
 /** The runtime for exceptions, as its own build has it. */
 const runtimeDefines = [
@@ -145,6 +163,9 @@ export const precompileFlags = ["-fno-pch-timestamp", "-fpch-instantiate-templat
 const library = "/usr/lib/wasm32-wasip1";
 const builtins = "/usr/lib/wasm32-unknown-wasip1/libclang_rt.builtins.a";
 const linker = ["wasm-ld", "-m", "wasm32", "--strip-all", "--stack-first", `-L${library}`];
+
+/** Several objects made one, to be linked again. */
+export const mergeLink = { before: ["wasm-ld", "-m", "wasm32", "-r"], after: [] };
 
 /** A module that is called (no main): a figure, a ladder. Its stack comes first, so an overflow traps. */
 export const moduleLink = {
