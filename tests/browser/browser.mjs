@@ -64,7 +64,7 @@ const types = {
  * order. `answer`, if it is set, may answer itself and then returns true.
  */
 export async function serve(folder = site) {
-  /** @type {{ origin: string, close: () => void, asked: string[], answer?: Answer }} */
+  /** @type {{ origin: string, close: () => void, asked: string[], answer?: Answer | undefined }} */
   const served = { origin: "", close: () => {}, asked: [] };
   const server = http.createServer((request, response) => {
     const { pathname } = new URL(request.url ?? "/", "http://localhost");

@@ -42,7 +42,7 @@ export function testsOf(id) {
   const found = read("exercises", id, "exercise.toml").matchAll(
     /\[\[tests\]\]\s+name = "(.*)"\s+points = (\d+)/g,
   );
-  return [...found].map(([, name, points]) => ({ name, points: Number(points) }));
+  return [...found].map(([, name, points]) => ({ name: String(name), points: Number(points) }));
 }
 
 /** What a student reads of a misconception, as text. @param {string} id */
