@@ -27,10 +27,10 @@ program|ca-certificates|file /etc/ssl/certs/ca-certificates.crt /etc/ssl/cert.pe
 book|doxygen|command doxygen|doxygen|Doxygen: reads the headers' comments
 book|nodejs|node|node|Node 18 or newer: builds the page's scripts
 book|npm|command npm|node|npm: fetches the page's packages
+book|dpkg-dev|command dpkg-source|-|dpkg-source: unpacks Catch2's source for the page
 test|git|command git|git|Git: the checks look only at files that are in it
 test|clang-tidy|command clang-tidy|llvm|clang-tidy: a second reading of the C++
 test|shellcheck|command shellcheck|shellcheck|ShellCheck: the same for shell scripts
-test|dpkg-dev|command dpkg-source|-|dpkg-source: unpacks Catch2's source for the page
 END
 }
 

@@ -22,6 +22,8 @@ SITE = BUILD / "site"
 PROGRAM = DEV / "bin" / "contact"
 # Seconds after which a step hangs rather than works, on any machine.
 STEP_LIMIT = 1200.0
+# How a fetching script ends where what it fetches cannot be had.
+CANNOT_BE_HAD = 3
 
 # Colour codes and the like, which some tools print even to a file.
 _ESCAPES = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]")
@@ -189,6 +191,20 @@ def _node(log: str, *words: str) -> Callable[[], Done]:
     return lambda: run(["node", *words], log, cwd=ROOT / "docs", limit=STEP_LIMIT)
 
 
+def _page_exercises() -> Done:
+    """The compiler that the page loads and every exercise's tests, as WebAssembly.
+
+    Catch2's source comes from the package archive; where there is none, the book goes without.
+    """
+    fetched = run([ROOT / "tools" / "fetch_catch2_source.sh"], "book-catch2", limit=STEP_LIMIT)
+    if fetched.code == CANNOT_BE_HAD:
+        print(f"{fetched.tail()}\nThe pages go without checking exercises.", flush=True)
+        return Done(0, fetched.output, fetched.seconds, fetched.log)
+    if not fetched.ok:
+        return fetched
+    return _node("book-exercises", "wasm/build.mjs", "toolchain")()
+
+
 def build_book() -> Done:
     """Doxygen and Sphinx; any warning fails."""
     return run(
@@ -206,6 +222,7 @@ FIRST = (
 # What can come while they read. The pages are built again, to take the ladders in.
 BEHIND = (
     Step("the ladders' C++ for the page", _node("book-ladders", "wasm/build.mjs", "ladders")),
+    Step("the compiler and the exercises for the page", _page_exercises),
     Step("the pages with all that", build_book),
     Step("the program, for the exercises", lambda: build_native(["contact"], "book-program")),
 )
