@@ -1,6 +1,6 @@
 // The judge: the grading library of `contact check`, as one small module for the page.
 import path from "node:path";
-import { checkFlags, moduleLink, quiet } from "./flags.mjs";
+import { moduleLink, quiet, studentFlags } from "./flags.mjs";
 import { inRoot } from "./paths.mjs";
 import { exceptionRuntime } from "./products.mjs";
 
@@ -8,7 +8,7 @@ import { exceptionRuntime } from "./products.mjs";
 
 /** Small before quick: a verdict takes it a few milliseconds either way. */
 const flags = [
-  ...checkFlags.filter((flag) => flag !== "-O1"),
+  ...studentFlags.filter((flag) => flag !== "-O1" && !/HARDENING/.test(flag)),
   "-Oz",
   "-DNDEBUG",
   // The two libraries without their streams, which would bring the whole of <locale>.
