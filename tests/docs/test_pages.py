@@ -58,7 +58,7 @@ def test_all_mathematics_is_rendered(site: Path) -> None:
     for path, page in pages(site):
         for element in page.select("span.math, div.math"):
             assert element.select("math"), f"{path.name}: {element.get_text()}"
-        for hidden in page.select("script, pre, code, annotation"):
+        for hidden in page.select("script, pre, code"):
             hidden.decompose()
         words = page.get_text()
         assert "\\(" not in words, path.name

@@ -1,15 +1,21 @@
-"""`{exercise} NAME`: what to do, the contract, what each test is worth, and how to begin."""
+"""`{exercise} NAME`: what to do, the contract, what each test is worth, and how to begin.
+
+The page's script makes a bench of it, where the reader writes the answer and has it checked.
+"""
 
 from __future__ import annotations
+
+from pathlib import Path
 
 from docutils import nodes
 from sphinx.writers.html5 import HTML5Translator
 
-from contact_book.directive import BookDirective
+from contact_book.directive import BookDirective, open_book
 from contact_book.errors import BookError
-from contact_book.exercises import KINDS, find_exercise
+from contact_book.exercise_data import exercise_json, keep, note
+from contact_book.exercises import KINDS, find_exercise, misconception_hints
 from contact_book.exercises import Exercise as ExerciseData
-from contact_book.html import renders, slots
+from contact_book.html import attributes, base_path, can_run_scripts, render, renders, slots
 from contact_book.listing import listing
 from contact_book.nodes import component, make_component, make_slot
 from contact_book.tables import table
@@ -24,9 +30,7 @@ class Exercise(BookDirective):
 
     def build(self) -> list[nodes.Node]:
         exercise = find_exercise(self.book, self.arguments[0].strip(), self.here, self.source)
-        self.depends(exercise.folder / "exercise.toml", exercise.contract)
-        if not exercise.contract.is_file():
-            raise BookError(f"{self.book.relative(exercise.contract)} is missing")
+        self.read(exercise)
         section = nodes.section(
             "",
             ids=[f"exercise-{exercise.name.replace('_', '-')}"],
@@ -36,25 +40,43 @@ class Exercise(BookDirective):
         section += nodes.title("", f"Exercise: {exercise.title}")
         section += self.facts(exercise)
         section += self.markdown(exercise.brief)
-        section += self.contract(exercise)
-        section += self.commands(exercise)
-        section += self.points(exercise)
-        if exercise.hints:
-            section += self.hints(exercise)
+        section += self.bench(exercise)
         return [section]
 
+    def read(self, exercise: ExerciseData) -> None:
+        files = (exercise.toml, exercise.contract, exercise.stub, exercise.solution)
+        self.depends(*files, self.book.root / "chapters" / "misconceptions.toml")
+        for path in files:
+            if not path.is_file():
+                raise BookError(f"{self.book.relative(path)} is missing")
+        note(self.env, exercise.ref)
+        self.needs_script()
+
+    def bench(self, exercise: ExerciseData) -> component:
+        # What a test may say of a mistake is for the script alone, and not for the search.
+        misconceptions = {
+            name: make_slot("misconception", self.markdown(hint))
+            for name, hint in misconception_hints(self.book, exercise).items()
+        }
+        parts = [
+            make_slot("contract", [self.source_file(exercise.contract, "The contract, ")]),
+            make_slot("stub", [self.source_file(exercise.stub, "Where you begin, ")]),
+            make_slot("commands", [self.commands(exercise)]),
+            make_slot("points", [self.points(exercise)]),
+            *[make_slot("hint", self.markdown(hint)) for hint in exercise.hints],
+        ]
+        data = {"exercise": exercise, "misconceptions": misconceptions}
+        return make_component("exercise", data, parts)
+
     def facts(self, exercise: ExerciseData) -> nodes.paragraph:
-        total = sum(test.points for test in exercise.tests)
-        words = [KINDS[exercise.kind].capitalize(), f"{_number(total)} points"]
+        words = [KINDS[exercise.kind].capitalize(), f"{_number(exercise.points)} points"]
         if exercise.minutes:
             words.append(f"about {exercise.minutes} minutes")
         return nodes.paragraph("", " · ".join(words), classes=["facts"])
 
-    def contract(self, exercise: ExerciseData) -> nodes.Element:
-        text = exercise.contract.read_text(encoding="utf-8")
-        name = f"{exercise.name}.hpp"
-        label = [nodes.Text("The contract, "), nodes.literal(name, name)]
-        return listing(text, "cpp", label)
+    def source_file(self, path: Path, label: str) -> nodes.Element:
+        text = path.read_text(encoding="utf-8")
+        return listing(text, "cpp", [nodes.Text(label), nodes.literal(path.name, path.name)])
 
     def commands(self, exercise: ExerciseData) -> nodes.Element:
         text = f"./contact start {exercise.ref}\n./contact watch\n"
@@ -73,17 +95,32 @@ class Exercise(BookDirective):
         ]
         return table(["What must hold", "Points"], rows, "What the tests ask", ["points"])
 
-    def hints(self, exercise: ExerciseData) -> nodes.Node:
-        slots = [make_slot("hint", self.markdown(hint)) for hint in exercise.hints]
-        return make_component("hints", {}, slots)
 
-
-@renders("hints")
-def hints_html(translator: HTML5Translator, node: component) -> str:
+def hints_html(hints: list[str]) -> str:
     """One collapsed hint inside the next, so that a reader opens only as many as are needed."""
-    hints = slots(translator, node)["hint"]
     html = ""
     for index, hint in reversed(list(enumerate(hints))):
         label = "A hint" if index == 0 else "One more hint"
         html = f"<details><summary>{label}</summary>{hint}{html}</details>"
-    return f'<div class="hints">{html}</div>\n'
+    return f'<div class="hints">{html}</div>\n' if html else ""
+
+
+@renders("exercise")
+def exercise_html(translator: HTML5Translator, node: component) -> str:
+    exercise: ExerciseData = node["data"]["exercise"]
+    parts = slots(translator, node)
+    hints = parts.get("hint", [])
+    inner = (
+        f'<div class="contract">{parts["contract"][0]}</div>'
+        f'<div class="stub">{parts["stub"][0]}</div>'
+        f"{parts['commands'][0]}{parts['points'][0]}{hints_html(hints)}"
+    )
+    if not can_run_scripts(translator):
+        return inner
+    misconceptions = {
+        name: render(translator, words) for name, words in node["data"]["misconceptions"].items()
+    }
+    book = open_book(translator.config)
+    keep(book.products, exercise_json(book, exercise, hints, misconceptions))
+    where = attributes(name=exercise.ref, base=base_path(translator))
+    return f"<contact-exercise{where}>{inner}</contact-exercise>\n"

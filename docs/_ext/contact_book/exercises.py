@@ -36,6 +36,7 @@ class Exercise:
     minutes: int
     brief: str
     hints: tuple[str, ...]
+    misconceptions: tuple[str, ...]
     tests: tuple[Points, ...]
 
     @property
@@ -43,8 +44,24 @@ class Exercise:
         return f"{self.chapter.slug}/{self.name}"
 
     @property
+    def points(self) -> float:
+        return sum(test.points for test in self.tests)
+
+    @property
+    def toml(self) -> Path:
+        return self.folder / "exercise.toml"
+
+    @property
     def contract(self) -> Path:
         return self.folder / f"{self.name}.hpp"
+
+    @property
+    def stub(self) -> Path:
+        return self.folder / f"{self.name}.cpp"
+
+    @property
+    def solution(self) -> Path:
+        return self.chapter.root / "solutions" / self.ref / f"{self.name}.cpp"
 
 
 def _points(row: Table) -> Points:
@@ -77,5 +94,20 @@ def find_exercise(book: Book, name: str, here: str | None, where: str) -> Exerci
         minutes=table.get("minutes", int, 0),
         brief=table.need("brief", str),
         hints=tuple(table.strings("hints")),
+        misconceptions=tuple(table.strings("misconceptions")),
         tests=tests,
     )
+
+
+def misconception_hints(book: Book, exercise: Exercise) -> dict[str, str]:
+    """What a student reads beside a test that recognises one of the exercise's misconceptions."""
+    if not exercise.misconceptions:
+        return {}
+    shared = book.table(book.root / "chapters" / "misconceptions.toml")
+    where = book.relative(exercise.toml)
+    hints = {}
+    for name in exercise.misconceptions:
+        if name not in shared.data:
+            raise unknown("misconception", name, shared.data, where)
+        hints[name] = Table(shared.need(name, dict), f"{shared.where}: {name}").need("hint", str)
+    return hints
