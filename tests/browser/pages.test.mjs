@@ -91,6 +91,7 @@ describe("pages", { skip }, () => {
         const asked = await question.locator(".asked").textContent();
         assert.ok(asked.length > 10, data.id);
         assert.ok(await question.locator("details").isVisible(), data.id);
+        assert.ok(((await question.locator(".explain").textContent()) ?? "").length > 10, data.id);
       }
       assert.ok(await page.locator("contact-ladder svg").first().isVisible());
       assert.ok(await page.locator("contact-ladder table").first().isVisible());

@@ -18,8 +18,10 @@ from contact_book.chapter import (
     place_head,
 )
 from contact_book.exercise import Exercise
-from contact_book.fonts import copy_fonts
+from contact_book.exercise_data import connect as connect_exercise_data
+from contact_book.fonts import copy_fonts, subset_fonts
 from contact_book.hard_cases import HardCases
+from contact_book.highlight import mark_less
 from contact_book.home import BookContents, ChapterMap, read_again
 from contact_book.html import depart_through, visit_component, visit_through
 from contact_book.ladder import Ladder
@@ -67,6 +69,8 @@ def setup(app: Sphinx) -> ExtensionMetadata:
         _add_node(app, node)
     app.add_html_math_renderer("katex", (visit_inline, None), (visit_block, None))
     app.add_css_file("katex/katex.css")
+    mark_less()
+    connect_exercise_data(app)
     app.connect("builder-inited", name_authors_files)
     app.connect("builder-inited", copy_fonts)
     app.connect("builder-inited", copy_components)
@@ -77,4 +81,5 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.connect("html-page-context", add_script)
     app.connect("html-page-context", plain_captions, priority=900)
     app.connect("build-finished", name_columns)
+    app.connect("build-finished", subset_fonts)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -57,13 +57,11 @@ class Recall(Question):
 
 
 def payload(question: QuestionData, parts: dict[str, list[str]]) -> dict[str, Any]:
-    """What the page's element needs; texts are HTML already."""
+    """What the page's element needs beside the words, which it takes from the fallback."""
     data: dict[str, Any] = {
         "id": question.ref,
         "kind": question.kind,
         "objective": question.objective,
-        "text": parts["text"][0],
-        "explain": parts["explain"][0],
         "wrong": [
             {"answer": item.answer, "why": why}
             for item, why in zip(question.wrong, parts.get("why", []), strict=True)
@@ -74,8 +72,7 @@ def payload(question: QuestionData, parts: dict[str, list[str]]) -> dict[str, An
     elif question.kind == "construct":
         data |= {"figure": question.figure, "goal": question.goal}
     else:
-        key = "items" if question.kind == "order" else "options"
-        data |= {key: parts["choice"], "answer": question.answer}
+        data |= {"answer": question.answer}
     return data
 
 
@@ -103,7 +100,7 @@ def question_html(translator: HTML5Translator, node: component) -> str:
         f'<div class="question"><p class="kind">{LABELS[question.kind]}</p>'
         f'<div class="asked">{parts["text"][0]}</div>{choices}'
         f"<details><summary>Answer</summary>{shown_answer(question, parts)}"
-        f"{parts['explain'][0]}</details></div>"
+        f'<div class="explain">{parts["explain"][0]}</div></details></div>'
     )
     if not can_run_scripts(translator):
         return fallback

@@ -5,6 +5,8 @@ import { join } from "node:path";
 import { createInterface } from "node:readline";
 
 const katex = createRequire(join(process.argv[2], "package.json"))("katex");
+// The formula's TeX again, for nobody: what reads mathematics aloud reads the MathML beside it.
+const annotation = /<annotation encoding="application\/x-tex">[^<]*<\/annotation>/g;
 const macros = {
   "\\norm": "\\lVert #1\\rVert",
   "\\abs": "\\lvert #1\\rvert",
@@ -15,7 +17,8 @@ for await (const line of createInterface({ input: process.stdin })) {
   let answer;
   try {
     const options = { displayMode: display, throwOnError: true, strict: "error", trust: false };
-    answer = { html: katex.renderToString(tex, { ...options, macros: { ...macros } }) };
+    const made = katex.renderToString(tex, { ...options, macros: { ...macros } });
+    answer = { html: made.replace(annotation, "").replace(/<\/?semantics>/g, "") };
   } catch (error) {
     answer = { error: error.message };
   }

@@ -26,7 +26,7 @@ export interface Asker {
 /** What an option says, for a name made of mathematics alone, which axe and some readers pass over. */
 export function spoken(option: HTMLElement): string {
   const copy = option.cloneNode(true) as HTMLElement;
-  for (const part of copy.querySelectorAll("annotation, .katex-html")) part.remove();
+  for (const part of copy.querySelectorAll(".katex-html")) part.remove();
   return (copy.textContent ?? "").replace(/\s+/g, " ").trim();
 }
 

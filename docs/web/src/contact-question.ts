@@ -1,8 +1,8 @@
 // <contact-question><script type="application/json">{…}</script>…fallback…</contact-question>
 //
 // Asks, checks and remembers. An answer is locked when it is checked; the verdict, the hint for a
-// recognised mistake and, once right or given up, the explanation follow. Texts are HTML made by
-// the book's build.
+// recognised mistake and, once right or given up, the explanation follow. The script has the key; the
+// words are the fallback's.
 
 import { type Answer, type Asker, chooseAsker } from "./askers.ts";
 import { constructAsker } from "./construct.ts";
@@ -33,14 +33,28 @@ function askerFor(question: Question, labelId: string): Asker {
 }
 
 export class ContactQuestion extends HTMLElement {
-  #built = false;
+  /** What is asked, from when the element is in the page. */
+  question?: Question;
 
   connectedCallback(): void {
-    if (this.#built) return;
+    if (this.question) return;
     const data = this.querySelector<HTMLScriptElement>(':scope > script[type="application/json"]');
     if (!data?.textContent) return;
-    this.#built = true;
-    this.#build(JSON.parse(data.textContent) as Question);
+    this.question = { ...JSON.parse(data.textContent), ...this.#words() };
+    this.#build(this.question as Question);
+  }
+
+  /** The texts, as HTML, from what stands here for a reader without the script. */
+  #words(): Pick<Question, "text" | "explain"> & { options: string[]; items: string[] } {
+    const inside = (selector: string) =>
+      [...this.querySelectorAll(`:scope > .question > ${selector}`)].map((part) => part.innerHTML);
+    const choices = inside("ul > li");
+    return {
+      text: inside(".asked")[0] ?? "",
+      explain: inside("details > .explain")[0] ?? "",
+      options: choices,
+      items: choices,
+    };
   }
 
   #build(question: Question): void {

@@ -1,4 +1,4 @@
-// A question as the book's build writes it into the page. Texts are HTML.
+// A question: its key from the script that the build writes, its texts (HTML) from the fallback.
 
 interface Common {
   /** "02_triangles/beta-sign" */

@@ -1,0 +1,21 @@
+// A page stays light before anything is pressed: on a slow line it is there in seconds.
+
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import path from "node:path";
+import { test } from "node:test";
+import { notRun, root, site } from "./browser.mjs";
+
+const LIMIT = 300;
+
+test(`no lesson is over ${LIMIT} kB compressed`, { skip: notRun() }, () => {
+  const weigh = path.join(root, "docs", "web", "weight.mjs");
+  const { status, stdout, stderr } = spawnSync(
+    process.execPath,
+    [weigh, "--site", site, "--limit", String(LIMIT)],
+    { encoding: "utf8" },
+  );
+  console.log(stdout.trim());
+  assert.equal(status, 0, stderr);
+  assert.match(stdout, /together +\d+\.\d kB/);
+});
