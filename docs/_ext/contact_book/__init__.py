@@ -19,7 +19,6 @@ from contact_book.chapter import (
 )
 from contact_book.exercise import Exercise
 from contact_book.exercise_data import connect as connect_exercise_data
-from contact_book.exercise_data import connect as connect_exercise_data
 from contact_book.fonts import copy_fonts, subset_fonts
 from contact_book.hard_cases import HardCases
 from contact_book.highlight import mark_less
@@ -71,7 +70,6 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.add_html_math_renderer("katex", (visit_inline, None), (visit_block, None))
     app.add_css_file("katex/katex.css")
     mark_less()
-    connect_exercise_data(app)
     connect_exercise_data(app)
     app.connect("builder-inited", name_authors_files)
     app.connect("builder-inited", copy_fonts)
