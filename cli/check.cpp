@@ -1,7 +1,11 @@
-// contact check: compile, link and run the student's copies against the tests.
+// contact check: compile, link and run the student's copies, or those in an archive, against the
+// tests.
+
+#include <algorithm>
 
 #include <nlohmann/json.hpp>
 
+#include "../grading/archive.hpp"
 #include "../grading/progress.hpp"
 #include "../grading/run.hpp"
 #include "commands.hpp"
@@ -27,6 +31,19 @@ struct Options {
 struct Job {
   const Exercise* exercise;
   fs::path file;
+  /// What a reader knows the file by, if not by its path.
+  std::string known_as = {};
+};
+
+// What is to be checked, and what is not.
+struct Task {
+  std::vector<Job> jobs;
+  /// Copies that are still as they were given, whose verdict is known.
+  std::vector<std::string> untouched;
+  /// The archive that the copies come from; empty if they are the student's own.
+  std::string archive;
+  /// Files of it that answer to no exercise of this book.
+  std::vector<std::string> unknown;
 };
 
 // A path to a file checks that file (an author's, say); a name checks the student's copy.
@@ -54,59 +71,93 @@ std::vector<Job> jobs_for(const grading::Book& book, const Options& options) {
   return jobs;
 }
 
-// What is started, in two parts: copies that were changed, and those that are still as they were
-// given, whose verdict is known.
-struct Started {
-  std::vector<Job> changed;
-  std::vector<std::string> untouched;
-};
-
-Started started(const grading::Book& book) {
-  Started result;
+// All that is started: copies that were changed, and those that are still as they were given.
+Task started(const grading::Book& book) {
+  Task task;
   for (const Exercise& exercise : book.exercises()) {
     if (!book.started(exercise)) continue;
     const fs::path copy = book.work_file(exercise);
     if (grading::read_text(copy) == grading::read_text(exercise.stub))
-      result.untouched.push_back(exercise.id());
+      task.untouched.push_back(exercise.id());
     else
-      result.changed.push_back({&exercise, copy});
+      task.jobs.push_back({&exercise, copy});
   }
-  return result;
+  return task;
 }
 
-int run(Context& context, const Options& options) {
-  const grading::Book& book = context.book();
-  std::vector<Job> jobs = jobs_for(book, options);
-  std::vector<std::string> untouched;
-  if (options.names.empty()) {
-    Started all = started(book);
-    jobs = std::move(all.changed);
-    untouched = std::move(all.untouched);
-  }
-  if (!untouched.empty() && !options.json)
-    note(std::to_string(untouched.size()) + (untouched.size() == 1 ? " copy is" : " copies are") +
-         " as given, so not attempted.");
-  for (const Job& job : jobs) {
-    if (!fs::exists(job.file)) {
-      note("You have not started " + job.exercise->id() + " yet: ./contact start " +
-           job.exercise->name);
-      return exit_not_passed;
+// The same of an archive, whose copies are put in a folder for the time of the check.
+Task archived(const grading::Book& book, const std::string& name, const fs::path& folder) {
+  if (!fs::exists(name)) throw grading::UnknownName("there is no file " + name);
+  const grading::Submission submission = grading::read_submission(name);
+  Task task;
+  task.archive = name;
+  for (const grading::ArchivedCopy& copy : submission.copies) {
+    const auto exercise =
+        std::find_if(book.exercises().begin(), book.exercises().end(),
+                     [&](const Exercise& candidate) { return candidate.id() == copy.id(); });
+    if (exercise == book.exercises().end()) {
+      task.unknown.push_back(copy.path());
+    } else if (copy.text == grading::read_text(exercise->stub)) {
+      task.untouched.push_back(copy.id());
+    } else {
+      const fs::path file = folder / copy.path();
+      fs::create_directories(file.parent_path());
+      grading::write_text(file, copy.text);
+      task.jobs.push_back({&*exercise, file, name + ":" + copy.path()});
     }
   }
-  if (jobs.empty()) {
-    if (untouched.empty())
-      note(
-          "Nothing is started yet. `contact list` shows what there is; `contact start EXERCISE` "
-          "begins.");
-    if (options.json)
-      say(nlohmann::json{{"format", "contact-check/1"},
-                         {"points", 0.0},
-                         {"max_points", 0.0},
-                         {"untouched", untouched},
-                         {"results", nlohmann::json::array()}}
-              .dump(2));
-    return exit_not_passed;
+  return task;
+}
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+}
+
+// A verdict that speaks of the file as the reader knows it, and not of where it was put.
+void rename_file(Verdict& verdict, const Job& job) {
+  std::vector<std::string*> texts{&verdict.file, &verdict.output};
+  for (std::string& warning : verdict.warnings) texts.push_back(&warning);
+  for (grading::TestVerdict& test : verdict.tests) texts.push_back(&test.failure.reason);
+  if (verdict.compile_error) {
+    grading::CompileError& error = *verdict.compile_error;
+    texts.insert(texts.end(), {&error.file, &error.message, &error.excerpt, &error.full});
   }
+  for (std::string* text : texts) replace_all(*text, job.file.string(), job.known_as);
+}
+
+struct Totals {
+  double points = 0.0;
+  double max_points = 0.0;
+  std::size_t passed = 0;
+  nlohmann::json results = nlohmann::json::array();
+};
+
+nlohmann::json json_of(const Task& task, const Totals& totals) {
+  nlohmann::json document = {{"format", "contact-check/1"},
+                             {"points", totals.points},
+                             {"max_points", totals.max_points},
+                             {"untouched", task.untouched},
+                             {"results", totals.results}};
+  if (!task.archive.empty()) {
+    document["archive"] = task.archive;
+    document["unknown"] = task.unknown;
+  }
+  return document;
+}
+
+void say_what_is_not_checked(const Task& task) {
+  const std::size_t count = task.untouched.size();
+  if (count > 0)
+    note(std::to_string(count) + (count == 1 ? " copy is" : " copies are") +
+         " as given, so not attempted.");
+  for (const std::string& path : task.unknown)
+    note("Skipped: " + path + " answers to no exercise of this book.");
+}
+
+Totals check_all(Context& context, const Options& options, const std::vector<Job>& jobs) {
+  const grading::Book& book = context.book();
   std::vector<const Exercise*> exercises;
   for (const Job& job : jobs) exercises.push_back(job.exercise);
   const grading::Limits limits = grading::limits_from_environment();
@@ -115,33 +166,59 @@ int run(Context& context, const Options& options) {
   if (!progress.notice().empty()) note(progress.notice());
 
   const Style style(stdout);
-  nlohmann::json results = nlohmann::json::array();
-  double points = 0.0;
-  double max_points = 0.0;
-  std::size_t passed = 0;
+  Totals totals;
   for (const Job& job : jobs) {
-    const Verdict verdict =
+    Verdict verdict =
         grading::check_file(context.loop(), book, build, *job.exercise, job.file, limits);
     if (job.file == book.work_file(*job.exercise)) progress.record(verdict);
-    passed += verdict.outcome == grading::Outcome::passed ? 1 : 0;
-    points += verdict.points;
-    max_points += verdict.max_points;
+    if (!job.known_as.empty()) rename_file(verdict, job);
+    totals.passed += verdict.outcome == grading::Outcome::passed ? 1 : 0;
+    totals.points += verdict.points;
+    totals.max_points += verdict.max_points;
     if (options.json)
-      results.push_back(grading::to_json(verdict));
+      totals.results.push_back(grading::to_json(verdict));
     else
       say(report(verdict, style, {options.full, options.all}) + (jobs.size() > 1 ? "\n" : ""));
   }
+  return totals;
+}
+
+int check(Context& context, const Options& options, const Task& task) {
+  if (!options.json) say_what_is_not_checked(task);
+  for (const Job& job : task.jobs) {
+    if (!fs::exists(job.file)) {
+      note("You have not started " + job.exercise->id() + " yet: ./contact start " +
+           job.exercise->name);
+      return exit_not_passed;
+    }
+  }
+  if (task.jobs.empty() && task.untouched.empty())
+    note(task.archive.empty() ? "Nothing is started yet. `contact list` shows what there is; "
+                                "`contact start EXERCISE` begins."
+                              : "There is nothing to check in " + shown(task.archive) + ".");
+  const Totals totals = task.jobs.empty() ? Totals{} : check_all(context, options, task.jobs);
   if (options.json)
-    say(nlohmann::json{{"format", "contact-check/1"},
-                       {"points", points},
-                       {"max_points", max_points},
-                       {"untouched", untouched},
-                       {"results", results}}
-            .dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
-  else if (jobs.size() > 1)
-    say(std::to_string(passed) + " of " + std::to_string(jobs.size()) + " exercises passed, " +
-        grading::points_text(points) + " of " + grading::points_text(max_points) + " points.");
-  return passed == jobs.size() ? exit_passed : exit_not_passed;
+    say(json_of(task, totals).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  else if (task.jobs.size() > 1)
+    say(std::to_string(totals.passed) + " of " + std::to_string(task.jobs.size()) +
+        " exercises passed, " + grading::points_text(totals.points) + " of " +
+        grading::points_text(totals.max_points) + " points.");
+  const bool well = !task.jobs.empty() && totals.passed == task.jobs.size() && task.unknown.empty();
+  return well ? exit_passed : exit_not_passed;
+}
+
+int run(Context& context, const Options& options) {
+  const grading::Book& book = context.book();
+  const bool archive =
+      std::any_of(options.names.begin(), options.names.end(),
+                  [](const std::string& name) { return grading::is_archive_name(name); });
+  if (!archive)
+    return check(context, options,
+                 options.names.empty() ? started(book) : Task{jobs_for(book, options), {}, {}, {}});
+  if (options.names.size() > 1)
+    throw grading::UnknownName("an archive is checked alone: give one name, and no exercises");
+  const grading::TemporaryFolder folder;
+  return check(context, options, archived(book, options.names.front(), folder.path()));
 }
 
 }  // namespace
@@ -152,7 +229,7 @@ void add_check(CLI::App& app, Action& action) {
       app.add_subcommand("check", "Check your copies; all that you have started if none is named");
   command->add_option("exercise", options->names,
                       "Exercises or chapters: ray_triangle, 02_triangles/ray_triangle, "
-                      "work/02_triangles/ray_triangle.cpp");
+                      "work/02_triangles/ray_triangle.cpp; or one archive, FILE.zip");
   command->add_flag("--json", options->json, "Print JSON");
   command->add_flag("--full", options->full,
                     "On a compile error, print all that the compiler said");

@@ -2,6 +2,7 @@
 
 // One file a command. Each adds its options to the command line and says what to run.
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -38,6 +39,8 @@ void add_hint(CLI::App& app, Action& action);
 void add_solution(CLI::App& app, Action& action);
 void add_reset(CLI::App& app, Action& action);
 void add_progress(CLI::App& app, Action& action);
+void add_export(CLI::App& app, Action& action);
+void add_import(CLI::App& app, Action& action);
 void add_ladder(CLI::App& app, Action& action);
 void add_new(CLI::App& app, Action& action);
 void add_doctor(CLI::App& app, Action& action);
@@ -46,5 +49,10 @@ void add_dev(CLI::App& app, Action& action);
 /// Copies the pristine stub to the student's folder unless a copy is there. Returns whether it made
 /// one.
 bool start_exercise(const grading::Book& book, const grading::Exercise& exercise);
+
+/// Keeps a text that is about to give way in work/.kept, under a name that nothing has yet.
+/// Returns where.
+std::filesystem::path keep_aside(const grading::Book& book, const std::string& chapter,
+                                 const std::string& name, const std::string& text);
 
 }  // namespace contact::cli

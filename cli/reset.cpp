@@ -21,15 +21,21 @@ std::string stamp() {
   return text.data();
 }
 
-// A name that nothing has yet: two resets in one second keep two copies.
-fs::path kept_path(const grading::Book& book, const grading::Exercise& exercise) {
-  const fs::path folder = book.work() / ".kept" / exercise.chapter;
-  const std::string base = exercise.name + "." + stamp();
-  fs::path candidate = folder / (base + ".cpp");
-  for (int i = 2; fs::exists(candidate); ++i)
-    candidate = folder / (base + "-" + std::to_string(i) + ".cpp");
-  return candidate;
+}  // namespace
+
+fs::path keep_aside(const grading::Book& book, const std::string& chapter, const std::string& name,
+                    const std::string& text) {
+  const fs::path folder = book.work() / ".kept" / chapter;
+  const std::string base = name + "." + stamp();
+  fs::path kept = folder / (base + ".cpp");
+  // Two in one second are two copies.
+  for (int i = 2; fs::exists(kept); ++i) kept = folder / (base + "-" + std::to_string(i) + ".cpp");
+  fs::create_directories(folder);
+  grading::write_text(kept, text);
+  return kept;
 }
+
+namespace {
 
 int run(Context& context, const std::string& name) {
   const grading::Book& book = context.book();
@@ -42,9 +48,7 @@ int run(Context& context, const std::string& name) {
       say(shown(copy) + " is as it was given; there is nothing to reset.");
       return exit_passed;
     }
-    const fs::path kept = kept_path(book, exercise);
-    fs::create_directories(kept.parent_path());
-    grading::write_text(kept, text);
+    const fs::path kept = keep_aside(book, exercise.chapter, exercise.name, text);
     grading::write_text(copy, stub);
     say("Your version is kept as " + shown(kept));
   } else {

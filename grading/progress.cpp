@@ -7,6 +7,8 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include "progress_merge.hpp"
+
 namespace fs = std::filesystem;
 
 namespace contact::grading {
@@ -88,6 +90,16 @@ int Progress::record_hint(const std::string& exercise) {
 
 void Progress::record_solution_shown(const std::string& exercise) {
   change([&](ProgressRecord& record) { record.record_solution_shown(exercise); });
+}
+
+std::vector<std::string> Progress::merge(const ProgressRecord& theirs) {
+  std::vector<std::string> changed;
+  change([&](ProgressRecord& record) {
+    ProgressRecord both = merged(record, theirs);
+    changed = changed_entries(record, both);
+    record = std::move(both);
+  });
+  return changed;
 }
 
 }  // namespace contact::grading

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "progress_record.hpp"
 
@@ -26,6 +27,8 @@ class Progress {
   /// Remembers that one more hint was shown and says how many that makes.
   int record_hint(const std::string& exercise);
   void record_solution_shown(const std::string& exercise);
+  /// Takes in another record of the same reader. Returns the exercises of which more is known now.
+  std::vector<std::string> merge(const ProgressRecord& theirs);
 
   /// A sentence about a broken file that was put aside; empty if all was well.
   [[nodiscard]] const std::string& notice() const { return notice_; }

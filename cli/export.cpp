@@ -1,0 +1,207 @@
+// contact export: the copies and the record of progress as one zip file, to carry to the page, to
+// another machine or to whoever grades.
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "../grading/archive.hpp"
+#include "../grading/progress.hpp"
+#include "commands.hpp"
+#include "terminal.hpp"
+
+namespace fs = std::filesystem;
+
+namespace contact::cli {
+
+namespace {
+
+using grading::ArchivedCopy;
+using grading::Book;
+using grading::Exercise;
+
+struct Options {
+  std::vector<std::string> words;
+  bool force = false;
+  bool json = false;
+};
+
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  localtime_r(&now, &parts);
+  std::array<char, 16> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%d", &parts);
+  return text.data();
+}
+
+struct Work {
+  std::vector<ArchivedCopy> copies;
+  /// Files of the student's folder that an archive has no place for.
+  std::vector<fs::path> left_out;
+};
+
+// Every copy there is, also of exercises that this book does not have. What begins with a dot is
+// ours or an editor's.
+Work all_work(const Book& book) {
+  Work work;
+  std::error_code error;
+  for (fs::recursive_directory_iterator at(book.work(), error), end; at != end;
+       at.increment(error)) {
+    const fs::path& path = at->path();
+    if (path.filename().string().front() == '.') {
+      at.disable_recursion_pending();
+      continue;
+    }
+    if (at->is_directory()) continue;
+    const std::string name = path.lexically_relative(book.work()).generic_string();
+    if (name.starts_with("progress.json")) continue;
+    std::optional<ArchivedCopy> copy;
+    if (name.ends_with(".cpp")) copy = grading::copy_from_id(name.substr(0, name.size() - 4));
+    if (copy && at->is_regular_file()) {
+      copy->text = grading::read_text(path);
+      work.copies.push_back(std::move(*copy));
+    } else {
+      work.left_out.push_back(path);
+    }
+  }
+  std::sort(work.left_out.begin(), work.left_out.end());
+  return work;
+}
+
+std::vector<const Exercise*> chosen(const Book& book, const std::vector<std::string>& names) {
+  std::vector<const Exercise*> exercises;
+  for (const std::string& name : names) {
+    const grading::Chapter* chapter = book.find_chapter(name);
+    if (chapter == nullptr || book.find_exercise(name) != nullptr) {
+      exercises.push_back(&book.exercise(name));
+      continue;
+    }
+    for (const Exercise* exercise : book.exercises_of(*chapter)) {
+      if (book.started(*exercise)) exercises.push_back(exercise);
+    }
+  }
+  return exercises;
+}
+
+// Of the record, what is said of these exercises.
+grading::ProgressRecord record_of(const grading::ProgressRecord& record,
+                                  const std::vector<ArchivedCopy>& copies) {
+  nlohmann::json document = grading::ProgressRecord().document();
+  const nlohmann::json& all = record.document()["exercises"];
+  for (const ArchivedCopy& copy : copies) {
+    if (all.contains(copy.id())) document["exercises"][copy.id()] = all[copy.id()];
+  }
+  return grading::ProgressRecord(std::move(document));
+}
+
+// What is at `file` stays under another name; returns that name.
+fs::path put_aside(const fs::path& file) {
+  fs::path aside;
+  for (int i = 1; aside.empty() || fs::exists(aside); ++i)
+    aside = file.parent_path() /
+            (file.stem().string() + ".old-" + std::to_string(i) + file.extension().string());
+  // A copy, so that at no moment is there no archive under the name.
+  fs::copy_file(file, aside);
+  return aside;
+}
+
+int run(Context& context, const Options& options) {
+  const Book& book = context.book();
+  std::vector<std::string> names = options.words;
+  fs::path file = "contact-work-" + today() + ".zip";
+  if (!names.empty() && names.front().ends_with(".zip")) {
+    file = names.front();
+    names.erase(names.begin());
+  }
+  file = fs::absolute(file).lexically_normal();
+  if (!fs::is_directory(file.parent_path()))
+    throw grading::BookError("there is no folder " + shown(file.parent_path()));
+  if (fs::exists(file) && !fs::is_regular_file(file))
+    throw grading::BookError(shown(file) + " is there and is not a file");
+  if (fs::exists(file) && !options.force)
+    throw grading::BookError(shown(file) +
+                             " is there already. Give another name, or --force, which keeps it "
+                             "aside under another name");
+
+  const grading::Progress progress(book.work());
+  if (!progress.notice().empty()) note(progress.notice());
+  grading::Submission submission;
+  submission.exported = grading::now_utc();
+  submission.from = "contact";
+  Work work;
+  if (names.empty()) {
+    work = all_work(book);
+    submission.progress = progress.known();
+  } else {
+    std::set<std::string> seen;
+    for (const Exercise* exercise : chosen(book, names)) {
+      if (!book.started(*exercise)) {
+        note("You have not started " + exercise->id() +
+             " yet, so nothing is exported: ./contact start " + exercise->name);
+        return exit_not_passed;
+      }
+      if (!seen.insert(exercise->id()).second) continue;
+      work.copies.push_back(
+          {exercise->chapter, exercise->name, grading::read_text(book.work_file(*exercise))});
+    }
+    submission.progress = record_of(progress.known(), work.copies);
+  }
+  submission.copies = std::move(work.copies);
+  std::sort(submission.copies.begin(), submission.copies.end(),
+            [](const ArchivedCopy& a, const ArchivedCopy& b) { return a.path() < b.path(); });
+  if (submission.copies.empty() &&
+      submission.progress->document() == grading::ProgressRecord().document()) {
+    note("Nothing is started yet, so there is nothing to export.");
+    return exit_not_passed;
+  }
+
+  const std::string bytes = grading::submission_bytes(submission);
+  const fs::path aside = fs::exists(file) ? put_aside(file) : fs::path();
+  grading::write_text(file, bytes);
+
+  if (options.json) {
+    nlohmann::json ids = nlohmann::json::array();
+    for (const ArchivedCopy& copy : submission.copies) ids.push_back(copy.id());
+    nlohmann::json left_out = nlohmann::json::array();
+    for (const fs::path& path : work.left_out) left_out.push_back(path.string());
+    nlohmann::json document = {{"format", "contact-export/1"},
+                               {"file", file.string()},
+                               {"exercises", ids},
+                               {"left_out", left_out}};
+    if (!aside.empty()) document["kept"] = aside.string();
+    say(document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    return exit_passed;
+  }
+  for (const fs::path& path : work.left_out)
+    note("Not in the archive, for it is no copy of an exercise: " + printable(shown(path)));
+  if (!aside.empty()) say("The archive that was there is kept as " + shown(aside));
+  say(shown(file) + ": " + std::to_string(submission.copies.size()) +
+      (submission.copies.size() == 1 ? " copy" : " copies") + " and your progress, " +
+      std::to_string((bytes.size() + 1023) / 1024) + " KiB");
+  return exit_passed;
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, Action& action) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("export", "Your copies and progress as one zip file (never overwrites)");
+  command
+      ->add_option("file_and_exercises", options->words,
+                   "The file, ending in .zip (contact-work-DATE.zip if none is named), then "
+                   "exercises or chapters; all your copies if none is named")
+      ->option_text("[FILE.zip] [EXERCISE ...]");
+  command->add_flag("--force", options->force,
+                    "Take the name of a file that is there; it is kept as FILE.old-1.zip");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->callback([&action, options] {
+    action = [options](Context& context) { return run(context, *options); };
+  });
+}
+
+}  // namespace contact::cli
