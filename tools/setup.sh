@@ -17,6 +17,7 @@ program|libcli11-dev|header CLI/CLI.hpp|cli11|CLI11: the program's command line
 program|nlohmann-json3-dev|header nlohmann/json.hpp|nlohmann-json|JSON for Modern C++
 program|libtomlplusplus-dev|header toml++/toml.h|tomlplusplus|toml++: reads chapter.toml and its like
 program|libuv1-dev|header uv.h|libuv|libuv: processes, time limits and file events
+program|libarchive-dev|header archive.h|libarchive|libarchive: reads and writes archives of a reader's work
 program|libboost-dev|header boost/multiprecision/gmp.hpp|boost|Boost.Multiprecision: the exact oracle
 program|libgmp-dev|header gmp.h|gmp|GMP: integers and fractions of any size
 program|libmpfr-dev|header mpfr.h|mpfr|MPFR: directed rounding
@@ -37,7 +38,7 @@ END
 setup_header_there() {
   for setup_dir in /usr/include /usr/include/eigen3 /usr/include/*-linux-gnu* /usr/local/include \
     /usr/local/include/eigen3 /opt/homebrew/include /opt/homebrew/include/eigen3 /opt/local/include \
-    /opt/local/include/eigen3; do
+    /opt/local/include/eigen3 /usr/local/opt/libarchive/include /opt/homebrew/opt/libarchive/include; do
     [ -e "$setup_dir/$1" ] && return
   done
   return 1
