@@ -1,5 +1,6 @@
 // An answer's verdict from its WebAssembly program, in Node, with a time limit for each test.
 import { Worker } from "node:worker_threads";
+import { watchTests } from "./test_watch.mjs";
 
 /** @typedef {import('./test_program.mjs').Event} Event */
 /** @typedef {{ test: string, status: import('./test_program.mjs').Status,
@@ -11,60 +12,27 @@ import { Worker } from "node:worker_threads";
  * @returns {Promise<Verdict[]>} one for each test, in order
  */
 export async function check(program, tests, { seconds = 5, seed } = {}) {
-  /** @type {Map<string, Verdict>} */
-  const verdicts = new Map();
-  let left = tests;
-  while (left.length > 0) {
-    const late = await run(program, left, seconds, seed, (verdict) =>
-      verdicts.set(verdict.test, verdict),
-    );
-    if (late !== undefined) {
-      const got = `took longer than ${seconds} s`;
-      verdicts.set(late, {
-        test: late,
-        status: "stopped",
-        failure: { asked: "", inputs: [], got, right: "" },
-      });
-    }
-    left = left.filter((test) => !verdicts.has(test));
-    if (late === undefined && left.length > 0)
-      throw new Error(`the program did not run these tests: ${left.join("; ")}`);
-  }
-  return tests.map((test) => /** @type {Verdict} */ (verdicts.get(test)));
+  const { results } = await watchTests(spawn(program, seed), tests, { seconds });
+  return tests.map((test) => {
+    const result = results.find(({ name }) => name === test);
+    // As the judge says it (grading/verdict.cpp).
+    const failure = { asked: "", inputs: [], reason: "this test did not run" };
+    if (!result) return { test, status: "stopped", failure };
+    const { status } = result;
+    return { test, status, ...(result.failure ? { failure: result.failure } : {}) };
+  });
 }
 
 /**
- * @param {Uint8Array} program @param {string[]} tests @param {number} seconds
- * @param {string | undefined} seed @param {(verdict: Verdict) => void} tell
- * @returns {Promise<string | undefined>} the test that ran out of time, if one did
+ * @param {Uint8Array} program @param {string | undefined} seed
+ * @returns {import('./test_watch.mjs').Spawn}
  */
-function run(program, tests, seconds, seed, tell) {
-  return new Promise((resolve, reject) => {
-    const worker = new Worker(new URL("test_worker.mjs", import.meta.url), {
-      workerData: { program, tests, ...(seed === undefined ? {} : { seed }) },
-    });
-    /** @type {NodeJS.Timeout | undefined} */
-    let clock;
-    worker.on("message", (message) => {
-      const event = /** @type {Event} */ (message);
-      clearTimeout(clock);
-      if (event.event === "start") {
-        clock = setTimeout(() => {
-          void worker.terminate();
-          resolve(event.test);
-        }, seconds * 1000);
-      } else if (event.event === "end") {
-        const { test, status, failure } = event;
-        tell({ test, status, ...(failure ? { failure } : {}) });
-      }
-    });
-    worker.on("error", (error) => {
-      clearTimeout(clock);
-      reject(error);
-    });
-    worker.on("exit", () => {
-      clearTimeout(clock);
-      resolve(undefined);
-    });
-  });
+function spawn(program, seed) {
+  return ({ tests, questions }, tell, fail) => {
+    const workerData = { program, tests, options: { seed, questions } };
+    const worker = new Worker(new URL("test_worker.mjs", import.meta.url), { workerData });
+    worker.on("message", tell);
+    worker.on("error", fail);
+    return { end: () => void worker.terminate() };
+  };
 }

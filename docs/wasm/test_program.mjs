@@ -1,13 +1,31 @@
 // Runs the tests of an exercise, compiled to WebAssembly with an answer, in this thread. Works in Node and in a
-// browser's worker. The program reports as its native twin does: one JSON object a line (tests/support/runner.cpp).
-import { ConsoleStdout, File, OpenFile, PreopenDirectory, WASI } from "@bjorn3/browser_wasi_shim";
+// browser's worker. The program reports as its native twin does: one JSON object a line (tests/support/runner.cpp);
+// how it can end otherwise is told in the words of grading/run.cpp.
+import {
+  ConsoleStdout,
+  File,
+  OpenFile,
+  PreopenDirectory,
+  WASI,
+  WASIProcExit,
+} from "@bjorn3/browser_wasi_shim";
 
-/** @typedef {{ asked: string, inputs: { name: string, text: string }[], got: string, right: string,
- *              allowed?: string, misconception?: string }} Failure */
+/** @typedef {{ asked: string, inputs: { name: string, text: string }[], got?: string, right?: string,
+ *              allowed?: string, misconception?: string, reason?: string }} Failure */
 /** @typedef {'passed' | 'failed' | 'not_attempted' | 'stopped'} Status */
 /** @typedef {{ event: 'start', test: string }
  *   | { event: 'end', test: string, status: Status, seconds: number, failure?: Failure }
- *   | { event: 'done' }} Event */
+ *   | { event: 'question', failure: Failure }
+ *   | { event: 'printed', to: 'output' | 'errors', bytes: Uint8Array<ArrayBuffer> }
+ *   | { event: 'unstarted', reason: string }
+ *   | { event: 'done' }} Event
+ *  `question`: what is about to be asked, if that is to be told; `unstarted`: the program dies before any test of
+ *  those that are left begins. */
+/** @typedef {{ seed?: string | undefined, outputLimit?: number, questions?: boolean }} Options
+ *  `outputLimit`: bytes that an answer may print; `questions`: tell each before it is asked */
+
+/** Bytes that a student's program may print, to each stream, before it is stopped. */
+export const outputLimit = 1 << 20;
 
 /** Writes through to a function instead of keeping the bytes. */
 class Pipe extends OpenFile {
@@ -49,106 +67,204 @@ function lines(take) {
 /** Catch2 reads these as parts of a pattern. @param {string} name */
 const escaped = (name) => name.replace(/[\\,[\]*"~]/g, (sign) => `\\${sign}`);
 
-/** The last things that the code under test printed: shown if it stops. */
-const keptOutput = 4000;
+/** An assertion that failed, as the page's C library tells it: what, in which file. */
+const assertionLine = /^Assertion failed: (.*) \(([^()\n]*): [^()\n]*: \d+\)$/m;
+
+/** What a student's program printed on its errors, without the line that already stands in the reason.
+ * @param {string} errors */
+export const withoutAssertion = (errors) =>
+  errors
+    .split(/(?<=\n)/)
+    .filter((line) => !assertionLine.test(line.trimEnd()))
+    .join("");
 
 /**
- * What a trap means, in words. @param {unknown} error
+ * Why the program aborted, from what it printed last: the sentence of an assertion or of an exception that nobody
+ * caught, as a native program's would be.
+ * @param {string} errors
  */
-export function trapText(error) {
-  const text = String(error instanceof Error ? error.message : error);
-  if (/call stack|stack overflow/i.test(text))
-    return "crashed: the stack overflowed (endless recursion?)";
-  if (/out of bounds|memory access/i.test(text))
-    return "crashed: it used memory that is not its own";
-  if (/divide by zero|remainder by zero/i.test(text))
-    return "crashed: an integer was divided by zero";
-  if (/unreachable/i.test(text))
-    return "crashed: the program ended itself (abort, assertion or broken rule)";
-  return `crashed: ${text}`;
+function abortText(errors) {
+  const thrown =
+    /libc\+\+abi: terminating due to uncaught exception(?: of type (.+?))?(?:: (.*))?$/m;
+  const exception = thrown.exec(errors);
+  if (exception) {
+    const [, type = "an unknown type", what] = exception;
+    const said = what === undefined ? "" : `   what():  ${what}`;
+    return `aborted: terminate called after throwing an instance of '${type}'${said}`;
+  }
+  const assertion = assertionLine.exec(errors);
+  if (!assertion) return undefined;
+  const [, what = "", file = ""] = assertion;
+  // Most assertions that a student meets are a library's own, about an index or an empty container.
+  const whose = file.includes("/Eigen/")
+    ? "Eigen found a wrong index or size: "
+    : file.includes("/c++/")
+      ? "the standard library found a wrong index or an empty container: "
+      : "";
+  return `aborted: ${whose}Assertion \`${what.slice(0, 400)}' failed.`;
 }
 
+const sentences = {
+  memory:
+    "segmentation fault: it touched memory that is not its own (an index out of range, an empty optional or " +
+    "container, or a function that calls itself without end)",
+  abort: "aborted: it called abort(), or an exception left a noexcept function",
+  division: "arithmetic fault: an integer was divided by zero",
+  unreachable:
+    "illegal instruction: often the end of a function that promises a value and returns none",
+  output: "it printed without end and was stopped",
+};
+
+/** @param {number} seconds */
+export const timeText = (seconds) =>
+  `no answer after ${seconds} ${seconds === 1 ? "second" : "seconds"}: an endless loop, or far too much work`;
+
 /**
- * Runs the named tests, each in the order given. A test in which the program dies is "stopped", and those after
- * it run in a fresh instance.
- * @param {WebAssembly.Module} program
- * @param {string[]} tests
- * @param {(event: Event) => void} tell
- * @param {{ seed?: string }} [options]
+ * What a trap means, in words, whichever browser tells it.
+ * @param {unknown} error @param {string} errors what the program printed there
  */
-export async function runTests(program, tests, tell, { seed } = {}) {
-  let left = [...tests];
-  while (left.length > 0) {
-    /** @type {string | undefined} */
-    let running;
-    let started = 0;
-    let output = "";
-    const printed = () =>
-      new ConsoleStdout((bytes) => {
-        output = (output + new TextDecoder().decode(bytes)).slice(-keptOutput);
-      });
-    const events = new PipeFile(
-      lines((line) => {
-        const event = /** @type {Event} */ (JSON.parse(line));
-        if (event.event === "start") {
-          running = event.test;
-          started = performance.now();
-          left = left.filter((name) => name !== event.test);
-        } else if (event.event === "end") {
-          running = undefined;
-        } else {
-          return;
-        }
-        tell(event);
-      }),
-    );
-    const stop = (/** @type {string} */ why) => {
-      const test = running ?? left.shift();
-      if (test === undefined) return;
-      if (running === undefined) tell({ event: "start", test });
-      const got = output.trim() === "" ? why : `${why}\n${output.trim()}`;
-      const seconds = running === undefined ? 0 : (performance.now() - started) / 1000;
-      tell({
-        event: "end",
-        test,
-        status: "stopped",
-        seconds,
-        failure: { asked: "", inputs: [], got, right: "" },
-      });
-      running = undefined;
-    };
-    const before = left.length;
+export function trapText(error, errors = "") {
+  const text = String(error instanceof Error ? error.message : error);
+  const aborted = abortText(errors);
+  if (aborted) return aborted;
+  if (/unreachable/i.test(text)) return sentences.unreachable;
+  if (/zero|unrepresentable/i.test(text)) return sentences.division;
+  if (/call stack|recursion|bounds|memory access|table|indirect|null|signature/i.test(text))
+    return sentences.memory;
+  if (/exception/i.test(text)) return "aborted: an exception was thrown and nobody caught it";
+  return `stopped: ${text}`;
+}
+
+/** The exit code of a program that aborts (128 and the signal's number). */
+const abortCode = 134;
+
+/** A program in this thread, from its start to its end. */
+class Run {
+  /** @type {string | undefined} the test that has begun and not ended */
+  running;
+  /** Tests that have ended. @type {Set<string>} */
+  ended = new Set();
+  done = false;
+  /** @type {number | undefined} */
+  exitCode;
+  tooMuch = false;
+  /** The end of what was printed on standard error. */
+  errors = "";
+  #started = 0;
+
+  /** @param {(event: Event) => void} tell @param {Options} options */
+  constructor(tell, options) {
+    this.tell = tell;
+    this.options = options;
+  }
+
+  /** @param {string} line */
+  #event(line) {
+    const event = /** @type {Event} */ (JSON.parse(line));
+    if (event.event === "start") {
+      this.running = event.test;
+      this.#started = performance.now();
+    } else if (event.event === "end") {
+      this.running = undefined;
+      this.ended.add(event.test);
+    } else if (event.event === "done") {
+      this.done = true;
+      return;
+    }
+    this.tell(event);
+  }
+
+  /** @param {'output' | 'errors'} to */
+  #stream(to) {
+    const decoder = new TextDecoder();
+    const limit = this.options.outputLimit ?? outputLimit;
+    let length = 0;
+    return new ConsoleStdout((bytes) => {
+      length += bytes.length;
+      if (length > limit) {
+        this.tooMuch = true;
+        throw new Error(sentences.output);
+      }
+      if (to === "errors")
+        this.errors = (this.errors + decoder.decode(bytes, { stream: true })).slice(-4000);
+      this.tell({ event: "printed", to, bytes: bytes.slice() });
+    });
+  }
+
+  /** Runs the tests until the program ends, one way or another; says why, or nothing if all is well.
+   * @param {WebAssembly.Module} program @param {readonly string[]} tests
+   * @returns {Promise<string | undefined>} */
+  async start(program, tests) {
+    const events = new PipeFile(lines((line) => this.#event(line)));
+    const { seed } = this.options;
     const wasi = new WASI(
-      ["tests", "-r", "contact::out=/events", left.map(escaped).join(",")],
+      ["tests", "-r", "contact::out=/events", tests.map(escaped).join(",")],
       seed === undefined ? [] : [`CONTACT_SEED=${seed}`],
       [
         new OpenFile(new File([])),
-        printed(),
-        printed(),
+        this.#stream("output"),
+        this.#stream("errors"),
         new PreopenDirectory("/", new Map([["events", events]])),
       ],
       { debug: false },
     );
+    // Remembered here: on its way out the error passes code that may turn it into an abort.
+    wasi.wasiImport["proc_exit"] = (/** @type {number} */ code) => {
+      this.exitCode ??= code;
+      throw new WASIProcExit(code);
+    };
     try {
       const instance = await WebAssembly.instantiate(program, {
         wasi_snapshot_preview1: wasi.wasiImport,
       });
       // The types of the shim ask for what only a running program can have.
       wasi.start(/** @type {any} */ (instance));
-      if (running !== undefined) stop("ended the program");
     } catch (error) {
-      stop(trapText(error));
+      return this.#why(error);
     }
-    if (left.length === before) {
-      // Nothing ran and nothing died: these names are not in the program.
-      for (const test of left) {
-        running = undefined;
-        output = "";
-        left = [test];
-        stop("this test is not in the program");
-      }
-      left = [];
+    return this.done ? undefined : this.#why(undefined);
+  }
+
+  /** @param {unknown} error */
+  #why(error) {
+    if (this.tooMuch) return sentences.output;
+    if (this.exitCode === abortCode) return abortText(this.errors) ?? sentences.abort;
+    if (this.exitCode !== undefined || error === undefined)
+      return `the program ended by itself (exit code ${this.exitCode ?? 0}): does your code call exit()?`;
+    return trapText(error, this.errors);
+  }
+
+  /** The running test ends here. @param {string} reason */
+  stop(reason) {
+    const test = this.running;
+    if (test === undefined) return;
+    const seconds = (performance.now() - this.#started) / 1000;
+    const failure = { asked: "", inputs: [], reason };
+    this.running = undefined;
+    this.ended.add(test);
+    this.tell({ event: "end", test, status: "stopped", seconds, failure });
+  }
+}
+
+/**
+ * Runs the named tests, in the order of the program. A test in which the program dies is "stopped", and those
+ * after it run in a fresh instance. A test that the program does not have is not told of.
+ * @param {WebAssembly.Module} program
+ * @param {readonly string[]} tests
+ * @param {(event: Event) => void} tell
+ * @param {Options} [options]
+ */
+export async function runTests(program, tests, tell, options = {}) {
+  for (let left = tests; left.length > 0; ) {
+    const run = new Run(tell, options);
+    const reason = await run.start(program, left);
+    if (reason === undefined) break;
+    run.stop(reason);
+    if (run.ended.size === 0) {
+      tell({ event: "unstarted", reason: `before the test began: ${reason}` });
+      break;
     }
+    left = left.filter((name) => !run.ended.has(name));
   }
   tell({ event: "done" });
 }

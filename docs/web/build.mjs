@@ -144,6 +144,10 @@ async function scripts() {
   const entries = [
     { in: path.join(here, "src", "contact.ts"), out: "contact" },
     { in: path.join(here, "src", "ladder-worker.ts"), out: "ladder-worker" },
+    ...["compile-worker", "run-worker", "program-worker"].map((name) => ({
+      in: path.join(here, "src", "cpp", `${name}.ts`),
+      out: name,
+    })),
     ...figures().map(({ name, source }) => ({ in: source, out: `figures/${name}` })),
   ];
   const collect = {

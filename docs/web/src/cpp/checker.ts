@@ -1,6 +1,12 @@
 // Checks an answer in the page. One checker serves all exercises of a page: one download, one compiler.
 
+import { abortable } from "./abort.ts";
+import { Downloads, openStore } from "./download.ts";
+import { loadJudge } from "./judge.ts";
+import { Runners } from "./runner.ts";
+import { Toolchain } from "./toolchain.ts";
 import {
+  type BookData,
   CheckerError,
   type CheckOptions,
   type ExerciseData,
@@ -10,13 +16,13 @@ import {
   type VerdictJson,
 } from "./types.ts";
 
+interface Parts {
+  readonly downloads: Downloads;
+  readonly toolchain: Toolchain;
+}
+
 export class Checker {
   static readonly #all = new Map<string, Checker>();
-  readonly #base: string;
-
-  private constructor(base: string) {
-    this.#base = base;
-  }
 
   /** The checker of a page; `base` is the address of …/_static/contact/. */
   static for(base: string): Checker {
@@ -26,27 +32,117 @@ export class Checker {
     return known;
   }
 
+  readonly #base: string;
+  readonly #parts: Promise<Parts>;
+  readonly #runners: Runners;
+  readonly #judges = new Map<string, Promise<Judge>>();
+  #judgeParts: Promise<[WebAssembly.Module, BookData]> | undefined;
+
+  private constructor(base: string) {
+    this.#base = base;
+    this.#runners = new Runners(new URL("run-worker.js", base).href);
+    this.#parts = this.#open();
+  }
+
+  async #open(): Promise<Parts> {
+    const folder = new URL("cpp/", this.#base).href;
+    const store = await openStore();
+    const downloads = new Downloads(folder, { fetch: globalThis.fetch.bind(globalThis), store });
+    const script = new URL("compile-worker.js", this.#base).href;
+    return { downloads, toolchain: new Toolchain(downloads, folder, script) };
+  }
+
   /** What is still to be downloaded. Never downloads the toolchain. */
-  size(): Promise<Size> {
-    return Promise.reject(new CheckerError(`Nothing can be checked at ${this.#base} yet.`));
+  async size(): Promise<Size> {
+    return (await this.#parts).toolchain.size();
   }
 
   /** Downloads and starts what a check needs, so that the first check is quick. */
-  prepare(_tell: Tell, _signal?: AbortSignal): Promise<void> {
-    return Promise.reject(new CheckerError(`Nothing can be checked at ${this.#base} yet.`));
+  async prepare(tell: Tell, signal?: AbortSignal): Promise<void> {
+    const { toolchain } = await this.#parts;
+    await toolchain.ready(tell, signal);
+    this.#runners.prepare();
+    toolchain.warm();
   }
 
-  check(
-    _data: ExerciseData,
-    _source: string,
-    _tell: Tell,
-    _options: CheckOptions = {},
+  /** From a text to its verdict. A signal that is aborted stops whatever is being done for this check alone. */
+  async check(
+    data: ExerciseData,
+    source: string,
+    tell: Tell,
+    { seed, signal, onTest }: CheckOptions = {},
   ): Promise<VerdictJson> {
-    return Promise.reject(new CheckerError(`Nothing can be checked at ${this.#base} yet.`));
+    signal?.throwIfAborted();
+    const { downloads, toolchain } = await this.#parts;
+    const { exercises } = await abortable(toolchain.manifest(), signal);
+    const shipped = exercises[data.id];
+    if (!shipped)
+      throw new CheckerError("The tests of this exercise are not in this copy of the book.");
+    // Small, so side by side with the rest.
+    const small = Promise.all([downloads.bytes(shipped), this.judge(data)]);
+    small.catch(() => {}); // told below, when its turn comes
+    await toolchain.ready(tell, signal);
+    const [tests, judge] = await abortable(small, signal);
+    this.#runners.prepare();
+
+    const build = { exercise: data.id, files: data.files, source, tests };
+    const built = await toolchain.build(build, tell, signal);
+    const file = `work/${data.id}.cpp`;
+    const { compile, link } = built;
+    if (!built.ok) {
+      const verdict = judge.uncompiled(data.id, { ...built, source });
+      return { ...verdict, file, seconds: { compile, link, run: 0 } };
+    }
+    tell({ step: "run" });
+    const began = performance.now();
+    const order = {
+      program: built.program,
+      // The judge knows the tests in their order: without results all are missing.
+      tests: judge.judge(data.id, []).tests.map(({ name }) => name),
+      seconds: timeLimit(data),
+      seed,
+    };
+    const { results, output } = await this.#runners.run(order, {
+      onStart: (test) => tell({ step: "run", test }),
+      onTest: (result) => onTest?.(result),
+      signal,
+    });
+    const run = (performance.now() - began) / 1000;
+    const verdict = judge.judge(data.id, results, { source, log: built.log, output });
+    return { ...verdict, file, seconds: { compile, link, run } };
   }
 
-  /** The judge alone (about 100 kB), without the compiler. */
-  judge(_data: ExerciseData): Promise<Judge> {
-    return Promise.reject(new CheckerError(`Nothing can be checked at ${this.#base} yet.`));
+  /** The judge alone, without the compiler. */
+  judge(data: ExerciseData): Promise<Judge> {
+    const known = this.#judges.get(data.id);
+    if (known) return known;
+    const judge = this.#newJudge(data);
+    this.#judges.set(data.id, judge);
+    judge.catch(() => this.#judges.delete(data.id));
+    return judge;
   }
+
+  async #newJudge(data: ExerciseData): Promise<Judge> {
+    this.#judgeParts ??= this.#loadJudgeParts().catch((error: unknown) => {
+      this.#judgeParts = undefined;
+      throw error;
+    });
+    const [module, book] = await this.#judgeParts;
+    return loadJudge(module, { ...book.files, ...data.files });
+  }
+
+  async #loadJudgeParts(): Promise<[WebAssembly.Module, BookData]> {
+    const { downloads, toolchain } = await this.#parts;
+    const file = (await toolchain.manifest()).files["judge.wasm"];
+    if (!file) throw new CheckerError("This copy of the book was built without its judge.");
+    const wasm = downloads.bytes(file).then((bytes) => WebAssembly.compile(bytes));
+    return Promise.all([wasm, downloads.json<BookData>("../exercises/book.json")]);
+  }
+}
+
+/** Seconds that one test may take, as exercise.toml says; else what the native check allows. */
+function timeLimit({ id, files }: ExerciseData): number {
+  const toml = files[`exercises/${id}/exercise.toml`] ?? "";
+  const [top = ""] = toml.split(/^\[\[/m);
+  return Number(/^time_limit\s*=\s*([\d.]+)/m.exec(top)?.[1] ?? 5);
 }

@@ -187,6 +187,15 @@ export interface ProgressRecord {
   readonly exercises: Readonly<Record<string, unknown>>;
 }
 
+/** What else is known of a file whose tests ran. */
+export interface Ran {
+  /** The student's text, and what the compiler said of it: warnings then have their place. */
+  readonly source?: string;
+  readonly log?: string;
+  /** What the student's program printed. */
+  readonly output?: string;
+}
+
 /** A source file that came to nothing. */
 export interface Uncompiled {
   readonly step: "compile" | "link";
@@ -199,7 +208,7 @@ export interface Uncompiled {
 
 /** The book's own judge (grading/verdict.cpp and its kin, as WebAssembly). Every call is over at once. */
 export interface Judge {
-  judge(id: string, results: readonly TestResult[]): VerdictJson;
+  judge(id: string, results: readonly TestResult[], ran?: Ran): VerdictJson;
   uncompiled(id: string, what: Uncompiled): VerdictJson;
   /** The record after a check, a hint, a look at the solution. */
   record(progress: ProgressRecord, verdict: VerdictJson, now: string): ProgressRecord;
