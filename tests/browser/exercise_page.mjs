@@ -214,12 +214,12 @@ export function exerciseOn(page, id) {
   const messages = () =>
     element.locator(".messages > li").evaluateAll((rows) =>
       rows.map((row) => {
-        const details = row.querySelector("details");
-        const original = details?.textContent ?? "";
+        const said = (/** @type {string} */ part) => row.querySelector(part)?.textContent ?? "";
         return {
-          words: (row.textContent ?? "").replace(original, "").replace(/\s+/g, " ").trim(),
-          original: original.replace(/\s+/g, " ").trim(),
-          open: details?.open,
+          place: said(".place"),
+          words: said(".words"),
+          original: said("details > :not(summary)"),
+          open: row.querySelector("details")?.open,
         };
       }),
     );
