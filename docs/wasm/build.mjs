@@ -1,4 +1,4 @@
-// node docs/wasm/build.mjs figures|ladders|exercises|all [--only NAME] [--out build/web] [--workers N] [--json]
+// node docs/wasm/build.mjs figures|ladders|toolchain|all [--only NAME] [--out build/web] [--workers N] [--quiet]
 //
 // Compiles what the page runs. What has not changed is taken from build/wasm-cache. Exit code 0: all there;
 // 1: something does not compile (the rest is built all the same); 2: wrong usage.
@@ -8,14 +8,17 @@ import { parseArgs } from "node:util";
 import { gzipSync } from "node:zlib";
 import { inRoot, root, shown } from "./paths.mjs";
 import { makeAll } from "./pool.mjs";
-import { exercises, figures, ladders } from "./products.mjs";
+import { figures, ladders } from "./products.mjs";
 import { key, made, prune, writeWhole } from "./recipes.mjs";
+import { ship, toolchainRecipes } from "./toolchain.mjs";
 
 /** @typedef {import('./products.mjs').Product} Product */
+/** @typedef {import('./recipes.mjs').Recipe} Recipe */
 
-const kinds = { figures, ladders, exercises };
+/** @type {Record<string, () => Product[]>} what becomes one file each */
+const kinds = { figures, ladders, toolchain: () => [] };
 const usage =
-  "usage: node docs/wasm/build.mjs figures|ladders|exercises|all [--only NAME] [--out FOLDER] " +
+  "usage: node docs/wasm/build.mjs figures|ladders|toolchain|all [--only NAME] [--out FOLDER] " +
   "[--workers N] [--quiet]";
 
 /** @param {string[]} args @returns {Promise<number>} the exit code */
@@ -31,7 +34,9 @@ async function main(args) {
   const { kind, only, out, workers, quiet } = given;
   const start = performance.now();
   /** @type {Product[]} */
-  const all = kind === "all" ? Object.values(kinds).flatMap((list) => list()) : kinds[kind]();
+  const all = Object.entries(kinds).flatMap(([name, list]) =>
+    kind === "all" || kind === name ? list() : [],
+  );
   const products = only
     ? all.filter(({ name }) => name === only || name.startsWith(`${only}/`))
     : all;
@@ -43,8 +48,9 @@ async function main(args) {
     return 2;
   }
 
+  const withToolchain = (kind === "toolchain" || kind === "all") && only === undefined;
   const { built, failed } = await makeAll(
-    products.map(({ recipe }) => recipe),
+    [...products.map(({ recipe }) => recipe), ...(withToolchain ? toolchainRecipes() : [])],
     {
       workers,
       onDone: ({ recipe, ok, log, seconds }, left) => {
@@ -63,35 +69,47 @@ async function main(args) {
     },
   );
 
-  let written = 0;
   /** @type {Set<string>} */
   const told = new Set();
+  const isThere = (/** @type {Recipe} */ recipe) => {
+    const why = failed.get(key(recipe));
+    if (why !== undefined && !told.has(why)) console.error(`\n${why}`);
+    if (why !== undefined) told.add(why);
+    return why === undefined;
+  };
+  let written = 0;
+  const say = (
+    /** @type {string} */ file,
+    /** @type {number} */ bytes,
+    /** @type {number} */ sent,
+  ) => {
+    ++written;
+    if (!quiet) console.log(`${shown(file)}  ${bytes} bytes, ${sent} compressed`);
+  };
   for (const { output, recipe } of products) {
-    const name = key(recipe);
-    const why = failed.get(name);
-    if (why !== undefined) {
-      if (!told.has(why)) console.error(`\n${why}`);
-      told.add(why);
-      continue;
-    }
+    if (!isThere(recipe)) continue;
     const target = path.join(out, output);
-    const bytes = made(name);
+    const bytes = made(key(recipe));
     // A file that is right already keeps its date, so that what depends on it rests.
     if (!fs.existsSync(target) || !fs.readFileSync(target).equals(bytes)) writeWhole(target, bytes);
-    ++written;
-    if (!quiet) {
-      const zipped = gzipSync(bytes, { level: 9 }).length;
-      console.log(`${shown(target)}  ${bytes.length} bytes, ${zipped} compressed`);
-    }
+    say(target, bytes.length, quiet ? 0 : gzipSync(bytes, { level: 9 }).length);
+  }
+  let wanted = products.length;
+  if (withToolchain) {
+    const { files, exercises } = await ship(out, isThere);
+    const shipped = [...Object.values(files), ...Object.values(exercises)];
+    for (const { file, bytes, transfer } of shipped)
+      say(path.join(out, "cpp", file), bytes, transfer);
+    wanted += shipped.length;
   }
   writeNotices(out);
   prune(14);
   const seconds = ((performance.now() - start) / 1000).toFixed(1);
   console.log(
-    `${written} of ${products.length} ${kind === "all" ? "products" : kind} in ${seconds} s ` +
+    `${written} of ${wanted} ${kind === "all" || kind === "toolchain" ? "products" : kind} in ${seconds} s ` +
       `(${built} steps made, the rest from the cache)`,
   );
-  return written === products.length ? 0 : 1;
+  return failed.size === 0 ? 0 : 1;
 }
 
 /** The licences of what is linked into every module, in one file beside them. @param {string} out */

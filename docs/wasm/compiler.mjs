@@ -87,7 +87,58 @@ const mends = [
     }
     this.file.data.set(contents, offset);`,
   },
+  {
+    why: "it fetches its parts under their own names, and a page keeps them under names that tell their content",
+    from: `var modules = async (fetch3) => ({
+  "llvm.core.wasm": await fetch3(new URL("./llvm.core.wasm", import.meta.url)).then(compileWasmModule),
+  "llvm.core2.wasm": await fetch3(new URL("./llvm.core2.wasm", import.meta.url)).then(compileWasmModule),
+  "llvm.core3.wasm": await fetch3(new URL("./llvm.core3.wasm", import.meta.url)).then(compileWasmModule),
+  "llvm.core4.wasm": await fetch3(new URL("./llvm.core4.wasm", import.meta.url)).then(compileWasmModule)
+});
+var filesystem = async (fetch3) => ({
+  "usr": await fetch3(new URL("./llvm-resources.tar", import.meta.url)).then((resp) => resp.arrayBuffer()).then(unpackTarFilesystem)
+});`,
+    to: `var supplied;
+var modules = async () => supplied.modules;
+var filesystem = async () => supplied.files;
+async function start(parts) {
+  supplied = parts;
+  await runLLVM(null, {}, { fetchProgress() {} });
+}`,
+  },
+  {
+    why: "the same",
+    from: `  if (!getCoreModule) getCoreModule = (name) => fetchCompile(new URL(\`./\${name}\`, import.meta.url));
+`,
+    to: "",
+  },
+  {
+    why: "the same",
+    from: `export {
+  Exit,
+  commands,`,
+    to: `export {
+  Exit,
+  start,
+  unpackTarFilesystem as openTar,
+  commands,`,
+  },
 ];
+
+/** The compiler's modules of WebAssembly, and the tar of its headers and libraries. */
+export const coreNames = [
+  "llvm.core.wasm",
+  "llvm.core2.wasm",
+  "llvm.core3.wasm",
+  "llvm.core4.wasm",
+];
+const resources = "llvm-resources.tar";
+
+/** A file of the package, as published. @param {string} name */
+const published = (name) => fs.readFileSync(path.join(packageDir(), "gen", name));
+
+/** @param {string} name one of coreNames */
+export const coreModule = (name) => published(name);
 
 /** The package's program text with the faults mended. @param {string} source */
 export function mended(source) {
@@ -99,30 +150,27 @@ export function mended(source) {
   return source;
 }
 
-/** Makes (once) a folder with the mended program beside links to the package's large files. */
+/** The program text of the compiler as a page may have it: `start` is given what it needs, and it fetches nothing. */
+export const mendedProgram = () => mended(published("bundle.js").toString("utf8"));
+
+/** Writes the mended program where Node can import it. @returns {string} its address */
 function mendedCopy() {
-  const source = path.join(packageDir(), "gen");
-  const target = path.join(cacheDir, `compiler-${compilerVersion()}`);
-  const bundle = path.join(target, "bundle.mjs");
-  fs.mkdirSync(target, { recursive: true });
-  const text = mended(fs.readFileSync(path.join(source, "bundle.js"), "utf8"));
-  for (const name of fs.readdirSync(source)) {
-    const link = path.join(target, name);
-    if (name === "bundle.js") continue;
-    if (fs.existsSync(link)) continue;
-    fs.rmSync(link, { force: true }); // a link whose target has moved
-    try {
-      fs.symlinkSync(path.join(source, name), link);
-    } catch (error) {
-      if (/** @type {NodeJS.ErrnoException} */ (error).code !== "EEXIST") throw error;
-    }
-  }
-  if (!fs.existsSync(bundle) || fs.readFileSync(bundle, "utf8") !== text) {
-    const part = `${bundle}.${process.pid}`;
+  const file = path.join(cacheDir, `compiler-${compilerVersion()}.mjs`);
+  const text = mendedProgram();
+  if (!fs.existsSync(file) || fs.readFileSync(file, "utf8") !== text) {
+    fs.mkdirSync(cacheDir, { recursive: true });
+    const part = `${file}.${process.pid}`;
     fs.writeFileSync(part, text);
-    fs.renameSync(part, bundle);
+    fs.renameSync(part, file);
   }
-  return pathToFileURL(bundle).href;
+  return pathToFileURL(file).href;
+}
+
+/** The headers and libraries of the package, as a tree. @returns {Promise<Tree>} */
+export async function resourceTree() {
+  const { openTar } = await import(mendedCopy());
+  const bytes = published(resources);
+  return openTar(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength));
 }
 
 /** @type {Promise<any> | undefined} */
@@ -131,9 +179,15 @@ let loading;
 /** Loads the compiler: about a second, once in a process. */
 async function loaded() {
   loading ??= (async () => {
-    const module = await import(mendedCopy());
-    await module.runLLVM(null, {}, { fetchProgress() {} });
-    return module;
+    const llvm = await import(mendedCopy());
+    const modules = await Promise.all(
+      coreNames.map(async (name) => [name, await WebAssembly.compile(coreModule(name))]),
+    );
+    await llvm.start({
+      modules: Object.fromEntries(modules),
+      files: { usr: await resourceTree() },
+    });
+    return llvm;
   })();
   return loading;
 }

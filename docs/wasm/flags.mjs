@@ -116,7 +116,11 @@ export const diagnosticFlags = ["-fdiagnostics-print-source-range-info"];
 export const quiet = ["-w"];
 
 /** The tests of exercises and Catch2; warnings are the native build's to give. */
-export const testFlags = [...studentFlags, ...quiet, "-DCATCH_CONFIG_NO_POSIX_SIGNALS"];
+export const testFlags = [
+  ...studentFlags.filter((flag) => !flag.startsWith("-fsanitize")),
+  ...quiet,
+  "-DCATCH_CONFIG_NO_POSIX_SIGNALS",
+];
 
 /** The runtime for exceptions, as its own build has it. */
 const runtimeDefines = [

@@ -2,13 +2,14 @@
 import fs from "node:fs";
 import path from "node:path";
 import {
-  checkFlags,
   figureFlags,
+  mergeLink,
   moduleLink,
   pageFlags,
   programLink,
-  quiet,
   runtimeFlags,
+  studentFlags,
+  testFlags,
 } from "./flags.mjs";
 import { inRoot } from "./paths.mjs";
 
@@ -53,7 +54,7 @@ const pagePrelude = (flags) => ({
 export const checkPrelude = {
   tool: "precompile",
   what: "the prelude of the exercises",
-  flags: checkFlags,
+  flags: studentFlags,
   folders: [inRoot("grading")],
   source: inRoot("grading", "contact", "prelude.hpp"),
 };
@@ -149,9 +150,6 @@ export const exceptionRuntime = (() => {
   };
 })();
 
-/** Warnings are the native build's to give. */
-const testFlags = [...checkFlags, ...quiet];
-
 /** Where tools/fetch_catch2_source.sh puts Catch2's two amalgamated files. */
 export const catch2Source = inRoot("build", "catch2", "extras", "catch_amalgamated.cpp");
 
@@ -197,6 +195,12 @@ export function checkLibraries() {
   return [...support, catch2(), exceptionRuntime];
 }
 
+/** What the tests of every exercise are linked with, in one object. @returns {Recipe} */
+export function checksObject() {
+  const parts = checkLibraries().flatMap((part) => (part.tool === "archive" ? part.parts : [part]));
+  return { tool: "link", what: "what all tests are linked with", ...mergeLink, parts };
+}
+
 /** @typedef {{ name: string, slug: string, folder: string, test: string }} Exercise
  *   `folder` holds the contract, `test` is the file of its tests */
 
@@ -236,6 +240,9 @@ export const testObject = (exercise) => ({
   pch: checkPrelude,
 });
 
+/** Where a student's file may look beside the folder of its contract: the prelude, the shared shapes; no tests. */
+export const studentFolders = [inRoot("grading"), inRoot("chapters", "00_vectors")];
+
 /**
  * An answer (stub, solution, wrong or a student's) linked with an exercise's tests.
  * @param {Exercise} exercise @param {string} answer its .cpp @returns {Recipe}
@@ -247,25 +254,15 @@ export function checkProgram(exercise, answer) {
     tool: "compile",
     what,
     language: "c++",
-    flags: testFlags,
+    flags: studentFlags,
     source: answer,
     pch: checkPrelude,
-    // The student's side sees the contract, the prelude and the shared shapes; no tests.
-    folders: [exercise.folder, inRoot("grading"), inRoot("chapters", "00_vectors")],
+    folders: [exercise.folder, ...studentFolders],
   };
   return {
     tool: "link",
     what,
     ...programLink,
-    parts: [object, testObject(exercise), ...checkLibraries()],
+    parts: [object, testObject(exercise), checksObject()],
   };
 }
-
-/** What the page needs of each exercise. @returns {Product[]} */
-export const exercises = () => [
-  ...exerciseList().map((exercise) => ({
-    name: exercise.name,
-    output: `exercises/${exercise.name}.o`,
-    recipe: testObject(exercise),
-  })),
-];

@@ -85,7 +85,7 @@ export function prune(days) {
 /** @typedef {import('./compiler.mjs').Tree} Tree */
 
 /** @param {Tree} tree @param {string} file @param {Uint8Array} bytes */
-function put(tree, file, bytes) {
+export function put(tree, file, bytes) {
   const parts = file.split("/");
   const name = /** @type {string} */ (parts.pop());
   let folder = tree;
