@@ -1,10 +1,46 @@
-// A listing that is wider than the page can be reached and scrolled from the keyboard.
-const reach = () => {
-  for (const pre of document.querySelectorAll("div.highlight > pre")) {
-    if (pre.scrollWidth > pre.clientWidth) pre.tabIndex = 0;
-    else pre.removeAttribute("tabindex");
+// On every page, and not a module, so that it also runs in a page that was opened from a file.
+{
+  // A listing that is wider than the page can be reached and scrolled from the keyboard.
+  const reach = () => {
+    for (const pre of document.querySelectorAll("div.highlight > pre")) {
+      if (pre.scrollWidth > pre.clientWidth) pre.tabIndex = 0;
+      else pre.removeAttribute("tabindex");
+    }
+  };
+  addEventListener("resize", reach);
+  document.fonts.ready.then(reach);
+  reach();
+
+  /** The site's root, as the page names it. */
+  const root = new URL(document.documentElement.dataset.content_root ?? "./", document.baseURI);
+
+  // Keeps what is read, so that it can be read again offline (docs/web/src/offline/sw.ts).
+  const keep = async () => {
+    const workers = navigator.serviceWorker;
+    const early = workers.controller !== null;
+    await workers.register(new URL("sw.js", root));
+    await workers.ready;
+    if (early) return;
+    // The worker has not seen this page being loaded.
+    const addresses = performance.getEntriesByType("resource").map(({ name }) => name);
+    (await workers.ready).active.postMessage({ kind: "visited", addresses });
+  };
+  if (location.protocol.startsWith("http") && "serviceWorker" in navigator) {
+    const quietly = () => keep().catch(() => {});
+    if (document.readyState === "complete") quietly();
+    else addEventListener("load", quietly);
   }
-};
-addEventListener("resize", reach);
-document.fonts.ready.then(reach);
-reach();
+
+  // A browser runs no module and fetches nothing for a page that was opened from a file.
+  if (location.protocol === "file:") {
+    const note = document.createElement("aside");
+    note.className = "opened-from-file";
+    note.setAttribute("aria-label", "Opened from a file");
+    note.innerHTML = `<p><strong>This page was opened from a file.</strong> It shows the text and the
+      pictures, but runs nothing: figures do not move, and questions and exercises are not checked,
+      because browsers allow no scripts of this kind there.</p><p>In the project’s folder,
+      <code>./contact serve</code> shows the book as it is meant. Any other web server does as well:
+      in the folder of these pages, <code>python3 -m http.server</code>.</p>`;
+    (document.querySelector("[role=main]") ?? document.body).prepend(note);
+  }
+}

@@ -114,7 +114,7 @@ body[data-theme="dark"]{${variables(DARK)}}
 @media(forced-colors:active){body,body[data-theme]{${variables(FORCED)}}}
 contact-figure .stage{${drawingRules}}
 ${roles}
-${fs.readFileSync(path.join(here, "src", "contact.css"), "utf8")}`;
+${["contact.css", "exercise.css"].map((name) => fs.readFileSync(path.join(here, "src", name), "utf8")).join("\n")}`;
 }
 
 /** The libraries inside the page's script, with their licences. */
@@ -137,6 +137,19 @@ function notices() {
   return texts.join(`\n${"-".repeat(78)}\n\n`);
 }
 
+/** One file by itself; the pages' build puts it at the site's root, so that all of the site is its own. */
+async function serviceWorker() {
+  const { outputFiles = [] } = await build({
+    ...common,
+    splitting: false,
+    format: "iife",
+    minify: true,
+    entryPoints: [path.join(here, "src", "offline", "sw.ts")],
+    outfile: path.join(out, "sw.js"),
+  });
+  return outputFiles.filter(({ path: file, contents }) => write(file, contents)).length > 0;
+}
+
 /** Names of packages whose code is in the bundle. @type {Set<string>} */
 const used = new Set();
 
@@ -144,6 +157,7 @@ async function scripts() {
   const entries = [
     { in: path.join(here, "src", "contact.ts"), out: "contact" },
     { in: path.join(here, "src", "ladder-worker.ts"), out: "ladder-worker" },
+    { in: path.join(here, "src", "contact-work.ts"), out: "contact-work" },
     ...["compile-worker", "run-worker", "program-worker"].map((name) => ({
       in: path.join(here, "src", "cpp", `${name}.ts`),
       out: name,
@@ -170,6 +184,7 @@ async function scripts() {
     metafile: true,
     plugins: [collect],
   });
+  if (await serviceWorker()) written += 1;
   const { code } = await transform(styles(), {
     loader: "css",
     minify: true,

@@ -31,6 +31,7 @@ from contact_book.live_figure import LiveFigure
 from contact_book.locations import name_authors_files
 from contact_book.maths import visit_block, visit_inline
 from contact_book.nodes import component, slot
+from contact_book.offline import write_offline
 
 DIRECTIVES = {
     "live-figure": LiveFigure,
@@ -82,4 +83,5 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.connect("html-page-context", plain_captions, priority=900)
     app.connect("build-finished", name_columns)
     app.connect("build-finished", subset_fonts)
+    app.connect("build-finished", write_offline, priority=900)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,60 @@
+"""What the service worker needs: itself at the site's root, and the list of the site's files.
+
+offline.json names each file with the start of its SHA-256 and its sizes (docs/web/src/offline/list.ts).
+The compiler's files are not in it: it has a manifest of its own.
+"""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import json
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+from sphinx.application import Sphinx
+
+WORKER = "sw.js"
+LIST = "offline.json"
+_COMPILER = "_static/contact/cpp/"
+_HASH_LENGTH = 16
+# What a server does not compress again.
+_COMPRESSED = {".woff2", ".png", ".gz"}
+
+
+def kept_files(site: Path) -> Iterator[tuple[str, Path]]:
+    """The files that a reader may need, by their path in the site."""
+    for file in sorted(site.rglob("*")):
+        path = file.relative_to(site).as_posix()
+        hidden = any(part.startswith(".") for part in file.relative_to(site).parts)
+        if not file.is_file() or hidden or path.startswith((_COMPILER, "_sources/")):
+            continue
+        if path not in (WORKER, LIST, "objects.inv") and not path.endswith("/" + WORKER):
+            yield path, file
+
+
+def entry(file: Path) -> dict[str, str | int]:
+    content = file.read_bytes()
+    small = content if file.suffix in _COMPRESSED else gzip.compress(content, 6, mtime=0)
+    digest = hashlib.sha256(content).hexdigest()[:_HASH_LENGTH]
+    return {"hash": digest, "bytes": len(content), "transfer": len(small)}
+
+
+def offline_list(site: Path) -> str:
+    """The list as JSON: the same for the same files, whenever they were written."""
+    files = {path: entry(file) for path, file in kept_files(site)}
+    rows = json.dumps(files, separators=(",", ":"))
+    version = hashlib.sha256(rows.encode()).hexdigest()[:_HASH_LENGTH]
+    return f'{{"format":"contact-offline/1","version":"{version}","files":{rows}}}\n'
+
+
+def write_offline(app: Sphinx, error: Exception | None) -> None:
+    """The last step of a build: after it nothing in the site changes."""
+    if error is not None or app.builder.name != "html":
+        return
+    site = Path(app.outdir)
+    worker = Path(app.config.contact_web) / WORKER
+    if worker.is_file():
+        shutil.copyfile(worker, site / WORKER)
+    (site / LIST).write_text(offline_list(site), encoding="utf-8")
