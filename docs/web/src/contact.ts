@@ -1,5 +1,6 @@
 // The page's one script: it only names the elements. What an element needs it loads when it is used.
 
+import { ContactExercise } from "./contact-exercise.ts";
 import { ContactFigure } from "./contact-figure.ts";
 import { ContactLadder } from "./contact-ladder.ts";
 import { ContactQuestion } from "./contact-question.ts";
@@ -7,3 +8,4 @@ import { ContactQuestion } from "./contact-question.ts";
 customElements.define("contact-figure", ContactFigure);
 customElements.define("contact-question", ContactQuestion);
 customElements.define("contact-ladder", ContactLadder);
+customElements.define("contact-exercise", ContactExercise);
