@@ -19,11 +19,13 @@
     const workers = navigator.serviceWorker;
     const early = workers.controller !== null;
     await workers.register(new URL("sw.js", root));
-    await workers.ready;
+    const { active } = await workers.ready;
     if (early) return;
-    // The worker has not seen this page being loaded.
-    const addresses = performance.getEntriesByType("resource").map(({ name }) => name);
-    (await workers.ready).active.postMessage({ kind: "visited", addresses });
+    // The worker has not seen this page being loaded, nor what is still on its way to it.
+    new PerformanceObserver((list) => {
+      const addresses = list.getEntries().map(({ name }) => name);
+      active.postMessage({ kind: "visited", addresses });
+    }).observe({ type: "resource", buffered: true });
   };
   if (location.protocol.startsWith("http") && "serviceWorker" in navigator) {
     const quietly = () => keep().catch(() => {});

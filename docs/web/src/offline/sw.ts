@@ -127,7 +127,9 @@ async function tidy(): Promise<void> {
 
 /** A page that was loaded before this worker: keeps it, and what it has loaded so far. */
 async function visited({ id, url }: Client, addresses: readonly string[]): Promise<void> {
-  const list = await shelf.refresh();
+  const pinned = pins.get(id) ?? shelf.refresh();
+  pins.set(id, pinned);
+  const list = await pinned;
   if (!list) return;
   const keep = async (address: string): Promise<boolean> => {
     const path = shelf.path(address);
