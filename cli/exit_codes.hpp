@@ -7,7 +7,7 @@ enum ExitCode : int {
   exit_passed = 0,        ///< all that was asked for is well
   exit_not_passed = 1,    ///< a test failed, was not attempted or could not be compiled
   exit_usage = 2,         ///< the command line was not understood
-  exit_trouble = 3,       ///< the set-up or the book's files must be put right first
+  exit_trouble = 3,       ///< the set-up, the book's files or an archive must be put right first
   exit_interrupted = 130  ///< Ctrl-C
 };
 

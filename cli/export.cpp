@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <optional>
 #include <set>
 
 #include <nlohmann/json.hpp>
@@ -40,35 +41,44 @@ std::string today() {
 
 struct Work {
   std::vector<ArchivedCopy> copies;
+  grading::ProgressRecord record;
   /// Files of the student's folder that an archive has no place for.
   std::vector<fs::path> left_out;
 };
 
-// Every copy there is, also of exercises that this book does not have. What begins with a dot is
-// ours or an editor's.
-Work all_work(const Book& book) {
-  Work work;
+// What begins with a dot is ours or an editor's.
+std::vector<fs::path> visible(const fs::path& folder) {
+  std::vector<fs::path> paths;
   std::error_code error;
-  for (fs::recursive_directory_iterator at(book.work(), error), end; at != end;
-       at.increment(error)) {
-    const fs::path& path = at->path();
-    if (path.filename().string().front() == '.') {
-      at.disable_recursion_pending();
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    if (entry.path().filename().string().front() != '.') paths.push_back(entry.path());
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+// Every copy there is, also of exercises that this book does not have.
+Work all_work(const Book& book, const grading::ProgressRecord& record) {
+  Work work;
+  work.record = record;
+  for (const fs::path& chapter : visible(book.work())) {
+    if (!fs::is_directory(chapter)) {
+      // Also those that were broken and put aside.
+      if (!chapter.filename().string().starts_with("progress.json"))
+        work.left_out.push_back(chapter);
       continue;
     }
-    if (at->is_directory()) continue;
-    const std::string name = path.lexically_relative(book.work()).generic_string();
-    if (name.starts_with("progress.json")) continue;
-    std::optional<ArchivedCopy> copy;
-    if (name.ends_with(".cpp")) copy = grading::copy_from_id(name.substr(0, name.size() - 4));
-    if (copy && at->is_regular_file()) {
-      copy->text = grading::read_text(path);
-      work.copies.push_back(std::move(*copy));
-    } else {
-      work.left_out.push_back(path);
+    for (const fs::path& file : visible(chapter)) {
+      std::optional<ArchivedCopy> copy =
+          grading::copy_from_id(chapter.filename().string() + "/" + file.stem().string());
+      if (copy && file.extension() == ".cpp" && fs::is_regular_file(file)) {
+        copy->text = grading::read_text(file);
+        work.copies.push_back(std::move(*copy));
+      } else {
+        work.left_out.push_back(file);
+      }
     }
   }
-  std::sort(work.left_out.begin(), work.left_out.end());
   return work;
 }
 
@@ -87,15 +97,27 @@ std::vector<const Exercise*> chosen(const Book& book, const std::vector<std::str
   return exercises;
 }
 
-// Of the record, what is said of these exercises.
-grading::ProgressRecord record_of(const grading::ProgressRecord& record,
-                                  const std::vector<ArchivedCopy>& copies) {
-  nlohmann::json document = grading::ProgressRecord().document();
+// The copies of these exercises and what the record says of them, and nothing else.
+std::optional<Work> some_work(const Book& book, const std::vector<std::string>& names,
+                              const grading::ProgressRecord& record) {
+  Work work;
+  nlohmann::json document = work.record.document();
   const nlohmann::json& all = record.document()["exercises"];
-  for (const ArchivedCopy& copy : copies) {
-    if (all.contains(copy.id())) document["exercises"][copy.id()] = all[copy.id()];
+  std::set<std::string> seen;
+  for (const Exercise* exercise : chosen(book, names)) {
+    const std::string id = exercise->id();
+    if (!book.started(*exercise)) {
+      note("You have not started " + id + " yet, so nothing is exported: ./contact start " +
+           exercise->name);
+      return {};
+    }
+    if (!seen.insert(id).second) continue;
+    work.copies.push_back(
+        {exercise->chapter, exercise->name, grading::read_text(book.work_file(*exercise))});
+    if (all.contains(id)) document["exercises"][id] = all[id];
   }
-  return grading::ProgressRecord(std::move(document));
+  work.record = grading::ProgressRecord(std::move(document));
+  return work;
 }
 
 // What is at `file` stays under another name; returns that name.
@@ -109,6 +131,33 @@ fs::path put_aside(const fs::path& file) {
   return aside;
 }
 
+// Where to write, which is free unless --force was given.
+fs::path target(const fs::path& name, bool force) {
+  fs::path file = fs::absolute(name).lexically_normal();
+  if (!fs::is_directory(file.parent_path()))
+    throw grading::BookError("there is no folder " + shown(file.parent_path()));
+  if (fs::exists(file) && !fs::is_regular_file(file))
+    throw grading::BookError(shown(file) + " is there and is not a file");
+  if (fs::exists(file) && !force)
+    throw grading::BookError(shown(file) +
+                             " is there already. Give another name, or --force, which keeps it "
+                             "aside under another name");
+  return file;
+}
+
+nlohmann::json json_of(const Work& work, const fs::path& file, const fs::path& aside) {
+  nlohmann::json ids = nlohmann::json::array();
+  for (const ArchivedCopy& copy : work.copies) ids.push_back(copy.id());
+  nlohmann::json left_out = nlohmann::json::array();
+  for (const fs::path& path : work.left_out) left_out.push_back(path.string());
+  nlohmann::json document = {{"format", "contact-export/1"},
+                             {"file", file.string()},
+                             {"exercises", ids},
+                             {"left_out", left_out}};
+  if (!aside.empty()) document["kept"] = aside.string();
+  return document;
+}
+
 int run(Context& context, const Options& options) {
   const Book& book = context.book();
   std::vector<std::string> names = options.words;
@@ -117,44 +166,17 @@ int run(Context& context, const Options& options) {
     file = names.front();
     names.erase(names.begin());
   }
-  file = fs::absolute(file).lexically_normal();
-  if (!fs::is_directory(file.parent_path()))
-    throw grading::BookError("there is no folder " + shown(file.parent_path()));
-  if (fs::exists(file) && !fs::is_regular_file(file))
-    throw grading::BookError(shown(file) + " is there and is not a file");
-  if (fs::exists(file) && !options.force)
-    throw grading::BookError(shown(file) +
-                             " is there already. Give another name, or --force, which keeps it "
-                             "aside under another name");
+  file = target(file, options.force);
 
   const grading::Progress progress(book.work());
   if (!progress.notice().empty()) note(progress.notice());
-  grading::Submission submission;
-  submission.exported = grading::now_utc();
-  submission.from = "contact";
-  Work work;
-  if (names.empty()) {
-    work = all_work(book);
-    submission.progress = progress.known();
-  } else {
-    std::set<std::string> seen;
-    for (const Exercise* exercise : chosen(book, names)) {
-      if (!book.started(*exercise)) {
-        note("You have not started " + exercise->id() +
-             " yet, so nothing is exported: ./contact start " + exercise->name);
-        return exit_not_passed;
-      }
-      if (!seen.insert(exercise->id()).second) continue;
-      work.copies.push_back(
-          {exercise->chapter, exercise->name, grading::read_text(book.work_file(*exercise))});
-    }
-    submission.progress = record_of(progress.known(), work.copies);
-  }
-  submission.copies = std::move(work.copies);
-  std::sort(submission.copies.begin(), submission.copies.end(),
-            [](const ArchivedCopy& a, const ArchivedCopy& b) { return a.path() < b.path(); });
-  if (submission.copies.empty() &&
-      submission.progress->document() == grading::ProgressRecord().document()) {
+  const std::optional<Work> work =
+      names.empty() ? all_work(book, progress.known()) : some_work(book, names, progress.known());
+  if (!work) return exit_not_passed;
+  grading::Submission submission{grading::now_utc(), "contact", {}, work->copies};
+  if (work->record.document() != grading::ProgressRecord().document())
+    submission.progress = work->record;
+  if (submission.copies.empty() && !submission.progress) {
     note("Nothing is started yet, so there is nothing to export.");
     return exit_not_passed;
   }
@@ -164,23 +186,15 @@ int run(Context& context, const Options& options) {
   grading::write_text(file, bytes);
 
   if (options.json) {
-    nlohmann::json ids = nlohmann::json::array();
-    for (const ArchivedCopy& copy : submission.copies) ids.push_back(copy.id());
-    nlohmann::json left_out = nlohmann::json::array();
-    for (const fs::path& path : work.left_out) left_out.push_back(path.string());
-    nlohmann::json document = {{"format", "contact-export/1"},
-                               {"file", file.string()},
-                               {"exercises", ids},
-                               {"left_out", left_out}};
-    if (!aside.empty()) document["kept"] = aside.string();
-    say(document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    say(json_of(*work, file, aside).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     return exit_passed;
   }
-  for (const fs::path& path : work.left_out)
+  for (const fs::path& path : work->left_out)
     note("Not in the archive, for it is no copy of an exercise: " + printable(shown(path)));
   if (!aside.empty()) say("The archive that was there is kept as " + shown(aside));
-  say(shown(file) + ": " + std::to_string(submission.copies.size()) +
-      (submission.copies.size() == 1 ? " copy" : " copies") + " and your progress, " +
+  say(shown(file) + ": " + std::to_string(work->copies.size()) +
+      (work->copies.size() == 1 ? " copy" : " copies") +
+      (submission.progress ? " and your progress, " : ", ") +
       std::to_string((bytes.size() + 1023) / 1024) + " KiB");
   return exit_passed;
 }
@@ -197,7 +211,7 @@ void add_export(CLI::App& app, Action& action) {
                    "exercises or chapters; all your copies if none is named")
       ->option_text("[FILE.zip] [EXERCISE ...]");
   command->add_flag("--force", options->force,
-                    "Take the name of a file that is there; it is kept as FILE.old-1.zip");
+                    "Take the name of a file that is there; it is kept as NAME.old-1.zip");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([&action, options] {
     action = [options](Context& context) { return run(context, *options); };

@@ -36,7 +36,7 @@ constexpr const char* footer =
     "  0    all that was asked for is well: every test passed\n"
     "  1    a test failed, was not attempted, or the file does not compile\n"
     "  2    the command line was not understood\n"
-    "  3    the set-up or the book's own files must be put right first\n"
+    "  3    the set-up, the book's own files or an archive must be put right first\n"
     "  130  Ctrl-C\n"
     "\n"
     "CONTACT_WORK is the folder of your copies (work/ if unset); CONTACT_MEMORY_MB limits your "

@@ -144,7 +144,8 @@ Reader open(const std::string& bytes) {
 std::string path_of(archive_entry* entry) {
   const char* path = archive_entry_pathname_utf8(entry);
   if (path == nullptr) path = archive_entry_pathname(entry);
-  if (path == nullptr) throw ArchiveError("an entry's name cannot be read");
+  if (path == nullptr)
+    throw ArchiveError("an entry whose name is not in plain letters has no place in it");
   return path;
 }
 
@@ -323,8 +324,8 @@ std::optional<ArchivedCopy> copy_from_id(std::string_view id) {
 
 std::string problem_of_text(std::string_view text) {
   if (text.size() > most_in_file) return "is larger than " + mebibytes(most_in_file);
-  if (text.find('\0') != std::string_view::npos) return "is not text: it has a zero byte";
-  return is_utf8(text) ? "" : "is not text in UTF-8";
+  if (!is_utf8(text)) return "is not text in UTF-8";
+  return text.find('\0') == std::string_view::npos ? "" : "is not text: it has a zero byte";
 }
 
 Submission read_submission(const fs::path& file) {
