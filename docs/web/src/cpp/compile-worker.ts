@@ -27,11 +27,20 @@ const scope = globalThis as unknown as Scope<ToCompiler, FromCompiler>;
 const post = (message: FromCompiler, transfer: Transferable[] = []): void =>
   scope.postMessage(message, transfer);
 
+let turn = Promise.resolve();
+
+// One after the other: a build that follows the precompiled header waits until that is opened.
 scope.onmessage = ({ data }) => {
-  handle(data).catch((error: unknown) => {
-    const sentence = error instanceof CheckerError ? error.message : "";
-    post({ kind: "failed", sentence, why: error instanceof Error ? error.message : String(error) });
-  });
+  turn = turn
+    .then(() => handle(data))
+    .catch((error: unknown) => {
+      const sentence = error instanceof CheckerError ? error.message : "";
+      post({
+        kind: "failed",
+        sentence,
+        why: error instanceof Error ? error.message : String(error),
+      });
+    });
 };
 
 let compiler: Compiler | undefined;
