@@ -32,10 +32,13 @@ from contact_book.locations import name_authors_files
 from contact_book.maths import visit_block, visit_inline
 from contact_book.nodes import component, slot
 from contact_book.offline import write_offline
+from contact_book.your_work import YourWork
+from contact_book.your_work import read_again as read_your_work_again
 
 DIRECTIVES = {
     "live-figure": LiveFigure,
     "exercise": Exercise,
+    "your-work": YourWork,
     "question": Question,
     "recall": Recall,
     "ladder": Ladder,
@@ -76,6 +79,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.connect("builder-inited", copy_fonts)
     app.connect("builder-inited", copy_components)
     app.connect("env-get-outdated", read_again)
+    app.connect("env-get-outdated", read_your_work_again)
     app.connect("source-read", append_frame)
     app.connect("source-read", depend_on_headers)
     app.connect("doctree-read", place_head)

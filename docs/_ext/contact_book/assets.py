@@ -9,8 +9,12 @@ from typing import Any
 from docutils import nodes
 from sphinx.application import Sphinx
 
+from contact_book.your_work import PAGE as YOUR_WORK
+
 SCRIPT = "contact/contact.js"
 STYLE = "contact/contact.css"
+WORK_SCRIPT = "contact/contact-work.js"
+WORK_STYLE = "work.css"
 
 
 def sync(source: Path, target: Path, pattern: str = "*") -> int:
@@ -48,9 +52,14 @@ def add_script(
     """The script is a module, so it is deferred; pages without components do not load it."""
     if doctree is None or app.builder.name == "epub":
         return
-    if "contact-components" not in app.env.metadata.get(page, {}):
-        return
-    if (Path(app.config.contact_web) / "contact.css").is_file():
-        app.add_css_file(STYLE)
-    if (Path(app.config.contact_web) / "contact.js").is_file():
-        app.add_js_file(SCRIPT, type="module")
+    about = app.env.metadata.get(page, {})
+    web = Path(app.config.contact_web)
+    if "contact-components" in about:
+        if (web / "contact.css").is_file():
+            app.add_css_file(STYLE)
+        if (web / "contact.js").is_file():
+            app.add_js_file(SCRIPT, type="module")
+    if YOUR_WORK in about:
+        app.add_css_file(WORK_STYLE)
+        if (web / "contact-work.js").is_file():
+            app.add_js_file(WORK_SCRIPT, type="module")
