@@ -150,6 +150,19 @@ def test_the_level_says_what_is_wanted(clone: Path, tmp_path: Path) -> None:
     assert "ShellCheck" not in done.stderr
 
 
+def test_a_new_version_says_what_it_needs(clone: Path, tmp_path: Path) -> None:
+    # The program is there from before, and its sources are newer.
+    program = clone / "build/dev/bin/contact"
+    program.parent.mkdir(parents=True)
+    program.write_text("#!/bin/sh\nexit 0\n")
+    program.chmod(0o755)
+    path = commands_without(tmp_path, "apt-get", "apt", "dpkg", "cmake", "brew")
+    done = contact(clone, "list", extra={"PATH": str(path)})
+    assert done.returncode == 3
+    assert "  CMake 3.25 or newer" in done.stderr
+    assert "up to date" not in done.stderr
+
+
 @pytest.mark.skipif(not shutil.which("apt-get"), reason="this system has no apt")
 def test_debian_packages_out_of_reach(clone: Path, tmp_path: Path) -> None:
     # An apt with no lists and a proxy that refuses: as on a new machine without a network.
