@@ -17,15 +17,19 @@ import {
  *   | { event: 'end', test: string, status: Status, seconds: number, failure?: Failure }
  *   | { event: 'question', failure: Failure }
  *   | { event: 'printed', to: 'output' | 'errors', bytes: Uint8Array<ArrayBuffer> }
+ *   | { event: 'afresh' }
  *   | { event: 'unstarted', reason: string }
  *   | { event: 'done' }} Event
- *  `question`: what is about to be asked, if that is to be told; `unstarted`: the program dies before any test of
+ *  `question`: what is about to be asked, if that is to be told; `afresh`: another instance begins; `unstarted`: the program dies before any test of
  *  those that are left begins. */
 /** @typedef {{ seed?: string | undefined, outputLimit?: number, questions?: boolean }} Options
  *  `outputLimit`: bytes that an answer may print; `questions`: tell each before it is asked */
 
 /** Bytes that a student's program may print, to each stream, before it is stopped. */
 export const outputLimit = 1 << 20;
+
+/** So much of it is told as it is printed; what is beyond comes in larger pieces. */
+const promptOutput = 1 << 16;
 
 /** Writes through to a function instead of keeping the bytes. */
 class Pipe extends OpenFile {
@@ -150,6 +154,8 @@ class Run {
   tooMuch = false;
   /** The end of what was printed on standard error. */
   errors = "";
+  /** Each tells what is held back of what was printed. @type {(() => void)[]} */
+  flushes = [];
   #started = 0;
 
   /** @param {(event: Event) => void} tell @param {Options} options */
@@ -160,6 +166,8 @@ class Run {
 
   /** @param {string} line */
   #event(line) {
+    // What destructors say while an exit or an ended print leaves the program is no news.
+    if (this.tooMuch || this.exitCode !== undefined) return;
     const event = /** @type {Event} */ (JSON.parse(line));
     if (event.event === "start") {
       this.running = event.test;
@@ -179,15 +187,34 @@ class Run {
     const decoder = new TextDecoder();
     const limit = this.options.outputLimit ?? outputLimit;
     let length = 0;
+    /** @type {Uint8Array[]} */
+    let held = [];
+    let holds = 0;
+    const flush = () => {
+      if (holds === 0) return;
+      const bytes = new Uint8Array(holds);
+      let at = 0;
+      for (const part of held) {
+        bytes.set(part, at);
+        at += part.length;
+      }
+      held = [];
+      holds = 0;
+      this.tell({ event: "printed", to, bytes });
+    };
+    this.flushes.push(flush);
     return new ConsoleStdout((bytes) => {
       length += bytes.length;
+      held.push(bytes.slice());
+      holds += bytes.length;
+      if (to === "errors")
+        this.errors = (this.errors + decoder.decode(bytes, { stream: true })).slice(-4000);
+      // At once, because this thread may never come back; but not line by line without end.
+      if (length < promptOutput || holds > 4096) flush();
       if (length > limit) {
         this.tooMuch = true;
         throw new Error(sentences.output);
       }
-      if (to === "errors")
-        this.errors = (this.errors + decoder.decode(bytes, { stream: true })).slice(-4000);
-      this.tell({ event: "printed", to, bytes: bytes.slice() });
     });
   }
 
@@ -221,6 +248,8 @@ class Run {
       wasi.start(/** @type {any} */ (instance));
     } catch (error) {
       return this.#why(error);
+    } finally {
+      for (const flush of this.flushes) flush();
     }
     return this.done ? undefined : this.#why(undefined);
   }
@@ -265,6 +294,7 @@ export async function runTests(program, tests, tell, options = {}) {
       break;
     }
     left = left.filter((name) => !run.ended.has(name));
+    tell({ event: "afresh" });
   }
   tell({ event: "done" });
 }

@@ -1,6 +1,6 @@
 // Watches over the tests of an exercise from outside the thread that runs them, so that an endless loop can be
 // ended. In Node (check.mjs) and in the page (docs/web/src/cpp/run-worker.ts).
-import { timeText, withoutAssertion } from "./test_program.mjs";
+import { outputLimit, timeText, withoutAssertion } from "./test_program.mjs";
 
 /** @typedef {import('./test_program.mjs').Event} Event */
 /** @typedef {import('./test_program.mjs').Failure} Failure */
@@ -131,7 +131,7 @@ function openQuestion(spawn, test) {
 export async function watchTests(spawn, tests, { seconds, onStart, onTest }) {
   /** @type {Map<string, TestResult>} */
   const results = new Map();
-  const printed = { output: new Printed(), errors: new Printed() };
+  const printed = new Printed();
   const settle = (/** @type {TestResult} */ result) => {
     results.set(result.name, result);
     onTest?.(result);
@@ -148,13 +148,15 @@ export async function watchTests(spawn, tests, { seconds, onStart, onTest }) {
   while (left().length > 0) {
     const run = await runOnce(spawn, left(), seconds, (event) => {
       if (event.event === "start") onStart?.(event.test);
-      else if (event.event === "printed") printed[event.to].add(event.bytes);
+      else if (event.event === "printed") printed[event.to].push(event.bytes);
+      else if (event.event === "afresh") printed.turn();
       else if (event.event === "unstarted") before(event.reason);
       else if (event.event === "end") {
         const { test, status, seconds, failure } = event;
         settle({ name: test, status, seconds, ...(failure ? { failure } : {}) });
       }
     });
+    printed.turn();
     if (run.unstarted) before(`before the test began: ${timeText(seconds)}`);
     if (run.late === undefined) break;
     const name = run.late;
@@ -173,24 +175,28 @@ export async function watchTests(spawn, tests, { seconds, onStart, onTest }) {
   }
   await Promise.all(searches);
   const ordered = tests.flatMap((name) => results.get(name) ?? []);
-  const output = printed.output.text() + withoutAssertion(printed.errors.text());
-  return { results: ordered, output };
+  return { results: ordered, output: printed.text };
 }
 
-/** Bytes that were printed, put together when they are asked for. */
+/** What the programs printed, one after the other, until that is enough. */
 class Printed {
   /** @type {Uint8Array[]} */
-  #parts = [];
+  output = [];
+  /** @type {Uint8Array[]} */
+  errors = [];
+  text = "";
 
-  /** @param {Uint8Array} bytes */
-  add(bytes) {
-    this.#parts.push(bytes);
+  /** A program has ended. */
+  turn() {
+    if (this.text.length < outputLimit)
+      this.text += decoded(this.output) + withoutAssertion(decoded(this.errors));
+    this.output = [];
+    this.errors = [];
   }
+}
 
-  text() {
-    const decoder = new TextDecoder();
-    return (
-      this.#parts.map((part) => decoder.decode(part, { stream: true })).join("") + decoder.decode()
-    );
-  }
+/** @param {Uint8Array[]} parts */
+function decoded(parts) {
+  const decoder = new TextDecoder();
+  return parts.map((part) => decoder.decode(part, { stream: true })).join("") + decoder.decode();
 }
