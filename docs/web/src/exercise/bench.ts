@@ -44,7 +44,7 @@ export class Bench {
   readonly #hints: Hints;
   readonly #versions = new Versions((version) => this.#bringBack(version));
 
-  readonly #check = button("Check", () => void this.check(), "main");
+  readonly #check = button("Check", () => void this.check(), "do");
   readonly #stop = button("Stop", () => this.#stopping?.abort());
   readonly #ready = button("Get ready", () => void this.#prepare());
   readonly #again = button("Try again", () => this.#retry?.());
@@ -80,7 +80,7 @@ export class Bench {
     const code = Work.code(parts.id);
     const keys = html("p", { class: "keys", id: freshId("keys") });
     const apple = /Mac|iPhone|iPad/.test(navigator.platform);
-    const chord = [html("kbd", {}, apple ? "⌘" : "Ctrl"), " ", html("kbd", {}, "Enter")];
+    const chord = [html("kbd", {}, apple ? "⌘" : "Ctrl"), "+", html("kbd", {}, "Enter")];
     keys.append(...chord, " checks. ", html("kbd", {}, "Tab"), " indents; ");
     keys.append(html("kbd", {}, "Esc"), " and then ", html("kbd", {}, "Tab"));
     keys.append(" leaves the editor.");

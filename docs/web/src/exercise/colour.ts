@@ -20,7 +20,7 @@ const LITERALS = new Set(["true", "false", "nullptr"]);
 // In order: comment to the end of the line, comment between marks, directive, string, number, word,
 // operators.
 const TOKEN =
-  /(\/\/.*)|(\/\*[\s\S]*?(?:\*\/|(?![\s\S])))|(^[ \t]*#.*)|("(?:\\.|[^"\\\n])*"?|'(?:\\.|[^'\\\n])*'?)|(\b\d[\w.']*)|([A-Za-z_]\w*)|([~!%^&*+=|?:<>/-]+)/gm;
+  /(\/\/.*)|(\/\*[\s\S]*?(?:\*\/|(?![\s\S])))|(^[ \t]*#[ \t]*\w+(?:[ \t]*<[^>\n]*>)?)|("(?:\\.|[^"\\\n])*"?|'(?:\\.|[^'\\\n])*'?)|(\b\d[\w.']*)|([A-Za-z_]\w*)|([~!%^&*+=|?<>/-]+)/gm;
 const CLASSES = ["c1", "cm", "cp", "s", "mf", "", "o"];
 
 function classOf(groups: readonly (string | undefined)[]): string {

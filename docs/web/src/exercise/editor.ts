@@ -20,6 +20,7 @@ import { EditorSelection, EditorState, type Text } from "@codemirror/state";
 import { EditorView, keymap, lineNumbers } from "@codemirror/view";
 import { tagHighlighter, tags } from "@lezer/highlight";
 import type { Diagnostic } from "../cpp/types.ts";
+import { columnToOffset } from "./columns.ts";
 
 export interface EditorOptions {
   readonly text: string;
@@ -55,7 +56,6 @@ const inks = syntaxHighlighting(
     { tag: [tags.bool, tags.null], class: "kc" },
     { tag: [tags.keyword, tags.modifier, tags.operatorKeyword, tags.self], class: "k" },
     { tag: tags.standard(tags.typeName), class: "kt" },
-    { tag: tags.function(tags.definition(tags.variableName)), class: "nf" },
     {
       tag: [
         tags.arithmeticOperator,
@@ -64,24 +64,12 @@ const inks = syntaxHighlighting(
         tags.compareOperator,
         tags.updateOperator,
         tags.definitionOperator,
+        tags.angleBracket,
       ],
       class: "o",
     },
   ]),
 );
-
-/** The compiler counts columns in bytes of UTF-8, from 1; the editor in units of UTF-16. */
-export function columnToOffset(line: string, column: number): number {
-  let bytes = 1;
-  let offset = 0;
-  for (const character of line) {
-    if (bytes >= column) break;
-    const code = character.codePointAt(0)!;
-    bytes += code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
-    offset += character.length;
-  }
-  return offset;
-}
 
 function rangeOf(doc: Text, message: Diagnostic): { from: number; to: number } {
   const place = (number: number, column: number): number => {

@@ -70,7 +70,9 @@ function explained(failure: Failure, status: string, data: ExerciseData | undefi
   if (failure.inputs.length > 0) add("Input", literal(aligned(failure.inputs)));
   if (failure.got) add("Came back", literal(failure.got));
   if (failure.right) {
-    const within = failure.allowed ? html("p", {}, `to within ${failure.allowed}`) : "";
+    const within = failure.allowed
+      ? html("p", { class: "allowed" }, "to within ", html("code", {}, failure.allowed))
+      : "";
     add("Right", literal(failure.right), within);
   }
   if (failure.reason) add(status === "stopped" ? "What stopped it" : "Why", failure.reason);
