@@ -1,0 +1,18 @@
+// Prints without end.
+#include "signed_distance.hpp"
+
+#include <cstdio>
+
+namespace exercise {
+
+double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  while (point.x() < 1e300) std::puts("still here, still here, still here, still here");
+  return plane.d;
+}
+
+int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  const double value = plane.a * point.x() + plane.b * point.y() + plane.c * point.z() + plane.d;
+  return value > 0 ? 1 : (value < 0 ? -1 : 0);
+}
+
+}  // namespace exercise

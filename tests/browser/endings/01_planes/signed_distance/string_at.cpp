@@ -1,0 +1,16 @@
+// Asks a text for a letter that it does not have.
+#include "signed_distance.hpp"
+
+namespace exercise {
+
+double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  const std::string text = "abc";
+  return plane.d + text.at(point.x() < 1e300 ? 9 : 0);
+}
+
+int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  const double value = plane.a * point.x() + plane.b * point.y() + plane.c * point.z() + plane.d;
+  return value > 0 ? 1 : (value < 0 ? -1 : 0);
+}
+
+}  // namespace exercise

@@ -1,0 +1,17 @@
+// Reads behind the end of a container.
+#include "signed_distance.hpp"
+
+namespace exercise {
+
+double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  const std::vector<double> two{plane.a, plane.b};
+  const std::size_t which = point.x() < 1e300 ? 5 : 0;
+  return two[which];
+}
+
+int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  const double value = plane.a * point.x() + plane.b * point.y() + plane.c * point.z() + plane.d;
+  return value > 0 ? 1 : (value < 0 ? -1 : 0);
+}
+
+}  // namespace exercise
