@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
-#include <sstream>
 
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
 #include <nlohmann/json.hpp>
-
-#include "build_messages.hpp"
 
 namespace fs = std::filesystem;
 
@@ -79,13 +76,6 @@ std::string last_lines(const std::string& text, int count) {
   return text.substr(at == 0 ? 0 : at + 1);
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 // Two builds in one folder spoil each other's work; the script ./contact takes the same lock.
 class BuildLock {
  public:
@@ -107,21 +97,18 @@ class BuildLock {
   int descriptor_;
 };
 
-// Only asked after a failed link, so that the hot path does not pay for it.
-std::vector<std::string> functions_defined_in(Loop& loop, const fs::path& object) {
-  ProcessSpec spec;
-  spec.command = {"nm", "--demangle", "--defined-only", "--extern-only", object.string()};
-  spec.time_limit = 30.0;
-  std::vector<std::string> names;
+// The student's file as it stands now; one that cannot be read is talked about without its text.
+Answer answer_in(const fs::path& file) {
   try {
-    for (const std::string& line : lines_of(run_process(loop, spec).output)) {
-      const std::size_t type = line.find(" T ");
-      if (type != std::string::npos) names.push_back(line.substr(type + 3));
-    }
-  } catch (const std::runtime_error&) {
-    // Without nm the message is still right, only less precise.
+    return {file, SourceText(read_text(file))};
+  } catch (const BookError&) {
+    return {file, SourceText("")};
   }
-  return names;
+}
+
+// g++ counts columns as a terminal shows them, clang++ in bytes.
+Columns columns_of(const std::string& compiler) {
+  return compiler.find("clang") == std::string::npos ? Columns::displayed : Columns::bytes;
 }
 
 }  // namespace
@@ -242,13 +229,13 @@ CompiledFile compile(Loop& loop, const Book& book, const BuildDescription& build
   const ProcessResult result = run_process(loop, spec);
   compiled.seconds = result.seconds;
   if (result.ended == Ended::time) {
-    compiled.error = CompileError{};
-    compiled.error->message = "the compiler did not finish within 60 s";
-    compiled.error->full = result.errors;
-  } else if (!result.succeeded()) {
-    compiled.error = explain_compile(result.errors, exercise, source);
+    compiled.said.error = CompileError{};
+    compiled.said.error->message = "the compiler did not finish within 60 s";
+    compiled.said.error->full = result.errors;
+  } else if (!result.succeeded() || !result.errors.empty()) {
+    compiled.said = explain_compile(result.errors, !result.succeeded(), exercise, answer_in(source),
+                                    columns_of(build.compiler));
   }
-  compiled.warnings = warnings_of(result.errors, source);
   return compiled;
 }
 
@@ -275,9 +262,7 @@ LinkedProgram link(Loop& loop, const Book& book, const BuildDescription& build,
   spec.output_limit = 8u << 20;
   const ProcessResult result = run_process(loop, spec);
   linked.seconds = result.seconds;
-  if (!result.succeeded())
-    linked.error =
-        explain_link(result.errors, exercise, source, functions_defined_in(loop, object));
+  if (!result.succeeded()) linked.said = explain_link(result.errors, exercise, answer_in(source));
   return linked;
 }
 

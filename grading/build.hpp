@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "book.hpp"
+#include "explain.hpp"
 #include "run_process.hpp"
 #include "verdict.hpp"
 
@@ -56,8 +57,7 @@ BuildDescription ready_build(Loop& loop, const Book& book,
 
 struct CompiledFile {
   std::filesystem::path object;
-  std::optional<CompileError> error;
-  std::vector<std::string> warnings;
+  Explained said;
   double seconds = 0.0;
 };
 
@@ -70,7 +70,7 @@ CompiledFile compile(Loop& loop, const Book& book, const BuildDescription& build
 
 struct LinkedProgram {
   std::filesystem::path program;
-  std::optional<CompileError> error;
+  Explained said;
   double seconds = 0.0;
 };
 

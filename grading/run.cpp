@@ -283,14 +283,16 @@ Verdict check_file(Loop& loop, const Book& book, const BuildDescription& build,
   Verdict verdict;
   Seconds seconds;
   seconds.compile = compiled.seconds;
-  if (compiled.error) {
-    verdict = judge_uncompiled(exercise, *compiled.error);
+  std::vector<Remark> remarks = compiled.said.remarks;
+  if (compiled.said.error) {
+    verdict = judge_uncompiled(exercise, *compiled.said.error);
   } else {
     const LinkedProgram linked =
         link(loop, book, build, exercise, source, compiled.object, folder.path());
     seconds.link = linked.seconds;
-    if (linked.error) {
-      verdict = judge_uncompiled(exercise, *linked.error);
+    if (linked.said.error) {
+      verdict = judge_uncompiled(exercise, *linked.said.error);
+      remarks.insert(remarks.begin(), linked.said.remarks.begin(), linked.said.remarks.end());
     } else {
       std::string output;
       const Clock::time_point start = Clock::now();
@@ -302,7 +304,8 @@ Verdict check_file(Loop& loop, const Book& book, const BuildDescription& build,
     }
   }
   verdict.file = source.string();
-  verdict.warnings = compiled.warnings;
+  verdict.warnings = compiled.said.warnings;
+  verdict.remarks = std::move(remarks);
   verdict.seconds = seconds;
   return verdict;
 }

@@ -234,7 +234,22 @@ nlohmann::json to_json(const Failure& failure) {
   return json;
 }
 
+nlohmann::json to_json(const Remark& remark) {
+  nlohmann::json json = {{"file", remark.file},
+                         {"line", remark.line},
+                         {"column", remark.column},
+                         {"end_line", remark.end_line},
+                         {"end_column", remark.end_column},
+                         {"severity", remark.severity},
+                         {"message", remark.message},
+                         {"words", remark.words}};
+  if (!remark.mistake.empty()) json["mistake"] = remark.mistake;
+  return json;
+}
+
 nlohmann::json to_json(const Verdict& verdict) {
+  nlohmann::json diagnostics = nlohmann::json::array();
+  for (const Remark& remark : verdict.remarks) diagnostics.push_back(to_json(remark));
   nlohmann::json tests = nlohmann::json::array();
   for (const TestVerdict& test : verdict.tests) {
     nlohmann::json entry = {{"name", test.name},
@@ -254,6 +269,7 @@ nlohmann::json to_json(const Verdict& verdict) {
                          {"max_points", verdict.max_points},
                          {"tests", std::move(tests)},
                          {"warnings", verdict.warnings},
+                         {"diagnostics", std::move(diagnostics)},
                          {"output", verdict.output},
                          {"seconds",
                           {{"compile", verdict.seconds.compile},

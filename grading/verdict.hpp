@@ -64,6 +64,23 @@ struct ContractLine {
   std::string text;
 };
 
+/// One message of the compiler about the student's file. Lines and columns count from 1, columns in
+/// characters; a place that is not known is 0.
+struct Remark {
+  std::string file;
+  int line = 0;
+  int column = 0;
+  int end_line = 0;
+  int end_column = 0;
+  std::string severity;  ///< "error" or "warning"
+  /// The compiler's own words.
+  std::string message;
+  /// The same for a beginner.
+  std::string words;
+  /// The id of the mistake (mistakes.cpp) if it is one of the known.
+  std::string mistake;
+};
+
 /// The first compile or link error, in few words; `full` is all that the compiler said.
 struct CompileError {
   std::string file;
@@ -94,6 +111,8 @@ struct Verdict {
   std::optional<CompileError> compile_error;
   /// What the compiler warns of in the student's file.
   std::vector<std::string> warnings;
+  /// Its errors and warnings there, each with its place and in words for a beginner.
+  std::vector<Remark> remarks;
   /// What the student's program printed, cut at a limit.
   std::string output;
   /// Names in exercise.toml without a compiled test, and the reverse.
@@ -128,6 +147,7 @@ std::string points_text(double points);
 /// or of the wrong kind reads as empty, an unknown status as stopped.
 TestResult result_from_json(const nlohmann::json& json);
 nlohmann::json to_json(const Failure& failure);
+nlohmann::json to_json(const Remark& remark);
 nlohmann::json to_json(const Verdict& verdict);
 /// What a record of progress needs of a verdict: exercise, outcome, points, and the tests' names,
 /// status and points. @throws nlohmann::json::exception if it is no verdict.

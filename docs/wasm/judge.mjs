@@ -21,8 +21,13 @@ const flags = [
 const sources = [
   "book.cpp",
   "build_messages.cpp",
+  "build_text.cpp",
+  "contract_text.cpp",
+  "explain.cpp",
+  "mistakes.cpp",
   "progress_record.cpp",
   "progress_report.cpp",
+  "source_text.cpp",
   "verdict.cpp",
   "page/judge.cpp",
 ];

@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "../book.hpp"
-#include "../build_messages.hpp"
+#include "../explain.hpp"
 #include "../progress_record.hpp"
 #include "../progress_report.hpp"
 #include "../verdict.hpp"
@@ -35,13 +35,45 @@ const Exercise& exercise_of(const json& request) {
   return book().exercise(request.at("exercise").get<std::string>());
 }
 
+// The student's file lies in the root, under the name of its contract.
+Answer answer_of(const json& request) {
+  return {exercise_of(request).name + ".cpp", SourceText(text(request, "source"))};
+}
+
+json told(Verdict verdict, Explained said, const Answer& answer) {
+  verdict.file = answer.file.string();
+  verdict.warnings = std::move(said.warnings);
+  verdict.remarks = std::move(said.remarks);
+  return to_json(verdict);
+}
+
+json uncompiled(const json& request) {
+  const Exercise& exercise = exercise_of(request);
+  const Answer answer = answer_of(request);
+  const std::string log = text(request, "log");
+  Explained said = text(request, "step") == "link"
+                       ? explain_link(log, exercise, answer)
+                       : explain_compile(log, true, exercise, answer, Columns::bytes);
+  CompileError error = *said.error;
+  return told(judge_uncompiled(exercise, std::move(error)), std::move(said), answer);
+}
+
 json judged(const json& request) {
+  const Exercise& exercise = exercise_of(request);
+  const Answer answer = answer_of(request);
+  // wasm-ld takes the first main() that it meets, and says nothing.
+  if (defines_main(answer.source)) {
+    Explained said = explain_link_faults({{}, {"main"}}, "", exercise, answer);
+    CompileError error = *said.error;
+    return told(judge_uncompiled(exercise, std::move(error)), std::move(said), answer);
+  }
   std::vector<TestResult> results;
   for (const json& result : request.at("results")) results.push_back(result_from_json(result));
-  Verdict verdict = judge(exercise_of(request), book(), results);
-  verdict.file = text(request, "file");
+  Verdict verdict = judge(exercise, book(), results);
   verdict.output = text(request, "output");
-  return to_json(verdict);
+  return told(std::move(verdict),
+              explain_compile(text(request, "log"), false, exercise, answer, Columns::bytes),
+              answer);
 }
 
 json recorded(const json& request) {
@@ -71,6 +103,7 @@ json problems() {
 json answer(const json& request) {
   const std::string what = request.at("do").get<std::string>();
   if (what == "judge") return judged(request);
+  if (what == "uncompiled") return uncompiled(request);
   if (what == "record") return recorded(request);
   if (what == "record_hint") return hint_recorded(request);
   if (what == "record_solution_shown") return solution_recorded(request);

@@ -2,7 +2,14 @@
 // It reads the book's files as the program does, from a tree; here the tree is in memory. Works in the page, in a
 // worker and in Node.
 
-import { ConsoleStdout, Directory, File, OpenFile, PreopenDirectory, WASI } from "@bjorn3/browser_wasi_shim";
+import {
+  ConsoleStdout,
+  Directory,
+  File,
+  OpenFile,
+  PreopenDirectory,
+  WASI,
+} from "@bjorn3/browser_wasi_shim";
 import type {
   Judge,
   ProgressRecord,
@@ -123,7 +130,12 @@ export class BookJudge implements Judge {
     const wasi = new WASI(
       [],
       [],
-      [new OpenFile(new File([])), printed(), printed(), new PreopenDirectory("/", tree(this.#files))],
+      [
+        new OpenFile(new File([])),
+        printed(),
+        printed(),
+        new PreopenDirectory("/", tree(this.#files)),
+      ],
       { debug: false },
     );
     const instance = new WebAssembly.Instance(this.#module, {

@@ -1,0 +1,41 @@
+#pragma once
+
+// Small tools for reading what a compiler printed. No regular expressions and no streams: the
+// page's judge is made of this too, and they would double its size.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace contact::grading {
+
+std::vector<std::string> split_lines(std::string_view text);
+
+bool is_identifier_character(char c);
+
+void replace_all(std::string& text, std::string_view from, std::string_view to);
+
+/// Whether all of `text` is `pattern`, in which each {} stands for any characters, as few as
+/// possible; `holes` becomes what they stand for.
+bool matches(std::string_view pattern, std::string_view text, std::vector<std::string>& holes);
+
+/// 'name' for each of ‘name’ (g++), `name' (bfd) and 'name' (clang++).
+std::string with_plain_quotes(std::string text);
+
+/// Without what a compiler adds of a type that has two names: " {aka ...}" (g++), " (aka '...')".
+std::string without_aliases(std::string text);
+
+/// Types as a reader writes them: Vector3<double>, not Eigen::Matrix<double, 3, 1, 0, 3, 1>;
+/// std::optional<contact::Ray<double>>, not that and what it is short for.
+std::string readable(std::string text);
+
+/// A readable type without the const before it and the & after it.
+std::string bare_type(std::string_view type);
+
+/// The words that stand between plain quotes, each cut into its identifiers.
+std::vector<std::string> quoted_names(std::string_view message);
+
+/// EIGEN_STATIC_ASSERT spells its sentence in capitals: the sentence, or nothing.
+std::string eigen_sentence(std::string_view message);
+
+}  // namespace contact::grading

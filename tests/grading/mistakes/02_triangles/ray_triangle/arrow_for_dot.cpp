@@ -1,0 +1,14 @@
+// mistake: arrow-for-dot
+// says: .
+
+#include "ray_triangle.hpp"
+
+namespace exercise {
+
+std::optional<contact::TriangleHit<double>> ray_triangle(
+    const contact::Ray<double>& ray, const contact::Triangle<double>& triangle) {
+  if (ray->origin.x() > 0.0) return contact::TriangleHit<double>{};  // here
+  return std::nullopt;
+}
+
+}  // namespace exercise

@@ -1,0 +1,16 @@
+// mistake: else-without-if
+// says: if
+
+#include "ray_triangle.hpp"
+
+namespace exercise {
+
+std::optional<contact::TriangleHit<double>> ray_triangle(
+    const contact::Ray<double>& ray, const contact::Triangle<double>& triangle) {
+  if (ray.origin.x() > 0.0);
+    return contact::TriangleHit<double>{};
+  else return std::nullopt;  // here
+  return std::nullopt;
+}
+
+}  // namespace exercise

@@ -1,0 +1,16 @@
+// mistake: missing-parenthesis
+// says: )
+
+#include "ray_triangle.hpp"
+
+namespace exercise {
+
+std::optional<contact::TriangleHit<double>> ray_triangle(
+    const contact::Ray<double>& ray, const contact::Triangle<double>& triangle) {
+  if (ray.direction.norm() == 0.0 {  // here
+    return contact::TriangleHit<double>{};
+  }
+  return std::nullopt;
+}
+
+}  // namespace exercise

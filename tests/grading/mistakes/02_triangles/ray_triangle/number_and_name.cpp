@@ -1,0 +1,16 @@
+// mistake: missing-operator
+// says: *
+
+#include "ray_triangle.hpp"
+
+namespace exercise {
+
+std::optional<contact::TriangleHit<double>> ray_triangle(
+    const contact::Ray<double>& ray, const contact::Triangle<double>& triangle) {
+  double t = 1.0;
+  t = 2t;  // here
+  if (t > 0.0) return contact::TriangleHit<double>{};
+  return std::nullopt;
+}
+
+}  // namespace exercise
