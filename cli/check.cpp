@@ -109,22 +109,23 @@ Task archived(const grading::Book& book, const std::string& name, const fs::path
   return task;
 }
 
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
+// A text that speaks of the file as the reader knows it, and not of where it was put.
+std::string as_known(std::string text, const Job& job) {
+  if (job.known_as.empty()) return text;
+  for (const std::string& path : {job.file.string(), shown(job.file)}) {
+    for (std::size_t at = text.find(path); at != std::string::npos;
+         at = text.find(path, at + job.known_as.size()))
+      text.replace(at, path.size(), job.known_as);
+  }
+  return text;
 }
 
-// A verdict that speaks of the file as the reader knows it, and not of where it was put.
-void rename_file(Verdict& verdict, const Job& job) {
-  std::vector<std::string*> texts{&verdict.file, &verdict.output};
-  for (std::string& warning : verdict.warnings) texts.push_back(&warning);
-  for (grading::TestVerdict& test : verdict.tests) texts.push_back(&test.failure.reason);
-  if (verdict.compile_error) {
-    grading::CompileError& error = *verdict.compile_error;
-    texts.insert(texts.end(), {&error.file, &error.message, &error.excerpt, &error.full});
+nlohmann::json as_known(nlohmann::json json, const Job& job) {
+  if (json.is_string()) return as_known(json.get<std::string>(), job);
+  if (json.is_structured()) {
+    for (nlohmann::json& part : json) part = as_known(std::move(part), job);
   }
-  for (std::string* text : texts) replace_all(*text, job.file.string(), job.known_as);
+  return json;
 }
 
 struct Totals {
@@ -168,17 +169,17 @@ Totals check_all(Context& context, const Options& options, const std::vector<Job
   const Style style(stdout);
   Totals totals;
   for (const Job& job : jobs) {
-    Verdict verdict =
+    const Verdict verdict =
         grading::check_file(context.loop(), book, build, *job.exercise, job.file, limits);
     if (job.file == book.work_file(*job.exercise)) progress.record(verdict);
-    if (!job.known_as.empty()) rename_file(verdict, job);
     totals.passed += verdict.outcome == grading::Outcome::passed ? 1 : 0;
     totals.points += verdict.points;
     totals.max_points += verdict.max_points;
     if (options.json)
-      totals.results.push_back(grading::to_json(verdict));
+      totals.results.push_back(as_known(grading::to_json(verdict), job));
     else
-      say(report(verdict, style, {options.full, options.all}) + (jobs.size() > 1 ? "\n" : ""));
+      say(as_known(report(verdict, style, {options.full, options.all}), job) +
+          (jobs.size() > 1 ? "\n" : ""));
   }
   return totals;
 }

@@ -489,6 +489,11 @@ def test_an_archive_is_checked_in_words_too(contact: Run, tmp_path: Path) -> Non
     assert done.returncode == 1
     assert f"a.zip:work/{RAY}.cpp" in done.stdout
     assert "/contact-" not in done.stdout
+    # Every part of the document speaks of the archive, and none of a folder that is gone.
+    text = contact("check", "a.zip", "--json").stdout
+    error = json.loads(text)["results"][0]["compile_error"]
+    assert error["file"] == f"a.zip:work/{RAY}.cpp"
+    assert "/contact-" not in text
 
 
 def test_an_exercise_that_the_book_does_not_know_is_named(
