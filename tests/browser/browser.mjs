@@ -14,7 +14,7 @@ export const site = process.env.CONTACT_SITE ?? path.join(root, "build", "site")
 export const require = createRequire(path.join(root, "docs", "package.json"));
 
 /** The browser to use: $CHROMIUM, or the first of the usual names; undefined if there is none. */
-function findBrowser() {
+export function findBrowser() {
   if (process.env.CHROMIUM) return process.env.CHROMIUM;
   for (const name of ["chromium", "chromium-browser", "google-chrome-stable", "google-chrome"]) {
     const { status, stdout } = spawnSync("sh", ["-c", `command -v ${name}`], { encoding: "utf8" });
@@ -91,6 +91,17 @@ export async function serve(folder = site) {
   return served;
 }
 
+/** What every browser here is started with. */
+export const flags = [
+  "--no-sandbox",
+  "--disable-gpu",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+];
+
 /** A fresh browser with a profile of its own, which goes when it is closed. */
 export async function launch() {
   const { chromium } = require("playwright-core");
@@ -98,16 +109,7 @@ export async function launch() {
   const browser = await chromium.launch({
     executablePath: findBrowser(),
     headless: true,
-    args: [
-      "--no-sandbox",
-      "--disable-gpu",
-      "--disable-quic",
-      "--no-first-run",
-      "--disable-background-networking",
-      "--disable-component-update",
-      "--disable-sync",
-      `--disk-cache-dir=${profile}`,
-    ],
+    args: [...flags, `--disk-cache-dir=${profile}`],
   });
   const close = async () => {
     await browser.close();

@@ -85,15 +85,19 @@ export async function makePage(web = path.join(root, "build", "web")) {
   const script = `
     import { Checker } from "./_static/contact/checker.js";
     const checker = Checker.for("_static/contact/");
-    const began = () => {
+    const began = (name) => {
       const start = performance.now(), told = [];
-      return { told, tell: (progress) => told.push({ ...progress, at: performance.now() - start }),
-               since: () => performance.now() - start };
+      const tell = (progress) => {
+        window.reached[name] = progress.step;
+        told.push({ ...progress, at: performance.now() - start });
+      };
+      return { told, tell, since: () => performance.now() - start };
     };
     window.checker = checker;
     window.aborts = {};
+    window.reached = {};
     window.check = async (data, source, { name = "", ...options } = {}) => {
-      const { told, tell, since } = began();
+      const { told, tell, since } = began(name);
       const abort = (window.aborts[name] = new AbortController());
       try {
         const verdict = await checker.check(data, source, tell, { ...options, signal: abort.signal });
@@ -103,7 +107,7 @@ export async function makePage(web = path.join(root, "build", "web")) {
       }
     };
     window.prepare = async () => {
-      const { told, tell, since } = began();
+      const { told, tell, since } = began("prepare");
       await checker.prepare(tell);
       return { told, milliseconds: since() };
     };
@@ -117,11 +121,17 @@ export async function makePage(web = path.join(root, "build", "web")) {
 /**
  * Checks an answer in the page.
  * @param {import("playwright-core").Page} page @param {string} id @param {string} source
- * @param {{ name?: string, seed?: string }} [options] `name`: to abort it by
+ * @param {{ name?: string, seed?: string, time_limit?: number }} [options] `name`: to abort it by; `time_limit`: of
+ *   one test, instead of the exercise's own
  * @returns {Promise<Checked>}
  */
-export const check = (page, id, source, options = {}) =>
-  page.evaluate(
-    ([data, text, more]) => /** @type {any} */ (globalThis).check(data, text, more),
-    /** @type {const} */ ([exerciseData(id), source, options]),
+export function check(page, id, source, { time_limit, ...options } = {}) {
+  const data = exerciseData(id);
+  const file = `exercises/${id}/exercise.toml`;
+  const toml = time_limit === undefined ? "" : `time_limit = ${time_limit}\n`;
+  const files = { ...data.files, [file]: `${toml}${data.files[file]}` };
+  return page.evaluate(
+    ([given, text, more]) => /** @type {any} */ (globalThis).check(given, text, more),
+    /** @type {const} */ ([{ ...data, files }, source, options]),
   );
+}
