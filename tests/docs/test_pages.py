@@ -10,6 +10,7 @@ import pytest
 from bs4 import BeautifulSoup
 from sample_book import ROOT, Sample
 
+COMPONENTS = "contact-figure, contact-question, contact-ladder, contact-exercise"
 _ELSEWHERE = re.compile(r"^(?:https?:)?//")
 
 
@@ -69,7 +70,9 @@ def test_all_mathematics_is_rendered(site: Path) -> None:
 def test_every_component_says_something_without_script(site: Path) -> None:
     seen = 0
     for path, page in pages(site):
-        for element in page.select("contact-figure, contact-question, contact-ladder"):
+        for element in page.select(
+            "contact-figure, contact-question, contact-ladder, contact-exercise"
+        ):
             seen += 1
             words = [
                 text

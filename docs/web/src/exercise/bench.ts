@@ -15,6 +15,9 @@ const SAVE_AFTER_MS = 400;
 /** A step that is over sooner is not worth a word. */
 const SAY_AFTER_MS = 300;
 
+/** What is folded on a screen and whole on paper. */
+const ON_PAPER = ".contract, .command-line";
+
 type State = "idle" | "loading" | "compiling" | "running" | "done";
 
 const STATES: Record<Step["step"], State> = {
@@ -105,6 +108,10 @@ export class Bench {
     document.addEventListener("visibilitychange", () => {
       if (document.visibilityState === "hidden") this.#save();
     });
+    addEventListener("beforeprint", () => {
+      for (const folded of this.#host.querySelectorAll<HTMLDetailsElement>(ON_PAPER))
+        folded.open = true;
+    });
     benches.add(this);
     this.#tellSizeWhenSeen();
   }
@@ -138,11 +145,16 @@ export class Bench {
     this.#host.replaceChildren(html("div", { class: "bench" }, contract, write));
   }
 
-  /** What depends on the record and on the text. */
+  /** What depends on what the browser keeps. */
   #refresh(): void {
     this.#versions.show(Work.versions(this.#parts.id), this.#code.text);
     const problem = Work.problem ?? "";
     if (this.#notKept.textContent !== problem) this.#notKept.textContent = problem;
+    this.#refreshText();
+  }
+
+  /** What depends on the text alone: after every key. */
+  #refreshText(): void {
     this.#reset.disabled = this.#code.text === this.#parts.stub;
     const stale = this.#checked && this.#checked.of !== fingerprint(this.#code.text);
     this.#host.toggleAttribute("stale", Boolean(stale));
@@ -183,6 +195,13 @@ export class Bench {
 
   // ---- Words and states ----
 
+  /** Shows a button or hides it; a focus that it had goes to Check instead of nowhere. */
+  #show(which: HTMLButtonElement, visible: boolean): void {
+    const focused = document.activeElement === which;
+    which.hidden = !visible;
+    if (focused && !visible) this.#check.focus({ preventScroll: true });
+  }
+
   #say(words: string): void {
     clearTimeout(this.#speaking);
     this.#status.textContent = words;
@@ -196,17 +215,16 @@ export class Bench {
   #state(state: State): void {
     const busy = state === "loading" || state === "compiling" || state === "running";
     this.#check.setAttribute("aria-disabled", String(busy));
-    this.#stop.hidden = !busy;
-    if (busy) this.#ready.hidden = true;
-    if (busy) this.#again.hidden = true;
+    this.#show(this.#stop, busy);
+    if (busy) for (const other of [this.#ready, this.#again]) this.#show(other, false);
     if (state !== "loading") this.#progress.hidden = true;
     this.#host.setAttribute("state", state);
   }
 
   #stepSaid: Step["step"] | undefined;
+  #downloaded = false;
 
   #tell(step: Step): void {
-    const before = this.#host.getAttribute("state");
     this.#state(STATES[step.step]);
     const { received, total } = step;
     const downloading = step.step === "download" && received !== undefined && Boolean(total);
@@ -216,11 +234,13 @@ export class Bench {
       const done = (received / 1e6).toFixed(1);
       this.#received.textContent = `${done} of ${megabytes(total!)}`;
     }
-    if (before !== STATES[step.step] || this.#stepSaid !== step.step) {
-      this.#stepSaid = step.step;
-      const size = downloading ? ` It is ${megabytes(total!)}, and is kept for next time.` : "";
-      this.#sayIfItLasts(WORDS[step.step] + size);
-    }
+    if (this.#stepSaid === step.step) return;
+    this.#stepSaid = step.step;
+    if (step.step === "download" && this.#downloaded)
+      this.#sayIfItLasts("Downloading what makes checks quicker …");
+    else if (downloading) this.#sayIfItLasts(`${WORDS.download} It is ${megabytes(total!)}.`);
+    else this.#sayIfItLasts(WORDS[step.step]);
+    if (step.step !== "download") this.#downloaded = true;
   }
 
   /** Runs what can be stopped and can fail, and says how it ended otherwise. */
@@ -229,6 +249,7 @@ export class Bench {
     const stopping = new AbortController();
     this.#stopping = stopping;
     this.#stepSaid = undefined;
+    this.#downloaded = false;
     this.#size.hidden = true;
     this.#state("loading");
     try {
@@ -260,7 +281,7 @@ export class Bench {
     clearTimeout(this.#saving);
     this.#saving = setTimeout(() => this.#save(), SAVE_AFTER_MS);
     if (this.#code.text !== this.#parts.stub) this.#undo.hidden = true;
-    this.#refresh();
+    this.#refreshText();
   }
 
   #save(): void {
@@ -500,7 +521,7 @@ export class Bench {
     try {
       const { core, kept } = await (await this.#checker()).size();
       if (this.#stopping) return;
-      this.#ready.hidden = core === 0;
+      this.#show(this.#ready, core > 0);
       this.#ready.textContent = `Get ready (${megabytes(core)})`;
       this.#size.hidden = core === 0;
       const lasts = kept
@@ -509,7 +530,7 @@ export class Bench {
       this.#size.textContent = `A check needs the compiler: ${megabytes(core)}, ${lasts}.`;
     } catch {
       // It is said when a check is asked for.
-      this.#ready.hidden = true;
+      this.#show(this.#ready, false);
       this.#size.hidden = true;
     }
   }

@@ -35,6 +35,8 @@ export class CodeField {
     this.element.addEventListener("pointerenter", () => void import("./editor.ts"), {
       once: true,
     });
+    // The page has keys of its own: / searches, and the arrows turn to other chapters.
+    this.element.addEventListener("keydown", (event) => event.stopPropagation());
     this.#still.addEventListener("focus", () => this.#wake());
     this.#still.addEventListener("click", ({ clientX: x, clientY: y }) => this.#wake({ x, y }));
   }

@@ -41,6 +41,8 @@ export class Versions {
       return html("li", {}, words, back);
     });
     const summary = html("summary", {}, `Earlier versions (${others.length})`);
+    const focused = this.element.contains(document.activeElement);
     this.element.replaceChildren(summary, html("ul", {}, ...rows));
+    if (focused) summary.focus({ preventScroll: true });
   }
 }
