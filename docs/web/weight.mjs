@@ -1,8 +1,9 @@
 // node docs/web/weight.mjs [PAGE] [--site build/site] [--limit KB]
 //
 // What a page of the book weighs, compressed, by kind: everything that Chromium asks for when the
-// page is opened and read to its end, nothing pressed. Without PAGE: every lesson. Exit code 1 if a
-// page is over the limit (none by default), 2 for wrong usage or no browser.
+// page is opened and read to its end, nothing pressed, and what the service worker itself is and asks
+// for. Without PAGE: every lesson. Exit code 1 if a page is over the limit (none by default), 2 for
+// wrong usage or no browser.
 
 import fs from "node:fs";
 import path from "node:path";
@@ -19,6 +20,7 @@ const kinds = {
   ".woff": "fonts",
   ".svg": "pictures",
   ".png": "pictures",
+  ".json": "data",
 };
 
 /** Compressed as a server would; fonts and bitmaps are so already. @param {string} file */
@@ -45,7 +47,7 @@ const { browser, close } = await launch();
 for (const where of positionals.length > 0 ? positionals : lessons()) {
   const shown = await open(browser, "about:blank#");
   /** @type {Set<string>} */
-  const asked = new Set();
+  const asked = new Set(["/sw.js", "/offline.json"]);
   shown.page.on("request", (request) => {
     if (request.url().startsWith(server.origin)) asked.add(new URL(request.url()).pathname);
   });

@@ -6,6 +6,7 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { after, before, describe, test } from "node:test";
+import { pathToFileURL } from "node:url";
 import { launch, lessons, loadFigures, notRun, open, serve, site } from "./browser.mjs";
 import { exerciseOn, pageOf, solutionOf } from "./exercise_page.mjs";
 
@@ -314,6 +315,21 @@ describe("offline", { skip, timeout: 120_000 }, () => {
     await second.waitForLoadState("networkidle");
     await reads(page);
     await close();
+    server.close();
+  });
+
+  test("a page opened from a file says that it runs nothing, and only there", async () => {
+    const context = await chromium.browser.newContext();
+    const page = await context.newPage();
+    await page.goto(pathToFileURL(path.join(site, LESSON)).href);
+    const note = page.locator(".opened-from-file");
+    assert.ok(await note.isVisible());
+    assert.match((await note.textContent()) ?? "", /runs nothing.*\.\/contact serve/s);
+    assert.ok(await page.locator("contact-figure > img").first().isVisible());
+    const server = await serve();
+    await page.goto(`${server.origin}/${LESSON}`);
+    assert.equal(await note.count(), 0);
+    await context.close();
     server.close();
   });
 });

@@ -284,13 +284,23 @@ export class ContactWork extends HTMLElement {
           ? "Nothing of yours yet."
           : `Your code of ${counted(code, "exercise")}, your progress and your answers: ${sizeText(bytes)}.`;
     };
+    const controls = offlineControls(book);
     const offline = html(
       "section",
       { class: "keep" },
       html("h2", {}, "Read it offline"),
-      offlineControls(book, () => {}),
+      controls.element,
     );
-    this.replaceChildren(data, work, takeAlong(), offline, this.#forgetting(book, held, showWork));
+    this.replaceChildren(
+      data,
+      work,
+      takeAlong(),
+      offline,
+      this.#forgetting(book, held, () => {
+        showWork();
+        controls.look();
+      }),
+    );
     showWork();
     Work.onChange(showWork);
   }

@@ -30,8 +30,8 @@ function whatIsKept({ whole, kept, list, compiler }: Standing): string {
   return `The whole book is kept since ${day(whole.at)} (${weighs}).${newer}${tools}`;
 }
 
-/** `changed` is called when more or less is kept than before. */
-export function offlineControls(book: OfflineBook, changed: () => void): HTMLElement {
+/** The controls, and how to make them look again at what is kept. */
+export function offlineControls(book: OfflineBook): { element: HTMLElement; look: () => void } {
   const status = html("p", { role: "status" });
   const kept = html("p", { class: "kept" });
   const withCompiler = html("input", { type: "checkbox" });
@@ -74,7 +74,6 @@ export function offlineControls(book: OfflineBook, changed: () => void): HTMLEle
     offer();
     if (!now.list)
       status.textContent = "What the book consists of could not be read. Are you offline?";
-    changed();
   }
 
   function working(on: boolean): void {
@@ -133,6 +132,9 @@ export function offlineControls(book: OfflineBook, changed: () => void): HTMLEle
   compilerLabel.hidden = true;
   const why = whyNot();
   if (why) kept.textContent = why;
-  else void look();
-  return box;
+  const lookAgain = (): void => {
+    if (!why) void look();
+  };
+  lookAgain();
+  return { element: box, look: lookAgain };
 }

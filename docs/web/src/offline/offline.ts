@@ -1,7 +1,7 @@
 // Keeping the whole book in the browser, as the page offers it: what it would take, how it goes, what
 // is there, and how to be rid of it.
 
-import { CACHE as COMPILER_CACHE, Downloads, openStore } from "../cpp/download.ts";
+import { CACHE as COMPILER_CACHE } from "../cpp/download.ts";
 import type { Manifest, ShippedFile } from "../cpp/types.ts";
 import { keepAll, Replaced } from "./keep.ts";
 import { COMPILER, fetchList, type List } from "./list.ts";
@@ -54,11 +54,7 @@ export class OfflineBook {
       kept: await this.shelf.weight(),
       compiler: compiler && {
         all: compiler.files,
-        missing: (
-          await Promise.all(
-            compiler.files.map(async (file) => ((await compiler.from.isKept(file)) ? [] : [file])),
-          )
-        ).flat(),
+        missing: await this.#missing(compiler.files),
       },
     };
   }
@@ -73,15 +69,11 @@ export class OfflineBook {
     const list = await this.shelf.refresh();
     if (!list) throw new TypeError("no list");
     await keepAll(this.shelf, list, arrived, signal);
-    const compiler = withCompiler ? await this.#compiler(signal) : undefined;
-    for (const file of compiler?.files ?? [])
-      if (!(await compiler?.from.isKept(file)))
-        await this.#keepCompilerFile(
-          new URL(file.file, this.#compilerFolder),
-          file,
-          arrived,
-          signal,
-        );
+    const compiler = withCompiler ? await this.#compiler() : undefined;
+    if (!compiler) return;
+    for (const file of await this.#missing(compiler.files))
+      await this.#keepCompilerFile(new URL(file.file, this.#compilerFolder), file, arrived, signal);
+    await (await caches.open(COMPILER_CACHE)).put(this.#manifest, compiler.list);
   }
 
   /** As the checker keeps it, but an error if it is not kept. */
@@ -117,16 +109,28 @@ export class OfflineBook {
       if (url.startsWith(this.#compilerFolder)) await cache.delete(url);
   }
 
-  async #compiler(
-    signal?: AbortSignal,
-  ): Promise<{ from: Downloads; files: ShippedFile[] } | undefined> {
-    const store = await openStore();
-    const from = new Downloads(this.#compilerFolder, { fetch: fetch.bind(globalThis), store });
-    try {
-      const manifest: Manifest = await from.manifest(signal);
-      return { from, files: [manifest.files, manifest.exercises].flatMap((m) => Object.values(m)) };
-    } catch {
-      return undefined;
-    }
+  /** The compiler's list, the newest or the one that is kept, and its files; undefined if there is none. */
+  async #compiler(): Promise<{ list: Response; files: ShippedFile[] } | undefined> {
+    const response =
+      (await fetch(this.#manifest, { cache: "no-cache" }).catch(() => undefined)) ??
+      (await caches.match(this.#manifest, { cacheName: COMPILER_CACHE }));
+    if (!response?.ok) return undefined;
+    const list = response.clone();
+    const manifest = (await response.json()) as Manifest;
+    if (manifest.format !== "contact-cpp/1") return undefined;
+    return {
+      list,
+      files: [manifest.files, manifest.exercises].flatMap((map) => Object.values(map)),
+    };
+  }
+
+  get #manifest(): string {
+    return new URL("manifest.json", this.#compilerFolder).href;
+  }
+
+  async #missing(files: readonly ShippedFile[]): Promise<ShippedFile[]> {
+    const cache = await caches.open(COMPILER_CACHE);
+    const there = new Set((await cache.keys()).map(({ url }) => url));
+    return files.filter(({ file }) => !there.has(new URL(file, this.#compilerFolder).href));
   }
 }
