@@ -8,9 +8,10 @@
 import { strFromU8, strToU8, unzipSync, type Zippable, zipSync } from "fflate";
 import {
   type ExerciseProgress,
+  fingerprint,
   isExerciseId,
+  PROGRESS_FORMAT,
   type Progress,
-  parseProgress,
   Work,
   type WorkStore,
 } from "./work.ts";
@@ -31,6 +32,8 @@ export interface Imported {
   readonly replaced: readonly string[];
   /** Exercises whose code was the same already. */
   readonly same: readonly string[];
+  /** Exercises of which the archive has only the book's own beginning: the code here stays. */
+  readonly yours: readonly string[];
   /** How many exercises the archive's record of progress speaks of. */
   readonly progress: number;
   /** Files that were left alone: not a reader's work, or too large. */
@@ -80,6 +83,16 @@ function requireOurs(bytes: Uint8Array | undefined): void {
   );
 }
 
+/** A record that need not be sound in every entry: what is not is passed over when merging. */
+function readRecord(json: string): Progress | undefined {
+  try {
+    const { format, exercises } = JSON.parse(json);
+    return format === PROGRESS_FORMAT && isObject(exercises) ? JSON.parse(json) : undefined;
+  } catch {
+    return undefined;
+  }
+}
+
 function open(bytes: Uint8Array): Contents {
   const ignored: string[] = [];
   let count = 0;
@@ -104,36 +117,65 @@ function open(bytes: Uint8Array): Contents {
     if (id) code.set(id, text(content, name));
   }
   const record = files[PROGRESS];
-  const progress = record && parseProgress(text(record, PROGRESS));
+  const progress = record && readRecord(text(record, PROGRESS));
   if (record && !progress)
     throw new ArchiveError(`${PROGRESS} in this archive is not a record of progress.`);
   return { code, progress, ignored };
 }
 
-const earliest = (a?: string, b?: string): string | undefined =>
-  a && b ? (a < b ? a : b) : a || b;
+const TIME = /^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d{1,9})?Z$/;
+/** Nobody has tried more often. */
+const MOST_COUNTED = 1e6;
+
+const isObject = (value: unknown): value is Record<string, unknown> =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
+const isTime = (value: unknown): value is string => typeof value === "string" && TIME.test(value);
+const clamped = (value: unknown): number =>
+  typeof value === "number" ? Math.min(Math.max(value, 0), MOST_COUNTED) : 0;
+
+/** The members that are of the kind that they must be, and all that nobody here knows. */
+function sound(entry: object): ExerciseProgress {
+  const kinds: Record<string, (value: unknown) => unknown> = {
+    attempts: (value) => (typeof value === "number" ? Math.trunc(clamped(value)) : undefined),
+    hints_shown: (value) => (typeof value === "number" ? Math.trunc(clamped(value)) : undefined),
+    best_points: (value) => (typeof value === "number" ? clamped(value) : undefined),
+    max_points: (value) => (typeof value === "number" ? clamped(value) : undefined),
+    passed: (value) => (isTime(value) ? value : undefined),
+    last_checked: (value) => (isTime(value) ? value : undefined),
+    solution_shown: (value) => (typeof value === "boolean" ? value : undefined),
+    tests: (value) => (isObject(value) ? value : undefined),
+  };
+  const kept = Object.entries(entry)
+    .map(([name, value]) => [name, Object.hasOwn(kinds, name) ? kinds[name]!(value) : value])
+    .filter(([, value]) => value !== undefined);
+  return Object.fromEntries(kept);
+}
+
+/** A time is compared without its fraction, which only the page writes. */
+const seconds = (time: unknown): string => (isTime(time) ? time.slice(0, 19) : "");
 
 /** The better of two records of one exercise: best points, earliest pass, most attempts, most
- * help. The tests are those of the later check. */
+ * help. All else is of the later check. */
 function mergeEntry(ours: ExerciseProgress, theirs: ExerciseProgress): ExerciseProgress {
-  const most = (a: unknown, b: unknown): number =>
-    Math.max(typeof a === "number" ? a : 0, typeof b === "number" ? b : 0);
-  const later = (theirs.last_checked ?? "") > (ours.last_checked ?? "") ? theirs : ours;
-  const merged: ExerciseProgress = { ...theirs, ...ours, ...later };
-  for (const name of ["attempts", "best_points", "hints_shown"] as const)
-    if (name in ours || name in theirs) merged[name] = most(ours[name], theirs[name]);
-  if ("solution_shown" in ours || "solution_shown" in theirs)
-    merged.solution_shown = ours.solution_shown === true || theirs.solution_shown === true;
-  const passed = earliest(ours.passed, theirs.passed);
+  const theirsIsLater = seconds(theirs.last_checked) > seconds(ours.last_checked);
+  const merged = theirsIsLater ? { ...ours, ...theirs } : { ...theirs, ...ours };
+  for (const name of ["attempts", "best_points", "hints_shown"] as const) {
+    const best = clamped(theirs[name]) > clamped(ours[name]) ? theirs[name] : ours[name];
+    if (best !== undefined) merged[name] = best;
+  }
+  const [our, their] = [seconds(ours.passed), seconds(theirs.passed)];
+  const passed = our && (!their || our <= their) ? ours.passed : their ? theirs.passed : undefined;
   if (passed) merged.passed = passed;
+  if (ours.solution_shown === true || theirs.solution_shown === true) merged.solution_shown = true;
   return merged;
 }
 
-/** Both records as one. Members that this version does not know stay as they are. */
+/** Both records as one, as `contact import` makes it (cli/README.md). */
 export function mergeProgress(ours: Progress, theirs: Progress): Progress {
   const exercises = { ...ours.exercises };
   for (const [id, entry] of Object.entries(theirs.exercises))
-    if (isExerciseId(id)) exercises[id] = mergeEntry(exercises[id] ?? {}, entry);
+    if (isExerciseId(id) && isObject(entry))
+      exercises[id] = mergeEntry(exercises[id] ?? {}, sound(entry));
   return { ...theirs, ...ours, exercises };
 }
 
@@ -143,10 +185,16 @@ export function importWork(bytes: Uint8Array, store: WorkStore = Work): Imported
   const added: string[] = [];
   const replaced: string[] = [];
   const same: string[] = [];
+  const yours: string[] = [];
   for (const [id, content] of code) {
     const present = store.code(id);
     if (present?.text === content) {
       same.push(id);
+      continue;
+    }
+    // `base` begins with the fingerprint of the stub.
+    if (present?.base.startsWith(`${fingerprint(content)}-`)) {
+      yours.push(id);
       continue;
     }
     if (present) store.keep(id, "import");
@@ -155,5 +203,5 @@ export function importWork(bytes: Uint8Array, store: WorkStore = Work): Imported
   }
   if (progress) store.setProgress(mergeProgress(store.progress(), progress));
   const entries = Object.keys(progress?.exercises ?? {}).filter(isExerciseId).length;
-  return { added, replaced, same, progress: entries, ignored, problem: store.problem };
+  return { added, replaced, same, yours, progress: entries, ignored, problem: store.problem };
 }

@@ -26,7 +26,8 @@ export interface Version {
 
 export interface Code {
   readonly text: string;
-  /** Names the stub and the contract that the text began from; empty if that is not known. */
+  /** The fingerprints of the stub and of the contract that the text began from, with a dash
+   * between; empty if they are not known. */
   readonly base: string;
   readonly saved: string;
   /** Newest first. */

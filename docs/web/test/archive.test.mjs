@@ -5,7 +5,7 @@ import { load } from "./load.mjs";
 
 const archive = await load("archive.ts");
 const { exportWork, importWork, mergeProgress, ArchiveError } = archive;
-const { WorkStore } = await load("work.ts");
+const { WorkStore, fingerprint } = await load("work.ts");
 
 const RAY = "02_triangles/ray_triangle";
 const PLANE = "01_planes/sphere_plane";
@@ -101,7 +101,7 @@ test("one bad file refuses the whole archive before anything is taken from it", 
   const good = { "contact-submission.json": ABOUT, [`work/${RAY}.cpp`]: "theirs" };
   refused(zip({ ...good, [`work/${PLANE}.cpp`]: new Uint8Array([0xff, 0xfe, 0x41]) }), /UTF-8/);
   refused(zip({ ...good, "work/progress.json": "[]" }), /not a record of progress/);
-  const odd = progress({ [RAY]: 3 });
+  const odd = { format: "contact-progress/1", exercises: [] };
   refused(zip({ ...good, "work/progress.json": odd }), /not a record of progress/);
 });
 
@@ -201,6 +201,25 @@ test("progress of one side alone stays, and invents nothing", () => {
     mergeProgress(one, other),
     progress({ [RAY]: { attempts: 2 }, [PLANE]: { hints_shown: 1 } }),
   );
+});
+
+test("an entry or a member of a wrong kind is passed over", () => {
+  const odd = { attempts: "9", best_points: -3, passed: "yesterday", tests: [], stars: 3 };
+  const merged = mergeProgress(
+    progress({ [RAY]: { attempts: 1, passed: "2026-02-01T00:00:00Z" } }),
+    progress({ [RAY]: odd, [PLANE]: 3, __proto__: { attempts: 1 } }),
+  );
+  const entry = { attempts: 1, best_points: 0, passed: "2026-02-01T00:00:00Z", stars: 3 };
+  assert.deepEqual(merged, progress({ [RAY]: entry }));
+});
+
+test("the book's own beginning does not take the place of what a reader wrote", () => {
+  const store = empty();
+  store.save(RAY, "mine", `${fingerprint("the stub")}-${fingerprint("the contract")}`);
+  const bytes = zip({ "contact-submission.json": ABOUT, [`work/${RAY}.cpp`]: "the stub" });
+  assert.deepEqual(importWork(bytes, store).yours, [RAY]);
+  assert.equal(store.code(RAY).text, "mine");
+  assert.deepEqual(store.versions(RAY), []);
 });
 
 test("never passed, or an empty time, does not hide a pass", () => {
