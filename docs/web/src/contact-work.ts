@@ -160,6 +160,8 @@ function told(done: Imported): string[] {
       `Changed: ${list(done.replaced)}. What you had before is among the exercise’s earlier versions.`,
     );
   if (done.same.length > 0) said.push(`The same already: ${list(done.same)}.`);
+  if (done.yours.length > 0)
+    said.push(`Yours stays, as the archive has only the beginning: ${list(done.yours)}.`);
   if (done.progress > 0)
     said.push(
       `Progress of ${counted(done.progress, "exercise")} is merged with yours: the better of both counts.`,
@@ -185,6 +187,7 @@ async function importFile(file: File): Promise<string[]> {
     added: [],
     replaced: [],
     same: [],
+    yours: [],
     progress: exercises,
     ignored: [],
     problem: Work.problem,
