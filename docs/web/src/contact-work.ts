@@ -162,6 +162,8 @@ function told(done: Imported): string[] {
   if (done.same.length > 0) said.push(`The same already: ${list(done.same)}.`);
   if (done.yours.length > 0)
     said.push(`Yours stays, as the archive has only the beginning: ${list(done.yours)}.`);
+  if (done.yours.length > 0)
+    said.push(`Only begun in the archive, so yours stays: ${list(done.yours)}.`);
   if (done.progress > 0)
     said.push(
       `Progress of ${counted(done.progress, "exercise")} is merged with yours: the better of both counts.`,
