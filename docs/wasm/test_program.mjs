@@ -12,15 +12,16 @@ import {
 
 /** @typedef {{ asked: string, inputs: { name: string, text: string }[], got?: string, right?: string,
  *              allowed?: string, misconception?: string, reason?: string }} Failure */
+/** @typedef {Pick<Failure, 'asked' | 'inputs'>} Question */
 /** @typedef {'passed' | 'failed' | 'not_attempted' | 'stopped'} Status */
 /** @typedef {{ event: 'start', test: string }
  *   | { event: 'end', test: string, status: Status, seconds: number, failure?: Failure }
- *   | { event: 'question', failure: Failure }
+ *   | { event: 'question', failure: Question }
  *   | { event: 'printed', to: 'output' | 'errors', bytes: Uint8Array<ArrayBuffer> }
  *   | { event: 'afresh' }
  *   | { event: 'unstarted', reason: string }
  *   | { event: 'done' }} Event
- *  `question`: what is about to be asked, if that is to be told; `afresh`: another instance begins; `unstarted`: the program dies before any test of
+ *  `question`: what is asked next, if questions are to be told; `afresh`: another instance begins; `unstarted`: the program dies before any test of
  *  those that are left begins. */
 /** @typedef {{ seed?: string | undefined, outputLimit?: number, questions?: boolean }} Options
  *  `outputLimit`: bytes that an answer may print; `questions`: tell each before it is asked */
@@ -72,7 +73,7 @@ function lines(take) {
 const escaped = (name) => name.replace(/[\\,[\]*"~]/g, (sign) => `\\${sign}`);
 
 /** An assertion that failed, as the page's C library tells it: what, in which file. */
-const assertionLine = /^Assertion failed: (.*) \(([^()\n]*): [^()\n]*: \d+\)$/m;
+const assertionLine = /^Assertion failed: (.*) \(([^()\n]*?): [^\n]*: \d+\)$/m;
 
 /** What a student's program printed on its errors, without the line that already stands in the reason.
  * @param {string} errors */
@@ -114,8 +115,6 @@ const sentences = {
     "container, or a function that calls itself without end)",
   abort: "aborted: it called abort(), or an exception left a noexcept function",
   division: "arithmetic fault: an integer was divided by zero",
-  unreachable:
-    "illegal instruction: often the end of a function that promises a value and returns none",
   output: "it printed without end and was stopped",
 };
 
@@ -131,9 +130,13 @@ export function trapText(error, errors = "") {
   const text = String(error instanceof Error ? error.message : error);
   const aborted = abortText(errors);
   if (aborted) return aborted;
-  if (/unreachable/i.test(text)) return sentences.unreachable;
   if (/zero|unrepresentable/i.test(text)) return sentences.division;
-  if (/call stack|recursion|bounds|memory access|table|indirect|null|signature/i.test(text))
+  // Unreachable: where a null pointer would be followed. What aborts says so by its exit code.
+  if (
+    /unreachable|call stack|recursion|bounds|memory access|table|indirect|null|signature/i.test(
+      text,
+    )
+  )
     return sentences.memory;
   if (/exception/i.test(text)) return "aborted: an exception was thrown and nobody caught it";
   return `stopped: ${text}`;
@@ -141,6 +144,9 @@ export function trapText(error, errors = "") {
 
 /** The exit code of a program that aborts (128 and the signal's number). */
 const abortCode = 134;
+
+/** @typedef {{ memory: WebAssembly.Memory, __stack_pointer: WebAssembly.Global,
+ *              contact_spare_stack(): number, contact_last_words(): number }} Exports */
 
 /** A program in this thread, from its start to its end. */
 class Run {
@@ -157,6 +163,10 @@ class Run {
   /** Each tells what is held back of what was printed. @type {(() => void)[]} */
   flushes = [];
   #started = 0;
+  /** @type {Exports | undefined} */
+  #exports;
+  /** The question that was open when the program died. @type {Question} */
+  #question = { asked: "", inputs: [] };
 
   /** @param {(event: Event) => void} tell @param {Options} options */
   constructor(tell, options) {
@@ -212,6 +222,7 @@ class Run {
       // At once, because this thread may never come back; but not line by line without end.
       if (length < promptOutput || holds > 4096) flush();
       if (length > limit) {
+        if (!this.tooMuch) this.#hearLastWords();
         this.tooMuch = true;
         throw new Error(sentences.output);
       }
@@ -223,10 +234,13 @@ class Run {
    * @returns {Promise<string | undefined>} */
   async start(program, tests) {
     const events = new PipeFile(lines((line) => this.#event(line)));
-    const { seed } = this.options;
+    const { seed, questions } = this.options;
     const wasi = new WASI(
       ["tests", "-r", "contact::out=/events", tests.map(escaped).join(",")],
-      seed === undefined ? [] : [`CONTACT_SEED=${seed}`],
+      [
+        ...(seed === undefined ? [] : [`CONTACT_SEED=${seed}`]),
+        ...(questions ? ["CONTACT_TELL_QUESTIONS=1"] : []),
+      ],
       [
         new OpenFile(new File([])),
         this.#stream("output"),
@@ -237,6 +251,7 @@ class Run {
     );
     // Remembered here: on its way out the error passes code that may turn it into an abort.
     wasi.wasiImport["proc_exit"] = (/** @type {number} */ code) => {
+      if (this.exitCode === undefined) this.#hearLastWords();
       this.exitCode ??= code;
       throw new WASIProcExit(code);
     };
@@ -244,14 +259,37 @@ class Run {
       const instance = await WebAssembly.instantiate(program, {
         wasi_snapshot_preview1: wasi.wasiImport,
       });
+      this.#exports = /** @type {any} */ (instance.exports);
       // The types of the shim ask for what only a running program can have.
       wasi.start(/** @type {any} */ (instance));
     } catch (error) {
+      if (!this.tooMuch) this.#hearLastWords();
       return this.#why(error);
     } finally {
       for (const flush of this.flushes) flush();
     }
     return this.done ? undefined : this.#why(undefined);
+  }
+
+  /**
+   * Asks a program that has died which question was open, and lets it print what it had not printed yet: its memory
+   * is still there (docs/wasm/last_words.cpp). It gets a stack of its own, the program's may be used up.
+   */
+  #hearLastWords() {
+    const exports = this.#exports;
+    if (!exports || this.running === undefined) return;
+    const stack = exports.__stack_pointer.value;
+    try {
+      exports.__stack_pointer.value = exports.contact_spare_stack();
+      const place = exports.contact_last_words();
+      const memory = new Uint8Array(exports.memory.buffer);
+      const text = new TextDecoder().decode(memory.slice(place, memory.indexOf(0, place)));
+      this.#question = JSON.parse(text);
+    } catch {
+      // Its memory may be in any state: then nothing is known.
+    } finally {
+      exports.__stack_pointer.value = stack;
+    }
   }
 
   /** @param {unknown} error */
@@ -268,7 +306,7 @@ class Run {
     const test = this.running;
     if (test === undefined) return;
     const seconds = (performance.now() - this.#started) / 1000;
-    const failure = { asked: "", inputs: [], reason };
+    const failure = { ...this.#question, reason };
     this.running = undefined;
     this.ended.add(test);
     this.tell({ event: "end", test, status: "stopped", seconds, failure });
