@@ -465,7 +465,7 @@ export class Bench {
       this.#checked = { of: fingerprint(text), at: now };
       await this.#showVerdict(verdict, data);
       if (verdict.diagnostics?.length) this.#code.open();
-      this.#status.scrollIntoView({ block: "nearest" });
+      this.#bringIntoSight();
     };
     return this.#attempt(check, () => void this.check());
   }
@@ -485,6 +485,13 @@ export class Bench {
     this.#refresh();
     this.#say(sentence(verdict));
     this.#state("done");
+  }
+
+  /** The first thing to look at; whoever is typing keeps the code in sight. */
+  #bringIntoSight(): void {
+    const first = this.#results.querySelector("li:has(> .failure), .messages > li");
+    if (first && !this.#code.inUse) first.scrollIntoView({ block: "nearest" });
+    this.#status.scrollIntoView({ block: "nearest" });
   }
 
   #whatNext(): HTMLElement[] {

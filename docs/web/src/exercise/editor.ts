@@ -79,10 +79,11 @@ function rangeOf(doc: Text, message: Diagnostic): { from: number; to: number } {
   const from = place(message.line, message.column);
   const to = Math.max(from, place(message.end_line, message.end_column));
   if (to > from) return { from, to };
-  // A single place: the word there, or the rest of the line.
+  // A single place: the word there; where a line ends, its last letter, so that there is a mark.
   const line = doc.lineAt(from);
   const word = /^\w+|^\S/.exec(doc.sliceString(from, line.to));
-  return { from, to: word ? from + word[0].length : from };
+  if (word) return { from, to: from + word[0].length };
+  return { from: Math.max(line.from, from - 1), to: from };
 }
 
 /** Tab goes to the next stop; with a selection it moves the lines. */
@@ -137,6 +138,7 @@ export function makeEditor(options: EditorOptions): Editor {
         EditorView.contentAttributes.of({
           "aria-label": options.label,
           "aria-describedby": options.describedBy,
+          tabindex: "0",
           autocapitalize: "off",
           autocorrect: "off",
           spellcheck: "false",

@@ -128,8 +128,10 @@ function original(...texts: string[]): HTMLElement {
   return html("details", {}, html("summary", {}, "The compiler's own words"), literal(shown));
 }
 
-const placed = ({ file, line, column, message, severity }: Diagnostic): string =>
-  `${file ? `${file}:` : ""}${line > 0 ? `${line}:${column}: ` : ""}${severity}: ${message}`;
+const placed = ({ file, line, column, message, severity }: Diagnostic): string => {
+  const place = line > 0 ? `${file}:${line}:${column}: ` : file ? `${file}: ` : "";
+  return `${place}${severity}: ${message}`;
+};
 
 /** The messages in their order; what belongs to one (a note) is kept with it. */
 function messageRows(
