@@ -145,7 +145,7 @@ describe("the checker", { skip }, () => {
         /^aborted: Eigen found a wrong index/,
       ],
       [
-        "  const double* volatile p = nullptr; if (*p > 1) return std::nullopt;",
+        "  const double* volatile nowhere = nullptr; if (*nowhere > 1) return std::nullopt;",
         /^segmentation fault/,
       ],
     ];
@@ -168,10 +168,7 @@ describe("the checker", { skip }, () => {
   test("a memory bomb leaves the page as it was", async () => {
     const code =
       "  std::vector<std::vector<double>> all;\n  while (true) all.emplace_back(1000000, 1.0);";
-    const { verdict, error } = await checked(with_(code));
-    assert.ok(verdict, error);
-    assert.equal(verdict.points, 0);
-    for (const { status } of verdict.tests) assert.match(status, /failed|stopped/);
+    allStopped(await checked(with_(code)), /^ran out of memory$/);
   });
 
   test("endless output is stopped and cut", async () => {

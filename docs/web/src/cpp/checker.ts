@@ -62,7 +62,8 @@ export class Checker {
     const { toolchain } = await this.#parts;
     await toolchain.ready(tell, signal);
     this.#runners.prepare();
-    toolchain.warm();
+    tell({ step: "start" });
+    await abortable(toolchain.warm(), signal);
   }
 
   /** From a text to its verdict. A signal that is aborted stops whatever is being done for this check alone. */

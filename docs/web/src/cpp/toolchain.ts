@@ -200,12 +200,13 @@ export class Toolchain {
     this.#onPrelude = undefined;
   }
 
-  /** Makes the compiler's own code quick by using it, if nobody needs the compiler. Once. */
-  warm(): void {
+  /** Makes the compiler's own code quick by using it, before somebody waits for it. Once. */
+  async warm(): Promise<void> {
     if (this.#warm || !this.#worker) return;
     this.#warm = true;
     const turn = this.#queue.then(() => this.#ask({ kind: "warm" }, "warm", () => {}));
     this.#queue = turn.catch(() => {});
+    await this.#queue;
   }
 
   /** Compiles and links one answer; one at a time. `ready` comes first. */
