@@ -5,7 +5,7 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { after, before, describe, test } from "node:test";
-import { launch, notRun, open, require, serve } from "./browser.mjs";
+import { launch, notRun, open, require, root, serve } from "./browser.mjs";
 
 const skip = notRun();
 
@@ -94,6 +94,26 @@ describe("your work", { skip, timeout: 120_000 }, () => {
     await page.waitForURL(/chapters\/02_triangles\.html#exercise-ray-triangle$/);
     assert.ok(await page.locator("#exercise-ray-triangle").isVisible());
     assert.deepEqual(trouble, []);
+    await close();
+  });
+
+  test("objectives are mastered as the book's judge says", async () => {
+    const done = { attempts: 1, best_points: 12, max_points: 12, passed: "2026-11-20T10:00:00Z" };
+    const { page, trouble, close } = await visit({ [PROGRESS]: record({ [HIT]: done }) });
+    const objectives = page.locator(".mastery li");
+    await objectives.first().waitFor();
+    const where = path.join(root, "chapters", "02_triangles", "chapter.toml");
+    const toml = fs.readFileSync(where, "utf8");
+    for (const said of await objectives.allTextContents()) {
+      const text = said.replace(/^(Mastered|\d of \d passed)\. /, "");
+      assert.ok(toml.includes(`text = "${text}"`), said);
+    }
+    assert.ok(await objectives.filter({ hasText: "0 of" }).count());
+    assert.deepEqual(trouble, []);
+    await page.evaluate((key) => localStorage.removeItem(key), PROGRESS);
+    await page.reload();
+    await page.locator("contact-work table").waitFor();
+    assert.equal(await objectives.count(), 0);
     await close();
   });
 

@@ -6,6 +6,7 @@
 
 import { ArchiveError, exportWork, type Imported, importWork, mergeProgress } from "./archive.ts";
 import { button, html } from "./dom.ts";
+import { masteryList } from "./mastery.ts";
 import { offlineControls } from "./offline/controls.ts";
 import { OfflineBook, sizeText } from "./offline/offline.ts";
 import { type ExerciseProgress, isExerciseId, parseProgress, Work } from "./work.ts";
@@ -162,8 +163,6 @@ function told(done: Imported): string[] {
   if (done.same.length > 0) said.push(`The same already: ${list(done.same)}.`);
   if (done.yours.length > 0)
     said.push(`Yours stays, as the archive has only the beginning: ${list(done.yours)}.`);
-  if (done.yours.length > 0)
-    said.push(`Only begun in the archive, so yours stays: ${list(done.yours)}.`);
   if (done.progress > 0)
     said.push(
       `Progress of ${counted(done.progress, "exercise")} is merged with yours: the better of both counts.`,
@@ -274,8 +273,18 @@ export class ContactWork extends HTMLElement {
     const book = new OfflineBook(new URL("../../", base).href);
     const known = new Set(chapters.flatMap(({ exercises }) => exercises.map(({ id }) => id)));
     const work = html("div", { class: "work" });
+    const learnt = html("div", { class: "learnt" });
+    let asked = 0;
+    const showLearnt = async (): Promise<void> => {
+      asked += 1;
+      const mine = asked;
+      // Without the judge the table says enough.
+      const shown = await masteryList(base, chapters, Work.progress()).catch(() => undefined);
+      if (mine === asked) learnt.replaceChildren(...(shown ? [shown] : []));
+    };
     const held = html("p", { class: "held" });
     const showWork = (): void => {
+      void showLearnt();
       const problem = Work.problem;
       const lost = lostCode(known);
       work.replaceChildren(
@@ -299,6 +308,7 @@ export class ContactWork extends HTMLElement {
     this.replaceChildren(
       data,
       work,
+      learnt,
       takeAlong(),
       offline,
       this.#forgetting(book, held, () => {

@@ -105,8 +105,11 @@ export class OfflineBook {
   async forget(): Promise<void> {
     await this.shelf.forget();
     const cache = await caches.open(COMPILER_CACHE);
-    for (const { url } of await cache.keys())
-      if (url.startsWith(this.#compilerFolder)) await cache.delete(url);
+    const keys = (await cache.keys()).map(({ url }) => url);
+    const ours = keys.filter((url) => url.startsWith(this.shelf.root));
+    // Deleted whole, it takes what is still on its way along. Another book of this host may be in it.
+    if (ours.length === keys.length) await caches.delete(COMPILER_CACHE);
+    else for (const url of ours) await cache.delete(url);
   }
 
   /** The compiler's list, the newest or the one that is kept, and its files; undefined if there is none. */
