@@ -60,6 +60,7 @@ async function main(args) {
           precompile: "compiled",
           archive: "packed",
           link: "linked",
+          seal: "sealed",
         };
         console.error(
           `${ok ? verb[recipe.tool] : "FAILED  "} ${recipe.what}  ${seconds.toFixed(1)} s, ${left} left`,

@@ -85,6 +85,9 @@ export const pageFlags = [
 /** A figure's `Output out{}` leaves Eigen's columns unset without it: numbers of the state before. */
 export const figureFlags = [...pageFlags, "-DEIGEN_INITIALIZE_MATRICES_BY_ZERO"];
 
+/** Holds our __assertion_handler, so that what was broken is said, and not only that something was. */
+export const assertionsFolder = "docs/wasm/libcxx";
+
 /**
  * What a student's file is compiled with, in the build and in the page: as contact_student_flags of
  * cmake/ContactExercises.cmake has it, with the same warnings and with exceptions. Where libstdc++ asserts
@@ -93,6 +96,8 @@ export const figureFlags = [...pageFlags, "-DEIGEN_INITIALIZE_MATRICES_BY_ZERO"]
 export const studentFlags = [
   ...compiler,
   ...arithmetic,
+  "-internal-isystem",
+  `/${assertionsFolder}`,
   ...libraries,
   ...cxx,
   ...warnings,
@@ -184,6 +189,10 @@ export const programLink = {
     "-z",
     "stack-size=1048576",
     "--max-memory=268435456",
+    // To be asked when the program has died: last_words.cpp.
+    ...["contact_spare_stack", "contact_last_words", "__stack_pointer"].map(
+      (name) => `--export=${name}`,
+    ),
     `${library}/crt1-command.o`,
   ],
   after: ["-lc++", "-lc++abi", "-lc", builtins],

@@ -91,8 +91,12 @@ export function closure(start, folders) {
       const next = resolve(name, quoted, file, folders);
       if (next) seen.add(next);
     }
-  return [...seen].map((file) => {
-    const { bytes, hash } = /** @type {Source} */ (source(file));
-    return { file, virtual: virtualPath(file), hash, bytes };
-  });
+  return [...seen].map(sourceFile);
+}
+
+/** One file, as the compiler gets it. @param {string} file */
+export function sourceFile(file) {
+  const found = source(file);
+  if (!found) throw new Error(`no such file: ${file}`);
+  return { file, virtual: virtualPath(file), hash: found.hash, bytes: found.bytes };
 }

@@ -116,7 +116,7 @@ export function ladders() {
 
 /**
  * The runtime that makes throw and catch work: the compiler's package comes without it.
- * @type {Recipe}
+ * @type {import('./recipes.mjs').Archive}
  */
 export const exceptionRuntime = (() => {
   const home = inRoot("docs", "wasm", "third_party", "llvm-eh");
@@ -153,53 +153,75 @@ export const exceptionRuntime = (() => {
 /** Where tools/fetch_catch2_source.sh puts Catch2's two amalgamated files. */
 export const catch2Source = inRoot("build", "catch2", "extras", "catch_amalgamated.cpp");
 
-/** @returns {Recipe} */
+/** @returns {Compile} */
 function catch2() {
   if (!fs.existsSync(catch2Source))
     throw new Error("the source of Catch2 is missing: run tools/fetch_catch2_source.sh");
   return {
-    tool: "archive",
+    tool: "compile",
     what: "Catch2",
-    parts: [
-      {
-        tool: "compile",
-        what: "Catch2",
-        language: "c++",
-        flags: [...testFlags, "-DCATCH_AMALGAMATED_CUSTOM_MAIN"],
-        folders: [path.dirname(catch2Source)],
-        source: catch2Source,
-      },
-    ],
+    language: "c++",
+    flags: [...testFlags, "-DCATCH_AMALGAMATED_CUSTOM_MAIN"],
+    folders: [path.dirname(catch2Source)],
+    source: catch2Source,
   };
 }
 
-/** What the tests of every exercise are linked with. @returns {Recipe[]} */
-export function checkLibraries() {
+/** The asking and the runner: tests/support. @returns {Recipe[]} */
+function support() {
   const folders = [inRoot("tests"), inRoot("grading"), ...chapterFolders("00_vectors")];
-  const files = names(inRoot("tests", "support")).filter(
-    (file) => /^(exercise|runner).*\.cpp$/.test(file) && !file.endsWith("_test.cpp"),
-  );
-  const support = files.map((file) => {
-    const source = inRoot("tests", "support", file);
-    const what = path.relative(inRoot(), source);
-    return /** @type {Compile} */ ({
-      tool: "compile",
-      what,
-      language: "c++",
-      flags: testFlags,
-      folders,
-      source,
-      pch: checkPrelude,
-    });
-  });
-  return [...support, catch2(), exceptionRuntime];
+  const files = names(inRoot("tests", "support"))
+    .filter((file) => /^(exercise|runner).*\.cpp$/.test(file) && !file.endsWith("_test.cpp"))
+    .map((file) => inRoot("tests", "support", file));
+  const lastWords = inRoot("docs", "wasm", "last_words.cpp");
+  return [...files, lastWords].map((file) => supportObject(file, folders));
 }
 
-/** What the tests of every exercise are linked with, in one object. @returns {Recipe} */
-export function checksObject() {
-  const parts = checkLibraries().flatMap((part) => (part.tool === "archive" ? part.parts : [part]));
-  return { tool: "link", what: "what all tests are linked with", ...mergeLink, parts };
-}
+/** @param {string} source @param {string[]} folders @returns {Compile} */
+const supportObject = (source, folders) => ({
+  tool: "compile",
+  what: path.relative(inRoot(), source),
+  language: "c++",
+  flags: testFlags,
+  folders,
+  source,
+  pch: checkPrelude,
+});
+
+/** What may be met from outside: as cmake/ContactExercises.cmake gives it to contact_seal, and the page's questions. */
+const keptNames = [
+  "__main_argc_argv",
+  "_ZN7contact4todoEv",
+  "contact_spare_stack",
+  "contact_last_words",
+];
+
+/** What a student's object needs of the libraries too: it must be one for all. @returns {Recipe[]} */
+const openRuntime = () => [
+  supportObject(inRoot("docs", "wasm", "test_runtime.cpp"), []),
+  ...exceptionRuntime.parts,
+];
+
+/** What the tests of every exercise are linked with, in one object, not yet sealed. @returns {Recipe} */
+export const openChecks = () => ({
+  tool: "link",
+  what: "what all tests are linked with",
+  ...mergeLink,
+  parts: [...support(), catch2(), ...openRuntime()],
+});
+
+/** @param {Recipe} part @param {Recipe[]} others @returns {Recipe} */
+const sealedWith = (part, others) => ({
+  tool: "seal",
+  what: part.what,
+  part,
+  others,
+  open: openRuntime(),
+  keep: keptNames,
+});
+
+/** The same, sealed. */
+export const checksObject = () => sealedWith(openChecks(), []);
 
 /** @typedef {{ name: string, slug: string, folder: string, test: string }} Exercise
  *   `folder` holds the contract, `test` is the file of its tests */
@@ -226,11 +248,8 @@ const exerciseFolders = ({ folder, slug }) => [
   ...chapterFolders(slug),
 ];
 
-/**
- * An exercise's tests, compiled once, as the page will link them with a student's object.
- * @param {Exercise} exercise @returns {Compile}
- */
-export const testObject = (exercise) => ({
+/** An exercise's tests, not yet sealed. @param {Exercise} exercise @returns {Compile} */
+export const openTests = (exercise) => ({
   tool: "compile",
   what: path.relative(inRoot(), exercise.test),
   language: "c++",
@@ -240,12 +259,18 @@ export const testObject = (exercise) => ({
   pch: checkPrelude,
 });
 
+/**
+ * An exercise's tests, compiled once, as the page will link them with a student's object.
+ * @param {Exercise} exercise
+ */
+export const testObject = (exercise) => sealedWith(openTests(exercise), [openChecks()]);
+
 /** Where a student's file may look beside the folder of its contract: the prelude, the shared shapes; no tests. */
 export const studentFolders = [inRoot("grading"), inRoot("chapters", "00_vectors")];
 
 /**
  * An answer (stub, solution, wrong or a student's) linked with an exercise's tests.
- * @param {Exercise} exercise @param {string} answer its .cpp @returns {Recipe}
+ * @param {Exercise} exercise @param {string} answer its .cpp @returns {import('./recipes.mjs').Link}
  */
 export function checkProgram(exercise, answer) {
   const what = path.relative(inRoot(), answer);

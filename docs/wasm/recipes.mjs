@@ -4,9 +4,10 @@ import { createHash } from "node:crypto";
 import fs from "node:fs";
 import path from "node:path";
 import { CompileError, compilerVersion, runTool } from "./compiler.mjs";
-import { precompileFlags } from "./flags.mjs";
-import { closure, virtualPath } from "./headers.mjs";
-import { cacheDir } from "./paths.mjs";
+import { assertionsFolder, precompileFlags } from "./flags.mjs";
+import { closure, sourceFile, virtualPath } from "./headers.mjs";
+import { cacheDir, inRoot } from "./paths.mjs";
+import { definedNames, sealed } from "./seal.mjs";
 
 /**
  * @typedef {{ tool: 'compile', what: string, source: string, folders: string[], flags: string[],
@@ -15,15 +16,29 @@ import { cacheDir } from "./paths.mjs";
  *          }} Precompile
  * @typedef {{ tool: 'archive', what: string, parts: Recipe[] }} Archive
  * @typedef {{ tool: 'link', what: string, before: string[], after: string[], parts: Recipe[] }} Link
- * @typedef {Compile | Precompile | Archive | Link} Recipe
+ * @typedef {{ tool: 'seal', what: string, part: Recipe, others: Recipe[], open: Recipe[], keep: string[] }} Seal
+ *   what `others` define is sealed as well; what `open` defines is not, nor the names in `keep`
+ * @typedef {Compile | Precompile | Archive | Link | Seal} Recipe
  */
 
 /** What must be made before this can be. @param {Recipe} recipe @returns {Recipe[]} */
 export function needs(recipe) {
   if (recipe.tool === "compile") return recipe.pch ? [recipe.pch] : [];
   if (recipe.tool === "precompile") return [];
+  if (recipe.tool === "seal") return [recipe.part, ...recipe.others, ...recipe.open];
   return recipe.parts;
 }
+
+/** Every file that is read. @param {Compile | Precompile} recipe */
+function filesOf({ source, folders, flags }) {
+  const files = closure(source, folders);
+  // A header of our own in the place of one of the compiler's.
+  if (flags.includes(`/${assertionsFolder}`)) files.push(sourceFile(assertionHandler));
+  return files;
+}
+
+/** What libc++ does when one of its assertions fails. */
+export const assertionHandler = inRoot(assertionsFolder, "__assertion_handler");
 
 /** The name under which the result is kept: it changes with the compiler, the flags and every file read.
  * @param {Recipe} recipe @returns {string} */
@@ -35,9 +50,10 @@ export function key(recipe) {
   add("1", recipe.tool, compilerVersion());
   if (recipe.tool === "compile" || recipe.tool === "precompile") {
     add(...recipe.flags, "", ...recipe.folders.map(virtualPath), "");
-    for (const { virtual, hash } of closure(recipe.source, recipe.folders)) add(virtual, hash);
+    for (const { virtual, hash } of filesOf(recipe)) add(virtual, hash);
   }
   if (recipe.tool === "link") add(...recipe.before, "", ...recipe.after, "");
+  if (recipe.tool === "seal") add("2", `${recipe.others.length}`, ...recipe.keep);
   for (const need of needs(recipe)) add(key(need));
   return hash.digest("hex");
 }
@@ -97,8 +113,7 @@ export function put(tree, file, bytes) {
 function treeFor(recipe) {
   /** @type {Tree} */
   const tree = {};
-  for (const { virtual, bytes } of closure(recipe.source, recipe.folders))
-    put(tree, virtual, new Uint8Array(bytes));
+  for (const { virtual, bytes } of filesOf(recipe)) put(tree, virtual, new Uint8Array(bytes));
   return tree;
 }
 
@@ -114,6 +129,15 @@ export class Changed extends Error {}
  * @returns {Promise<string>}
  */
 export async function make(recipe, name, needed) {
+  if (recipe.tool === "seal") {
+    const [part, ...rest] = needed.map(made);
+    const defined = rest.map(definedNames);
+    const count = recipe.others.length;
+    const keep = [...recipe.keep, ...defined.slice(count).flatMap((names) => [...names])];
+    const object = sealed(/** @type {Uint8Array} */ (part), defined.slice(0, count), keep);
+    writeWhole(cached(name), object);
+    return "";
+  }
   const result = "result.out";
   /** @type {Tree} */
   let tree = {};
@@ -129,7 +153,7 @@ export async function make(recipe, name, needed) {
       }
       args = [...recipe.flags, ...search(recipe)];
       if (recipe.pch) {
-        for (const { virtual, bytes } of closure(recipe.pch.source, recipe.pch.folders))
+        for (const { virtual, bytes } of filesOf(recipe.pch))
           put(tree, virtual, new Uint8Array(bytes));
         tree["prelude.pch"] = made(String(needed[0]));
         args.push("-include-pch", "prelude.pch");

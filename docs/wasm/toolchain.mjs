@@ -9,7 +9,7 @@ import path from "node:path";
 import { gzipSync } from "node:zlib";
 import { coreModule, coreNames, mendedProgram, resourceTree } from "./compiler.mjs";
 import { diagnosticFlags, programLink, studentFlags } from "./flags.mjs";
-import { closure, virtualPath } from "./headers.mjs";
+import { closure, sourceFile, virtualPath } from "./headers.mjs";
 import { judgeRecipe } from "./judge.mjs";
 import { cacheDir, inRoot } from "./paths.mjs";
 import {
@@ -19,7 +19,7 @@ import {
   studentFolders,
   testObject,
 } from "./products.mjs";
-import { key, made, put, writeWhole } from "./recipes.mjs";
+import { assertionHandler, key, made, put, writeWhole } from "./recipes.mjs";
 import { tar } from "./tar.mjs";
 
 /** @typedef {import('./recipes.mjs').Recipe} Recipe */
@@ -96,6 +96,8 @@ function ownFiles() {
     starts.flatMap((start) => closure(start, studentFolders).map((file) => [file.virtual, file])),
   );
   files.delete(virtualPath(/** @type {string} */ (starts[1])));
+  const handler = sourceFile(assertionHandler);
+  files.set(handler.virtual, handler);
   return [...files.values()].filter(({ virtual }) => !/\/arch\/(?!Default\/)/.test(virtual));
 }
 

@@ -3,7 +3,7 @@
 import os from "node:os";
 import { CompileError } from "./compiler.mjs";
 import { forgetSources } from "./headers.mjs";
-import { Changed, make } from "./recipes.mjs";
+import { Changed, isMade, make } from "./recipes.mjs";
 
 os.setPriority(5);
 
@@ -13,7 +13,8 @@ process.on("message", async (/** @type {Job} */ { recipe, name, needed }) => {
   const start = performance.now();
   try {
     forgetSources();
-    const log = await make(recipe, name, needed);
+    // Another build may have made it meanwhile.
+    const log = isMade(name) ? "" : await make(recipe, name, needed);
     process.send?.({ ok: true, log, seconds: (performance.now() - start) / 1000 });
   } catch (error) {
     const log =

@@ -46,11 +46,15 @@ Failure described(const detail::Asked& asked) {
 }
 
 const detail::Asked* open = nullptr;
+std::function<void()> told_of_questions;
 
 /// Marks a question as open while it lives.
 class Open {
  public:
-  explicit Open(const detail::Asked& asked) { open = &asked; }
+  explicit Open(const detail::Asked& asked) {
+    open = &asked;
+    if (told_of_questions) told_of_questions();
+  }
   ~Open() { open = nullptr; }
   Open(const Open&) = delete;
   Open& operator=(const Open&) = delete;
@@ -73,6 +77,7 @@ class Open {
 
 const Failure* current_failure() { return failure() ? &*failure() : nullptr; }
 void forget_failure() { failure().reset(); }
+void tell_questions(std::function<void()> tell) { told_of_questions = std::move(tell); }
 Failure open_question() { return open != nullptr ? described(*open) : Failure{}; }
 
 std::uint64_t seed(std::uint64_t stream) {

@@ -49,6 +49,10 @@ void forget_failure();
 /// or crashes. Empty between questions.
 Failure open_question();
 
+/// Calls `tell` each time that a question opens: for a host that can only end the program from
+/// outside, and cannot ask it afterwards. Slow.
+void tell_questions(std::function<void()> tell);
+
 /// What random inputs start from: CONTACT_SEED of the environment, so that a grader can use one
 /// that nobody has seen; else always the same. `stream` keeps the numbers of one test apart from
 /// those of another.

@@ -6,6 +6,9 @@
 //   {"event":"end","test":NAME,"status":"passed"|"failed"|"not_attempted"|"stopped","seconds":S,"failure":{...}}
 //   {"event":"done"}
 //
+// With CONTACT_TELL_QUESTIONS in the environment also, before each question,
+//   {"event":"question","failure":{"asked","inputs"}}
+//
 // failure: {"asked","inputs":[{"name","text"}],"got","right","allowed"?,"misconception"?}.
 // Use `-r contact::out=FILE`; stdout is left to the student. CONTACT_MEMORY_MB limits the memory
 // (not in a page, which has its own limit), CONTACT_SEED changes the random inputs.
@@ -55,7 +58,15 @@ ordered_json described(const Failure& failure) {
 
 class ContactReporter : public Catch::StreamingReporterBase {
  public:
-  using StreamingReporterBase::StreamingReporterBase;
+  explicit ContactReporter(Catch::ReporterConfig&& config)
+      : StreamingReporterBase(std::move(config)) {
+    if (std::getenv("CONTACT_TELL_QUESTIONS") == nullptr) return;
+    tell_questions([this] {
+      ordered_json question = described(open_question());
+      for (const char* answered : {"got", "right"}) question.erase(answered);
+      print({{"event", "question"}, {"failure", std::move(question)}});
+    });
+  }
   static std::string getDescription() { return "one JSON object a line, as the tests run"; }
 
   void testCaseStarting(const Catch::TestCaseInfo& info) override {
