@@ -125,8 +125,9 @@ export class Bench {
     contract.append(html("summary", {}, "The contract, ", name));
     contract.append(...contractListing.querySelectorAll(":scope .highlight"));
     const buttons = html("div", { class: "buttons" });
-    buttons.append(this.#check, this.#stop, this.#again, this.#ready);
-    buttons.append(this.#hint, this.#reset, this.#undo, this.#solution, this.#allTheSame);
+    buttons.append(this.#check, this.#stop, this.#again, this.#hint, this.#reset, this.#undo);
+    // Last, since it comes and goes by itself.
+    buttons.append(this.#solution, this.#allTheSame, this.#ready);
     for (const hidden of [this.#stop, this.#again, this.#ready, this.#undo, this.#allTheSame])
       hidden.hidden = true;
     for (const hidden of [this.#progress, this.#size, this.#answer, this.#changed, this.#stale])
@@ -134,7 +135,8 @@ export class Bench {
     if (points) this.#results.append(points);
     const heading = html("p", { class: "name" }, "Your code, ", html("code", {}, file));
     const write = html("div", { class: "write" });
-    write.append(this.#changed, heading, this.#code.element, keys, buttons, this.#size);
+    const below = html("div", { class: "below" }, keys, this.#size);
+    write.append(this.#changed, heading, this.#code.element, below, buttons);
     write.append(this.#progress, this.#notKept, this.#status);
     write.append(this.#hints.element, this.#answer, this.#stale, this.#results);
     write.append(this.#versions.element);
@@ -531,10 +533,8 @@ export class Bench {
       this.#show(this.#ready, core > 0);
       this.#ready.textContent = `Get ready (${megabytes(core)})`;
       this.#size.hidden = core === 0;
-      const lasts = kept
-        ? "once; this browser keeps it"
-        : "on every visit, as this browser keeps nothing";
-      this.#size.textContent = `A check needs the compiler: ${megabytes(core)}, ${lasts}.`;
+      const often = kept ? "downloaded once" : "on every visit";
+      this.#size.textContent = `The compiler: ${megabytes(core)}, ${often}.`;
     } catch {
       // It is said when a check is asked for.
       this.#show(this.#ready, false);
