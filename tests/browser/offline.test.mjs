@@ -33,14 +33,14 @@ async function kept(page) {
 
 /**
  * What a page asks for and does not get. The worker's own attempts are not among it, nor what a page
- * no longer wanted, nor the look for a newer book. @param {Page} page
+ * no longer wanted, nor the look for a newer book and a newer compiler. @param {Page} page
  */
 function failures(page) {
   /** @type {string[]} */
   const failed = [];
   page.on("requestfailed", (request) => {
     const dropped = request.failure()?.errorText === "net::ERR_ABORTED";
-    if (!dropped && !request.url().endsWith("/offline.json")) failed.push(request.url());
+    if (!dropped && !/\/(offline|manifest)\.json$/.test(request.url())) failed.push(request.url());
   });
   return failed;
 }
