@@ -12,6 +12,7 @@ using grading::CompileError;
 using grading::Failure;
 using grading::Outcome;
 using grading::points_text;
+using grading::Remark;
 using grading::TestStatus;
 using grading::TestVerdict;
 using grading::Verdict;
@@ -68,6 +69,17 @@ std::string place(const CompileError& error) {
   return text;
 }
 
+// The errors after the first, each at its line and in words.
+std::string further_errors(const Verdict& verdict) {
+  std::string text;
+  for (const Remark& remark : verdict.remarks) {
+    if (remark.severity != "error" || remark.line == verdict.compile_error->line) continue;
+    text +=
+        "\n" + wrapped("line " + std::to_string(remark.line) + ": " + printable(remark.words), 2);
+  }
+  return text.empty() ? text : text + "\n";
+}
+
 std::string compile_error_text(const CompileError& error, const Style& style, bool full) {
   if (full) return indented(printable(error.full), 2) + "\n";
   std::string text = "  " + (error.file.empty() ? "" : style.bold(place(error)) + ": ") +
@@ -80,6 +92,18 @@ std::string compile_error_text(const CompileError& error, const Style& style, bo
     text += indented(line.text, 4) + "\n";
   }
   return text;
+}
+
+// What the compiler warns of may be why a test fails: what is recognised first.
+std::string warnings_text(const Verdict& verdict, const Style& style) {
+  const auto known = std::find_if(verdict.remarks.begin(), verdict.remarks.end(),
+                                  [](const Remark& remark) { return !remark.mistake.empty(); });
+  const auto shown = known == verdict.remarks.end() ? verdict.remarks.begin() : known;
+  if (shown == verdict.remarks.end()) return {};
+  const std::string label = "the compiler warns: ";
+  std::string text =
+      wrapped(label + "line " + std::to_string(shown->line) + ": " + printable(shown->words), 2);
+  return "\n" + text.replace(2, label.size(), style.warn(label)) + "\n";
 }
 
 std::string output_text(const std::string& output, const Style& style) {
@@ -119,6 +143,7 @@ std::string report(const Verdict& verdict, const Style& style, const ReportOptio
   std::string text = style.bold(verdict.exercise) + style.dim("  " + shown(verdict.file)) + "\n";
   if (verdict.compile_error) {
     text += compile_error_text(*verdict.compile_error, style, options.full);
+    if (!options.full) text += further_errors(verdict);
     return text + "\n" + summary(verdict, style);
   }
   for (const TestVerdict& test : verdict.tests) {
@@ -132,9 +157,7 @@ std::string report(const Verdict& verdict, const Style& style, const ReportOptio
     if (first || options.all_failures) text += failure_text(test, style);
     first = false;
   }
-  if (!verdict.warnings.empty() && verdict.outcome == Outcome::failed)
-    text +=
-        "\n  " + style.warn("the compiler warns: ") + printable(verdict.warnings.front()) + "\n";
+  if (verdict.outcome == Outcome::failed) text += warnings_text(verdict, style);
   text += output_text(verdict.output, style);
   return text + "\n" + summary(verdict, style);
 }

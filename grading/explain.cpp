@@ -112,6 +112,7 @@ class Sieve {
   [[nodiscard]] bool follows(const Found& found) const {
     const Remark& remark = found.remark;
     if (fails_ && (remark.mistake == "unused" || remark.mistake == "no-effect")) return true;
+    if (remark.message.find("<expression error>") != std::string::npos) return true;
     if (misread_ && (remark.mistake == "missing-return" || remark.mistake == "uninitialised"))
       return true;
     if (derailed_ > 0 && !(derails(remark.mistake) && remark.line > derailed_ + 2)) return true;

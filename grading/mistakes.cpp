@@ -60,20 +60,26 @@ bool stray(std::string_view sign) {
                            contains("@`$", sign.substr(0, 1)));
 }
 
-Mistake stray_sign(std::string_view sign) {
-  std::string words = "C++ does not know the character " + std::string(sign) + ".";
-  const auto* const known = std::find_if(signs.begin(), signs.end(),
-                                         [&](const Sign& entry) { return entry.sign == sign; });
-  if (sign == "\xC2\xA0")
-    words = "There is a blank here that is no ordinary one: delete it and type a new one.";
-  else if (known != signs.end())
-    words += " Write " + std::string(known->instead) + " instead.";
-  else
-    words += " Delete it.";
-  return {"stray-character", words, std::nullopt};
+std::string_view written_instead_of(std::string_view sign) {
+  for (const Sign& known : signs) {
+    if (known.sign == sign) return known.instead;
+  }
+  return {};
 }
 
-// A sign before `column` or from there on in the line; compilers point a little before or after it.
+Mistake stray_sign(std::string_view sign) {
+  if (sign == "\xC2\xA0")
+    return {"stray-character",
+            "There is a blank here that is no ordinary one: delete it and type a new one.",
+            std::nullopt};
+  const std::string_view instead = written_instead_of(sign);
+  return {"stray-character",
+          "C++ does not know the character " + std::string(sign) + ". " +
+              (instead.empty() ? "Delete it." : "Write " + std::string(instead) + " instead."),
+          std::nullopt};
+}
+
+// The next such sign in the line: compilers point at it or a little before.
 std::optional<Mistake> stray_character(const Said& said, const Holes&) {
   const std::string_view code = said.source.code(said.place.line);
   for (std::size_t at = static_cast<std::size_t>(std::max(said.place.column - 1, 0));
@@ -248,9 +254,10 @@ bool lists(const List& list, std::string_view name) {
 }
 
 std::string_view header_of(std::string_view name) {
-  const auto* const found = std::find_if(headers.begin(), headers.end(),
-                                         [&](const Header& entry) { return entry.name == name; });
-  return found == headers.end() ? std::string_view() : found->header;
+  for (const Header& known : headers) {
+    if (known.name == name) return known.header;
+  }
+  return {};
 }
 
 bool is_eigen_name(std::string_view name) {
@@ -424,6 +431,9 @@ Mistake mismatch(const Said& said, const std::string& from, const std::string& t
   if (is_product(from)) return product_of_vectors();
   const std::string have = bare_type(from);
   const std::string want = bare_type(to);
+  if (have.starts_with('<'))
+    return {"wrong-type", "What stands in the braces { } does not make " + want + ".",
+            std::nullopt};
   if (want == "bool")
     return {"wrong-type", "A yes or no is asked for here, and this is of type " + have + ".",
             std::nullopt};

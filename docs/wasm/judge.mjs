@@ -11,9 +11,10 @@ const flags = [
   ...studentFlags.filter((flag) => flag !== "-O1" && !/HARDENING/.test(flag)),
   "-Oz",
   "-DNDEBUG",
-  // The two libraries without their streams, which would bring the whole of <locale>.
+  // The two libraries without streams, which would bring the whole of <locale>: 50 kB of what is sent.
   "-DJSON_NO_IO",
   "-DTOML_ENABLE_FORMATTERS=0",
+  "-DTOML_FLOAT_CHARCONV=1",
   ...quiet,
 ];
 
@@ -36,7 +37,8 @@ const sources = [
 export const judgeRecipe = () => ({
   tool: "link",
   what: "the judge",
-  ...moduleLink,
+  before: [...moduleLink.before, "--compress-relocations"],
+  after: moduleLink.after,
   parts: [
     ...sources.map((file) => {
       const source = inRoot("grading", file);
