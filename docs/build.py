@@ -56,6 +56,10 @@ def api(book: Book, target: Path, strict: bool) -> str:
     return run_doxygen(book, DOCS / "Doxyfile.in", target, strict=strict)
 
 
+def page_names(staged: Path) -> set[str]:
+    return {path.relative_to(staged).as_posix() for path in staged.rglob("*.md")}
+
+
 def build(options: argparse.Namespace) -> int:
     root: Path = options.root.resolve()
     made: Path = (options.build or root / "build").resolve()
@@ -68,7 +72,10 @@ def build(options: argparse.Namespace) -> int:
         steps.say(f"  {line}")
     if not options.skip_api:
         steps.say("Doxygen: " + api(book, made / "doxygen", options.complete))
+    before = page_names(made / "docs-src")
     written = stage(book, root / "docs", made / "docs-src", api=not options.skip_api)
+    # Every page's sidebar names all pages.
+    every_page = page_names(made / "docs-src") != before
     steps.say(f"pages changed: {', '.join(written) or 'none'}")
     environment = os.environ | {
         "CONTACT_BOOK_ROOT": str(root),
@@ -77,7 +84,7 @@ def build(options: argparse.Namespace) -> int:
         "CONTACT_BOOK_COMPLETE": "1" if options.complete else "0",
     }
     steps.say("Sphinx")
-    code = run_sphinx(options.builder, DOCS, made, site, environment)
+    code = run_sphinx(options.builder, DOCS, made, site, environment, every_page=every_page)
     if code == 0:
         steps.say(f"the book is at {site / 'index.html'}")
     return code

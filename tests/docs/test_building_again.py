@@ -41,6 +41,8 @@ def test_a_chapter_is_found_by_its_folder_and_gone_with_it(sample: Sample) -> No
     assert made.returncode == 0, made.stderr
     assert 'href="chapters/02_more.html"' in sample.page("index.html")
     assert 'href="01_lines.html"' in sample.page("chapters/02_more.html")
+    # A page that did not change itself: its sidebar leads to the new one.
+    assert 'href="02_more.html"' in sample.page("chapters/01_lines.html")
     shutil.rmtree(folder)
     assert sample.make("--skip-api").returncode == 0
     assert "02_more" not in sample.page("index.html")

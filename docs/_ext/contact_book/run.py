@@ -9,12 +9,22 @@ from pathlib import Path
 
 
 def run_sphinx(
-    builder: str, docs: Path, build: Path, target: Path, environment: Mapping[str, str]
+    builder: str,
+    docs: Path,
+    build: Path,
+    target: Path,
+    environment: Mapping[str, str],
+    *,
+    every_page: bool = False,
 ) -> int:
-    """Sphinx's exit code; every warning counts as an error, after all of them are printed."""
+    """Sphinx's exit code; every warning counts as an error, after all of them are printed.
+
+    Pages that did not change are not written again, unless `every_page` says so.
+    """
     command = [
         *(sys.executable, "-m", "sphinx", "-W", "-n", "-q", "-j", "auto"),
         *("-b", builder, "-c", str(docs), "-d", str(build / "doctrees")),
+        *(("-a",) if every_page else ()),
         *(str(build / "docs-src"), str(target)),
     ]
     return subprocess.run(command, env=dict(environment), check=False).returncode
