@@ -32,9 +32,6 @@ export class CodeField {
     this.#still.setAttribute("aria-describedby", options.describedBy);
     this.#show();
     this.element.append(html("div", { class: "still" }, this.#numbers, this.#still));
-    this.element.addEventListener("pointerenter", () => void import("./editor.ts"), {
-      once: true,
-    });
     // The page has keys of its own: / searches, and the arrows turn to other chapters.
     this.element.addEventListener("keydown", (event) => event.stopPropagation());
     this.#still.addEventListener("focus", () => this.#wake());
