@@ -163,6 +163,8 @@ class Run {
   /** Each tells what is held back of what was printed. @type {(() => void)[]} */
   flushes = [];
   #started = 0;
+  /** It is being asked for its last words. */
+  #dead = false;
   /** @type {Exports | undefined} */
   #exports;
   /** The question that was open when the program died. @type {Question} */
@@ -214,6 +216,8 @@ class Run {
     };
     this.flushes.push(flush);
     return new ConsoleStdout((bytes) => {
+      // What last words let go of beyond the limit is not wanted, and must not end them.
+      if (this.#dead && this.tooMuch) return;
       length += bytes.length;
       held.push(bytes.slice());
       holds += bytes.length;
@@ -222,8 +226,10 @@ class Run {
       // At once, because this thread may never come back; but not line by line without end.
       if (length < promptOutput || holds > 4096) flush();
       if (length > limit) {
-        if (!this.tooMuch) this.#hearLastWords();
-        this.tooMuch = true;
+        if (!this.tooMuch) {
+          this.tooMuch = true;
+          this.#hearLastWords();
+        }
         throw new Error(sentences.output);
       }
     });
@@ -279,6 +285,7 @@ class Run {
     const exports = this.#exports;
     if (!exports || this.running === undefined) return;
     const stack = exports.__stack_pointer.value;
+    this.#dead = true;
     try {
       exports.__stack_pointer.value = exports.contact_spare_stack();
       const place = exports.contact_last_words();
@@ -288,6 +295,7 @@ class Run {
     } catch {
       // Its memory may be in any state: then nothing is known.
     } finally {
+      this.#dead = false;
       exports.__stack_pointer.value = stack;
     }
   }

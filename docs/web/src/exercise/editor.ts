@@ -165,6 +165,7 @@ export function makeEditor(options: EditorOptions): Editor {
     mark(messages) {
       const marks = messages
         .filter(({ file, severity }) => file.endsWith(options.file) && severity !== "note")
+        .filter(({ line }) => line > 0)
         .map((message): Mark => {
           const severity = message.severity === "error" ? "error" : "warning";
           return { ...rangeOf(view.state.doc, message), severity, message: message.words };

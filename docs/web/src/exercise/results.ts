@@ -133,9 +133,11 @@ const placed = ({ file, line, column, message, severity }: Diagnostic): string =
   return `${place}${severity}: ${message}`;
 };
 
-/** The messages in their order; what belongs to one (a note) is kept with it. */
+/** The messages in their order; what belongs to one (a note) is kept with it. `full` is all that was said: the linker
+ * names no line, so that what is said of its message is the book's, and its own words are all of them. */
 function messageRows(
   diagnostics: readonly Diagnostic[],
+  full: string,
   file: string,
   goTo: (message: Diagnostic) => void,
 ): HTMLElement[] {
@@ -157,7 +159,8 @@ function messageRows(
     }
     const kind = main.severity === "warning" ? "Warning: " : "";
     row.append(html("span", { class: "words" }, kind + main.words));
-    row.append(original(...[main, ...notes].map(placed)));
+    const linker = full !== "" && !full.includes(main.message);
+    row.append(linker ? original(full) : original(...[main, ...notes].map(placed)));
     return row;
   });
 }
@@ -172,8 +175,8 @@ export function messageList(
   file: string,
   goTo: (message: Diagnostic) => void,
 ): HTMLElement[] {
-  const rows = messageRows(verdict.diagnostics ?? [], file, goTo);
   const error = verdict.compile_error;
+  const rows = messageRows(verdict.diagnostics ?? [], error?.full ?? "", file, goTo);
   if (error && !rows.some((row) => row.dataset["severity"] === "error")) rows.unshift(lone(error));
   if (rows.length === 0) return [];
   const made: HTMLElement[] = [html("ol", { class: "messages" }, ...rows)];
