@@ -199,11 +199,12 @@ function nativeCheck(text) {
     CONTACT_WORK: path.join(scratch, "work"),
   };
   const began = performance.now();
-  const { status, stdout, stderr } = spawnSync(native, ["check", file], {
+  const { status, stdout, stderr, error } = spawnSync(native, ["check", file], {
     env: environment,
     encoding: "utf8",
   });
   const seconds = (performance.now() - began) / 1000;
+  if (error) throw error;
   if (status !== 0) throw new Error(`contact check failed:\n${stdout}${stderr}`);
   return seconds;
 }

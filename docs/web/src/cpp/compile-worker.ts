@@ -163,13 +163,12 @@ class Compiler {
     return { ok: false, step: "link", log: linked.log, defined, compile, link };
   }
 
-  /** Compiles and links next to nothing. */
+  /** Compiles and links a file like those that come. */
   warm(): void {
-    const text =
-      "#include <contact/prelude.hpp>\nint main() { return Eigen::Vector3d(1, 2, 3).norm() > 3; }\n";
-    const { result } = this.#compile("warm.cpp", ".", {}, text);
-    if (result)
-      this.#run([...this.#linkArguments(["warm.o"])], { "warm.o": result }, "program.wasm");
+    const { result } = this.#compile("warm.cpp", ".", {}, WARMING);
+    if (!result) return;
+    const objects: Tree = { "answer.o": result, "checks.o": this.#checks };
+    this.#run(this.#linkArguments(Object.keys(objects)), objects, "program.wasm");
   }
 
   #compile(file: string, folder: string, files: Build["files"], source: string): Ran {
@@ -227,6 +226,27 @@ class Compiler {
     }
   }
 }
+
+/** What an exercise's answer is made of. */
+const WARMING = `#include <contact/prelude.hpp>
+namespace {
+std::optional<double> across(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  const Eigen::Vector3d c = a.cross(b);
+  if (c.squaredNorm() == 0) return std::nullopt;
+  const double t = c.normalized().dot(b - 2 * a) / std::sqrt(a.norm());
+  if (!(t >= 0 && t <= 1)) return std::nullopt;
+  return t;
+}
+}  // namespace
+std::array<double, 3> warmed(const std::vector<Eigen::Vector3d>& points) {
+  std::array<double, 3> sums{};
+  for (const auto& p : points)
+    for (int i = 0; i < 3; ++i) sums[static_cast<std::size_t>(i)] += across(p, points[0]).value_or(p[i]);
+  if (points.empty()) throw std::invalid_argument("no points");
+  std::sort(sums.begin(), sums.end());
+  return sums;
+}
+`;
 
 interface Ran {
   readonly result: Bytes | undefined;
