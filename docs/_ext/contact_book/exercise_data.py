@@ -62,11 +62,14 @@ def _exercises(book: Book, chapter: Chapter) -> list[Exercise]:
 
 
 def book_json(book: Book) -> dict[str, Any]:
-    """What a record of progress is reported with."""
+    """What a record of progress is reported with, and the shapes that a message may name."""
     chapters = list(book.chapters.values())
-    files = [chapter.folder / "chapter.toml" for chapter in chapters]
-    shared = book.root / "chapters" / "misconceptions.toml"
     exercises = [item for chapter in chapters for item in _exercises(book, chapter)]
+    files = [chapter.folder / "chapter.toml" for chapter in chapters]
+    files += [exercise.toml for exercise in exercises]
+    shapes = [chapter.folder / "contact" / "shapes.hpp" for chapter in chapters]
+    files += [file for file in shapes if file.is_file()]
+    shared = book.root / "chapters" / "misconceptions.toml"
     return {
         "format": "contact-book/1",
         "files": _texts(book, [*files, shared] if shared.is_file() else files),
