@@ -253,8 +253,8 @@ void blame_missing_contract(std::vector<Found>& found, const Exercise& exercise,
   first->remark.mistake = "contract-not-included";
   first->remark.words = "The file does not include \"" + contract +
                         "\", its contract: write #include \"" + contract + "\" in its first line.";
-  Found only = *first;
-  found.assign(1, std::move(only));
+  std::swap(*first, found.front());
+  found.resize(1);
 }
 
 }  // namespace

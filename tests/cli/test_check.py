@@ -172,7 +172,7 @@ def test_a_syntax_error_names_its_line(
     error = compile_error(contact)
     assert Path(error["file"]) == copy
     lines = copy.read_text().splitlines()
-    assert lines[error["line"] - 2].strip() == "double x = 1"
+    assert lines[error["line"] - 1].strip() == "double x = 1"
     assert "^" in error["excerpt"]
     text = contact("check", "ray_triangle").stdout
     assert len(text.splitlines()) < 15

@@ -1,5 +1,7 @@
-"""check: the commonest mistakes are recognised and told in words. The page's compiler gets the same files in
-docs/web/test/judge.test.mjs."""
+"""check: the commonest mistakes are recognised and told in words.
+
+The page's compiler gets the same files in docs/web/test/judge.test.mjs.
+"""
 
 from __future__ import annotations
 
@@ -9,8 +11,6 @@ import subprocess
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
-
-import pytest
 
 Run = Callable[..., subprocess.CompletedProcess[str]]
 Answer = Callable[[str], Path]
@@ -81,6 +81,6 @@ def test_the_words_are_printed_and_the_original_on_request(
 def test_a_warning_is_told_beside_what_fails(
     contact: Run, answer: Answer, spoiled: Callable[[str], str]
 ) -> None:
-    answer(spoiled("double t = 1.0; if (t = 0.0) return std::nullopt; else return std::nullopt;"))
+    answer(spoiled("double zero = 1.0; if (zero = 0.0) return std::nullopt; else return std::nullopt;"))
     told = contact("check", "ray_triangle").stdout
     assert re.search(r"the compiler warns: line \d+: One = assigns", told)
