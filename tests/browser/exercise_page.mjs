@@ -100,13 +100,17 @@ export function exerciseOn(page, id) {
 
   /** Does something that ends in a verdict, and waits for it. @param {() => Promise<unknown>} act */
   async function untilDone(act) {
-    // The state is "done" from the last check as well: what counts is when it becomes so again.
+    // What a test that failed left behind.
+    if (await button("Stop").isVisible()) await press("Stop");
+    // The state is "done" from the last check as well: what counts is what it becomes after this one.
     const done = await element.evaluateHandle((node) => {
       const again = new Promise((resolve) => {
-        let left = node.getAttribute("state") !== "done";
+        let busy = false;
         new MutationObserver(() => {
-          if (node.getAttribute("state") !== "done") left = true;
-          else if (left) resolve(node.getAttribute("verdict"));
+          const state = node.getAttribute("state") ?? "";
+          if (/loading|compiling|running/.test(state)) busy = true;
+          else if (busy && state === "done") resolve(node.getAttribute("verdict"));
+          else if (busy) resolve(`${state}: ${node.querySelector(".status")?.textContent}`);
         }).observe(node, { attributeFilter: ["state"] });
       });
       return { again };
@@ -156,6 +160,7 @@ export function exerciseOn(page, id) {
     await edit();
     const line = content.locator(".cm-line").filter({ hasText: from }).first();
     await line.scrollIntoViewIfNeeded();
+    await line.evaluate((node) => node.closest(".cm-scroller")?.scrollTo({ left: 0 }));
     const box = await line.evaluate((node, wanted) => {
       const start = (node.textContent ?? "").indexOf(wanted);
       const range = document.createRange();
@@ -191,24 +196,25 @@ export function exerciseOn(page, id) {
       })),
     );
 
-  /** The first failure whole, as pairs of what it is and what it says, in the order of the page. */
-  const failure = async () => {
-    const pairs = await element.locator(".failure").evaluateAll((boxes) =>
-      boxes.flatMap((box) =>
-        [...box.querySelectorAll("dt")].map((term) => {
-          const said = [];
-          for (
-            let next = term.nextElementSibling;
-            next?.matches("dd");
-            next = next.nextElementSibling
-          )
-            said.push(next.textContent);
-          return [term.textContent?.trim() ?? "", said.join("\n")];
-        }),
-      ),
-    );
-    return pairs.map(([what = "", says = ""]) => ({ what, says: plain(says) }));
+  /** What is said of a failure, as pairs of what it is and what it says, in the order of the page.
+   * @param {Locator} where */
+  const told = async (where) => {
+    const pairs = await where
+      .locator("dl")
+      .evaluateAll((lists) =>
+        lists.flatMap((list) =>
+          [...list.querySelectorAll("dt")].map((term) => [
+            term.textContent,
+            term.nextElementSibling?.textContent,
+          ]),
+        ),
+      );
+    return pairs.map(([what, says]) => ({ what: plain(what ?? ""), says: plain(says ?? "") }));
   };
+  /** The first failure, which is shown whole. */
+  const failure = () => told(element.locator(".failure"));
+  /** What is said of one test. @param {string} name */
+  const failureOf = (name) => told(element.locator("ol.tests > li").filter({ hasText: name }));
 
   /** What the compiler said, as it is listed. */
   const messages = () =>
@@ -250,6 +256,7 @@ export function exerciseOn(page, id) {
     status,
     tests,
     failure,
+    failureOf,
     messages,
     marks,
     /** Presses Check and waits for the verdict. */
