@@ -13,7 +13,7 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { parseArgs } from "node:util";
-import { check, makePage, notBuilt, root } from "../docs/web/test/checker_page.mjs";
+import { check, makePage, notBuilt, root } from "../docs/web/test/cpp/checker_page.mjs";
 import {
   findBrowser,
   flags,
@@ -24,7 +24,7 @@ import {
   serve,
 } from "../tests/browser/browser.mjs";
 
-/** @typedef {import("../docs/web/test/checker_page.mjs").Checked} Checked */
+/** @typedef {import("../docs/web/test/cpp/checker_page.mjs").Checked} Checked */
 /** @typedef {{ median: number, q1: number, q3: number, least: number, runs: number }} Spread */
 
 const wishes = { first: 3, warm: 0.8, bytes: 30e6 };

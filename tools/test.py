@@ -361,7 +361,8 @@ def wasm() -> Iterator[Check]:
     if shutil.which("apt-get"):
         yield once("Catch2's source", [ROOT / "tools" / "fetch_catch2_source.sh"])
     yield from step_checks(steps.BEHIND[1:2])
-    yield from node_tests("tests of docs/wasm", sorted(docs.glob("wasm/*.test.mjs")), docs)
+    tests = [*sorted(docs.glob("wasm/*.test.mjs")), *sorted(docs.glob("web/test/cpp/*.test.mjs"))]
+    yield from node_tests("tests of docs/wasm", tests, docs)
 
 
 def book() -> Iterator[Check]:

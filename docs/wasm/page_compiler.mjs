@@ -35,7 +35,7 @@ export class PageCompiler {
   }
 
   /** @param {string} name a key of the manifest's files */
-  async #file(name) {
+  async file(name) {
     const shipped = this.manifest.files[name];
     if (!shipped) throw new Error(`the manifest has no ${name}`);
     return this.#read(shipped);
@@ -47,14 +47,14 @@ export class PageCompiler {
     this.#llvm = await import(pathToFileURL(program).href);
     const modules = core.filter((name) => /^llvm\..*\.wasm$/.test(name));
     const compiled = await Promise.all(
-      modules.map(async (name) => [name, await WebAssembly.compile(await this.#file(name))]),
+      modules.map(async (name) => [name, await WebAssembly.compile(await this.file(name))]),
     );
     await this.#llvm.start({
       modules: Object.fromEntries(compiled),
-      files: this.#llvm.openTar(await this.#file("system.tar")),
+      files: this.#llvm.openTar(await this.file("system.tar")),
     });
     for (const name of ["checks.o", ...behind])
-      this.#parts.set(name, new Uint8Array(await this.#file(name)));
+      this.#parts.set(name, new Uint8Array(await this.file(name)));
     return this;
   }
 

@@ -1,6 +1,6 @@
 """check: the commonest mistakes are recognised and told in words.
 
-The page's compiler gets the same files in docs/web/test/judge.test.mjs.
+The page's compiler gets the same files in docs/web/test/cpp/judge.test.mjs.
 """
 
 from __future__ import annotations

@@ -2,21 +2,18 @@
 // and the commonest mistakes are recognised by the words of both compilers.
 
 import assert from "node:assert/strict";
-import { execFileSync, spawnSync } from "node:child_process";
+import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { before, describe, test } from "node:test";
-import { judgeRecipe } from "../../wasm/judge.mjs";
-import { inRoot } from "../../wasm/paths.mjs";
-import { makeAll } from "../../wasm/pool.mjs";
-import { exerciseList } from "../../wasm/products.mjs";
-import { key, made } from "../../wasm/recipes.mjs";
-import { load } from "./load.mjs";
-import { compile, link, ready } from "./page_compiler.mjs";
+import { PageCompiler } from "../../../wasm/page_compiler.mjs";
+import { inRoot } from "../../../wasm/paths.mjs";
+import { exerciseList } from "../../../wasm/products.mjs";
+import { load } from "../load.mjs";
 
-/** @typedef {import("../src/cpp/types.ts").VerdictJson} Verdict */
-/** @typedef {import("../src/cpp/types.ts").TestResult} TestResult */
+/** @typedef {import("../../src/cpp/types.ts").VerdictJson} Verdict */
+/** @typedef {import("../../src/cpp/types.ts").TestResult} TestResult */
 
 /** Every file of the book that the judge reads. @returns {Record<string, string>} */
 function bookFiles() {
@@ -34,16 +31,16 @@ function bookFiles() {
   return files;
 }
 
-/** @type {import("../src/cpp/judge.ts").BookJudge} */
+/** @type {PageCompiler} */
+let compiler;
+/** @type {import("../../src/cpp/judge.ts").BookJudge} */
 let judge;
-/** @type {typeof import("../src/cpp/judge.ts")} */
+/** @type {typeof import("../../src/cpp/judge.ts")} */
 let library;
 before(async () => {
-  const recipe = judgeRecipe();
-  const { failed } = await makeAll([recipe]);
-  assert.equal(failed.get(key(recipe)), undefined);
+  compiler = await new PageCompiler(inRoot("build", "web", "cpp")).load();
   library = await load("cpp/judge.ts");
-  judge = await library.loadJudge(made(key(recipe)), bookFiles());
+  judge = await library.loadJudge(await compiler.file("judge.wasm"), bookFiles());
 });
 
 const program = inRoot("build", "dev", "bin", "contact");
@@ -69,17 +66,6 @@ function inFolder(use) {
     fs.rmSync(folder, { recursive: true, force: true });
   }
 }
-
-/** The book's answers: stub, solution and wrong ones. @returns {{ id: string, file: string }[]} */
-const answers = exerciseList().flatMap(({ name: id }) => {
-  const short = path.basename(id);
-  const wrong = inRoot("solutions", id, "wrong");
-  return [
-    inRoot("exercises", id, `${short}.cpp`),
-    inRoot("solutions", id, `${short}.cpp`),
-    ...fs.readdirSync(wrong).map((file) => path.join(wrong, file)),
-  ].map((file) => ({ id, file }));
-});
 
 /** The mistakes, each a file that says which it is. */
 const mistakes = ["01_planes", "02_triangles"]
@@ -121,19 +107,17 @@ function recognised(verdict, text, whose) {
 
 /** @param {string} id @param {string} text @returns {Promise<Verdict>} */
 async function inPage(id, text) {
-  const compiled = await compile(id, text);
-  if (!compiled.made)
-    return judge.uncompiled(id, { step: "compile", log: compiled.log, source: text });
-  const linked = await link(id, compiled.made);
-  if (!linked.made) return judge.uncompiled(id, { step: "link", log: linked.log, source: text });
-  return judge.judge(id, [], { source: text, log: compiled.log });
+  const contract = fs.readFileSync(inRoot("exercises", id, `${path.basename(id)}.hpp`), "utf8");
+  const built = await compiler.build(id, contract, text);
+  const { log } = built;
+  if (!built.ok) return judge.uncompiled(id, { step: built.step, log, source: text });
+  return judge.judge(id, [], { source: text, log });
 }
 
 describe("every mistake is recognised, in the page and by the program", () => {
   /** @type {Map<string, Verdict>} */
   const native = new Map();
   before(async () => {
-    await ready([...new Set(mistakes.map(({ id }) => id))]);
     inFolder((work) => {
       const files = mistakes.map(({ file }) => file);
       const { results } = JSON.parse(contact(work, "check", "--json", ...files));
@@ -149,44 +133,6 @@ describe("every mistake is recognised, in the page and by the program", () => {
       recognised(mine, text, "the page");
       // What only warns is run, and has results in the program alone.
       if (theirs.verdict === "does_not_compile") assert.equal(mine.verdict, theirs.verdict);
-    });
-  }
-});
-
-/** A verdict without what may differ: where the file lies, how long it took, the compiler's own words.
- * @param {Verdict} verdict */
-function essence({ file: _file, seconds: _seconds, warnings: _warnings, ...verdict }) {
-  return verdict;
-}
-
-describe("the judge gives the program's verdicts", () => {
-  /** @type {Map<string, Verdict>} */
-  const native = new Map();
-  before(async () => {
-    await ready([]);
-    inFolder((work) => {
-      const files = answers.map(({ file }) => file);
-      const { results } = JSON.parse(contact(work, "check", "--json", ...files));
-      for (const result of results) native.set(result.file, result);
-    });
-  });
-  for (const { id, file } of answers) {
-    test(path.relative(inRoot(), file), async () => {
-      const theirs = /** @type {Verdict} */ (native.get(file));
-      // The events of the run: what the judge adds is taken away again.
-      const results = theirs.tests.map(({ name, status, seconds, failure }) => ({
-        name,
-        status: /** @type {TestResult["status"]} */ (status === "skipped" ? "failed" : status),
-        seconds,
-        ...(failure && status !== "skipped" ? { failure: { ...failure, hint: "" } } : {}),
-      }));
-      const source = fs.readFileSync(file, "utf8");
-      const { log, made: object } = await compile(id, source);
-      assert.ok(object, log);
-      const mine = judge.judge(id, results, { source, log, output: theirs.output });
-      assert.deepEqual(essence(mine), essence(theirs));
-      // These compile, so nothing is to be said of them.
-      assert.deepEqual(mine.diagnostics, []);
     });
   }
 });
@@ -265,16 +211,14 @@ describe("the record of progress is the program's", () => {
 });
 
 test("a broken file of the book is told", async () => {
-  const recipe = judgeRecipe();
   const files = bookFiles();
   files["exercises/02_triangles/ray_triangle/exercise.toml"] = 'title = "no end\n';
-  const broken = await library.loadJudge(made(key(recipe)), files);
+  const broken = await library.loadJudge(await compiler.file("judge.wasm"), files);
   assert.match(broken.problems().join(), /ray_triangle\/exercise\.toml:1: /);
   assert.throws(() => broken.judge("02_triangles/ray_triangle", []), library.JudgeError);
 });
 
 test("the module is small", () => {
-  const bytes = made(key(judgeRecipe()));
-  const gzip = execFileSync("gzip", ["-9c"], { input: bytes }).length;
-  assert.ok(gzip < 175_000, `${gzip} bytes compressed`);
+  const { transfer } = /** @type {{ transfer: number }} */ (compiler.manifest.files["judge.wasm"]);
+  assert.ok(transfer < 175_000, `${transfer} bytes compressed`);
 });

@@ -8,12 +8,12 @@ import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const here = path.dirname(fileURLToPath(import.meta.url));
-const docs = path.resolve(here, "..", "..");
+const docs = path.resolve(here, "..", "..", "..");
 export const root = path.dirname(docs);
 
-/** @typedef {import("../src/cpp/types.ts").ExerciseData} ExerciseData */
-/** @typedef {import("../src/cpp/types.ts").VerdictJson} VerdictJson */
-/** @typedef {import("../src/cpp/types.ts").Progress & { at: number }} Told */
+/** @typedef {import("../../src/cpp/types.ts").ExerciseData} ExerciseData */
+/** @typedef {import("../../src/cpp/types.ts").VerdictJson} VerdictJson */
+/** @typedef {import("../../src/cpp/types.ts").Progress & { at: number }} Told */
 /** @typedef {{ verdict?: VerdictJson, error?: string, told: Told[], milliseconds: number }} Checked */
 
 const read = (/** @type {string} */ file) => fs.readFileSync(path.join(root, file), "utf8");

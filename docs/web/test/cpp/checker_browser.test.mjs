@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import { after, before, describe, test } from "node:test";
-import { launch, notRun, open, serve } from "../../../tests/browser/browser.mjs";
+import { launch, notRun, open, serve } from "../../../../tests/browser/browser.mjs";
 import { check, exerciseData, exerciseIds, makePage, notBuilt, root } from "./checker_page.mjs";
 
 const skip = notRun() || notBuilt();
