@@ -81,6 +81,6 @@ def test_the_words_are_printed_and_the_original_on_request(
 def test_a_warning_is_told_beside_what_fails(
     contact: Run, answer: Answer, spoiled: Callable[[str], str]
 ) -> None:
-    answer(spoiled("double zero = 1.0; if (zero = 0.0) return std::nullopt; else return std::nullopt;"))
+    answer(spoiled("double x = 1.0; if (x = 0.0) return std::nullopt; return std::nullopt;"))
     told = contact("check", "ray_triangle").stdout
     assert re.search(r"the compiler warns: line \d+: One = assigns", told)
