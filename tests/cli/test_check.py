@@ -133,7 +133,9 @@ def test_exit_before_main_earns_nothing(contact: Run, solution: str, answer: Ans
 
 def test_an_exception_is_told(contact: Run, spoiled: Callable[[str], str], answer: Answer) -> None:
     answer(spoiled(f'if ({NO_DIRECTION}) throw std::runtime_error("lost my way");'))
-    assert "lost my way" in only_failure(verdict(contact), "failed")["got"]
+    failure = only_failure(verdict(contact), "stopped")
+    assert "lost my way" in failure["reason"]
+    assert failure["asked"] and failure["inputs"]
 
 
 def test_a_child_of_the_answer_does_not_outlive_it(
