@@ -372,7 +372,7 @@ describe("exercises", { skip }, () => {
       await exercise.press("Stop");
       await exercise.element
         .locator(".status")
-        .filter({ hasText: /stopped/i })
+        .filter({ hasText: /^Stopped\./ })
         .waitFor();
       assert.match((await exercise.attribute("state")) ?? "", /idle|done/);
       assert.equal((await recordOf(segment)).attempts, attempts);
