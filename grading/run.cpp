@@ -249,7 +249,7 @@ std::vector<TestResult> run_tests(Loop& loop, const Exercise& exercise, const fs
     // through.
     const bool died = !reader.done() || process.signal != 0 || process.ended != Ended::by_itself;
     if (died && !reader.running() && !seen.empty() && seen.back().status == TestStatus::stopped &&
-        process.signal != 0)
+        (process.signal != 0 || seen.back().failure.reason.empty()))
       put_in_words(seen.back(), why_stopped(process, exercise));
     for (TestResult& result : seen) take(std::move(result));
     if (!died) break;

@@ -226,7 +226,7 @@ class Child {
   void end(Ended why) {
     if (why == Ended::by_itself || exited_ || result_.ended != Ended::by_itself) return;
     result_.ended = why;
-    if (why == Ended::time && spec_.grace > 0.0) {
+    if (spec_.grace > 0.0) {
       asked_to_end_ = Clock::now();
       ::kill(-process_.pid, SIGTERM);
     } else {

@@ -71,8 +71,8 @@ struct ProcessSpec {
   std::function<void(std::string_view)> on_events;
   /// Asked every few milliseconds; anything but by_itself ends the process.
   std::function<Ended(int pid)> watchdog;
-  /// Seconds between asking a process that is out of time to end (SIGTERM, so that it can still say
-  /// where it was) and ending it; 0 ends it at once.
+  /// Seconds between asking a process that is out of time or output to end (SIGTERM, so that it can
+  /// still say where it was) and ending it; 0 ends it at once.
   double grace = 0.0;
   /// Standard input, output and error are this program's own.
   bool inherit = false;

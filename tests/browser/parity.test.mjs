@@ -101,12 +101,14 @@ function told({ status, points, max_points, failure }) {
   const inputs = (failure?.inputs ?? []).map(({ name, text }) => `${name} = ${text}`);
   // Which machine noticed the end, and how it puts it, is the machine's.
   const reason = status === "stopped" ? "" : (failure?.reason ?? "");
+  // What an exception of the standard library says is that library's.
+  const got = (failure?.got ?? "").replace(/(threw std::invalid_argument: sto[a-z]+).*/, "$1");
   return [
     status,
     `${points} of ${max_points}`,
     failure?.asked ?? "",
     ...inputs,
-    failure?.got ?? "",
+    got,
     failure?.right ?? "",
     failure?.allowed ?? "",
     failure?.misconception ?? "",

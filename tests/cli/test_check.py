@@ -115,13 +115,17 @@ def test_runaway_output_is_stopped(
 ) -> None:
     answer(spoiled(f'while ({NO_DIRECTION}) std::puts("again");'))
     result = verdict(contact)
-    assert "printed" in only_failure(result, "stopped")["reason"]
+    failure = only_failure(result, "stopped")
+    assert "printed" in failure["reason"]
+    assert [given["name"] for given in failure["inputs"]] == ["ray", "triangle"]
     assert len(result["output"]) < 3_000_000
 
 
 def test_exit_earns_nothing(contact: Run, spoiled: Callable[[str], str], answer: Answer) -> None:
     answer(spoiled(f"if ({NO_DIRECTION}) std::exit(0);"))
-    assert "exit" in only_failure(verdict(contact), "stopped")["reason"]
+    failure = only_failure(verdict(contact), "stopped")
+    assert "exit" in failure["reason"]
+    assert [given["name"] for given in failure["inputs"]] == ["ray", "triangle"]
 
 
 def test_exit_before_main_earns_nothing(contact: Run, solution: str, answer: Answer) -> None:
