@@ -791,6 +791,36 @@ describe("exercises", { skip }, () => {
     });
   });
 
+  test("on a laptop the contract stands beside the code when asked for, and stays there", async () => {
+    const page = await shared.newPage();
+    await page.setViewportSize({ width: 1280, height: 900 });
+    await page.goto(`${server.origin}/${pageOf(segment)}`, { waitUntil: "load" });
+    const bench = page.locator(`contact-exercise[name="${segment}"]`);
+    const beside = bench.getByRole("button", { name: "Contract beside the code" });
+    const isBeside = async () => {
+      const code = await bench.locator(".code").boundingBox();
+      const contract = await bench.locator(".contract").boundingBox();
+      assert.ok(code && contract);
+      return contract.x >= code.x + code.width && contract.x + contract.width <= 1280;
+    };
+    await beside.scrollIntoViewIfNeeded();
+    assert.equal(await isBeside(), false);
+    const before = await beside.boundingBox();
+    await beside.click();
+    assert.equal(await isBeside(), true);
+    const after = await beside.boundingBox();
+    assert.ok(
+      before && after && Math.abs(after.y - before.y) < 2,
+      "what was looked at stays there",
+    );
+    await page.reload();
+    assert.equal(await isBeside(), true);
+    assert.equal(await beside.getAttribute("aria-pressed"), "true");
+    await beside.click();
+    assert.equal(await isBeside(), false);
+    await page.close();
+  });
+
   test("where the browser keeps nothing everything works, and the page says so", async () => {
     const page = await shared.newPage();
     await page.addInitScript(() =>

@@ -9,6 +9,7 @@ import { CodeField } from "./code-field.ts";
 import { colour } from "./colour.ts";
 import { Hints } from "./hints.ts";
 import { nextAfter, type Parts } from "./parts.ts";
+import { sideBySideSwitch } from "./side-by-side.ts";
 import { Versions, when } from "./versions.ts";
 
 const SAVE_AFTER_MS = 400;
@@ -134,6 +135,7 @@ export class Bench {
       hidden.hidden = true;
     if (points) this.#results.append(points);
     const heading = html("p", { class: "name" }, "Your code, ", html("code", {}, file));
+    heading.append(sideBySideSwitch());
     const write = html("div", { class: "write" });
     const below = html("div", { class: "below" }, keys, this.#size);
     write.append(this.#changed, heading, this.#code.element, below, buttons);
