@@ -18,10 +18,28 @@ export const MOST_VERSIONS = 20;
 /** Why a text was put aside. */
 export type Why = "reset" | "solution" | "import" | "other-tab" | "checked";
 
+/** What a check said of a text, as a verdict has it. */
+export interface Said {
+  readonly verdict: string;
+  readonly points: number;
+  readonly max_points: number;
+}
+
 export interface Version {
   readonly text: string;
   readonly at: string;
   readonly why: Why;
+  /** Absent if it was never checked, or before this was kept. */
+  readonly said?: Said;
+}
+
+/** Another tab's text, which takes the place of this page's. */
+export interface TakenOver {
+  readonly text: string;
+  /** An import put it there. */
+  readonly imported: boolean;
+  /** What was here and not yet saved is an earlier version now. */
+  readonly aside: boolean;
 }
 
 export interface Code {
@@ -114,6 +132,20 @@ export function parseProgress(text: string): Progress | undefined {
   }
 }
 
+function isSaid(value: unknown): value is Said {
+  if (!isRecord(value)) return false;
+  const { verdict, points, max_points } = value as Partial<Record<keyof Said, unknown>>;
+  return (
+    typeof verdict === "string" && typeof points === "number" && typeof max_points === "number"
+  );
+}
+
+function parseVersion(entry: unknown): Version[] {
+  if (!isRecord(entry) || typeof entry["text"] !== "string") return [];
+  const { said, ...version } = entry as unknown as Version;
+  return [isSaid(said) ? { ...version, said } : version];
+}
+
 function parseCode(text: string): Code | undefined {
   try {
     const data: unknown = JSON.parse(text);
@@ -123,21 +155,37 @@ function parseCode(text: string): Code | undefined {
       text: data["text"],
       base: typeof data["base"] === "string" ? data["base"] : "",
       saved: typeof data["saved"] === "string" ? data["saved"] : "",
-      kept: kept.filter((entry) => isRecord(entry) && typeof entry["text"] === "string"),
+      kept: kept.flatMap(parseVersion),
     };
   } catch {
     return undefined;
   }
 }
 
-/** The versions with one more. What a check put aside goes first when there are too many. */
+/** Those that are never thrown out: the newest, the newest that passed, the newest of most points. */
+function treasured(all: readonly Version[]): ReadonlySet<Version | undefined> {
+  const points = ({ said }: Version): number => said?.points ?? 0;
+  const most = Math.max(...all.map(points));
+  return new Set([
+    all[0],
+    all.find(({ said }) => said?.verdict === "passed"),
+    most > 0 ? all.find((version) => points(version) === most) : undefined,
+  ]);
+}
+
+/** The versions with one more. When there are too many, the oldest goes of those that did not
+ * compile; else of those that a check put aside; else of all. */
 function withVersion(kept: readonly Version[], version: Version): readonly Version[] {
+  const said = kept.find(({ text }) => text === version.text)?.said;
   const others = kept.filter(({ text }) => text !== version.text);
-  const all = [version, ...others];
+  const all = [said ? { ...version, said } : version, ...others];
   while (all.length > MOST_VERSIONS) {
-    let last = all.length - 1;
-    while (last > 0 && all[last]!.why !== "checked") last -= 1;
-    all.splice(last || all.length - 1, 1);
+    const stays = treasured(all);
+    const spare = all.filter((one) => !stays.has(one));
+    const checked = spare.filter(({ why }) => why === "checked");
+    const broken = checked.filter((one) => one.said?.verdict === "does_not_compile");
+    const goes = broken.at(-1) ?? checked.at(-1) ?? spare.at(-1)!;
+    all.splice(all.indexOf(goes), 1);
   }
   return all;
 }
@@ -172,6 +220,12 @@ export class WorkStore {
     return this.#code(id)?.kept ?? [];
   }
 
+  /** What the present text began from; empty if that is not known. Unlike `code`, it takes no
+   * notice of what another tab has written. */
+  base(id: string): string {
+    return this.#code(id)?.base ?? "";
+  }
+
   /** Keeps the text as the present one. A text that another tab has put there meanwhile becomes
    * an earlier version. */
   save(id: string, text: string, base: string): void {
@@ -198,6 +252,29 @@ export class WorkStore {
     // What is there may be another tab's text, which this page has still not seen.
     if (known === undefined) this.#known.delete(id);
     else this.#known.set(id, known);
+  }
+
+  /** Notes with an earlier version what a check said of it. */
+  judged(id: string, text: string, { verdict, points, max_points }: Said): void {
+    const there = this.#code(id);
+    if (!there?.kept.some((version) => version.text === text)) return;
+    const said = { verdict, points, max_points };
+    const kept = there.kept.map((one) => (one.text === text ? { ...one, said } : one));
+    this.#put(CODE_PREFIX + id, JSON.stringify({ ...there, kept }));
+    this.#tell({ what: "code", id, elsewhere: false });
+  }
+
+  /** Another tab's text, if it is not what this page `saved` last. What is `here` instead, and
+   * was not saved, becomes an earlier version. */
+  takeOver(id: string, here: string, saved: string): TakenOver | undefined {
+    const there = this.#code(id);
+    if (!there || there.text === saved) return undefined;
+    const [newest] = there.kept;
+    const imported = newest?.why === "import" && newest.text === saved;
+    const aside = here !== saved && here !== there.text;
+    if (aside) this.keep(id, "other-tab", here);
+    this.#known.set(id, there.text);
+    return { text: there.text, imported, aside };
   }
 
   /** The exercises with code, also those that the book no longer has. */

@@ -83,6 +83,32 @@ function refused(bytes, words) {
   assert.deepEqual(store.versions(RAY), []);
 }
 
+test("an open page knows an import from another tab's text", () => {
+  /** @type {Map<string, string>} */
+  const kept = new Map();
+  const storage = {
+    get length() {
+      return kept.size;
+    },
+    key: (/** @type {number} */ index) => [...kept.keys()][index] ?? null,
+    getItem: (/** @type {string} */ key) => kept.get(key) ?? null,
+    removeItem: (/** @type {string} */ key) => void kept.delete(key),
+    setItem: (/** @type {string} */ key, /** @type {string} */ value) => void kept.set(key, value),
+  };
+  const page = new WorkStore(storage);
+  page.save(RAY, "mine", "s");
+  importWork(
+    zip({ "contact-submission.json": ABOUT, [`work/${RAY}.cpp`]: "theirs" }),
+    new WorkStore(storage),
+  );
+  const taken = { text: "theirs", imported: true, aside: false };
+  assert.deepEqual(page.takeOver(RAY, "mine", "mine"), taken);
+  const tab = new WorkStore(storage);
+  tab.code(RAY);
+  tab.save(RAY, "typed there", "s");
+  assert.equal(page.takeOver(RAY, "theirs", "theirs")?.imported, false);
+});
+
 test("what is not ours is refused, and nothing changes", () => {
   const code = { [`work/${RAY}.cpp`]: "theirs" };
   refused(strToU8("no archive at all"), /not a zip archive/);

@@ -102,6 +102,109 @@ test("when all versions were put aside by hand the oldest goes, and the new one 
   assert.deepEqual([kept[0], kept.at(-1)], ["checked", "reset 3"]);
 });
 
+const PASSED = { verdict: "passed", points: 8, max_points: 8 };
+const BROKEN = { verdict: "does_not_compile", points: 0, max_points: 8 };
+const FAILED = { verdict: "failed", points: 3, max_points: 8 };
+
+/** A check as the page does it: kept first, judged later. @param {any} store @param {string} text @param {object} said */
+function check(store, text, said) {
+  store.save(ID, text, "s");
+  store.keep(ID, "checked");
+  store.judged(ID, text, said);
+}
+
+test("what passed outlives any number of checks that do not compile", () => {
+  const store = new WorkStore(shelf(), clock());
+  check(store, "an early pass", PASSED);
+  check(store, "most points", { ...PASSED, verdict: "failed", points: 9 });
+  check(store, "the last pass", PASSED);
+  for (let n = 1; n <= 30; n += 1) check(store, `broken ${n}`, BROKEN);
+  const kept = texts(store.versions(ID));
+  assert.equal(kept.length, MOST_VERSIONS);
+  assert.deepEqual(kept.slice(-4), ["broken 14", "the last pass", "most points", "an early pass"]);
+  for (let n = 1; n <= 30; n += 1) check(store, `failed ${n}`, FAILED);
+  const later = texts(store.versions(ID));
+  assert.equal(later.length, MOST_VERSIONS);
+  assert.deepEqual(later.slice(-3), ["failed 13", "the last pass", "most points"]);
+});
+
+test("checks that did not compile go first, then other checks, then what was put aside by hand", () => {
+  const store = new WorkStore(shelf(), clock());
+  store.save(ID, "by hand", "s");
+  store.keep(ID, "reset");
+  for (let n = 1; n <= 10; n += 1) check(store, `failed ${n}`, FAILED);
+  for (let n = 1; n <= 9; n += 1) check(store, `broken ${n}`, BROKEN);
+  check(store, "one more", FAILED);
+  const kept = texts(store.versions(ID));
+  assert.ok(!kept.includes("broken 1"));
+  for (const text of ["broken 2", "failed 1", "by hand"]) assert.ok(kept.includes(text), text);
+});
+
+test("what a check said stays with the text when it is put aside again", () => {
+  const store = new WorkStore(shelf(), clock());
+  check(store, "one", PASSED);
+  store.keep(ID, "reset");
+  store.judged(ID, "another", PASSED);
+  assert.deepEqual(store.versions(ID), [
+    { text: "one", at: "2026-01-01T00:03:00Z", why: "reset", said: PASSED },
+  ]);
+});
+
+test("versions of before, without what a check said, are read; nonsense in its place is not", () => {
+  const storage = shelf();
+  const old = { text: "old", at: "2026-01-01T00:00:00Z", why: "checked" };
+  const kept = [old, { ...old, text: "odd", said: "passed" }, { why: "reset" }];
+  storage.setItem(CODE_PREFIX + ID, JSON.stringify({ text: "x", base: "", saved: "", kept }));
+  const store = new WorkStore(storage, clock());
+  assert.deepEqual(store.versions(ID), [old, { ...old, text: "odd" }]);
+  store.code(ID);
+  for (let n = 1; n <= 18; n += 1) check(store, `check ${n}`, FAILED);
+  assert.equal(texts(store.versions(ID)).at(-2), "old");
+});
+
+test("keystrokes not yet saved become a version when another tab's text takes their place", () => {
+  const storage = shelf();
+  const here = new WorkStore(storage, clock());
+  const there = new WorkStore(storage, clock());
+  here.save(ID, "one", "s");
+  there.code(ID);
+  there.save(ID, "there", "s");
+  const taken = here.takeOver(ID, "one and a half", "one");
+  assert.deepEqual(taken, { text: "there", imported: false, aside: true });
+  assert.equal(here.code(ID).text, "there");
+  assert.deepEqual(
+    here.versions(ID).map(({ text, why }) => [text, why]),
+    [["one and a half", "other-tab"]],
+  );
+  // The tab that wrote it hears of that, and goes on with its own keystrokes.
+  assert.equal(there.takeOver(ID, "there, and more", "there"), undefined);
+});
+
+test("with nothing unsaved another tab's text is taken over, and nothing put aside", () => {
+  const storage = shelf();
+  const here = new WorkStore(storage, clock());
+  const there = new WorkStore(storage, clock());
+  here.save(ID, "one", "s");
+  there.code(ID);
+  there.save(ID, "two", "s");
+  const taken = here.takeOver(ID, "one", "one");
+  assert.deepEqual(taken, { text: "two", imported: false, aside: false });
+  here.save(ID, "three", "s");
+  assert.deepEqual(here.versions(ID), []);
+});
+
+test("asking what a text began from does not hide what another tab wrote", () => {
+  const storage = shelf();
+  const here = new WorkStore(storage, clock());
+  const there = new WorkStore(storage, clock());
+  here.save(ID, "one", "s");
+  there.code(ID);
+  there.save(ID, "there", "s");
+  assert.equal(here.base(ID), "s");
+  here.save(ID, "here", "s");
+  assert.deepEqual(texts(here.versions(ID)), ["there"]);
+});
+
 test("another tab's text becomes a version before it is overwritten", () => {
   const storage = shelf();
   const here = new WorkStore(storage, clock());

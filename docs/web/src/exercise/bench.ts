@@ -293,22 +293,28 @@ export class Bench {
     const { text } = this.#code;
     if (text === this.#saved) return;
     this.#saved = text;
-    const base = Work.code(this.#parts.id)?.base || this.#base;
+    const base = Work.base(this.#parts.id) || this.#base;
     Work.save(this.#parts.id, text, base);
   }
 
   #workChanged({ what, id, elsewhere }: Change): void {
     if (id !== undefined && id !== this.#parts.id) return;
-    if (elsewhere && what === "code" && this.#code.text === this.#saved) {
-      const text = Work.code(this.#parts.id)?.text;
-      if (text !== undefined && text !== this.#saved) {
-        this.#saved = text;
-        this.#code.text = text;
-        this.#say("Your code was changed in another tab; this is what you wrote there.");
-      }
-    }
+    if (elsewhere && what === "code") this.#takeOver();
     if (elsewhere && what === "verdict" && !this.#stopping) void this.#recallVerdict();
     this.#refresh();
+  }
+
+  #takeOver(): void {
+    const taken = Work.takeOver(this.#parts.id, this.#code.text, this.#saved);
+    if (!taken) return;
+    clearTimeout(this.#saving);
+    this.#saved = taken.text;
+    this.#code.text = taken.text;
+    const words = taken.imported
+      ? "Your code was replaced by the import; yours from before is among the earlier versions."
+      : "Your code was changed in another tab; this is what you wrote there.";
+    const typed = " What you had just typed here is among the earlier versions.";
+    this.#say(taken.aside ? words + typed : words);
   }
 
   /** Another text in the place of the present one, which becomes an earlier version. */
@@ -466,6 +472,7 @@ export class Bench {
       const record = judge.record(Work.progress(), verdict, now);
       Work.setProgress(record as ReturnType<typeof Work.progress>);
       Work.setVerdict(this.#parts.id, text, verdict);
+      Work.judged(this.#parts.id, text, verdict);
       this.#checked = { of: fingerprint(text), at: now };
       await this.#showVerdict(verdict, data);
       if (verdict.diagnostics?.length) this.#code.open();

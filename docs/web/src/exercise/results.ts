@@ -10,6 +10,7 @@ import type {
   VerdictJson,
 } from "../cpp/types.ts";
 import { html } from "../dom.ts";
+import { number } from "./points.ts";
 
 const MARKS: Record<TestVerdict["status"], readonly [mark: string, words: string]> = {
   passed: ["✓", "passed"],
@@ -18,8 +19,6 @@ const MARKS: Record<TestVerdict["status"], readonly [mark: string, words: string
   not_attempted: ["○", "not attempted"],
   skipped: ["–", "skipped"],
 };
-
-export const number = (value: number): string => `${Number(value.toFixed(2))}`;
 
 const count = (n: number, one: string, many = `${one}s`): string => `${n} ${n === 1 ? one : many}`;
 
