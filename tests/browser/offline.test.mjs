@@ -142,7 +142,7 @@ describe("offline", { skip, timeout: 120_000 }, () => {
     const keep = page.getByRole("button", { name: /^Keep the whole book/ });
     assert.match((await keep.textContent()) ?? "", /\(\d+(\.\d)? [kM]B\)$/, "the size, before");
     await keep.click();
-    await page.getByText("Done: everything is kept").waitFor();
+    await page.getByText(/^Done[:,] /).waitFor();
     assert.match(
       (await page.locator("contact-work .kept").textContent()) ?? "",
       /whole book is kept/,
@@ -157,6 +157,7 @@ describe("offline", { skip, timeout: 120_000 }, () => {
     );
     assert.deepEqual(trouble, []);
     await keepWhole(page);
+    await page.getByText("Done, without the compiler: ").waitFor();
     server.close();
     const failed = failures(page);
     const list = JSON.parse(fs.readFileSync(path.join(site, "offline.json"), "utf8"));
@@ -192,11 +193,40 @@ describe("offline", { skip, timeout: 120_000 }, () => {
       (await page.locator("contact-work .kept").textContent()) ?? "",
       /compiler is kept/,
     );
+    await page.getByText("Done: everything is kept").waitFor();
     server.close();
     const id = "02_triangles/ray_triangle";
     await page.goto(`${server.origin}/${pageOf(id)}`);
     const exercise = exerciseOn(page, id);
     assert.equal(await exercise.submit(solutionOf(id)), "passed");
+    await close();
+  });
+
+  test("who has the compiler from a check gets the tests of all exercises with the book", async () => {
+    const server = await serve();
+    const { page, close } = await open(chromium.browser, `${server.origin}/your_work.html`);
+    const exercises = await page.evaluate(async () => {
+      const folder = new URL("_static/contact/cpp/", document.baseURI);
+      const manifest = await (await fetch(new URL("manifest.json", folder))).json();
+      const cache = await caches.open("contact-cpp");
+      for (const key of manifest.core)
+        await cache.put(new URL(manifest.files[key].file, folder), new Response("kept"));
+      const objects = /** @type {{ file: string }[]} */ (Object.values(manifest.exercises));
+      return objects.map(({ file }) => new URL(file, folder).href);
+    });
+    await page.reload();
+    await page.getByRole("checkbox", { name: /^With the compiler/, checked: true }).waitFor();
+    await keepWhole(page);
+    await page.getByText("Done: everything is kept").waitFor();
+    const kept = await page.evaluate(async () =>
+      (await (await caches.open("contact-cpp")).keys()).map(({ url }) => url),
+    );
+    assert.ok(exercises.length > 0);
+    assert.deepEqual(
+      exercises.filter((address) => !kept.includes(address)),
+      [],
+    );
+    server.close();
     await close();
   });
 

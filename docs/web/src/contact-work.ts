@@ -150,10 +150,9 @@ function lostCode(known: ReadonlySet<string>): HTMLElement | undefined {
   );
 }
 
-const list = (ids: readonly string[]): string => ids.join(", ");
-
-/** What an import did, a sentence each. */
-function told(done: Imported): string[] {
+/** What an import did, a sentence each; exercises by their titles where the book has them. */
+function told(done: Imported, titles: ReadonlyMap<string, string>): string[] {
+  const list = (ids: readonly string[]): string => ids.map((id) => titles.get(id) ?? id).join(", ");
   const said: string[] = [];
   if (done.added.length > 0) said.push(`New here: ${list(done.added)}.`);
   if (done.replaced.length > 0)
@@ -173,10 +172,10 @@ function told(done: Imported): string[] {
 }
 
 /** Takes in an archive, or a progress.json as the command line keeps it. */
-async function importFile(file: File): Promise<string[]> {
+async function importFile(file: File, titles: ReadonlyMap<string, string>): Promise<string[]> {
   const bytes = new Uint8Array(await file.arrayBuffer());
   const isZip = bytes[0] === 0x50 && bytes[1] === 0x4b;
-  if (isZip) return told(importWork(bytes));
+  if (isZip) return told(importWork(bytes), titles);
   const progress = parseProgress(new TextDecoder().decode(bytes));
   if (!progress)
     throw new ArchiveError(
@@ -184,18 +183,11 @@ async function importFile(file: File): Promise<string[]> {
     );
   Work.setProgress(mergeProgress(Work.progress(), progress));
   const exercises = Object.keys(progress.exercises).filter(isExerciseId).length;
-  return told({
-    added: [],
-    replaced: [],
-    same: [],
-    yours: [],
-    progress: exercises,
-    ignored: [],
-    problem: Work.problem,
-  });
+  const nothing = { added: [], replaced: [], same: [], yours: [], ignored: [] };
+  return told({ ...nothing, progress: exercises, problem: Work.problem }, titles);
 }
 
-function takeAlong(): HTMLElement {
+function takeAlong(titles: ReadonlyMap<string, string>): HTMLElement {
   const status = html("div", { role: "status" });
   const say = (...sentences: string[]): void =>
     status.replaceChildren(...sentences.map((sentence) => html("p", {}, sentence)));
@@ -204,7 +196,7 @@ function takeAlong(): HTMLElement {
     const file = input.files?.[0];
     if (!file) return;
     try {
-      say(...(await importFile(file)));
+      say(...(await importFile(file, titles)));
     } catch (error) {
       if (!(error instanceof ArchiveError)) throw error;
       say(error.message, "Nothing was changed.");
@@ -271,7 +263,9 @@ export class ContactWork extends HTMLElement {
   #build(data: HTMLScriptElement, chapters: readonly Chapter[]): void {
     const base = new URL(this.getAttribute("base") ?? "", document.baseURI);
     const book = new OfflineBook(new URL("../../", base).href);
-    const known = new Set(chapters.flatMap(({ exercises }) => exercises.map(({ id }) => id)));
+    const exercises = chapters.flatMap((chapter) => chapter.exercises);
+    const titles = new Map(exercises.map(({ id, title }) => [id, title]));
+    const known = new Set(titles.keys());
     const work = html("div", { class: "work" });
     const learnt = html("div", { class: "learnt" });
     let asked = 0;
@@ -309,7 +303,7 @@ export class ContactWork extends HTMLElement {
       data,
       work,
       learnt,
-      takeAlong(),
+      takeAlong(titles),
       offline,
       this.#forgetting(book, held, () => {
         showWork();
@@ -326,7 +320,7 @@ export class ContactWork extends HTMLElement {
     const ask = html(
       "p",
       {},
-      "Your work is saved to a file first. Then your code, its earlier versions, your progress and answers, and what is kept for offline reading are removed from this browser.",
+      "Your work is saved to a file first: your code as it is now and your progress, but not the earlier versions of your code. Then your code, its earlier versions, your progress and answers, and what is kept for offline reading are removed from this browser.",
     );
     const sure = html("div", { class: "sure", role: "group", "aria-label": "Are you sure?" });
     const first = button("Forget everything", () => {

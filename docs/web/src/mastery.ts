@@ -38,6 +38,11 @@ async function report(base: URL, ids: readonly string[], progress: Progress): Pr
   }) as unknown as Report;
 }
 
+function standing(passed: number, exercises: number, mastered: boolean): string {
+  if (mastered) return "Mastered. ";
+  return passed === 0 ? "Not passed yet. " : `${passed} of ${exercises} passed. `;
+}
+
 /** The objectives of the chapters that the reader has begun; empty where there is no judge. */
 export async function masteryList(
   base: URL,
@@ -61,7 +66,7 @@ export async function masteryList(
         html(
           "li",
           { "data-mastered": String(mastered) },
-          html("strong", {}, mastered ? "Mastered. " : `${passed} of ${exercises} passed. `),
+          html("strong", {}, standing(passed, exercises, mastered)),
           text.replace(/[*`$]/g, ""),
         ),
       );

@@ -10,6 +10,8 @@ const { colour } = await load("exercise/colour.ts");
 const { columnToOffset } = await load("exercise/columns.ts");
 const { messageList, printed, sentence, testList } = await load("exercise/results.ts");
 const { readParts } = await load("exercise/parts.ts");
+const { Versions } = await load("exercise/versions.ts");
+const { doneWords } = await load("offline/controls.ts");
 
 /** @param {string} code */
 function coloured(code) {
@@ -240,6 +242,50 @@ test("what the program printed is shown as text, and not without end", () => {
   const shown = box.querySelector("pre");
   assert.equal(shown.querySelector("i"), null);
   assert.equal(shown.textContent.split("\n").length, 201);
+});
+
+test("an earlier version says what its check said, and seconds where a minute is shared", () => {
+  const list = new Versions(() => {});
+  const said = { verdict: "failed", points: 4, max_points: 8 };
+  list.show(
+    [
+      { text: "e", at: "2026-01-02T10:05:09Z", why: "checked", said },
+      {
+        text: "d",
+        at: "2026-01-02T10:05:01Z",
+        why: "checked",
+        said: { ...said, verdict: "passed" },
+      },
+      {
+        text: "c",
+        at: "2026-01-02T10:04:00Z",
+        why: "checked",
+        said: { ...said, verdict: "does_not_compile" },
+      },
+      { text: "b\nb\n", at: "2026-01-02T10:03:00Z", why: "reset" },
+      { text: "present", at: "2026-01-02T10:02:00Z", why: "checked" },
+    ],
+    "present",
+  );
+  const rows = /** @type {Element[]} */ ([...list.element.querySelectorAll("li")]);
+  const words = rows.map((row) => (row.firstChild?.textContent ?? "").trim().split(" at ")[1]);
+  assert.match(words[0] ?? "", /^\d\d:05:09, as you checked it: 4 of 8 points$/);
+  assert.match(words[1] ?? "", /^\d\d:05:01, as you checked it: passed$/);
+  assert.match(words[2] ?? "", /^\d\d:04, as you checked it: does not compile$/);
+  assert.match(words[3] ?? "", /^\d\d:03, before Reset: 2 lines$/);
+  assert.equal(words.length, 4);
+  assert.match(list.element.querySelector("p")?.textContent ?? "", /^At most 20 are kept/);
+});
+
+test("a book kept without the compiler is not said to be everything", () => {
+  const file = { file: "a.o", bytes: 1, transfer: 1 };
+  const compiler = { all: [file], missing: [file], inUse: false };
+  assert.match(
+    doneWords(compiler),
+    /^Done, without the compiler: .*Check will not work offline\.$/,
+  );
+  assert.match(doneWords({ ...compiler, missing: [] }), /^Done: everything is kept/);
+  assert.match(doneWords(undefined), /^Done: everything is kept/);
 });
 
 test("the page's own listings, points and hints are found", () => {

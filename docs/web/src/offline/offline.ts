@@ -32,7 +32,14 @@ export interface Standing {
   readonly whole: { readonly at: string; readonly version: string } | undefined;
   readonly kept: { readonly files: number; readonly bytes: number };
   /** Undefined if this copy of the book has no compiler. */
-  readonly compiler: { readonly all: ShippedFile[]; readonly missing: ShippedFile[] } | undefined;
+  readonly compiler:
+    | {
+        readonly all: ShippedFile[];
+        readonly missing: ShippedFile[];
+        /** What a first check needs is kept: the reader checks in this browser. */
+        readonly inUse: boolean;
+      }
+    | undefined;
 }
 
 export class OfflineBook {
@@ -55,6 +62,7 @@ export class OfflineBook {
       compiler: compiler && {
         all: compiler.files,
         missing: await this.#missing(compiler.files),
+        inUse: (await this.#missing(compiler.core)).length === 0,
       },
     };
   }
@@ -113,7 +121,9 @@ export class OfflineBook {
   }
 
   /** The compiler's list, the newest or the one that is kept, and its files; undefined if there is none. */
-  async #compiler(): Promise<{ list: Response; files: ShippedFile[] } | undefined> {
+  async #compiler(): Promise<
+    { list: Response; files: ShippedFile[]; core: ShippedFile[] } | undefined
+  > {
     const response =
       (await fetch(this.#manifest, { cache: "no-cache" }).catch(() => undefined)) ??
       (await caches.match(this.#manifest, { cacheName: COMPILER_CACHE }));
@@ -123,6 +133,7 @@ export class OfflineBook {
     if (manifest.format !== "contact-cpp/1") return undefined;
     return {
       list,
+      core: manifest.core.flatMap((key) => manifest.files[key] ?? []),
       files: [manifest.files, manifest.exercises].flatMap((map) => Object.values(map)),
     };
   }
