@@ -134,6 +134,14 @@ std::optional<ContractLine> declaration_of(const Exercise& exercise, const std::
   return std::nullopt;
 }
 
+bool mentions(const fs::path& file, std::string_view text) {
+  try {
+    return read_text(file).find(text) != std::string::npos;
+  } catch (const BookError&) {
+    return false;  // what cannot be read says nothing
+  }
+}
+
 std::vector<std::string> members_of(const Exercise& exercise, const std::string& structure) {
   const std::optional<ContractLine> declared = declaration_of(exercise, structure);
   if (!declared) return {};

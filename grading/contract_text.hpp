@@ -31,6 +31,9 @@ std::optional<ContractLine> declaration_of(const std::filesystem::path& header,
 /// The same from the contract or the shapes.
 std::optional<ContractLine> declaration_of(const Exercise& exercise, const std::string& name);
 
+/// Whether a file holds this text.
+bool mentions(const std::filesystem::path& file, std::string_view text);
+
 /// The members of a struct of the contract or the shapes, in order; empty if it is none of them.
 std::vector<std::string> members_of(const Exercise& exercise, const std::string& structure);
 

@@ -56,7 +56,7 @@ Place end_of(const Diagnostic& diagnostic, Place place, bool moved, const Answer
 std::string plain_words(const Diagnostic& diagnostic) {
   if (const std::string said = eigen_sentence(diagnostic.message); !said.empty())
     return "These types do not go together. Eigen says: " + said + ".";
-  return readable(diagnostic.message);
+  return readable(with_vectors(diagnostic.message));
 }
 
 Found understood(const Diagnostic& diagnostic, Place place, bool in_library,
@@ -97,7 +97,9 @@ class Sieve {
   Sieve(const std::vector<Found>& all, const SourceText& source) : source_(source) {
     for (const Found& found : all) {
       fails_ = fails_ || found.is_error();
-      misread_ = misread_ || derails(found.remark.mistake);
+      misread_ =
+          misread_ || derails(found.remark.mistake) || found.remark.mistake == "capital-letter";
+      in_comment_ = in_comment_ || found.remark.mistake == "unfinished-comment";
     }
   }
 
@@ -113,13 +115,15 @@ class Sieve {
     const Remark& remark = found.remark;
     if (fails_ && (remark.mistake == "unused" || remark.mistake == "no-effect")) return true;
     if (remark.message.find("<expression error>") != std::string::npos) return true;
+    if (in_comment_ && remark.mistake == "missing-brace") return true;
     if (misread_ && (remark.mistake == "missing-return" || remark.mistake == "uninitialised"))
       return true;
     if (derailed_ > 0 && !(derails(remark.mistake) && remark.line > derailed_ + 2)) return true;
     return std::any_of(kept_.begin(), kept_.end(), [&](const Found* earlier) {
       const Remark& first = earlier->remark;
+      if (first.mistake == "missing-brace" && remark.mistake == "missing-brace") return true;
       if (first.mistake == remark.mistake && first.words == remark.words && first.line != 0 &&
-          (remark.mistake == "missing-brace" || remark.mistake == "contract-not-included"))
+          (remark.mistake == "name-in-comment" || remark.mistake == "contract-not-included"))
         return true;
       if (first.line == remark.line)
         return remark.mistake.empty() || first.mistake == remark.mistake || !found.is_error();
@@ -132,6 +136,7 @@ class Sieve {
   const SourceText& source_;
   bool fails_ = false;
   bool misread_ = false;
+  bool in_comment_ = false;
   int derailed_ = 0;
   std::vector<const Found*> kept_;
 };
@@ -207,7 +212,7 @@ CompileError told(const Found& found, const Exercise& exercise, const Answer& an
   error.file = found.remark.file;
   error.line = found.remark.line;
   error.column = found.remark.column;
-  error.message = readable(diagnostic.message);
+  error.message = readable(with_vectors(diagnostic.message));
   const bool there = !found.in_library && found.place.line == diagnostic.line;
   error.excerpt = there ? diagnostic.excerpt : excerpt_at(answer.source, found.place);
   if (!found.remark.mistake.empty())
@@ -238,7 +243,7 @@ CompileError told_elsewhere(const std::vector<Diagnostic>& diagnostics, std::str
   error.file = first->file;
   error.line = first->line;
   error.column = first->column;
-  error.message = readable(first->message);
+  error.message = readable(with_vectors(first->message));
   error.excerpt = first->excerpt;
   return error;
 }
@@ -270,7 +275,7 @@ Explained explain_compile(std::string_view log, bool failed, const Exercise& exe
     found.push_back(understood(diagnostic, place->first, place->second, exercise, answer, columns));
     if (diagnostic.severity == "warning" && !place->second)
       explained.warnings.push_back("line " + std::to_string(diagnostic.line) + ": " +
-                                   readable(diagnostic.message));
+                                   readable(with_vectors(diagnostic.message)));
   }
   found = sifted(std::move(found), answer.source);
   blame_missing_contract(found, exercise, answer.source);

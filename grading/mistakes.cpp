@@ -153,8 +153,19 @@ std::optional<Mistake> missing_brace(const Said& said, const Holes&) {
 std::optional<Mistake> function_inside(const Said& said, const Holes&) {
   std::string words =
       "A function begins inside another one here: a closing brace } is missing above";
-  if (const std::optional<int> line = said.source.unclosed_brace(); line && *line < said.place.line)
-    words += ", for the { of line " + std::to_string(*line);
+  if (const std::optional<OpenFunction> outer = said.source.open_function(said.place)) {
+    // A brace of the function's inside may be the one that is missing: indentation tells.
+    const std::optional<int> inner = said.source.unclosed_brace();
+    const bool its_own = !inner || *inner <= outer->line || *inner >= outer->next;
+    const std::string next = std::to_string(outer->next);
+    if (its_own)
+      return Mistake{"missing-brace",
+                     "A closing brace } is missing before line " + next +
+                         ": the function's { of line " + std::to_string(outer->line) +
+                         " is still open there.",
+                     said.source.end_of_code_before({outer->next, 1})};
+    words += ", for the { of line " + std::to_string(*inner);
+  }
   return Mistake{"missing-brace", words + ".", std::nullopt};
 }
 
@@ -164,6 +175,22 @@ std::optional<Mistake> expected_expression(const Said& said, const Holes&) {
                    std::nullopt};
   if (stray(said.source.sign_at(said.place))) return stray_sign(said.source.sign_at(said.place));
   return std::nullopt;
+}
+
+// "double f(double x);" and then its body.
+std::optional<Mistake> semicolon_after_head(const Said& said, const Holes&) {
+  if (said.source.sign_at(said.place) != "{") return std::nullopt;
+  const Place end = said.source.end_of_code_before(said.place);
+  std::string_view head =
+      said.source.code(end.line).substr(0, static_cast<std::size_t>(end.column) - 1);
+  if (!head.ends_with(';')) return std::nullopt;
+  head.remove_suffix(1);
+  while (head.ends_with(' ')) head.remove_suffix(1);
+  if (!head.ends_with(')')) return std::nullopt;
+  return Mistake{"semicolon-after-head",
+                 "The ; ends the function before its body: take it away, so that the { follows the "
+                 "closing bracket.",
+                 Place{end.line, end.column - 1}};
 }
 
 std::optional<Mistake> missing_return(const Said&, const Holes&) {
@@ -273,9 +300,110 @@ Mistake missing_include(const std::string& name, std::string_view header) {
           std::nullopt};
 }
 
+/// A parameter of the function around a line: its name, and the struct it is of.
+struct Parameter {
+  std::string structure;
+  std::string name;
+};
+
+std::string_view last_word(std::string_view text) {
+  std::size_t end = text.size();
+  while (end > 0 && !is_identifier_character(text[end - 1])) --end;
+  std::size_t begin = end;
+  while (begin > 0 && is_identifier_character(text[begin - 1])) --begin;
+  return text.substr(begin, end - begin);
+}
+
+// "const contact::Ray<double>& ray" is a Ray called ray; one without a name is left out.
+std::vector<Parameter> parameters_around(const Said& said) {
+  const std::optional<FunctionDefinition> function = said.source.function_around(said.place.line);
+  if (!function) return {};
+  const std::string& written = function->written;
+  std::vector<Parameter> parameters;
+  int depth = 0;
+  std::size_t begin = std::min(written.find('('), written.size() - 1) + 1;
+  for (std::size_t i = begin; i < written.size(); ++i) {
+    const char c = written[i];
+    if (depth == 0 && (c == ',' || c == ')')) {
+      std::string_view one = std::string_view(written).substr(begin, i - begin);
+      begin = i + 1;
+      while (one.ends_with(' ')) one.remove_suffix(1);
+      const std::string_view name = last_word(one);
+      if (name.empty() || !one.ends_with(name)) continue;
+      std::string_view type = one.substr(0, one.size() - name.size());
+      type = type.substr(0, type.find('<'));
+      parameters.push_back({std::string(last_word(type)), std::string(name)});
+    }
+    if (c == '<' || c == '(' || c == '{') ++depth;
+    if (c == '>' || c == ')' || c == '}') --depth;
+  }
+  return parameters;
+}
+
+// "plane.d", for each parameter of which the name is a member: "a.t or b.t".
+std::string as_member(const std::string& name, const Said& said) {
+  std::string text;
+  for (const Parameter& parameter : parameters_around(said)) {
+    if (lists(members_of(said.exercise, parameter.structure), name))
+      text += (text.empty() ? "" : " or ") + parameter.name + "." + name;
+  }
+  return text;
+}
+
+// The line of the head of the function around, if the name of a parameter is commented out there.
+std::optional<int> commented_out(const std::string& name, const Said& said) {
+  const std::optional<FunctionDefinition> function = said.source.function_around(said.place.line);
+  if (!function) return std::nullopt;
+  for (int line = function->line; line <= said.place.line; ++line) {
+    const std::string_view text = said.source.line(line);
+    for (std::size_t at = text.find("/*"); at != std::string_view::npos;
+         at = text.find("/*", at + 2)) {
+      std::string_view inside = text.substr(at + 2, text.find("*/", at) - at - 2);
+      while (inside.starts_with(' ')) inside.remove_prefix(1);
+      while (inside.ends_with(' ')) inside.remove_suffix(1);
+      if (inside == name) return line;
+    }
+    if (contains(said.source.code(line), "{")) break;
+  }
+  return std::nullopt;
+}
+
+constexpr std::array<std::string_view, 20> keywords{
+    "return", "if",    "else",      "for",    "while", "do",      "const",
+    "double", "int",   "bool",      "float",  "auto",  "break",   "void",
+    "true",   "false", "constexpr", "switch", "throw", "continue"};
+
+std::string in_small_letters(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
+// "int i = 0" of "for (i = 0; i < 3; ++i)", if that is where the name stands.
+std::string counter_of(const std::string& name, std::string_view code) {
+  std::string_view rest = code.substr(std::min(code.find("for"), code.size()));
+  const auto skip = [&](std::string_view part) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+    if (!rest.starts_with(part)) return false;
+    rest.remove_prefix(part.size());
+    return true;
+  };
+  if (!skip("for") || !skip("(") || !skip(name) || !skip("=") || rest.starts_with("=")) return {};
+  rest = rest.substr(0, rest.find(';'));
+  while (rest.starts_with(' ')) rest.remove_prefix(1);
+  return "int " + name + " = " + std::string(rest);
+}
+
 // The scope in which a name is known, with its colons, if the reader left it out.
 std::string scope_of(const std::string& name, const std::string& suggestion, const Said& said) {
   const std::string end = "::" + name;
+  const auto is_struct = [&](const std::string& scoped) {
+    const std::string scope = scoped.substr(0, scoped.size() - end.size());
+    return lists(members_of(said.exercise, scope.substr(scope.rfind(':') + 1)), name);
+  };
+  // What a struct holds is no name of its own, whatever the compiler suggests.
+  if (suggestion.ends_with(end) && is_struct(suggestion)) return {};
   if (suggestion.ends_with(end)) return suggestion.substr(0, suggestion.size() - name.size());
   for (const Diagnostic& note : said.diagnostic.notes) {
     Holes holes;
@@ -291,16 +419,20 @@ std::string scope_of(const std::string& name, const std::string& suggestion, con
 }
 
 Mistake unknown(const std::string& name, const std::string& suggestion, const Said& said) {
+  if (const std::optional<int> line = commented_out(name, said))
+    return {"name-in-comment",
+            "C++ does not know " + name + ". Its name stands in a comment on line " +
+                std::to_string(*line) + ": take the /* and */ away.",
+            std::nullopt};
+  if (const std::string small = in_small_letters(name); small != name && lists(keywords, small))
+    return {"capital-letter",
+            small + " is written small: C++ tells capital letters from small ones.", std::nullopt};
   const std::string scope = scope_of(name, suggestion, said);
   if (!scope.empty())
     return {scope == "std::" ? "missing-std" : "missing-namespace",
             "C++ does not know " + name + " by this name alone: write " + scope + name + ".",
             std::nullopt};
   std::string words = "C++ does not know the name " + name;
-  if (!suggestion.empty() && !suggestion.starts_with("std::")) {
-    words += ": is it " + suggestion + ", misspelt?";
-    return {"unknown-name", words, std::nullopt};
-  }
   const std::string_view code = said.source.code(said.place.line);
   const std::size_t after = code.find(name) == std::string_view::npos
                                 ? std::string_view::npos
@@ -308,6 +440,16 @@ Mistake unknown(const std::string& name, const std::string& suggestion, const Sa
   const bool assigned = code.find_first_not_of(' ') == code.find(name) &&
                         after != std::string_view::npos && code[after] == '=' &&
                         code.substr(after, 2) != "==";
+  if (const std::string member = as_member(name, said); !assigned && !member.empty())
+    return {"unknown-name", words + " by itself: write " + member + ".", std::nullopt};
+  if (const std::string counter = counter_of(name, code); !counter.empty())
+    return {"unknown-name", words + ". If it is new here, its type comes first: " + counter + ".",
+            std::nullopt};
+  if (!suggestion.empty() && !suggestion.starts_with("std::") &&
+      !suggestion.ends_with("::" + name)) {
+    words += ": is it " + suggestion + ", misspelt?";
+    return {"unknown-name", words, std::nullopt};
+  }
   words += assigned ? ". If it is new here, its type comes first: double " + name + " = ..."
                     : ". Is it misspelt, or not declared before this line?";
   return {"unknown-name", words, std::nullopt};
@@ -377,18 +519,57 @@ std::string short_name(const std::string& type) {
   return name;
 }
 
+// How many letters must be added, dropped or changed to make one name of another.
+std::size_t edits(std::string_view from, std::string_view to) {
+  std::vector<std::size_t> row(to.size() + 1);
+  for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < to.size(); ++j) {
+      const std::size_t changed = diagonal + (from[i] == to[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({changed, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+// Names so like another that they may be meant: for a short one, a guess would be arbitrary.
+std::vector<std::string> like(const std::string& name, const std::vector<std::string>& names) {
+  std::vector<std::string> near = nearest(name, names);
+  std::erase_if(near, [&](const std::string& other) {
+    return edits(name, other) > std::min<std::size_t>(2, name.size() / 2);
+  });
+  return near;
+}
+
+// What other languages call a length has a name of its own here.
+std::string called_here(const std::string& type, const std::string& member) {
+  const bool length = !like(in_small_letters(member), {"length"}).empty();
+  if (type.starts_with("std::vector<") || type.starts_with("std::array<"))
+    return length || member == "count" || member == "len" ? "how many there are is size()." : "";
+  if ((type.starts_with("Vector") || type.starts_with("Eigen::Vector")) &&
+      (length || member == "magnitude" || member == "len" || member == "mag"))
+    return "the length of a vector is norm().";
+  return "";
+}
+
 Mistake no_member(const std::string& type, const std::string& member, const Said& said) {
-  const std::string shown = bare_type(type);
+  std::string shown = bare_type(type);
+  if (shown.starts_with("exercise::")) shown.erase(0, std::string_view("exercise::").size());
+  if (const std::string other = called_here(shown, member); !other.empty())
+    return {"no-such-member", shown + " has no " + member + ": " + other, std::nullopt};
   std::string words = shown + " has no " + member;
   std::vector<std::string> known = members_of(said.exercise, short_name(shown));
   if (!known.empty()) {
-    const std::vector<std::string> near = nearest(member, known);
+    const std::vector<std::string> near = like(member, known);
     words += near.empty() ? "." : ": is it " + near.front() + ", misspelt?";
     words += " It has " + in_a_row(known) + ".";
   } else {
-    if (shown.starts_with("Vector") || shown.starts_with("Matrix"))
+    if (shown.starts_with("Vector") || shown.starts_with("Matrix") ||
+        shown.starts_with("Eigen::Vector") || shown.starts_with("Eigen::Matrix"))
       known.assign(vector_members.begin(), vector_members.end());
-    const std::vector<std::string> near = nearest(member, known);
+    const std::vector<std::string> near = like(member, known);
     words += near.empty() ? "." : ": is it " + near.front() + ", misspelt?";
   }
   return {"no-such-member", words, std::nullopt};
@@ -427,6 +608,21 @@ bool in_a_return(const Said& said) {
   return at != std::string_view::npos && static_cast<int>(at) < std::max(said.place.column, 1);
 }
 
+bool is_vector(std::string_view type) {
+  return type.starts_with("Vector") || type.starts_with("Eigen::Vector");
+}
+
+bool is_number(std::string_view type) {
+  constexpr std::array<std::string_view, 9> numbers{"double",      "float",    "int",
+                                                    "long",        "long int", "unsigned int",
+                                                    "std::size_t", "size_t",   "unsigned long"};
+  return lists(numbers, type);
+}
+
+std::string with_its_kind(const std::string& type) {
+  return (is_vector(type) ? "a vector (" : "a number (") + type + ")";
+}
+
 Mistake mismatch(const Said& said, const std::string& from, const std::string& to) {
   if (is_product(from)) return product_of_vectors();
   const std::string have = bare_type(from);
@@ -437,9 +633,25 @@ Mistake mismatch(const Said& said, const std::string& from, const std::string& t
   if (want == "bool")
     return {"wrong-type", "A yes or no is asked for here, and this is of type " + have + ".",
             std::nullopt};
-  if (in_a_return(said))
+  if ((is_vector(have) && is_number(want)) || (is_number(have) && is_vector(want))) {
+    if (in_a_return(said))
+      return {"wrong-type-returned",
+              "The function returns " + with_its_kind(want) + ", and this is " +
+                  with_its_kind(have) + ".",
+              std::nullopt};
+    return {"wrong-type",
+            "C++ cannot turn " + with_its_kind(have) + " into " + with_its_kind(want) + ".",
+            std::nullopt};
+  }
+  if (in_a_return(said)) {
+    constexpr std::array<std::string_view, 6> nothings{
+        "bool", "int", "long", "long int", "std::nullptr_t", "nullptr_t"};
+    const bool nothing = want.starts_with("std::optional<") && lists(nothings, have);
     return {"wrong-type-returned",
-            "The function returns " + want + ", and this is of type " + have + ".", std::nullopt};
+            "The function returns " + want + ", and this is of type " + have + "." +
+                (nothing ? " For nothing, write std::nullopt." : ""),
+            std::nullopt};
+  }
   return {"wrong-type", "This is of type " + have + ", and what is asked for is " + want + ".",
           std::nullopt};
 }
@@ -588,11 +800,25 @@ std::optional<Mistake> no_overload(const Said& said, const Holes&) {
   return std::nullopt;
 }
 
+// Whether a place lies in the brackets of an if or a while.
+bool in_a_condition(const Said& said) {
+  const std::string_view code = said.source.code(said.place.line);
+  const std::string_view before = code.substr(
+      0, std::min(static_cast<std::size_t>(std::max(said.place.column - 1, 0)), code.size()));
+  const std::size_t at = std::min(before.find("if ("), before.find("while ("));
+  return (at != std::string_view::npos || contains(before, "if(") || contains(before, "while(")) &&
+         lacks_parenthesis(before);
+}
+
 // holes: what is const, such as "variable 't' with ".
-std::optional<Mistake> const_named(const Said&, const Holes& holes) {
+std::optional<Mistake> const_named(const Said& said, const Holes& holes) {
   Holes quoted;
   const bool named = matches("{}'{}'{}", holes[0], quoted);
-  return const_changed(named ? quoted[1] : "");
+  Mistake mistake = const_changed(named ? quoted[1] : "");
+  if (in_a_condition(said))
+    mistake.words =
+        (named ? quoted[1] : "This") + " is const, and one = assigns. To compare, write ==.";
+  return mistake;
 }
 
 std::optional<Mistake> const_unnamed(const Said&, const Holes&) { return const_changed(""); }
@@ -707,7 +933,13 @@ constexpr std::array rules{
     Rule{"missing terminating {} character{}", "unfinished-text",
          "A text begins here and does not end in this line: its closing quote \" is missing."},
 
+    Rule{"unterminated comment", "unfinished-comment",
+         "A comment begins here with /* and has no */: all that follows is part of it."},
+    Rule{"unterminated /* comment", "unfinished-comment",
+         "A comment begins here with /* and has no */: all that follows is part of it."},
+
     // What is missing, or too much.
+    Rule{"expected unqualified-id{}", {}, {}, semicolon_after_head},
     Rule{"expected ';'{}", {}, {}, missing_semicolon},
     Rule{"expected ',' or ';' before {}", {}, {}, missing_semicolon},
     Rule{"invalid declarator before {}", {}, {}, missing_semicolon_above},
@@ -763,6 +995,7 @@ constexpr std::array rules{
     Rule{"'{}' was not declared in this scope", {}, {}, unknown_name},
     Rule{"'{}' does not name a type", {}, {}, unknown_name},
     Rule{"'{}' has not been declared", {}, {}, unknown_name},
+    Rule{"invalid use of non-static data member '{}'", {}, {}, unknown_name},
     Rule{"use of undeclared identifier '{}'", {}, {}, unknown_name},
     Rule{"unknown type name '{}'", {}, {}, unknown_name},
     Rule{"no template named '{}'", {}, {}, unknown_name},
@@ -845,6 +1078,14 @@ constexpr std::array rules{
     Rule{"{}INVALID_VECTOR_VECTOR_PRODUCT{}", {}, {}, eigen_product},
 
     // Warnings: it compiles, and is hardly what was meant.
+    Rule{"comparisons like '{}' do not have{}", "chained-comparison",
+         "Two comparisons cannot stand in a row: for a <= b <= c, write a <= b && b <= c."},
+    Rule{"chained comparison '{}' does not{}", "chained-comparison",
+         "Two comparisons cannot stand in a row: for a <= b <= c, write a <= b && b <= c."},
+    Rule{"infinite recursion detected{}", "endless-recursion",
+         "This function always calls itself and never returns."},
+    Rule{"all paths through this function will call itself{}", "endless-recursion",
+         "This function always calls itself and never returns."},
     Rule{"suggest parentheses around assignment used as truth value{}", "assignment-for-comparison",
          "One = assigns. To compare, write ==."},
     Rule{"using the result of an assignment as a condition without parentheses{}",
@@ -915,10 +1156,9 @@ std::string filled(std::string_view words, const Holes& holes) {
   return text;
 }
 
-}  // namespace
-
-std::optional<Mistake> recognise(const Said& said) {
-  const std::string message = with_plain_quotes(without_aliases(said.diagnostic.message));
+std::optional<Mistake> recognise_message(const Said& said) {
+  const std::string message =
+      with_plain_quotes(without_aliases(with_vectors(said.diagnostic.message)));
   for (const Rule& rule : rules) {
     Holes holes;
     if (!matches(rule.pattern, message, holes)) continue;
@@ -929,10 +1169,55 @@ std::optional<Mistake> recognise(const Said& said) {
   return std::nullopt;
 }
 
+// Where the contract writes Eigen::Vector3d, so does the message.
+void name_vectors(std::string& words, const Exercise& exercise) {
+  for (const std::string_view size : {"2", "3", "4"}) {
+    const std::string name = "Vector" + std::string(size);
+    if (!contains(words, name + "<double>") || !mentions(exercise.contract, "Eigen::" + name + "d"))
+      continue;
+    replace_all(words, "Eigen::" + name + "<double>", name + "<double>");
+    replace_all(words, name + "<double>", "Eigen::" + name + "d");
+  }
+}
+
+std::size_t end_of_brackets(std::string_view text, std::size_t open) {
+  int depth = 0;
+  for (std::size_t i = open; i < text.size(); ++i) {
+    if (text[i] == '<') ++depth;
+    if (text[i] == '>' && --depth == 0) return i + 1;
+  }
+  return text.size();
+}
+
+}  // namespace
+
+std::string with_vectors(std::string message) {
+  constexpr std::string_view start = "cross_product_return_type<";
+  for (std::size_t at = 0; (at = message.find(start, at)) != std::string::npos; ++at) {
+    const std::size_t end = end_of_brackets(message, at + start.size() - 1);
+    const std::size_t factor = message.find("Matrix<", at);
+    constexpr std::string_view member = "::type";
+    if (factor >= end || message.compare(end, member.size(), member) != 0) continue;
+    const std::size_t open = factor + std::string_view("Matrix").size();
+    const std::string vector =
+        "Eigen::" + message.substr(factor, end_of_brackets(message, open) - factor);
+    const std::size_t quote = message.find_last_of("'\x98", at);
+    const std::size_t begin = quote == std::string::npos ? at : quote + 1;
+    message.replace(begin, end + member.size() - begin, vector);
+    at = begin;
+  }
+  return message;
+}
+
+std::optional<Mistake> recognise(const Said& said) {
+  std::optional<Mistake> mistake = recognise_message(said);
+  if (mistake) name_vectors(mistake->words, said.exercise);
+  return mistake;
+}
 bool derails(const std::string& mistake) {
-  constexpr std::array<std::string_view, 6> derailing{"stray-character",   "unfinished-text",
-                                                      "missing-semicolon", "missing-parenthesis",
-                                                      "missing-brace",     "extra-brace"};
+  constexpr std::array<std::string_view, 8> derailing{
+      "stray-character",   "unfinished-text",     "unfinished-comment", "semicolon-after-head",
+      "missing-semicolon", "missing-parenthesis", "missing-brace",      "extra-brace"};
   return lists(derailing, mistake);
 }
 

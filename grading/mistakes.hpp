@@ -29,6 +29,9 @@ struct Mistake {
   std::optional<Place> place;
 };
 
+/// A message in which the type of a cross product is the vector that it is.
+std::string with_vectors(std::string message);
+
 /// The mistake behind a message; nothing if it is none of the known.
 std::optional<Mistake> recognise(const Said& said);
 

@@ -147,6 +147,19 @@ std::size_t indentation(std::string_view line) {
   return std::min(line.find_first_not_of(" \t"), line.size());
 }
 
+bool begins_namespace(std::string_view line) {
+  const std::string_view code = line.substr(indentation(line));
+  return code.starts_with("namespace") || code.starts_with("inline namespace") ||
+         code.starts_with("extern \"");
+}
+
+// "}  // namespace exercise": what it closes is said behind it.
+bool says_namespace(std::string_view line) {
+  const std::size_t comment = line.find("//");
+  return comment != std::string_view::npos &&
+         line.find("namespace", comment) != std::string_view::npos;
+}
+
 }  // namespace
 
 SourceText::SourceText(std::string_view text)
@@ -246,6 +259,7 @@ std::optional<int> SourceText::unclosed_brace() const {
   struct Opened {
     int line;
     std::size_t indented;
+    bool is_namespace;
   };
   std::vector<Opened> open;
   int statement = 0;  // the line where what may end in a brace begins
@@ -254,11 +268,14 @@ std::optional<int> SourceText::unclosed_brace() const {
     for (std::size_t i = 0; i < text.size(); ++i) {
       if (text[i] == ' ' || text[i] == '\t') continue;
       if (statement == 0) statement = number;
-      if (text[i] == '{') open.push_back({number, indentation(code(statement))});
+      if (text[i] == '{')
+        open.push_back({number, indentation(code(statement)), begins_namespace(code(statement))});
       if (text[i] == '}' && !open.empty()) {
         // A brace that stands first in its line closes what begins as far in as it does.
         const bool first = i == indentation(text);
         if (first && open.back().line != number && open.back().indented > i)
+          return open.back().line;
+        if (first && says_namespace(line(number)) && !open.back().is_namespace)
           return open.back().line;
         open.pop_back();
       }
@@ -266,6 +283,41 @@ std::optional<int> SourceText::unclosed_brace() const {
     }
   }
   return open.empty() ? std::nullopt : std::optional<int>(open.back().line);
+}
+
+std::optional<OpenFunction> SourceText::open_function(Place brace) const {
+  struct Opened {
+    int line;
+    bool is_namespace;
+  };
+  std::vector<Opened> open;
+  int statement = 0;
+  for (int number = 1; number <= brace.line; ++number) {
+    const std::string_view text = code(number);
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (text[i] == ' ' || text[i] == '\t') continue;
+      if (statement == 0) statement = number;
+      if (number == brace.line && static_cast<int>(i) + 1 == brace.column) {
+        const auto function = std::find_if(
+            open.begin(), open.end(), [](const Opened& opened) { return !opened.is_namespace; });
+        if (function == open.end()) return std::nullopt;
+        return OpenFunction{function->line, statement};
+      }
+      if (text[i] == '{') open.push_back({number, begins_namespace(code(statement))});
+      if (text[i] == '}' && !open.empty()) open.pop_back();
+      if (text[i] == '{' || text[i] == '}' || text[i] == ';') statement = 0;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<FunctionDefinition> SourceText::function_around(int line) const {
+  std::optional<FunctionDefinition> around;
+  std::vector<FunctionDefinition> defined = definitions();
+  for (FunctionDefinition& function : defined) {
+    if (function.line <= line) around = std::move(function);
+  }
+  return around;
 }
 
 }  // namespace contact::grading

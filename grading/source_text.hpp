@@ -24,6 +24,12 @@ struct Place {
   int column = 0;
 };
 
+/// A function whose opening brace is still open where another one begins.
+struct OpenFunction {
+  int line = 0;  ///< of its {
+  int next = 0;  ///< where the head of the other begins
+};
+
 /// How a compiler counts columns: in bytes (clang++), or as a terminal shows them, with a tab up to
 /// the next multiple of eight (g++).
 enum class Columns { bytes, displayed };
@@ -58,6 +64,10 @@ class SourceText {
   [[nodiscard]] std::vector<FunctionDefinition> definitions() const;
   /// The line of the opening brace that, by the indentation of the closing ones, lacks its own.
   [[nodiscard]] std::optional<int> unclosed_brace() const;
+  /// The function inside which another one's { stands at a place.
+  [[nodiscard]] std::optional<OpenFunction> open_function(Place brace) const;
+  /// The function that a line belongs to.
+  [[nodiscard]] std::optional<FunctionDefinition> function_around(int line) const;
 
  private:
   std::vector<std::string> lines_;

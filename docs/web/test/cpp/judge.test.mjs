@@ -86,12 +86,13 @@ function expected(text) {
   const mistake = /^\/\/ mistake: (\S+)$/m.exec(text)?.[1];
   assert.ok(mistake, "the file says which mistake it is");
   const says = [...text.matchAll(/^\/\/ says: (.*)$/gm)].map((match) => String(match[1]));
-  return { mistake, says, line: lines.findIndex((line) => line.endsWith("// here")) + 1 };
+  const alone = /^\/\/ alone$/m.test(text);
+  return { mistake, says, alone, line: lines.findIndex((line) => line.endsWith("// here")) + 1 };
 }
 
 /** @param {Verdict} verdict @param {string} text @param {string} whose */
 function recognised(verdict, text, whose) {
-  const { mistake, says, line } = expected(text);
+  const { mistake, says, alone, line } = expected(text);
   const diagnostics = verdict.diagnostics ?? [];
   const first = diagnostics.find(({ severity }) => severity === "error") ?? diagnostics[0];
   const all = `${whose}: ${JSON.stringify(diagnostics, null, 1)}`;
@@ -99,6 +100,7 @@ function recognised(verdict, text, whose) {
   for (const part of says) assert.ok(first?.words.includes(part), `"${part}" is not in ${all}`);
   assert.match(first?.words ?? "", /[.?]$|\.\.\.$/, all);
   if (line > 0) assert.equal(first?.line, line, all);
+  if (alone) assert.equal(diagnostics.length, 1, all);
   if (verdict.compile_error) {
     assert.equal(verdict.verdict, "does_not_compile");
     assert.equal(verdict.compile_error.explanation.startsWith(first?.words ?? "?"), true, all);

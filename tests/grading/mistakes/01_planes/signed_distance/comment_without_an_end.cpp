@@ -1,0 +1,17 @@
+// mistake: unfinished-comment
+// alone
+// says: has no */
+#include "signed_distance.hpp"
+
+namespace exercise {
+
+double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  return plane.a * point.x();
+}
+
+/* which side  // here
+int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  return plane.a * point.x() > 0.0 ? 1 : -1;
+}
+
+}  // namespace exercise

@@ -1,0 +1,15 @@
+// mistake: no-such-member
+// says: norm()
+#include "signed_distance.hpp"
+
+namespace exercise {
+
+double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  return plane.d + point.lenght();  // here
+}
+
+int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  return plane.a * point.x() > 0.0 ? 1 : -1;
+}
+
+}  // namespace exercise

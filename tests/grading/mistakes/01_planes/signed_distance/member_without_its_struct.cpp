@@ -1,0 +1,16 @@
+// mistake: unknown-name
+// alone
+// says: write plane.d
+#include "signed_distance.hpp"
+
+namespace exercise {
+
+double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  return plane.a * point.x() + d;  // here
+}
+
+int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  return plane.a * point.x() > 0.0 ? 1 : -1;
+}
+
+}  // namespace exercise

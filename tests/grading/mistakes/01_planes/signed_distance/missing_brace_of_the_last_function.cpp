@@ -1,0 +1,15 @@
+// mistake: missing-brace
+// says: nothing closes the { of line 12
+// alone
+#include "signed_distance.hpp"
+
+namespace exercise {
+
+double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  return plane.a * point.x();
+}
+
+int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  return plane.a * point.x() > 0.0 ? 1 : -1;
+
+}  // namespace exercise
