@@ -114,7 +114,11 @@ function openQuestion(spawn, test) {
     const timer = setInterval(() => {
       const now = performance.now();
       const waited = since.seconds(now);
-      if ((question && waited > open) || all.seconds(now) > search) finish();
+      if (question && waited > open) return finish();
+      if (all.seconds(now) <= search) return;
+      // Still asking one question after the other: none of them is the one that never ends.
+      question = undefined;
+      finish();
     }, tick);
   });
 }

@@ -53,6 +53,13 @@ for (const where of positionals.length > 0 ? positionals : lessons()) {
   });
   await shown.page.goto(`${server.origin}/${where}`);
   await loadFigures(shown.page);
+  await shown.page.evaluate(async () => {
+    // What comes into sight may load more.
+    for (let y = 0; y < document.body.scrollHeight; y += innerHeight / 2) {
+      scrollTo(0, y);
+      await new Promise((done) => setTimeout(done, 50));
+    }
+  });
   await shown.page.waitForLoadState("networkidle");
   await shown.close();
   /** @type {Record<string, { files: number, bytes: number }>} */

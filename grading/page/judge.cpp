@@ -61,12 +61,6 @@ json uncompiled(const json& request) {
 json judged(const json& request) {
   const Exercise& exercise = exercise_of(request);
   const Answer answer = answer_of(request);
-  // wasm-ld takes the first main() that it meets, and says nothing.
-  if (defines_main(answer.source)) {
-    Explained said = explain_link_faults({{}, {"main"}}, "", exercise, answer);
-    CompileError error = *said.error;
-    return told(judge_uncompiled(exercise, std::move(error)), std::move(said), answer);
-  }
   std::vector<TestResult> results;
   for (const json& result : request.at("results")) results.push_back(result_from_json(result));
   Verdict verdict = judge(exercise, book(), results);

@@ -91,7 +91,8 @@ function sameText(a, b) {
     p.words === q.words &&
     p.numbers.every((x, i) => {
       const y = /** @type {number} */ (q.numbers[i]);
-      return x === y || Math.abs(x - y) <= 1e-12 * Math.max(Math.abs(x), Math.abs(y));
+      if (x === 0 || y === 0) return Object.is(x, y);
+      return Math.abs(x - y) <= 1e-12 * Math.max(Math.abs(x), Math.abs(y));
     })
   );
 }

@@ -205,12 +205,20 @@ test("a new list removes what it does not name, of this book and of no other", a
   for (const file of [old, stays, exercise]) await here.bytes(/** @type {any} */ (file));
   await soon(() => store.kept.size === 4);
   store.kept.set("http://127.0.0.1/other/cpp/old.1.o", new Uint8Array(1));
-  publish({ files: { stays }, exercises: { "01/a": exercise } });
-  await downloads().manifest();
+  const newer = shipped("newer.1.o", noise(100));
+  publish({ files: { stays, newer }, exercises: { "01/a": exercise }, core: ["stays", "newer"] });
+  const later = downloads();
+  const list = await later.manifest();
+  await later.forgetOlder(list);
+  assert.ok(store.kept.has(`${folder}old.1.o`), "until the new core is there, the old one stays");
+  await later.bytes(/** @type {any} */ (newer));
+  await soon(() => store.kept.has(`${folder}newer.1.o`));
+  await later.forgetOlder(list);
   assert.deepEqual([...store.kept.keys()].map((url) => url.replace(folder, "")).sort(), [
     "exercises/01/a.1.o",
     "http://127.0.0.1/other/cpp/old.1.o",
     "manifest.json",
+    "newer.1.o",
     "stays.1.o",
   ]);
 });
@@ -223,6 +231,14 @@ test("without network the list that is kept serves; without that, the reader is 
   assert.equal((await kept.manifest()).format, "contact-cpp/1");
   const none = new library.Downloads(folder, { fetch: offline, store: new FakeStore() });
   await assert.rejects(none.manifest(), { name: "CheckerError", message: /broke off/ });
+});
+
+test("a file that the list names and the server lacks: the book has been replaced", async () => {
+  const gone = { file: "gone.1.o", bytes: 1, transfer: 1 };
+  publish({ files: { gone } });
+  const here = downloads();
+  await here.manifest();
+  await assert.rejects(here.bytes(gone), { name: "CheckerError", message: /has been replaced/ });
 });
 
 test("a book built without its exercises says so", async () => {

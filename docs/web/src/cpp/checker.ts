@@ -75,23 +75,25 @@ export class Checker {
   ): Promise<VerdictJson> {
     signal?.throwIfAborted();
     const { downloads, toolchain } = await this.#parts;
+    // A lone half of a surrogate pair is no text, and C++ could not say so.
+    const whole = new TextDecoder().decode(new TextEncoder().encode(source));
     const { exercises } = await abortable(toolchain.manifest(), signal);
     const shipped = exercises[data.id];
     if (!shipped)
       throw new CheckerError("The tests of this exercise are not in this copy of the book.");
     // Small, so side by side with the rest.
     const small = Promise.all([downloads.bytes(shipped), this.judge(data)]);
-    small.catch(() => {}); // told below, when its turn comes
+    small.catch(() => toolchain.forget()); // told below, when its turn comes
     await toolchain.ready(tell, signal);
     const [tests, judge] = await abortable(small, signal);
     this.#runners.prepare();
 
-    const build = { exercise: data.id, files: data.files, source, tests };
+    const build = { exercise: data.id, files: data.files, source: whole, tests };
     const built = await toolchain.build(build, tell, signal);
     const file = `work/${data.id}.cpp`;
     const { compile, link } = built;
     if (!built.ok) {
-      const verdict = judge.uncompiled(data.id, { ...built, source });
+      const verdict = judge.uncompiled(data.id, { ...built, source: whole });
       return { ...verdict, file, seconds: { compile, link, run: 0 } };
     }
     tell({ step: "run" });
@@ -109,7 +111,7 @@ export class Checker {
       signal,
     });
     const run = (performance.now() - began) / 1000;
-    const verdict = judge.judge(data.id, results, { source, log: built.log, output });
+    const verdict = judge.judge(data.id, results, { source: whole, log: built.log, output });
     return { ...verdict, file, seconds: { compile, link, run } };
   }
 

@@ -54,17 +54,13 @@ export class Downloads {
     return (await this.#store?.match(this.address(file))) !== undefined;
   }
 
-  /**
-   * The list of files: the newest, or the one that is kept when there is no network. Kept files that a new list no
-   * longer names are removed.
-   */
+  /** The list of files: the newest, or the one that is kept when there is no network. */
   async manifest(signal?: AbortSignal): Promise<Manifest> {
     const manifest = await this.json<Manifest>("manifest.json", signal);
     if (manifest.format !== "contact-cpp/1")
       throw new CheckerError(
         "This page and its compiler are of different versions. Load the page again.",
       );
-    await this.#forgetAllBut(manifest);
     return manifest;
   }
 
@@ -86,7 +82,12 @@ export class Downloads {
     return document;
   }
 
-  async #forgetAllBut(manifest: Manifest): Promise<void> {
+  /** Removes what this list no longer names, once all of its core is kept: until then the old one may be needed. */
+  async forgetOlder(manifest: Manifest): Promise<void> {
+    for (const key of manifest.core) {
+      const file = manifest.files[key];
+      if (file && !(await this.isKept(file))) return;
+    }
     const named = new Set([new URL("manifest.json", this.#folder).href]);
     for (const files of [manifest.files, manifest.exercises])
       for (const file of Object.values(files)) named.add(this.address(file));
@@ -111,6 +112,7 @@ export class Downloads {
       if (signal?.aborted) throw error;
       throw unreachable();
     }
+    if (response.status === 404) throw replaced();
     if (!response.ok || !response.body) throw notBuilt(response.status);
     const body = response.body.pipeThrough(counted(file, arrived));
     if (!this.#store) return new Response(body);
@@ -200,6 +202,12 @@ function unreachable(): CheckerError {
     );
   return brokeOff();
 }
+
+/** A file that the list names is not there. */
+const replaced = () =>
+  new CheckerError(
+    "The book has been replaced since this page was opened. Load the page again; your code is kept.",
+  );
 
 const notBuilt = (status: number) =>
   new CheckerError(

@@ -3,6 +3,9 @@
 import type { Manifest, TestResult } from "./types.ts";
 
 /** One answer to be compiled and linked. */
+/** What is said of a worker whose script does not load: its error event has no words. */
+export const NOT_LOADED = "a part of the page did not load";
+
 export interface Build {
   /** NN_slug/NAME */
   readonly exercise: string;

@@ -3,31 +3,51 @@
 
 import type { Event } from "../../../wasm/test_program.mjs";
 import { type Spawn, watchTests } from "../../../wasm/test_watch.mjs";
-import type { FromRunner, RunOrder, Scope } from "./messages.ts";
+import { type FromRunner, NOT_LOADED, type RunOrder, type Scope } from "./messages.ts";
 
 const scope = globalThis as unknown as Scope<RunOrder, FromRunner>;
 
-const newThread = () => new Worker(new URL("program-worker.js", location.href), { type: "module" });
+interface Thread {
+  readonly worker: Worker;
+  /** Why it cannot be used: its script may fail to load before anybody asks it for something. */
+  broken?: string;
+  onBroken?: (why: string) => void;
+}
+
+function newThread(): Thread {
+  const worker = new Worker(new URL("program-worker.js", location.href), { type: "module" });
+  const thread: Thread = { worker };
+  worker.onerror = (event) => {
+    event.preventDefault();
+    thread.broken = event.message || NOT_LOADED;
+    thread.onBroken?.(thread.broken);
+  };
+  return thread;
+}
 
 /** One thread is always ready before it is needed. */
 let ready = newThread();
 
 scope.onmessage = ({ data }) => {
-  run(data).catch((error: unknown) => scope.postMessage({ kind: "failed", why: String(error) }));
+  run(data).catch((error: unknown) => {
+    const why = error instanceof Error ? error.message : String(error);
+    scope.postMessage({ kind: "failed", why });
+  });
 };
 
 async function run({ program, tests, seconds, seed }: RunOrder): Promise<void> {
   const module = await WebAssembly.compile(program);
   const spawn: Spawn = (order, tell, fail) => {
-    const thread = ready;
+    const thread = ready.broken === undefined ? ready : newThread();
     ready = newThread();
-    thread.onmessage = ({ data }: MessageEvent<Event | { event: "broken"; why: string }>) => {
+    const { worker } = thread;
+    worker.onmessage = ({ data }: MessageEvent<Event | { event: "broken"; why: string }>) => {
       if (data.event === "broken") fail(new Error(data.why));
       else tell(data);
     };
-    thread.onerror = (event) => fail(new Error(event.message));
-    thread.postMessage({ program: module, ...order, seed });
-    return { end: () => thread.terminate() };
+    thread.onBroken = (why) => fail(new Error(why));
+    worker.postMessage({ program: module, ...order, seed });
+    return { end: () => worker.terminate() };
   };
   const { results, output } = await watchTests(spawn, tests, {
     seconds,

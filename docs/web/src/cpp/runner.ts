@@ -1,7 +1,7 @@
 // The run workers as the page sees them. Each watches over one program at a time; one that is not needed rests.
 
-import type { FromRunner, RunOrder } from "./messages.ts";
-import type { TestResult } from "./types.ts";
+import { type FromRunner, NOT_LOADED, type RunOrder } from "./messages.ts";
+import { CheckerError, type TestResult } from "./types.ts";
 
 export interface RunHooks {
   readonly onStart: (test: string) => void;
@@ -13,6 +13,11 @@ export interface Finished {
   readonly results: readonly TestResult[];
   readonly output: string;
 }
+
+const notLoaded = () =>
+  new CheckerError(
+    "A part of the page could not be loaded, so nothing was checked. Load the page again; your code is kept.",
+  );
 
 export class Runners {
   readonly #script: string;
@@ -29,7 +34,14 @@ export class Runners {
   }
 
   #new(): Worker {
-    return new Worker(this.#script, { type: "module" });
+    const worker = new Worker(this.#script, { type: "module" });
+    // One that does not load must not be there for the next check.
+    worker.onerror = (event) => {
+      event.preventDefault();
+      const at = this.#resting.indexOf(worker);
+      if (at >= 0) this.#resting.splice(at, 1);
+    };
+    return worker;
   }
 
   run(order: RunOrder, { onStart, onTest, signal }: RunHooks): Promise<Finished> {
@@ -45,12 +57,13 @@ export class Runners {
       signal?.addEventListener("abort", abort, { once: true });
       worker.onerror = (event) => {
         event.preventDefault();
-        end(new Error(`the run worker: ${event.message}`));
+        end(event.message ? new Error(`the run worker: ${event.message}`) : notLoaded());
       };
       worker.onmessage = ({ data }: MessageEvent<FromRunner>) => {
         if (data.kind === "start") onStart(data.test);
         else if (data.kind === "test") onTest(data.result);
-        else if (data.kind === "failed") end(new Error(data.why));
+        else if (data.kind === "failed")
+          end(data.why === NOT_LOADED ? notLoaded() : new Error(data.why));
         else {
           signal?.removeEventListener("abort", abort);
           this.#resting.push(worker);

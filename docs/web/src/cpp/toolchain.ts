@@ -73,7 +73,7 @@ export class Toolchain {
       this.#starting ??= this.#start();
       await abortable(this.#starting, signal);
       this.#fetchPrelude();
-      await abortable(this.#waitForPrelude(tell), signal);
+      await abortable(this.#waitForPrelude(tell, signal), signal);
     } finally {
       this.#tells.delete(tell);
       // Nobody waits any more: what has arrived whole is kept, the rest need not come.
@@ -89,8 +89,14 @@ export class Toolchain {
       return await this.#startNow();
     } catch (error) {
       this.#starting = undefined;
+      this.forget();
       throw error;
     }
+  }
+
+  /** Asks for the list of files anew next time: the book may have been replaced since. */
+  forget(): void {
+    this.#manifest = undefined;
   }
 
   async #startNow(): Promise<Started> {
@@ -127,6 +133,7 @@ export class Toolchain {
           this.#modules = data.modules;
           this.#hasPrelude = data.prelude;
           this.#end = undefined;
+          void this.#downloads.forgetOlder(manifest);
           resolve({ worker, manifest });
         } else if (data.kind === "failed") {
           end(data.sentence ? new CheckerError(data.sentence) : new Error(data.why));
@@ -184,18 +191,20 @@ export class Toolchain {
   #preludeArrived = 0;
   #onPrelude: (() => void) | undefined;
 
-  async #waitForPrelude(tell: Tell): Promise<void> {
+  async #waitForPrelude(tell: Tell, signal?: AbortSignal): Promise<void> {
     const file = (await this.manifest()).files["prelude.pch"];
     if (this.#hasPrelude || !this.#prelude || !file) return;
     const left = file.transfer - this.#preludeArrived;
     const seconds = patienceForPrelude(left, this.#line);
     if (seconds === 0) return;
-    this.#onPrelude = () =>
+    this.#onPrelude = () => {
+      if (signal?.aborted) return;
       tell({
         step: "download",
         received: this.#line.bytes + this.#preludeArrived,
         total: this.#line.bytes + file.transfer,
       });
+    };
     await Promise.race([this.#prelude, pause(seconds)]);
     this.#onPrelude = undefined;
   }
