@@ -9,7 +9,7 @@ const REASONS: Record<Why, string> = {
   reset: "before Reset",
   solution: "before you took the solution",
   import: "before an import",
-  "other-tab": "from another tab",
+  "other-tab": "from one of two tabs",
 };
 
 const MOST = `At most ${MOST_VERSIONS} are kept, always with the last that passed and the one with the most points.`;
