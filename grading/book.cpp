@@ -71,21 +71,6 @@ Chapter read_chapter(const fs::path& folder) {
   return chapter;
 }
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      diagonal = above;
-    }
-  }
-  return row[b.size()];
-}
-
 std::string without_number(std::string_view slug) {
   const std::size_t underscore = slug.find('_');
   return std::string(underscore == std::string_view::npos ? slug : slug.substr(underscore + 1));
@@ -285,6 +270,21 @@ std::vector<const Exercise*> Book::exercises_of(const Chapter& chapter) const {
 std::string Book::hint_for(const std::string& misconception) const {
   const auto found = misconceptions_.find(misconception);
   return found == misconceptions_.end() ? std::string() : found->second.hint;
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      diagonal = above;
+    }
+  }
+  return row[b.size()];
 }
 
 std::vector<std::string> nearest(std::string_view name, const std::vector<std::string>& names) {

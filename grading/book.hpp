@@ -151,6 +151,9 @@ std::filesystem::path find_root();
 /// Where the student's copies live: CONTACT_WORK if set, else work/ in the root.
 std::filesystem::path find_work(const std::filesystem::path& root);
 
+/// How many letters must be added, dropped or changed to make one name of another.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
 /// The names nearest to `name` by edit distance, nearest first, at most three.
 std::vector<std::string> nearest(std::string_view name, const std::vector<std::string>& names);
 

@@ -290,13 +290,6 @@ Explained explain_compile(std::string_view log, bool failed, const Exercise& exe
   return explained;
 }
 
-bool defines_main(const SourceText& source) {
-  const std::vector<FunctionDefinition> defined = source.definitions();
-  return std::any_of(defined.begin(), defined.end(), [](const FunctionDefinition& function) {
-    return function.qualified == "main";
-  });
-}
-
 Explained explain_link(std::string_view log, const Exercise& exercise, const Answer& answer) {
   return explain_link_faults(parse_link_faults(log), log, exercise, answer);
 }

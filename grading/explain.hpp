@@ -41,7 +41,4 @@ Explained explain_link(std::string_view log, const Exercise& exercise, const Ans
 Explained explain_link_faults(const LinkFaults& faults, std::string_view log,
                               const Exercise& exercise, const Answer& answer);
 
-/// Whether a file defines main().
-bool defines_main(const SourceText& source);
-
 }  // namespace contact::grading

@@ -300,12 +300,6 @@ Mistake missing_include(const std::string& name, std::string_view header) {
           std::nullopt};
 }
 
-/// A parameter of the function around a line: its name, and the struct it is of.
-struct Parameter {
-  std::string structure;
-  std::string name;
-};
-
 std::string_view last_word(std::string_view text) {
   std::size_t end = text.size();
   while (end > 0 && !is_identifier_character(text[end - 1])) --end;
@@ -314,38 +308,29 @@ std::string_view last_word(std::string_view text) {
   return text.substr(begin, end - begin);
 }
 
+// "plane.d", for each parameter of which the name is a member: "a.t or b.t".
 // "const contact::Ray<double>& ray" is a Ray called ray; one without a name is left out.
-std::vector<Parameter> parameters_around(const Said& said) {
+std::string as_member(const std::string& name, const Said& said) {
   const std::optional<FunctionDefinition> function = said.source.function_around(said.place.line);
   if (!function) return {};
-  const std::string& written = function->written;
-  std::vector<Parameter> parameters;
+  const std::string_view written = function->written;
+  std::string text;
   int depth = 0;
   std::size_t begin = std::min(written.find('('), written.size() - 1) + 1;
   for (std::size_t i = begin; i < written.size(); ++i) {
     const char c = written[i];
     if (depth == 0 && (c == ',' || c == ')')) {
-      std::string_view one = std::string_view(written).substr(begin, i - begin);
+      const std::string_view one = written.substr(begin, i - begin);
       begin = i + 1;
-      while (one.ends_with(' ')) one.remove_suffix(1);
-      const std::string_view name = last_word(one);
-      if (name.empty() || !one.ends_with(name)) continue;
-      std::string_view type = one.substr(0, one.size() - name.size());
-      type = type.substr(0, type.find('<'));
-      parameters.push_back({std::string(last_word(type)), std::string(name)});
+      const std::string_view parameter = last_word(one);
+      if (parameter.empty() || !one.ends_with(parameter)) continue;
+      std::string_view type = one.substr(0, one.size() - parameter.size());
+      type = last_word(type.substr(0, type.find('<')));
+      if (lists(members_of(said.exercise, std::string(type)), name))
+        text += (text.empty() ? "" : " or ") + std::string(parameter) + "." + name;
     }
     if (c == '<' || c == '(' || c == '{') ++depth;
     if (c == '>' || c == ')' || c == '}') --depth;
-  }
-  return parameters;
-}
-
-// "plane.d", for each parameter of which the name is a member: "a.t or b.t".
-std::string as_member(const std::string& name, const Said& said) {
-  std::string text;
-  for (const Parameter& parameter : parameters_around(said)) {
-    if (lists(members_of(said.exercise, parameter.structure), name))
-      text += (text.empty() ? "" : " or ") + parameter.name + "." + name;
   }
   return text;
 }
@@ -519,26 +504,11 @@ std::string short_name(const std::string& type) {
   return name;
 }
 
-// How many letters must be added, dropped or changed to make one name of another.
-std::size_t edits(std::string_view from, std::string_view to) {
-  std::vector<std::size_t> row(to.size() + 1);
-  for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < to.size(); ++j) {
-      const std::size_t changed = diagonal + (from[i] == to[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({changed, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
-
 // Names so like another that they may be meant: for a short one, a guess would be arbitrary.
 std::vector<std::string> like(const std::string& name, const std::vector<std::string>& names) {
   std::vector<std::string> near = nearest(name, names);
   std::erase_if(near, [&](const std::string& other) {
-    return edits(name, other) > std::min<std::size_t>(2, name.size() / 2);
+    return edit_distance(name, other) > std::min<std::size_t>(2, name.size() / 2);
   });
   return near;
 }

@@ -252,6 +252,25 @@ describe("the checker", { skip }, () => {
     assert.ok(told.every(({ step }) => step !== "download"));
   });
 
+  for (const script of ["program-worker.js", "run-worker.js"])
+    test(`a page whose ${script} does not load gives no verdict, and says so`, async () => {
+      const other = await open(browser.browser, `${server.origin}/index.html?${script}`);
+      server.answer = (pathname, response) => {
+        if (!pathname.endsWith(script)) return false;
+        response.writeHead(503).end();
+        return true;
+      };
+      try {
+        await other.page.waitForFunction("document.body.dataset.ready");
+        const { verdict, error } = await check(other.page, id, solutionOf(id));
+        assert.equal(verdict, undefined);
+        assert.match(error ?? "", /^CheckerError: A part of the page could not be loaded/);
+      } finally {
+        server.answer = undefined;
+        await other.close();
+      }
+    });
+
   test("nothing went wrong in the page, and nothing was asked elsewhere", () => {
     assert.deepEqual(shown.trouble, []);
   });

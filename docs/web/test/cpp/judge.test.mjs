@@ -222,5 +222,5 @@ test("a broken file of the book is told", async () => {
 
 test("the module is small", () => {
   const { transfer } = /** @type {{ transfer: number }} */ (compiler.manifest.files["judge.wasm"]);
-  assert.ok(transfer < 175_000, `${transfer} bytes compressed`);
+  assert.ok(transfer < 190_000, `${transfer} bytes compressed`);
 });
