@@ -24,6 +24,7 @@ const CODE = /^work\/(.+)\.cpp$/;
 /** Nobody's solution is longer; an archive that says otherwise is not a reader's. */
 const MOST_BYTES = 1 << 20;
 const MOST_FILES = 1000;
+const MOST_UNPACKED = 20 * 1024 * 1024;
 
 export interface Imported {
   /** Exercises whose code is now the archive's. The former text is an earlier version of each in
@@ -96,18 +97,24 @@ function readRecord(json: string): Progress | undefined {
 function open(bytes: Uint8Array): Contents {
   const ignored: string[] = [];
   let count = 0;
+  let unpacked = 0;
   const wanted = ({ name, originalSize }: { name: string; originalSize: number }): boolean => {
     if (name.endsWith("/")) return false;
     count += 1;
     const known = name === ABOUT || name === PROGRESS || isExerciseId(CODE.exec(name)?.[1] ?? "");
-    if (known && originalSize <= MOST_BYTES && count <= MOST_FILES) return true;
+    if (known && originalSize <= MOST_BYTES && count <= MOST_FILES) {
+      unpacked += originalSize;
+      if (unpacked > MOST_UNPACKED) throw new ArchiveError("This archive unpacks to over 20 MB.");
+      return true;
+    }
     ignored.push(name);
     return false;
   };
   let files: Record<string, Uint8Array>;
   try {
     files = unzipSync(bytes, { filter: wanted });
-  } catch {
+  } catch (error) {
+    if (error instanceof ArchiveError) throw error;
     throw new ArchiveError("This file is not a zip archive, or it is damaged.");
   }
   requireOurs(files[ABOUT]);

@@ -168,6 +168,18 @@ test("a file larger than any solution is not unpacked", () => {
   assert.deepEqual(store.ids(), [PLANE]);
 });
 
+test("many files that unpack to too much are refused, and nothing changes", () => {
+  const store = empty();
+  const large = new Uint8Array(1 << 20);
+  const many = Object.fromEntries(
+    Array.from({ length: 21 }, (_, i) => [`work/02_triangles/large_${i}.cpp`, large]),
+  );
+  const bytes = zip({ "contact-submission.json": ABOUT, ...many });
+  assert.ok(bytes.length < 100_000);
+  assert.throws(() => importWork(bytes, store), ArchiveError);
+  assert.deepEqual(store.ids(), []);
+});
+
 test("an archive without code or without progress is taken as it is", () => {
   const store = empty();
   store.setProgress(progress({ [RAY]: { attempts: 1 } }));
