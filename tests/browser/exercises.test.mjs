@@ -791,6 +791,24 @@ describe("exercises", { skip }, () => {
     });
   });
 
+  test("an editor that does not load says so, and loads when it can", async () => {
+    const context = await nothingKept({ serviceWorkers: "block" });
+    const page = await context.newPage();
+    let there = false;
+    await page.route(/\/chunks\/editor-/, (route) =>
+      there ? route.continue() : route.fulfill({ status: 404, body: "gone" }),
+    );
+    await page.goto(`${server.origin}/${pageOf(segment)}`, { waitUntil: "load" });
+    const bench = page.locator(`contact-exercise[name="${segment}"]`);
+    await bench.locator(".code pre").click();
+    await bench.locator(".status", { hasText: "could not be loaded" }).waitFor();
+    there = true;
+    await page.reload();
+    await bench.locator(".code pre").click();
+    await bench.locator(".cm-content").waitFor();
+    await context.close();
+  });
+
   test("on a laptop the contract stands beside the code when asked for, and stays there", async () => {
     const page = await shared.newPage();
     await page.setViewportSize({ width: 1280, height: 900 });

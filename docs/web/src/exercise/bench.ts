@@ -13,6 +13,8 @@ import { sideBySideSwitch } from "./side-by-side.ts";
 import { Versions, when } from "./versions.ts";
 
 const SAVE_AFTER_MS = 400;
+const NOT_LOADED =
+  "A part of this page could not be loaded. Try again; if the book has been replaced meanwhile, load the page again. Your code is kept.";
 /** A step that is over sooner is not worth a word. */
 const SAY_AFTER_MS = 300;
 
@@ -96,6 +98,7 @@ export class Bench {
       title: parts.title,
       describedBy: keys.id,
       changed: () => this.#edited(),
+      notLoaded: () => this.#say(NOT_LOADED),
       check: () => void this.check(),
     });
     this.#hints = new Hints(parts.hints, Work.progress().exercises[parts.id]?.hints_shown ?? 0);
@@ -271,9 +274,13 @@ export class Bench {
   #failed(error: unknown, again: () => void): void {
     const actionable = error instanceof Error && error.name === "CheckerError";
     if (!actionable) console.warn(`exercise ${this.#parts.id}:`, error);
+    // What a failed import() is called differs between browsers; that it is a TypeError does not.
+    const notLoaded = error instanceof TypeError && /import|module/i.test(error.message);
     const words = actionable
       ? (error as Error).message
-      : "Something went wrong in the page itself. Your code is kept.";
+      : notLoaded
+        ? NOT_LOADED
+        : "Something went wrong in the page itself. Your code is kept.";
     this.#say(words);
     this.#retry = again;
     this.#again.hidden = false;

@@ -13,6 +13,8 @@ export interface FieldOptions {
   readonly describedBy: string;
   readonly changed: () => void;
   readonly check: () => void;
+  /** The editor could not be loaded. */
+  readonly notLoaded: () => void;
 }
 
 export class CodeField {
@@ -102,8 +104,9 @@ export class CodeField {
     this.#open().then(
       (editor) => editor.focus(at),
       () => {
-        // Not loaded: the next click tries again.
+        // The next click tries again.
         this.#loading = undefined;
+        this.#options.notLoaded();
       },
     );
   }
