@@ -791,6 +791,24 @@ describe("exercises", { skip }, () => {
     });
   });
 
+  test("a page that comes back out of the browser's memory shows what was written meanwhile", async () => {
+    const context = await nothingKept();
+    const page = await context.newPage();
+    await page.goto(`${server.origin}/${pageOf(segment)}`, { waitUntil: "load" });
+    const exercise = exerciseOn(page, segment);
+    await exercise.edit();
+    await exercise.paste("// written before\n");
+    await page.evaluate((id) => {
+      const key = `contact-hours/1/code/${id}`;
+      dispatchEvent(new Event("pagehide"));
+      const kept = JSON.parse(localStorage.getItem(key) ?? "");
+      localStorage.setItem(key, JSON.stringify({ ...kept, text: "// written meanwhile\n" }));
+      dispatchEvent(new PageTransitionEvent("pageshow", { persisted: true }));
+    }, segment);
+    assert.equal(await exercise.text(), "// written meanwhile\n");
+    await context.close();
+  });
+
   test("an editor that does not load says so, and loads when it can", async () => {
     const context = await nothingKept({ serviceWorkers: "block" });
     const page = await context.newPage();

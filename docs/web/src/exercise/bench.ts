@@ -109,6 +109,10 @@ export class Bench {
     void this.#recallVerdict();
     Work.onChange((change) => this.#workChanged(change));
     addEventListener("pagehide", () => this.#save());
+    // A page that comes back out of the browser's memory heard nothing of what other tabs did meanwhile.
+    addEventListener("pageshow", ({ persisted }) => {
+      if (persisted) this.#workChanged({ what: "code", id: parts.id, elsewhere: true });
+    });
     document.addEventListener("visibilitychange", () => {
       if (document.visibilityState === "hidden") this.#save();
     });
