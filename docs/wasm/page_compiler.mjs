@@ -1,5 +1,6 @@
 // The page's compiler in Node, as a browser loads it: from cpp/manifest.json and from nothing else. For tests.
 import fs from "node:fs";
+import os from "node:os";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 
@@ -14,6 +15,19 @@ async function opened(bytes) {
   const zipped = bytes[0] === 0x1f && bytes[1] === 0x8b;
   const stream = zipped ? body.pipeThrough(new DecompressionStream("gzip")) : body;
   return new Response(stream).arrayBuffer();
+}
+
+/** Node 18 takes a .js file for a module only by a package.json beside it, which the page's files lack.
+ * @param {string} file */
+async function importModule(file) {
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), "contact-compiler-"));
+  try {
+    const module = path.join(folder, "compiler.mjs");
+    fs.copyFileSync(file, module);
+    return await import(pathToFileURL(module).href);
+  } finally {
+    fs.rmSync(folder, { recursive: true, force: true });
+  }
 }
 
 export class PageCompiler {
@@ -43,8 +57,7 @@ export class PageCompiler {
 
   async load() {
     const { files, core, behind } = this.manifest;
-    const program = path.join(this.folder, String(files["compiler.js"]?.file));
-    this.#llvm = await import(pathToFileURL(program).href);
+    this.#llvm = await importModule(path.join(this.folder, String(files["compiler.js"]?.file)));
     const modules = core.filter((name) => /^llvm\..*\.wasm$/.test(name));
     const compiled = await Promise.all(
       modules.map(async (name) => [name, await WebAssembly.compile(await this.file(name))]),
