@@ -83,7 +83,7 @@ def test_the_book_is_described_for_a_report_of_progress(built: Sample) -> None:
     data = read(built.site, "book")
     assert data["format"] == "contact-book/1"
     names = ["chapters/00_numbers/chapter.toml", "chapters/01_lines/chapter.toml"]
-    names.append("chapters/misconceptions.toml")
+    names += ["chapters/misconceptions.toml", "exercises/01_lines/distance/exercise.toml"]
     assert data["files"] == {name: source(name) for name in names}
     assert data["exercises"] == [REF]
     assert data["titles"] == {REF: "Distance from a line"}
