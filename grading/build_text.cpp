@@ -6,9 +6,6 @@
 
 namespace contact::grading {
 
-namespace {
-
-// The end of what the bracket at `open` encloses, itself included.
 std::size_t end_of_brackets(std::string_view text, std::size_t open) {
   int depth = 0;
   for (std::size_t i = open; i < text.size(); ++i) {
@@ -17,6 +14,8 @@ std::size_t end_of_brackets(std::string_view text, std::size_t open) {
   }
   return text.size();
 }
+
+namespace {
 
 void cut_between(std::string& text, std::string_view from, std::string_view to) {
   for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos;) {

@@ -3,6 +3,7 @@
 // Small tools for reading what a compiler printed. No regular expressions and no streams: the
 // page's judge is made of this too, and they would double its size.
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,9 @@ namespace contact::grading {
 std::vector<std::string> split_lines(std::string_view text);
 
 bool is_identifier_character(char c);
+
+/// One past the > that closes the < at `open`; the end of the text if none does.
+std::size_t end_of_brackets(std::string_view text, std::size_t open);
 
 void replace_all(std::string& text, std::string_view from, std::string_view to);
 

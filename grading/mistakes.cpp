@@ -1150,15 +1150,6 @@ void name_vectors(std::string& words, const Exercise& exercise) {
   }
 }
 
-std::size_t end_of_brackets(std::string_view text, std::size_t open) {
-  int depth = 0;
-  for (std::size_t i = open; i < text.size(); ++i) {
-    if (text[i] == '<') ++depth;
-    if (text[i] == '>' && --depth == 0) return i + 1;
-  }
-  return text.size();
-}
-
 }  // namespace
 
 std::string with_vectors(std::string message) {
