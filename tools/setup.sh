@@ -18,6 +18,8 @@ program|nlohmann-json3-dev|header nlohmann/json.hpp|nlohmann-json|JSON for Moder
 program|libtomlplusplus-dev|header toml++/toml.h|tomlplusplus|toml++: reads chapter.toml and its like
 program|libuv1-dev|header uv.h|libuv|libuv: processes, time limits and file events
 program|libarchive-dev|header archive.h|libarchive|libarchive: reads and writes archives of a reader's work
+program|libseccomp-dev|header seccomp.h|-|libseccomp: filters the system calls of submissions
+program|bubblewrap|command bwrap|-|bubblewrap: keeps submissions apart from everything else
 program|libboost-dev|header boost/multiprecision/gmp.hpp|boost|Boost.Multiprecision: the exact oracle
 program|libgmp-dev|header gmp.h|gmp|GMP: integers and fractions of any size
 program|libmpfr-dev|header mpfr.h|mpfr|MPFR: directed rounding
@@ -29,6 +31,8 @@ book|doxygen|command doxygen|doxygen|Doxygen: reads the headers' comments
 book|nodejs|node|node|Node 18 or newer: builds the page's scripts
 book|npm|command npm|node|npm: fetches the page's packages
 book|dpkg-dev|command dpkg-source|-|dpkg-source: unpacks Catch2's source for the page
+test|slurm-wlm|command slurmctld|-|Slurm: the tests grade on a cluster of two nodes on this machine
+test|munge|command munged|-|MUNGE: vouches for Slurm's messages
 test|git|command git|git|Git: the checks look only at files that are in it
 test|clang-tidy|command clang-tidy|llvm|clang-tidy: a second reading of the C++
 test|shellcheck|command shellcheck|shellcheck|ShellCheck: the same for shell scripts

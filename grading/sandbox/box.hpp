@@ -1,0 +1,118 @@
+#pragma once
+
+// Boxes: processes that hold what nobody trusts. A box sees the files that it is given and nothing
+// else, has no network, no environment and no privilege, and ends with whoever started it. What the
+// machine cannot enforce is known and said (machine.hpp).
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../run_process.hpp"
+#include "machine.hpp"
+
+namespace contact::grading {
+
+struct BoxLimits {
+  /// Seconds of processor time of the whole box. The kernel counts whole seconds, rounded up.
+  double cpu_seconds = 5.0;
+  /// Seconds on the clock; for what waits without working.
+  double wall_seconds = 30.0;
+  int memory_mb = 512;
+  /// Processes and threads at a time. 1 lets the box start none at all.
+  int processes = 1;
+  /// Bytes of standard output and error together; beyond that the box is ended.
+  std::size_t output_bytes = 1u << 20;
+  /// The private /tmp: megabytes (also the most that one file may hold) and files.
+  int files_mb = 16;
+  int files = 64;
+};
+
+/// What a box is for decides which system calls it has.
+enum class BoxKind {
+  compile,  ///< the compiler and the linker: they start processes and write files
+  answer,   ///< a submission: one program linked statically, a socket, and nothing else
+  judge     ///< the tests: they calculate, write events and ask for submissions
+};
+
+struct BoxMount {
+  std::filesystem::path host;
+  std::filesystem::path box;
+};
+
+struct BoxSpec {
+  BoxKind kind = BoxKind::answer;
+  /// As the box sees it.
+  std::vector<std::string> command;
+  std::vector<BoxMount> read_only;
+  /// One folder of the host that the box may write to; none if both paths are empty.
+  BoxMount writable;
+  /// Also /usr, /lib and the like, read-only: for a program that is linked dynamically and for the
+  /// compiler. Headers under /usr/include are only those of the standard libraries and of Eigen;
+  /// /usr/local and /usr/src are empty.
+  bool system = false;
+  std::vector<std::pair<std::string, std::string>> environment;
+  /// Folder to start in, as the box sees it.
+  std::filesystem::path folder = "/";
+  /// Descriptors that it gets besides 0, 1 and 2: ours, and their number there.
+  std::vector<std::pair<int, int>> descriptors;
+  BoxLimits limits;
+};
+
+/// One place among the workers: the user id and control groups that its boxes have, held until
+/// destroyed. Two seats never share them, in this program or in another on this machine.
+class Seat {
+ public:
+  /// @throws BookError if the machine lends none.
+  explicit Seat(const Machine& machine);
+  ~Seat();
+  Seat(const Seat&) = delete;
+  Seat& operator=(const Seat&) = delete;
+
+  struct State;
+  [[nodiscard]] const State& state() const { return *state_; }
+  /// Gives a file or folder to the user of this seat's boxes, so that they can read or write it.
+  void give(const std::filesystem::path& path) const;
+
+ private:
+  std::unique_ptr<State> state_;
+};
+
+/// How a box's end is told to whoever asked.
+struct BoxEnd {
+  ProcessResult process;
+  /// It reached its limit of memory (known where control groups count it).
+  bool out_of_memory = false;
+  double cpu_seconds = 0.0;
+};
+
+/// A running box.
+class Box {
+ public:
+  Box(Loop& loop, const Machine& machine, const Seat& seat, BoxSpec spec);
+  /// Ends it and everything in it, and waits until it is gone.
+  ~Box();
+  Box(const Box&) = delete;
+  Box& operator=(const Box&) = delete;
+
+  [[nodiscard]] bool ended() const;
+  /// Processor time used so far by everything in it.
+  [[nodiscard]] double cpu_seconds() const;
+  /// Ends it now.
+  void end(Ended why);
+  /// Turns the loop until it has ended.
+  BoxEnd wait();
+
+  struct State;
+
+ private:
+  std::unique_ptr<State> state_;
+};
+
+/// Runs a box to its end. @throws as run_process().
+BoxEnd run_box(Loop& loop, const Machine& machine, const Seat& seat, BoxSpec spec);
+
+}  // namespace contact::grading

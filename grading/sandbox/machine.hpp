@@ -1,0 +1,55 @@
+#pragma once
+
+// What this machine can keep a submission from doing, found out by trying it.
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "../run_process.hpp"
+
+namespace contact::grading {
+
+/// How well submissions can be kept apart from everything else.
+enum class Level {
+  full,     ///< namespaces of their own (files, processes, network, users), filtered system calls,
+            ///< limits
+  reduced,  ///< no namespaces: another user id, filtered system calls, limits; a submission opens
+            ///< no file at all
+  none      ///< less than that: refused unless accepted by name
+};
+
+/// One thing that should hold of a box, whether it does here, and how it was tried or what is
+/// missing.
+struct Measure {
+  std::string what;
+  bool enforced = false;
+  std::string how;
+};
+
+enum class ControlGroups { none, v1, v2 };
+
+struct Machine {
+  Level level = Level::none;
+  std::vector<Measure> measures;
+  /// This program may change its user id, so every seat gets one of its own.
+  bool own_user_ids = false;
+  bool namespaces = false;
+  bool system_call_filter = false;
+  ControlGroups control_groups = ControlGroups::none;
+  /// What of them can be limited here.
+  bool group_pids = false;
+  bool group_memory = false;
+  /// How many seats may work side by side without sharing a quota.
+  int most_workers = 1;
+};
+
+/// Tries each measure in a box of its own; takes less than a second.
+Machine examine_machine(Loop& loop);
+
+std::string_view words(Level level);  ///< "full", "reduced" or "none"
+/// {"level", "measures": [{"what", "enforced", "how"}]}
+nlohmann::json to_json(const Machine& machine);
+
+}  // namespace contact::grading
