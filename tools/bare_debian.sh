@@ -120,17 +120,25 @@ mount -t proc proc "$folder/proc"
 mount --rbind /dev "$folder/dev"
 mounted=yes
 
+# Runs a command there. The folder becomes the true root of a mount namespace: after a plain chroot the kernel allows no
+# user namespaces, in which submissions are graded.
+inside() {
+  # shellcheck disable=SC2016 # expanded in there
+  unshare --mount sh -ec 'mount --rbind "$1" "$1" && cd "$1" && shift && mkdir -p .outside &&
+    pivot_root . .outside && umount -l /.outside && exec chroot . "$@"' sh "$folder" "$@"
+}
+
 home=/root
 if [ "$user" != root ]; then
   home=/home/$user
-  chroot "$folder" sh -c "command -v sudo > /dev/null || { apt-get -qq update && apt-get -qq -y install sudo > /dev/null; }
+  inside sh -c "command -v sudo > /dev/null || { apt-get -qq update && apt-get -qq -y install sudo > /dev/null; }
     id $user > /dev/null 2>&1 || useradd --create-home $user
     printf '%s ALL=(ALL) NOPASSWD:ALL\n' $user > /etc/sudoers.d/$user"
 fi
 rm -rf "${folder:?}$home/contact-hours"
 git clone -q --no-hardlinks "$root" "$folder$home/contact-hours"
 [ -z "$(git -C "$root" status --porcelain)" ] || printf 'Not committed, so not in the clone:\n%s\n' "$(git -C "$root" status --porcelain)"
-[ "$user" = root ] || chroot "$folder" chown -R "$user:" "$home/contact-hours"
+[ "$user" = root ] || inside chown -R "$user:" "$home/contact-hours"
 
 printf 'Made in %s s. Commit %s. Running there, as %s: ./contact %s\n' "$(($(seconds) - began))" \
   "$(git -C "$root" rev-parse --short HEAD)" "$user" "$*"
@@ -140,7 +148,7 @@ log=$folder/var/log/contact-hours.log
 began=$(seconds)
 code=0
 # shellcheck disable=SC2086 # NAME=value words, none with spaces
-timeout --kill-after=30 "$((minutes * 60))" chroot "$folder" su "$user" -s /bin/sh -c \
+inside timeout --kill-after=30 "$((minutes * 60))" su "$user" -s /bin/sh -c \
   'cd ~/contact-hours && exec env "$@"' -- sh -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
   HOME="$home" LANG=C.UTF-8 $kept_environment ./contact "$@" > "$log" 2>&1 < /dev/null || code=$?
 took=$(($(seconds) - began))
