@@ -334,6 +334,14 @@ def program() -> Iterator[Check]:
     yield from pytest("tests/cli")
 
 
+def grade() -> Iterator[Check]:
+    """Grading needs what Linux alone has; elsewhere the program says so, and that is all."""
+    if sys.platform != "linux":
+        yield lambda _: Tally(skipped=1, why=["not run: grading needs Linux"])
+        return
+    yield from pytest("tests/grade")
+
+
 def step_checks(book_steps: Sequence[steps.Step]) -> Iterator[Check]:
     for step in book_steps:
 
@@ -408,6 +416,7 @@ STAGES = (
         "dev-check", "stubs, solutions, wrong answers and null answers", 12, dev_check, ("native",)
     ),
     Stage("program", "the contact program from outside", 8, program, ("native",)),
+    Stage("grade", "submissions that nobody trusts: boxes, marks, reports", 14, grade, ("native",)),
     Stage("outside", "set-up; the headers in another project", 6, outside, ("native",)),
     Stage("ladder", "every ladder at a small size", 4, ladder, ("native",)),
     Stage(
