@@ -48,6 +48,65 @@ std::vector<fs::path> folders_in(const fs::path& parent) {
   return result;
 }
 
+struct VisibilityName {
+  Visibility visibility;
+  std::string_view key;
+};
+
+constexpr std::array<VisibilityName, 4> visibility_names{{
+    {Visibility::shown, "shown"},
+    {Visibility::after_due, "after_due"},
+    {Visibility::values_withheld, "values_withheld"},
+    {Visibility::hidden, "hidden"},
+}};
+
+std::string place(const fs::path& file, const toml::node& node) {
+  return file.string() + ":" + std::to_string(node.source().begin.line) + ": ";
+}
+
+Visibility read_visibility(const fs::path& file, const toml::node& node, bool is_private) {
+  const std::string text = node.value_or(std::string());
+  const std::optional<Visibility> visibility = visibility_from_key(text);
+  if (!visibility)
+    throw BookError(place(file, node) +
+                    "visibility is \"shown\", \"after_due\", \"values_withheld\" or \"hidden\"" +
+                    (text.empty() ? "" : ", not \"" + text + "\""));
+  // Whoever has the book has its tests, and runs them with `contact check`.
+  if (!is_private && (*visibility == Visibility::hidden || *visibility == Visibility::after_due))
+    throw BookError(place(file, node) + "visibility \"" + text +
+                    "\" is for private tests (contact grade --private): everybody can read and run "
+                    "this one. \"values_withheld\" is possible");
+  return *visibility;
+}
+
+TestSpec read_test(const fs::path& file, const toml::table& table, bool is_private) {
+  static constexpr std::array<std::string_view, 4> known{"name", "points", "requires",
+                                                         "visibility"};
+  for (const auto& [key, node] : table) {
+    if (std::find(known.begin(), known.end(), key.str()) == known.end())
+      throw BookError(place(file, node) + "a test has no '" + std::string(key.str()) +
+                      "': it has name, points, requires and visibility");
+  }
+  TestSpec test{text_of(table, "name"), table["points"].value_or(0.0), texts_of(table, "requires"),
+                is_private ? Visibility::hidden : Visibility::shown, is_private};
+  if (const toml::node* node = table.get("visibility"))
+    test.visibility = read_visibility(file, *node, is_private);
+  return test;
+}
+
+std::vector<TestSpec> tests_of(const fs::path& file, const toml::table& table, bool is_private) {
+  std::vector<TestSpec> tests;
+  if (const toml::array* list = table["tests"].as_array()) {
+    for (const toml::node& node : *list) {
+      const toml::table* test = node.as_table();
+      if (test == nullptr) throw BookError(place(file, node) + "each of [[tests]] must be a table");
+      tests.push_back(read_test(file, *test, is_private));
+    }
+  }
+  if (tests.empty()) throw BookError(file.string() + ": it lists no [[tests]]");
+  return tests;
+}
+
 Chapter read_chapter(const fs::path& folder) {
   const toml::table table = parse(folder / "chapter.toml");
   Chapter chapter;
@@ -87,6 +146,21 @@ double Exercise::max_points() const {
                          [](double sum, const TestSpec& test) { return sum + test.points; });
 }
 
+std::string_view key(Visibility visibility) {
+  return visibility_names[static_cast<std::size_t>(visibility)].key;
+}
+
+std::optional<Visibility> visibility_from_key(std::string_view key) {
+  for (const VisibilityName& name : visibility_names) {
+    if (name.key == key) return name.visibility;
+  }
+  return std::nullopt;
+}
+
+std::vector<TestSpec> read_test_list(const fs::path& file, bool is_private) {
+  return tests_of(file, parse(file), is_private);
+}
+
 Exercise read_exercise(const fs::path& root, const std::string& chapter, const std::string& name) {
   Exercise exercise;
   exercise.chapter = chapter;
@@ -110,15 +184,7 @@ Exercise read_exercise(const fs::path& root, const std::string& chapter, const s
   exercise.time_limit = table["time_limit"].value_or(exercise.time_limit);
   if (!(exercise.time_limit > 0.0))
     throw BookError(file.string() + ": time_limit must be above zero");
-  if (const toml::array* list = table["tests"].as_array()) {
-    for (const toml::node& node : *list) {
-      const toml::table* test = node.as_table();
-      if (test == nullptr) throw BookError(file.string() + ": each of [[tests]] must be a table");
-      exercise.tests.push_back({text_of(*test, "name"), (*test)["points"].value_or(0.0),
-                                texts_of(*test, "requires"), (*test)["withheld"].value_or(false)});
-    }
-  }
-  if (exercise.tests.empty()) throw BookError(file.string() + ": it lists no [[tests]]");
+  exercise.tests = tests_of(file, table, false);
   return exercise;
 }
 

@@ -25,13 +25,27 @@ class UnknownName : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What a student may see of a test.
+enum class Visibility {
+  shown,            ///< everything
+  after_due,        ///< name and points; everything once the due date has passed
+  values_withheld,  ///< how it ended, the question and the hint; no input, no right answer
+  hidden            ///< nothing but that there are such tests
+};
+
+/// As in exercise.toml: "values_withheld".
+std::string_view key(Visibility visibility);
+std::optional<Visibility> visibility_from_key(std::string_view key);
+
 /// One test of an exercise, as exercise.toml lists it.
 struct TestSpec {
   std::string name;
   double points = 0.0;
   /// Tests that must have passed for this one to count.
   std::vector<std::string> needs;
-  bool withheld = false;
+  Visibility visibility = Visibility::shown;
+  /// From an instructor's folder and not from the book.
+  bool is_private = false;
 };
 
 struct Objective {
@@ -142,6 +156,11 @@ class Book {
 /// Reads one exercise folder. @throws BookError naming file and line.
 Exercise read_exercise(const std::filesystem::path& root, const std::string& chapter,
                        const std::string& name);
+
+/// The [[tests]] of a file, private or the book's; a private test is hidden unless it says
+/// otherwise.
+/// @throws BookError naming file and line.
+std::vector<TestSpec> read_test_list(const std::filesystem::path& file, bool is_private);
 
 /// The project root: CONTACT_ROOT if set, else the nearest folder upwards that holds chapters/ and
 /// exercises/.

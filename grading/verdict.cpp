@@ -87,6 +87,19 @@ std::string unmet_need(const Exercise& exercise, const TestSpec& test,
   return search(test);
 }
 
+// Only private tests are hidden or await the due date, and no student ever has a verdict on these;
+// if one did, it would say nothing.
+void withhold(TestVerdict& test) {
+  Failure& failure = test.failure;
+  if (test.visibility == Visibility::values_withheld) {
+    failure.inputs.clear();
+    failure.right.clear();
+    failure.allowed.clear();
+  } else if (test.visibility != Visibility::shown) {
+    failure = Failure{};
+  }
+}
+
 Outcome outcome_of(const std::vector<TestVerdict>& tests) {
   const auto all = [&](auto predicate) {
     return std::all_of(tests.begin(), tests.end(), predicate);
@@ -100,7 +113,8 @@ Outcome outcome_of(const std::vector<TestVerdict>& tests) {
 
 }  // namespace
 
-Verdict judge(const Exercise& exercise, const Book& book, const std::vector<TestResult>& results) {
+Verdict judge(const Exercise& exercise, const Book& book, const std::vector<TestResult>& results,
+              Reader reader) {
   std::map<std::string, const TestResult*> by_name;
   std::map<std::string, TestStatus> status;
   for (const TestResult& result : results) {
@@ -114,6 +128,7 @@ Verdict judge(const Exercise& exercise, const Book& book, const std::vector<Test
     TestVerdict test;
     test.name = spec.name;
     test.max_points = spec.points;
+    test.visibility = spec.visibility;
     const auto found = by_name.find(spec.name);
     if (found == by_name.end()) {
       test.status = TestStatus::stopped;
@@ -132,10 +147,7 @@ Verdict judge(const Exercise& exercise, const Book& book, const std::vector<Test
       }
     }
     if (test.status == TestStatus::passed) test.points = spec.points;
-    if (spec.withheld) {
-      test.failure.right.clear();
-      test.failure.allowed.clear();
-    }
+    if (reader == Reader::student) withhold(test);
     if (!test.failure.misconception.empty())
       test.failure.hint = book.hint_for(test.failure.misconception);
     verdict.points += test.points;
@@ -167,6 +179,7 @@ Verdict judge_uncompiled(const Exercise& exercise, CompileError error) {
     TestVerdict test;
     test.name = spec.name;
     test.max_points = spec.points;
+    test.visibility = spec.visibility;
     verdict.tests.push_back(std::move(test));
   }
   return verdict;
@@ -257,6 +270,7 @@ nlohmann::json to_json(const Verdict& verdict) {
                             {"points", test.points},
                             {"max_points", test.max_points},
                             {"seconds", test.seconds}};
+    if (test.visibility != Visibility::shown) entry["visibility"] = key(test.visibility);
     if (test.status == TestStatus::failed || test.status == TestStatus::stopped ||
         test.status == TestStatus::skipped)
       entry["failure"] = to_json(test.failure);

@@ -53,6 +53,13 @@ struct TestVerdict {
   double max_points = 0.0;
   Failure failure;
   double seconds = 0.0;
+  Visibility visibility = Visibility::shown;
+};
+
+/// For whom a verdict is.
+enum class Reader {
+  student,    ///< what a test withholds is left out
+  instructor  ///< everything is there, to be withheld from what a student gets
 };
 
 enum class Outcome { passed, failed, not_attempted, does_not_compile };
@@ -125,7 +132,8 @@ struct Verdict {
 
 /// Points, skips and hints from what happened to each test. Tests come in the order of
 /// exercise.toml; one that did not run counts as stopped, and is named in `missing_tests`.
-Verdict judge(const Exercise& exercise, const Book& book, const std::vector<TestResult>& results);
+Verdict judge(const Exercise& exercise, const Book& book, const std::vector<TestResult>& results,
+              Reader reader = Reader::student);
 
 /// The verdict on a file that does not compile: no attempt, no points.
 Verdict judge_uncompiled(const Exercise& exercise, CompileError error);
