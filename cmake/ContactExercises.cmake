@@ -257,6 +257,9 @@ function(contact_add_exercises)
   contact_json_strings(link_flags ${CONTACT_STUDENT_LINK_FLAGS})
   contact_json_strings(include "${CMAKE_BINARY_DIR}/student" "${PROJECT_SOURCE_DIR}/chapters/00_vectors")
   get_property(exercises GLOBAL PROPERTY CONTACT_EXERCISES_JSON)
+  # What a program that asks is made of besides its tests and a proxy: for private tests, which come later.
+  set(host "$<FILTER:$<TARGET_OBJECTS:contact_exercise_host>,EXCLUDE,gch$>")
+  set(asks_objects "\"$<JOIN:${host};$<TARGET_OBJECTS:contact_remote>;$<TARGET_FILE:Catch2::Catch2>,\", \">\"")
   file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/exercises.json" CONTENT "{
   \"root\": \"${PROJECT_SOURCE_DIR}\",
   \"compiler\": \"${CMAKE_CXX_COMPILER}\",
@@ -265,6 +268,7 @@ function(contact_add_exercises)
   \"pch\": \"${CMAKE_BINARY_DIR}/student/contact/prelude.hpp\",
   \"link_flags\": [${link_flags}],
   \"support_libs\": [],
+  \"asks_objects\": [${asks_objects}],
   \"exercises\": {${exercises}
   }
 }

@@ -127,9 +127,11 @@ BuildDescription read_build_description(const fs::path& build_dir) {
     build.pch = json.value("pch", "");
     build.link_flags = texts(json, "link_flags");
     build.support_libs = texts(json, "support_libs");
+    build.asks_objects = texts(json, "asks_objects");
     for (const auto& [id, entry] : json.at("exercises").items())
       build.exercises[id] = {entry.at("test_object").get<std::string>(),
-                             entry.at("target").get<std::string>(), texts(entry, "include")};
+                             entry.at("target").get<std::string>(), texts(entry, "include"),
+                             entry.at("proxy_object").get<std::string>()};
     return build;
   } catch (const nlohmann::json::exception& error) {
     throw BookError(file.string() + " is not understood: " + error.what());

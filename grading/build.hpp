@@ -26,10 +26,13 @@ struct BuildDescription {
   std::string pch;
   std::vector<std::string> link_flags;
   std::vector<std::string> support_libs;
+  /// What a program that asks is linked from besides its tests and a proxy.
+  std::vector<std::string> asks_objects;
   struct Bundle {
     std::string tests;   ///< one object that holds the tests, the asking, Catch2 and main
     std::string target;  ///< what CMake calls it
     std::vector<std::string> include;
+    std::string proxy;  ///< the contract, asking a submission in another process
   };
   std::map<std::string, Bundle> exercises;
 };
