@@ -82,7 +82,14 @@ Failure open_question() { return open != nullptr ? described(*open) : Failure{};
 
 std::uint64_t seed(std::uint64_t stream) {
   const char* text = std::getenv("CONTACT_SEED");
-  std::uint64_t x = text != nullptr ? std::strtoull(text, nullptr, 10) : 20;
+  std::uint64_t x = 20;
+  if (text != nullptr && *text != '\0') {
+    // FNV-1a over the whole text, so that any two seeds differ, in words or in digits.
+    x = 0xcbf29ce484222325u;
+    for (const char c : std::string_view{text}) {
+      x = (x ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    }
+  }
   // splitmix64, so that neighbouring seeds and streams have nothing in common.
   x += 0x9e3779b97f4a7c15u * (stream + 1);
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;

@@ -53,9 +53,9 @@ Failure open_question();
 /// outside, and cannot ask it afterwards. Slow.
 void tell_questions(std::function<void()> tell);
 
-/// What random inputs start from: CONTACT_SEED of the environment, so that a grader can use one
-/// that nobody has seen; else always the same. `stream` keeps the numbers of one test apart from
-/// those of another.
+/// What random inputs start from: CONTACT_SEED of the environment, any text, so that a grader can
+/// use one that nobody has seen; without it (or empty) always the same. `stream` keeps the numbers
+/// of one test apart from those of another.
 std::uint64_t seed(std::uint64_t stream);
 
 /// How far an answer may be from the right one.
