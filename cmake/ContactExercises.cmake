@@ -255,6 +255,7 @@ function(contact_add_exercises)
 
   contact_json_strings(flags ${CONTACT_STUDENT_FLAGS})
   contact_json_strings(link_flags ${CONTACT_STUDENT_LINK_FLAGS})
+  contact_json_strings(server_link_flags -static ${CONTACT_STUDENT_LINK_FLAGS})
   contact_json_strings(include "${CMAKE_BINARY_DIR}/student" "${PROJECT_SOURCE_DIR}/chapters/00_vectors")
   get_property(exercises GLOBAL PROPERTY CONTACT_EXERCISES_JSON)
   # What a program that asks is made of besides its tests and a proxy: for private tests, which come later.
@@ -267,6 +268,7 @@ function(contact_add_exercises)
   \"include\": [${include}],
   \"pch\": \"${CMAKE_BINARY_DIR}/student/contact/prelude.hpp\",
   \"link_flags\": [${link_flags}],
+  \"server_link_flags\": [${server_link_flags}],
   \"support_libs\": [],
   \"asks_objects\": [${asks_objects}],
   \"exercises\": {${exercises}

@@ -111,6 +111,17 @@ Columns columns_of(const std::string& compiler) {
   return compiler.find("clang") == std::string::npos ? Columns::displayed : Columns::bytes;
 }
 
+std::vector<std::string> link_with(const BuildDescription& build,
+                                   const std::vector<std::string>& flags, const fs::path& object,
+                                   const std::string& other, const fs::path& program) {
+  std::vector<std::string> command{build.compiler};
+  command.insert(command.end(), flags.begin(), flags.end());
+  command.insert(command.end(), {object.string(), other});
+  command.insert(command.end(), build.support_libs.begin(), build.support_libs.end());
+  command.insert(command.end(), {"-o", program.string()});
+  return command;
+}
+
 }  // namespace
 
 BuildDescription read_build_description(const fs::path& build_dir) {
@@ -126,11 +137,15 @@ BuildDescription read_build_description(const fs::path& build_dir) {
     build.include = texts(json, "include");
     build.pch = json.value("pch", "");
     build.link_flags = texts(json, "link_flags");
+    build.server_link_flags = texts(json, "server_link_flags");
     build.support_libs = texts(json, "support_libs");
     build.asks_objects = texts(json, "asks_objects");
     for (const auto& [id, entry] : json.at("exercises").items())
       build.exercises[id] = {entry.at("test_object").get<std::string>(),
-                             entry.at("target").get<std::string>(), texts(entry, "include"),
+                             entry.at("target").get<std::string>(),
+                             texts(entry, "include"),
+                             entry.at("server_object").get<std::string>(),
+                             entry.at("asks").get<std::string>(),
                              entry.at("proxy_object").get<std::string>()};
     return build;
   } catch (const nlohmann::json::exception& error) {
@@ -224,8 +239,7 @@ CompiledFile compile(Loop& loop, const Book& book, const BuildDescription& build
   spec.command = compile_command(build, exercise, source, compiled.object);
   for (const std::string& include : more_include) spec.command.push_back("-I" + include);
   spec.folder = book.root();
-  // The messages are parsed, so they come in English and without a terminal's width.
-  spec.environment = {{"LC_ALL", "C.UTF-8"}, {"COLUMNS", "0"}};
+  spec.environment = compiler_environment();
   spec.time_limit = 60.0;
   spec.output_limit = 8u << 20;
   const ProcessResult result = run_process(loop, spec);
@@ -234,21 +248,38 @@ CompiledFile compile(Loop& loop, const Book& book, const BuildDescription& build
     compiled.said.error = CompileError{};
     compiled.said.error->message = "the compiler did not finish within 60 s";
     compiled.said.error->full = result.errors;
-  } else if (!result.succeeded() || !result.errors.empty()) {
-    compiled.said = explain_compile(result.errors, !result.succeeded(), exercise, answer_in(source),
-                                    columns_of(build.compiler));
+  } else {
+    compiled.said = compiler_said(result, build, exercise, answer_in(source));
   }
   return compiled;
 }
 
+Explained compiler_said(const ProcessResult& result, const BuildDescription& build,
+                        const Exercise& exercise, const Answer& answer) {
+  if (result.succeeded() && result.errors.empty()) return {};
+  return explain_compile(result.errors, !result.succeeded(), exercise, answer,
+                         columns_of(build.compiler));
+}
+
+Explained linker_said(const ProcessResult& result, const Exercise& exercise, const Answer& answer) {
+  return result.succeeded() ? Explained{} : explain_link(result.errors, exercise, answer);
+}
+
+std::vector<std::pair<std::string, std::string>> compiler_environment() {
+  return {{"LC_ALL", "C.UTF-8"}, {"COLUMNS", "0"}};
+}
+
 std::vector<std::string> link_command(const BuildDescription& build, const Exercise& exercise,
                                       const fs::path& object, const fs::path& program) {
-  std::vector<std::string> command{build.compiler};
-  command.insert(command.end(), build.link_flags.begin(), build.link_flags.end());
-  command.insert(command.end(), {object.string(), build.exercises.at(exercise.id()).tests});
-  command.insert(command.end(), build.support_libs.begin(), build.support_libs.end());
-  command.insert(command.end(), {"-o", program.string()});
-  return command;
+  return link_with(build, build.link_flags, object, build.exercises.at(exercise.id()).tests,
+                   program);
+}
+
+std::vector<std::string> server_link_command(const BuildDescription& build,
+                                             const Exercise& exercise, const fs::path& object,
+                                             const fs::path& program) {
+  return link_with(build, build.server_link_flags, object, build.exercises.at(exercise.id()).server,
+                   program);
 }
 
 LinkedProgram link(Loop& loop, const Book& book, const BuildDescription& build,
@@ -259,12 +290,12 @@ LinkedProgram link(Loop& loop, const Book& book, const BuildDescription& build,
   ProcessSpec spec;
   spec.command = link_command(build, exercise, object, linked.program);
   spec.folder = book.root();
-  spec.environment = {{"LC_ALL", "C.UTF-8"}};
+  spec.environment = compiler_environment();
   spec.time_limit = 60.0;
   spec.output_limit = 8u << 20;
   const ProcessResult result = run_process(loop, spec);
   linked.seconds = result.seconds;
-  if (!result.succeeded()) linked.said = explain_link(result.errors, exercise, answer_in(source));
+  linked.said = linker_said(result, exercise, answer_in(source));
   return linked;
 }
 

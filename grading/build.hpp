@@ -25,6 +25,8 @@ struct BuildDescription {
   /// The header whose precompiled form lies beside it; empty if there is none.
   std::string pch;
   std::vector<std::string> link_flags;
+  /// Of a program that answers from a box, where no library can be loaded.
+  std::vector<std::string> server_link_flags;
   std::vector<std::string> support_libs;
   /// What a program that asks is linked from besides its tests and a proxy.
   std::vector<std::string> asks_objects;
@@ -32,6 +34,9 @@ struct BuildDescription {
     std::string tests;   ///< one object that holds the tests, the asking, Catch2 and main
     std::string target;  ///< what CMake calls it
     std::vector<std::string> include;
+    std::string
+        server;        ///< one object: main, and the far side of every call, to link an answer with
+    std::string asks;  ///< the tests as a program that asks a server
     std::string proxy;  ///< the contract, asking a submission in another process
   };
   std::map<std::string, Bundle> exercises;
@@ -71,6 +76,11 @@ CompiledFile compile(Loop& loop, const Book& book, const BuildDescription& build
                      const std::filesystem::path& folder,
                      const std::vector<std::string>& more_include = {});
 
+/// What a compiler or a linker that has ended said of a student's file.
+Explained compiler_said(const ProcessResult& result, const BuildDescription& build,
+                        const Exercise& exercise, const Answer& answer);
+Explained linker_said(const ProcessResult& result, const Exercise& exercise, const Answer& answer);
+
 struct LinkedProgram {
   std::filesystem::path program;
   Explained said;
@@ -89,5 +99,14 @@ std::vector<std::string> compile_command(const BuildDescription& build, const Ex
 std::vector<std::string> link_command(const BuildDescription& build, const Exercise& exercise,
                                       const std::filesystem::path& object,
                                       const std::filesystem::path& program);
+/// Links a student's object with the server of its contract instead of the tests.
+std::vector<std::string> server_link_command(const BuildDescription& build,
+                                             const Exercise& exercise,
+                                             const std::filesystem::path& object,
+                                             const std::filesystem::path& program);
+
+/// The environment of a compiler or linker: its messages are read, so they come in English and
+/// without a terminal's width.
+std::vector<std::pair<std::string, std::string>> compiler_environment();
 
 }  // namespace contact::grading

@@ -35,10 +35,4 @@ Verdict check_file(Loop& loop, const Book& book, const BuildDescription& build,
                    const Exercise& exercise, const std::filesystem::path& source,
                    const Limits& limits, const std::vector<std::string>& more_include = {});
 
-/// A signal in words: "segmentation fault: ...".
-std::string signal_in_words(int signal, const std::string& printed);
-
-/// A test's name as Catch2's command line and input file must spell it.
-std::string escaped_test_name(const std::string& name);
-
 }  // namespace contact::grading

@@ -1,0 +1,21 @@
+#pragma once
+
+// Why a student's program ended, in words for the student: the same for a check and for grading.
+
+#include <string>
+
+#include "run_process.hpp"
+
+namespace contact::grading {
+
+/// Why a program that should have answered ended instead.
+/// @param seconds of processor time that it had
+std::string why_stopped(const ProcessResult& process, double seconds);
+
+/// A signal in words: "segmentation fault: ...".
+std::string signal_in_words(int signal, const std::string& printed);
+
+/// What a program printed on standard error, without the line that why_stopped() has told.
+std::string errors_not_told(const ProcessResult& process);
+
+}  // namespace contact::grading
