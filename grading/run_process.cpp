@@ -1,5 +1,6 @@
 #include "run_process.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <csignal>
@@ -9,7 +10,12 @@
 #include <stdexcept>
 #include <system_error>
 
+#include <sys/wait.h>
 #include <unistd.h>
+
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
 extern char** environ;
 
@@ -26,6 +32,7 @@ double seconds_since(Clock::time_point start) {
 }
 
 struct Pipe {
+  Process::State* owner = nullptr;
   uv_pipe_t handle{};
   bool open = false;
   int child_end = -1;
@@ -33,31 +40,10 @@ struct Pipe {
   std::function<void(std::string_view)> deliver;
 };
 
-void close_pipe(Pipe& pipe) {
-  if (!pipe.open) return;
-  pipe.open = false;
-  uv_close(reinterpret_cast<uv_handle_t*>(&pipe.handle), nullptr);
-}
-
-void start_reading(Pipe& pipe) {
-  uv_read_start(
-      reinterpret_cast<uv_stream_t*>(&pipe.handle),
-      [](uv_handle_t* handle, std::size_t, uv_buf_t* buffer) {
-        auto* self = static_cast<Pipe*>(handle->data);
-        *buffer = uv_buf_init(self->buffer.data(), static_cast<unsigned>(self->buffer.size()));
-      },
-      [](uv_stream_t* stream, ssize_t count, const uv_buf_t* buffer) {
-        auto* self = static_cast<Pipe*>(stream->data);
-        if (count > 0)
-          self->deliver(std::string_view(buffer->base, static_cast<std::size_t>(count)));
-        if (count < 0) close_pipe(*self);
-      });
-}
-
 std::vector<std::string> environment_with(
-    const std::vector<std::pair<std::string, std::string>>& changes) {
+    const std::vector<std::pair<std::string, std::string>>& changes, bool clean) {
   std::vector<std::string> result;
-  for (char** entry = environ; *entry != nullptr; ++entry) {
+  for (char** entry = environ; !clean && *entry != nullptr; ++entry) {
     const std::string_view text(*entry);
     const std::string_view name = text.substr(0, text.find('='));
     bool replaced = false;
@@ -75,194 +61,299 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return result;
 }
 
-// The state of one child while it runs. Its handles live here, so it must not move.
-class Child {
- public:
-  Child(Loop& loop, const ProcessSpec& spec) : loop_(loop), spec_(spec) {}
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
+}  // namespace
 
-  ~Child() {
-    if (started_ && !exited_) kill_group();
-    if (started_) uv_close(reinterpret_cast<uv_handle_t*>(&process_), nullptr);
-    if (timing_) uv_close(reinterpret_cast<uv_handle_t*>(&timer_), nullptr);
-    close_child_ends();
-    for (Pipe* pipe : {&output_, &errors_, &events_}) close_pipe(*pipe);
-    // Close callbacks run on the loop; the handles must outlive them.
-    for (int turn = 0; turn < 3; ++turn) uv_run(loop_.get(), UV_RUN_NOWAIT);
-  }
+// What the loop knows of one child. Its handles must stay where they are until the loop has closed
+// them, which may be after the Process is gone; the last to be closed then deletes this.
+struct Process::State {
+  State(Loop& on, ProcessSpec what) : loop(on), spec(std::move(what)) {}
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
 
-  ProcessResult run() {
-    start();
-    while (!exited_ && !loop_.interrupted() && !loop_.cancelled()) turn();
-    if (loop_.interrupted() || loop_.cancelled()) {
-      kill_group();
-      // It is gone when the kernel says so, not when the signal is sent.
-      const Clock::time_point kill_time = Clock::now();
-      while (!exited_ && seconds_since(kill_time) < 2.0) {
-        uv_run(loop_.get(), UV_RUN_NOWAIT);
-        if (!exited_) uv_sleep(1);
-      }
-      if (loop_.interrupted()) throw Interrupted{};
-      throw Cancelled{};
-    }
-    // The leader is gone; what it left behind goes too, or it would hold the pipes open.
-    kill_group();
-    const Clock::time_point exit_time = Clock::now();
-    while ((output_.open || errors_.open || events_.open) && seconds_since(exit_time) < 1.0) turn();
-    return std::move(result_);
-  }
+  Loop& loop;
+  ProcessSpec spec;
+  uv_process_t process{};
+  uv_timer_t timer{};
+  Pipe output;
+  Pipe errors;
+  Pipe events;
+  std::size_t output_bytes = 0;
+  std::size_t error_bytes = 0;
+  ProcessResult result;
+  Clock::time_point start_time;
+  Clock::time_point exit_time;
+  std::optional<Clock::time_point> asked_to_end;
+  int open_handles = 0;
+  bool started = false;
+  bool exited = false;
+  bool ended = false;
+  bool released = false;
 
- private:
-  void start() {
-    std::vector<std::string> arguments = spec_.command;
-    std::vector<char*> argument_pointers = pointers(arguments);
-    std::vector<std::string> environment = environment_with(spec_.environment);
-    std::vector<char*> environment_pointers = pointers(environment);
-    const std::string folder = spec_.folder.string();
-
-    std::array<uv_stdio_container_t, 4> stdio{};
-    stdio[0].flags = UV_IGNORE;
-    int stdio_count = 3;
-    if (spec_.inherit) {
-      for (int i = 0; i < 3; ++i) {
-        stdio[static_cast<std::size_t>(i)].flags = UV_INHERIT_FD;
-        stdio[static_cast<std::size_t>(i)].data.fd = i;
-      }
-    } else {
-      open(output_, stdio[1],
-           [this](std::string_view text) { keep(result_.output, output_bytes_, text); });
-      open(errors_, stdio[2],
-           [this](std::string_view text) { keep(result_.errors, error_bytes_, text); });
-    }
-    if (spec_.on_events) {
-      open(events_, stdio[3], spec_.on_events);
-      stdio_count = 4;
-    }
-
-    uv_process_options_t options{};
-    options.file = arguments.front().c_str();
-    options.args = argument_pointers.data();
-    options.env = environment_pointers.data();
-    if (!folder.empty()) options.cwd = folder.c_str();
-    options.stdio = stdio.data();
-    options.stdio_count = stdio_count;
-    // A group of its own; one that shares the terminal must stay in ours, or it could not be
-    // interrupted from there.
-    if (!spec_.inherit) options.flags = UV_PROCESS_DETACHED;
-    options.exit_cb = [](uv_process_t* process, std::int64_t code, int signal) {
-      auto* self = static_cast<Child*>(process->data);
-      self->exited_ = true;
-      self->result_.exit_code = static_cast<int>(code);
-      self->result_.signal = signal;
-      self->result_.seconds = seconds_since(self->start_time_);
-    };
-    process_.data = this;
-    start_time_ = Clock::now();
-    started_ = true;
-    const int error = uv_spawn(loop_.get(), &process_, &options);
-    close_child_ends();
-    if (error != 0) {
-      exited_ = true;
-      throw std::runtime_error("cannot start " + arguments.front() + ": " + uv_strerror(error));
-    }
-    for (Pipe* pipe : {&output_, &errors_, &events_}) {
-      if (pipe->open) start_reading(*pipe);
-    }
-    start_timer();
-  }
-
-  void start_timer() {
-    if (spec_.time_limit <= 0.0 && !spec_.watchdog) return;
-    uv_timer_init(loop_.get(), &timer_);
-    timing_ = true;
-    timer_.data = this;
-    uv_timer_start(
-        &timer_,
-        [](uv_timer_t* timer) {
-          auto* self = static_cast<Child*>(timer->data);
-          if (self->asked_to_end_) {
-            if (seconds_since(*self->asked_to_end_) > self->spec_.grace) self->kill_group();
-          } else if (self->spec_.time_limit > 0.0 &&
-                     seconds_since(self->start_time_) > self->spec_.time_limit)
-            self->end(Ended::time);
-          else if (self->spec_.watchdog)
-            self->end(self->spec_.watchdog(self->process_.pid));
-        },
-        10, 10);
-  }
-
-  // A true pipe, not the socket pair that UV_CREATE_PIPE makes: a socket cannot be opened as
-  // /dev/fd/3.
+  void start();
+  void start_timer();
+  void tick();
   void open(Pipe& pipe, uv_stdio_container_t& container,
-            std::function<void(std::string_view)> deliver) {
-    std::array<uv_file, 2> ends{};
-    if (const int error = uv_pipe(ends.data(), UV_NONBLOCK_PIPE, 0); error != 0)
-      throw std::runtime_error(std::string("cannot make a pipe: ") + uv_strerror(error));
-    uv_pipe_init(loop_.get(), &pipe.handle, 0);
-    uv_pipe_open(&pipe.handle, ends[0]);
-    pipe.handle.data = &pipe;
-    pipe.open = true;
-    pipe.deliver = std::move(deliver);
-    pipe.child_end = ends[1];
-    container.flags = UV_INHERIT_FD;
-    container.data.fd = ends[1];
-  }
-
-  void close_child_ends() {
-    for (Pipe* pipe : {&output_, &errors_, &events_}) {
-      if (pipe->child_end >= 0) ::close(pipe->child_end);
-      pipe->child_end = -1;
-    }
-  }
-
-  void keep(std::string& kept, std::size_t& bytes, std::string_view text) {
-    bytes += text.size();
-    if (kept.size() < spec_.output_limit)
-      kept.append(text.substr(0, spec_.output_limit - kept.size()));
-    if (spec_.output_stop > 0 && bytes > spec_.output_stop) end(Ended::output);
-  }
-
-  void end(Ended why) {
-    if (why == Ended::by_itself || exited_ || result_.ended != Ended::by_itself) return;
-    result_.ended = why;
-    if (spec_.grace > 0.0) {
-      asked_to_end_ = Clock::now();
-      ::kill(-process_.pid, SIGTERM);
-    } else {
-      kill_group();
-    }
-  }
-
-  void kill_group() {
-    if (process_.pid <= 0) return;
-    if (spec_.inherit) {
-      if (!exited_) ::kill(process_.pid, SIGTERM);
-    } else {
-      ::kill(-process_.pid, SIGKILL);
-    }
-  }
-
-  void turn() { uv_run(loop_.get(), UV_RUN_ONCE); }
-
-  Loop& loop_;
-  const ProcessSpec& spec_;
-  uv_process_t process_{};
-  uv_timer_t timer_{};
-  Pipe output_;
-  Pipe errors_;
-  Pipe events_;
-  std::size_t output_bytes_ = 0;
-  std::size_t error_bytes_ = 0;
-  ProcessResult result_;
-  Clock::time_point start_time_;
-  std::optional<Clock::time_point> asked_to_end_;
-  bool started_ = false;
-  bool exited_ = false;
-  bool timing_ = false;
+            std::function<void(std::string_view)> deliver);
+  void start_reading(Pipe& pipe);
+  void close_child_ends();
+  void close(uv_handle_t* handle);
+  void close_pipe(Pipe& pipe);
+  void keep(std::string& kept, std::size_t& bytes, std::string_view text);
+  void end(Ended why);
+  void kill_group() const;
+  void end_at_once();
+  void settle();
+  void release();
 };
 
-}  // namespace
+void Process::State::close(uv_handle_t* handle) {
+  handle->data = this;
+  uv_close(handle, [](uv_handle_t* closed) {
+    auto* self = static_cast<State*>(closed->data);
+    --self->open_handles;
+    if (self->released && self->open_handles == 0) delete self;
+  });
+}
+
+void Process::State::close_pipe(Pipe& pipe) {
+  if (!pipe.open) return;
+  pipe.open = false;
+  close(reinterpret_cast<uv_handle_t*>(&pipe.handle));
+}
+
+// A true pipe, not the socket pair that UV_CREATE_PIPE makes: a socket cannot be opened as
+// /dev/fd/3.
+void Process::State::open(Pipe& pipe, uv_stdio_container_t& container,
+                          std::function<void(std::string_view)> deliver) {
+  std::array<uv_file, 2> ends{};
+  if (const int error = uv_pipe(ends.data(), UV_NONBLOCK_PIPE, 0); error != 0)
+    throw std::runtime_error(std::string("cannot make a pipe: ") + uv_strerror(error));
+  uv_pipe_init(loop.get(), &pipe.handle, 0);
+  ++open_handles;
+  uv_pipe_open(&pipe.handle, ends[0]);
+  pipe.owner = this;
+  pipe.handle.data = &pipe;
+  pipe.open = true;
+  pipe.deliver = std::move(deliver);
+  pipe.child_end = ends[1];
+  container.flags = UV_INHERIT_FD;
+  container.data.fd = ends[1];
+}
+
+void Process::State::start_reading(Pipe& pipe) {
+  uv_read_start(
+      reinterpret_cast<uv_stream_t*>(&pipe.handle),
+      [](uv_handle_t* handle, std::size_t, uv_buf_t* buffer) {
+        auto* self = static_cast<Pipe*>(handle->data);
+        *buffer = uv_buf_init(self->buffer.data(), static_cast<unsigned>(self->buffer.size()));
+      },
+      [](uv_stream_t* stream, ssize_t count, const uv_buf_t* buffer) {
+        auto* self = static_cast<Pipe*>(stream->data);
+        if (count > 0)
+          self->deliver(std::string_view(buffer->base, static_cast<std::size_t>(count)));
+        // Whoever was told may have destroyed the process, and with it closed this pipe.
+        if (count < 0 && self->open) {
+          self->owner->close_pipe(*self);
+          self->owner->settle();
+        }
+      });
+}
+
+void Process::State::close_child_ends() {
+  for (Pipe* pipe : {&output, &errors, &events}) {
+    if (pipe->child_end >= 0) ::close(pipe->child_end);
+    pipe->child_end = -1;
+  }
+}
+
+void Process::State::start() {
+  std::vector<std::string> arguments = spec.command;
+  std::vector<char*> argument_pointers = pointers(arguments);
+  std::vector<std::string> environment = environment_with(spec.environment, spec.clean_environment);
+  std::vector<char*> environment_pointers = pointers(environment);
+  const std::string folder = spec.folder.string();
+
+  int stdio_count = 3;
+  if (spec.on_events) stdio_count = std::max(stdio_count, spec.events_descriptor + 1);
+  for (const auto& [ours, theirs] : spec.descriptors)
+    stdio_count = std::max(stdio_count, theirs + 1);
+  std::vector<uv_stdio_container_t> stdio(static_cast<std::size_t>(stdio_count));
+  const auto place = [&](int number) -> uv_stdio_container_t& {
+    return stdio[static_cast<std::size_t>(number)];
+  };
+  for (uv_stdio_container_t& container : stdio) container.flags = UV_IGNORE;
+  if (spec.inherit) {
+    for (int i = 0; i < 3; ++i) {
+      place(i).flags = UV_INHERIT_FD;
+      place(i).data.fd = i;
+    }
+  } else {
+    open(output, place(1), [this](std::string_view text) {
+      if (spec.on_output) spec.on_output(text);
+      keep(result.output, output_bytes, text);
+    });
+    open(errors, place(2),
+         [this](std::string_view text) { keep(result.errors, error_bytes, text); });
+  }
+  if (spec.on_events) open(events, place(spec.events_descriptor), spec.on_events);
+  for (const auto& [ours, theirs] : spec.descriptors) {
+    place(theirs).flags = UV_INHERIT_FD;
+    place(theirs).data.fd = ours;
+  }
+
+  uv_process_options_t options{};
+  options.file = arguments.front().c_str();
+  options.args = argument_pointers.data();
+  options.env = environment_pointers.data();
+  if (!folder.empty()) options.cwd = folder.c_str();
+  options.stdio = stdio.data();
+  options.stdio_count = stdio_count;
+  // A group of its own; one that shares the terminal must stay in ours, or it could not be
+  // interrupted from there.
+  if (!spec.inherit) options.flags = UV_PROCESS_DETACHED;
+  options.exit_cb = [](uv_process_t* child, std::int64_t code, int signal) {
+    auto* self = static_cast<State*>(child->data);
+    self->exited = true;
+    self->exit_time = Clock::now();
+    self->result.exit_code = static_cast<int>(code);
+    self->result.signal = signal;
+    self->result.seconds = seconds_since(self->start_time);
+    // The leader is gone; what it left behind goes too, or it would hold the pipes open.
+    self->kill_group();
+    self->start_timer();
+    self->settle();
+  };
+  process.data = this;
+  start_time = Clock::now();
+  started = true;
+  ++open_handles;
+  const int error = uv_spawn(loop.get(), &process, &options);
+  close_child_ends();
+  if (error != 0) {
+    exited = true;
+    throw std::runtime_error("cannot start " + arguments.front() + ": " + uv_strerror(error));
+  }
+  for (Pipe* pipe : {&output, &errors, &events}) {
+    if (pipe->open) start_reading(*pipe);
+  }
+  if (spec.time_limit > 0.0 || spec.watchdog) start_timer();
+}
+
+void Process::State::start_timer() {
+  if (timer.loop != nullptr) return;
+  uv_timer_init(loop.get(), &timer);
+  ++open_handles;
+  timer.data = this;
+  uv_timer_start(
+      &timer, [](uv_timer_t* rung) { static_cast<State*>(rung->data)->tick(); }, 10, 10);
+}
+
+void Process::State::tick() {
+  if (exited)
+    settle();
+  else if (asked_to_end) {
+    if (seconds_since(*asked_to_end) > spec.grace) kill_group();
+  } else if (spec.time_limit > 0.0 && seconds_since(start_time) > spec.time_limit)
+    end(Ended::time);
+  else if (spec.watchdog)
+    end(spec.watchdog(process.pid));
+}
+
+// Once it has exited and its pipes are empty, or held open by something that left the group, it has
+// ended. Nothing may follow a call of this: whoever is told may destroy the process.
+void Process::State::settle() {
+  if (!exited || ended) return;
+  if ((output.open || errors.open || events.open) && seconds_since(exit_time) < 1.0) return;
+  for (Pipe* pipe : {&output, &errors, &events}) close_pipe(*pipe);
+  if (timer.loop != nullptr) uv_timer_stop(&timer);
+  ended = true;
+  if (spec.on_end) spec.on_end();
+}
+
+void Process::State::keep(std::string& kept, std::size_t& bytes, std::string_view text) {
+  bytes += text.size();
+  const bool passed_on = &kept == &result.output && spec.on_output;
+  if (!passed_on && kept.size() < spec.output_limit)
+    kept.append(text.substr(0, spec.output_limit - kept.size()));
+  const std::size_t counted = spec.output_in_all ? output_bytes + error_bytes : bytes;
+  if (spec.output_stop > 0 && counted > spec.output_stop) end(Ended::output);
+}
+
+void Process::State::end(Ended why) {
+  if (why == Ended::by_itself || exited || result.ended != Ended::by_itself) return;
+  result.ended = why;
+  if (spec.grace > 0.0) {
+    asked_to_end = Clock::now();
+    start_timer();
+    ::kill(-process.pid, SIGTERM);
+  } else {
+    kill_group();
+  }
+}
+
+void Process::State::kill_group() const {
+  if (process.pid <= 0) return;
+  if (spec.inherit) {
+    if (!exited) ::kill(process.pid, SIGTERM);
+  } else {
+    ::kill(-process.pid, SIGKILL);
+  }
+}
+
+// It is gone when the kernel says so, not when the signal is sent.
+void Process::State::end_at_once() {
+  kill_group();
+  const Clock::time_point kill_time = Clock::now();
+  while (!exited && seconds_since(kill_time) < 2.0) {
+    int status = 0;
+    if (::waitpid(process.pid, &status, WNOHANG) != 0) {
+      exited = true;
+      result.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+      result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
+    } else {
+      uv_sleep(1);
+    }
+  }
+}
+
+void Process::State::release() {
+  if (started && !exited) end_at_once();
+  if (started) close(reinterpret_cast<uv_handle_t*>(&process));
+  if (timer.loop != nullptr) close(reinterpret_cast<uv_handle_t*>(&timer));
+  close_child_ends();
+  for (Pipe* pipe : {&output, &errors, &events}) close_pipe(*pipe);
+  released = true;
+  if (open_handles == 0) delete this;
+}
+
+Process::Process(Loop& loop, ProcessSpec spec) : state_(new State(loop, std::move(spec))) {
+  try {
+    state_->start();
+  } catch (...) {
+    state_->release();
+    throw;
+  }
+}
+
+Process::~Process() { state_->release(); }
+
+int Process::pid() const { return state_->process.pid; }
+
+bool Process::ended() const { return state_->ended; }
+
+void Process::end(Ended why) { state_->end(why); }
+
+ProcessResult Process::wait() {
+  Loop& loop = state_->loop;
+  while (!state_->ended && !loop.interrupted() && !loop.cancelled())
+    uv_run(loop.get(), UV_RUN_ONCE);
+  if (!state_->ended) {
+    state_->end_at_once();
+    if (loop.interrupted()) throw Interrupted{};
+    throw Cancelled{};
+  }
+  return std::move(state_->result);
+}
 
 Loop::Loop() {
   uv_loop_init(&loop_);
@@ -294,7 +385,9 @@ void Loop::poll() {
   if (interrupted_) throw Interrupted{};
 }
 
-ProcessResult run_process(Loop& loop, const ProcessSpec& spec) { return Child(loop, spec).run(); }
+ProcessResult run_process(Loop& loop, const ProcessSpec& spec) {
+  return Process(loop, spec).wait();
+}
 
 double processor_seconds(int pid) {
 #ifdef __linux__
@@ -306,6 +399,14 @@ double processor_seconds(int pid) {
   (void)pid;
   return -1.0;
 #endif
+}
+
+void end_with_parent(int parent) {
+#ifdef __linux__
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+  // It may have ended before the kernel was asked.
+  if (::getppid() != parent) std::_Exit(128 + SIGKILL);
 }
 
 TemporaryFolder::TemporaryFolder() {

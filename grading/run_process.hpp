@@ -54,21 +54,32 @@ class Loop {
 };
 
 /// Why a process was ended from outside.
-enum class Ended { by_itself, time, output };
+enum class Ended { by_itself, time, output, unwanted };
 
 struct ProcessSpec {
   std::vector<std::string> command;
   std::filesystem::path folder;
   /// Set on top of the environment that this program has.
   std::vector<std::pair<std::string, std::string>> environment;
+  /// The child has only what `environment` says.
+  bool clean_environment = false;
+  /// Descriptors that it gets besides 0, 1 and 2: ours, and their number there.
+  std::vector<std::pair<int, int>> descriptors;
   /// Wall seconds; 0 means no limit.
   double time_limit = 0.0;
   /// Bytes of standard output and error kept, each.
   std::size_t output_limit = 64u << 20;
   /// Past this many bytes the process is ended; 0 means that the rest is read and dropped.
   std::size_t output_stop = 0;
-  /// Gives the child a pipe as descriptor 3 and passes on what it writes there.
+  /// Both streams together count towards `output_stop`, not each by itself.
+  bool output_in_all = false;
+  /// Is told standard output as it comes, which then is not kept.
+  std::function<void(std::string_view)> on_output;
+  /// Gives the child a pipe as descriptor `events_descriptor` and passes on what it writes there.
   std::function<void(std::string_view)> on_events;
+  int events_descriptor = 3;
+  /// Called on the loop once the process has ended and all that it wrote is read.
+  std::function<void()> on_end;
   /// Asked every few milliseconds; anything but by_itself ends the process.
   std::function<Ended(int pid)> watchdog;
   /// Seconds between asking a process that is out of time or output to end (SIGTERM, so that it can
@@ -91,6 +102,32 @@ struct ProcessResult {
   }
 };
 
+/// A running child. Several may run beside each other on one loop, and one may be started or
+/// destroyed from a callback of another.
+class Process {
+ public:
+  /// Starts it. @throws std::runtime_error if it cannot be started.
+  Process(Loop& loop, ProcessSpec spec);
+  /// Ends it and its group at once if it still runs, and waits until the kernel says so.
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  [[nodiscard]] int pid() const;
+  /// Whether it has ended and all that it wrote is read.
+  [[nodiscard]] bool ended() const;
+  /// Ends it, as the specification's `grace` says; the first reason given is the one told.
+  void end(Ended why);
+  /// Turns the loop until it has ended.
+  /// @throws Interrupted on Ctrl-C and Cancelled if the loop says so, both after ending it.
+  ProcessResult wait();
+
+  struct State;
+
+ private:
+  State* state_;
+};
+
 /// Runs a command to its end and leaves none of its group behind.
 /// @throws std::runtime_error if it cannot be started; Interrupted on Ctrl-C and Cancelled if the
 /// loop says so, both after ending it.
@@ -98,6 +135,11 @@ ProcessResult run_process(Loop& loop, const ProcessSpec& spec);
 
 /// Seconds of processor time a running process has used; negative if the system does not say.
 double processor_seconds(int pid);
+
+/// Asks the kernel to end this process when whoever started it ends. Call it first thing; if the
+/// parent is gone already, this does not return.
+/// @param parent the process id that the parent had when it started this one
+void end_with_parent(int parent);
 
 /// A private folder that is removed with everything in it.
 class TemporaryFolder {

@@ -64,6 +64,7 @@ std::string why_stopped(const ProcessResult& process, double seconds) {
     case Ended::output:
       return "it printed without end and was stopped";
     case Ended::by_itself:
+    case Ended::unwanted:
       break;
   }
   if (process.signal != 0) return signal_in_words(process.signal, process.errors);
