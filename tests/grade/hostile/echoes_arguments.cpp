@@ -1,0 +1,25 @@
+// Tries:     answers with its own arguments
+// Exercise:  01_planes/signed_distance
+// Points:    0 of 8
+// Tests:     all failed
+#include "signed_distance.hpp"
+
+namespace exercise {
+
+double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  //[attack
+  return point.z();
+  //]attack
+  const Eigen::Vector3d normal(plane.a, plane.b, plane.c);
+  return (normal.dot(point) + plane.d) / normal.norm();
+}
+
+int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  //[attack
+  return static_cast<int>(plane.d);
+  //]attack
+  const double value = Eigen::Vector3d(plane.a, plane.b, plane.c).dot(point) + plane.d;
+  return value > 0 ? 1 : (value < 0 ? -1 : 0);
+}
+
+}  // namespace exercise

@@ -1,0 +1,40 @@
+// Tries:     ends the program with status 0 before main, for graders that look at the status
+// Exercise:  01_planes/signed_distance
+// Ordinary:  exit status 0
+// Points:    0 of 8
+// Tests:     all stopped
+// Says:      status 0
+#include "signed_distance.hpp"
+
+//[attack
+#include <cstdlib>
+
+namespace {
+
+const bool gone = [] {
+  std::exit(0);
+  return true;
+}();
+
+}  // namespace
+//]attack
+
+namespace exercise {
+
+double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  //[attack
+  return 1;
+  //]attack
+  const Eigen::Vector3d normal(plane.a, plane.b, plane.c);
+  return (normal.dot(point) + plane.d) / normal.norm();
+}
+
+int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  //[attack
+  return 1;
+  //]attack
+  const double value = Eigen::Vector3d(plane.a, plane.b, plane.c).dot(point) + plane.d;
+  return value > 0 ? 1 : (value < 0 ? -1 : 0);
+}
+
+}  // namespace exercise

@@ -1,0 +1,29 @@
+// Tries:     handles its own crash and returns into it, for ever
+// Exercise:  01_planes/signed_distance
+// Points:    4 of 8
+// Tests:     1-3 passed, 4-6 stopped
+// Says:      ran out of time|segmentation
+#include "signed_distance.hpp"
+
+//[attack
+#include <csignal>
+//]attack
+
+namespace exercise {
+
+double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d normal(plane.a, plane.b, plane.c);
+  return (normal.dot(point) + plane.d) / normal.norm();
+}
+
+int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  //[attack
+  std::signal(
+      SIGSEGV, +[](int) {});
+  *static_cast<volatile int*>(nullptr) = 1;
+  //]attack
+  const double value = Eigen::Vector3d(plane.a, plane.b, plane.c).dot(point) + plane.d;
+  return value > 0 ? 1 : (value < 0 ? -1 : 0);
+}
+
+}  // namespace exercise

@@ -1,0 +1,48 @@
+// Tries:     announces an answer of 2^60 bytes and another of 15 MB that it never sends
+// Exercise:  01_planes/signed_distance
+// Points:    0 of 8
+// Tests:     all stopped
+// Says:      more than is allowed|ended|closed
+#include "signed_distance.hpp"
+
+//[attack
+#include <unistd.h>
+
+namespace {
+
+struct Frame {
+  std::uint32_t magic = 0x31544e43, kind = 0;
+  // Of signed_distance; it stands in this very program, so that an attacker has it.
+  std::uint64_t fingerprint = 0xd85d6d47dfefa4db, sequence = 1, length = 8;
+  double value = 1.0;
+};
+
+void announce(std::uint64_t length) {
+  Frame frame;
+  frame.length = length;
+  if (write(3, &frame, sizeof frame) < 0) return;
+  sleep(1000);
+}
+
+}  // namespace
+//]attack
+
+namespace exercise {
+
+double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  //[attack
+  announce(std::uint64_t{1} << 60);
+  //]attack
+  const Eigen::Vector3d normal(plane.a, plane.b, plane.c);
+  return (normal.dot(point) + plane.d) / normal.norm();
+}
+
+int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  //[attack
+  announce(15 << 20);
+  //]attack
+  const double value = Eigen::Vector3d(plane.a, plane.b, plane.c).dot(point) + plane.d;
+  return value > 0 ? 1 : (value < 0 ? -1 : 0);
+}
+
+}  // namespace exercise

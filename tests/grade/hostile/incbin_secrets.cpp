@@ -1,0 +1,28 @@
+// Tries:     has the assembler put secret files and the tests into its program, to print and to
+//            search them
+// Exercise:  01_planes/signed_distance
+// Points:    0 of 8
+// Tests:     does not compile
+// Says:      assemble|incbin|file not found|No such file
+// Reduced:   what other users may read is seen
+#include "signed_distance.hpp"
+
+//[attack
+asm(".incbin \"@SECRET@\"");
+asm(".incbin \"/etc/shadow\"");
+asm(".incbin \"@ROOT@/build/dev/exercises/01_planes/signed_distance/tests.o\"");
+//]attack
+
+namespace exercise {
+
+double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d normal(plane.a, plane.b, plane.c);
+  return (normal.dot(point) + plane.d) / normal.norm();
+}
+
+int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  const double value = Eigen::Vector3d(plane.a, plane.b, plane.c).dot(point) + plane.d;
+  return value > 0 ? 1 : (value < 0 ? -1 : 0);
+}
+
+}  // namespace exercise

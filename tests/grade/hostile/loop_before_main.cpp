@@ -1,0 +1,32 @@
+// Tries:     never gets as far as main
+// Exercise:  01_planes/signed_distance
+// Points:    0 of 8
+// Tests:     all stopped
+// Says:      ran out of time
+#include "signed_distance.hpp"
+
+//[attack
+namespace {
+
+const bool never = [] {
+  for (volatile bool more = true; more;) {
+  }
+  return true;
+}();
+
+}  // namespace
+//]attack
+
+namespace exercise {
+
+double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d normal(plane.a, plane.b, plane.c);
+  return (normal.dot(point) + plane.d) / normal.norm();
+}
+
+int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  const double value = Eigen::Vector3d(plane.a, plane.b, plane.c).dot(point) + plane.d;
+  return value > 0 ? 1 : (value < 0 ? -1 : 0);
+}
+
+}  // namespace exercise

@@ -1,0 +1,26 @@
+// Tries:     expands a macro to 10^12 words
+// Exercise:  01_planes/signed_distance
+// Points:    0 of 8
+// Tests:     does not compile
+#include "signed_distance.hpp"
+
+//[attack
+#define A(x) x x x x x x x x x x
+#define B(x) A(A(A(x)))
+#define C(x) B(B(B(B(x))))
+const char* const lots = C("all work and no play makes Jack a dull boy");
+//]attack
+
+namespace exercise {
+
+double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d normal(plane.a, plane.b, plane.c);
+  return (normal.dot(point) + plane.d) / normal.norm();
+}
+
+int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  const double value = Eigen::Vector3d(plane.a, plane.b, plane.c).dot(point) + plane.d;
+  return value > 0 ? 1 : (value < 0 ? -1 : 0);
+}
+
+}  // namespace exercise

@@ -1,0 +1,23 @@
+// Tries:     makes an object of many gigabytes
+// Exercise:  01_planes/signed_distance
+// Points:    0 of 8
+// Tests:     does not compile
+#include "signed_distance.hpp"
+
+//[attack
+asm(".data\n.rept 64\n.fill 0x3fffffff, 1, 65\n.endr\n.text");
+//]attack
+
+namespace exercise {
+
+double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d normal(plane.a, plane.b, plane.c);
+  return (normal.dot(point) + plane.d) / normal.norm();
+}
+
+int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  const double value = Eigen::Vector3d(plane.a, plane.b, plane.c).dot(point) + plane.d;
+  return value > 0 ? 1 : (value < 0 ? -1 : 0);
+}
+
+}  // namespace exercise

@@ -1,0 +1,34 @@
+// Tries:     answers with numbers that are none, of every kind, and with infinity
+// Exercise:  02_triangles/ray_triangle
+// Points:    0 of 12
+// Tests:     all failed
+#include "ray_triangle.hpp"
+
+namespace exercise {
+
+std::optional<contact::TriangleHit<double>> ray_triangle(
+    const contact::Ray<double>& ray, const contact::Triangle<double>& triangle) {
+  //[attack
+  static int call = 0;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double odd[] = {nan, -nan, std::numeric_limits<double>::signaling_NaN(),
+                        std::numeric_limits<double>::infinity()};
+  const double x = odd[call++ % 4];
+  return contact::TriangleHit<double>{x, {x, x, x}};
+  //]attack
+  const Eigen::Vector3d e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a;
+  const Eigen::Vector3d p = ray.direction.cross(e2);
+  const double det = e1.dot(p);
+  if (det == 0) return std::nullopt;
+  const Eigen::Vector3d s = ray.origin - triangle.a;
+  const double beta = s.dot(p) / det;
+  if (!(beta >= 0 && beta <= 1)) return std::nullopt;
+  const Eigen::Vector3d q = s.cross(e1);
+  const double gamma = ray.direction.dot(q) / det;
+  if (!(gamma >= 0 && beta + gamma <= 1)) return std::nullopt;
+  const double t = e2.dot(q) / det;
+  if (!(t >= 0)) return std::nullopt;
+  return contact::TriangleHit<double>{t, {1 - beta - gamma, beta, gamma}};
+}
+
+}  // namespace exercise

