@@ -15,6 +15,7 @@ import contextlib
 import ctypes
 import os
 import pwd
+import re
 import secrets
 import shutil
 import signal
@@ -225,6 +226,15 @@ class Cluster:
                 nodes=nodes,
             )
         )
+        # slurmd starts a plugin for control groups even where nothing uses it. Newer versions can
+        # do without; in older ones the first asks nothing of the machine.
+        said = self.run("slurmctld", "-V")
+        version = re.search(r"(\d+)\.(\d+)", said)
+        if version is None:
+            raise ClusterError(f"slurmctld -V said {said.strip()!r}, which names no version")
+        modern = (int(version[1]), int(version[2])) >= (23, 2)
+        plugin = "disabled" if modern else "cgroup/v1"
+        (self.folder / "cgroup.conf").write_text(f"CgroupPlugin={plugin}\n")
         for name in ("state", *NODES):
             (self.folder / name).mkdir()
 
