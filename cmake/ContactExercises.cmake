@@ -63,7 +63,8 @@ function(contact_add_exercise_host)
   # Tests of exercises reuse it, so that each is compiled quickly.
   target_precompile_headers(contact_exercise_host PRIVATE "${source}/tests/support/exercise_precompiled.hpp")
 
-  add_library(contact_remote OBJECT "${source}/grading/contact/remote.cpp")
+  add_library(contact_remote OBJECT "${source}/grading/contact/remote.cpp"
+    "${source}/grading/contact/remote_process.cpp")
   add_library(contact_remote_server OBJECT "${source}/grading/contact/remote_server.cpp")
   foreach(target IN ITEMS contact_remote contact_remote_server)
     target_include_directories(${target} PRIVATE "${source}/grading")

@@ -1,190 +1,188 @@
 #include <contact/remote.hpp>
 
-#include <fcntl.h>
 #include <poll.h>
-#include <signal.h>
-#include <spawn.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <nlohmann/json.hpp>
+#include <optional>
+#include <random>
 #include <string>
+#include <utility>
 
 #include <contact/prelude.hpp>
 #include <contact/remote_frames.hpp>
-
-extern char** environ;
+#include <contact/remote_process.hpp>
 
 namespace contact::remote {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::vector<std::string> server_command() {
-  const char* text = std::getenv("CONTACT_SERVER");
-  if (text == nullptr || *text == '\0')
-    throw host::Stopped("CONTACT_SERVER names no program to ask");
-  if (*text != '[') return {text};
-  return nlohmann::json::parse(text).get<std::vector<std::string>>();
-}
+// Words of the student's own code, in an exception, are cut here.
+constexpr std::size_t kMaxWords = 2000;
+constexpr std::string_view kUnasked = "sent bytes that nobody asked for";
 
-std::chrono::duration<double> patience() {
-  const char* text = std::getenv("CONTACT_CALL_SECONDS");
-  return std::chrono::duration<double>(text != nullptr ? std::strtod(text, nullptr) : 10.0);
-}
+/// What the far side may send, and how often it is asked in one test.
+struct Allowance {
+  std::size_t bytes = number_from_environment("CONTACT_ANSWER_BYTES", kMaxPayload);
+  std::uint64_t calls = number_from_environment("CONTACT_CALLS", 1'000'000);
+};
 
-/// One process with the student's code in it, and our end of the socket to it.
-class Server {
+/// The conversation with one far process after another.
+class Conversation {
  public:
-  Server() = default;
-  Server(const Server&) = delete;
-  Server& operator=(const Server&) = delete;
-  ~Server() { stop(); }
+  Conversation() = default;
+  Conversation(const Conversation&) = delete;
+  Conversation& operator=(const Conversation&) = delete;
+  ~Conversation() { hang_up(); }
 
-  bool running() const { return pid_ > 0; }
-
-  void start() {
-    int ends[2];
-    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
-      throw host::Stopped(std::string{"no socket: "} + std::strerror(errno));
-    }
-    const std::vector<std::string> command = server_command();
-    std::vector<char*> arguments;
-    for (const auto& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
-    arguments.push_back(nullptr);
-
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], kServerDescriptor);
-    const int error =
-        posix_spawnp(&pid_, arguments[0], &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    close(ends[1]);
-    socket_ = ends[0];
-    sequence_ = 0;
-    if (error != 0) {
-      pid_ = -1;
-      stop();
-      throw host::Stopped("cannot run " + command[0] + ": " + std::strerror(error));
-    }
+  /// A test must not see what an earlier one left behind.
+  void new_test() {
+    stop();
+    far_.reset();
+    ++test_;
+    calls_ = 0;
   }
 
-  /// Ends the process, whatever it is doing.
   void stop() {
-    if (pid_ > 0) {
-      kill(pid_, SIGKILL);
-      while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
-      }
-    }
-    if (socket_ >= 0) close(socket_);
-    pid_ = -1;
-    socket_ = -1;
+    if (socket_ < 0) return;
+    hang_up();
+    far_->stop();
   }
 
   std::pair<Reply, Bytes> ask(const Contract& contract, std::uint32_t function,
                               const Bytes& arguments) {
-    const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(patience());
+    if (++calls_ > allowed_.calls)
+      stop_because("was called more than " + std::to_string(allowed_.calls) + " times in one test");
+    if (arguments.size() > kMaxPayload) stop_because("would have been given more than can be sent");
+    if (socket_ < 0) start();
+    deadline_.reset();
+    if (const double seconds = far_->patience(); seconds > 0.0)
+      deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                     std::chrono::duration<double>(seconds));
     std::uint8_t byte = 0;
-    if (recv(socket_, &byte, 1, MSG_DONTWAIT | MSG_PEEK) > 0)
-      stop_because("sent bytes that nobody asked for");
+    if (recv(socket_, &byte, 1, MSG_DONTWAIT | MSG_PEEK) > 0) stop_because(std::string{kUnasked});
 
     Header header;
     header.kind = function;
     header.fingerprint = contract.fingerprint;
-    header.sequence = ++sequence_;
+    header.sequence = sequence_();
     header.length = arguments.size();
-    Bytes request(sizeof header);
+    Bytes request(sizeof header + arguments.size());
     std::memcpy(request.data(), &header, sizeof header);
-    request.insert(request.end(), arguments.begin(), arguments.end());
-    send_all(request, deadline);
-
-    Header reply;
-    receive_all(reinterpret_cast<std::uint8_t*>(&reply), sizeof reply, deadline);
-    if (reply.magic != kMagic || reply.fingerprint != contract.fingerprint ||
-        reply.sequence != sequence_ || reply.kind >= static_cast<std::uint32_t>(Reply::refused)) {
-      stop_because("sent back bytes that are not a reply");
-    }
-    if (reply.length > kMaxPayload) stop_because("sent back more than is allowed");
-    Bytes payload(reply.length);
-    receive_all(payload.data(), payload.size(), deadline);
-    return {static_cast<Reply>(reply.kind), std::move(payload)};
+    if (!arguments.empty())
+      std::memcpy(request.data() + sizeof header, arguments.data(), arguments.size());
+    send_all(request);
+    return receive(contract, header.sequence);
   }
 
  private:
-  pid_t pid_ = -1;
+  const Allowance allowed_;
+  std::unique_ptr<FarProcess> far_;
   int socket_ = -1;
-  std::uint64_t sequence_ = 0;
+  std::uint64_t test_ = 0;
+  std::uint64_t calls_ = 0;
+  std::optional<Clock::time_point> deadline_;
+  // No reply can be written before its question is known: the numbers do not follow one another.
+  std::mt19937_64 sequence_{std::random_device{}()};
+  std::array<std::uint8_t, 1u << 16> buffer_;
 
-  void send_all(const Bytes& bytes, Clock::time_point deadline) {
+  void start() {
+    if (!far_) far_ = far_process();
+    socket_ = far_->start(test_);
+  }
+
+  void hang_up() {
+    if (socket_ >= 0) close(socket_);
+    socket_ = -1;
+  }
+
+  std::pair<Reply, Bytes> receive(const Contract& contract, std::uint64_t sequence) {
+    std::size_t have = 0;
+    while (have < sizeof(Header)) have += receive_some(have);
+    Header reply;
+    std::memcpy(&reply, buffer_.data(), sizeof reply);
+    if (reply.magic != kMagic || reply.fingerprint != contract.fingerprint ||
+        reply.kind >= static_cast<std::uint32_t>(Reply::refused))
+      stop_because("sent back bytes that are not a reply");
+    if (reply.sequence != sequence) stop_because(std::string{kUnasked});
+    if (reply.length > allowed_.bytes) stop_because("sent back more than is allowed");
+
+    // Memory is taken as bytes arrive, not as they are announced.
+    Bytes payload;
+    have -= sizeof reply;
+    const std::uint8_t* from = buffer_.data() + sizeof reply;
+    while (true) {
+      if (have > reply.length - payload.size()) stop_because(std::string{kUnasked});
+      payload.insert(payload.end(), from, from + have);
+      if (payload.size() == reply.length) break;
+      have = receive_some(0);
+      from = buffer_.data();
+    }
+    return {static_cast<Reply>(reply.kind), std::move(payload)};
+  }
+
+  void send_all(const Bytes& bytes) {
     for (std::size_t at = 0; at < bytes.size();) {
+      wait_for(POLLOUT);
+      const ssize_t n = send(socket_, bytes.data() + at, bytes.size() - at,
+                             MSG_NOSIGNAL | (deadline_ ? MSG_DONTWAIT : 0));
+      if (n > 0) {
+        at += static_cast<std::size_t>(n);
+      } else if (errno != EAGAIN && errno != EINTR) {
+        stop_because(why_it_ended());
+      }
+    }
+  }
+
+  // At least one more byte into the buffer, behind those that are kept.
+  std::size_t receive_some(std::size_t kept) {
+    while (true) {
+      wait_for(POLLIN);
       const ssize_t n =
-          send(socket_, bytes.data() + at, bytes.size() - at, MSG_NOSIGNAL | MSG_DONTWAIT);
-      if (n > 0) {
-        at += static_cast<std::size_t>(n);
-      } else if (errno == EAGAIN || errno == EINTR) {
-        wait_for(POLLOUT, deadline);
-      } else {
-        stop_because(how_it_ended());
-      }
+          recv(socket_, buffer_.data() + kept, buffer_.size() - kept, deadline_ ? MSG_DONTWAIT : 0);
+      if (n > 0) return static_cast<std::size_t>(n);
+      if (n == 0 || (errno != EAGAIN && errno != EINTR)) stop_because(why_it_ended());
     }
   }
 
-  void receive_all(std::uint8_t* bytes, std::size_t size, Clock::time_point deadline) {
-    for (std::size_t at = 0; at < size;) {
-      wait_for(POLLIN, deadline);
-      const ssize_t n = recv(socket_, bytes + at, size - at, MSG_DONTWAIT);
-      if (n > 0) {
-        at += static_cast<std::size_t>(n);
-      } else if (n == 0 || (errno != EAGAIN && errno != EINTR)) {
-        stop_because(how_it_ended());
-      }
-    }
-  }
-
-  void wait_for(short events, Clock::time_point deadline) {
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+  // Where nobody else ends a far side that keeps silent, the clock does.
+  void wait_for(short events) {
+    if (!deadline_) return;
+    const auto left =
+        std::chrono::ceil<std::chrono::milliseconds>(*deadline_ - Clock::now()).count();
     pollfd poll_for{socket_, events, 0};
     if (left <= 0 ||
         poll(&poll_for, 1, static_cast<int>(std::min<std::int64_t>(left, 1 << 30))) == 0) {
-      stop_because("ran out of time: no answer after " + std::to_string(patience().count()) + " s");
+      stop_because("ran out of time: no answer after " + std::to_string(far_->patience()) + " s");
     }
   }
 
-  /// The other end is closed. Normally the process has ended, or is about to.
-  std::string how_it_ended() {
-    int status = 0;
-    for (int tries = 0; tries < 100; ++tries) {
-      const pid_t ended = waitpid(pid_, &status, WNOHANG);
-      if (ended == pid_) {
-        pid_ = -1;
-        if (WIFSIGNALED(status)) return std::string{"crashed: "} + strsignal(WTERMSIG(status));
-        return "ended the program with status " + std::to_string(WEXITSTATUS(status));
-      }
-      usleep(5000);
-    }
-    return "closed its connection";
+  std::string why_it_ended() {
+    hang_up();
+    return far_->why_it_ended();
   }
 };
 
-Server& server() {
-  static Server only;
+Conversation& conversation() {
+  static Conversation only;
   return only;
 }
 
-// A test must not see what an earlier one left behind.
-const bool kRestart = [] {
-  host::at_test_start([] { server().stop(); });
+const bool kNewTest = [] {
+  host::at_test_start([] { conversation().new_test(); });
   return true;
 }();
 
 std::string text_in(const Bytes& bytes) {
   try {
-    return from_bytes<std::string>(bytes);
+    std::string text = from_bytes<std::string>(bytes);
+    if (text.size() > kMaxWords) text = text.substr(0, kMaxWords) + " ...";
+    return text;
   } catch (const BadBytes&) {
     stop_because("sent back an exception without its text");
   }
@@ -193,13 +191,12 @@ std::string text_in(const Bytes& bytes) {
 }  // namespace
 
 void stop_because(const std::string& reason) {
-  server().stop();
+  conversation().stop();
   throw host::Stopped(reason);
 }
 
 Bytes exchange(const Contract& contract, std::uint32_t function, const Bytes& arguments) {
-  if (!server().running()) server().start();
-  auto [reply, payload] = server().ask(contract, function, arguments);
+  auto [reply, payload] = conversation().ask(contract, function, arguments);
   switch (reply) {
     case Reply::value:
       return std::move(payload);

@@ -8,7 +8,8 @@
 ///
 /// A frame is a header and a payload. Both ends check everything they read. Whatever goes wrong on
 /// the far side (it crashes, ends, takes too long, sends bytes nobody asked for or that are no
-/// value) becomes host::Stopped on the near side, and the next test gets a new process.
+/// value) becomes host::Stopped on the near side, and the next test gets a new process. A question
+/// has a number that nobody can foresee, so that a reply cannot be written before it.
 #pragma once
 
 #include <cstdint>
@@ -31,10 +32,15 @@ struct Contract {
 /// Nothing that crosses is longer than this, in bytes.
 inline constexpr std::size_t kMaxPayload = std::size_t{64} << 20;
 
-/// Sends the arguments to the process named by CONTACT_SERVER (a path, or a JSON array of a command
-/// and its arguments) and returns the bytes of the value. Throws what the student's function threw;
-/// calls todo() if it did; throws host::Stopped if there was no answer within CONTACT_CALL_SECONDS
-/// (10 unless told).
+/// Sends the arguments to a process with the student's code and returns the bytes of the value.
+/// Throws what the student's function threw; calls todo() if it did; throws host::Stopped if there
+/// was no answer.
+///
+/// Of the environment, CONTACT_BROKER is the descriptor of a broker that starts, limits and ends
+/// such processes (remote_broker.hpp). Without it they are children of this one: CONTACT_SERVER
+/// names the program (a path, or a JSON array of a command and its arguments), and an answer may
+/// take CONTACT_CALL_SECONDS (10 unless told). CONTACT_ANSWER_BYTES bounds an answer, CONTACT_CALLS
+/// the calls of a test.
 Bytes exchange(const Contract& contract, std::uint32_t function, const Bytes& arguments);
 
 /// Gives up the process and throws host::Stopped.

@@ -161,7 +161,9 @@ class Reader {
     // Both are below 2^32, so the product does not overflow.
     if (rows * cols > left_ / sizeof(double)) throw BadBytes("a matrix larger than its bytes");
     if constexpr (M::SizeAtCompileTime == Eigen::Dynamic) {
-      charge(rows * cols * sizeof(double));
+      // A matrix of no rows takes no memory however many columns it has, but whoever goes through
+      // them takes time.
+      charge(rows * cols * sizeof(double) + rows + cols);
       value.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(cols));
     }
     for (Eigen::Index j = 0; j < value.cols(); ++j) {
