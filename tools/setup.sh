@@ -18,6 +18,7 @@ program|nlohmann-json3-dev|header nlohmann/json.hpp|nlohmann-json|JSON for Moder
 program|libtomlplusplus-dev|header toml++/toml.h|tomlplusplus|toml++: reads chapter.toml and its like
 program|libuv1-dev|header uv.h|libuv|libuv: processes, time limits and file events
 program|libarchive-dev|header archive.h|libarchive|libarchive: reads and writes archives of a reader's work
+program|nettle-dev|header nettle/sha2.h|nettle|Nettle: tells by SHA-256 what has changed between two gradings
 program|libseccomp-dev|header seccomp.h|-|libseccomp: filters the system calls of submissions
 program|bubblewrap|command bwrap|-|bubblewrap: keeps submissions apart from everything else
 program|libboost-dev|header boost/multiprecision/gmp.hpp|boost|Boost.Multiprecision: the exact oracle
