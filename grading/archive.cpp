@@ -1,8 +1,6 @@
 #include "archive.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <map>
 #include <memory>
 #include <regex>
@@ -20,54 +18,8 @@ constexpr const char* format_name = "contact-submission/1";
 constexpr const char* manifest_path = "contact-submission.json";
 constexpr const char* progress_path = "work/progress.json";
 
-constexpr std::size_t mebibyte = std::size_t{1} << 20;
-constexpr std::size_t most_in_file = 1 * mebibyte;
-constexpr std::size_t most_in_all = 20 * mebibyte;
-constexpr std::size_t most_packed = 24 * mebibyte;
-constexpr std::size_t most_entries = 1000;
 constexpr std::size_t longest_path = 120;
 constexpr int deepest_json = 32;
-
-// A name out of an archive, fit to be shown: short, on one line, without a terminal's commands.
-std::string shown_name(std::string_view name) {
-  std::string text = "'";
-  for (const char c : name.substr(0, 80)) {
-    if (c >= ' ' && c <= '~') {
-      text += c;
-      continue;
-    }
-    std::array<char, 8> escaped{};
-    std::snprintf(escaped.data(), escaped.size(), "\\x%02x", static_cast<unsigned char>(c));
-    text += escaped.data();
-  }
-  return text + (name.size() > 80 ? "...'" : "'");
-}
-
-std::string mebibytes(std::size_t bytes) { return std::to_string(bytes / mebibyte) + " MiB"; }
-
-// Strict, as the page's decoder is: no overlong form, no half of a surrogate pair.
-bool is_utf8(std::string_view text) {
-  for (std::size_t at = 0; at < text.size();) {
-    const auto byte = [&](std::size_t i) {
-      return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u;
-    };
-    const unsigned first = byte(0);
-    const std::size_t length = first < 0x80                     ? 1
-                               : first >= 0xC2 && first <= 0xDF ? 2
-                               : first >= 0xE0 && first <= 0xEF ? 3
-                               : first >= 0xF0 && first <= 0xF4 ? 4
-                                                                : 0;
-    if (length == 0) return false;
-    for (std::size_t i = 1; i < length; ++i) {
-      if ((byte(i) & 0xC0) != 0x80) return false;
-    }
-    if ((first == 0xE0 && byte(1) < 0xA0) || (first == 0xED && byte(1) > 0x9F) ||
-        (first == 0xF0 && byte(1) < 0x90) || (first == 0xF4 && byte(1) > 0x8F))
-      return false;
-    at += length;
-  }
-  return true;
-}
 
 nlohmann::json parsed(const std::string& path, const std::string& text) {
   const auto not_too_deep = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
@@ -118,37 +70,6 @@ ProgressRecord read_progress(const std::string& text) {
 // --- Reading
 // --------------------------------------------------------------------------------------
 
-struct ReaderEnd {
-  void operator()(archive* reader) const { archive_read_free(reader); }
-};
-using Reader = std::unique_ptr<archive, ReaderEnd>;
-
-// Only these two, so that no rare reader of libarchive's sees a stranger's bytes: a zip through the
-// directory at its end, without which it is cut off, and one layer of gzip around a tar.
-Reader open(const std::string& bytes) {
-  Reader reader(archive_read_new());
-  if (!reader) throw std::bad_alloc();
-  if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06")) {
-    archive_read_support_format_zip_seekable(reader.get());
-  } else if (bytes.starts_with("\x1f\x8b")) {
-    archive_read_append_filter(reader.get(), ARCHIVE_FILTER_GZIP);
-    archive_read_support_format_tar(reader.get());
-  } else {
-    throw ArchiveError("it is no zip file");
-  }
-  if (archive_read_open_memory(reader.get(), bytes.data(), bytes.size()) != ARCHIVE_OK)
-    throw ArchiveError("it is broken, or a part of it is missing");
-  return reader;
-}
-
-std::string path_of(archive_entry* entry) {
-  const char* path = archive_entry_pathname_utf8(entry);
-  if (path == nullptr) path = archive_entry_pathname(entry);
-  if (path == nullptr)
-    throw ArchiveError("an entry whose name is not in plain letters has no place in it");
-  return path;
-}
-
 bool is_folder_of_work(const std::string& path) {
   static const std::regex folder(R"(work/(\d\d_[a-z][a-z0-9_]*/?)?|work)");
   return path.size() <= longest_path && std::regex_match(path, folder);
@@ -160,88 +81,26 @@ std::optional<ArchivedCopy> copy_from_path(std::string_view path) {
   return copy_from_id(path.substr(5, path.size() - 9));
 }
 
-void require_plain(archive* reader, archive_entry* entry, const std::string& path) {
-  if (archive_entry_is_encrypted(entry) != 0)
-    throw ArchiveError(shown_name(path) + " is encrypted");
-  if (archive_entry_hardlink(entry) != nullptr || archive_entry_symlink(entry) != nullptr ||
-      archive_entry_filetype(entry) != AE_IFREG)
-    throw ArchiveError(shown_name(path) + " is a link or a device, not a plain file");
-  // Other methods may ask for gigabytes to unpack a few bytes.
-  if ((archive_format(reader) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_ZIP) {
-    const std::string method = archive_format_name(reader);
-    if (method.find("(uncompressed)") == std::string::npos &&
-        method.find("(deflation)") == std::string::npos)
-      throw ArchiveError(shown_name(path) +
-                         " is compressed in a way that is not read here: " + method);
-  }
-}
-
-std::string read_entry(archive* reader, archive_entry* entry, const std::string& path,
-                       std::size_t& left) {
-  const auto require_room = [&](std::size_t size) {
-    if (size > most_in_file)
-      throw ArchiveError(shown_name(path) + " is larger than " + mebibytes(most_in_file));
-    if (size > left)
-      throw ArchiveError("it unpacks to more than " + mebibytes(most_in_all) + ", at " +
-                         shown_name(path));
-  };
-  if (archive_entry_size_is_set(entry) != 0 && archive_entry_size(entry) > 0)
-    require_room(static_cast<std::size_t>(archive_entry_size(entry)));
-  std::string text;
-  std::array<char, 65536> part{};
-  while (true) {
-    const la_ssize_t count = archive_read_data(reader, part.data(), part.size());
-    if (count < 0) throw ArchiveError("it is broken or cut off at " + shown_name(path));
-    if (count == 0) break;
-    text.append(part.data(), static_cast<std::size_t>(count));
-    require_room(text.size());
-  }
-  left -= text.size();
-  if (const std::string problem = problem_of_text(text); !problem.empty())
-    throw ArchiveError(shown_name(path) + " " + problem);
-  return text;
-}
-
 // Every file of the archive by its path, each of which is one that may be there.
 std::map<std::string, std::string> read_files(const std::string& bytes) {
-  const Reader reader = open(bytes);
+  ArchiveEntries entries(bytes);
   std::map<std::string, std::string> files;
-  std::size_t left = most_in_all;
-  std::size_t entries = 0;
-  std::string last = "its beginning";
-  while (true) {
-    archive_entry* entry = nullptr;
-    const int status = archive_read_next_header(reader.get(), &entry);
-    if (status == ARCHIVE_EOF) break;
-    if (status != ARCHIVE_OK && status != ARCHIVE_WARN)
-      throw ArchiveError("it is broken or cut off after " + last);
-    if (++entries > most_entries)
-      throw ArchiveError("it has more than " + std::to_string(most_entries) + " entries");
-    const std::string path = path_of(entry);
-    last = shown_name(path);
-    if (archive_entry_filetype(entry) == AE_IFDIR && is_folder_of_work(path)) continue;
-    // libarchive makes slashes of the backslashes in a name that has no slash; the page does not.
-    const bool as_written = bytes.find(path) != std::string::npos || !bytes.starts_with("PK");
-    if (!as_written ||
+  while (entries.next()) {
+    const std::string& path = entries.path();
+    if (entries.is_folder() && is_folder_of_work(path)) continue;
+    if (!entries.as_written() ||
         (path != manifest_path && path != progress_path && !copy_from_path(path).has_value()))
       throw ArchiveError(shown_name(path) +
                          " has no place in it: only contact-submission.json, work/progress.json "
                          "and work/NN_slug/NAME.cpp have");
-    require_plain(reader.get(), entry, path);
+    entries.require_plain();
     if (files.count(path) != 0) throw ArchiveError(shown_name(path) + " is in it twice");
-    files[path] = read_entry(reader.get(), entry, path, left);
+    std::string text = entries.read();
+    if (const std::string problem = problem_of_text(text); !problem.empty())
+      throw ArchiveError(shown_name(path) + " " + problem);
+    files[path] = std::move(text);
   }
   return files;
-}
-
-std::string packed(const fs::path& file) {
-  std::error_code error;
-  if (!fs::is_regular_file(file, error)) throw ArchiveError("it is not a file");
-  if (fs::file_size(file) > most_packed)
-    throw ArchiveError("it is larger than " + mebibytes(most_packed));
-  std::string bytes = read_text(file);
-  if (bytes.empty()) throw ArchiveError("it is empty");
-  return bytes;
 }
 
 Submission read(const std::string& bytes) {
@@ -309,10 +168,6 @@ std::string zipped(const std::map<std::string, std::string>& files) {
 
 }  // namespace
 
-bool is_archive_name(std::string_view name) {
-  return name.ends_with(".zip") || name.ends_with(".tar.gz") || name.ends_with(".tgz");
-}
-
 std::optional<ArchivedCopy> copy_from_id(std::string_view id) {
   static const std::regex pattern(R"((\d\d_[a-z][a-z0-9_]*)/([a-z][a-z0-9_]*))");
   // "work/" before it and ".cpp" after it count too.
@@ -320,12 +175,6 @@ std::optional<ArchivedCopy> copy_from_id(std::string_view id) {
   std::match_results<std::string_view::const_iterator> match;
   if (!std::regex_match(id.begin(), id.end(), match, pattern)) return {};
   return ArchivedCopy{match[1].str(), match[2].str(), ""};
-}
-
-std::string problem_of_text(std::string_view text) {
-  if (text.size() > most_in_file) return "is larger than " + mebibytes(most_in_file);
-  if (!is_utf8(text)) return "is not text in UTF-8";
-  return text.find('\0') == std::string_view::npos ? "" : "is not text: it has a zero byte";
 }
 
 Submission read_submission(const fs::path& file) {

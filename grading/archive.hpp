@@ -10,16 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include "book.hpp"
+#include "archive_entries.hpp"
 #include "progress_record.hpp"
 
 namespace contact::grading {
-
-/// Why an archive is refused, in a sentence that names the entry and the limit.
-class ArchiveError : public BookError {
- public:
-  using BookError::BookError;
-};
 
 struct ArchivedCopy {
   std::string chapter;
@@ -40,14 +34,8 @@ struct Submission {
   std::vector<ArchivedCopy> copies;
 };
 
-/// Whether a name is one of an archive, and not of an exercise: it ends with .zip, .tar.gz or .tgz.
-bool is_archive_name(std::string_view name);
-
 /// The chapter and the name in "NN_slug/NAME", without a text; nothing if it is spelled otherwise.
 std::optional<ArchivedCopy> copy_from_id(std::string_view id);
-
-/// Why a text cannot be in an archive, such as "is not text in UTF-8"; empty if it can.
-std::string problem_of_text(std::string_view text);
 
 /// @throws ArchiveError if it is broken, or holds anything that an archive of a reader's work does
 /// not.

@@ -1,0 +1,49 @@
+#pragma once
+
+// Taking in a folder of submissions by anybody: each is a folder, an archive or one file. Whatever
+// is wrong with one is a sentence and costs the others nothing.
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "intake_ids.hpp"
+#include "submission.hpp"
+
+namespace contact::grading {
+
+struct Entrant {
+  /// Fit to be a folder's name; unique whatever the case of letters.
+  std::string id;
+  std::string name;
+  /// As it lies in SUBMISSIONS; several, with ", " between them, if a learning system gave each
+  /// file an entry of its own.
+  std::string entry;
+  /// Why it is refused whole; empty if it is not.
+  std::string problem;
+  /// Its files that answer to no exercise of the book.
+  std::vector<std::string> ignored;
+  /// By the exercise's id.
+  std::map<std::string, TakenFile> files;
+};
+
+struct Intake {
+  /// In the order of their ids, without the texts.
+  std::vector<Entrant> entrants;
+  /// Entries that are nobody's submission (a learning system's own files).
+  std::vector<std::string> passed_over;
+  /// Entries that the table of ids names and that are not there.
+  std::vector<std::string> absent;
+};
+
+/// @param only the exercise that a file is for if its name does not say; nullptr if that is not
+/// known
+/// @param keep called with each entrant and its texts, which are then dropped: one student's work
+/// is in memory at a time
+/// @throws BookError if the folder itself cannot be read
+Intake take_in(const Book& book, const std::filesystem::path& submissions, const IdTable* ids,
+               const Exercise* only, const std::function<void(const Entrant&)>& keep);
+
+}  // namespace contact::grading
