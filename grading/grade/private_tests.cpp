@@ -325,6 +325,10 @@ class Builder {
       link.push_back(object.string());
     }
     for (const std::string& file : linked_) files[file] = stamp_of(file);
+    // The compiler's list does not go into a precompiled header.
+    for (const std::string& word : compiler_) {
+      if (fs::exists(word + ".gch")) files[word + ".gch"] = stamp_of(word + ".gch");
+    }
     const fs::path program = work.path() / "asks";
     link.insert(link.end(), linked_.begin(), linked_.end());
     link.insert(link.end(), {"-o", program.string()});
