@@ -1,0 +1,251 @@
+"""What the class page tells, counted: no name, no id, no line of anybody's code gets in here.
+
+Only what a student may see is counted test by test, since the page is made to be projected.
+"""
+
+from __future__ import annotations
+
+import os
+import statistics
+import tomllib
+from collections import Counter, defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from reports.mistakes import MISTAKES, OTHER
+from reports.results import Exercise
+from reports.visibility import SeenSubmission, SeenUnit
+from reports.words import unit_state
+
+# How an exercise stands, best first, as its bar shows it.
+STATES = (
+    "passed",
+    "failed",
+    "does_not_compile",
+    "refused",
+    "not_attempted",
+    "untouched",
+    "missing",
+)
+BINS = 10
+MOST_TROUBLES = 5
+
+
+@dataclass
+class TestRow:
+    name: str
+    passed: int = 0
+    wrong: int = 0  # failed or stopped
+    untried: int = 0  # not attempted, skipped, or never run
+    misconceptions: Counter[str] = field(default_factory=Counter)
+
+    @property
+    def students(self) -> int:
+        return self.passed + self.wrong + self.untried
+
+
+@dataclass
+class ExerciseRow:
+    exercise: Exercise
+    states: Counter[str] = field(default_factory=Counter)
+    points: list[float] = field(default_factory=list)
+    tests: dict[str, TestRow] = field(default_factory=dict)
+    later: list[str] = field(default_factory=list)
+    hidden_points: float = 0.0
+    hidden_most: float = 0.0
+    mistakes: Counter[str] = field(default_factory=Counter)
+
+    @property
+    def mean(self) -> float:
+        return statistics.fmean(self.points) if self.points else 0.0
+
+    @property
+    def share(self) -> float:
+        return self.mean / self.exercise.max_points if self.exercise.max_points else 0.0
+
+    @property
+    def hidden_share(self) -> float:
+        return self.hidden_points / self.hidden_most
+
+
+@dataclass
+class Misconception:
+    id: str
+    summary: str
+    hint: str
+    students: int
+    where: list[str]
+
+
+@dataclass
+class Mistake:
+    words: str
+    files: int
+    students: int
+    where: list[str]
+
+
+@dataclass
+class Trouble:
+    """A test that many fail, and what most of them believe."""
+
+    exercise: Exercise
+    test: TestRow
+    misconception: Misconception | None
+    of_them: int
+
+
+@dataclass
+class ClassData:
+    students: int
+    refused: int
+    shares: list[float]
+    bins: list[int]
+    rows: list[ExerciseRow]
+    troubles: list[Trouble]
+    misconceptions: list[Misconception]
+    mistakes: list[Mistake]
+    uncompiled_students: int
+    full_marks: int
+    max_points: float
+    not_enforced: tuple[str, ...]
+
+    @property
+    def median(self) -> float:
+        return statistics.median(self.shares) if self.shares else 0.0
+
+
+def class_data(
+    submissions: Sequence[SeenSubmission],
+    exercises: Sequence[Exercise],
+    not_enforced: tuple[str, ...],
+) -> ClassData:
+    """Counts over all submissions."""
+    book = book_of_misconceptions()
+    rows = {exercise.id: ExerciseRow(exercise) for exercise in exercises}
+    believed: dict[str, set[int]] = defaultdict(set)
+    hints: dict[str, str] = {}
+    believed_in: dict[str, set[str]] = defaultdict(set)
+    mistaken: dict[str, list[int]] = defaultdict(list)
+    mistaken_in: dict[str, set[str]] = defaultdict(set)
+    for number, submission in enumerate(submissions):
+        for unit in submission.units:
+            row = rows[unit.exercise.id]
+            _count(row, unit)
+            for test in unit.tests:
+                failure = test.failure
+                if failure and failure.misconception:
+                    believed[failure.misconception].add(number)
+                    believed_in[failure.misconception].add(unit.exercise.title)
+                    hints.setdefault(failure.misconception, failure.hint)
+            if unit.outcome == "does_not_compile":
+                words = _mistake(unit)
+                row.mistakes[words] += 1
+                mistaken[words].append(number)
+                mistaken_in[words].add(unit.exercise.title)
+    misconceptions = [
+        Misconception(
+            id=id_,
+            summary=book.get(id_, ("", ""))[0] or id_.replace("-", " "),
+            hint=book.get(id_, ("", ""))[1] or hints[id_],
+            students=len(who),
+            where=sorted(believed_in[id_]),
+        )
+        for id_, who in believed.items()
+    ]
+    misconceptions.sort(key=lambda one: (-one.students, one.id))
+    mistakes = [
+        Mistake(words, len(who), len(set(who)), sorted(mistaken_in[words]))
+        for words, who in mistaken.items()
+    ]
+    mistakes.sort(key=lambda one: (one.words == OTHER, -one.files, one.words))
+    shares = [one.points / one.max_points if one.max_points else 0.0 for one in submissions]
+    ordered = [rows[exercise.id] for exercise in exercises]
+    return ClassData(
+        students=len(submissions),
+        refused=sum(bool(one.problem) for one in submissions),
+        shares=shares,
+        bins=_bins(shares),
+        rows=ordered,
+        troubles=_troubles(ordered, {one.id: one for one in misconceptions}),
+        misconceptions=misconceptions,
+        mistakes=mistakes,
+        uncompiled_students=len({one for who in mistaken.values() for one in who}),
+        full_marks=sum(share >= 1.0 for share in shares),
+        max_points=max((one.max_points for one in submissions), default=0.0),
+        not_enforced=not_enforced,
+    )
+
+
+def book_of_misconceptions() -> dict[str, tuple[str, str]]:
+    """The book's misconceptions: id to summary and hint."""
+    root = Path(os.environ.get("CONTACT_ROOT") or Path(__file__).resolve().parents[2])
+    file = root / "chapters" / "misconceptions.toml"
+    if not file.is_file():
+        return {}
+    table = tomllib.loads(file.read_text(encoding="utf-8"))
+    return {
+        id_: (str(entry.get("summary", "")), str(entry.get("hint", "")))
+        for id_, entry in table.items()
+        if isinstance(entry, dict)
+    }
+
+
+def _count(row: ExerciseRow, unit: SeenUnit) -> None:
+    row.states[unit_state(unit)] += 1
+    row.points.append(unit.points)
+    if unit.hidden:
+        row.hidden_points += unit.hidden.points
+        row.hidden_most += unit.hidden.max_points
+    ran = unit.status == "graded" and unit.outcome != "does_not_compile"
+    for test in unit.tests:
+        if test.status is None:
+            if test.name not in row.later:
+                row.later.append(test.name)
+            continue
+        counted = row.tests.setdefault(test.name, TestRow(test.name))
+        if not ran or test.status in ("not_attempted", "skipped"):
+            counted.untried += 1
+        elif test.status == "passed":
+            counted.passed += 1
+        else:
+            counted.wrong += 1
+            if test.failure and test.failure.misconception:
+                counted.misconceptions[test.failure.misconception] += 1
+
+
+def _mistake(unit: SeenUnit) -> str:
+    errors = [remark for remark in unit.diagnostics if remark.severity == "error"]
+    for remark in errors[:1]:
+        return MISTAKES.get(remark.mistake, OTHER)
+    return OTHER
+
+
+def _bins(shares: Sequence[float]) -> list[int]:
+    bins = [0] * BINS
+    for share in shares:
+        # 0.7 * 10 is a little less than 7.
+        bins[min(BINS - 1, max(0, int(share * BINS + 1e-9)))] += 1
+    return bins
+
+
+def _troubles(
+    rows: Sequence[ExerciseRow], misconceptions: dict[str, Misconception]
+) -> list[Trouble]:
+    found = []
+    for row in rows:
+        for test in row.tests.values():
+            if test.wrong == 0:
+                continue
+            commonest = test.misconceptions.most_common(1)
+            found.append(
+                Trouble(
+                    row.exercise,
+                    test,
+                    misconceptions[commonest[0][0]] if commonest else None,
+                    commonest[0][1] if commonest else 0,
+                )
+            )
+    found.sort(key=lambda one: (-one.test.wrong, one.exercise.id, one.test.name))
+    return found[:MOST_TROUBLES]

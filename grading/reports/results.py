@@ -1,0 +1,306 @@
+"""RESULTS/results.json as it is read: held against its schema, and every text in it made safe."""
+
+from __future__ import annotations
+
+import functools
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+
+from reports.text import clean, clean_line
+
+SCHEMA = Path(__file__).with_name("results.schema.json")
+
+
+class ReportError(Exception):
+    """What the reader of the command line must put right, in a sentence."""
+
+
+@dataclass(frozen=True)
+class TestSpec:
+    name: str
+    points: float
+    visibility: str
+    private: bool
+
+
+@dataclass(frozen=True)
+class Exercise:
+    id: str
+    title: str
+    objective: str
+    max_points: float
+    tests: tuple[TestSpec, ...]
+
+
+@dataclass(frozen=True)
+class Failure:
+    asked: str
+    inputs: tuple[tuple[str, str], ...]
+    got: str
+    right: str
+    allowed: str
+    misconception: str
+    hint: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class TestResult:
+    name: str
+    status: str
+    points: float
+    max_points: float
+    seconds: float
+    failure: Failure | None
+
+
+@dataclass(frozen=True)
+class Diagnostic:
+    line: int
+    column: int
+    severity: str
+    message: str
+    words: str
+    mistake: str
+
+
+@dataclass(frozen=True)
+class CompileError:
+    line: int
+    column: int
+    message: str
+    excerpt: str
+    explanation: str
+    contract: tuple[str, ...]
+    full: str
+
+
+@dataclass(frozen=True)
+class Verdict:
+    outcome: str
+    tests: tuple[TestResult, ...]
+    diagnostics: tuple[Diagnostic, ...]
+    warnings: tuple[str, ...]
+    output: str
+    seconds: float
+    compile_error: CompileError | None
+
+
+@dataclass(frozen=True)
+class Unit:
+    """One exercise of one submission."""
+
+    exercise: str
+    status: str
+    problem: str
+    gradable: bool
+    points: float
+    max_points: float
+    verdict: Verdict | None
+
+
+@dataclass(frozen=True)
+class Submission:
+    id: str
+    name: str
+    problem: str
+    ignored: tuple[str, ...]
+    points: float
+    max_points: float
+    units: tuple[Unit, ...]
+
+
+@dataclass(frozen=True)
+class Measure:
+    what: str
+    enforced: bool
+    how: str
+
+
+@dataclass(frozen=True)
+class Machine:
+    level: str
+    measures: tuple[Measure, ...]
+
+
+@dataclass(frozen=True)
+class Results:
+    """A whole grading. The seed of the random cases is left behind here: nobody may read it."""
+
+    version: str
+    machine: Machine
+    exercises: tuple[Exercise, ...]
+    submissions: tuple[Submission, ...]
+
+    def exercise(self, id_: str) -> Exercise:
+        return next(exercise for exercise in self.exercises if exercise.id == id_)
+
+
+@functools.cache
+def _validator() -> Any:
+    schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
+    return jsonschema.Draft202012Validator(schema)
+
+
+def read_results(folder: Path) -> Results:
+    """The results in this folder. @throws ReportError if there are none or they are not as agreed."""
+    file = folder / "results.json"
+    try:
+        document = json.loads(file.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise ReportError(
+            f"{file} is not there. Name the folder that `contact grade … -o` wrote."
+        ) from None
+    except (OSError, ValueError) as error:
+        raise ReportError(
+            f"{file} cannot be read: {error}. Grade again to write it anew."
+        ) from None
+    error = next(iter(_validator().iter_errors(document)), None)
+    if error is not None:
+        where = "/".join(str(step) for step in error.absolute_path) or "the top"
+        raise ReportError(f"{file} is not as agreed at {where}: {clean_line(error.message)}")
+    return from_document(document)
+
+
+def from_document(document: dict[str, Any]) -> Results:
+    """What a valid document says."""
+    results = Results(
+        version=clean_line(document.get("version", "")),
+        machine=_machine(document["machine"]),
+        exercises=tuple(_exercise(entry) for entry in document["exercises"]),
+        submissions=tuple(_submission(entry) for entry in document["submissions"]),
+    )
+    known = {exercise.id for exercise in results.exercises}
+    for submission in results.submissions:
+        for unit in submission.units:
+            if unit.exercise not in known:
+                raise ReportError(
+                    f"results.json grades {unit.exercise} for {submission.id},"
+                    " but does not list it under exercises"
+                )
+    return results
+
+
+def _machine(entry: dict[str, Any]) -> Machine:
+    return Machine(
+        level=entry["level"],
+        measures=tuple(
+            Measure(
+                clean_line(measure["what"]), measure["enforced"], clean_line(measure.get("how", ""))
+            )
+            for measure in entry["measures"]
+        ),
+    )
+
+
+def _exercise(entry: dict[str, Any]) -> Exercise:
+    return Exercise(
+        id=clean_line(entry["id"]),
+        title=clean_line(entry["title"]),
+        objective=clean_line(entry.get("objective", "")),
+        max_points=float(entry["max_points"]),
+        tests=tuple(
+            TestSpec(
+                clean_line(test["name"]),
+                float(test["points"]),
+                test["visibility"],
+                bool(test.get("private", False)),
+            )
+            for test in entry["tests"]
+        ),
+    )
+
+
+def _submission(entry: dict[str, Any]) -> Submission:
+    return Submission(
+        id=clean_line(entry["id"]),
+        name=clean_line(entry.get("name", "")),
+        problem=clean(entry.get("problem", "")),
+        ignored=tuple(clean_line(path) for path in entry.get("ignored", [])),
+        points=float(entry["points"]),
+        max_points=float(entry["max_points"]),
+        units=tuple(_unit(unit) for unit in entry["exercises"]),
+    )
+
+
+def _unit(entry: dict[str, Any]) -> Unit:
+    verdict = entry.get("verdict")
+    return Unit(
+        exercise=clean_line(entry["id"]),
+        status=entry["status"],
+        problem=clean(entry.get("problem", "")),
+        gradable=entry["gradable"],
+        points=float(entry["points"]),
+        max_points=float(entry["max_points"]),
+        verdict=_verdict(verdict) if verdict else None,
+    )
+
+
+def _verdict(entry: dict[str, Any]) -> Verdict:
+    error = entry.get("compile_error")
+    times = entry.get("times") or entry.get("seconds") or {}
+    return Verdict(
+        outcome=entry["verdict"],
+        tests=tuple(_test(test) for test in entry["tests"]),
+        diagnostics=tuple(_diagnostic(remark) for remark in entry.get("diagnostics", [])),
+        warnings=tuple(clean(warning) for warning in entry.get("warnings", [])),
+        output=clean(entry.get("output", "")),
+        seconds=sum(
+            float(value) for value in times.values() if isinstance(value, int | float) and value > 0
+        ),
+        compile_error=_compile_error(error) if error else None,
+    )
+
+
+def _test(entry: dict[str, Any]) -> TestResult:
+    failure = entry.get("failure")
+    return TestResult(
+        name=clean_line(entry["name"]),
+        status=entry["status"],
+        points=float(entry["points"]),
+        max_points=float(entry["max_points"]),
+        seconds=float(entry.get("seconds", 0.0)),
+        failure=_failure(failure) if failure else None,
+    )
+
+
+def _failure(entry: dict[str, Any]) -> Failure:
+    return Failure(
+        asked=clean(entry.get("asked", "")),
+        inputs=tuple(
+            (clean_line(value["name"]), clean(value["text"])) for value in entry.get("inputs", [])
+        ),
+        got=clean(entry.get("got", "")),
+        right=clean(entry.get("right", "")),
+        allowed=clean(entry.get("allowed", "")),
+        misconception=clean_line(entry.get("misconception", "")),
+        hint=clean(entry.get("hint", "")),
+        reason=clean(entry.get("reason", "")),
+    )
+
+
+def _diagnostic(entry: dict[str, Any]) -> Diagnostic:
+    return Diagnostic(
+        line=entry["line"],
+        column=entry["column"],
+        severity=entry["severity"],
+        message=clean(entry["message"]),
+        words=clean(entry.get("words", "")),
+        mistake=clean_line(entry.get("mistake", "")),
+    )
+
+
+def _compile_error(entry: dict[str, Any]) -> CompileError:
+    return CompileError(
+        line=entry.get("line", 0),
+        column=entry.get("column", 0),
+        message=clean(entry.get("message", "")),
+        excerpt=clean(entry.get("excerpt", "")),
+        explanation=clean(entry.get("explanation", "")),
+        contract=tuple(clean(line["text"]) for line in entry.get("contract", [])),
+        full=clean(entry.get("full", "")),
+    )

@@ -1,0 +1,114 @@
+"""How results are said, once for every format."""
+
+from __future__ import annotations
+
+from reports.results import Failure
+from reports.visibility import SeenTest, SeenUnit, Sum
+
+STATUS_WORDS = {
+    "passed": "passed",
+    "failed": "failed",
+    "not_attempted": "not attempted",
+    "stopped": "stopped",
+    "skipped": "skipped",
+}
+
+UNIT_WORDS = {
+    "missing": "nothing was handed in",
+    "untouched": "as it was given",
+    "refused": "refused",
+    "passed": "passed",
+    "failed": "in part",
+    "not_attempted": "not attempted",
+    "does_not_compile": "does not compile",
+}
+
+HIDDEN_NAME = "Hidden tests"
+HIDDEN_WORDS = "Tests that are not shown. Only their points in sum are."
+LATER_NAME = "Tests that are shown after the due date"
+LATER_WORDS = "The result is shown after the due date."
+
+
+def points_text(points: float) -> str:
+    """3 for 3.0, 2.5 for 2.5."""
+    return f"{round(points, 4):g}"
+
+
+def of(points: float, most: float) -> str:
+    return f"{points_text(points)} of {points_text(most)}"
+
+
+def number(points: float) -> int | float:
+    """A number for JSON: whole where it is whole."""
+    rounded = round(points, 4)
+    return int(rounded) if rounded.is_integer() else rounded
+
+
+def unit_state(unit: SeenUnit) -> str:
+    """The key of UNIT_WORDS: how an exercise stands."""
+    return unit.outcome or "failed" if unit.status == "graded" else unit.status
+
+
+def failure_lines(failure: Failure, withheld: bool) -> list[str]:
+    """A failure as plain text, in the order in which a check tells it."""
+    lines = []
+    if failure.asked:
+        lines.append(f"asked:   {failure.asked}")
+    lines += [f"  {name} = {text}" for name, text in failure.inputs]
+    if failure.got:
+        lines.append(f"got:     {failure.got}")
+    if failure.right:
+        lines.append(f"right:   {failure.right}")
+    if failure.allowed:
+        lines.append(f"allowed: {failure.allowed}")
+    if failure.reason:
+        lines.append(f"stopped: {failure.reason}")
+    if failure.hint:
+        lines.append(f"hint:    {failure.hint}")
+    if withheld:
+        lines.append("The values of this test are not shown.")
+    return lines
+
+
+def test_text(test: SeenTest) -> str:
+    """What there is to say about a test under its name."""
+    if test.status is None:
+        return LATER_WORDS
+    if test.failure is None:
+        return ""
+    if test.status == "skipped":
+        return f"Skipped: {test.failure.reason}"
+    return "\n".join(failure_lines(test.failure, test.withheld))
+
+
+def compile_text(unit: SeenUnit) -> str:
+    """Why a file does not compile: our words first, then the compiler's."""
+    error = unit.compile_error
+    if error is None:
+        return "This file does not compile."
+    place = f"line {error.line}: " if error.line else ""
+    parts = [f"{place}{error.explanation or error.message}"]
+    if error.excerpt:
+        parts.append(error.excerpt)
+    if error.explanation and error.message:
+        parts.append(f"In the compiler's words: {error.message}")
+    if error.contract:
+        parts.append("The contract says:\n" + "\n".join(error.contract))
+    return "\n".join(parts)
+
+
+def unit_problem(unit: SeenUnit) -> str:
+    """Why an exercise has no tests to show; empty if it has."""
+    if unit.status == "refused":
+        return unit.problem or "This file was refused."
+    if unit.status == "missing":
+        return "Nothing was handed in for this exercise."
+    if unit.status == "untouched":
+        return "This file is as it was given."
+    if unit.outcome == "does_not_compile":
+        return compile_text(unit)
+    return ""
+
+
+def sum_text(points: Sum) -> str:
+    return of(points.points, points.max_points)

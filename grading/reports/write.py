@@ -1,0 +1,108 @@
+"""Writes every report into RESULTS, each file whole and by one rename."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+from datetime import datetime
+from pathlib import Path
+
+from reports.class_data import class_data
+from reports.class_page import class_page
+from reports.classroom50 import classroom50
+from reports.gradebook import gradebook
+from reports.gradescope import gradescope
+from reports.junit import junit
+from reports.prairielearn import prairielearn
+from reports.results import ReportError, Results, Submission
+from reports.student_page import student_page
+from reports.visibility import Policy, not_enforced, see
+
+# Each with the file it makes, in the student's folder or in RESULTS.
+FORMATS = {
+    "gradescope": "gradescope.json",
+    "prairielearn": "prairielearn.json",
+    "classroom50": "classroom50.json",
+    "junit": "junit.xml",
+    "html": "report.html",
+    "gradebook": "gradebook.csv",
+    "class": "class.html",
+}
+
+
+def write_reports(
+    results: Results,
+    folder: Path,
+    formats: Sequence[str],
+    due: datetime | None,
+    now: datetime,
+) -> int:
+    """Writes these formats; returns how many files that were."""
+    policy = Policy(due, now)
+    folders = _folders(results.submissions)
+    written = 0
+    seen = [see(submission, results, policy) for submission in results.submissions]
+    for submission, shown in zip(results.submissions, seen, strict=True):
+        here = folder / "students" / folders[submission.id]
+        texts: dict[str, str] = {}
+        if "gradescope" in formats:
+            waiting = see(submission, results, replace(policy, host_waits=True))
+            texts["gradescope"] = _json(gradescope(waiting))
+        if "prairielearn" in formats:
+            texts["prairielearn"] = _json(prairielearn(shown))
+        if "classroom50" in formats:
+            texts["classroom50"] = _json(classroom50(shown, os.environ, now))
+        if "junit" in formats:
+            texts["junit"] = junit(shown)
+        if "html" in formats:
+            texts["html"] = student_page(shown)
+        for name, text in texts.items():
+            _write(here / FORMATS[name], text)
+        written += len(texts)
+    if "gradebook" in formats:
+        text = gradebook(seen, [exercise.id for exercise in results.exercises])
+        _write(folder / FORMATS["gradebook"], text)
+        written += 1
+    if "class" in formats:
+        data = class_data(seen, results.exercises, not_enforced(results.machine))
+        _write(folder / FORMATS["class"], class_page(data))
+        written += 1
+    return written
+
+
+def folder_name(id_: str) -> str:
+    """The name of a student's folder: the id where it can be one, else with its bytes spelled out."""
+    safe = re.sub(
+        r"[^A-Za-z0-9._@+-]",
+        lambda found: "".join(f"%{byte:02X}" for byte in found[0].encode()),
+        id_,
+    )
+    if safe.startswith("."):
+        safe = f"%2E{safe[1:]}"
+    if len(safe) > 120:
+        safe = f"{safe[:100]}%{hashlib.sha256(safe.encode()).hexdigest()[:16]}"
+    return safe
+
+
+def _folders(submissions: Sequence[Submission]) -> dict[str, str]:
+    folders: dict[str, str] = {}
+    for submission in submissions:
+        if submission.id in folders:
+            raise ReportError(f"results.json holds two submissions called {submission.id}")
+        folders[submission.id] = folder_name(submission.id)
+    return folders
+
+
+def _json(document: object) -> str:
+    return json.dumps(document, ensure_ascii=False, indent=1) + "\n"
+
+
+def _write(file: Path, text: str) -> None:
+    file.parent.mkdir(parents=True, exist_ok=True)
+    beside = file.with_name(f".{file.name}.{os.getpid()}")
+    beside.write_text(text, encoding="utf-8", newline="")
+    beside.replace(file)
