@@ -157,6 +157,18 @@ test("a recognised misconception has its hint as the book sets it", () => {
   assert.ok(!list.textContent.includes("as text"));
 });
 
+test("a test that keeps its values to itself says so", () => {
+  const failure = { asked: "Where?", inputs: [], got: "4", hint: "look back" };
+  const kept = { ...verdict({}).tests[2], visibility: "values_withheld", failure };
+  const [item] = testList(verdict({ tests: [kept] }), undefined).children;
+  assert.deepEqual(rows(item), [
+    ["Asked", "Where?"],
+    ["Came back", "4"],
+    ["Hint", "look back"],
+    ["Not shown", "This test keeps its inputs and its right answers to itself."],
+  ]);
+});
+
 test("the sentence says where to look first", () => {
   assert.equal(sentence(verdict({})), "3 of 6 points: 2 tests fail. First look at “two”.");
   assert.match(sentence(verdict({ verdict: "passed", points: 6 })), /^Passed.*6 of 6 points/);

@@ -35,6 +35,8 @@ export interface TestVerdict {
   readonly points: number;
   readonly max_points: number;
   readonly seconds: number;
+  /** Where it is not "shown". */
+  readonly visibility?: "after_due" | "values_withheld" | "hidden";
   readonly failure?: Failure;
 }
 

@@ -61,7 +61,11 @@ function aligned(inputs: Failure["inputs"]): string {
 
 const literal = (text: string): HTMLElement => html("pre", {}, text);
 
-function explained(failure: Failure, status: string, data: ExerciseData | undefined): HTMLElement {
+function explained(
+  { status, visibility }: TestVerdict,
+  failure: Failure,
+  data: ExerciseData | undefined,
+): HTMLElement {
   const list = html("dl");
   const add = (name: string, ...content: (Node | string)[]): void =>
     list.append(html("dt", {}, name), html("dd", {}, ...content));
@@ -81,6 +85,8 @@ function explained(failure: Failure, status: string, data: ExerciseData | undefi
     words.innerHTML = known;
     add("Hint", words);
   } else if (failure.hint) add("Hint", failure.hint);
+  if (visibility === "values_withheld")
+    add("Not shown", "This test keeps its inputs and its right answers to itself.");
   return list;
 }
 
@@ -103,14 +109,15 @@ function test(verdict: TestVerdict, first: boolean, data: ExerciseData | undefin
   if (!failure) return row;
   if (!isFailure(verdict)) {
     if (failure.reason) row.append(html("p", { class: "reason" }, failure.reason));
-  } else if (first) row.append(html("div", { class: "failure" }, explained(failure, status, data)));
+  } else if (first)
+    row.append(html("div", { class: "failure" }, explained(verdict, failure, data)));
   else
     row.append(
       html(
         "details",
         { class: "more" },
         html("summary", {}, "What happened"),
-        explained(failure, status, data),
+        explained(verdict, failure, data),
       ),
     );
   return row;
