@@ -1,0 +1,532 @@
+"""Submissions that attack the grader: none gets a mark that it did not earn, none harms another's
+mark, none outlives its run, and the honest twin of each passes.
+
+One run grades them all, between honest neighbours; hostile_corpus.py says what each must get.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+import os
+import re
+import secrets
+import shutil
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+
+import hull_book  # noqa: E402
+import recorded_answers  # noqa: E402
+from hostile_archives import ANSWER, PACKED, Packed  # noqa: E402
+from hostile_corpus import Specimen, corpus, filled, loot, misses  # noqa: E402
+
+ROOT = HERE.parents[1]
+BUILD = ROOT / "build" / "dev"
+PROGRAM = BUILD / "bin" / "contact"
+PLANES = "01_planes/signed_distance"
+SPECIMENS = {specimen.name: specimen for specimen in corpus()}
+BOOKS_OWN = [
+    name for name, specimen in SPECIMENS.items() if specimen.exercise != hull_book.EXERCISE
+]
+HULLS = [name for name in SPECIMENS if name not in BOOKS_OWN]
+SEED = "hostile"
+
+# Small, so that what is ended is ended soon.
+PROFILE = """\
+test_cpu_seconds = 1.0
+wall_factor = 1.0
+wall_extra = 2.0
+memory_mb = 256
+output_bytes = 65536
+compile_cpu_seconds = 4.0
+compile_memory_mb = 768
+object_mb = 32
+"""
+
+# Does nothing but say what it could do, before anything here is run that would do harm.
+PROBE = """
+#include "signed_distance.hpp"
+
+#include <fcntl.h>
+#include <sys/socket.h>
+#include <unistd.h>
+#include <csignal>
+#include <cstdio>
+
+namespace {
+const bool tried = [] {
+  const pid_t child = fork();
+  if (child == 0) _exit(0);
+  dprintf(1, "%s: a process\\n", child > 0 ? "GOT IT" : "held");
+  dprintf(1, "%s: a signal\\n", kill(getppid(), 0) == 0 ? "GOT IT" : "held");
+  dprintf(1, "%s: a file\\n", open("/etc/passwd", O_RDONLY) >= 0 ? "GOT IT" : "held");
+  dprintf(1, "%s: a socket\\n", socket(AF_INET, SOCK_STREAM, 0) >= 0 ? "GOT IT" : "held");
+  return true;
+}();
+}  // namespace
+
+namespace exercise {
+double signed_distance(const PlaneEquation&, const Eigen::Vector3d&) { return 1; }
+int side(const PlaneEquation&, const Eigen::Vector3d&) { return 1; }
+}  // namespace exercise
+"""
+
+
+@dataclass
+class Outside:
+    """What a submission must not reach, and what shows whether it did."""
+
+    folder: Path
+    token: str = field(default_factory=lambda: f"hostile{secrets.token_hex(8)}")
+
+    def __post_init__(self) -> None:
+        self.content = f"secret{secrets.token_hex(16)}"
+        self.secret = self.folder / "secret"
+        self.secret.write_text(f'static const char got[] = "{self.content}";\n')
+        self.tcp = socket.create_server(("127.0.0.1", 0))
+        self.udp = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.udp.bind(("127.0.0.1", 0))
+        self.abstract = socket.socket(socket.AF_UNIX)
+        self.abstract.bind(f"\0{self.token}")
+        self.abstract.listen()
+        self.named = socket.socket(socket.AF_UNIX)
+        self.named.bind(str(self.folder / "socket"))
+        (self.folder / "socket").chmod(0o777)
+        self.named.listen()
+        for listener in (self.tcp, self.udp, self.abstract, self.named):
+            listener.setblocking(False)
+
+    def calls(self) -> list[str]:
+        """Who called."""
+        found = []
+        for name in ("tcp", "abstract", "named"):
+            with contextlib.suppress(BlockingIOError):
+                getattr(self, name).accept()
+                found.append(name)
+        with contextlib.suppress(BlockingIOError):
+            self.udp.recv(100)
+            found.append("udp")
+        return found
+
+    def close(self) -> None:
+        for listener in (self.tcp, self.udp, self.abstract, self.named):
+            listener.close()
+
+
+@dataclass
+class Run:
+    """One run of `contact grade`, and what was there before it."""
+
+    folder: Path
+    outside: Outside
+    level: str
+    environment: dict[str, str]
+    command: tuple[str, ...] = ()
+    result: subprocess.CompletedProcess[str] | None = None
+
+    def __post_init__(self) -> None:
+        self.submissions = self.folder / "submissions"
+        self.results = self.folder / "results"
+        self.temporary = self.folder / "tmp"
+        for made in (self.submissions, self.temporary):
+            made.mkdir(parents=True)
+        self.profile = self.folder / "profile.toml"
+        self.profile.write_text(PROFILE)
+
+    def words(self) -> dict[str, str]:
+        """What stands in a submission for what exists only here."""
+        return {
+            "TOKEN": self.outside.token,
+            "SECRET": str(self.outside.secret),
+            "TCP_PORT": str(self.outside.tcp.getsockname()[1]),
+            "UDP_PORT": str(self.outside.udp.getsockname()[1]),
+            "UNIX_SOCKET": str(self.outside.folder / "socket"),
+            "CANARY": self.outside.token.upper(),
+            "ROOT": str(ROOT),
+            "RESULTS": str(self.results),
+            "SUBMISSIONS": str(self.submissions),
+            "NEIGHBOUR": str(self.submissions / "neighbour_1" / ANSWER),
+            "NEIGHBOUR_ID": "neighbour_1",
+            "SOLUTION": str(solution(PLANES)),
+        }
+
+    def add(self, name: str, exercise: str, text: str) -> None:
+        file = self.submissions / name / f"{exercise}.cpp"
+        file.parent.mkdir(parents=True)
+        file.write_text(text)
+
+    def add_attack(self, specimen: Specimen) -> None:
+        self.add(specimen.name, specimen.exercise, filled(specimen.text, self.words()))
+        self.add(f"{specimen.name}_twin", specimen.exercise, specimen.twin)
+
+    def add_neighbours(self) -> None:
+        """Honest answers in between: submissions are taken in the order of their names."""
+        for name in ("a_neighbour", "f_neighbour", "neighbour_1", "z_neighbour"):
+            self.add(name, PLANES, solution(PLANES).read_text())
+
+    def grade(self, exercises: str, *options: str, workers: int = 2, seed: str = SEED) -> None:
+        self.before = remains(self.outside.token)
+        self.digests = digests(self.submissions)
+        words = [*self.command, str(PROGRAM), "grade", str(self.submissions)]
+        words += ["-o", str(self.results), "--exercises", exercises, "--seed", seed]
+        words += ["--workers", str(workers), "--profile", str(self.profile), *options]
+        environment = {
+            **self.environment,
+            "TMPDIR": str(self.temporary),
+            self.words()["CANARY"]: "from the grader's environment",
+        }
+        self.result = subprocess.run(
+            words,
+            env=environment,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            cwd=self.folder,
+            timeout=1200,
+        )
+        assert self.result.returncode in (0, 1), self.result.stdout + self.result.stderr
+        self.document = json.loads((self.results / "results.json").read_text())
+        self.by_id = {entry["id"]: entry for entry in self.document["submissions"]}
+
+    def entry(self, name: str, exercise: str) -> dict[str, Any]:
+        (entry,) = [e for e in self.by_id[name]["exercises"] if e["id"] == exercise]
+        return dict(entry)
+
+
+def solution(exercise: str) -> Path:
+    return ROOT / "solutions" / exercise / f"{exercise.split('/')[1]}.cpp"
+
+
+def digests(folder: Path) -> dict[str, str]:
+    """What is in a folder: links by their target, files by their bytes unless they are huge."""
+    found = {}
+    for file in sorted(folder.rglob("*")):
+        name = str(file.relative_to(folder))
+        if file.is_symlink():
+            found[name] = str(file.readlink())
+        elif file.is_file() and file.stat().st_size < 1 << 30:
+            found[name] = hashlib.sha256(file.read_bytes()).hexdigest()
+        else:
+            found[name] = oct(file.stat().st_mode)
+    return found
+
+
+def remains(token: str) -> dict[str, list[str]]:
+    """What a submission could leave behind on this machine."""
+    left: dict[str, list[str]] = {}
+    for kind in ("shm", "msg", "sem"):
+        rows = Path(f"/proc/sysvipc/{kind}").read_text().splitlines()[1:]
+        left[kind] = sorted(" ".join(row.split()[:2]) for row in rows)
+    left["files"] = [
+        str(file)
+        for folder in ("/tmp", "/var/tmp", "/dev/shm", "/run", "/box")
+        for file in Path(folder).glob(f"*{token}*")
+    ]
+    return left
+
+
+def holds(program: Path, token: str) -> bool:
+    with contextlib.suppress(OSError):
+        return token.encode() in program.read_bytes()
+    return False
+
+
+def programs_with(token: str) -> list[str]:
+    """Processes whose program has the token in it, whatever they call themselves."""
+    found = []
+    for process in Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError):
+            program = process / "exe"
+            # Ours are linked statically and small.
+            if program.stat().st_size < 64 << 20 and holds(program, token):
+                found.append(f"{process.name}: {program.readlink()}")
+    return found
+
+
+def environment_at(level: str) -> dict[str, str]:
+    environment = {**os.environ, "CONTACT_ROOT": str(ROOT)}
+    environment.pop("CONTACT_SEED", None)
+    if level == "reduced":
+        environment["CONTACT_BOX_LEVEL"] = "reduced"
+    return environment
+
+
+@contextlib.contextmanager
+def outside(level: str) -> Iterator[Outside]:
+    """Where every user may look, so that only the box hides it; at the reduced level, which has
+    another user id and no more, where only we may."""
+    with tempfile.TemporaryDirectory(prefix="contact-hostile-") as made:
+        folder = Path(made)
+        folder.chmod(0o755)
+        canaries = Outside(folder)
+        canaries.secret.chmod(0o600 if level == "reduced" else 0o644)
+        try:
+            yield canaries
+        finally:
+            canaries.close()
+
+
+def new_run(folder: Path, canaries: Outside, level: str) -> Run:
+    return Run(folder, canaries, level, environment_at(level))
+
+
+@pytest.fixture(scope="session", params=["full", "reduced"])
+def level(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+@pytest.fixture(scope="session")
+def canaries(level: str) -> Iterator[Outside]:
+    with outside(level) as made:
+        yield made
+
+
+@pytest.fixture(scope="session")
+def quiet(level: str, canaries: Outside, tmp_path_factory: pytest.TempPathFactory) -> Run:
+    """One honest answer alone, and a probe that must find every door shut before anything is run
+    that would do harm behind it."""
+    run = new_run(tmp_path_factory.mktemp(f"quiet-{level}"), canaries, level)
+    run.add("neighbour_1", PLANES, solution(PLANES).read_text())
+    run.add("probe", PLANES, PROBE)
+    run.grade(PLANES, workers=1)
+    if run.document["machine"]["level"] != level:
+        pytest.skip(f"this machine grades at the level {run.document['machine']['level']}")
+    probe = run.entry("probe", PLANES)
+    assert loot(probe) == []
+    assert probe["verdict"]["output"].count("held: ") >= 4, probe
+    return run
+
+
+@pytest.fixture(scope="session")
+def run(quiet: Run, canaries: Outside, level: str, tmp_path_factory: pytest.TempPathFactory) -> Run:
+    """Everybody together."""
+    run = new_run(tmp_path_factory.mktemp(f"hostile-{level}"), canaries, level)
+    run.add_neighbours()
+    for name in BOOKS_OWN:
+        run.add_attack(SPECIMENS[name])
+    answer = solution(PLANES).read_text()
+    for packed in PACKED:
+        packed.make(run.submissions, packed.name, answer, run.words())
+        packed.twin(run.submissions, f"{packed.name}_twin", answer)
+    run.grade(",".join(sorted({SPECIMENS[name].exercise for name in BOOKS_OWN})))
+    return run
+
+
+@pytest.fixture(scope="session")
+def hulls(
+    quiet: Run, canaries: Outside, level: str, tmp_path_factory: pytest.TempPathFactory
+) -> Run:
+    """Those whose answers are indices, in a book of their own."""
+    folder = tmp_path_factory.mktemp(f"hulls-{level}")
+    run = new_run(folder, canaries, level)
+    run.environment["CONTACT_ROOT"] = str(hull_book.make(folder / "book"))
+    for name in HULLS:
+        run.add_attack(SPECIMENS[name])
+    run.grade(hull_book.EXERCISE)
+    return run
+
+
+@pytest.fixture(scope="session")
+def recorded(
+    quiet: Run, canaries: Outside, level: str, tmp_path_factory: pytest.TempPathFactory
+) -> Mapping[str, dict[str, Any]]:
+    """The same recorded answers, graded under the seed they were recorded under and another."""
+    text = ""
+    entries = {}
+    for seed in ("recorded", SEED):
+        folder = tmp_path_factory.mktemp(f"{seed}-{level}")
+        run = new_run(folder, canaries, level)
+        build = json.loads((BUILD / "exercises.json").read_text())
+        text = text or recorded_answers.submission(build, folder, seed)
+        run.add("recorded", PLANES, text)
+        run.grade(PLANES, workers=1, seed=seed)
+        entries[seed] = run.entry("recorded", PLANES)
+    return entries
+
+
+def same_for_all(entry: Mapping[str, Any]) -> str:
+    """An honest answer's verdict but for what it took."""
+    kept = {key: value for key, value in entry["verdict"].items() if key != "times"}
+    return json.dumps(kept, sort_keys=True)
+
+
+def run_of(name: str, run: Run, request: pytest.FixtureRequest) -> Run:
+    return request.getfixturevalue("hulls") if name in HULLS else run
+
+
+@pytest.mark.parametrize("name", SPECIMENS)
+def test_the_attack_gets_what_it_earned(
+    name: str, run: Run, request: pytest.FixtureRequest, level: str
+) -> None:
+    specimen = SPECIMENS[name]
+    entry = run_of(name, run, request).entry(name, specimen.exercise)
+    if level == "reduced" and specimen.reduced:
+        assert entry["points"] <= specimen.points
+        return
+    assert misses(specimen, entry) == []
+    assert loot(entry) == []
+
+
+@pytest.mark.parametrize("name", SPECIMENS)
+def test_its_honest_twin_passes(name: str, run: Run, request: pytest.FixtureRequest) -> None:
+    specimen = SPECIMENS[name]
+    assert "attack" not in specimen.twin
+    entry = run_of(name, run, request).entry(f"{name}_twin", specimen.exercise)
+    assert entry["status"] == "graded", entry.get("problem")
+    assert entry["points"] == entry["max_points"] == specimen.max_points
+
+
+@pytest.mark.parametrize("packed", PACKED, ids=lambda packed: packed.name)
+def test_what_is_packed_in_bad_faith_gets_nothing(packed: Packed, run: Run) -> None:
+    whole = run.by_id[packed.name]
+    entry = run.entry(packed.name, PLANES)
+    assert whole["points"] == 0
+    assert "verdict" not in entry
+    problem = whole.get("problem") or entry.get("problem")
+    assert problem
+    assert not packed.says or any(words in problem for words in packed.says), problem
+
+
+@pytest.mark.parametrize("packed", PACKED, ids=lambda packed: packed.name)
+def test_the_same_packed_honestly_passes(packed: Packed, run: Run) -> None:
+    entry = run.entry(f"{packed.name}_twin", PLANES)
+    assert entry["points"] == entry["max_points"]
+
+
+def test_everybody_honest_gets_the_verdict_that_they_get_alone(run: Run, quiet: Run) -> None:
+    alone = same_for_all(quiet.entry("neighbour_1", PLANES))
+    honest = [name for name in run.by_id if "neighbour" in name]
+    assert len(honest) == 4
+    honest += [f"{packed.name}_twin" for packed in PACKED]
+    for name in honest:
+        assert same_for_all(run.entry(name, PLANES)) == alone, name
+
+
+def test_recorded_answers_are_worth_what_has_not_changed(
+    recorded: Mapping[str, dict[str, Any]],
+) -> None:
+    known, unknown = recorded["recorded"], recorded[SEED]
+    assert known["points"] == known["max_points"], "the record is good, so that it is the seed"
+    assert [test["status"] for test in unknown["verdict"]["tests"]] == ["passed"] * 5 + ["failed"]
+
+
+def test_no_process_outlives_the_run(run: Run) -> None:
+    patience = time.monotonic() + 60
+    while (left := programs_with(run.outside.token)) and time.monotonic() < patience:
+        time.sleep(0.5)
+    assert left == []
+
+
+def test_a_process_that_is_left_would_be_seen(tmp_path: Path) -> None:
+    token = f"hostile{secrets.token_hex(8)}"
+    program = tmp_path / "left"
+    shutil.copy("/bin/sleep", program)
+    with program.open("ab") as opened:
+        opened.write(token.encode())
+    with subprocess.Popen([program, "60"]) as process:
+        assert [entry.split(":")[0] for entry in programs_with(token)] == [str(process.pid)]
+        process.kill()
+
+
+def test_nothing_is_left_on_the_machine(run: Run) -> None:
+    now = remains(run.outside.token)
+    assert now["files"] == []
+    for kind in ("shm", "msg", "sem"):
+        assert set(now[kind]) <= set(run.before[kind])
+    assert list(run.temporary.iterdir()) == []
+
+
+def test_nobody_called(run: Run, hulls: Run) -> None:
+    assert run.outside.calls() == []
+
+
+def test_a_call_would_be_seen() -> None:
+    with outside("full") as canaries:
+        with socket.create_connection(canaries.tcp.getsockname()):
+            pass
+        with socket.socket(socket.AF_UNIX) as caller:
+            caller.connect(f"\0{canaries.token}")
+        canaries.udp.sendto(b"x", canaries.udp.getsockname())
+        assert canaries.calls() == ["tcp", "abstract", "udp"]
+
+
+def test_submissions_are_as_they_were(run: Run) -> None:
+    assert digests(run.submissions) == run.digests
+
+
+def test_results_hold_what_the_grader_wrote(run: Run) -> None:
+    ids = "|".join(re.escape(name) for name in run.by_id)
+    expected = re.compile(
+        r"results\.json|run\.json|gradebook\.csv|class\.html|changes\.json"
+        rf"|students/({ids})/[a-z0-9_]+\.(html|json|xml)"
+        rf"|\.grade/(RUN\.json|log|lock|temporary/?.*|[a-z_]+\.json)"
+        rf"|\.grade/(submissions|units)/({ids})/[a-z0-9_./]+"
+    )
+    for file in run.results.rglob("*"):
+        assert not file.is_symlink(), file
+        name = str(file.relative_to(run.results))
+        assert file.is_dir() or expected.fullmatch(name), name
+        if file.is_file():
+            assert file.stat().st_mode & 0o111 == 0, file
+
+
+def test_no_secret_is_in_the_results(run: Run) -> None:
+    submitted = run.results / ".grade" / "submissions"
+    seen = ["root:x:0:0"] if run.level == "full" else []
+    for file in run.results.rglob("*"):
+        if file.is_file() and submitted not in file.parents:
+            text = file.read_bytes()
+            for words in (run.outside.content, *seen):
+                assert words.encode() not in text, file
+
+
+def test_every_attack_says_what_it_must_get() -> None:
+    assert len(SPECIMENS) + len(PACKED) >= 30
+    for specimen in SPECIMENS.values():
+        assert specimen.tries
+        assert specimen.twin != specimen.text
+        assert "attack" not in specimen.twin
+
+
+@pytest.mark.parametrize("name", [name for name in BOOKS_OWN if SPECIMENS[name].ordinary])
+def test_the_attack_works_where_tests_and_answer_are_one_program(name: str, tmp_path: Path) -> None:
+    """What its header claims for ordinary grading: the report, or the status, of the student's file
+    linked with the tests."""
+    specimen = SPECIMENS[name]
+    build = json.loads((BUILD / "exercises.json").read_text())
+    bundle = build["exercises"][specimen.exercise]
+    source, program, report = tmp_path / "answer.cpp", tmp_path / "answer", tmp_path / "report"
+    source.write_text(specimen.text)
+    folders = [f"-I{folder}" for folder in [*build["include"], *bundle["include"]]]
+    options = [*build["compile_flags"], "-include", build["pch"], *folders, *build["link_flags"]]
+    subprocess.run(
+        [build["compiler"], *options, str(source), bundle["test_object"], "-o", str(program)],
+        check=True,
+    )
+    ran = subprocess.run(
+        [str(program), "-r", f"contact::out={report}"],
+        cwd=tmp_path,
+        capture_output=True,
+        timeout=60,
+    )
+    assert ran.returncode == 0
+    if specimen.ordinary == "full marks":
+        events = [json.loads(line) for line in report.read_text().splitlines()]
+        ended = [event["status"] for event in events if event["event"] == "end"]
+        assert ended == ["passed"] * 6
+        assert events[-1] == {"event": "done"}
+    else:
+        assert specimen.ordinary == "exit status 0"
