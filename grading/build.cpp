@@ -216,6 +216,18 @@ BuildDescription ready_build(Loop& loop, const Book& book,
   return *build;
 }
 
+BuildDescription ready_to_grade(Loop& loop, const Book& book,
+                                const std::vector<const Exercise*>& exercises) {
+  if (!fs::exists(book.build_dir() / "build.ninja") && !fs::exists(book.build_dir() / "Makefile"))
+    throw BookError("nothing is built yet in " + book.build_dir().string() +
+                    ": run ./contact setup");
+  std::vector<std::string> targets{"contact_prelude", "contact-box"};
+  for (const Exercise* exercise : exercises)
+    targets.push_back("exercise_" + exercise->chapter + "_" + exercise->name);
+  build_target(loop, book, targets);
+  return read_build_description(book.build_dir());
+}
+
 std::vector<std::string> compile_command(const BuildDescription& build, const Exercise& exercise,
                                          const fs::path& source, const fs::path& object) {
   std::vector<std::string> command{build.compiler};

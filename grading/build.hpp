@@ -63,6 +63,12 @@ void build_tests(Loop& loop, const Book& book, const std::vector<const Exercise*
 BuildDescription ready_build(Loop& loop, const Book& book,
                              const std::vector<const Exercise*>& exercises);
 
+/// Builds through CMake whatever grading needs of these exercises and is not current: the tests as
+/// programs that ask, the servers, what starts a box.
+/// @throws BookError with the end of what the build printed.
+BuildDescription ready_to_grade(Loop& loop, const Book& book,
+                                const std::vector<const Exercise*>& exercises);
+
 struct CompiledFile {
   std::filesystem::path object;
   Explained said;
