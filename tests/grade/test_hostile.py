@@ -44,6 +44,24 @@ BOOKS_OWN = [
 HULLS = [name for name in SPECIMENS if name not in BOOKS_OWN]
 SEED = "hostile"
 
+# Of what is kept from them in another way where no user id can be changed.
+FOR_PLAIN_USERS = (
+    "disk_fill",
+    "endless_loop",
+    "file_reader",
+    "fork_bomb",
+    "forged_events",
+    "forged_report",
+    "include_secret",
+    "keeps_state",
+    "kill_others",
+    "leftover_process",
+    "network_tcp",
+    "proc_reader",
+    "ptrace_parent",
+    "syscall_instruction",
+)
+
 # Small, so that what is ended is ended soon.
 PROFILE = """\
 test_cpu_seconds = 1.0
@@ -357,6 +375,26 @@ def recorded(
     return entries
 
 
+@pytest.fixture(scope="session")
+def plain(quiet: Run, canaries: Outside, level: str) -> Iterator[Run]:
+    """Some of them, graded by a user without any rights."""
+    if os.geteuid() != 0 or shutil.which("setpriv") is None:
+        pytest.skip("the other runs are by a plain user already")
+    user = 60000 + secrets.randbelow(3000)
+    with tempfile.TemporaryDirectory(prefix="contact-plain-") as made:
+        folder = Path(made)
+        run = new_run(folder, canaries, level)
+        run.command = ("setpriv", f"--reuid={user}", f"--regid={user}", "--clear-groups")
+        run.add_neighbours()
+        for name in FOR_PLAIN_USERS:
+            run.add_attack(SPECIMENS[name])
+        for file in (folder, *folder.rglob("*")):
+            os.chown(file, user, user)
+        run.environment["HOME"] = made
+        run.grade(PLANES)
+        yield run
+
+
 def same_for_all(entry: Mapping[str, Any]) -> str:
     """An honest answer's verdict but for what it took."""
     kept = {key: value for key, value in entry["verdict"].items() if key != "times"}
@@ -413,6 +451,19 @@ def test_everybody_honest_gets_the_verdict_that_they_get_alone(run: Run, quiet: 
     honest += [f"{packed.name}_twin" for packed in PACKED]
     for name in honest:
         assert same_for_all(run.entry(name, PLANES)) == alone, name
+
+
+@pytest.mark.parametrize("name", FOR_PLAIN_USERS)
+def test_who_has_no_rights_grades_as_well(name: str, plain: Run) -> None:
+    if plain.document["machine"]["level"] != plain.level:
+        pytest.skip(f"a plain user has the level {plain.document['machine']['level']} here")
+    specimen = SPECIMENS[name]
+    entry = plain.entry(name, PLANES)
+    assert misses(specimen, entry) == []
+    assert loot(entry) == []
+    twin = plain.entry(f"{name}_twin", PLANES)
+    assert twin["points"] == twin["max_points"]
+    assert programs_with(plain.outside.token) == []
 
 
 def test_recorded_answers_are_worth_what_has_not_changed(

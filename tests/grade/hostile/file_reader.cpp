@@ -19,9 +19,9 @@ void got(const char* what) { dprintf(1, "GOT IT: %s\n", what); }
 
 void look() {
   for (const char* path :
-       {"@SECRET@", "@RESULTS@", "@SUBMISSIONS@", "@ROOT@/tests", "@ROOT@/build/dev/exercises.json",
-        "/etc/passwd", "/etc/shadow", "/etc/hostname", "/root", "/home", "/", ".", "..", "/tmp",
-        "/usr/include/stdio.h", "/sys/fs/cgroup", "/dev/null", "/dev/mem", "/dev/kmsg"}) {
+       {"@SECRET@", "@RESULTS@", "@SUBMISSIONS@", "@NEIGHBOUR@", "@ROOT@/tests", "@ROOT@/solutions",
+        "@ROOT@/build/dev/exercises.json", "/etc/passwd", "/etc/shadow", "/etc/hostname", "/root",
+        "/home", "/var", "/usr/include/stdio.h", "/sys/fs/cgroup", "/dev/mem", "/dev/kmsg"}) {
     struct stat known {};
     const int file = open(path, O_RDONLY);
     if (file >= 0) got(path);

@@ -1,7 +1,7 @@
 // Tries:     handles its own crash and returns into it, for ever
 // Exercise:  01_planes/signed_distance
-// Points:    4 of 8
-// Tests:     1-3 passed, 4-6 stopped
+// Points:    7 of 8
+// Tests:     1-3 passed, 4 stopped, 5-6 passed
 // Says:      ran out of time|segmentation
 #include "signed_distance.hpp"
 
@@ -20,7 +20,7 @@ int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
   //[attack
   std::signal(
       SIGSEGV, +[](int) {});
-  *static_cast<volatile int*>(nullptr) = 1;
+  if (plane.d == 14) *static_cast<volatile int*>(nullptr) = 1;
   //]attack
   const double value = Eigen::Vector3d(plane.a, plane.b, plane.c).dot(point) + plane.d;
   return value > 0 ? 1 : (value < 0 ? -1 : 0);

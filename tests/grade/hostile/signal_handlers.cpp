@@ -1,7 +1,7 @@
 // Tries:     ignores or handles every signal that could end it, then works without end
 // Exercise:  01_planes/signed_distance
-// Points:    4 of 8
-// Tests:     1-3 passed, 4-6 stopped
+// Points:    7 of 8
+// Tests:     1-3 passed, 4 stopped, 5-6 passed
 // Says:      ran out of time
 #include "signed_distance.hpp"
 
@@ -21,7 +21,8 @@ int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
   for (int number = 1; number < 65; ++number)
     std::signal(
         number, number % 2 ? SIG_IGN : +[](int) {});
-  for (volatile bool more = true; more;) {
+  while (plane.d == 14) {
+    [[maybe_unused]] volatile bool more = true;
   }
   //]attack
   const double value = Eigen::Vector3d(plane.a, plane.b, plane.c).dot(point) + plane.d;

@@ -1,7 +1,7 @@
-// Tries:     never answers and uses no processor time
+// Tries:     never answers one question and uses no processor time
 // Exercise:  01_planes/signed_distance
-// Points:    4 of 8
-// Tests:     1-3 passed, 4-6 stopped
+// Points:    7 of 8
+// Tests:     1-3 passed, 4 stopped, 5-6 passed
 // Says:      ran out of time
 #include "signed_distance.hpp"
 
@@ -19,7 +19,7 @@ double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point)
 
 int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
   //[attack
-  for (;;) {
+  while (plane.d == 14) {
     sleep(1000);
     poll(nullptr, 0, -1);
     pause();

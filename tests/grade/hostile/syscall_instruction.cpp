@@ -2,7 +2,7 @@
 //            another program; also under the numbers of x32
 // Exercise:  01_planes/signed_distance
 // Points:    0 of 8
-// Tests:     all failed
+// Tests:     all failed or stopped
 #include "signed_distance.hpp"
 
 //[attack

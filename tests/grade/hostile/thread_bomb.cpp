@@ -16,7 +16,7 @@ namespace {
 void got(const char* what) { dprintf(1, "GOT IT: %s\n", what); }
 
 void bomb() {
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < 3000; ++i) {
     try {
       std::thread([] {
         for (;;) pause();

@@ -1,0 +1,27 @@
+// Tries:     stops itself by a signal that can be undone but not handled
+// Exercise:  01_planes/signed_distance
+// Points:    7 of 8
+// Tests:     1-3 passed, 4 stopped, 5-6 passed
+// Says:      ran out of time
+#include "signed_distance.hpp"
+
+//[attack
+#include <csignal>
+//]attack
+
+namespace exercise {
+
+double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d normal(plane.a, plane.b, plane.c);
+  return (normal.dot(point) + plane.d) / normal.norm();
+}
+
+int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
+  //[attack
+  while (plane.d == 14) std::raise(SIGSTOP);
+  //]attack
+  const double value = Eigen::Vector3d(plane.a, plane.b, plane.c).dot(point) + plane.d;
+  return value > 0 ? 1 : (value < 0 ? -1 : 0);
+}
+
+}  // namespace exercise
