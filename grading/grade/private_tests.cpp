@@ -306,7 +306,7 @@ class Builder {
     const TemporaryFolder work;
     json files = json::object();
     std::vector<std::string> link{build_.compiler};
-    link.insert(link.end(), build_.link_flags.begin(), build_.link_flags.end());
+    link.insert(link.end(), build_.server_link_flags.begin(), build_.server_link_flags.end());
     for (std::size_t i = 0; i < found_.sources.size(); ++i) {
       const fs::path object = work.path() / (std::to_string(i) + ".o");
       const fs::path list = work.path() / (std::to_string(i) + ".d");
