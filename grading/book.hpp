@@ -29,7 +29,7 @@ class UnknownName : public std::runtime_error {
 enum class Visibility {
   shown,            ///< everything
   after_due,        ///< name and points; everything once the due date has passed
-  values_withheld,  ///< how it ended, the question and the hint; no input, no right answer
+  values_withheld,  ///< how it ended, the question and the hint; no input, no answer
   hidden            ///< nothing but that there are such tests
 };
 

@@ -93,6 +93,7 @@ void withhold(TestVerdict& test) {
   Failure& failure = test.failure;
   if (test.visibility == Visibility::values_withheld) {
     failure.inputs.clear();
+    failure.got.clear();  // which may be the input, handed back
     failure.right.clear();
     failure.allowed.clear();
   } else if (test.visibility != Visibility::shown) {

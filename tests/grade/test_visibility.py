@@ -1,5 +1,5 @@
-"""What a student sees of a test: everything, or, where exercise.toml says so, neither its inputs
-nor its right answers."""
+"""What a student sees of a test: everything, or, where exercise.toml says so, none of its values:
+neither the input nor what came back nor what is right."""
 
 from __future__ import annotations
 
@@ -90,15 +90,16 @@ def test_withheld_values_are_nowhere(book: Path, contact: Contact) -> None:
     assert failure["asked"] == shown["asked"]
     assert failure["hint"] == shown["hint"]
     assert failure["inputs"] == []
+    assert "got" not in failure
     assert "right" not in failure
     assert "allowed" not in failure
 
     printed = contact("check", WRONG, "--all").stdout
-    assert "this test keeps its inputs and its right answers to itself" in printed
+    assert "this test keeps its values to itself" in printed
     own = printed.split(test["name"] + "\n")[2].split("\n\n")[0]
     assert "asked" in own
     assert "hint" in own
-    for word in ("input", "right  ", "allowed"):
+    for word in ("input", "got", "right", "allowed"):
         assert f"    {word}" not in own
     # The exercise's other tests show theirs.
     assert "    right" in printed.replace(own, "")

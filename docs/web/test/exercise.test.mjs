@@ -158,14 +158,13 @@ test("a recognised misconception has its hint as the book sets it", () => {
 });
 
 test("a test that keeps its values to itself says so", () => {
-  const failure = { asked: "Where?", inputs: [], got: "4", hint: "look back" };
+  const failure = { asked: "Where?", inputs: [], hint: "look back" };
   const kept = { ...verdict({}).tests[2], visibility: "values_withheld", failure };
   const [item] = testList(verdict({ tests: [kept] }), undefined).children;
   assert.deepEqual(rows(item), [
     ["Asked", "Where?"],
-    ["Came back", "4"],
     ["Hint", "look back"],
-    ["Not shown", "This test keeps its inputs and its right answers to itself."],
+    ["Not shown", "This test keeps its values to itself."],
   ]);
 });
 

@@ -85,8 +85,7 @@ function explained(
     words.innerHTML = known;
     add("Hint", words);
   } else if (failure.hint) add("Hint", failure.hint);
-  if (visibility === "values_withheld")
-    add("Not shown", "This test keeps its inputs and its right answers to itself.");
+  if (visibility === "values_withheld") add("Not shown", "This test keeps its values to itself.");
   return list;
 }
 
