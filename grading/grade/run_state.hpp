@@ -52,7 +52,9 @@ struct Run {
   std::string seed;
   GradeLimits limits;
   bool accept_weak = false;
-  /// Seconds of processor time that a test of each exercise may take, as calibrated.
+  /// Seconds of processor time of the slowest test of each exercise's solution.
+  std::map<std::string, double> solution_seconds;
+  /// Seconds of processor time that a test of each exercise may take.
   std::map<std::string, double> test_seconds;
   /// Of each exercise, all of the key but its code.
   std::map<std::string, UnitKey> keys;

@@ -1,0 +1,287 @@
+#include "coordinator.hpp"
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include <fcntl.h>
+#include <unistd.h>
+#include <nlohmann/json.hpp>
+
+namespace fs = std::filesystem;
+
+namespace contact::grading {
+
+namespace {
+
+/// How often a unit is given before it is the machine's problem.
+constexpr int most_tries = 3;
+/// Seconds that a worker has to end its boxes and to clean up.
+constexpr double grace = 5.0;
+
+// Where this worker's boxes are made. Its name is kept in the run's folder, so that it is removed
+// even if every process of the run is killed.
+class WorkerFolder {
+ public:
+  explicit WorkerFolder(const RunFolder& folder) {
+    std::string pattern = (fs::temp_directory_path() / "contact-grade-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr)
+      throw BookError("cannot make a folder in " + fs::temp_directory_path().string());
+    path_ = pattern;
+    note_ = folder.grade() / "temporary" / path_.filename();
+    fs::create_directories(note_.parent_path());
+    write_text(note_, path_.string());
+  }
+  ~WorkerFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+    fs::remove(note_, ignored);
+  }
+  WorkerFolder(const WorkerFolder&) = delete;
+  WorkerFolder& operator=(const WorkerFolder&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+  fs::path note_;
+};
+
+// One worker, what it has to do and what it has said so far.
+class Worker {
+ public:
+  Worker(Loop& loop, const RunFolder& folder) : temporary_(folder) {
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw BookError("cannot make a pipe for a worker");
+    orders_ = ends[1];
+    ProcessSpec spec;
+    spec.command = {fs::read_symlink("/proc/self/exe").string(),
+                    "grade-worker",
+                    folder.run_file().string(),
+                    "--temporary",
+                    temporary_.path().string(),
+                    "--parent",
+                    std::to_string(::getpid())};
+    spec.folder = folder.grade();
+    spec.descriptors = {{ends[0], 0}};
+    spec.grace = grace;
+    spec.output_limit = 64u << 10;
+    spec.on_output = [this](std::string_view text) { heard_ += text; };
+    try {
+      process_ = std::make_unique<Process>(loop, std::move(spec));
+    } catch (...) {
+      ::close(ends[0]);
+      ::close(orders_);
+      throw;
+    }
+    ::close(ends[0]);
+  }
+  ~Worker() { no_more(); }
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  /// The next whole line that it said.
+  std::optional<std::string> line() {
+    const std::size_t end = heard_.find('\n');
+    if (end == std::string::npos) return {};
+    std::string text = heard_.substr(0, end);
+    heard_.erase(0, end + 1);
+    return text;
+  }
+  void give(const Job& job) {
+    job_ = job;
+    const std::string order = order_of(job) + "\n";
+    // Far shorter than a pipe holds. If the worker is gone, its end is told in its own time.
+    if (::write(orders_, order.data(), order.size()) < 0) return;
+  }
+  void no_more() {
+    if (orders_ >= 0) ::close(orders_);
+    orders_ = -1;
+  }
+  Process& process() { return *process_; }
+
+  bool ready = false;
+  std::optional<Job> take_job() { return std::exchange(job_, std::nullopt); }
+  [[nodiscard]] const std::optional<Job>& job() const { return job_; }
+
+ private:
+  WorkerFolder temporary_;
+  std::string heard_;
+  std::optional<Job> job_;
+  int orders_ = -1;
+  std::unique_ptr<Process> process_;
+};
+
+std::string how_it_ended(const ProcessResult& result) {
+  std::string text = result.signal != 0
+                         ? "signal " + std::to_string(result.signal) + " ended the worker"
+                         : "the worker ended with code " + std::to_string(result.exit_code);
+  std::string said = result.errors;
+  while (!said.empty() && said.back() == '\n') said.pop_back();
+  return said.empty() ? text : text + ": " + said;
+}
+
+// Gives the jobs out and keeps as many workers as there is work for.
+class Crew {
+ public:
+  Crew(Loop& loop, const RunFolder& folder, int most, const std::vector<Job>& jobs,
+       const std::function<void(const Job&)>& finished)
+      : loop_(loop),
+        folder_(folder),
+        most_(static_cast<std::size_t>(most)),
+        waiting_(jobs.begin(), jobs.end()),
+        finished_(finished) {}
+
+  std::vector<JobTrouble> run() {
+    try {
+      while (!waiting_.empty() || under_way() > 0) {
+        while (workers_.size() < most_ && workers_.size() < waiting_.size() + under_way())
+          workers_.push_back(std::make_unique<Worker>(loop_, folder_));
+        loop_.run_once();
+        attend();
+      }
+    } catch (...) {
+      dismiss();
+      throw;
+    }
+    dismiss();
+    return std::move(troubles_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t under_way() const {
+    return static_cast<std::size_t>(
+        std::count_if(workers_.begin(), workers_.end(),
+                      [](const auto& worker) { return worker->job().has_value(); }));
+  }
+
+  void attend() {
+    for (const std::unique_ptr<Worker>& worker : workers_) {
+      while (const std::optional<std::string> line = worker->line()) hear(*worker, *line);
+      if (worker->process().ended()) {
+        bury(*worker);
+      } else if (worker->ready && !worker->job() && !waiting_.empty()) {
+        worker->give(waiting_.front());
+        waiting_.pop_front();
+      }
+    }
+    std::erase_if(workers_, [](const auto& worker) { return worker->process().ended(); });
+  }
+
+  void hear(Worker& worker, const std::string& line) {
+    const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
+    const std::string event = json.is_object() ? json.value("event", "") : "";
+    if (event == "ready") worker.ready = true;
+    if (event != "finished" && event != "trouble") return;
+    const std::optional<Job> job = worker.take_job();
+    if (!job) return;
+    if (event == "finished")
+      finished_(*job);
+    else
+      give_again(*job, json.value("what", "it does not say why"));
+  }
+
+  void bury(Worker& worker) {
+    const ProcessResult result = worker.process().wait();
+    if (const std::optional<Job> job = worker.take_job()) {
+      give_again(*job, how_it_ended(result));
+    } else if (!worker.ready && ++failed_starts_ >= most_tries) {
+      std::string said = result.errors;
+      while (!said.empty() && said.back() == '\n') said.pop_back();
+      if (const std::size_t colon = said.find(": "); said.starts_with("contact:"))
+        said = said.substr(colon + 2);
+      throw BookError(said.empty() ? "no worker can be started: " + how_it_ended(result) : said);
+    }
+  }
+
+  void give_again(const Job& job, const std::string& why) {
+    if (++tries_[job] < most_tries)
+      waiting_.push_front(job);
+    else
+      troubles_.push_back({job, why});
+  }
+
+  // Ends what still runs, and waits until it is gone.
+  void dismiss() {
+    for (const std::unique_ptr<Worker>& worker : workers_) {
+      worker->no_more();
+      if (worker->job() || !worker->ready) worker->process().end(Ended::time);
+    }
+    const Deadline timer(loop_, [this] {
+      for (const std::unique_ptr<Worker>& worker : workers_) worker->process().end(Ended::time);
+    });
+    while (std::any_of(workers_.begin(), workers_.end(),
+                       [](const auto& worker) { return !worker->process().ended(); }))
+      uv_run(loop_.get(), UV_RUN_ONCE);
+    workers_.clear();
+  }
+
+  // Calls once, a while from now.
+  class Deadline {
+   public:
+    Deadline(Loop& loop, std::function<void()> call) : loop_(loop), call_(std::move(call)) {
+      uv_timer_init(loop.get(), &timer_);
+      timer_.data = this;
+      uv_timer_start(
+          &timer_, [](uv_timer_t* timer) { static_cast<Deadline*>(timer->data)->call_(); },
+          static_cast<std::uint64_t>(1000.0 * grace), 0);
+    }
+    ~Deadline() {
+      bool closed = false;
+      timer_.data = &closed;
+      uv_close(reinterpret_cast<uv_handle_t*>(&timer_),
+               [](uv_handle_t* handle) { *static_cast<bool*>(handle->data) = true; });
+      while (!closed) uv_run(loop_.get(), UV_RUN_NOWAIT);
+    }
+    Deadline(const Deadline&) = delete;
+    Deadline& operator=(const Deadline&) = delete;
+
+   private:
+    Loop& loop_;
+    std::function<void()> call_;
+    uv_timer_t timer_{};
+  };
+
+  Loop& loop_;
+  const RunFolder& folder_;
+  std::size_t most_;
+  std::deque<Job> waiting_;
+  const std::function<void(const Job&)>& finished_;
+  std::vector<std::unique_ptr<Worker>> workers_;
+  std::map<Job, int> tries_;
+  std::vector<JobTrouble> troubles_;
+  int failed_starts_ = 0;
+};
+
+}  // namespace
+
+std::vector<JobTrouble> LocalEngine::run(const std::vector<Job>& jobs,
+                                         const std::function<void(const Job&)>& finished) {
+  std::vector<JobTrouble> troubles;
+  std::vector<Job> beside;
+  std::vector<Job> alone;
+  for (const Job& job : jobs) (job.alone ? alone : beside).push_back(job);
+  for (const auto& [some, most] : {std::pair(&beside, workers_), std::pair(&alone, 1)}) {
+    if (some->empty()) continue;
+    for (JobTrouble& trouble : Crew(loop_, folder_, most, *some, finished).run())
+      troubles.push_back(std::move(trouble));
+  }
+  return troubles;
+}
+
+void remove_left_behind(const RunFolder& folder) {
+  std::error_code error;
+  for (const fs::directory_entry& note :
+       fs::directory_iterator(folder.grade() / "temporary", error)) {
+    const fs::path path = read_text(note.path());
+    std::error_code ignored;
+    if (path.is_absolute() && path.filename().string().starts_with("contact-grade-"))
+      fs::remove_all(path, ignored);
+    fs::remove(note.path(), ignored);
+  }
+}
+
+}  // namespace contact::grading

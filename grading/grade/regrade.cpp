@@ -1,0 +1,140 @@
+#include "regrade.hpp"
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <map>
+
+namespace fs = std::filesystem;
+
+namespace contact::grading {
+
+namespace {
+
+constexpr const char* changes_format = "contact-grade-changes/1";
+constexpr const char* results_name = "results.json";
+constexpr const char* changes_name = "changes.json";
+
+using Units = std::map<std::pair<std::string, std::string>, const nlohmann::json*>;
+
+// By submission and exercise. A submission that is refused whole has none, and no marks.
+Units units_of(const nlohmann::json& results) {
+  Units units;
+  for (const nlohmann::json& submission : results.at("submissions")) {
+    for (const nlohmann::json& unit : submission.at("exercises"))
+      units[{submission.at("id").get<std::string>(), unit.at("id").get<std::string>()}] = &unit;
+  }
+  return units;
+}
+
+std::map<std::string, std::string> tests_of(const nlohmann::json& unit) {
+  std::map<std::string, std::string> tests;
+  if (!unit.contains("verdict")) return tests;
+  for (const nlohmann::json& test : unit.at("verdict").at("tests"))
+    tests[test.at("name").get<std::string>()] = test.at("status").get<std::string>();
+  return tests;
+}
+
+nlohmann::json changed_tests(const nlohmann::json& before, const nlohmann::json& after) {
+  const std::map<std::string, std::string> old = tests_of(before);
+  const std::map<std::string, std::string> now = tests_of(after);
+  std::map<std::string, std::pair<std::string, std::string>> both;
+  for (const auto& [name, status] : old) both[name].first = status;
+  for (const auto& [name, status] : now) both[name].second = status;
+  const auto told = [](const std::string& status) {
+    return status.empty() ? nlohmann::json(nullptr) : nlohmann::json(status);
+  };
+  nlohmann::json changed = nlohmann::json::array();
+  for (const auto& [name, statuses] : both) {
+    if (statuses.first != statuses.second)
+      changed.push_back(
+          {{"name", name}, {"before", told(statuses.first)}, {"after", told(statuses.second)}});
+  }
+  return changed;
+}
+
+// A file that came, went or was refused is a change of code.
+std::vector<std::string> reasons(const nlohmann::json& before, const nlohmann::json& after) {
+  if (!before.contains("key") || !after.contains("key")) return {"code"};
+  return differences(key_from_json(before.at("key")), key_from_json(after.at("key")));
+}
+
+std::string date_time() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  ::gmtime_r(&now, &parts);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H-%M-%SZ", &parts);
+  return text.data();
+}
+
+}  // namespace
+
+std::optional<nlohmann::json> earlier_results(const RunFolder& folder) {
+  const fs::path file = folder.results() / results_name;
+  if (!fs::exists(file)) return {};
+  nlohmann::json json = nlohmann::json::parse(read_text(file), nullptr, false);
+  if (!json.is_object() || json.value("format", "") != "contact-grade/1")
+    throw BookError(file.string() +
+                    " is not as it was written. Put it away, or grade into a new folder");
+  return json;
+}
+
+nlohmann::json changes_between(const nlohmann::json& before, const nlohmann::json& after) {
+  nlohmann::json changes = nlohmann::json::array();
+  const Units old = units_of(before);
+  for (const auto& [which, now] : units_of(after)) {
+    const auto found = old.find(which);
+    if (found == old.end()) continue;
+    const nlohmann::json& then = *found->second;
+    if (then.at("points") == now->at("points")) continue;
+    changes.push_back({{"submission", which.first},
+                       {"exercise", which.second},
+                       {"before", then.at("points")},
+                       {"after", now->at("points")},
+                       {"max_points", now->at("max_points")},
+                       {"why", reasons(then, *now)},
+                       {"tests", changed_tests(then, *now)}});
+  }
+  return {{"format", changes_format}, {"changes", std::move(changes)}};
+}
+
+void Earlier::keep(const fs::path& file, const fs::path& as) {
+  if (place_.empty()) {
+    const fs::path all = folder_.results() / "earlier";
+    fs::create_directories(all);
+    const std::string stamp = date_time();
+    place_ = all / stamp;
+    for (int i = 2; !fs::create_directory(place_); ++i)
+      place_ = all / (stamp + "-" + std::to_string(i));
+  }
+  const fs::path target = place_ / as;
+  fs::create_directories(target.parent_path());
+  write_durably(target, read_text(file));
+}
+
+std::optional<nlohmann::json> write_results(const RunFolder& folder, const nlohmann::json& results,
+                                            Earlier& earlier) {
+  const std::optional<nlohmann::json> before = earlier_results(folder);
+  std::optional<nlohmann::json> changes;
+  const fs::path file = folder.results() / results_name;
+  const fs::path changes_file = folder.results() / changes_name;
+  if (before && *before == results) {
+    // Nothing is new. What the last run changed stays said.
+    return nlohmann::json{{"format", changes_format}, {"changes", nlohmann::json::array()}};
+  }
+  if (before) {
+    changes = changes_between(*before, results);
+    earlier.keep(file, results_name);
+    for (const char* name : {changes_name, "run.json"}) {
+      if (fs::exists(folder.results() / name)) earlier.keep(folder.results() / name, name);
+    }
+    // The changes first: if this is where the run is killed, the next finds the results as they
+    // were and says the same.
+    write_durably(changes_file, changes->dump(1) + "\n");
+  }
+  write_durably(file, results.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  return changes;
+}
+
+}  // namespace contact::grading

@@ -1,0 +1,42 @@
+#pragma once
+
+// What a second run over the same submissions changed, and why. Nothing of the first is lost.
+
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "run_state.hpp"
+
+namespace contact::grading {
+
+/// The results that an earlier run left in this folder; nothing if it left none.
+/// @throws BookError if they are not understood
+std::optional<nlohmann::json> earlier_results(const RunFolder& folder);
+
+/// "contact-grade-changes/1": each mark of an exercise that moved, with what its unit depends on
+/// that is no longer the same. What was added or taken away is no mark that moved.
+nlohmann::json changes_between(const nlohmann::json& before, const nlohmann::json& after);
+
+/// Keeps files of this run's folder that are about to give way, in RESULTS/earlier/DATE-TIME/.
+class Earlier {
+ public:
+  explicit Earlier(const RunFolder& folder) : folder_(folder) {}
+  /// @param file below RESULTS
+  /// @param as where it is kept, below RESULTS/earlier/DATE-TIME
+  void keep(const std::filesystem::path& file, const std::filesystem::path& as);
+  /// Where; empty if nothing was kept.
+  [[nodiscard]] const std::filesystem::path& place() const { return place_; }
+
+ private:
+  const RunFolder& folder_;
+  std::filesystem::path place_;
+};
+
+/// Writes the results and, if there were others before, keeps those and writes changes.json first.
+/// @returns the changes; nothing if there were no results before
+std::optional<nlohmann::json> write_results(const RunFolder& folder, const nlohmann::json& results,
+                                            Earlier& earlier);
+
+}  // namespace contact::grading
