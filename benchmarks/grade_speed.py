@@ -1,0 +1,368 @@
+"""How many submissions × exercises a second `contact grade` judges, beside the naive way.
+
+    build/venv/bin/python benchmarks/grade_speed.py [--quick] [--json FILE]
+
+200 submissions are made from the book's solutions, stubs and wrong answers, drawn by a seeded
+generator; no two files are equal. A *unit* is one exercise of one submission. They are graded in
+blocks, and in each block three things are timed, in an order that turns from block to block, so
+that whatever else the machine does meets them alike:
+
+  one worker   `contact grade BLOCK -o RESULTS --workers 1`, from the command to its end: taking
+               the submissions in, calibrating, compiling, running and judging in boxes, reports
+  two workers  the same with --workers 2
+  the naive    on a sample of the block's units: the compiler for the student's file and for the
+  way          exercise's tests, the linker with Catch2, the program. The same compiler and flags
+               (-O1), the same linker, the same test files. It has no precompiled header, no box
+               and no report, and what no exercise changes (Catch2, the asking, main) is compiled
+               before and not timed
+
+The marks of all three must agree, test by test. The rate is a core's: one worker, or the naive
+way, which keeps one core busy. Processor time, with that of all children, is printed as well: a
+busy machine changes it less. Also printed is what a call across the proxy takes.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import platform
+import random
+import re
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import IO, Any
+
+ROOT = Path(__file__).resolve().parents[1]
+BUILD = ROOT / "build" / "dev"
+PROGRAM = BUILD / "bin" / "contact"
+WANTED_RATIO = 5.0
+WANTED_SPEED_UP = 1.8
+# What a class hands in: more is right than wrong, and some never began.
+MIX = {"solution": 0.45, "wrong": 0.40, "stub": 0.15}
+
+
+@dataclass(frozen=True)
+class Unit:
+    submission: str
+    exercise: str
+    kind: str
+    file: Path
+
+
+@dataclass
+class Timed:
+    """One way to grade, over all blocks."""
+
+    units: list[int] = field(default_factory=list)
+    wall: list[float] = field(default_factory=list)
+    processor: list[float] = field(default_factory=list)
+
+    def add(self, units: int, wall: float, processor: float) -> None:
+        self.units.append(units)
+        self.wall.append(wall)
+        self.processor.append(processor)
+
+    def rates(self, seconds: Sequence[float]) -> list[float]:
+        return [n / s for n, s in zip(self.units, seconds, strict=True)]
+
+
+def timed(command: list[str], log: IO[str] | int) -> tuple[float, float, int]:
+    """Wall seconds, processor seconds with all children's, and the exit code."""
+    start = time.perf_counter()
+    process = subprocess.Popen(command, stdout=log, stderr=log)
+    _, status, usage = os.wait4(process.pid, 0)
+    wall = time.perf_counter() - start
+    process.returncode = os.waitstatus_to_exitcode(status)
+    return wall, usage.ru_utime + usage.ru_stime, process.returncode
+
+
+def must(command: list[str]) -> None:
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(command)} failed:\n{done.stdout}{done.stderr}")
+
+
+# ---- Submissions
+
+
+def exercises() -> list[str]:
+    listed = json.loads((BUILD / "exercises.json").read_text())["exercises"]
+    return sorted(listed)
+
+
+def text_of(exercise: str, kind: str, draw: random.Random) -> str:
+    name = exercise.partition("/")[2]
+    if kind == "stub":
+        return (ROOT / "exercises" / exercise / f"{name}.cpp").read_text()
+    folder = ROOT / "solutions" / exercise
+    if kind == "solution":
+        return (folder / f"{name}.cpp").read_text()
+    return draw.choice(sorted((folder / "wrong").glob("*.cpp"))).read_text()
+
+
+def varied(text: str, student: str, draw: random.Random) -> str:
+    """The same answer in another hand: a comment, a name that nobody uses, blank lines."""
+    mark = draw.randrange(10**9)
+    return (
+        f"// {student}, version {mark}\n{text}\n\n"
+        f"namespace {{\n[[maybe_unused]] constexpr int attempt_{mark} = {mark};\n}}\n"
+    )
+
+
+def make_block(folder: Path, names: list[str], each: int, draw: random.Random) -> list[Unit]:
+    units = []
+    for name in names:
+        for exercise in draw.sample(exercises(), each):
+            kind = draw.choices(list(MIX), weights=list(MIX.values()))[0]
+            file = folder / name / f"{exercise}.cpp"
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(varied(text_of(exercise, kind, draw), name, draw))
+            units.append(Unit(name, exercise, kind, file))
+    return units
+
+
+# ---- The ways to grade
+
+
+def statuses(tests: list[dict[str, Any]]) -> dict[str, str]:
+    return {test["name"]: test["status"] for test in tests}
+
+
+Marks = dict[tuple[str, str], dict[str, str]]
+
+
+def grade(block: Path, results: Path, workers: int, timing: Timed, units: int) -> Marks:
+    command = [str(PROGRAM), "grade", str(block), "-o", str(results), "--workers", str(workers)]
+    with (results.parent / f"{results.name}.log").open("w+") as log:
+        wall, processor, code = timed(command, log)
+        if code != 0:
+            log.seek(0)
+            sys.exit(f"{' '.join(command)} ended with {code}:\n{log.read()}")
+    timing.add(units, wall, processor)
+    marks: Marks = {}
+    for submission in json.loads((results / "results.json").read_text())["submissions"]:
+        for unit in submission["exercises"]:
+            if "verdict" in unit:
+                marks[submission["id"], unit["id"]] = statuses(unit["verdict"]["tests"])
+    return marks
+
+
+class Naive:
+    """Compile two files, link, run."""
+
+    def __init__(self, folder: Path) -> None:
+        build = json.loads((BUILD / "exercises.json").read_text())
+        self.build = build
+        self.folder = folder
+        self.compile = [build["compiler"], *build["compile_flags"], "-w"]
+        chapters = sorted(str(place) for place in (ROOT / "chapters").glob("[0-9]*"))
+        self.places = [f"-I{place}" for place in (*chapters, ROOT / "tests", ROOT / "grading")]
+        self.host = []
+        for name in ("exercise", "runner"):
+            self.host.append(str(folder / f"{name}.o"))
+            source = str(ROOT / "tests" / "support" / f"{name}.cpp")
+            must([*self.compile, *self.places, "-c", source, "-o", self.host[-1]])
+
+    def once(self, unit: Unit) -> tuple[float, float, dict[str, str]]:
+        chapter, name = unit.exercise.split("/")
+        contract = [f"-I{place}" for place in self.build["exercises"][unit.exercise]["include"]]
+        includes = [*(f"-I{place}" for place in self.build["include"]), *contract]
+        answer, tests, program, told = (
+            str(self.folder / part) for part in ("answer.o", "tests.o", "program", "events")
+        )
+        source = str(ROOT / "tests" / chapter / f"{name}_test.cpp")
+        wall = processor = 0.0
+        for command in (
+            [*self.compile, *includes, "-c", str(unit.file), "-o", answer],
+            [*self.compile, *contract, *self.places, "-c", source, "-o", tests],
+            [
+                *[self.build["compiler"], *self.build["link_flags"], answer, tests, *self.host],
+                *["-lCatch2", "-o", program],
+            ],
+            [program, "-r", f"contact::out={told}"],
+        ):
+            seconds, processor_seconds, code = timed(command, subprocess.DEVNULL)
+            if code != 0 and command[0] != program:
+                sys.exit(f"{' '.join(command)} ended with {code}")
+            wall += seconds
+            processor += processor_seconds
+        events = [json.loads(line) for line in Path(told).read_text().splitlines()]
+        return wall, processor, {e["test"]: e["status"] for e in events if e["event"] == "end"}
+
+    def sample(self, units: list[Unit], timing: Timed) -> Marks:
+        marks: Marks = {}
+        wall = processor = 0.0
+        for unit in units:
+            seconds, processor_seconds, marks[unit.submission, unit.exercise] = self.once(unit)
+            wall += seconds
+            processor += processor_seconds
+        timing.add(len(units), wall, processor)
+        return marks
+
+
+def hold_together(one: Marks, other: Marks, what: str) -> None:
+    """Every test that both ran ended alike. A test that is skipped in grading ran in the naive
+    way, which knows nothing of what a test requires."""
+    for unit, tests in other.items():
+        for name, status in tests.items():
+            if one[unit][name] not in (status, "skipped"):
+                sys.exit(f"{what} disagree on {unit}, {name}: {one[unit][name]}, {status}")
+
+
+# ---- What is said
+
+
+def machine() -> dict[str, Any]:
+    cpu = platform.machine()
+    with Path("/proc/cpuinfo").open() as lines:
+        for line in lines:
+            if line.startswith("model name"):
+                cpu = line.partition(":")[2].strip()
+                break
+    system = platform.freedesktop_os_release().get("PRETTY_NAME", platform.system())
+    return {"cpu": cpu, "cores": os.cpu_count(), "os": system}
+
+
+def machine_id(about: dict[str, Any]) -> str:
+    words = re.sub(r"[^a-z0-9]+", "-", str(about["cpu"]).lower()).strip("-")
+    return f"{words}-{about['cores']}-cores"
+
+
+def spread(values: list[float]) -> dict[str, float]:
+    return {"median": statistics.median(values), "least": min(values), "most": max(values)}
+
+
+def said(figure: dict[str, float]) -> str:
+    return f"{figure['median']:.2f} ({figure['least']:.2f} to {figure['most']:.2f})"
+
+
+def proxy_call_microseconds() -> dict[str, float] | None:
+    """What a call across the proxy takes, if the program that measures it is built."""
+    program = BUILD / "bin" / "remote_calls"
+    if not program.exists():
+        return None
+    done = subprocess.run([str(program)], capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{program} failed:\n{done.stdout}{done.stderr}")
+    figures: dict[str, float] = json.loads(done.stdout)
+    return figures
+
+
+def main() -> int:
+    options = argparse.ArgumentParser(description="Grading's speed, beside the naive way.")
+    options.add_argument("--submissions", type=int, default=200, help="made (default 200)")
+    options.add_argument("--each", type=int, default=2, help="exercises in each (default 2)")
+    options.add_argument("--blocks", type=int, default=4, help="timed apart (default 4)")
+    options.add_argument(
+        "--sample", type=int, default=8, help="units of a block graded naively (default 8)"
+    )
+    options.add_argument("--seed", type=int, default=2026, help="of the submissions")
+    options.add_argument("--quick", action="store_true", help="a tenth of it: for a try")
+    options.add_argument("--json", type=Path, help="where the figures go; else to results/")
+    arguments = options.parse_args()
+    if arguments.quick:
+        arguments.submissions, arguments.blocks, arguments.sample = 20, 2, 3
+
+    load = os.getloadavg()[0]
+    if load > 0.5:
+        print(f"The load here is {load:.1f}: figures by the clock mean little.", file=sys.stderr)
+    draw = random.Random(arguments.seed)
+    names = [f"student-{number:03}" for number in range(arguments.submissions)]
+    ways = {name: Timed() for name in ("one worker", "two workers", "the naive way")}
+    kinds: dict[str, int] = dict.fromkeys(MIX, 0)
+    folder = Path(tempfile.mkdtemp(prefix="grade-speed-"))
+    try:
+        naive = Naive(folder)
+        for number in range(arguments.blocks):
+            block = folder / f"block-{number}"
+            units = make_block(block, names[number :: arguments.blocks], arguments.each, draw)
+            for unit in units:
+                kinds[unit.kind] += 1
+            sample = draw.sample(units, min(arguments.sample, len(units)))
+            marks: dict[str, Marks] = {}
+            order = list(ways)
+            for name in order[number % 3 :] + order[: number % 3]:
+                if name == "the naive way":
+                    marks[name] = naive.sample(sample, ways[name])
+                else:
+                    workers = 1 if name == "one worker" else 2
+                    results = folder / f"results-{number}-{workers}"
+                    marks[name] = grade(block, results, workers, ways[name], len(units))
+                    shutil.rmtree(results)
+            hold_together(marks["one worker"], marks["two workers"], "one worker and two")
+            hold_together(marks["one worker"], marks["the naive way"], "grading and the naive way")
+            print(f"block {number + 1} of {arguments.blocks} done", file=sys.stderr)
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+    about = machine()
+    figures: dict[str, Any] = {
+        "format": "contact-grade-speed/1",
+        "machine": about,
+        "load": load,
+        "date": datetime.now(UTC).strftime("%Y-%m-%dT%H:%M:%SZ"),
+        "seed": arguments.seed,
+        "submissions": len(names),
+        "units": kinds,
+        "blocks": arguments.blocks,
+        "sample": arguments.sample * arguments.blocks,
+        "ways": {
+            name: {
+                "units": sum(way.units),
+                "units_per_second": spread(way.rates(way.wall)),
+                "units_per_processor_second": spread(way.rates(way.processor)),
+            }
+            for name, way in ways.items()
+        },
+    }
+    one, two, plain = ways.values()
+    ratio = [a / b for a, b in zip(one.rates(one.wall), plain.rates(plain.wall), strict=True)]
+    processor = [
+        a / b for a, b in zip(one.rates(one.processor), plain.rates(plain.processor), strict=True)
+    ]
+    speed_up = [a / b for a, b in zip(one.wall, two.wall, strict=True)]
+    figures["ratio"] = spread(ratio)
+    figures["ratio_of_processor_time"] = spread(processor)
+    figures["two_workers_against_one"] = spread(speed_up)
+    figures["proxy_call"] = proxy_call_microseconds()
+
+    print(f"{about['cpu']}, {about['cores']} cores, {about['os']}; load {load:.1f}")
+    print(f"{len(names)} submissions: " + ", ".join(f"{n} {kind}" for kind, n in kinds.items()))
+    for name, way in figures["ways"].items():
+        print(
+            f"{name:14} {said(way['units_per_second'])} units a second, "
+            f"{said(way['units_per_processor_second'])} a processor second"
+        )
+    print(f"one worker is {said(figures['ratio'])} times the naive way; {WANTED_RATIO} is wanted")
+    print(f"  by processor time {said(figures['ratio_of_processor_time'])} times")
+    print(
+        f"two workers are {said(figures['two_workers_against_one'])} times one;"
+        f" {WANTED_SPEED_UP} is wanted"
+    )
+    if figures["proxy_call"]:
+        print(f"a call across the proxy: {json.dumps(figures['proxy_call'])}")
+    print("medians of blocks, in brackets the least and the most")
+
+    place = arguments.json
+    if place is None and not arguments.quick:
+        place = ROOT / "benchmarks" / "results" / f"grade_speed.{machine_id(about)}.json"
+    if place:
+        place.write_text(json.dumps(figures, indent=1) + "\n")
+    good = (
+        figures["ratio"]["median"] >= WANTED_RATIO
+        and figures["two_workers_against_one"]["median"] >= WANTED_SPEED_UP
+    )
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
