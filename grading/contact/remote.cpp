@@ -44,6 +44,7 @@ class Conversation {
   void new_test() {
     stop();
     far_.reset();
+    allowed_ = {};
     ++test_;
     calls_ = 0;
   }
@@ -81,7 +82,7 @@ class Conversation {
   }
 
  private:
-  const Allowance allowed_;
+  Allowance allowed_;
   std::unique_ptr<FarProcess> far_;
   int socket_ = -1;
   std::uint64_t test_ = 0;

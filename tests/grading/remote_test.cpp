@@ -1,15 +1,30 @@
 // The near side of a call to another process, against a far side that misbehaves in every way we
 // could think of.
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
 #include <catch2/catch_session.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include <contact/prelude.hpp>
 #include <contact/remote.hpp>
+#include <contact/remote_broker.hpp>
+#include <contact/remote_frames.hpp>
 
 namespace {
 
@@ -37,6 +52,126 @@ std::string reason(const std::string& how) {
     return stopped.what();
   }
   return "no reason";
+}
+
+using contact::remote::BrokerReply;
+using contact::remote::BrokerRequest;
+
+/// A broker in this program: it starts specimens, and notes what it is asked.
+class Broker {
+ public:
+  explicit Broker(std::string how) : how_(std::move(how)) {
+    REQUIRE(socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends_.data()) == 0);
+    setenv("CONTACT_BROKER", std::to_string(ends_[0]).c_str(), 1);
+    thread_ = std::thread([this] { serve(); });
+    contact::host::test_starts();
+  }
+  Broker(const Broker&) = delete;
+  Broker& operator=(const Broker&) = delete;
+  ~Broker() {
+    contact::host::test_starts();
+    leave();
+    close(ends_[0]);
+    unsetenv("CONTACT_BROKER");
+    contact::host::test_starts();
+  }
+
+  /// Serves no longer. What it was asked can be read from now on.
+  const std::vector<BrokerRequest>& leave() {
+    if (thread_.joinable()) {
+      shutdown(ends_[1], SHUT_RDWR);
+      thread_.join();
+      close(ends_[1]);
+      end();
+    }
+    return asked_;
+  }
+
+ private:
+  std::string how_;
+  std::array<int, 2> ends_{};
+  std::thread thread_;
+  pid_t specimen_ = 0;
+  std::vector<BrokerRequest> asked_;
+
+  void serve() {
+    BrokerRequest request;
+    while (recv(ends_[1], &request, sizeof request, 0) == sizeof request) {
+      asked_.push_back(request);
+      if (request.kind == BrokerRequest::Kind::start && how_ == "refuses")
+        reply(BrokerReply::Kind::words, "no box is free", -1);
+      else if (request.kind == BrokerRequest::Kind::start)
+        start();
+      else if (request.kind == BrokerRequest::Kind::why)
+        reply(BrokerReply::Kind::words, "status " + std::to_string(end()), -1);
+      else
+        kill(specimen_, SIGKILL);
+    }
+  }
+
+  void start() {
+    end();
+    std::array<int, 2> ends{};
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) return;
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], contact::remote::kServerDescriptor);
+    std::array<char*, 3> arguments{const_cast<char*>(CONTACT_SPECIMEN), how_.data(), nullptr};
+    posix_spawn(&specimen_, CONTACT_SPECIMEN, &actions, nullptr, arguments.data(), nullptr);
+    posix_spawn_file_actions_destroy(&actions);
+    close(ends[1]);
+    reply(BrokerReply::Kind::given, "", ends[0]);
+    close(ends[0]);
+  }
+
+  int end() {
+    int status = 0;
+    if (specimen_ > 0) {
+      usleep(how_ == "exits" ? 100'000 : 0);
+      kill(specimen_, SIGKILL);
+      waitpid(specimen_, &status, 0);
+    }
+    specimen_ = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  void reply(BrokerReply::Kind kind, const std::string& words, int descriptor) {
+    BrokerReply head;
+    head.kind = kind;
+    std::string packet(sizeof head, '\0');
+    std::memcpy(packet.data(), &head, sizeof head);
+    packet += words;
+    iovec bytes{packet.data(), packet.size()};
+    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> control{};
+    msghdr message{};
+    message.msg_iov = &bytes;
+    message.msg_iovlen = 1;
+    if (descriptor >= 0) {
+      message.msg_control = control.data();
+      message.msg_controllen = control.size();
+      cmsghdr* part = CMSG_FIRSTHDR(&message);
+      part->cmsg_level = SOL_SOCKET;
+      part->cmsg_type = SCM_RIGHTS;
+      part->cmsg_len = CMSG_LEN(sizeof(int));
+      std::memcpy(CMSG_DATA(part), &descriptor, sizeof descriptor);
+    }
+    sendmsg(ends_[1], &message, MSG_NOSIGNAL);
+  }
+};
+
+std::string why_no_answer() {
+  try {
+    echo(1.5);
+  } catch (const contact::host::Stopped& stopped) {
+    return stopped.what();
+  }
+  return "no reason";
+}
+
+std::size_t open_descriptors() {
+  std::size_t count = 0;
+  for (int i = 0; i < 256; ++i) count += fcntl(i, F_GETFD) >= 0 ? 1 : 0;
+  return count;
 }
 
 }  // namespace
@@ -76,6 +211,117 @@ TEST_CASE("bytes that are no answer fail the call") {
   CHECK_THAT(reason("too many bytes"), StartsWith("sent back something that is not a value"));
   CHECK(reason("speaks again") == "sent bytes that nobody asked for");
   CHECK_THAT(reason("speaks first"), StartsWith("sent b"));
+}
+
+TEST_CASE("a reply made before its question is no answer, whatever it says") {
+  CHECK(reason("replies first") == "sent bytes that nobody asked for");
+  CHECK(reason("replies ahead") == "sent bytes that nobody asked for");
+  CHECK(reason("more in one piece") == "sent bytes that nobody asked for");
+}
+
+TEST_CASE("an answer may come in pieces, but not for ever") {
+  be_served_by("in pieces");
+  CHECK(echo(2.5) == 2.5);
+  CHECK(echo(3.5) == 3.5);
+  CHECK_THAT(reason("dribbles without end"), StartsWith("ran out of time"));
+}
+
+TEST_CASE("what comes back and how often is asked has limits") {
+  setenv("CONTACT_ANSWER_BYTES", "100", 1);
+  CHECK(reason("large") == "sent back more than is allowed");
+  unsetenv("CONTACT_ANSWER_BYTES");
+  CHECK_THAT(reason("large"), StartsWith("sent back something that is not a value"));
+  setenv("CONTACT_CALLS", "2", 1);
+  be_served_by("behaves");
+  CHECK(echo(1) == 1);
+  CHECK(echo(2) == 2);
+  CHECK(why_no_answer() == "was called more than 2 times in one test");
+  contact::host::test_starts();
+  CHECK(echo(3) == 3);
+  unsetenv("CONTACT_CALLS");
+}
+
+#ifndef __SANITIZE_ADDRESS__  // which takes address space of its own
+TEST_CASE("a length takes memory only as its bytes arrive") {
+  // 64 MB are announced, and never come: 32 MB more than this process has are enough.
+  be_served_by("announces 64 MB");
+  rlimit before{};
+  getrlimit(RLIMIT_AS, &before);
+  std::FILE* file = std::fopen("/proc/self/statm", "r");
+  REQUIRE(file != nullptr);
+  unsigned long pages = 0;
+  REQUIRE(std::fscanf(file, "%lu", &pages) == 1);
+  std::fclose(file);
+  rlimit tight = before;
+  tight.rlim_cur = pages * static_cast<unsigned long>(sysconf(_SC_PAGESIZE)) + (32u << 20);
+  REQUIRE(setrlimit(RLIMIT_AS, &tight) == 0);
+  const std::string why = why_no_answer();
+  setrlimit(RLIMIT_AS, &before);
+  CHECK(why == "ended the program with status 0");
+}
+#endif
+
+TEST_CASE("the text of an exception is cut") {
+  be_served_by("throws at length");
+  try {
+    echo(1);
+    FAIL("it threw nothing");
+  } catch (const std::invalid_argument& error) {
+    CHECK(std::strlen(error.what()) < 3000);
+  }
+}
+
+TEST_CASE("a broker gives a process for each test and tells why one ended") {
+  {
+    Broker broker("behaves");
+    CHECK(echo(1.5) == 1.5);
+    CHECK(echo(2.5) == 2.5);
+    contact::host::test_starts();
+    CHECK(echo(3.5) == 3.5);
+    contact::host::test_starts();
+    const std::vector<BrokerRequest>& asked = broker.leave();
+    REQUIRE(asked.size() == 4);
+    using Kind = BrokerRequest::Kind;
+    CHECK(asked[0].kind == Kind::start);
+    CHECK(asked[1].kind == Kind::done);
+    CHECK(asked[2].kind == Kind::start);
+    CHECK(asked[3].kind == Kind::done);
+    CHECK(asked[1].test == asked[0].test);
+    CHECK(asked[2].test == asked[0].test + 1);
+  }
+  {
+    Broker broker("exits");
+    CHECK(why_no_answer() == "status 3");
+  }
+  Broker broker("refuses");
+  CHECK(why_no_answer() == "no box is free");
+}
+
+TEST_CASE("with a broker the judge has no clock of its own") {
+  setenv("CONTACT_CALL_SECONDS", "0.01", 1);
+  Broker broker("thinks");
+  CHECK(echo(1.5) == 1.5);
+}
+
+TEST_CASE("with a broker, too, bytes that are no answer fail the call") {
+  for (const char* how : {"replies first", "more in one piece", "another sequence"}) {
+    Broker broker(how);
+    CHECK(why_no_answer() == "sent bytes that nobody asked for");
+  }
+}
+
+TEST_CASE("a broker that is gone is told, and no descriptor is left behind") {
+  const std::size_t before = open_descriptors();
+  {
+    Broker broker("behaves");
+    for (int i = 0; i < 20; ++i) {
+      CHECK(echo(i) == i);
+      contact::host::test_starts();
+    }
+    broker.leave();
+    CHECK(why_no_answer() == "there is nobody to ask for an answer");
+  }
+  CHECK(open_descriptors() == before);
 }
 
 TEST_CASE("an exception without its text is no answer either") {

@@ -153,6 +153,24 @@ TEST_CASE("a few bytes that unfold into much memory are refused") {
   CHECK(generous.read<Wide>().size() == 65536);
 }
 
+TEST_CASE("matrices without coefficients cost what it takes to go through them") {
+  const auto empty = [](std::uint32_t rows, std::uint32_t columns) {
+    Bytes bytes = to_bytes(std::array<int, 2>{});
+    std::memcpy(bytes.data(), &rows, sizeof rows);
+    std::memcpy(bytes.data() + sizeof rows, &columns, sizeof columns);
+    return bytes;
+  };
+  CHECK(from_bytes<Eigen::MatrixXd>(empty(0, 3)).cols() == 3);
+  CHECK(from_bytes<Eigen::MatrixXd>(empty(3, 0)).rows() == 3);
+  CHECK_THROWS_AS(from_bytes<Eigen::MatrixXd>(empty(0, 0xffffffff)), BadBytes);
+  CHECK_THROWS_AS(from_bytes<Eigen::MatrixXd>(empty(0xffffffff, 0)), BadBytes);
+  // Many of them, each small enough.
+  Bytes many{0x00, 0x40, 0, 0};  // 16,384 matrices of 65,536 empty columns each
+  const Bytes one = empty(0, 65536);
+  for (int i = 0; i < 16384; ++i) many.insert(many.end(), one.begin(), one.end());
+  CHECK_THROWS_AS(from_bytes<std::vector<Eigen::MatrixXd>>(many), BadBytes);
+}
+
 TEST_CASE("bools, enumerations and variants are checked") {
   CHECK_THROWS_AS(from_bytes<bool>(Bytes{2}), BadBytes);
   CHECK_THROWS_AS(from_bytes<std::optional<int>>(Bytes{2}), BadBytes);
