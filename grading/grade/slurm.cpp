@@ -39,15 +39,17 @@ until [ -r "$slice" ] || [ "$tries" -ge 30 ]; do
   tries=$((tries + 1))
   sleep 1
 done
-exec "$@" < "$slice" > "$log" 2>&1
+exec > "$log" 2>&1
+# The worker removes its folder itself, unless it is killed. When the task is to end, it is told so
+# too, and waited for.
+temporary=$(mktemp -d "${TMPDIR:-/tmp}/contact-grade-XXXXXX") || exit 1
+trap 'rm -rf "$temporary"' EXIT
+trap : HUP INT TERM
+"$@" --temporary "$temporary" --parent "$$" < "$slice"
 )";
 
 std::string count_of(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
-std::string name_of(const std::string& job, int index) {
-  return "task " + job + "_" + std::to_string(index);
 }
 
 // Makes a shared file system look at the server again: a change of ours brings back the folder's
@@ -104,6 +106,7 @@ std::vector<JobTrouble> SlurmEngine::run(const std::vector<Job>& jobs,
     withdraw();
     throw;
   } catch (const SlurmError& error) {
+    if (record_.arrays().empty()) throw BookError(error.what());
     throw BookError(std::string(error.what()) +
                     ". What is in the queue goes on; the same command takes it over");
   }
@@ -308,11 +311,17 @@ void SlurmEngine::ask_queue() {
   for (Task& task : tasks_) {
     if (task.ended) continue;
     const auto found = queue.find({task.job, task.index});
-    task.state = found != queue.end()
-                     ? found->second
-                     : commands_.accounted(task.job, task.index).value_or(SlurmTask{"", ""});
+    task.state = found != queue.end() ? found->second : forgotten(task);
     if (found == queue.end() || !task.state.live()) task.ended = Clock::now();
   }
+}
+
+// How a task ended that the queue has no more.
+SlurmTask SlurmEngine::forgotten(const Task& task) {
+  if (const auto accounted = commands_.accounted(task.job, task.index)) return *accounted;
+  // What has run stays in the queue for minutes. What has not goes at once when it is cancelled.
+  if (task.state.state == "PENDING") return {"CANCELLED", ""};
+  return {"", ""};
 }
 
 // Looks for results. Folders are listed rather than files asked for: a shared file system may
@@ -353,6 +362,7 @@ std::vector<Job> SlurmEngine::waiting_in(const Task& task) const {
 // What is to be submitted again, of tasks that ended before their work was done.
 std::vector<Job> SlurmEngine::settle() {
   std::vector<Job> again;
+  std::vector<std::string> ends;
   for (Task& task : tasks_) {
     if (task.settled || !task.ended) continue;
     const std::vector<Job> left = waiting_in(task);
@@ -361,60 +371,83 @@ std::vector<Job> SlurmEngine::settle() {
     if (left.empty()) continue;
     const std::vector<Job> of_task = lost(task, left);
     again.insert(again.end(), of_task.begin(), of_task.end());
+    ends.push_back(end_of(task));
   }
+  if (!again.empty())
+    setting_.note(
+        ends.front() +
+        (ends.size() > 1 ? ", and so did " + count_of(ends.size() - 1, "other task") : "") + "; " +
+        count_of(again.size(), "unit") + (again.size() == 1 ? " is" : " are") +
+        " submitted again.");
   return again;
 }
 
-std::vector<Job> SlurmEngine::lost(Task& task, const std::vector<Job>& jobs) {
-  const std::string ended =
-      name_of(task.job, task.index) + " of Slurm " +
-      (task.state.state.empty() ? "is gone from the queue" : "ended as " + task.state.state) +
-      last_words(task);
-  // Whoever cancels a job does not want it submitted again.
-  if (task.state.state == "CANCELLED") {
-    for (const Job& job : jobs) {
-      troubles_.push_back({job, ended + ". It was cancelled from outside"});
-      waiting_.erase(job);
-    }
-    return {};
-  }
+// What is left of a task goes into the queue again, but not for ever.
+std::vector<Job> SlurmEngine::lost(const Task& task, const std::vector<Job>& jobs) {
   const bool barren = results_ == task.results_before;
+  const std::map<Job, std::string> told = troubles_of(task);
   std::vector<Job> again;
   for (const Job& job : jobs) {
-    // A worker takes its orders in turn: it ended at the first that has no result.
-    if (&job == &jobs.front() && ++failures_[job] >= most_failures) {
-      troubles_.push_back({job, "graded in " + std::to_string(most_failures) +
-                                    " tasks in vain: the last, " + ended});
-      waiting_.erase(job);
+    // Whoever cancels a job does not want it submitted again.
+    if (task.state.state == "CANCELLED") {
+      give_up(job, end_of(task) + ". It was cancelled from outside");
+      continue;
+    }
+    // A worker takes its orders in turn: if it has not said where it failed, it was at the first
+    // that has no result.
+    const auto found = told.find(job);
+    const bool failed = found != told.end() || (told.empty() && &job == &jobs.front());
+    if (failed && ++failures_[job] >= most_failures) {
+      give_up(job, found != told.end() ? found->second : end_of(task));
       continue;
     }
     barren_[job] = barren ? barren_[job] + 1 : 0;
     if (barren_[job] >= most_failures) {
+      // Its log goes when everything is cancelled.
+      const std::string end = end_of(task);
       withdraw();
-      throw BookError("nothing gets done on the cluster: " + ended +
+      throw BookError("nothing gets done on the cluster: " + end +
                       ". Every node must see the results' folder and this program's under the same "
                       "path, and have what `contact doctor` asks for");
     }
     waiting_[job].reset();
     again.push_back(job);
   }
-  if (!again.empty())
-    setting_.note(ended + "; " + count_of(again.size(), "unit") +
-                  (again.size() == 1 ? " is" : " are") + " submitted again.");
   return again;
 }
 
-// The end of what a task said, as the end of a sentence.
-std::string SlurmEngine::last_words(const Task& task) const {
+void SlurmEngine::give_up(const Job& job, const std::string& why) {
+  troubles_.push_back({job, why});
+  waiting_.erase(job);
+}
+
+// The units that a worker could not grade, and what it said about each.
+std::map<Job, std::string> SlurmEngine::troubles_of(const Task& task) const {
+  std::map<Job, std::string> troubles;
+  std::ifstream stream(record_.log(task.array, task.index));
+  for (std::string line; std::getline(stream, line);) {
+    const nlohmann::json said = nlohmann::json::parse(line, nullptr, false);
+    if (said.is_object() && said.value("event", "") == "trouble")
+      troubles[{said.value("submission", ""), said.value("exercise", "")}] =
+          said.value("what", "it does not say why");
+  }
+  return troubles;
+}
+
+// How a task ended, and the last that it said besides its events.
+std::string SlurmEngine::end_of(const Task& task) const {
   constexpr std::size_t most = 300;
+  const std::string end =
+      "task " + task.job + "_" + std::to_string(task.index) + " of Slurm " +
+      (task.state.state.empty() ? "is gone from the queue" : "ended as " + task.state.state);
   std::ifstream stream(record_.log(task.array, task.index));
   std::string last;
   for (std::string line; std::getline(stream, line);) {
-    if (!line.empty()) last = std::move(line);
+    if (!line.empty() && !nlohmann::json::accept(line)) last = std::move(line);
   }
-  if (last.empty()) return "";
+  if (last.empty()) return end;
   if (last.size() > most) last = "..." + last.substr(last.size() - most);
-  return " (it said last: " + last + ")";
+  return end + " (it said last: " + last + ")";
 }
 
 // A worker that has written its last result still has to end.
@@ -454,8 +487,8 @@ void SlurmEngine::cancel_all(SlurmCommands& commands, Loop& loop) {
         std::find_if(queue.begin(), queue.end(), [](const auto& e) { return e.second.live(); });
     if (live == queue.end()) break;
     if (Clock::now() - start > cancelling)
-      throw SlurmError(name_of(live->first.first, live->first.second) +
-                       " of Slurm is cancelled but does not end (" + live->second.state + ")");
+      throw SlurmError("Slurm's job " + live->first.first + " is cancelled but does not end (" +
+                       live->second.state + ")");
     const Clock::time_point asked = Clock::now();
     while (Clock::now() - asked < Duration(0.5)) {
       loop.poll();

@@ -75,9 +75,12 @@ class SlurmEngine final : public Engine {
   void ask_queue();
   void collect(bool all);
   std::vector<Job> settle();
-  std::vector<Job> lost(Task& task, const std::vector<Job>& jobs);
+  std::vector<Job> lost(const Task& task, const std::vector<Job>& jobs);
   [[nodiscard]] std::vector<Job> waiting_in(const Task& task) const;
-  [[nodiscard]] std::string last_words(const Task& task) const;
+  void give_up(const Job& job, const std::string& why);
+  [[nodiscard]] std::map<Job, std::string> troubles_of(const Task& task) const;
+  [[nodiscard]] std::string end_of(const Task& task) const;
+  SlurmTask forgotten(const Task& task);
   void wait_for_rest();
   void forget_arrays();
 

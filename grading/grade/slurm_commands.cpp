@@ -119,7 +119,8 @@ std::string SlurmCommands::run(const std::vector<std::string>& command) {
   if (result.ended == Ended::time)
     throw SlurmError("Slurm's command " + name + " did not answer for " +
                      std::to_string(static_cast<int>(command_seconds)) + " seconds");
-  const std::string said = trimmed(result.errors.empty() ? result.output : result.errors);
+  std::string said = trimmed(result.errors.empty() ? result.output : result.errors);
+  std::replace(said.begin(), said.end(), '\n', ' ');
   throw SlurmError(
       "Slurm's command " + name + " failed and said: " +
       (said.empty() ? "nothing (exit code " + std::to_string(result.exit_code) + ")" : said));

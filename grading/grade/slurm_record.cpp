@@ -54,9 +54,14 @@ void SlurmRecord::submitted(const std::string& name, const std::string& job) {
 
 void SlurmRecord::remove(const std::string& name, bool keep_logs) {
   std::erase_if(arrays_, [&](const SlurmArrayRecord& array) { return array.name == name; });
-  save();
   std::error_code ignored;
   if (!keep_logs) fs::remove_all(slices(name), ignored);
+  // Gone only if there is nothing else in it.
+  fs::remove(slices(name).parent_path(), ignored);
+  if (arrays_.empty())
+    fs::remove(file(), ignored);
+  else
+    save();
 }
 
 void SlurmRecord::clear() {
