@@ -14,7 +14,7 @@ from reports.write import FORMATS, write_reports
 def main(arguments: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(
         prog="python -m reports",
-        description="Writes gradebook.csv, class.html and students/ID/… beside RESULTS/results.json.",
+        description="Writes gradebook.csv, class.html and students/ID/… into RESULTS.",
     )
     parser.add_argument("results", type=Path, metavar="RESULTS", help="what contact grade -o wrote")
     parser.add_argument(
@@ -28,7 +28,7 @@ def main(arguments: list[str] | None = None) -> int:
         "--due",
         type=_time,
         metavar="TIME",
-        help="when work is due, as 2026-12-01T23:59+01:00; without an offset it is this machine's time",
+        help="when work is due, as 2026-12-01T23:59+01:00; this machine's zone if none is given",
     )
     parser.add_argument("--now", type=_time, metavar="TIME", help="take this for the time now")
     given = parser.parse_args(arguments)

@@ -30,6 +30,8 @@ STATES = (
 )
 BINS = 10
 MOST_TROUBLES = 5
+# Of those who fail a test, so large a part must believe the same for it to be worth a word.
+WORTH_SAYING = 0.2
 
 
 @dataclass
@@ -110,6 +112,11 @@ class ClassData:
     full_marks: int
     max_points: float
     not_enforced: tuple[str, ...]
+
+    @property
+    def weakest(self) -> list[ExerciseRow]:
+        """The exercises, fewest points first."""
+        return sorted(self.rows, key=lambda row: (row.share, row.exercise.id))
 
     @property
     def median(self) -> float:
@@ -238,14 +245,20 @@ def _troubles(
         for test in row.tests.values():
             if test.wrong == 0:
                 continue
-            commonest = test.misconceptions.most_common(1)
-            found.append(
-                Trouble(
-                    row.exercise,
-                    test,
-                    misconceptions[commonest[0][0]] if commonest else None,
-                    commonest[0][1] if commonest else 0,
-                )
-            )
+            id_, count = max(test.misconceptions.items(), key=lambda one: one[1], default=("", 0))
+            worth = count >= max(2, WORTH_SAYING * test.wrong)
+            found.append(Trouble(row.exercise, test, misconceptions[id_] if worth else None, count))
     found.sort(key=lambda one: (-one.test.wrong, one.exercise.id, one.test.name))
-    return found[:MOST_TROUBLES]
+    return _distinct(found)[:MOST_TROUBLES]
+
+
+def _distinct(troubles: Sequence[Trouble]) -> list[Trouble]:
+    """Without those that an earlier one of the same exercise explains already."""
+    told: set[tuple[str, str | None]] = set()
+    kept = []
+    for trouble in troubles:
+        key = (trouble.exercise.id, trouble.misconception.id if trouble.misconception else None)
+        if key not in told:
+            kept.append(trouble)
+        told.add(key)
+    return kept

@@ -7,8 +7,15 @@ from markupsafe import Markup
 from reports.class_data import STATES, ClassData
 from reports.page import render
 
-WIDTH = 640
-HEIGHT = 190
+# How the bar of an exercise is filled for each state.
+FILLS = {
+    "passed": "fill-right",
+    "failed": "fill-wrong",
+    "does_not_compile": "fill-warn",
+    "refused": "fill-warn",
+}
+WIDTH = 480
+HEIGHT = 192
 BASE = 150
 
 
@@ -18,6 +25,7 @@ def class_page(data: ClassData) -> str:
         "class.html",
         data=data,
         states=STATES,
+        fills=list(FILLS.items()),
         histogram=histogram(data.bins),
         bins=_bin_names(data),
     )
@@ -29,19 +37,19 @@ def histogram(bins: list[int]) -> Markup:
     wide = WIDTH / len(bins)
     parts = []
     for place, count in enumerate(bins):
-        tall = round(count / most * (BASE - 24), 1)
+        tall = round(count / most * (BASE - 26), 1)
         x = round(place * wide + 4, 1)
         middle = round(place * wide + wide / 2, 1)
         if count:
             parts.append(
-                f'<rect class="bar" x="{x}" y="{BASE - tall}" width="{wide - 8}" height="{tall}" rx="3"/>'
+                f'<rect class="bar" x="{x}" y="{BASE - tall}" width="{wide - 8}" height="{tall}"/>'
                 f'<text class="count" x="{middle}" y="{BASE - tall - 6}">{count}</text>'
             )
-        parts.append(f'<text class="tick" x="{place * wide}" y="{BASE + 18}">{place * 10}</text>')
-    parts.append(f'<text class="tick" x="{WIDTH}" y="{BASE + 18}">100</text>')
+        parts.append(f'<text class="tick" x="{place * wide}" y="{BASE + 19}">{place * 10}</text>')
+    parts.append(f'<text class="tick" x="{WIDTH}" y="{BASE + 19}">100</text>')
     parts.append(f'<line class="axis" x1="0" y1="{BASE}" x2="{WIDTH}" y2="{BASE}"/>')
     parts.append(
-        f'<text class="tick" x="{WIDTH // 2}" y="{BASE + 36}">percent of all points</text>'
+        f'<text class="tick" x="{WIDTH // 2}" y="{BASE + 39}">percent of all points</text>'
     )
     return Markup(
         f'<svg class="histogram" viewBox="-14 0 {WIDTH + 28} {HEIGHT}" aria-hidden="true">'

@@ -72,7 +72,7 @@ def _fraction(points: float) -> Fraction:
 
 def _unit_tests(unit: SeenUnit, factor: int) -> list[Json]:
     problem = unit_problem(unit)
-    entries = []
+    entries: list[Json] = []
     for test in unit.tests:
         if test.status is None:
             continue

@@ -151,9 +151,9 @@ def _entry(
 def not_graded(reason: str) -> Json:
     """When grading itself fails: the student is told that this is no mark."""
     words = (
-        "Your files have arrived, but they could not be graded: something failed on our side, not on"
-        " yours. The 0 here is no mark. Your teacher can see why and start the grading again; you need"
-        " not hand in anything new."
+        "Your files have arrived, but they could not be graded: something failed on our side, not"
+        " on yours. The 0 here is no mark. Your teacher can see why and start the grading again;"
+        " you need not hand in anything new."
     )
     return {
         "score": 0,

@@ -141,16 +141,19 @@ class Results:
 
 
 @functools.cache
-def _validator() -> Any:
+def _validator() -> jsonschema.Draft202012Validator:
     schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
     return jsonschema.Draft202012Validator(schema)
 
 
 def read_results(folder: Path) -> Results:
-    """The results in this folder. @throws ReportError if there are none or they are not as agreed."""
+    """The results in this folder.
+
+    @throws ReportError if there are none or they are not as agreed.
+    """
     file = folder / "results.json"
     try:
-        document = json.loads(file.read_text(encoding="utf-8"))
+        document = json.loads(file.read_text(encoding="utf-8"), parse_constant=_refuse)
     except FileNotFoundError:
         raise ReportError(
             f"{file} is not there. Name the folder that `contact grade … -o` wrote."
@@ -159,11 +162,14 @@ def read_results(folder: Path) -> Results:
         raise ReportError(
             f"{file} cannot be read: {error}. Grade again to write it anew."
         ) from None
-    error = next(iter(_validator().iter_errors(document)), None)
-    if error is not None:
-        where = "/".join(str(step) for step in error.absolute_path) or "the top"
-        raise ReportError(f"{file} is not as agreed at {where}: {clean_line(error.message)}")
+    for wrong in _validator().iter_errors(document):
+        where = "/".join(str(step) for step in wrong.absolute_path) or "the top"
+        raise ReportError(f"{file} is not as agreed at {where}: {clean_line(wrong.message)}")
     return from_document(document)
+
+
+def _refuse(constant: str) -> float:
+    raise ValueError(f"it holds {constant}, which is no number of points or seconds")
 
 
 def from_document(document: dict[str, Any]) -> Results:

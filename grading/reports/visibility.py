@@ -6,8 +6,9 @@
     hidden           nothing but that there are such tests, and their points in sum
 
 What a submission returned, threw or printed may be the very input that it was called with. So what
-came back is withheld with the input, a reason is told in our own words, and what the program printed
-is shown only if no test of the exercise keeps anything back. The mark itself is never held back.
+came back is withheld with the input, a reason is told in our own words, and what the program
+printed is shown only if no test of the exercise keeps anything back. The mark itself is never held
+back.
 """
 
 from __future__ import annotations
@@ -30,7 +31,9 @@ from reports.results import (
     Unit,
 )
 
-OUTPUT_WITHHELD = "What your program printed is not shown, because some tests here keep their values to themselves."
+OUTPUT_WITHHELD = (
+    "What your program printed is not shown, because some tests here do not show their values."
+)
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ UNIT_WORDS = {
     "untouched": "as it was given",
     "refused": "refused",
     "passed": "passed",
-    "failed": "in part",
+    "failed": "not passed yet",
     "not_attempted": "not attempted",
     "does_not_compile": "does not compile",
 }

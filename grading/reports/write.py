@@ -75,9 +75,9 @@ def write_reports(
 
 
 def folder_name(id_: str) -> str:
-    """The name of a student's folder: the id where it can be one, else with its bytes spelled out."""
+    """The name of a student's folder: the id, with what no file name may hold spelled out."""
     safe = re.sub(
-        r"[^A-Za-z0-9._@+-]",
+        r"[^A-Za-z0-9._@+~-]",
         lambda found: "".join(f"%{byte:02X}" for byte in found[0].encode()),
         id_,
     )

@@ -7,12 +7,14 @@ people who do not exist, as `contact grade` writes them down.
 from __future__ import annotations
 
 import copy
+import functools
 import json
 import os
 import random
 import subprocess
 import sys
 import tomllib
+from collections.abc import Callable
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -24,7 +26,7 @@ FEW = ("01_planes/signed_distance", "02_triangles/point_in_triangle", "02_triang
 Json = dict[str, Any]
 
 # What spoils a file that compiles, each in its own way.
-SPOILERS = (
+SPOILERS: tuple[tuple[str, Callable[[str], str]], ...] = (
     ("semicolon", lambda text: text.replace(";\n", "\n", 1)),
     ("unknown", lambda text: text.replace("return ", "return nmae_of_nobody + ", 1)),
     ("brace", lambda text: text.rstrip().rstrip("}") + "\n"),
@@ -58,6 +60,7 @@ def exercises(ids: tuple[str, ...] = FEW) -> list[Json]:
     return listed
 
 
+@functools.cache
 def verdicts(ids: tuple[str, ...] = FEW, most_wrong: int = 3) -> dict[str, dict[str, Json]]:
     """By exercise and kind of answer, what `contact check --json` says."""
     with TemporaryDirectory() as folder:
@@ -115,7 +118,7 @@ def absent(listed: Json, status: str, problem: str = "") -> Json:
     return entry | ({"problem": problem} if problem else {})
 
 
-def submission(id_: str, units: list[Json], **more: Any) -> Json:
+def submission(id_: str, units: list[Json], **more: object) -> Json:
     """One submission; points are those of its exercises."""
     return {
         "id": id_,
@@ -149,15 +152,16 @@ def document(listed: list[Json], submissions: list[Json], level: str = "full") -
     }
 
 
-FIRST = ["Aino", "Bela", "Chidi", "Dagny", "Efua", "Farid", "Grainne", "Hana", "Ines", "Jarek", "Kaito", "Leila"]
-LAST = ["Moana", "Nkemelu", "Oyelaran", "Przybylski", "Quisquater", "Rautavaara", "Szymborska", "Thorvaldsen"]
+FIRST = "Aino Bela Chidi Dagny Efua Farid Grainne Hana Ines Jarek Kaito Leila"
+LAST = "Moana Nkemelu Oyelaran Przybylski Quisquater Rautavaara Szymborska Thorvaldsen"
 
 
 def made_up_class(
     listed: list[Json], answers: dict[str, dict[str, Json]], students: int = 60, seed: int = 7
 ) -> Json:
-    """A class as a teacher meets it: some solve all, many believe something wrong, a few are lost."""
+    """A class as teachers meet it: some solve all, many believe something wrong, a few are lost."""
     chance = random.Random(seed)
+    first, last = FIRST.split(), LAST.split()
     submissions = []
     for number in range(students):
         skill = chance.betavariate(2.2, 1.5)
@@ -172,14 +176,14 @@ def made_up_class(
             elif throw < 0.14 * (1.4 - skill):
                 units.append(absent(entry, "untouched"))
             elif throw < 0.3 * (1.3 - skill):
-                weights = [3 + place for place in range(len(broken), 0, -1)]
+                weights = [3.0 + place for place in range(len(broken), 0, -1)]
                 units.append(unit(entry["id"], kinds[chance.choices(broken, weights)[0]]))
             elif chance.random() < skill:
                 units.append(unit(entry["id"], kinds["solution"]))
             else:
                 weights = [1.0 / place for place in range(1, len(wrong) + 1)]
                 units.append(unit(entry["id"], kinds[chance.choices(wrong, weights)[0]]))
-        name = f"{FIRST[number % len(FIRST)]} {LAST[(number * 5) % len(LAST)]}"
+        name = f"{first[number % len(first)]} {last[(number * 5) % len(last)]}"
         submissions.append(submission(f"zq{number:03d}kx", copy.deepcopy(units), name=name))
     return document(listed, submissions)
 
