@@ -57,10 +57,11 @@ bool open_to_others(const fs::path& folder) {
   }
 }
 
-// At level full a box holds only what was put into it. Below that the compiler of a submission is
-// another user's process on this very file system, and `#include` opens what that user may read.
+// Where a box holds only the files that were put into it, or the kernel closes all others to it, a
+// submission cannot read these. Else its compiler is another user's process on this very file
+// system, and `#include` opens what that user may read.
 void check_unreadable(const Machine& machine, const PrivateTestsPlace& place) {
-  if (machine.level == Level::full || place.accept_weak) return;
+  if (machine.level == Level::full || machine.closed_files || place.accept_weak) return;
   const std::string level(words(machine.level));
   if (!machine.own_user_ids)
     throw BookError("--private " + place.folder.string() + ": at level " + level +
