@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "dev_box.hpp"
 #include "dev_check.hpp"
 #include "terminal.hpp"
 
@@ -209,6 +210,7 @@ void add_dev(CLI::App& app, Action& action) {
   check->callback([&action, options] {
     action = [options](Context& context) { return run(context, *options); };
   });
+  add_dev_box(*command, action);
 }
 
 }  // namespace contact::cli

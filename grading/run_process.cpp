@@ -302,9 +302,17 @@ void Process::State::kill_group() const {
 
 // It is gone when the kernel says so, not when the signal is sent.
 void Process::State::end_at_once() {
-  kill_group();
+  bool asked = spec.keeps_others && process.pid > 0;
+  if (asked)
+    ::kill(-process.pid, SIGTERM);
+  else
+    kill_group();
   const Clock::time_point kill_time = Clock::now();
-  while (!exited && seconds_since(kill_time) < 2.0) {
+  while (!exited && seconds_since(kill_time) < 2.0 + spec.grace) {
+    if (asked && seconds_since(kill_time) > spec.grace) {
+      asked = false;
+      kill_group();
+    }
     int status = 0;
     if (::waitpid(process.pid, &status, WNOHANG) != 0) {
       exited = true;

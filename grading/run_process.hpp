@@ -85,6 +85,9 @@ struct ProcessSpec {
   /// Seconds between asking a process that is out of time or output to end (SIGTERM, so that it can
   /// still say where it was) and ending it; 0 ends it at once.
   double grace = 0.0;
+  /// It keeps others that must end with it, so it is asked to end even where others are ended at
+  /// once.
+  bool keeps_others = false;
   /// Standard input, output and error are this program's own.
   bool inherit = false;
 };

@@ -6,8 +6,10 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -43,16 +45,18 @@ struct BoxMount {
   std::filesystem::path box;
 };
 
+/// Paths are as the box sees them. Without namespaces it sees the machine's own: paths in
+/// `command`, `folder` and `environment` are then put into those, and back in what it prints.
 struct BoxSpec {
   BoxKind kind = BoxKind::answer;
-  /// As the box sees it.
+  /// The program with its whole path.
   std::vector<std::string> command;
   std::vector<BoxMount> read_only;
   /// One folder of the host that the box may write to; none if both paths are empty.
   BoxMount writable;
-  /// Also /usr, /lib and the like, read-only: for a program that is linked dynamically and for the
-  /// compiler. Headers under /usr/include are only those of the standard libraries and of Eigen;
-  /// /usr/local and /usr/src are empty.
+  /// Also the system, read-only: its libraries for a judge that is linked dynamically; for the
+  /// compiler its programs too, and of /usr/include the standard libraries and Eigen. There is no
+  /// /usr/local, no /usr/share, no /usr/src.
   bool system = false;
   std::vector<std::pair<std::string, std::string>> environment;
   /// Folder to start in, as the box sees it.
@@ -60,6 +64,10 @@ struct BoxSpec {
   /// Descriptors that it gets besides 0, 1 and 2: ours, and their number there.
   std::vector<std::pair<int, int>> descriptors;
   BoxLimits limits;
+  /// Is told standard output as it comes, which then is not kept.
+  std::function<void(std::string_view)> on_output;
+  /// Called on the loop once it has ended.
+  std::function<void()> on_end;
 };
 
 /// One place among the workers: the user id and control groups that its boxes have, held until
@@ -73,7 +81,7 @@ class Seat {
   Seat& operator=(const Seat&) = delete;
 
   struct State;
-  [[nodiscard]] const State& state() const { return *state_; }
+  [[nodiscard]] State& state() const { return *state_; }
   /// Gives a file or folder to the user of this seat's boxes, so that they can read or write it.
   void give(const std::filesystem::path& path) const;
 
@@ -84,7 +92,7 @@ class Seat {
 /// How a box's end is told to whoever asked.
 struct BoxEnd {
   ProcessResult process;
-  /// It reached its limit of memory (known where control groups count it).
+  /// It was ended for want of memory (known where control groups count it).
   bool out_of_memory = false;
   double cpu_seconds = 0.0;
 };
@@ -104,6 +112,8 @@ class Box {
   /// Ends it now.
   void end(Ended why);
   /// Turns the loop until it has ended.
+  /// @throws BookError if the machine could not make the box; Interrupted and Cancelled as a
+  /// Process
   BoxEnd wait();
 
   struct State;
@@ -112,7 +122,7 @@ class Box {
   std::unique_ptr<State> state_;
 };
 
-/// Runs a box to its end. @throws as run_process().
+/// Runs a box to its end. @throws as Box::wait().
 BoxEnd run_box(Loop& loop, const Machine& machine, const Seat& seat, BoxSpec spec);
 
 }  // namespace contact::grading

@@ -3,6 +3,7 @@
 // What this machine can keep a submission from doing, found out by trying it.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
@@ -37,15 +38,22 @@ struct Machine {
   bool own_user_ids = false;
   bool namespaces = false;
   bool system_call_filter = false;
+  /// The kernel can close all files to a process but those named (Landlock): what is left where
+  /// there are no namespaces.
+  bool closed_files = false;
   ControlGroups control_groups = ControlGroups::none;
   /// What of them can be limited here.
   bool group_pids = false;
   bool group_memory = false;
+  /// bubblewrap and contact-box, as they are started.
+  std::string bubblewrap;
+  std::string launcher;
   /// How many seats may work side by side without sharing a quota.
   int most_workers = 1;
 };
 
-/// Tries each measure in a box of its own; takes less than a second.
+/// Tries each measure in a box of its own; takes less than a second. CONTACT_BOX_LEVEL, `reduced`
+/// or `none`, makes it go without what a higher level has: for tests, and never to have more.
 Machine examine_machine(Loop& loop);
 
 std::string_view words(Level level);  ///< "full", "reduced" or "none"

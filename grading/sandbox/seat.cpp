@@ -1,0 +1,104 @@
+#include "seat.hpp"
+
+#include <cerrno>
+
+#include <fcntl.h>
+#include <pwd.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "../book.hpp"
+
+namespace fs = std::filesystem;
+
+namespace contact::grading {
+
+namespace {
+
+constexpr long first_user = 64000;
+constexpr long last_user = 64999;
+
+// One folder for all programs on the machine. In /tmp anybody could have made it before, so it must
+// be ours and nobody else's to write to.
+fs::path lock_folder() {
+  for (const fs::path base : {"/run/lock", "/tmp"}) {
+    const fs::path folder = base / "contact-hours";
+    ::mkdir(folder.c_str(), 0700);
+    struct stat found {};
+    if (::lstat(folder.c_str(), &found) == 0 && S_ISDIR(found.st_mode) && found.st_uid == 0 &&
+        (found.st_mode & 0022) == 0)
+      return folder;
+  }
+  throw BookError(
+      "user ids of boxes cannot be locked: neither /run/lock/contact-hours nor "
+      "/tmp/contact-hours can be made a folder of root's alone; remove what has that name");
+}
+
+bool is_known(long user) {
+  errno = 0;
+  return ::getpwuid(static_cast<uid_t>(user)) != nullptr;
+}
+
+// A process of that user could be signalled from a box that has no namespaces.
+bool has_processes(long user) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator("/proc", error)) {
+    struct stat found {};
+    const std::string name = entry.path().filename().string();
+    if (name.find_first_not_of("0123456789") == std::string::npos &&
+        ::stat(entry.path().c_str(), &found) == 0 && found.st_uid == static_cast<uid_t>(user))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Seat::State::~State() {
+  groups.clear();
+  if (lock >= 0) ::close(lock);
+}
+
+std::unique_ptr<BoxGroup> Seat::State::take_group(const Machine& machine) {
+  if (machine.control_groups == ControlGroups::none) return nullptr;
+  if (groups.empty()) return std::make_unique<BoxGroup>();
+  std::unique_ptr<BoxGroup> group = std::move(groups.back());
+  groups.pop_back();
+  return group;
+}
+
+Seat::Seat(const Machine& machine) : state_(std::make_unique<State>()) {
+  if (!machine.own_user_ids) return;
+  const fs::path folder = lock_folder();
+  for (long user = first_user; user <= last_user; ++user) {
+    const int lock = ::open((folder / std::to_string(user)).c_str(),
+                            O_CREAT | O_RDWR | O_CLOEXEC | O_NOFOLLOW, 0600);
+    if (lock < 0) continue;
+    if (::flock(lock, LOCK_EX | LOCK_NB) == 0 && !is_known(user) && !has_processes(user)) {
+      state_->user = user;
+      state_->lock = lock;
+      return;
+    }
+    ::close(lock);
+  }
+  throw BookError("no user id from " + std::to_string(first_user) + " to " +
+                  std::to_string(last_user) + " is free for a box: is another grading under way?");
+}
+
+Seat::~Seat() = default;
+
+void Seat::give(const fs::path& path) const {
+  if (state_->user < 0) return;
+  const auto give_one = [this](const fs::path& what) {
+    const auto user = static_cast<uid_t>(state_->user);
+    if (::lchown(what.c_str(), user, user) != 0)
+      throw BookError("cannot give " + what.string() + " to the user of a box");
+  };
+  give_one(path);
+  if (!fs::is_directory(fs::symlink_status(path))) return;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path))
+    give_one(entry.path());
+}
+
+}  // namespace contact::grading

@@ -1,0 +1,36 @@
+#pragma once
+
+// What a seat holds, for the boxes that are started on it.
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "box.hpp"
+#include "cgroup.hpp"
+
+namespace contact::grading {
+
+struct Seat::State {
+  State() = default;
+  ~State();
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  /// The user id of the boxes; -1 if they have this program's own.
+  long user = -1;
+  /// Holds the user id against every other program.
+  int lock = -1;
+  /// Groups that no box is in.
+  std::vector<std::unique_ptr<BoxGroup>> groups;
+  /// What compile boxes see as /usr/include, made when first asked for: the files of it, and the
+  /// folders that are shown from the system itself.
+  std::unique_ptr<TemporaryFolder> headers;
+  std::vector<std::filesystem::path> header_folders;
+
+  /// A group for one box, which gives it back with `groups.push_back()`; null if there are none.
+  std::unique_ptr<BoxGroup> take_group(const Machine& machine);
+};
+
+}  // namespace contact::grading
