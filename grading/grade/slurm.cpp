@@ -40,9 +40,15 @@ until [ -r "$slice" ] || [ "$tries" -ge 30 ]; do
   sleep 1
 done
 exec > "$log" 2>&1
+# Folders of tasks that were killed with all that belonged to them.
+folders=${TMPDIR:-/tmp}/contact-grade-slurm
+for old in "$folders"-*; do
+  pid=${old#"$folders"-}
+  kill -0 "${pid%%-*}" 2> /dev/null || rm -rf "$old"
+done
 # The worker removes its folder itself, unless it is killed. When the task is to end, it is told so
 # too, and waited for.
-temporary=$(mktemp -d "${TMPDIR:-/tmp}/contact-grade-XXXXXX") || exit 1
+temporary=$(mktemp -d "$folders-$$-XXXXXX") || exit 1
 trap 'rm -rf "$temporary"' EXIT
 trap : HUP INT TERM
 "$@" --temporary "$temporary" --parent "$$" < "$slice"

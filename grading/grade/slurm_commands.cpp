@@ -127,9 +127,9 @@ std::string SlurmCommands::run(const std::vector<std::string>& command) {
 }
 
 void SlurmCommands::require() {
-  run({"sinfo", "--noheader", "--format=%P"});
-  // These two read the configuration only; but they must be there before anything is submitted.
+  // These two only say their version; but they must be there before anything is submitted.
   for (const char* name : {"sbatch", "scancel"}) run({name, "--version"});
+  run({"squeue", "--noheader", "--name=contact-grade"});
 }
 
 int SlurmCommands::most_tasks() {
