@@ -157,3 +157,18 @@ def _shortened(document: Json, length: int) -> Json:
     for test in document["tests"]:
         test["output"] = short(test["output"])
     return document
+
+
+def not_graded(reason: str) -> Json:
+    """When grading itself fails: nothing that counts."""
+    return {
+        "gradable": False,
+        "score": 0.0,
+        "message": (
+            "Your files have arrived, but they could not be graded: something failed on our side,"
+            " not on yours. This costs you no attempt."
+        ),
+        "output": "",
+        "format_errors": [f"Not graded: {reason}"],
+        "tests": [],
+    }

@@ -124,7 +124,7 @@ def test_no_name_no_id_and_no_code_is_on_the_class_page(tmp_path: Path) -> None:
                 for remark in verdict["diagnostics"]:
                     remark["words"] += f" near {one['id']}_value"
     whole["submissions"].append(
-        made.submission("zq999kx", [], name="Refused Person", problem="zq999kx.zip holds a link")
+        made.submission("zq999kx", [], name="Xaverine Whoever", problem="zq999kx.zip holds a link")
     )
     (tmp_path / "results.json").write_text(json.dumps(whole))
     assert main([str(tmp_path)]) == 0

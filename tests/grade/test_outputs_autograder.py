@@ -1,0 +1,251 @@
+"""The ready autograder: unpacked as Gradescope unpacks it, it grades, and leaves a result that is
+valid and honest whatever happens."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+sys.path[:0] = [str(HERE), str(ROOT / "grading")]
+
+from reports.autograder import main as pack  # noqa: E402
+from reports.autograder_run import MOST_FILES, _take  # noqa: E402
+
+Json = dict[str, Any]
+
+EXERCISE = "02_triangles/ray_triangle"
+SOLUTION = (ROOT / "solutions" / EXERCISE / "ray_triangle.cpp").read_text()
+WRONG = (ROOT / "solutions" / EXERCISE / "wrong" / "beta_sign.cpp").read_text()
+
+
+@pytest.fixture(scope="module")
+def archive(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    file = tmp_path_factory.mktemp("autograder") / "autograder.zip"
+    assert pack([str(file), "--exercises", EXERCISE, "--seed", "violet-seed-31"]) == 0
+    return file
+
+
+@pytest.fixture
+def unpacked(archive: Path, tmp_path: Path) -> Path:
+    """/autograder as Gradescope makes it, before a submission."""
+    root = tmp_path / "autograder"
+    with zipfile.ZipFile(archive) as opened:
+        for entry in opened.infolist():
+            opened.extract(entry, root / "source")
+            (root / "source" / entry.filename).chmod(entry.external_attr >> 16 & 0o777)
+    shutil.copy2(root / "source" / "run_autograder", root / "run_autograder")
+    (root / "submission").mkdir()
+    return root
+
+
+def run(root: Path, script: str = "run_autograder", **environment: str) -> str:
+    """Runs it as the harness does; this book, which is built, stands for the one in the archive."""
+    done = subprocess.run(
+        [str(root / script)],
+        cwd=root,
+        env={
+            **os.environ,
+            "AUTOGRADER_ROOT": str(root),
+            "CONTACT_ROOT": str(ROOT),
+            "GRADE_ROOT": str(root),
+            **environment,
+        },
+        capture_output=True,
+        text=True,
+        timeout=600,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout + done.stderr
+
+
+def result(root: Path, schema: str = "gradescope") -> Json:
+    given: Json = json.loads((root / "results" / "results.json").read_text())
+    jsonschema.validate(given, json.loads((HERE / "schemas" / f"{schema}.json").read_text()))
+    return given
+
+
+def test_the_archive_holds_what_gradescope_needs_at_its_root(archive: Path) -> None:
+    with zipfile.ZipFile(archive) as opened:
+        modes = {entry.filename: entry.external_attr >> 16 for entry in opened.infolist()}
+        options = json.loads(opened.read("options.json"))
+    for name in ("setup.sh", "run_autograder", "contact/contact"):
+        assert modes[name] & 0o111, name
+    assert options == {
+        "format": "contact-autograder/1",
+        "exercises": EXERCISE,
+        "seed": "violet-seed-31",
+    }
+    for name in ("CMakeLists.txt", "grading/reports/results.schema.json", "docs/requirements.txt"):
+        assert f"contact/{name}" in modes
+    tracked = subprocess.run(
+        ["git", "-C", str(ROOT), "ls-files"], capture_output=True, text=True, check=True
+    ).stdout.split()
+    assert {f"contact/{name}" for name in tracked if (ROOT / name).is_file()} <= set(modes)
+    assert not [name for name in modes if "/build/" in name or name.startswith("contact/work/")]
+    assert archive.stat().st_size < 10_000_000
+
+
+def test_the_same_book_gives_the_same_archive(archive: Path, tmp_path: Path) -> None:
+    again = tmp_path / "again.zip"
+    assert pack([str(again), "--exercises", EXERCISE, "--seed", "violet-seed-31"]) == 0
+    with zipfile.ZipFile(archive) as one, zipfile.ZipFile(again) as two:
+        # Others may be at work on the book between the two.
+        names = [name for name in one.namelist() if not name.startswith("contact/")]
+        assert names == [name for name in two.namelist() if not name.startswith("contact/")]
+        assert all(one.getinfo(n).date_time == two.getinfo(n).date_time for n in names)
+        assert all(one.read(name) == two.read(name) for name in names)
+
+
+def test_a_book_without_git_is_packed_without_what_is_made(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    book = tmp_path / "book"
+    for name in (
+        "contact",
+        "grading/reports/x.py",
+        "build/dev/x.o",
+        "work/a.cpp",
+        "a/__pycache__/x",
+    ):
+        (book / name).parent.mkdir(parents=True, exist_ok=True)
+        (book / name).write_text(name)
+    private = tmp_path / "private"
+    private.mkdir()
+    (private / "secret_test.cpp").write_text("secret")
+    monkeypatch.setenv("CONTACT_ROOT", str(book))
+    assert pack([str(tmp_path / "x.zip"), "--private", str(private)]) == 0
+    with zipfile.ZipFile(tmp_path / "x.zip") as opened:
+        names = {name for name in opened.namelist() if "/" in name}
+    assert names == {
+        "contact/contact",
+        "contact/grading/reports/x.py",
+        "private/secret_test.cpp",
+    }
+
+
+def test_nothing_that_is_there_is_overwritten(
+    archive: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    before = archive.read_bytes()
+    assert pack([str(archive)]) == 3
+    assert "there already" in capsys.readouterr().err
+    assert archive.read_bytes() == before
+
+
+@pytest.mark.parametrize("place", ["ray_triangle.cpp", "work/02_triangles/ray_triangle.cpp"])
+def test_a_submission_is_graded(unpacked: Path, place: str) -> None:
+    file = unpacked / "submission" / place
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(SOLUTION)
+    said = run(unpacked)
+    given = result(unpacked)
+    assert given["score"] == 12, said
+    assert all(test["status"] == "passed" for test in given["tests"])
+    assert "violet-seed-31" not in json.dumps(given)
+
+
+def test_a_wrong_answer_reads_its_hint(unpacked: Path) -> None:
+    (unpacked / "submission" / "ray_triangle.cpp").write_text(WRONG)
+    said = run(unpacked)
+    given = result(unpacked)
+    assert given["score"] < 12, said
+    assert any("hint:" in test["output"] for test in given["tests"])
+
+
+def test_prairielearn_grades_with_the_same_archive(unpacked: Path) -> None:
+    student = unpacked / "student"
+    student.mkdir()
+    (student / "ray_triangle.cpp").write_text(SOLUTION)
+    said = run(unpacked, "source/run_prairielearn", CONTACT_EXERCISES=EXERCISE)
+    given = result(unpacked, "prairielearn")
+    assert (given["gradable"], given["score"]) == (True, 1.0), said
+
+    (student / "ray_triangle.cpp").write_text(SOLUTION.replace(";\n", "\n", 1))
+    run(unpacked, "source/run_prairielearn")
+    given = result(unpacked, "prairielearn")
+    assert (given["gradable"], given["score"]) == (False, 0.0)
+    assert "semicolon" in " ".join(given["format_errors"])
+
+
+def test_when_grading_fails_the_student_is_told_that_it_is_no_mark(unpacked: Path) -> None:
+    (unpacked / "submission" / "ray_triangle.cpp").write_text(SOLUTION)
+    # setup.sh did not get as far as building the program.
+    broken = unpacked / "source" / "contact"
+    (broken / "build").mkdir()
+    (broken / "build" / "venv").symlink_to(ROOT / "build" / "venv")
+    said = run(unpacked, CONTACT_ROOT=str(broken))
+    given = result(unpacked)
+    assert "no mark" in given["output"]
+    assert given["extra_data"]["graded"] is False
+    assert "setup.sh did not build it" in said, "the teacher reads why"
+    assert str(broken) not in json.dumps(given)
+
+
+def test_when_not_even_python_is_there_a_result_is_left(unpacked: Path) -> None:
+    said = run(unpacked, CONTACT_ROOT=str(unpacked / "source" / "contact"))
+    given = result(unpacked)
+    assert "no mark" in given["output"]
+    assert given["extra_data"]["graded"] is False
+    assert "did not start" in said
+    (unpacked / "student").mkdir()
+    run(unpacked, "source/run_prairielearn", CONTACT_ROOT=str(unpacked / "source" / "contact"))
+    assert result(unpacked, "prairielearn")["gradable"] is False
+
+
+def test_an_earlier_result_never_stands_for_a_later_submission(unpacked: Path) -> None:
+    (unpacked / "results").mkdir()
+    (unpacked / "results" / "results.json").write_text('{"score": 12}')
+    run(unpacked, CONTACT_ROOT=str(unpacked / "source" / "contact"))
+    assert result(unpacked)["score"] == 0
+
+
+def test_links_and_special_files_are_handed_on_and_never_followed(tmp_path: Path) -> None:
+    submission = tmp_path / "submission"
+    deep = submission.joinpath(*["d"] * 60)
+    deep.mkdir(parents=True)
+    (submission / "link.cpp").symlink_to("/etc/passwd")
+    (submission / "folder").symlink_to("/etc")
+    os.mkfifo(submission / "pipe")
+    (submission / "plain.cpp").write_text("int x;")
+    taken = tmp_path / "taken"
+    taken.mkdir()
+    _take(submission, taken)
+    copy = taken / "submission"
+    assert (copy / "link.cpp").is_symlink()
+    assert (copy / "folder").is_symlink()
+    assert (copy / "pipe").is_fifo()
+    assert (copy / "plain.cpp").read_text() == "int x;"
+    assert not copy.joinpath(*["d"] * 50).exists()
+
+
+def test_one_archive_is_handed_on_as_it_is(tmp_path: Path) -> None:
+    submission = tmp_path / "submission"
+    submission.mkdir()
+    (submission / "contact-work-2026-06-01.zip").write_bytes(b"PK not really")
+    taken = tmp_path / "taken"
+    taken.mkdir()
+    _take(submission, taken)
+    assert (taken / "submission.zip").read_bytes() == b"PK not really"
+
+
+def test_a_flood_of_files_is_cut_where_it_is_refused_anyway(tmp_path: Path) -> None:
+    submission = tmp_path / "submission"
+    submission.mkdir()
+    for number in range(MOST_FILES + 200):
+        (submission / f"f{number}").touch()
+    taken = tmp_path / "taken"
+    taken.mkdir()
+    _take(submission, taken)
+    assert len(list((taken / "submission").iterdir())) == MOST_FILES
