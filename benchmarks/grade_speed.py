@@ -163,7 +163,7 @@ class Naive:
         build = json.loads((BUILD / "exercises.json").read_text())
         self.build = build
         self.folder = folder
-        self.compile = [build["compiler"], *build["compile_flags"], "-w"]
+        self.compile = [build["compiler"], *build["compile_flags"]]
         chapters = sorted(str(place) for place in (ROOT / "chapters").glob("[0-9]*"))
         self.places = [f"-I{place}" for place in (*chapters, ROOT / "tests", ROOT / "grading")]
         self.host = []
