@@ -145,6 +145,8 @@ void Box::State::start(Loop& loop) {
   ProcessSpec started;
   started.command = command();
   started.clean_environment = true;
+  // A compiler looks for its linker there.
+  if (spec.kind == BoxKind::compile) started.environment.emplace_back("PATH", "/usr/bin:/bin");
   for (const auto& [name, value] : spec.environment)
     started.environment.emplace_back(name, names.in_machine(value));
   if (temporary) started.environment.emplace_back("TMPDIR", temporary->path().string());

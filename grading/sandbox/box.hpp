@@ -58,6 +58,7 @@ struct BoxSpec {
   /// compiler its programs too, and of /usr/include the standard libraries and Eigen. There is no
   /// /usr/local, no /usr/share, no /usr/src.
   bool system = false;
+  /// All that it has, but for PATH=/usr/bin:/bin where it compiles and PWD, which bubblewrap sets.
   std::vector<std::pair<std::string, std::string>> environment;
   /// Folder to start in, as the box sees it.
   std::filesystem::path folder = "/";
