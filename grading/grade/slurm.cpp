@@ -12,6 +12,7 @@ namespace contact::grading {
 
 namespace {
 
+using Names = std::vector<std::string>;
 using Duration = std::chrono::duration<double>;
 
 // How often a task may end at the same job, or a job be in tasks while nothing gets done.
@@ -90,6 +91,7 @@ SlurmEngine::SlurmEngine(Loop& loop, const RunFolder& folder, const SlurmOptions
   try {
     commands_.require();
     most_tasks_ = commands_.most_tasks();
+    look_back();
   } catch (const SlurmError& error) {
     throw BookError(error.what());
   }
@@ -136,11 +138,12 @@ void SlurmEngine::grade() {
   forget_arrays();
 }
 
-// Arrays that an earlier coordinator left in the queue.
-void SlurmEngine::take_over() {
+// Arrays that an earlier coordinator left: those of this very run stay if something of them is in
+// the queue.
+void SlurmEngine::look_back() {
   const std::string run = sha256(read_text(folder_.run_file()));
-  const std::vector<SlurmArrayRecord> arrays = record_.arrays();
-  if (!arrays.empty() && record_.run() != run) {
+  left_behind_ = !record_.arrays().empty();
+  if (left_behind_ && record_.run() != run) {
     setting_.note(
         "What is asked for has changed since the last run; its jobs in Slurm's queue are cancelled "
         "first.");
@@ -149,34 +152,31 @@ void SlurmEngine::take_over() {
   if (record_.run() != run) {
     record_.clear();
     record_.set_run(run);
-    return;
   }
-  std::vector<std::string> jobs;
-  for (const SlurmArrayRecord& array : arrays) {
+  for (const SlurmArrayRecord& array : std::vector<SlurmArrayRecord>(record_.arrays())) {
     std::string job = array.job;
     // The coordinator was gone before Slurm had answered.
     if (job.empty()) job = commands_.find(array.name).value_or("");
-    if (job.empty()) {
+    const SlurmQueue queue = commands_.queue(job.empty() ? Names{} : Names{job});
+    const bool live = std::any_of(queue.begin(), queue.end(),
+                                  [](const auto& entry) { return entry.second.live(); });
+    if (live)
+      record_.submitted(array.name, job);
+    else
       record_.remove(array.name, false);
-      continue;
-    }
-    record_.submitted(array.name, job);
-    jobs.push_back(job);
   }
-  if (jobs.empty()) return;
-  const SlurmQueue queue = commands_.queue(jobs);
-  for (const SlurmArrayRecord& array : std::vector<SlurmArrayRecord>(record_.arrays())) {
-    const bool live = std::any_of(queue.begin(), queue.end(), [&](const auto& entry) {
-      return entry.first.first == array.job && entry.second.live();
-    });
-    if (!live) {
-      record_.remove(array.name, false);
-      continue;
-    }
+}
+
+void SlurmEngine::take_over() {
+  if (!left_behind_) return;
+  Names jobs;
+  for (const SlurmArrayRecord& array : record_.arrays()) {
     watch(array, record_.jobs_of(array.name));
+    jobs.push_back(array.job);
     setting_.note("Slurm job " + array.job + " of the last run goes on and is taken over.");
   }
   // A task that has ended already holds nothing; what it did is seen here, the rest is submitted.
+  const SlurmQueue queue = commands_.queue(jobs);
   for (Task& task : tasks_) {
     const auto found = queue.find({task.job, task.index});
     if (found != queue.end() && found->second.live()) continue;

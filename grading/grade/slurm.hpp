@@ -33,6 +33,8 @@ struct SlurmSetting {
 
 class SlurmEngine final : public Engine {
  public:
+  /// RUN.json must be there: what an earlier run has in the queue is cancelled here if it was
+  /// another's, before anybody looks for results.
   /// @throws BookError if Slurm's commands are not here or the cluster does not answer
   SlurmEngine(Loop& loop, const RunFolder& folder, const SlurmOptions& options,
               SlurmSetting setting);
@@ -43,7 +45,7 @@ class SlurmEngine final : public Engine {
 
   /// Jobs that are `alone` get a node to themselves, several of them perhaps at a time. Ctrl-C
   /// cancels all that is in the queue; any other end of this program leaves it there for the next
-  /// call, which takes it over if RUN.json is the same and cancels it if not.
+  /// run, which takes it over if RUN.json is the same.
   std::vector<JobTrouble> run(const std::vector<Job>& jobs,
                               const std::function<void(const Job&)>& finished) override;
 
@@ -65,6 +67,7 @@ class SlurmEngine final : public Engine {
   };
 
   void grade();
+  void look_back();
   void take_over();
   void submit(const std::vector<Job>& jobs);
   void submit_array(const std::vector<std::vector<Job>>& slices, bool alone);
@@ -95,6 +98,8 @@ class SlurmEngine final : public Engine {
   SlurmSetting setting_;
   SlurmRecord record_;
   int most_tasks_ = 0;
+  /// An earlier coordinator had something in the queue.
+  bool left_behind_ = false;
 
   std::function<void(const Job&)> finished_;
   std::vector<Task> tasks_;
