@@ -14,7 +14,7 @@ from math import lcm
 from typing import Any
 
 from reports.visibility import SeenSubmission, SeenUnit, machine_sentence
-from reports.words import HIDDEN_NAME, LATER_NAME, test_text, unit_problem
+from reports.words import HIDDEN_NAME, LATER_NAME, REFUSED_NAME, test_text, unit_problem
 
 Json = dict[str, Any]
 
@@ -27,6 +27,9 @@ def classroom50(submission: SeenSubmission, environment: Mapping[str, str], now:
     """The whole document."""
     factor = _factor(submission)
     tests: list[Json] = []
+    if submission.problem:
+        refusal = _entry("submission", REFUSED_NAME.lower(), 0.0, submission.max_points, factor)
+        tests.append({**refusal, "output": submission.problem})
     for unit in submission.units:
         tests += _unit_tests(unit, factor)
     tag = environment.get("SUBMISSION_TAG") or f"submit/{submission.id}"
@@ -57,7 +60,7 @@ def classroom50(submission: SeenSubmission, environment: Mapping[str, str], now:
 
 
 def _factor(submission: SeenSubmission) -> int:
-    points: list[float] = []
+    points = [submission.max_points]
     for unit in submission.units:
         for test in unit.tests:
             points += [test.points or 0.0, test.max_points]
@@ -76,27 +79,31 @@ def _unit_tests(unit: SeenUnit, factor: int) -> list[Json]:
     for test in unit.tests:
         if test.status is None:
             continue
-        entry = _entry(unit, test.name, test.points or 0.0, test.max_points, factor)
+        entry = _entry(unit.exercise.id, test.name, test.points or 0.0, test.max_points, factor)
         entry["passed"] = test.status == "passed"
         entry["status"] = test.status
         if text := problem if problem and not entries else "" if problem else test_text(test):
             entry["output"] = text
         entries.append(entry)
     if unit.later:
-        entry = _entry(unit, LATER_NAME.lower(), unit.later.points, unit.later.max_points, factor)
+        entry = _entry(
+            unit.exercise.id, LATER_NAME.lower(), unit.later.points, unit.later.max_points, factor
+        )
         entry["names"] = [test.name for test in unit.tests if test.status is None]
         entries.append(entry)
     if unit.hidden:
         hidden = unit.hidden
-        entries.append(_entry(unit, HIDDEN_NAME.lower(), hidden.points, hidden.max_points, factor))
+        entries.append(
+            _entry(unit.exercise.id, HIDDEN_NAME.lower(), hidden.points, hidden.max_points, factor)
+        )
     return entries
 
 
-def _entry(unit: SeenUnit, name: str, points: float, most: float, factor: int) -> Json:
+def _entry(of: str, name: str, points: float, most: float, factor: int) -> Json:
     score = int(_fraction(points) * factor)
     max_score = int(_fraction(most) * factor)
     return {
-        "test-name": f"{unit.exercise.id}: {name}",
+        "test-name": f"{of}: {name}",
         "passed": score >= max_score,
         "score": score,
         "max-score": max_score,

@@ -14,6 +14,7 @@ from reports.visibility import OUTPUT_WITHHELD, SeenSubmission, SeenTest, SeenUn
 from reports.words import (
     HIDDEN_NAME,
     HIDDEN_WORDS,
+    REFUSED_NAME,
     number,
     test_text,
     unit_problem,
@@ -25,8 +26,11 @@ Json = dict[str, Any]
 def gradescope(submission: SeenSubmission) -> Json:
     """The whole document. `submission` is seen with host_waits."""
     tests: list[Json] = []
-    for chapter, unit in enumerate(submission.units, start=1):
-        tests += _unit_tests(chapter, unit)
+    if submission.problem:
+        refusal = _entry("0", REFUSED_NAME, submission.problem, 0.0, submission.max_points)
+        tests.append(refusal)
+    for place, unit in enumerate(submission.units, start=1):
+        tests += _unit_tests(place, unit)
     return {
         "score": number(submission.points),
         "execution_time": round(sum(unit.seconds for unit in submission.units), 3),
@@ -48,7 +52,7 @@ def gradescope(submission: SeenSubmission) -> Json:
 def _overview(submission: SeenSubmission) -> list[str]:
     parts = []
     if submission.problem:
-        parts.append(f"This submission was refused: {submission.problem}")
+        parts.append(f"{REFUSED_NAME}: {submission.problem}")
     uncompiled = [
         unit.exercise.id for unit in submission.units if unit.outcome == "does_not_compile"
     ]

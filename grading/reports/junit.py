@@ -14,6 +14,7 @@ from reports.words import (
     HIDDEN_WORDS,
     LATER_NAME,
     LATER_WORDS,
+    REFUSED_NAME,
     points_text,
     sum_text,
     test_text,
@@ -24,12 +25,25 @@ from reports.words import (
 def junit(submission: SeenSubmission) -> str:
     """The whole document."""
     root = Element("testsuites", name=f"contact grade: {submission.id}")
+    if submission.problem:
+        _refusal(root, submission)
     for unit in submission.units:
         _suite(root, submission, unit)
     for key in ("tests", "failures", "errors"):
         root.set(key, str(sum(int(suite.get(key, "0")) for suite in root)))
     indent(root)
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + tostring(root, encoding="unicode") + "\n"
+
+
+def _refusal(root: Element, submission: SeenSubmission) -> None:
+    counts = {"tests": "1", "failures": "0", "errors": "1", "skipped": "0"}
+    suite = SubElement(root, "testsuite", {"name": "submission", **counts})
+    properties = SubElement(suite, "properties")
+    for what in submission.not_enforced:
+        SubElement(properties, "property", name="not_enforced", value=what)
+    case = SubElement(suite, "testcase", classname="submission", name=REFUSED_NAME)
+    first = submission.problem.partition("\n")[0]
+    SubElement(case, "error", type="refused", message=first).text = submission.problem
 
 
 def _suite(root: Element, submission: SeenSubmission, unit: SeenUnit) -> None:

@@ -11,6 +11,7 @@ from reports.words import (
     HIDDEN_WORDS,
     LATER_WORDS,
     compile_text,
+    points_text,
     unit_problem,
     unit_state,
 )
@@ -55,10 +56,11 @@ def next_steps(submission: SeenSubmission) -> list[Step]:
     begin: list[Step] = []
     for unit in submission.units:
         title = unit.exercise.title
+        worth = points_text(unit.max_points)
         if unit.status == "refused":
             compile_first.append(Step(unit, f"Hand in a file for “{title}” again", unit.problem))
         elif unit.status != "graded" or unit.outcome == "not_attempted":
-            begin.append(Step(unit, f"Begin “{title}”", unit.exercise.objective))
+            begin.append(Step(unit, f"Begin “{title}”", f"It is worth {worth} points."))
         elif unit.outcome == "does_not_compile":
             error = unit.compile_error
             why = (error.explanation or error.message) if error else ""

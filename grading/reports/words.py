@@ -23,6 +23,7 @@ UNIT_WORDS = {
     "does_not_compile": "does not compile",
 }
 
+REFUSED_NAME = "This submission was refused"
 HIDDEN_NAME = "Hidden tests"
 HIDDEN_WORDS = "Tests that are not shown. Only their points in sum are."
 LATER_NAME = "Tests that are shown after the due date"

@@ -47,7 +47,8 @@ def document() -> Json:
     whole["submissions"].append(
         made.submission(
             "refused-whole",
-            [made.absent(entry, "refused") for entry in listed],
+            [],
+            max_points=sum(entry["max_points"] for entry in listed),
             problem="the archive holds a link, work/a, so nothing of it was read",
         )
     )
@@ -221,6 +222,16 @@ def test_junit_is_valid_and_counts_what_it_holds(graded: Path) -> None:
     assert kinds >= {"failure", "error"}
 
 
+def test_a_submission_that_was_refused_whole_says_so_everywhere(
+    graded: Path, document: Json
+) -> None:
+    for name in (*STUDENT_FILES, "report.html"):
+        assert "the archive holds a link" in (graded / "students/refused-whole" / name).read_text()
+    given = json.loads((graded / "students/refused-whole/classroom50.json").read_text())
+    most = sum(exercise["max_points"] for exercise in document["exercises"])
+    assert (given["score"], given["max-score"]) == (0, most)
+
+
 def test_the_gradebook_has_a_row_a_student_and_a_column_an_exercise(
     graded: Path, document: Json
 ) -> None:
@@ -232,7 +243,7 @@ def test_the_gradebook_has_a_row_a_student_and_a_column_an_exercise(
     assert list(rows[0]) == ["id", "name", *ids, "total", "max_points", "remarks", "not_enforced"]
     for row, one in zip(rows, document["submissions"], strict=True):
         assert row["id"] == one["id"]
-        assert float(row["total"]) == one["points"] == sum(float(row[id_]) for id_ in ids)
+        assert float(row["total"]) == one["points"] == sum(float(row[id_] or 0) for id_ in ids)
         assert float(row["max_points"]) == one["max_points"]
         assert row["not_enforced"] == ""
     remarks = {row["id"]: row["remarks"] for row in rows}
