@@ -43,8 +43,12 @@ void add_export(CLI::App& app, Action& action);
 void add_import(CLI::App& app, Action& action);
 void add_ladder(CLI::App& app, Action& action);
 void add_new(CLI::App& app, Action& action);
+void add_grade(CLI::App& app, Action& action);
+void add_grade_worker(CLI::App& app, Action& action);
 void add_doctor(CLI::App& app, Action& action);
 void add_dev(CLI::App& app, Action& action);
+/// Under `dev`: grading, one unit at a time.
+void add_dev_grade(CLI::App& dev, Action& action);
 
 /// Copies the pristine stub to the student's folder unless a copy is there. Returns whether it made
 /// one.

@@ -58,7 +58,8 @@ class Worker {
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw BookError("cannot make a pipe for a worker");
     orders_ = ends[1];
     ProcessSpec spec;
-    spec.command = {fs::read_symlink("/proc/self/exe").string(),
+    // This very program, also if its file is replaced meanwhile.
+    spec.command = {"/proc/" + std::to_string(::getpid()) + "/exe",
                     "grade-worker",
                     folder.run_file().string(),
                     "--temporary",

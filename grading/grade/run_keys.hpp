@@ -4,16 +4,24 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "run_state.hpp"
 
 namespace contact::grading {
 
+/// Brings up to date what these exercises are graded with. Costs no more than some file times if
+/// nothing has changed. @throws BookError as ready_to_grade() does
+BuildDescription current_build(Loop& loop, const Book& book,
+                               const std::vector<const Exercise*>& exercises);
+
+/// The file that this program was started from, also if another has taken its place since.
+std::filesystem::path own_program();
+
 /// The parts of a unit's key that are the same for every submission.
 class RunKeys {
  public:
-  /// @param program this program, beside which the launcher of boxes lies
-  RunKeys(Loop& loop, const BuildDescription& build, const std::filesystem::path& program);
+  RunKeys(Loop& loop, const BuildDescription& build);
 
   /// All but the code. @param test_seconds what a test may take
   [[nodiscard]] UnitKey of(const Exercise& exercise, const PrivateExercise* private_tests,

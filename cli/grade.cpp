@@ -1,0 +1,621 @@
+// contact grade: marks a folder of submissions by people whom nobody need trust. What a submission
+// may do is in grading/sandbox, how it is asked in grading/grade; here is the order of things.
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <thread>
+
+#include <unistd.h>
+#include <nlohmann/json.hpp>
+
+#include "../grading/grade/coordinator.hpp"
+#include "../grading/grade/profile.hpp"
+#include "../grading/grade/regrade.hpp"
+#include "../grading/grade/results.hpp"
+#include "../grading/grade/run_keys.hpp"
+#include "../grading/grade/sha256.hpp"
+#include "../grading/grade/slurm.hpp"
+#include "commands.hpp"
+#include "grade_report.hpp"
+#include "terminal.hpp"
+
+namespace fs = std::filesystem;
+
+namespace contact::cli {
+
+namespace {
+
+using grading::Book;
+using grading::BookError;
+using grading::Exercise;
+using grading::Job;
+using grading::RunFolder;
+
+struct Options {
+  std::string submissions;
+  std::string results;
+  std::vector<std::string> exercises;
+  std::string ids;
+  int workers = 0;
+  std::string engine = "local";
+  std::string seed;
+  std::string private_tests;
+  std::string profile;
+  std::string due;
+  std::vector<std::string> formats;
+  bool accept_weak = false;
+  bool recalibrate = false;
+  bool json = false;
+  grading::SlurmOptions slurm;
+};
+
+std::string now() {
+  const std::time_t time = std::time(nullptr);
+  std::tm parts{};
+  ::gmtime_r(&time, &parts);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text.data();
+}
+
+// --- What is asked for
+// --------------------------------------------------------------------------------------
+
+std::vector<const Exercise*> chosen(const Book& book, const std::vector<std::string>& names) {
+  std::vector<const Exercise*> wanted;
+  for (const std::string& name : names) {
+    const grading::Chapter* chapter = book.find_chapter(name);
+    if (chapter == nullptr || book.find_exercise(name) != nullptr)
+      wanted.push_back(&book.exercise(name));
+    else
+      for (const Exercise* exercise : book.exercises_of(*chapter)) wanted.push_back(exercise);
+  }
+  // In the book's order, each once.
+  std::vector<const Exercise*> result;
+  for (const Exercise& exercise : book.exercises()) {
+    if (names.empty() || std::find(wanted.begin(), wanted.end(), &exercise) != wanted.end())
+      result.push_back(&exercise);
+  }
+  return result;
+}
+
+bool lies_in(const fs::path& inner, const fs::path& outer) {
+  const fs::path relative =
+      fs::weakly_canonical(inner).lexically_relative(fs::weakly_canonical(outer));
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+void require_apart(const fs::path& submissions, const fs::path& results) {
+  if (!fs::is_directory(submissions))
+    throw grading::UnknownName("there is no folder of submissions " + submissions.string());
+  if (lies_in(results, submissions) || lies_in(submissions, results))
+    throw grading::UnknownName("the results, " + results.string() + ", and the submissions, " +
+                               submissions.string() +
+                               ", must lie apart: what is written would be graded");
+}
+
+fs::path python_of(const Book& book) {
+  const fs::path own = book.root() / "build" / "venv" / "bin" / "python";
+  if (!fs::exists(own))
+    throw BookError("the Python that writes the reports is not there (" + own.string() +
+                    "): run ./contact setup");
+  return own;
+}
+
+// --- Limits of time
+// --------------------------------------------------------------------------------------
+
+double least_test_seconds(const Exercise& exercise, const grading::GradeLimits& limits) {
+  return limits.test_cpu_seconds > 0.0 ? limits.test_cpu_seconds : exercise.time_limit;
+}
+
+double test_seconds_for(const Exercise& exercise, const grading::GradeLimits& limits,
+                        double solution) {
+  constexpr double times_the_solution = 10.0;
+  return std::max(least_test_seconds(exercise, limits), times_the_solution * solution);
+}
+
+std::string why_not(const grading::Verdict& verdict) {
+  if (verdict.compile_error) return ": " + printable(verdict.compile_error->message);
+  const grading::TestVerdict* failure = grading::first_failure(verdict);
+  if (failure == nullptr) return "";
+  return ": \"" + failure->name + "\" is " + std::string(grading::words(failure->status)) +
+         (failure->failure.reason.empty() ? "" : ", " + printable(failure->failure.reason));
+}
+
+// --- One grading
+// --------------------------------------------------------------------------------------
+
+class Grading {
+ public:
+  Grading(Context& context, const Options& options)
+      : options_(options),
+        loop_(context.loop()),
+        book_(context.book()),
+        folder_(fs::absolute(options.results).lexically_normal()),
+        style_(stdout) {}
+
+  int run() {
+    start_ = now();
+    prepare();
+    const grading::RunLock lock(folder_);
+    grading::remove_left_behind(folder_);
+    set_up();
+    take_in();
+    calibrate();
+    keep_run();
+    const std::vector<grading::JobTrouble> troubles = grade();
+    if (!troubles.empty()) return tell_troubles(troubles);
+    return finish();
+  }
+
+ private:
+  // What can be wrong with the command itself, before anything is made or waited for.
+  void prepare() {
+    const fs::path submissions = fs::absolute(options_.submissions).lexically_normal();
+    require_apart(submissions, folder_.results());
+    exercises_ = chosen(book_, options_.exercises);
+    if (exercises_.empty()) throw BookError("the book has no exercises");
+    if (!options_.profile.empty()) run_.limits = grading::read_profile(options_.profile);
+    if (!options_.ids.empty()) ids_.emplace(options_.ids);
+    require_report_options();
+  }
+
+  // What everything is graded with.
+  void set_up() {
+    if (fs::exists(folder_.run_file())) before_ = grading::read_run(folder_.run_file());
+    build_ = grading::current_build(loop_, book_, exercises_);
+    machine_ = grading::examine_machine(loop_);
+    if (machine_.level == grading::Level::none && !options_.accept_weak)
+      throw BookError(
+          "this machine cannot keep a submission apart from everything else; `contact doctor` says "
+          "what is missing. Nothing is graded. With --accept-weak it would be, and every report "
+          "would say so");
+    if (machine_.level != grading::Level::full)
+      note(style_.warn("This machine enforces less than it should (" +
+                       std::string(grading::words(machine_.level)) +
+                       "); `contact doctor` says what, and so do the reports."));
+    run_.root = book_.root();
+    run_.build = book_.build_dir();
+    run_.results = folder_.results();
+    run_.accept_weak = options_.accept_weak;
+    run_.seed = !options_.seed.empty() ? options_.seed
+                : before_              ? before_->seed
+                                       : grading::drawn_seed();
+    if (!options_.private_tests.empty())
+      run_.private_tests = grading::load_private_tests(
+          loop_, book_, build_, machine_,
+          {fs::absolute(options_.private_tests), fs::absolute(options_.submissions),
+           folder_.grade() / "private", options_.accept_weak});
+    for (const Exercise* exercise : exercises_) {
+      run_.exercises.push_back(exercise->id());
+      with_private_.push_back(grading::with_private_tests(*exercise, run_.private_tests));
+    }
+  }
+
+  void take_in() {
+    class_.intake = grading::take_in(book_, options_.submissions, ids_ ? &*ids_ : nullptr,
+                                     exercises_.size() == 1 ? exercises_.front() : nullptr,
+                                     [this](const grading::Entrant& entrant) { keep(entrant); });
+    for (const grading::Entrant& entrant : class_.intake.entrants) {
+      if (entrant.problem.empty())
+        run_.submissions.push_back({entrant.id, folder_.submission(entrant.id)});
+    }
+    if (!class_.intake.passed_over.empty())
+      note("Passed over, as nobody's submission: " + listed(class_.intake.passed_over));
+    if (!class_.intake.absent.empty())
+      note("Named in " + options_.ids + " and not there: " + listed(class_.intake.absent));
+  }
+
+  static std::string listed(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 10;
+    std::string text;
+    for (std::size_t i = 0; i < names.size() && i < most; ++i)
+      text += (i == 0 ? "" : ", ") + printable(names[i]);
+    return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more"
+                               : text;
+  }
+
+  // A text that gives way to another was handed in once, so it is kept.
+  void keep(const grading::Entrant& entrant) {
+    for (const Exercise* exercise : exercises_) {
+      const Job job{entrant.id, exercise->id()};
+      const fs::path file = folder_.text_file(job);
+      const auto found = entrant.files.find(job.exercise);
+      const bool taken = found != entrant.files.end() && found->second.problem.empty();
+      const bool same = taken && fs::exists(file) && grading::read_text(file) == found->second.text;
+      if (fs::exists(file) && !same) {
+        earlier_.keep(file, fs::path("submissions") / job.submission / (job.exercise + ".cpp"));
+        if (!taken) fs::remove(file);
+      }
+      if (found == entrant.files.end()) continue;
+      if (!taken) {
+        class_.standings[job] = grading::Standing::refused;
+        continue;
+      }
+      const std::string& text = found->second.text;
+      const bool untouched = text == grading::read_text(exercise->stub);
+      class_.standings[job] =
+          untouched ? grading::Standing::untouched : grading::Standing::handed_in;
+      class_.codes[job] = grading::sha256(text);
+      if (same) continue;
+      fs::create_directories(file.parent_path());
+      grading::write_text(file, text);
+    }
+  }
+
+  // What a test may take, from what the book's own solutions take here. That is measured once for a
+  // folder of results, so that a regrade compares like with like.
+  void calibrate() {
+    const grading::RunKeys keys(loop_, build_);
+    std::optional<grading::Seat> seat;
+    for (const Exercise& exercise : with_private_) {
+      const std::string id = exercise.id();
+      const grading::PrivateExercise* more = run_.private_tests.of(id);
+      std::optional<double> measured;
+      if (before_ && !options_.recalibrate && before_->solution_seconds.count(id) != 0)
+        measured = before_->solution_seconds.at(id);
+      const auto settle = [&] {
+        run_.solution_seconds[id] = *measured;
+        run_.test_seconds[id] = test_seconds_for(exercise, run_.limits, *measured);
+        run_.keys[id] = keys.of(exercise, more, run_.seed, run_.limits, run_.test_seconds[id]);
+      };
+      if (measured) {
+        settle();
+        // Known to get full marks under all that a unit depends on.
+        if (before_->keys.count(id) != 0 && before_->keys.at(id) == run_.keys[id]) continue;
+      }
+      if (!seat) {
+        note("Grading the book's own solutions, to see what they take here ...");
+        seat.emplace(machine_);
+      }
+      const double taken = solution_takes(exercise, more, *seat);
+      if (!measured) measured = taken;
+      settle();
+    }
+  }
+
+  double solution_takes(const Exercise& exercise, const grading::PrivateExercise* more,
+                        const grading::Seat& seat) {
+    grading::UnitSettings settings;
+    settings.seed = run_.seed;
+    settings.limits = run_.limits;
+    if (more != nullptr) settings.more_tests.push_back(more->program);
+    constexpr double patience = 60.0;
+    settings.test_cpu_seconds = std::max(patience, least_test_seconds(exercise, run_.limits));
+    const grading::UnitResult result =
+        grading::grade_unit(loop_, book_, build_, machine_, seat, exercise,
+                            grading::read_text(exercise.solution), settings);
+    if (result.verdict.outcome != grading::Outcome::passed)
+      throw BookError("the book's own solution of " + exercise.id() + " gets " +
+                      grading::points_text(result.verdict.points) + " of " +
+                      grading::points_text(result.verdict.max_points) +
+                      " points here, so nothing is graded" + why_not(result.verdict));
+    return result.slowest_test;
+  }
+
+  // From here on a run that is killed goes on where it was.
+  void keep_run() {
+    if (class_.intake.entrants.empty())
+      throw grading::UnknownName("there is no submission in " + options_.submissions);
+    grading::write_durably(folder_.run_file(), grading::to_json(run_).dump(1) + "\n");
+  }
+
+  grading::UnitKey key_of(const Job& job) const {
+    grading::UnitKey key = run_.keys.at(job.exercise);
+    key.code = class_.codes.at(job);
+    return key;
+  }
+
+  bool has_result(const Job& job) const {
+    const std::optional<grading::Unit> unit = folder_.unit(job);
+    return unit && unit->key == key_of(job) && (!job.alone || unit->reruns > 0);
+  }
+
+  std::vector<Job> handed_in() const {
+    std::vector<Job> jobs;
+    for (const grading::RunSubmission& submission : run_.submissions) {
+      for (const std::string& exercise : run_.exercises) {
+        Job job{submission.id, exercise};
+        if (class_.standing(job) == grading::Standing::handed_in) jobs.push_back(std::move(job));
+      }
+    }
+    return jobs;
+  }
+
+  std::unique_ptr<grading::Engine> engine() {
+    if (options_.engine == "slurm") {
+      grading::SlurmSetting setting;
+      setting.worker = {grading::own_program().string(), "grade-worker",
+                        folder_.run_file().string()};
+      setting.memory_mb = run_.limits.memory_mb + run_.limits.compile_memory_mb;
+      setting.has_result = [this](const Job& job) { return has_result(job); };
+      setting.note = [this](const std::string& text) {
+        if (progress_)
+          progress_->say_beside(text);
+        else
+          note(text);
+      };
+      grading::SlurmOptions slurm = options_.slurm;
+      slurm.tasks_at_a_time = options_.workers;
+      return std::make_unique<grading::SlurmEngine>(loop_, folder_, slurm, std::move(setting));
+    }
+    const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    const int wanted = options_.workers > 0 ? options_.workers : cores;
+    const int workers = std::min(wanted, std::max(1, machine_.most_workers));
+    if (workers < wanted && options_.workers > 0)
+      note("Only " + std::to_string(workers) +
+           " at a time: on this machine more would share a quota, and marks would vary.");
+    return std::make_unique<grading::LocalEngine>(loop_, folder_, workers);
+  }
+
+  std::vector<grading::JobTrouble> grade() {
+    const std::vector<Job> all = handed_in();
+    std::vector<Job> jobs;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(jobs),
+                 [this](const Job& job) { return !has_result(job); });
+    reused_ = all.size() - jobs.size();
+    if (reused_ > 0)
+      note(std::to_string(reused_) + " of " + std::to_string(all.size()) +
+           " units are graded already.");
+    const std::unique_ptr<grading::Engine> engine = this->engine();
+    engine_ = engine->name();
+    workers_ = engine->workers();
+    std::vector<grading::JobTrouble> troubles = graded_by(*engine, jobs);
+    if (!troubles.empty()) return troubles;
+
+    // A time that comes near its limit beside others is only believed of a unit that ran alone.
+    std::vector<Job> again;
+    for (Job job : all) {
+      job.alone = true;
+      const std::optional<grading::Unit> unit = folder_.unit(job);
+      if (unit && !unit->believed()) again.push_back(std::move(job));
+    }
+    alone_ = again.size();
+    if (!again.empty())
+      note(std::to_string(again.size()) + (again.size() == 1 ? " unit was" : " units were") +
+           " near a limit of time: once more, alone ...");
+    return graded_by(*engine, again);
+  }
+
+  std::vector<grading::JobTrouble> graded_by(grading::Engine& engine,
+                                             const std::vector<Job>& jobs) {
+    if (jobs.empty()) return {};
+    progress_.emplace(jobs.size(), jobs.front().alone ? 1 : engine.workers());
+    const auto finished = [this](const Job& job) {
+      ++graded_;
+      progress_->finished(job);
+    };
+    try {
+      std::vector<grading::JobTrouble> troubles = engine.run(jobs, finished);
+      progress_.reset();
+      return troubles;
+    } catch (...) {
+      progress_.reset();
+      throw;
+    }
+  }
+
+  // No marks at all rather than marks with holes, which somebody would read as zero.
+  int tell_troubles(const std::vector<grading::JobTrouble>& troubles) {
+    for (const grading::JobTrouble& trouble : troubles)
+      note(style_.bad("contact: ") + trouble.job.submission + ", " + trouble.job.exercise +
+           " could not be graded here: " + printable(trouble.what));
+    note("That is this machine's fault and no mark. Nothing is written to " +
+         shown(folder_.results()) +
+         " before all units are graded; what is graded is kept. Put the machine right and run the "
+         "same command again to go on, or take that submission out of " +
+         options_.submissions + ".");
+    return exit_trouble;
+  }
+
+  // The weakest of the machines that graded a part.
+  nlohmann::json machine_json() const {
+    nlohmann::json weakest = grading::to_json(machine_);
+    std::error_code error;
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(folder_.grade() / "machines", error))
+      files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files) {
+      const nlohmann::json other = nlohmann::json::parse(grading::read_text(file), nullptr, false);
+      if (!other.is_object()) continue;
+      const auto rank = [](const nlohmann::json& machine) {
+        const std::string level = machine.at("level").get<std::string>();
+        return level == "full" ? 2 : level == "reduced" ? 1 : 0;
+      };
+      if (rank(other) < rank(weakest)) weakest["level"] = other.at("level");
+      for (const nlohmann::json& measure : other.at("measures")) {
+        for (nlohmann::json& own : weakest["measures"]) {
+          if (own.at("what") == measure.at("what") && !measure.at("enforced").get<bool>())
+            own = measure;
+        }
+      }
+    }
+    return weakest;
+  }
+
+  int finish() {
+    const nlohmann::json machine = machine_json();
+    const nlohmann::json results =
+        grading::results_json({class_, run_, folder_, with_private_, machine, CONTACT_VERSION});
+    const std::optional<nlohmann::json> changes =
+        grading::write_results(folder_, results, earlier_);
+    write_reports();
+    const grading::Summary summary = grading::summary_of(results);
+    write_record(summary);
+    tell(results, summary, changes);
+    return summary.refused + summary.refused_files > 0 ? exit_not_passed : exit_passed;
+  }
+
+  void write_record(const grading::Summary& summary) {
+    std::array<char, 256> host{};
+    ::gethostname(host.data(), host.size() - 1);
+    nlohmann::json record = {
+        {"format", "contact-grade-record/1"},
+        {"version", CONTACT_VERSION},
+        {"submissions", fs::absolute(options_.submissions).lexically_normal().string()},
+        {"started", start_},
+        {"finished", now()},
+        {"engine", engine_},
+        {"workers", workers_},
+        {"host", host.data()},
+        {"counts", grading::to_json(summary)},
+        {"units", {{"graded", graded_ - alone_}, {"reused", reused_}, {"alone", alone_}}}};
+    if (!earlier_.place().empty()) record["earlier"] = earlier_.place().string();
+    grading::write_text(folder_.results() / "run.json", record.dump(1) + "\n");
+  }
+
+  std::vector<std::string> report_options() const {
+    std::vector<std::string> words;
+    if (!options_.formats.empty()) {
+      std::string list;
+      for (const std::string& format : options_.formats) list += (list.empty() ? "" : ",") + format;
+      words.insert(words.end(), {"--formats", list});
+    }
+    if (!options_.due.empty()) words.insert(words.end(), {"--due", options_.due});
+    return words;
+  }
+
+  grading::ProcessResult reports(const fs::path& of) {
+    grading::ProcessSpec spec;
+    spec.command = {python_of(book_).string(), "-m", "reports", of.string()};
+    const std::vector<std::string> more = report_options();
+    spec.command.insert(spec.command.end(), more.begin(), more.end());
+    spec.folder = book_.root();
+    spec.environment = {{"PYTHONPATH", (book_.root() / "grading").string()},
+                        {"PYTHONDONTWRITEBYTECODE", "1"}};
+    return grading::run_process(loop_, spec);
+  }
+
+  // What the reports are asked for is understood now or not at all: where there are no results,
+  // that is all that they look at.
+  void require_report_options() {
+    if (report_options().empty()) return;
+    const grading::TemporaryFolder empty;
+    const grading::ProcessResult result = reports(empty.path());
+    constexpr int not_understood = 2;
+    if (result.exit_code == not_understood) throw grading::UnknownName(last_line(result.errors));
+  }
+
+  void write_reports() {
+    const grading::ProcessResult result = reports(folder_.results());
+    if (!result.succeeded())
+      throw BookError("the marks are in " + (folder_.results() / "results.json").string() +
+                      ", but the reports could not be written: " + result.errors);
+  }
+
+  static std::string last_line(std::string text) {
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    const std::size_t start = text.rfind('\n');
+    text = start == std::string::npos ? text : text.substr(start + 1);
+    const std::size_t error = text.find("error: ");
+    return error == std::string::npos ? text : text.substr(error + 7);
+  }
+
+  void tell(const nlohmann::json& results, const grading::Summary& summary,
+            const std::optional<nlohmann::json>& changes) {
+    if (options_.json) {
+      nlohmann::json document = grading::to_json(summary);
+      document["format"] = "contact-grade-summary/1";
+      document["results"] = folder_.results().string();
+      document["machine"] = results.at("machine");
+      document["units"] = {{"graded", graded_ - alone_}, {"reused", reused_}, {"alone", alone_}};
+      if (changes) document["changes"] = changes->at("changes");
+      say(document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+      return;
+    }
+    say(grade_summary(results, summary, style_));
+    if (const std::string refused = refusals(results); !refused.empty())
+      say(style_.bad("Refused:") + "\n" + refused);
+    if (changes) say(changes_table(*changes, style_));
+    if (!earlier_.place().empty()) say("The earlier results: " + shown(earlier_.place()));
+    say("Seed: " + run_.seed + ". Reports: " + shown(folder_.results() / "class.html") + ", " +
+        shown(folder_.results() / "gradebook.csv") + ", " + shown(folder_.results() / "students") +
+        "/");
+  }
+
+  const Options& options_;
+  grading::Loop& loop_;
+  const Book& book_;
+  RunFolder folder_;
+  Style style_;
+  std::string start_;
+  std::vector<const Exercise*> exercises_;
+  std::vector<Exercise> with_private_;
+  std::optional<grading::IdTable> ids_;
+  std::optional<grading::Run> before_;
+  grading::Run run_;
+  grading::BuildDescription build_;
+  grading::Machine machine_;
+  grading::Class class_;
+  grading::Earlier earlier_{folder_};
+  std::optional<GradeProgress> progress_;
+  std::string engine_;
+  int workers_ = 0;
+  std::size_t reused_ = 0;
+  std::size_t graded_ = 0;
+  std::size_t alone_ = 0;
+};
+
+int run(Context& context, const Options& options) {
+  try {
+    return Grading(context, options).run();
+  } catch (const grading::Interrupted&) {
+    note("Stopped. What is graded is kept: the same command goes on where it was.");
+    throw;
+  }
+}
+
+}  // namespace
+
+void add_grade(CLI::App& app, Action& action) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "grade", "Grade a folder of submissions, each kept apart from everything else");
+  command
+      ->add_option("submissions", options->submissions,
+                   "A folder; each entry is a student's folder, .zip, .tar.gz or .cpp")
+      ->required();
+  command
+      ->add_option("-o,--output", options->results,
+                   "Folder for the results; run again with the same to go on or to regrade")
+      ->required();
+  command
+      ->add_option("--exercises", options->exercises,
+                   "Exercises or chapters, separated by commas; all of the book if not given")
+      ->delimiter(',');
+  command->add_option("--ids", options->ids,
+                      "CSV with columns entry and id, and name if you like: who handed in what");
+  command->add_option("--workers", options->workers, "Units at a time; one a core if not given")
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--engine", options->engine, "local (this machine) or slurm (a cluster)")
+      ->check(CLI::IsMember({"local", "slurm"}));
+  command->add_option(
+      "--seed", options->seed,
+      "Seed of the random cases; the folder's own if not given, drawn the first time");
+  command->add_option("--private", options->private_tests,
+                      "Folder of tests that are not in the book");
+  command->add_option("--profile", options->profile, "TOML file that sets limits");
+  command->add_option("--due", options->due,
+                      "When work is due: what is shown after that stays hidden before");
+  command->add_option("--formats", options->formats, "Reports to write; all if not given")
+      ->delimiter(',');
+  command->add_flag("--accept-weak", options->accept_weak,
+                    "Grade although this machine cannot keep submissions apart");
+  command->add_flag("--recalibrate", options->recalibrate,
+                    "Measure the solutions' time anew, and with it the limits of time");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->add_option("--partition", options->slurm.partition, "Slurm: the partition");
+  command->add_option("--account", options->slurm.account, "Slurm: the account");
+  command->add_option("--time", options->slurm.time, "Slurm: a task's time limit");
+  command->add_option("--units-a-task", options->slurm.units_a_task, "Slurm: units in one task");
+  command->add_option("--slurm-options", options->slurm.more, "Slurm: more options of sbatch");
+  command->callback([&action, options] {
+    action = [options](Context& context) { return run(context, *options); };
+  });
+}
+
+}  // namespace contact::cli
