@@ -18,8 +18,8 @@ ANSWER = "01_planes/signed_distance.cpp"
 class Packed:
     name: str
     tries: str
-    #: Words of the sentence with which it is refused.
-    says: tuple[str, ...]
+    #: Words of the sentence with which it is refused; empty if there is nothing that could be.
+    says: str
     #: Makes the entry in a folder of submissions: the attack, or its twin.
     make: Callable[[Path, str, str, Mapping[str, str]], None]
     twin: Callable[[Path, str, str], None]
@@ -196,76 +196,91 @@ def folder_instead_of_file(folder: Path, name: str, answer: str, words: Mapping[
     (folder / name / ANSWER / "inside").mkdir(parents=True)
 
 
+NOT_A_FILE = "a link or a device, not a plain file"
+OUTSIDE = "would lie outside of it"
+TOO_MUCH = "unpacks to more than"
+TOO_LARGE = "is larger than"
+
 PACKED = [
     Packed(
         "zip_symlink",
         "an answer that is a link to the solution, in a zip",
-        (),
+        NOT_A_FILE,
         zip_symlink,
         zip_twin,
     ),
-    Packed("tar_symlink", "the same in a tar", (), tar_symlink, tar_twin),
+    Packed("tar_symlink", "the same in a tar", NOT_A_FILE, tar_symlink, tar_twin),
     Packed(
         "tar_linked_folder",
         "a folder that is a link to the solution's",
-        (),
+        NOT_A_FILE,
         tar_linked_folder,
         tar_twin,
     ),
     Packed(
         "tar_hardlink",
         "an answer that is the solution itself by another name",
-        (),
+        NOT_A_FILE,
         tar_hardlink,
         tar_twin,
     ),
-    Packed("tar_device", "an answer that is the device /dev/zero", (), tar_device, tar_twin),
+    Packed(
+        "tar_device", "an answer that is the device /dev/zero", NOT_A_FILE, tar_device, tar_twin
+    ),
     Packed(
         "tar_fifo",
         "an answer that is a pipe: whoever reads it waits for ever",
-        (),
+        NOT_A_FILE,
         tar_fifo,
         tar_twin,
     ),
     Packed(
-        "zip_outside", "writes over another submission by a path with ..", (), zip_outside, zip_twin
+        "zip_outside",
+        "writes over another submission by a path with ..",
+        OUTSIDE,
+        zip_outside,
+        zip_twin,
     ),
-    Packed("zip_backslashes", "the same with the other slash", (), zip_backslashes, zip_twin),
-    Packed("tar_absolute", "writes to absolute paths", (), tar_absolute, tar_twin),
-    Packed("zip_bomb", "400 MB of zeros in 2 MB", (), zip_bomb, zip_twin),
-    Packed("tar_bomb", "the same before the answer in a tar", (), tar_bomb, tar_twin),
-    Packed("zip_crowd", "100,000 files", (), zip_crowd, zip_twin),
-    Packed("zip_liar", "200 MB that are called 100 bytes", (), zip_liar, zip_twin),
-    Packed("zip_cut", "an archive that is cut off", (), zip_cut, zip_twin),
+    Packed("zip_backslashes", "the same with the other slash", OUTSIDE, zip_backslashes, zip_twin),
+    Packed("tar_absolute", "writes to absolute paths", OUTSIDE, tar_absolute, tar_twin),
+    Packed("zip_bomb", "400 MB of zeros in 2 MB", TOO_MUCH, zip_bomb, zip_twin),
+    Packed("tar_bomb", "the same before the answer in a tar", TOO_MUCH, tar_bomb, tar_twin),
+    Packed("zip_crowd", "100,000 files", "entries", zip_crowd, zip_twin),
+    Packed("zip_liar", "200 MB that are called 100 bytes", TOO_LARGE, zip_liar, zip_twin),
+    Packed("zip_cut", "an archive that is cut off", "broken", zip_cut, zip_twin),
     Packed(
         "tar_long_name",
         "names of a hundred thousand letters and 3000 folders deep",
-        (),
+        "deep",
         tar_long_name,
         tar_twin,
     ),
     Packed(
         "folder_symlink",
         "a link to the solution in a plain folder",
-        (),
+        NOT_A_FILE,
         folder_symlink,
         folder_twin,
     ),
     Packed(
         "folder_linked_folder",
         "a link to another's submission",
-        (),
+        NOT_A_FILE,
         folder_linked_folder,
         folder_twin,
     ),
-    Packed("folder_fifo", "a pipe in a plain folder", (), folder_fifo, folder_twin),
+    Packed("folder_fifo", "a pipe in a plain folder", NOT_A_FILE, folder_fifo, folder_twin),
     Packed(
-        "folder_huge_file", "8 GB of nothing in a plain folder", (), folder_huge_file, folder_twin
+        "folder_huge_file",
+        "8 GB of nothing in a plain folder",
+        TOO_LARGE,
+        folder_huge_file,
+        folder_twin,
     ),
     Packed(
         "folder_instead_of_file",
         "a folder that is called as the answer",
-        (),
+        "",
         folder_instead_of_file,
         folder_twin,
     ),
