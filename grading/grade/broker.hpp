@@ -1,0 +1,49 @@
+#pragma once
+
+// Gives a judge what it cannot have in its box: submissions, each started anew in a box of its own.
+// The judge asks over a socket (grading/contact/remote_broker.hpp) and gets the near end of one to
+// the submission; the broker limits the submission, ends it, and says why it ended.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../sandbox/box.hpp"
+
+namespace contact::grading {
+
+/// A submission that was started, and how it ended.
+struct Answered {
+  /// For which test, counted from 1 as they began in the judge.
+  std::uint64_t test = 0;
+  BoxEnd end;
+};
+
+class Broker {
+ public:
+  /// @param answer the submission's box, but for the socket that it answers on
+  /// @param cpu_seconds of processor time that one may use
+  Broker(Loop& loop, const Machine& machine, const Seat& seat, BoxSpec answer, double cpu_seconds);
+  ~Broker();
+  Broker(const Broker&) = delete;
+  Broker& operator=(const Broker&) = delete;
+
+  /// The judge's end of the socket: for its box, and to be let go once that is started.
+  [[nodiscard]] int judge_end() const;
+  void let_go_of_judge_end();
+
+  /// Does what the judge has asked for, and ends a submission that is out of time. To be called
+  /// after every turn of the loop, which returns every few milliseconds while there is a broker.
+  /// @throws BookError if a submission cannot be started
+  void serve();
+
+  /// Ends the submission that still runs, if any, and returns all that there were, in order.
+  std::vector<Answered> finish();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace contact::grading
