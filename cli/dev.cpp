@@ -211,6 +211,7 @@ void add_dev(CLI::App& app, Action& action) {
     action = [options](Context& context) { return run(context, *options); };
   });
   add_dev_box(*command, action);
+  add_dev_grade(*command, action);
 }
 
 }  // namespace contact::cli
