@@ -9,6 +9,7 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
+#include "../grading/grade/calibrate.hpp"
 #include "../grading/grade/coordinator.hpp"
 #include "../grading/grade/profile.hpp"
 #include "../grading/grade/regrade.hpp"
@@ -110,18 +111,17 @@ double least_test_seconds(const Exercise& exercise, const grading::GradeLimits& 
   return limits.test_cpu_seconds > 0.0 ? limits.test_cpu_seconds : exercise.time_limit;
 }
 
-double test_seconds_for(const Exercise& exercise, const grading::GradeLimits& limits,
-                        double solution) {
-  constexpr double times_the_solution = 10.0;
-  return std::max(least_test_seconds(exercise, limits), times_the_solution * solution);
-}
-
-std::string why_not(const grading::Verdict& verdict) {
-  if (verdict.compile_error) return ": " + printable(verdict.compile_error->message);
-  const grading::TestVerdict* failure = grading::first_failure(verdict);
-  if (failure == nullptr) return "";
-  return ": \"" + failure->name + "\" is " + std::string(grading::words(failure->status)) +
-         (failure->failure.reason.empty() ? "" : ", " + printable(failure->failure.reason));
+// What an earlier run of the same folder found, under the limits of now; nothing if it does not say
+// enough.
+std::optional<double> kept_seconds(const grading::Run& before, const std::string& exercise,
+                                   double least) {
+  const auto old_least = before.least_seconds.find(exercise);
+  const auto old = before.test_seconds.find(exercise);
+  if (old_least == before.least_seconds.end() || old == before.test_seconds.end()) return {};
+  // The solution's time stood for the limit, or is known to be short enough for a longer one.
+  if (old->second > old_least->second) return std::max(least, old->second);
+  if (least >= old_least->second) return least;
+  return {};
 }
 
 // --- One grading
@@ -250,49 +250,38 @@ class Grading {
   void calibrate() {
     const grading::RunKeys keys(loop_, build_);
     std::optional<grading::Seat> seat;
+    std::optional<grading::NotedFolder> temporary;
     for (const Exercise& exercise : with_private_) {
       const std::string id = exercise.id();
+      grading::UnitSettings settings;
+      settings.seed = run_.seed;
+      settings.limits = run_.limits;
       const grading::PrivateExercise* more = run_.private_tests.of(id);
-      std::optional<double> measured;
-      if (before_ && !options_.recalibrate && before_->solution_seconds.count(id) != 0)
-        measured = before_->solution_seconds.at(id);
+      if (more != nullptr) settings.more_tests.push_back(more->program);
+      run_.least_seconds[id] = least_test_seconds(exercise, run_.limits);
+      std::optional<double> seconds;
+      if (before_ && !options_.recalibrate)
+        seconds = kept_seconds(*before_, id, run_.least_seconds[id]);
       const auto settle = [&] {
-        run_.solution_seconds[id] = *measured;
-        run_.test_seconds[id] = test_seconds_for(exercise, run_.limits, *measured);
-        run_.keys[id] = keys.of(exercise, more, run_.seed, run_.limits, run_.test_seconds[id]);
+        run_.test_seconds[id] = *seconds;
+        run_.keys[id] = keys.of(exercise, more, run_.seed, run_.limits, *seconds);
       };
-      if (measured) {
+      if (seconds) {
         settle();
-        // Known to get full marks under all that a unit depends on.
+        // Its solution is known to get full marks under all that a unit depends on.
         if (before_->keys.count(id) != 0 && before_->keys.at(id) == run_.keys[id]) continue;
       }
       if (!seat) {
         note("Grading the book's own solutions, to see what they take here ...");
         seat.emplace(machine_);
+        temporary.emplace(folder_);
       }
-      const double taken = solution_takes(exercise, more, *seat);
-      if (!measured) measured = taken;
+      const grading::TemporaryPlace place(temporary->path());
+      const double measured =
+          grading::calibrate(loop_, book_, build_, machine_, *seat, exercise, settings);
+      if (!seconds) seconds = measured;
       settle();
     }
-  }
-
-  double solution_takes(const Exercise& exercise, const grading::PrivateExercise* more,
-                        const grading::Seat& seat) {
-    grading::UnitSettings settings;
-    settings.seed = run_.seed;
-    settings.limits = run_.limits;
-    if (more != nullptr) settings.more_tests.push_back(more->program);
-    constexpr double patience = 60.0;
-    settings.test_cpu_seconds = std::max(patience, least_test_seconds(exercise, run_.limits));
-    const grading::UnitResult result =
-        grading::grade_unit(loop_, book_, build_, machine_, seat, exercise,
-                            grading::read_text(exercise.solution), settings);
-    if (result.verdict.outcome != grading::Outcome::passed)
-      throw BookError("the book's own solution of " + exercise.id() + " gets " +
-                      grading::points_text(result.verdict.points) + " of " +
-                      grading::points_text(result.verdict.max_points) +
-                      " points here, so nothing is graded" + why_not(result.verdict));
-    return result.slowest_test;
   }
 
   // From here on a run that is killed goes on where it was.

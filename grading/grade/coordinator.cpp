@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
+#include <cstdlib>
 #include <deque>
 #include <map>
 #include <memory>
@@ -22,33 +23,6 @@ namespace {
 constexpr int most_tries = 3;
 /// Seconds that a worker has to end its boxes and to clean up.
 constexpr double grace = 5.0;
-
-// Where this worker's boxes are made. Its name is kept in the run's folder, so that it is removed
-// even if every process of the run is killed.
-class WorkerFolder {
- public:
-  explicit WorkerFolder(const RunFolder& folder) {
-    std::string pattern = (fs::temp_directory_path() / "contact-grade-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr)
-      throw BookError("cannot make a folder in " + fs::temp_directory_path().string());
-    path_ = pattern;
-    note_ = folder.grade() / "temporary" / path_.filename();
-    fs::create_directories(note_.parent_path());
-    write_text(note_, path_.string());
-  }
-  ~WorkerFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-    fs::remove(note_, ignored);
-  }
-  WorkerFolder(const WorkerFolder&) = delete;
-  WorkerFolder& operator=(const WorkerFolder&) = delete;
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-  fs::path note_;
-};
 
 // One worker, what it has to do and what it has said so far.
 class Worker {
@@ -109,7 +83,8 @@ class Worker {
   [[nodiscard]] const std::optional<Job>& job() const { return job_; }
 
  private:
-  WorkerFolder temporary_;
+  /// Where its boxes are made.
+  NotedFolder temporary_;
   std::string heard_;
   std::optional<Job> job_;
   int orders_ = -1;
@@ -271,6 +246,36 @@ std::vector<JobTrouble> LocalEngine::run(const std::vector<Job>& jobs,
       troubles.push_back(std::move(trouble));
   }
   return troubles;
+}
+
+NotedFolder::NotedFolder(const RunFolder& folder) {
+  std::string pattern = (fs::temp_directory_path() / "contact-grade-XXXXXX").string();
+  if (::mkdtemp(pattern.data()) == nullptr)
+    throw BookError("cannot make a folder in " + fs::temp_directory_path().string());
+  path_ = pattern;
+  // Boxes of another user id find their own folder in it, and see no name.
+  fs::permissions(path_, fs::perms::owner_all | fs::perms::group_exec | fs::perms::others_exec);
+  note_ = folder.grade() / "temporary" / path_.filename();
+  fs::create_directories(note_.parent_path());
+  write_text(note_, path_.string());
+}
+
+NotedFolder::~NotedFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+  fs::remove(note_, ignored);
+}
+
+TemporaryPlace::TemporaryPlace(const fs::path& path) {
+  if (const char* before = std::getenv("TMPDIR")) before_ = before;
+  ::setenv("TMPDIR", path.c_str(), 1);
+}
+
+TemporaryPlace::~TemporaryPlace() {
+  if (before_)
+    ::setenv("TMPDIR", before_->c_str(), 1);
+  else
+    ::unsetenv("TMPDIR");
 }
 
 void remove_left_behind(const RunFolder& folder) {

@@ -2,6 +2,8 @@
 
 // Workers on this machine: each a process of its own, given one unit at a time.
 
+#include <optional>
+
 #include "../run_process.hpp"
 #include "engine.hpp"
 #include "run_state.hpp"
@@ -22,6 +24,33 @@ class LocalEngine : public Engine {
   Loop& loop_;
   const RunFolder& folder_;
   int workers_;
+};
+
+/// A temporary folder whose name is kept in the run's folder, so that it is removed even if every
+/// process of the run is killed.
+class NotedFolder {
+ public:
+  explicit NotedFolder(const RunFolder& folder);
+  ~NotedFolder();
+  NotedFolder(const NotedFolder&) = delete;
+  NotedFolder& operator=(const NotedFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  std::filesystem::path note_;
+};
+
+/// Makes all temporary folders in this one, for a while.
+class TemporaryPlace {
+ public:
+  explicit TemporaryPlace(const std::filesystem::path& path);
+  ~TemporaryPlace();
+  TemporaryPlace(const TemporaryPlace&) = delete;
+  TemporaryPlace& operator=(const TemporaryPlace&) = delete;
+
+ private:
+  std::optional<std::string> before_;
 };
 
 /// Removes the temporary folders of a run on this machine whose coordinator and workers were all

@@ -116,7 +116,7 @@ nlohmann::json to_json(const Run& run) {
           {"seed", run.seed},
           {"limits", to_json(run.limits)},
           {"accept_weak", run.accept_weak},
-          {"solution_seconds", run.solution_seconds},
+          {"least_seconds", run.least_seconds},
           {"test_seconds", run.test_seconds},
           {"keys", keys},
           {"private", to_json(run.private_tests)},
@@ -138,7 +138,7 @@ Run read_run(const fs::path& file) {
     json.at("seed").get_to(run.seed);
     run.limits = limits_from_json(json.at("limits"));
     json.at("accept_weak").get_to(run.accept_weak);
-    json.at("solution_seconds").get_to(run.solution_seconds);
+    json.at("least_seconds").get_to(run.least_seconds);
     json.at("test_seconds").get_to(run.test_seconds);
     for (const auto& [exercise, key] : json.at("keys").items())
       run.keys[exercise] = key_from_json(key);
