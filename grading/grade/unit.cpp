@@ -182,7 +182,8 @@ UnitResult grade_unit(Loop& loop, const Book& book, const BuildDescription& buil
     Judging judging(loop, machine, seat, exercise, compiled.program, settings);
     judging.run(build.exercises.at(exercise.id()).asks);
     for (const fs::path& more : settings.more_tests) judging.run(more);
-    unit.verdict = judge(exercise, book, judging.results());
+    // results.json is the instructor's; the reports withhold what a student may not see.
+    unit.verdict = judge(exercise, book, judging.results(), Reader::instructor);
     unit.verdict.output = std::move(judging.output());
     unit.near_limit = unit.near_limit || judging.near_limit();
     compiled.seconds.run = std::chrono::duration<double>(Clock::now() - run_start).count();
