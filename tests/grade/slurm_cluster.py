@@ -158,7 +158,7 @@ class Cluster:
         try:
             self._configure()
             self._start_munge()
-            self._start("slurmctld", ["slurmctld", "-D", "-f", str(self.configuration)])
+            self.start_controller()
             for node in NODES:
                 self.start_node(node)
             self._wait("the nodes to be idle", lambda: self.node_states() == {"idle"})
@@ -193,6 +193,14 @@ class Cluster:
     def node_states(self) -> set[str]:
         """Each state that some node is in: idle, mixed, down, ..."""
         return set(self.run("sinfo", "--noheader", "--Node", "--format=%T").split())
+
+    def start_controller(self) -> None:
+        """Also after end_controller(): it reads where it was."""
+        self._start("slurmctld", ["slurmctld", "-D", "-f", str(self.configuration)])
+
+    def end_controller(self) -> None:
+        """Nobody answers sbatch and squeue; the nodes go on."""
+        self._end("slurmctld")
 
     def start_node(self, node: str) -> None:
         """Also after end_node()."""
