@@ -7,6 +7,7 @@
 
 #include "../grading/build.hpp"
 #include "../grading/run.hpp"
+#include "../grading/sandbox/machine.hpp"
 #include "commands.hpp"
 #include "terminal.hpp"
 #include "watch_files.hpp"
@@ -147,6 +148,33 @@ void look_at_limits(std::vector<Finding>& findings) {
   findings.push_back(finding);
 }
 
+// What a submission could do to this machine if it were graded here.
+nlohmann::json look_at_grading(Context& context, std::vector<Finding>& findings) {
+  Finding finding{"grading what nobody trusts", Standing::good, "", ""};
+  nlohmann::json report = nullptr;
+  try {
+    const grading::Machine machine = grading::examine_machine(context.loop());
+    report = grading::to_json(machine);
+    std::size_t held = 0;
+    for (const grading::Measure& measure : machine.measures) {
+      held += measure.enforced ? 1 : 0;
+      if (!measure.enforced)
+        finding.remedy += (finding.remedy.empty() ? "not enforced: " : "; ") + measure.what + " (" +
+                          measure.how + ")";
+    }
+    finding.found = "level " + std::string(grading::words(machine.level)) + ", " +
+                    std::to_string(held) + " of " + std::to_string(machine.measures.size()) +
+                    " measures hold, each tried";
+    if (machine.level != grading::Level::full) finding.standing = Standing::advice;
+  } catch (const std::runtime_error& error) {
+    finding.standing = Standing::advice;
+    finding.found = "cannot be tried";
+    finding.remedy = error.what();
+  }
+  findings.push_back(finding);
+  return report;
+}
+
 int run(Context& context, bool json) {
   std::string compiler = "c++";
   try {
@@ -175,6 +203,7 @@ int run(Context& context, bool json) {
   look_at_build(context, findings);
   look_at_work(context, findings);
   look_at_limits(findings);
+  const nlohmann::json grading = look_at_grading(context, findings);
 
   const Style style(stdout);
   nlohmann::json list = nlohmann::json::array();
@@ -198,7 +227,9 @@ int run(Context& context, bool json) {
         finding.what + ": " + finding.found);
     if (!finding.remedy.empty()) say(wrapped(finding.remedy, 11));
   }
-  if (json) say(nlohmann::json{{"format", "contact-doctor/1"}, {"findings", list}}.dump(2));
+  if (json)
+    say(nlohmann::json{{"format", "contact-doctor/1"}, {"findings", list}, {"grading", grading}}
+            .dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   if (missing && !json)
     say("\nSomething is missing: ./contact setup installs what it can and says the rest.");
   return missing ? exit_trouble : exit_passed;

@@ -92,8 +92,8 @@ bool can_allocate_together(std::size_t megabytes, int count) {
   return all;
 }
 
-bool can_write(std::size_t megabytes) {
-  const int file = ::open("/tmp/large", O_CREAT | O_WRONLY | O_CLOEXEC, 0600);
+bool can_write(std::size_t megabytes, const std::string& folder) {
+  const int file = ::open((folder + "/large").c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600);
   if (file < 0) return false;
   static char block[mebibyte];
   for (std::size_t i = 0; i < megabytes; ++i) {
@@ -102,9 +102,9 @@ bool can_write(std::size_t megabytes) {
   return true;
 }
 
-bool can_make_files(int count) {
+bool can_make_files(int count, const std::string& folder) {
   for (int i = 0; i < count; ++i) {
-    const int file = ::open(("/tmp/" + std::to_string(i)).c_str(), O_CREAT | O_CLOEXEC, 0600);
+    const int file = ::open((folder + "/" + std::to_string(i)).c_str(), O_CREAT | O_CLOEXEC, 0600);
     if (file < 0) return false;
     ::close(file);
   }
@@ -130,6 +130,7 @@ int probe(const char* name, int count, char** values) {
   // Past the largest file a signal would come first.
   ::signal(SIGXFSZ, SIG_IGN);
   const char* value = count > 0 ? values[0] : "0";
+  const std::string folder = count > 1 ? values[1] : "/tmp";
   bool managed = true;
   if (what == "nothing") managed = false;
   if (what == "network") managed = reaches_network(value);
@@ -139,8 +140,8 @@ int probe(const char* name, int count, char** values) {
   if (what == "fork-many") managed = can_fork_many(number(value));
   if (what == "memory") managed = can_allocate(static_cast<std::size_t>(number(value)));
   if (what == "memory-together") managed = can_allocate_together(32, 4);
-  if (what == "file-size") managed = can_write(static_cast<std::size_t>(number(value)));
-  if (what == "files") managed = can_make_files(number(value));
+  if (what == "file-size") managed = can_write(static_cast<std::size_t>(number(value)), folder);
+  if (what == "files") managed = can_make_files(number(value), folder);
   if (what == "environment") managed = has_environment();
   if (what == "rights") managed = has_rights();
   if (what == "root") managed = ::getuid() == 0 || ::geteuid() == 0;

@@ -1,20 +1,17 @@
 #include "machine.hpp"
 
-#include <array>
 #include <cstdlib>
-#include <functional>
+#include <filesystem>
 #include <optional>
 #include <string_view>
 
-#include <netinet/in.h>
-#include <sys/socket.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
 #include "../book.hpp"
-#include "box.hpp"
 #include "cgroup.hpp"
+#include "measures.hpp"
 
 namespace fs = std::filesystem;
 
@@ -45,82 +42,12 @@ bool kernel_can_close_files() {
   return ::syscall(create_ruleset, nullptr, 0, version_question) >= 1;
 }
 
-// Tries things in boxes.
-class Examiner {
- public:
-  Examiner(Loop& loop, const Machine& machine) : loop_(loop), machine_(machine), seat_(machine) {}
-
-  [[nodiscard]] BoxSpec spec(std::vector<std::string> probe, BoxKind kind = BoxKind::answer) const {
-    BoxSpec spec;
-    spec.kind = kind;
-    spec.command = {"/probe", "--probe"};
-    spec.command.insert(spec.command.end(), probe.begin(), probe.end());
-    spec.read_only = {{machine_.launcher, "/probe"}};
-    spec.limits.cpu_seconds = 2.0;
-    spec.limits.wall_seconds = 10.0;
-    spec.limits.memory_mb = 64;
-    spec.limits.files_mb = 1;
-    spec.limits.files = 8;
-    return spec;
-  }
-  BoxEnd run(BoxSpec spec) { return run_box(loop_, machine_, seat_, std::move(spec)); }
-
-  /// Whether the attempt was stopped.
-  bool kept_from(const BoxSpec& spec) {
-    const BoxEnd end = run(spec);
-    return end.process.exit_code == 0 || end.process.signal != 0;
-  }
-  bool kept_from(std::vector<std::string> probe) { return kept_from(spec(std::move(probe))); }
-
- private:
-  Loop& loop_;
-  const Machine& machine_;
-  Seat seat_;
-};
-
-// Somebody listens here who would be reached if the network were in sight.
-class Listener {
- public:
-  Listener() : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
-    address_.sin_family = AF_INET;
-    address_.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof address_;
-    if (socket_ >= 0 &&
-        ::bind(socket_, reinterpret_cast<const sockaddr*>(&address_), sizeof address_) == 0 &&
-        ::listen(socket_, 1) == 0)
-      ::getsockname(socket_, reinterpret_cast<sockaddr*>(&address_), &size);
-  }
-  ~Listener() {
-    if (socket_ >= 0) ::close(socket_);
-  }
-  Listener(const Listener&) = delete;
-  Listener& operator=(const Listener&) = delete;
-  [[nodiscard]] std::string port() const { return std::to_string(ntohs(address_.sin_port)); }
-
- private:
-  int socket_;
-  sockaddr_in address_{};
-};
-
-// Whether a box of that kind starts at all; what was said if not.
-std::optional<std::string> refusal(Loop& loop, const Machine& machine) {
-  try {
-    Examiner examiner(loop, machine);
-    const BoxEnd end = examiner.run(examiner.spec({"nothing"}));
-    if (end.process.succeeded()) return std::nullopt;
-    return "a box that does nothing ended with code " + std::to_string(end.process.exit_code) +
-           " and signal " + std::to_string(end.process.signal);
-  } catch (const BookError& error) {
-    return error.what();
-  }
-}
-
 // The best that starts: with namespaces, without them, with nothing but limits.
 void find_level(Loop& loop, Machine& machine, Level highest, std::string& why) {
   machine.system_call_filter = highest != Level::none;
   machine.closed_files = highest != Level::none && kernel_can_close_files();
   const auto starts = [&] {
-    const std::optional<std::string> said = refusal(loop, machine);
+    const std::optional<std::string> said = why_no_box(loop, machine);
     if (said && why.empty()) why = *said;
     return !said;
   };
@@ -164,7 +91,7 @@ Machine examine_machine(Loop& loop) {
   }
   std::string why;
   find_level(loop, machine, highest, why);
-  if (!why.empty()) machine.measures.push_back({"namespaces of its own", false, why});
+  machine.measures = try_measures(loop, machine, why);
   machine.most_workers = machine.own_user_ids || machine.system_call_filter ? 1000 : 1;
   return machine;
 }
