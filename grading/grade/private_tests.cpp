@@ -335,7 +335,7 @@ class Builder {
     link.insert(link.end(), {"-o", program.string()});
     const ProcessResult result = run(link);
     if (!result.succeeded())
-      throw BookError("the private tests of " + found_.exercise->id() + " do not link:\n" +
+      throw BookError("the private tests in " + found_.folder.string() + " do not link:\n" +
                       cut(result.errors));
     check_compiled(program);
     json made_of = {{"format", "contact-private-tests/1"},
@@ -350,7 +350,7 @@ class Builder {
   void check_compiled(const fs::path& program) {
     const ProcessResult result = run({program.string(), "--list-tests", "-v", "quiet"});
     if (!result.succeeded())
-      throw BookError("the private tests of " + found_.exercise->id() +
+      throw BookError("the private tests in " + found_.folder.string() +
                       " cannot be listed: " + cut(result.errors));
     const std::string file = (found_.folder / "tests.toml").string();
     std::vector<std::string> listed = names();
