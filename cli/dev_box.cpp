@@ -50,7 +50,7 @@ std::string_view words(grading::Ended ended) {
 }
 
 int run(Context& context, const Options& options) {
-  const grading::Machine machine = grading::examine_machine(context.loop());
+  const grading::Machine machine = grading::find_machine(context.loop());
   const grading::Seat seat(machine);
   grading::BoxSpec spec;
   spec.kind = kind_of(options.kind);
@@ -70,7 +70,6 @@ int run(Context& context, const Options& options) {
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   say(nlohmann::json{{"format", "contact-dev-box/1"},
-                     {"machine", grading::to_json(machine)},
                      {"level", grading::words(machine.level)},
                      {"exit_code", end.process.exit_code},
                      {"signal", end.process.signal},

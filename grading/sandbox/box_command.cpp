@@ -57,9 +57,10 @@ Words common_words(const Machine& machine, const Seat::State& seat, const BoxGro
   add(words, {"--memory", megabytes(spec.limits.memory_mb)});
   add(words, {"--file-bytes", megabytes(spec.limits.files_mb)});
   add(words, {"--descriptors", spec.kind == BoxKind::compile ? "512" : "64"});
-  // Counted are all processes of the user, so only one of the seat's own can be limited. The boxes
-  // of a seat that stand beside each other, and bubblewrap's part of each, are in the count.
-  if (seat.user >= 0) add(words, {"--processes", std::to_string(spec.limits.processes + 16)});
+  // The boxes of a seat that stand beside each other, and bubblewrap's part of each, are counted
+  // too.
+  if (machine.own_process_count)
+    add(words, {"--processes", std::to_string(spec.limits.processes + 16)});
   return words;
 }
 

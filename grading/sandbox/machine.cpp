@@ -1,11 +1,13 @@
 #include "machine.hpp"
 
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <string_view>
 
 #include <sys/syscall.h>
+#include <sys/utsname.h>
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
@@ -42,6 +44,16 @@ bool kernel_can_close_files() {
   return ::syscall(create_ruleset, nullptr, 0, version_question) >= 1;
 }
 
+// Before Linux 5.14 a limit of processes counted all of a user, in whatever namespace.
+bool kernel_counts_in_namespaces() {
+  utsname system{};
+  if (::uname(&system) != 0) return false;
+  int major = 0;
+  int minor = 0;
+  if (std::sscanf(system.release, "%d.%d", &major, &minor) != 2) return false;
+  return major > 5 || (major == 5 && minor >= 14);
+}
+
 // The best that starts: with namespaces, without them, with nothing but limits.
 void find_level(Loop& loop, Machine& machine, Level highest, std::string& why) {
   machine.system_call_filter = highest != Level::none;
@@ -73,7 +85,9 @@ void find_level(Loop& loop, Machine& machine, Level highest, std::string& why) {
 
 }  // namespace
 
-Machine examine_machine(Loop& loop) {
+namespace {
+
+Machine find(Loop& loop, std::string& why) {
   Machine machine;
   const Level highest = highest_level();
   std::error_code error;
@@ -89,10 +103,24 @@ Machine examine_machine(Loop& loop) {
     machine.group_pids = group.has_pids();
     machine.group_memory = group.has_memory();
   }
-  std::string why;
   find_level(loop, machine, highest, why);
+  machine.own_process_count =
+      machine.own_user_ids || (machine.namespaces && kernel_counts_in_namespaces());
+  machine.most_workers = machine.own_process_count || machine.system_call_filter ? 1000 : 1;
+  return machine;
+}
+
+}  // namespace
+
+Machine find_machine(Loop& loop) {
+  std::string why;
+  return find(loop, why);
+}
+
+Machine examine_machine(Loop& loop) {
+  std::string why;
+  Machine machine = find(loop, why);
   machine.measures = try_measures(loop, machine, why);
-  machine.most_workers = machine.own_user_ids || machine.system_call_filter ? 1000 : 1;
   return machine;
 }
 

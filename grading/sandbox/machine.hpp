@@ -37,6 +37,9 @@ struct Machine {
   /// This program may change its user id, so every seat gets one of its own.
   bool own_user_ids = false;
   bool namespaces = false;
+  /// Processes can be counted for each seat or box by itself: another user id, or a kernel that
+  /// counts them in each user namespace.
+  bool own_process_count = false;
   bool system_call_filter = false;
   /// The kernel can close all files to a process but those named (Landlock): what is left where
   /// there are no namespaces.
@@ -55,6 +58,8 @@ struct Machine {
 /// Tries each measure in a box of its own; takes less than a second. CONTACT_BOX_LEVEL, `reduced`
 /// or `none`, makes it go without what a higher level has: for tests, and never to have more.
 Machine examine_machine(Loop& loop);
+/// The same without the measures: finds the level only, in one box or a few.
+Machine find_machine(Loop& loop);
 
 std::string_view words(Level level);  ///< "full", "reduced" or "none"
 /// {"level", "measures": [{"what", "enforced", "how"}]}
