@@ -128,18 +128,19 @@ std::vector<std::string> command_in_namespaces(const Machine& machine, Seat::Sta
   add(launcher, {"--namespaces", "--status", std::to_string(status_descriptor), "--keep",
                  std::to_string(filter_descriptor)});
   Words inside;
+  // First, since what is shown may itself lie in /tmp.
+  if (spec.limits.files > 0) {
+    add(launcher,
+        {"--temporary", std::to_string(static_cast<long long>(spec.limits.files_mb) << 20),
+         std::to_string(spec.limits.files), "temporary"});
+    add(inside, {"--bind", "/tmp/temporary", "/tmp"});
+  }
   if (spec.system) show_system(seat, spec.kind, launcher, inside);
   int count = 0;
   for (const BoxMount& mount : spec.read_only) {
     const std::string name = std::to_string(count++);
     add(launcher, {"--read", mount.host.string(), name});
     add(inside, {"--ro-bind", "/tmp/" + name, mount.box.string()});
-  }
-  if (spec.limits.files > 0) {
-    add(launcher,
-        {"--temporary", std::to_string(static_cast<long long>(spec.limits.files_mb) << 20),
-         std::to_string(spec.limits.files), "temporary"});
-    add(inside, {"--bind", "/tmp/temporary", "/tmp"});
   }
   if (!spec.writable.host.empty()) {
     add(launcher, {"--write", spec.writable.host.string(), "writable"});
