@@ -232,8 +232,7 @@ def _mistake(unit: SeenUnit) -> str:
 def _bins(shares: Sequence[float]) -> list[int]:
     bins = [0] * BINS
     for share in shares:
-        # 0.7 * 10 is a little less than 7.
-        bins[min(BINS - 1, max(0, int(share * BINS + 1e-9)))] += 1
+        bins[min(BINS - 1, int(share * BINS))] += 1
     return bins
 
 

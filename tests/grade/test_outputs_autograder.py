@@ -6,8 +6,10 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
+import time
 import zipfile
 from pathlib import Path
 from typing import Any
@@ -209,6 +211,32 @@ def test_an_earlier_result_never_stands_for_a_later_submission(unpacked: Path) -
     (unpacked / "results" / "results.json").write_text('{"score": 12}')
     run(unpacked, CONTACT_ROOT=str(unpacked / "source" / "contact"))
     assert result(unpacked)["score"] == 0
+
+
+def test_a_grader_that_is_killed_leaves_no_mark(unpacked: Path, tmp_path: Path) -> None:
+    (unpacked / "submission" / "ray_triangle.cpp").write_text(SOLUTION)
+    scratch = tmp_path / "scratch"
+    scratch.mkdir()
+    grader = subprocess.Popen(
+        [str(unpacked / "run_autograder")],
+        env={
+            **os.environ,
+            "AUTOGRADER_ROOT": str(unpacked),
+            "CONTACT_ROOT": str(ROOT),
+            "TMPDIR": str(scratch),
+        },
+        start_new_session=True,
+    )
+    try:
+        while not (unpacked / "results" / "results.json").exists():
+            assert grader.poll() is None
+            time.sleep(0.005)
+    finally:
+        os.killpg(grader.pid, signal.SIGKILL)
+        grader.wait()
+    given = result(unpacked)
+    assert given["extra_data"]["graded"] is False
+    assert "no mark" in given["output"]
 
 
 def test_links_and_special_files_are_handed_on_and_never_followed(tmp_path: Path) -> None:

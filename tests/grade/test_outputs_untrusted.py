@@ -258,6 +258,7 @@ def test_the_class_page_holds_nothing_of_it(tmp_path: Path) -> None:
         ("a\u202eb", "a⟨U+202E⟩b"),
         ("a\ud800b", "a⟨U+D800⟩b"),
         ("\U000e0041", "⟨U+E0041⟩"),
+        ("z" + "\u0301" * 500 + "a", "z" + "\u0301" * 4 + "a"),
     ],
 )
 def test_what_cannot_be_seen_is_made_visible(text: str, shown: str) -> None:

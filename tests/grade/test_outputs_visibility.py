@@ -147,9 +147,12 @@ def test_a_test_that_nobody_listed_is_hidden(tmp_path: Path) -> None:
     document["submissions"][0]["exercises"][0]["verdict"]["tests"].append(
         failing("unlisted", "failed")
     )
-    for name, text in write(tmp_path, document).items():
+    files = write(tmp_path, document)
+    for name, text in files.items():
         assert "test unlisted" not in text, name
         assert not any(word("unlisted", part) in text for part in PARTS), name
+        assert "printed-by-the-program" not in text, name
+    assert "0 of 2" in files["report.html"], "its points count among the hidden ones"
 
 
 def test_before_the_due_date_a_test_has_a_name_and_points_and_no_result(tmp_path: Path) -> None:
