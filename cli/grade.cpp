@@ -45,6 +45,7 @@ struct Options {
   std::string profile;
   std::string due;
   std::vector<std::string> formats;
+  std::string autograder;
   bool accept_weak = false;
   bool recalibrate = false;
   bool json = false;
@@ -549,7 +550,43 @@ class Grading {
   std::size_t alone_ = 0;
 };
 
+// Packs this book and what is asked for into an archive that a school's system grades with. The
+// reports' Python does it, which also runs there.
+int pack_autograder(Context& context, const Options& options) {
+  const Book& book = context.book();
+  grading::ProcessSpec spec;
+  spec.command = {python_of(book).string(), "-m", "reports.autograder",
+                  fs::absolute(options.autograder).lexically_normal().string()};
+  const auto give = [&](const std::string& name, const std::string& value) {
+    if (!value.empty()) spec.command.insert(spec.command.end(), {name, value});
+  };
+  std::string exercises;
+  if (!options.exercises.empty()) {
+    for (const Exercise* exercise : chosen(book, options.exercises))
+      exercises += (exercises.empty() ? "" : ",") + exercise->id();
+  }
+  const auto file = [](const std::string& name) {
+    return name.empty() ? name : fs::absolute(name).lexically_normal().string();
+  };
+  give("--exercises", exercises);
+  give("--private", file(options.private_tests));
+  give("--profile", file(options.profile));
+  give("--seed", options.seed);
+  give("--due", options.due);
+  if (options.accept_weak) spec.command.emplace_back("--accept-weak");
+  spec.folder = book.root();
+  spec.environment = {{"CONTACT_ROOT", book.root().string()},
+                      {"PYTHONPATH", (book.root() / "grading").string()},
+                      {"PYTHONDONTWRITEBYTECODE", "1"}};
+  const grading::ProcessResult result = grading::run_process(context.loop(), spec);
+  std::string words = result.errors;
+  while (!words.empty() && words.back() == '\n') words.pop_back();
+  note(words);
+  return result.exit_code;
+}
+
 int run(Context& context, const Options& options) {
+  if (!options.autograder.empty()) return pack_autograder(context, options);
   try {
     return Grading(context, options).run();
   } catch (const grading::Interrupted&) {
@@ -564,14 +601,12 @@ void add_grade(CLI::App& app, Action& action) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "grade", "Grade a folder of submissions, each kept apart from everything else");
-  command
-      ->add_option("submissions", options->submissions,
-                   "A folder; each entry is a student's folder, .zip, .tar.gz or .cpp")
-      ->required();
-  command
-      ->add_option("-o,--output", options->results,
-                   "Folder for the results; run again with the same to go on or to regrade")
-      ->required();
+  CLI::Option* const submissions =
+      command->add_option("submissions", options->submissions,
+                          "A folder; each entry is a student's folder, .zip, .tar.gz or .cpp");
+  CLI::Option* const output =
+      command->add_option("-o,--output", options->results,
+                          "Folder for the results; run again with the same to go on or to regrade");
   command
       ->add_option("--exercises", options->exercises,
                    "Exercises or chapters, separated by commas; all of the book if not given")
@@ -592,6 +627,11 @@ void add_grade(CLI::App& app, Action& action) {
                       "When work is due: what is shown after that stays hidden before");
   command->add_option("--formats", options->formats, "Reports to write; all if not given")
       ->delimiter(',');
+  command
+      ->add_option("--autograder", options->autograder,
+                   "Grade nothing: write FILE.zip, an autograder for Gradescope or PrairieLearn")
+      ->excludes(submissions)
+      ->excludes(output);
   command->add_flag("--accept-weak", options->accept_weak,
                     "Grade although this machine cannot keep submissions apart");
   command->add_flag("--recalibrate", options->recalibrate,
@@ -603,6 +643,10 @@ void add_grade(CLI::App& app, Action& action) {
   command->add_option("--units-a-task", options->slurm.units_a_task, "Slurm: units in one task");
   command->add_option("--slurm-options", options->slurm.more, "Slurm: more options of sbatch");
   command->callback([&action, options] {
+    if (options->autograder.empty() && options->submissions.empty())
+      throw CLI::RequiredError("submissions");
+    if (options->autograder.empty() && options->results.empty())
+      throw CLI::RequiredError("--output");
     action = [options](Context& context) { return run(context, *options); };
   });
 }

@@ -7,6 +7,7 @@ import sys
 from datetime import UTC, datetime
 from pathlib import Path
 
+from reports.moment import moment
 from reports.results import ReportError, read_results
 from reports.write import FORMATS, write_reports
 
@@ -26,11 +27,11 @@ def main(arguments: list[str] | None = None) -> int:
     )
     parser.add_argument(
         "--due",
-        type=_time,
+        type=moment,
         metavar="TIME",
         help="when work is due, as 2026-12-01T23:59+01:00; this machine's zone if none is given",
     )
-    parser.add_argument("--now", type=_time, metavar="TIME", help="take this for the time now")
+    parser.add_argument("--now", type=moment, metavar="TIME", help="take this for the time now")
     given = parser.parse_args(arguments)
     now = given.now or datetime.now(UTC)
     try:
@@ -55,16 +56,6 @@ def _formats(text: str) -> list[str]:
                 f"there is no format {name}; there are {', '.join(FORMATS)}"
             )
     return chosen
-
-
-def _time(text: str) -> datetime:
-    try:
-        time = datetime.fromisoformat(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(
-            f"{text} is no time: write it as 2026-12-01T23:59 or 2026-12-01T23:59+01:00"
-        ) from None
-    return time.astimezone(UTC)
 
 
 if __name__ == "__main__":

@@ -14,13 +14,21 @@ import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
+from reports.moment import moment
 from reports.results import ReportError
 
 FILES = Path(__file__).with_name("autograder_files")
 FORMAT = "contact-autograder/1"
-# What a folder that is no clone may hold beside the book itself.
+# What the book is made of. Submissions or results may lie beside it, and are nobody's business.
+BOOK = (
+    *("contact", "CMakeLists.txt", "CMakePresets.json", "pyproject.toml", "LICENSE", "README.md"),
+    *("LICENSE-prose.md", "NOTICES.md", "CHANGELOG.md", "CONTRIBUTING.md", ".gitignore"),
+    *("benchmarks", "chapters", "cli", "cmake", "docs", "exercises", "grading", "solutions"),
+    *("tests", "tools"),
+)
+# What is made lies between it.
 MADE = {".git", "build", "work", "node_modules", "__pycache__"}
-SETTINGS = ("exercises", "seed", "due", "accept_weak")
+SETTINGS = ("exercises", "seed", "accept_weak")
 OPTIONS = "options.json"
 PROFILE = "profile.toml"
 
@@ -35,7 +43,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--private", type=Path, metavar="DIR", help="private tests to pack with it")
     parser.add_argument("--profile", type=Path, metavar="FILE", help="limits to grade with")
     parser.add_argument("--seed", metavar="TEXT", help="the seed of the random cases")
-    parser.add_argument("--due", metavar="TIME", help="when work is due")
+    parser.add_argument("--due", type=moment, metavar="TIME", help="when work is due")
     parser.add_argument("--accept-weak", action="store_true", help="grade where little is enforced")
     given = parser.parse_args(arguments)
     try:
@@ -83,6 +91,8 @@ def book_root() -> Path:
 
 def _entries(root: Path, settings: argparse.Namespace) -> Iterator[tuple[str, tuple[bytes, bool]]]:
     options = {name: value for name in SETTINGS if (value := getattr(settings, name))}
+    if settings.due:
+        options["due"] = settings.due.isoformat()
     yield OPTIONS, (json.dumps({"format": FORMAT, **options}, indent=1).encode() + b"\n", False)
     for file in sorted(FILES.iterdir()):
         yield file.name, (file.read_bytes(), file.suffix == ".sh" or file.name.startswith("run_"))
@@ -100,15 +110,23 @@ def _entries(root: Path, settings: argparse.Namespace) -> Iterator[tuple[str, tu
 
 
 def book_files(root: Path) -> list[Path]:
-    """The files of the book: those in git, or all that is not made, where there is no git."""
+    """The files of the book, and of chapters that somebody adds; nothing else that lies there."""
+    command = ["git", "-C", str(root), "ls-files", "-z", "--cached", "--others"]
     listed = subprocess.run(
-        ["git", "-C", str(root), "ls-files", "-z", "--cached"], capture_output=True, check=False
+        [*command, "--exclude-standard", "--", *BOOK], capture_output=True, check=False
     )
     if listed.returncode == 0 and listed.stdout:
         names = [name for name in listed.stdout.decode().split("\0") if name]
         files = [root / name for name in names]
         return [file for file in files if file.is_file() and not file.is_symlink()]
-    return list(_walk(root))
+    files = []
+    for name in BOOK:
+        place = root / name
+        if place.is_dir():
+            files += _walk(place)
+        elif place.is_file():
+            files.append(place)
+    return files
 
 
 def _walk(folder: Path) -> Iterator[Path]:

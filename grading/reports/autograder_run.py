@@ -27,6 +27,7 @@ from typing import Any
 
 from reports.autograder import OPTIONS, PROFILE, book_root
 from reports.gradescope import gradescope, not_graded
+from reports.moment import moment
 from reports.prairielearn import not_graded as not_graded_prairielearn
 from reports.prairielearn import prairielearn
 from reports.results import ReportError, read_results
@@ -86,7 +87,7 @@ def grade(
         raise ReportError(f"{len(graded.submissions)} submissions came out of one")
     due = options.get("due")
     policy = Policy(
-        due=datetime.fromisoformat(due).astimezone(UTC) if due else None,
+        due=moment(due) if due else None,
         now=datetime.now(UTC),
         host_waits=host_waits,
     )

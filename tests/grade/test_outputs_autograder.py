@@ -94,7 +94,8 @@ def test_the_archive_holds_what_gradescope_needs_at_its_root(archive: Path) -> N
     tracked = subprocess.run(
         ["git", "-C", str(ROOT), "ls-files"], capture_output=True, text=True, check=True
     ).stdout.split()
-    assert {f"contact/{name}" for name in tracked if (ROOT / name).is_file()} <= set(modes)
+    needed = [name for name in tracked if not name.startswith(".")]
+    assert {f"contact/{name}" for name in needed if (ROOT / name).is_file()} <= set(modes)
     assert not [name for name in modes if "/build/" in name or name.startswith("contact/work/")]
     assert archive.stat().st_size < 10_000_000
 
@@ -110,19 +111,20 @@ def test_the_same_book_gives_the_same_archive(archive: Path, tmp_path: Path) -> 
         assert all(one.read(name) == two.read(name) for name in names)
 
 
-def test_a_book_without_git_is_packed_without_what_is_made(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize("with_git", [True, False])
+def test_only_the_book_is_packed_and_chapters_that_somebody_adds(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, with_git: bool
 ) -> None:
     book = tmp_path / "book"
-    for name in (
-        "contact",
-        "grading/reports/x.py",
-        "build/dev/x.o",
-        "work/a.cpp",
-        "a/__pycache__/x",
-    ):
+    kept = ["contact", "grading/reports/x.py", "exercises/09_own/mine/mine.hpp"]
+    left = ["build/dev/x.o", "work/a.cpp", "submissions/ada/a.cpp", "results/students/ada/x.html"]
+    for name in (*kept, *left, "grading/reports/__pycache__/x.pyc"):
         (book / name).parent.mkdir(parents=True, exist_ok=True)
         (book / name).write_text(name)
+    (book / "grading" / "link.py").symlink_to("/etc/passwd")
+    (book / ".gitignore").write_text("__pycache__/\n")
+    if with_git:
+        subprocess.run(["git", "init", "-q", str(book)], check=True)
     private = tmp_path / "private"
     private.mkdir()
     (private / "secret_test.cpp").write_text("secret")
@@ -130,11 +132,40 @@ def test_a_book_without_git_is_packed_without_what_is_made(
     assert pack([str(tmp_path / "x.zip"), "--private", str(private)]) == 0
     with zipfile.ZipFile(tmp_path / "x.zip") as opened:
         names = {name for name in opened.namelist() if "/" in name}
-    assert names == {
-        "contact/contact",
-        "contact/grading/reports/x.py",
-        "private/secret_test.cpp",
+    wanted = {f"contact/{name}" for name in (*kept, ".gitignore")}
+    assert names == wanted | {"private/secret_test.cpp"}
+
+
+def test_the_program_packs_it_too(tmp_path: Path) -> None:
+    def contact(*words: str) -> subprocess.CompletedProcess[str]:
+        return subprocess.run(
+            [str(ROOT / "build" / "dev" / "bin" / "contact"), "grade", *words],
+            cwd=tmp_path,
+            env={**os.environ, "CONTACT_ROOT": str(ROOT)},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+
+    settings = ["--exercises", "ray_triangle", "--due", "2026-06-02T00:00+02:00", "--accept-weak"]
+    done = contact("--autograder", "a.zip", *settings, "--private", str(HERE / "private"))
+    assert done.returncode == 0, done.stderr
+    with zipfile.ZipFile(tmp_path / "a.zip") as opened:
+        options = json.loads(opened.read("options.json"))
+        assert f"private/{EXERCISE}/tests.toml" in opened.namelist()
+    assert options == {
+        "format": "contact-autograder/1",
+        "exercises": EXERCISE,
+        "due": "2026-06-01T22:00:00+00:00",
+        "accept_weak": True,
     }
+    assert contact("--autograder", "a.zip").returncode == 3
+    assert contact("--autograder", "b.zip", "--due", "tomorrow").returncode == 2
+    assert contact("--autograder", "b.zip", "--exercises", "no_such").returncode == 2
+    assert contact("--autograder", "b.zip", "submissions").returncode == 2
+    for words in (["submissions"], ["-o", "results"], []):
+        assert contact(*words).returncode == 2
+    assert not (tmp_path / "b.zip").exists()
 
 
 def test_nothing_that_is_there_is_overwritten(
