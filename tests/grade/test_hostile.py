@@ -158,9 +158,10 @@ class Run:
     def __post_init__(self) -> None:
         self.submissions = self.folder / "submissions"
         self.results = self.folder / "results"
-        self.temporary = self.folder / "tmp"
-        for made in (self.submissions, self.temporary):
-            made.mkdir(parents=True)
+        self.submissions.mkdir(parents=True)
+        # Where another user's boxes may go, as into the system's own.
+        self.temporary = Path(tempfile.mkdtemp(prefix="tmp-", dir=self.outside.folder))
+        self.temporary.chmod(0o755)
         self.profile = self.folder / "profile.toml"
         self.profile.write_text(PROFILE)
 
@@ -346,15 +347,17 @@ def run(quiet: Run, canaries: Outside, level: str, tmp_path_factory: pytest.Temp
 @pytest.fixture(scope="session")
 def hulls(
     quiet: Run, canaries: Outside, level: str, tmp_path_factory: pytest.TempPathFactory
-) -> Run:
+) -> Iterator[Run]:
     """Those whose answers are indices, in a book of their own."""
-    folder = tmp_path_factory.mktemp(f"hulls-{level}")
-    run = new_run(folder, canaries, level)
-    run.environment["CONTACT_ROOT"] = str(hull_book.make(folder / "book"))
-    for name in HULLS:
-        run.add_attack(SPECIMENS[name])
-    run.grade(hull_book.EXERCISE)
-    return run
+    run = new_run(tmp_path_factory.mktemp(f"hulls-{level}"), canaries, level)
+    # Beside the book itself, where boxes of other users see it too.
+    with tempfile.TemporaryDirectory(prefix="hulls-", dir=ROOT / "build") as made:
+        Path(made).chmod(0o755)
+        run.environment["CONTACT_ROOT"] = str(hull_book.make(Path(made) / "book"))
+        for name in HULLS:
+            run.add_attack(SPECIMENS[name])
+        run.grade(hull_book.EXERCISE)
+        yield run
 
 
 @pytest.fixture(scope="session")
@@ -388,7 +391,7 @@ def plain(quiet: Run, canaries: Outside, level: str) -> Iterator[Run]:
         run.add_neighbours()
         for name in FOR_PLAIN_USERS:
             run.add_attack(SPECIMENS[name])
-        for file in (folder, *folder.rglob("*")):
+        for file in (folder, run.temporary, *folder.rglob("*")):
             os.chown(file, user, user)
         run.environment["HOME"] = made
         run.grade(PLANES)

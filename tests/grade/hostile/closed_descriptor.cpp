@@ -2,7 +2,7 @@
 // Exercise:  01_planes/signed_distance
 // Points:    0 of 8
 // Tests:     all stopped
-// Says:      connection|status|ended|time
+// Says:      connection|exit code
 #include "signed_distance.hpp"
 
 //[attack

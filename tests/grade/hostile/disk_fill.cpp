@@ -7,6 +7,7 @@
 //[attack
 #include <fcntl.h>
 #include <unistd.h>
+#include <csignal>
 #include <cstdio>
 #include <string>
 
@@ -18,6 +19,7 @@ void got(const char* what) { dprintf(1, "GOT IT: %s\n", what); }
 const char* const folders[] = {".", "/tmp", "/dev/shm", "/var/tmp", "/run", "/run/lock", "/box"};
 
 void fill() {
+  std::signal(SIGXFSZ, SIG_IGN);
   const std::string megabyte(1 << 20, 'x');
   for (const char* folder : folders) {
     const std::string path = std::string(folder) + "/@TOKEN@-disk";
@@ -42,7 +44,7 @@ double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point)
 
 int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
   //[attack
-  fill();
+  [[maybe_unused]] static const bool once = (fill(), true);
   //]attack
   const double value = Eigen::Vector3d(plane.a, plane.b, plane.c).dot(point) + plane.d;
   return value > 0 ? 1 : (value < 0 ? -1 : 0);

@@ -16,11 +16,13 @@ namespace {
 void got(const char* what) { dprintf(1, "GOT IT: %s\n", what); }
 
 const bool looked = [] {
-  for (char** entry = environ; entry != nullptr && *entry != nullptr; ++entry) got(*entry);
+  for (char** entry = environ; entry != nullptr && *entry != nullptr; ++entry) {
+    // Where it is, which it knows.
+    if (std::strcmp(*entry, "PWD=/") != 0) got(*entry);
+  }
   for (const char* name : {"CONTACT_SEED", "CONTACT_BROKER", "HOME", "PATH", "@CANARY@"}) {
     if (std::getenv(name) != nullptr) got(name);
   }
-  // The kernel lays the environment above the stack, wherever environ points to.
   return true;
 }();
 

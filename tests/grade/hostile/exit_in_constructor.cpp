@@ -3,7 +3,7 @@
 // Ordinary:  exit status 0
 // Points:    0 of 8
 // Tests:     all stopped
-// Says:      status 0
+// Says:      exit code 0
 #include "signed_distance.hpp"
 
 //[attack

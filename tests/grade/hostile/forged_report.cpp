@@ -4,7 +4,7 @@
 // Ordinary:  full marks
 // Points:    0 of 8
 // Tests:     all stopped
-// Says:      status 0
+// Says:      exit code 0
 #include "signed_distance.hpp"
 
 //[attack

@@ -1,12 +1,13 @@
 // Tries:     announces an answer of 2^60 bytes and another of 15 MB that it never sends
 // Exercise:  01_planes/signed_distance
-// Points:    0 of 8
-// Tests:     all stopped
-// Says:      more than is allowed|ended|closed
+// Points:    1 of 8
+// Tests:     1-4 stopped, 5 passed, 6 stopped
+// Says:      more than is allowed|no answer after
 #include "signed_distance.hpp"
 
 //[attack
 #include <unistd.h>
+#include <cstring>
 
 namespace {
 
@@ -17,8 +18,20 @@ struct Frame {
   double value = 1.0;
 };
 
+// The request lies on the stack of whoever called: its number is what a reply must repeat.
+std::uint64_t number_of_the_request() {
+  Frame frame;
+  const auto* at = reinterpret_cast<const char*>(__builtin_frame_address(0));
+  for (int i = 0; i < 4096; i += 8) {
+    std::memcpy(&frame, at + i, sizeof frame);
+    if (frame.magic == 0x31544e43 && frame.fingerprint == 0xd85d6d47dfefa4db) break;
+  }
+  return frame.sequence;
+}
+
 void announce(std::uint64_t length) {
   Frame frame;
+  frame.sequence = number_of_the_request();
   frame.length = length;
   if (write(3, &frame, sizeof frame) < 0) return;
   sleep(1000);
@@ -39,7 +52,7 @@ double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point)
 
 int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
   //[attack
-  announce(15 << 20);
+  if (plane.d == 14) announce(15 << 20);
   //]attack
   const double value = Eigen::Vector3d(plane.a, plane.b, plane.c).dot(point) + plane.d;
   return value > 0 ? 1 : (value < 0 ? -1 : 0);

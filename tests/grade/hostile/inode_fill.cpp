@@ -44,7 +44,7 @@ double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point)
 
 int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
   //[attack
-  fill();
+  [[maybe_unused]] static const bool once = (fill(), true);
   //]attack
   const double value = Eigen::Vector3d(plane.a, plane.b, plane.c).dot(point) + plane.d;
   return value > 0 ? 1 : (value < 0 ? -1 : 0);

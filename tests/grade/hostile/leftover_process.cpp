@@ -39,7 +39,7 @@ namespace exercise {
 
 double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
   //[attack
-  leave();
+  [[maybe_unused]] static const bool once = (leave(), true);
   //]attack
   const Eigen::Vector3d normal(plane.a, plane.b, plane.c);
   return (normal.dot(point) + plane.d) / normal.norm();

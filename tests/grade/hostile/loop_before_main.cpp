@@ -2,7 +2,7 @@
 // Exercise:  01_planes/signed_distance
 // Points:    0 of 8
 // Tests:     all stopped
-// Says:      ran out of time
+// Says:      no answer after
 #include "signed_distance.hpp"
 
 //[attack

@@ -1,8 +1,8 @@
 // Tries:     is a program that the kernel cannot start, since it names an interpreter that is
-//            not there
+//            not there (linkers differ in whether they keep the name)
 // Exercise:  01_planes/signed_distance
 // Points:    0 of 8
-// Tests:     all stopped
+// Tests:     all stopped or failed
 #include "signed_distance.hpp"
 
 //[attack

@@ -4,8 +4,7 @@
 // Tests:     does not compile
 //[attack
 #if __INCLUDE_LEVEL__ < 190
-#include __FILE__
-#include __FILE__
+#include "signed_distance.cpp"
 #endif
 //]attack
 #include "signed_distance.hpp"

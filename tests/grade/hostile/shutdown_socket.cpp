@@ -1,8 +1,8 @@
 // Tries:     shuts its end of the socket down and works on
 // Exercise:  01_planes/signed_distance
-// Points:    0 of 8
-// Tests:     all stopped
-// Says:      connection|status|ended
+// Points:    7 of 8
+// Tests:     1-3 passed, 4 stopped, 5-6 passed
+// Says:      connection|no answer after
 #include "signed_distance.hpp"
 
 //[attack
@@ -13,18 +13,14 @@
 namespace exercise {
 
 double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point) {
-  //[attack
-  shutdown(3, SHUT_RDWR);
-  sleep(1000);
-  //]attack
   const Eigen::Vector3d normal(plane.a, plane.b, plane.c);
   return (normal.dot(point) + plane.d) / normal.norm();
 }
 
 int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
   //[attack
-  shutdown(3, SHUT_WR);
-  sleep(1000);
+  if (plane.d == 14) shutdown(3, SHUT_RDWR);
+  while (plane.d == 14) sleep(1000);
   //]attack
   const double value = Eigen::Vector3d(plane.a, plane.b, plane.c).dot(point) + plane.d;
   return value > 0 ? 1 : (value < 0 ? -1 : 0);

@@ -2,7 +2,7 @@
 // Exercise:  01_planes/signed_distance
 // Points:    7 of 8
 // Tests:     1-3 passed, 4 stopped, 5-6 passed
-// Says:      ran out of time
+// Says:      no answer after
 #include "signed_distance.hpp"
 
 //[attack
