@@ -16,9 +16,8 @@ that whatever else the machine does meets them alike:
                and no report, and what no exercise changes (Catch2, the asking, main) is compiled
                before and not timed
 
-The marks of all three must agree, test by test. The rate is a core's: one worker, or the naive
-way, which keeps one core busy. Processor time, with that of all children, is printed as well: a
-busy machine changes it less. Also printed is what a call across the proxy takes.
+The marks of all three must agree, test by test. The rate is a core's: one worker does one unit
+after the other, as the naive way does. Also printed is what a call across the proxy takes.
 """
 
 from __future__ import annotations
@@ -35,7 +34,6 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
@@ -63,26 +61,21 @@ class Timed:
     """One way to grade, over all blocks."""
 
     units: list[int] = field(default_factory=list)
-    wall: list[float] = field(default_factory=list)
-    processor: list[float] = field(default_factory=list)
+    seconds: list[float] = field(default_factory=list)
 
-    def add(self, units: int, wall: float, processor: float) -> None:
+    def add(self, units: int, seconds: float) -> None:
         self.units.append(units)
-        self.wall.append(wall)
-        self.processor.append(processor)
+        self.seconds.append(seconds)
 
-    def rates(self, seconds: Sequence[float]) -> list[float]:
-        return [n / s for n, s in zip(self.units, seconds, strict=True)]
+    def rates(self) -> list[float]:
+        return [n / s for n, s in zip(self.units, self.seconds, strict=True)]
 
 
-def timed(command: list[str], log: IO[str] | int) -> tuple[float, float, int]:
-    """Wall seconds, processor seconds with all children's, and the exit code."""
+def timed(command: list[str], log: IO[str] | int) -> tuple[float, int]:
+    """Seconds by the clock, and the exit code."""
     start = time.perf_counter()
-    process = subprocess.Popen(command, stdout=log, stderr=log)
-    _, status, usage = os.wait4(process.pid, 0)
-    wall = time.perf_counter() - start
-    process.returncode = os.waitstatus_to_exitcode(status)
-    return wall, usage.ru_utime + usage.ru_stime, process.returncode
+    done = subprocess.run(command, stdout=log, stderr=log)
+    return time.perf_counter() - start, done.returncode
 
 
 def must(command: list[str]) -> None:
@@ -143,11 +136,11 @@ Marks = dict[tuple[str, str], dict[str, str]]
 def grade(block: Path, results: Path, workers: int, timing: Timed, units: int) -> Marks:
     command = [str(PROGRAM), "grade", str(block), "-o", str(results), "--workers", str(workers)]
     with (results.parent / f"{results.name}.log").open("w+") as log:
-        wall, processor, code = timed(command, log)
+        seconds, code = timed(command, log)
         if code != 0:
             log.seek(0)
             sys.exit(f"{' '.join(command)} ended with {code}:\n{log.read()}")
-    timing.add(units, wall, processor)
+    timing.add(units, seconds)
     marks: Marks = {}
     for submission in json.loads((results / "results.json").read_text())["submissions"]:
         for unit in submission["exercises"]:
@@ -172,7 +165,7 @@ class Naive:
             source = str(ROOT / "tests" / "support" / f"{name}.cpp")
             must([*self.compile, *self.places, "-c", source, "-o", self.host[-1]])
 
-    def once(self, unit: Unit) -> tuple[float, float, dict[str, str]]:
+    def once(self, unit: Unit) -> tuple[float, dict[str, str]]:
         chapter, name = unit.exercise.split("/")
         contract = [f"-I{place}" for place in self.build["exercises"][unit.exercise]["include"]]
         includes = [*(f"-I{place}" for place in self.build["include"]), *contract]
@@ -180,7 +173,7 @@ class Naive:
             str(self.folder / part) for part in ("answer.o", "tests.o", "program", "events")
         )
         source = str(ROOT / "tests" / chapter / f"{name}_test.cpp")
-        wall = processor = 0.0
+        total = 0.0
         for command in (
             [*self.compile, *includes, "-c", str(unit.file), "-o", answer],
             [*self.compile, *contract, *self.places, "-c", source, "-o", tests],
@@ -190,22 +183,20 @@ class Naive:
             ],
             [program, "-r", f"contact::out={told}"],
         ):
-            seconds, processor_seconds, code = timed(command, subprocess.DEVNULL)
+            seconds, code = timed(command, subprocess.DEVNULL)
             if code != 0 and command[0] != program:
                 sys.exit(f"{' '.join(command)} ended with {code}")
-            wall += seconds
-            processor += processor_seconds
+            total += seconds
         events = [json.loads(line) for line in Path(told).read_text().splitlines()]
-        return wall, processor, {e["test"]: e["status"] for e in events if e["event"] == "end"}
+        return total, {e["test"]: e["status"] for e in events if e["event"] == "end"}
 
     def sample(self, units: list[Unit], timing: Timed) -> Marks:
         marks: Marks = {}
-        wall = processor = 0.0
+        total = 0.0
         for unit in units:
-            seconds, processor_seconds, marks[unit.submission, unit.exercise] = self.once(unit)
-            wall += seconds
-            processor += processor_seconds
-        timing.add(len(units), wall, processor)
+            seconds, marks[unit.submission, unit.exercise] = self.once(unit)
+            total += seconds
+        timing.add(len(units), total)
         return marks
 
 
@@ -245,16 +236,16 @@ def said(figure: dict[str, float]) -> str:
     return f"{figure['median']:.2f} ({figure['least']:.2f} to {figure['most']:.2f})"
 
 
-def proxy_call_microseconds() -> dict[str, float] | None:
-    """What a call across the proxy takes, if the program that measures it is built."""
-    program = BUILD / "bin" / "remote_calls"
-    if not program.exists():
-        return None
-    done = subprocess.run([str(program)], capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(f"{program} failed:\n{done.stdout}{done.stderr}")
-    figures: dict[str, float] = json.loads(done.stdout)
-    return figures
+def proxy_call() -> dict[str, float]:
+    """Microseconds of a call across the proxy: medians of 20,001 calls, repeated."""
+    runs = []
+    for _ in range(5):
+        command = [str(PROGRAM), "dev", "call-time", "--json"]
+        done = subprocess.run(command, capture_output=True, text=True)
+        if done.returncode != 0:
+            sys.exit(f"{' '.join(command)} failed:\n{done.stdout}{done.stderr}")
+        runs.append(json.loads(done.stdout)["microseconds"])
+    return {way: statistics.median(run[way] for run in runs) for way in runs[0]}
 
 
 def main() -> int:
@@ -318,38 +309,31 @@ def main() -> int:
         "ways": {
             name: {
                 "units": sum(way.units),
-                "units_per_second": spread(way.rates(way.wall)),
-                "units_per_processor_second": spread(way.rates(way.processor)),
+                "units_per_second": spread(way.rates()),
             }
             for name, way in ways.items()
         },
     }
     one, two, plain = ways.values()
-    ratio = [a / b for a, b in zip(one.rates(one.wall), plain.rates(plain.wall), strict=True)]
-    processor = [
-        a / b for a, b in zip(one.rates(one.processor), plain.rates(plain.processor), strict=True)
-    ]
-    speed_up = [a / b for a, b in zip(one.wall, two.wall, strict=True)]
+    ratio = [a / b for a, b in zip(one.rates(), plain.rates(), strict=True)]
+    speed_up = [a / b for a, b in zip(one.seconds, two.seconds, strict=True)]
     figures["ratio"] = spread(ratio)
-    figures["ratio_of_processor_time"] = spread(processor)
     figures["two_workers_against_one"] = spread(speed_up)
-    figures["proxy_call"] = proxy_call_microseconds()
+    figures["proxy_call_microseconds"] = call = proxy_call()
 
     print(f"{about['cpu']}, {about['cores']} cores, {about['os']}; load {load:.1f}")
     print(f"{len(names)} submissions: " + ", ".join(f"{n} {kind}" for kind, n in kinds.items()))
     for name, way in figures["ways"].items():
-        print(
-            f"{name:14} {said(way['units_per_second'])} units a second, "
-            f"{said(way['units_per_processor_second'])} a processor second"
-        )
+        print(f"{name:14} {said(way['units_per_second'])} units a second")
     print(f"one worker is {said(figures['ratio'])} times the naive way; {WANTED_RATIO} is wanted")
-    print(f"  by processor time {said(figures['ratio_of_processor_time'])} times")
     print(
         f"two workers are {said(figures['two_workers_against_one'])} times one;"
         f" {WANTED_SPEED_UP} is wanted"
     )
-    if figures["proxy_call"]:
-        print(f"a call across the proxy: {json.dumps(figures['proxy_call'])}")
+    print(
+        f"a call across the proxy takes {call['in_boxes']:.1f} microseconds in boxes,"
+        f" {call['without_boxes']:.1f} without"
+    )
     print("medians of blocks, in brackets the least and the most")
 
     place = arguments.json
