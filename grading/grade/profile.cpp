@@ -1,8 +1,8 @@
 #include "profile.hpp"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
+#include <iterator>
 #include <string>
 #include <variant>
 #include <vector>
@@ -81,8 +81,11 @@ const Key& key_named(const std::string& name, const std::string& where) {
     names.emplace_back(key.name);
   }
   std::string text = where + "there is no limit '" + name + "'";
-  if (const std::vector<std::string> near = nearest(name, names); !near.empty())
-    throw BookError(text + ". Did you mean " + near.front() + "?");
+  std::vector<std::string> near = nearest(name, names);
+  if (near.empty())
+    std::copy_if(names.begin(), names.end(), std::back_inserter(near),
+                 [&](const std::string& known) { return known.starts_with(name); });
+  if (!near.empty()) throw BookError(text + ". Did you mean " + near.front() + "?");
   text += "; a profile may set ";
   for (std::size_t i = 0; i < names.size(); ++i)
     text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];

@@ -1,0 +1,154 @@
+"""A grading that is killed anywhere goes on where it was: no unit is graded twice, and the results
+are those of a run that nobody disturbed."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import threading
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from graded_class import SOLUTION, WRONG, Grader, kill, running_from, until, without_times
+
+STUDENTS = {f"student{i}": SOLUTION if i % 2 else WRONG for i in range(8)}
+
+
+def fill(grader: Grader) -> None:
+    for student, text in STUDENTS.items():
+        grader.hand_in(student, text)
+
+
+@pytest.fixture(scope="module")
+def undisturbed(tmp_path_factory: pytest.TempPathFactory) -> object:
+    grader = Grader(tmp_path_factory.mktemp("undisturbed") / "class")
+    fill(grader)
+    grader.grade("--seed", "s")
+    grader.clean()
+    return without_times(grader.document())
+
+
+def finished_once(grader: Grader) -> None:
+    finished = grader.counts("finish")
+    assert set(finished) == set(STUDENTS)
+    # A worker that is killed between its result and its line in the log has said one line too few.
+    assert set(finished.values()) == {1}
+
+
+@pytest.mark.parametrize("lines", [1, 5, 12])
+def test_a_coordinator_that_is_killed(grader: Grader, undisturbed: object, lines: int) -> None:
+    fill(grader)
+    process = grader.start("--seed", "s", "--workers", "2")
+    until(lambda: len(grader.log()) >= lines)
+    process.kill()
+    process.communicate()
+    # Its workers end by themselves, and take their folders with them.
+    until(lambda: not running_from(grader.folder), 30)
+    until(lambda: not list(grader.temporary.iterdir()), 10)
+    before = grader.counts("finish")
+    assert sum(before.values()) < len(STUDENTS)
+    summary = grader.grade("--seed", "s", "--workers", "2")
+    assert summary["units"]["reused"] >= sum(before.values())
+    assert summary["units"]["reused"] + summary["units"]["graded"] == len(STUDENTS)
+    for student in before:
+        assert grader.counts("start")[student] == 1
+    finished_once(grader)
+    assert without_times(grader.document()) == undisturbed
+
+
+def test_a_machine_that_stops(grader: Grader, undisturbed: object) -> None:
+    """Everything is killed at once, so nothing cleans up but the next run."""
+    fill(grader)
+    process = grader.start("--seed", "s", "--workers", "2")
+    until(lambda: len(grader.log()) >= 6)
+    os.kill(process.pid, signal.SIGSTOP)
+    for pid in grader.workers():
+        kill(pid)
+    process.kill()
+    process.communicate()
+    until(lambda: not running_from(grader.folder), 30)
+    assert list(grader.temporary.iterdir())
+    before = grader.counts("finish")
+    grader.grade("--seed", "s", "--workers", "2")
+    for student in before:
+        assert grader.counts("start")[student] == 1
+    finished_once(grader)
+    assert without_times(grader.document()) == undisturbed
+
+
+def test_a_worker_that_is_killed(grader: Grader, undisturbed: object) -> None:
+    fill(grader)
+    process = grader.start("--seed", "s", "--workers", "2")
+    until(lambda: len(grader.log()) >= 3)
+    kill(grader.workers()[0])
+    output, errors = process.communicate(timeout=300)
+    assert process.returncode == 0, output + errors
+    finished_once(grader)
+    assert max(grader.counts("start").values()) <= 2
+    assert without_times(grader.document()) == undisturbed
+
+
+def test_ctrl_c_leaves_nothing_but_what_is_graded(grader: Grader, undisturbed: object) -> None:
+    fill(grader)
+    process = grader.start("--seed", "s", "--workers", "2")
+    until(lambda: len(grader.log()) >= 4)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert "the same command goes on where it was" in errors
+    grader.clean()
+    assert not (grader.results / "results.json").exists()
+    grader.grade("--seed", "s")
+    finished_once(grader)
+    assert without_times(grader.document()) == undisturbed
+
+
+def test_a_unit_that_no_worker_survives_is_the_machines_problem(
+    grader: Grader, undisturbed: object
+) -> None:
+    fill(grader)
+    over = threading.Event()
+
+    def hunt() -> None:
+        hunted: set[int] = set()
+        while not over.wait(0.002):
+            for line in grader.log():
+                pid = int(line[-1].rpartition(":")[2])
+                if line[0] == "start" and line[1] == "student3" and pid not in hunted:
+                    hunted.add(pid)
+                    kill(pid)
+
+    hunter = threading.Thread(target=hunt)
+    hunter.start()
+    try:
+        done = grader.run("--seed", "s", "--workers", "2")
+    finally:
+        over.set()
+        hunter.join()
+    assert done.returncode == 3
+    assert "student3, 01_planes/signed_distance could not be graded here: signal 9" in done.stderr
+    assert grader.counts("start")["student3"] == 3
+    # No mark at all rather than one of zero.
+    assert not (grader.results / "results.json").exists()
+    assert not (grader.results / "students").exists()
+    summary = grader.grade("--seed", "s")
+    assert summary["units"] == {"graded": 1, "reused": 7, "alone": 0}
+    finished_once(grader)
+    assert without_times(grader.document()) == undisturbed
+
+
+def test_a_result_that_was_cut_off_is_graded_again(grader: Grader) -> None:
+    fill(grader)
+    grader.grade()
+    before = without_times(grader.document())
+    units = sorted((grader.results / ".grade/units").glob("*/*.json"))
+    assert len(units) == len(STUDENTS)
+    units[0].write_bytes(units[0].read_bytes()[:100])
+    units[1].write_text("")
+    units[2].unlink()
+    assert grader.grade()["units"] == {"graded": 3, "reused": 5, "alone": 0}
+    assert without_times(grader.document()) == before
