@@ -304,8 +304,6 @@ void SlurmEngine::ask_queue() {
   SlurmQueue queue;
   try {
     queue = commands_.queue({jobs.begin(), jobs.end()});
-    if (silent_since_) setting_.note("Slurm answers again.");
-    silent_since_.reset();
   } catch (const SlurmError& error) {
     if (!silent_since_) {
       silent_since_ = Clock::now();
@@ -320,13 +318,16 @@ void SlurmEngine::ask_queue() {
     task.state = found != queue.end() ? found->second : forgotten(task);
     if (found == queue.end() || !task.state.live()) task.ended = Clock::now();
   }
+  if (silent_since_) setting_.note("Slurm answers again.");
+  silent_since_.reset();
 }
 
 // How a task ended that the queue has no more.
 SlurmTask SlurmEngine::forgotten(const Task& task) {
   if (const auto accounted = commands_.accounted(task.job, task.index)) return *accounted;
-  // What has run stays in the queue for minutes. What has not goes at once when it is cancelled.
-  if (task.state.state == "PENDING") return {"CANCELLED", ""};
+  // What has run stays in the queue for minutes. What has not goes at once when it is cancelled, or
+  // if a controller was restarted that did not know of it yet.
+  if (task.state.state == "PENDING" && !silent_since_) return {"CANCELLED", ""};
   return {"", ""};
 }
 

@@ -199,7 +199,11 @@ class Cluster:
         self._start("slurmctld", ["slurmctld", "-D", "-f", str(self.configuration)])
 
     def end_controller(self) -> None:
-        """Nobody answers sbatch and squeue; the nodes go on."""
+        """As for an update: it writes down where it is. Nobody answers sbatch and squeue from then
+        on; the nodes go on."""
+        daemon = descendants(self._keepers["slurmctld"].pid)[0]
+        os.kill(daemon, signal.SIGTERM)
+        self._wait("slurmctld to end", lambda: not Path(f"/proc/{daemon}").exists())
         self._end("slurmctld")
 
     def start_node(self, node: str) -> None:

@@ -12,7 +12,7 @@ import subprocess
 import sys
 import time
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, cast
 
@@ -29,6 +29,14 @@ SOLUTIONS = ROOT / "solutions" / EXERCISE
 SOLUTION = (SOLUTIONS / "point_in_triangle.cpp").read_text()
 # A shell and Slurm's patterns for files would each read something else here.
 AWKWARD = 'it\'s "100%j" $HOME `x`\\n é'
+# Right and wrong answers, and one that does not compile.
+ANSWERS = [
+    SOLUTION,
+    *(wrong.read_text() for wrong in sorted(SOLUTIONS.glob("wrong/*.cpp"))[:3]),
+    SOLUTION + "\n",
+    "int main( {",
+]
+SEED = "of the test"
 LIMIT = 300
 
 
@@ -50,22 +58,17 @@ def _whole_cluster(request: pytest.FixtureRequest) -> Iterator[None]:
         assert one.queue() == []
 
 
-def submissions(folder: Path) -> Path:
-    """A dozen answers, right and wrong ones in turn, and one that does not compile."""
-    answers = [SOLUTION, *(wrong.read_text() for wrong in sorted(SOLUTIONS.glob("wrong/*.cpp")))]
-    answers.append("int main( {")
-    for number in range(12):
-        copy = folder / f"student_{number:02}" / "02_triangles" / "point_in_triangle.cpp"
-        copy.parent.mkdir(parents=True)
-        copy.write_text(answers[number % len(answers)])
-    return folder
-
-
 class Grading:
     """`contact grade` of these submissions into one folder of results."""
 
-    def __init__(self, folder: Path, environment: dict[str, str]) -> None:
-        self.handed_in = submissions(folder / f"handed in, {AWKWARD}")
+    def __init__(
+        self, folder: Path, environment: dict[str, str], answers: Sequence[str] = ANSWERS
+    ) -> None:
+        self.handed_in = folder / f"handed in, {AWKWARD}"
+        for number, answer in enumerate(answers):
+            copy = self.handed_in / f"student_{number}" / f"{EXERCISE}.cpp"
+            copy.parent.mkdir(parents=True)
+            copy.write_text(answer)
         self.results = folder / f"results, {AWKWARD}"
         self.temporary = folder / "tmp"
         self.temporary.mkdir()
@@ -76,10 +79,10 @@ class Grading:
             "NO_COLOR": "1",
         }
 
-    def start(self, *words: str) -> subprocess.Popen[str]:
+    def start(self, *words: str, seed: str = SEED) -> subprocess.Popen[str]:
         command = [PROGRAM, "grade", self.handed_in, "-o", self.results, "--exercises", EXERCISE]
         return subprocess.Popen(
-            [*map(str, command), "--seed", "of the test", *words],
+            [*map(str, command), "--seed", seed, *words],
             env=self.environment,
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
@@ -87,9 +90,10 @@ class Grading:
             text=True,
         )
 
-    def on_slurm(self, *words: str) -> subprocess.Popen[str]:
-        """Two tasks at a time, of three units."""
-        return self.start(*("--engine", "slurm", "--workers", "2", "--units-a-task", "3"), *words)
+    def on_slurm(self, *words: str, seed: str = SEED) -> subprocess.Popen[str]:
+        """Two tasks at a time, of two units."""
+        slurm = ("--engine", "slurm", "--workers", "2", "--units-a-task", "2")
+        return self.start(*slurm, *words, seed=seed)
 
     def log(self, what: str) -> list[str]:
         """The submissions that a worker began ("start") or was done with ("finish"), in turn."""
@@ -139,9 +143,9 @@ def wait_until(condition: Callable[[], bool], grading: subprocess.Popen[str]) ->
 
 @pytest.fixture(scope="module")
 def local(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
-    """What everything here must come out as: graded by one worker on this machine."""
+    """What everything here must come out as: graded on this machine alone."""
     grading = Grading(tmp_path_factory.mktemp("local"), dict(os.environ))
-    code, errors = ended(grading.start("--workers", "1"))
+    code, errors = ended(grading.start("--workers", "2"))
     assert code == 0, errors
     marks = grading.marks()
     points = {entry["points"] for entry in marks["submissions"]}
@@ -192,7 +196,7 @@ def test_a_killed_task_costs_no_mark(
     assert "submitted again" in errors
     assert grading.marks() == local
     # Only what the worker had under way is begun twice, and what is done is done once.
-    assert sum(Counter(grading.log("start")).values()) <= 12 + 1
+    assert len(grading.log("start")) <= len(ANSWERS) + 1
     assert set(Counter(grading.log("finish")).values()) == {1}
     grading.assert_clean()
 
@@ -209,7 +213,6 @@ def test_a_killed_node_costs_no_mark(
 
     wait_until(some_node_is_busy, run)
     lost = busy[0]
-    under_way = len(workers(cluster, lost))
     cluster.end_node(lost)
     try:
         code, errors = ended(run)
@@ -218,8 +221,7 @@ def test_a_killed_node_costs_no_mark(
     assert code == 0, errors
     assert "submitted again" in errors
     assert grading.marks() == local
-    assert len(grading.log("start")) <= 12 + CPUS_A_NODE
-    assert under_way >= 1
+    assert len(grading.log("start")) <= len(ANSWERS) + CPUS_A_NODE
     assert set(Counter(grading.log("finish")).values()) == {1}
 
 
@@ -244,7 +246,7 @@ def test_a_killed_coordinator_is_taken_over_from(
 def test_a_run_that_asks_for_something_else_does_not_take_over(
     cluster: Cluster, grading: Grading, local: dict[str, Any]
 ) -> None:
-    run = grading.on_slurm("--seed", "of another test")
+    run = grading.on_slurm(seed="of another test")
     wait_until(lambda: len(grading.log("finish")) >= 1, run)
     run.kill()
     ended(run)
@@ -254,6 +256,23 @@ def test_a_run_that_asks_for_something_else_does_not_take_over(
     assert "cancelled first" in errors
     assert grading.marks() == local
     grading.assert_clean()
+
+
+def test_a_unit_near_its_limit_has_a_node_to_itself(cluster: Cluster, tmp_path: Path) -> None:
+    endless = SOLUTION.replace(") {\n", ") {\n  for (volatile bool on = true; on;) continue;\n")
+    profile = tmp_path / "profile.toml"
+    profile.write_text("test_cpu_seconds = 0.1\n")
+    marks = []
+    for engine in ("slurm", "local"):
+        folder = tmp_path / engine
+        folder.mkdir()
+        one = Grading(folder, cluster.environment, [SOLUTION, endless])
+        code, errors = ended(one.start("--engine", engine, "--profile", str(profile)))
+        assert code == 0, errors
+        assert ("a node to itself" in errors) == (engine == "slurm")
+        marks.append(one.marks())
+    assert marks[0] == marks[1]
+    assert [entry["points"] for entry in marks[0]["submissions"]] == [7, 0]
 
 
 def test_ctrl_c_leaves_nothing_in_the_queue(
