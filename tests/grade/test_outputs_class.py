@@ -6,6 +6,7 @@ from __future__ import annotations
 import itertools
 import json
 import re
+import subprocess
 import sys
 from pathlib import Path
 from typing import Any
@@ -325,3 +326,29 @@ def test_pages_stand_alone_and_can_be_read_aloud(tmp_path: Path, name: str) -> N
             "passed:",
             "failed:",
         ]
+
+
+def test_a_browser_finds_nothing_wrong_with_the_pages(tmp_path: Path) -> None:
+    """Contrast, names and roles for screen readers, both colour modes, a phone's width."""
+    wide = "x" * 3000
+    one = graded("x", "passed", "failed", "stopped", "skipped", belief=BELIEF, output=wide)
+    one["exercises"][0]["verdict"]["tests"][1]["failure"]["got"] = f"<b>{wide}"
+    class_ = made.document(
+        [listed("shown", "shown", "shown", "shown", "hidden", "after_due")],
+        [one, broken("y", "missing-semicolon", wide), graded("z", *["passed"] * 6, name=wide)],
+        level="reduced",
+    )
+    pages(tmp_path, class_)
+    files = [tmp_path / "class.html", *sorted(tmp_path.glob("students/*/report.html"))]
+    assert len(files) == 4
+    done = subprocess.run(
+        ["node", str(HERE / "outputs_pages.mjs"), *map(str, files)],
+        capture_output=True,
+        text=True,
+        timeout=300,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    if done.stdout.strip() == "no browser":
+        pytest.skip("no Chromium found (set CHROMIUM to one)")
+    assert json.loads(done.stdout) == {str(file): [] for file in files}
