@@ -153,7 +153,7 @@ void Box::State::start(Loop& loop) {
   started.descriptors = spec.descriptors;
   std::optional<FilterFile> filter;
   if (machine.system_call_filter) {
-    const bool alone = !in_namespaces() && spec.kind == BoxKind::answer;
+    const bool alone = !in_namespaces() && spec.kind != BoxKind::compile;
     filter.emplace(filter_of({spec.kind, spec.kind == BoxKind::compile || spec.limits.processes > 1,
                               in_namespaces(), alone ? program_descriptor : -1}));
     started.descriptors.emplace_back(filter->descriptor(), filter_descriptor);
@@ -206,11 +206,11 @@ void Box::State::finish(BoxEnd& end) {
                        report.status <= 128 + SIGRTMAX;
   end.process.signal = report.by_signal ? report.status : in_code ? report.status - 128 : 0;
   end.process.exit_code = end.process.signal != 0 ? 0 : report.status;
-  // The kernel counts whole seconds of processor time and ends by a signal of its own.
-  if (!asked_to_end &&
-      (end.process.signal == SIGXCPU ||
-       (end.process.signal == SIGKILL && end.cpu_seconds > spec.limits.cpu_seconds)))
+  // The kernel counts whole seconds of processor time and ends by a signal of its own, which a
+  // compiler tells in its own way.
+  if (!asked_to_end && !end.process.succeeded() && end.cpu_seconds >= spec.limits.cpu_seconds)
     end.process.ended = Ended::time;
+  if (!asked_to_end && end.process.signal == SIGXCPU) end.process.ended = Ended::time;
 }
 
 Box::Box(Loop& loop, const Machine& machine, const Seat& seat, BoxSpec spec)

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "../book.hpp"
@@ -90,6 +91,22 @@ void show_system(Seat::State& seat, BoxKind kind, Words& launcher, Words& inside
   add(inside, {"--dev-bind", "/dev/null", "/dev/null"});
 }
 
+// @throws BookError naming the folder that does not let the box's user through
+void check_way_to(const fs::path& path, long user) {
+  for (fs::path folder = path.parent_path(); folder != folder.root_path();
+       folder = folder.parent_path()) {
+    struct stat found {};
+    if (::stat(folder.c_str(), &found) != 0) continue;
+    const bool open = found.st_uid == static_cast<uid_t>(user) ? (found.st_mode & S_IXUSR) != 0
+                                                               : (found.st_mode & S_IXOTH) != 0;
+    if (!open)
+      throw BookError("a box of user " + std::to_string(user) + " cannot reach " + path.string() +
+                      ", because " + folder.string() +
+                      " lets nobody else in: without namespaces it must (chmod o+x), or the folder "
+                      "must lie elsewhere (TMPDIR)");
+  }
+}
+
 }  // namespace
 
 void PathNames::add(std::string machine, std::string box) {
@@ -160,6 +177,11 @@ std::vector<std::string> command_without_namespaces(const Machine& machine, Seat
                                                     const BoxGroup* group, const BoxSpec& spec,
                                                     const PathNames& names,
                                                     const std::string& temporary) {
+  // A compiler goes to its files by their paths; other programs are opened before.
+  if (spec.kind == BoxKind::compile && seat.user >= 0) {
+    for (const BoxMount& mount : spec.read_only) check_way_to(mount.host, seat.user);
+    if (!spec.writable.host.empty()) check_way_to(spec.writable.host, seat.user);
+  }
   Words words = common_words(machine, seat, group, spec);
   if (machine.closed_files) {
     add(words, {"--close-files"});
@@ -180,7 +202,8 @@ std::vector<std::string> command_without_namespaces(const Machine& machine, Seat
   }
   if (machine.system_call_filter) {
     add(words, {"--filter", std::to_string(filter_descriptor)});
-    if (spec.kind == BoxKind::answer) add(words, {"--program", std::to_string(program_descriptor)});
+    if (spec.kind != BoxKind::compile)
+      add(words, {"--program", std::to_string(program_descriptor)});
   }
   add(words, {"--folder", names.in_machine(spec.folder.string()), "--"});
   for (const std::string& word : spec.command) words.push_back(names.in_machine(word));

@@ -178,10 +178,7 @@ void end_with_keeper(const Settings& settings, int keeper) {
     stage(settings, settings.user < 0 ? ::getuid() : static_cast<uid_t>(settings.user),
           settings.user < 0 ? ::getgid() : static_cast<gid_t>(settings.user));
   }
-  become(settings);
-  // A change of user takes the request back.
-  end_with_keeper(settings, keeper);
-  ::umask(022);
+  // What it is given may lie where its new user could not go.
   if (!settings.folder.empty() && ::chdir(settings.folder.c_str()) != 0)
     fail(settings, "going to " + settings.folder);
   if (settings.program >= 0) {
@@ -190,6 +187,11 @@ void end_with_keeper(const Settings& settings, int keeper) {
       fail(settings, std::string("opening ") + settings.command[0]);
     ::close(program);
   }
+  const int rules = settings.files_closed ? rules_of_files(settings) : -1;
+  become(settings);
+  // A change of user takes the request back.
+  end_with_keeper(settings, keeper);
+  ::umask(022);
   if (settings.status >= 0 && ::dup2(settings.report, settings.status) < 0)
     fail(settings, "handing on the report");
   set_limits(settings);
@@ -197,7 +199,7 @@ void end_with_keeper(const Settings& settings, int keeper) {
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
   if (settings.files_closed || settings.filter >= 0) ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-  if (settings.files_closed) close_files(settings);
+  if (settings.files_closed) close_files(settings, rules);
   if (settings.filter >= 0) load_filter(settings);
   if (settings.program >= 0) {
     ::syscall(SYS_execveat, settings.program, "", settings.command.data(), environ, AT_EMPTY_PATH);

@@ -61,8 +61,10 @@ struct Settings {
 
 /// A mount namespace whose /tmp holds what is staged.
 void stage(const Settings& settings, uid_t user, gid_t group);
-/// Leaves the process only the files that the settings name.
-void close_files(const Settings& settings);
+/// The files that the settings name, as rules for close_files().
+int rules_of_files(const Settings& settings);
+/// Leaves the process no other files.
+void close_files(const Settings& settings, int rules);
 /// Loads the filter, and one of its own that lets it send signals to nobody but itself.
 void load_filter(const Settings& settings);
 

@@ -84,7 +84,7 @@ void stage(const Settings& settings, uid_t user, gid_t group) {
 }
 
 // Landlock, by the kernel's numbers: https://docs.kernel.org/userspace-api/landlock.html
-void close_files(const Settings& settings) {
+int rules_of_files(const Settings& settings) {
   struct {
     std::uint64_t files;
     std::uint64_t network;
@@ -128,6 +128,10 @@ void close_files(const Settings& settings) {
       fail(settings, "opening " + opened.path);
     ::close(path);
   }
+  return rules;
+}
+
+void close_files(const Settings& settings, int rules) {
   if (::syscall(nr_landlock_restrict_self, rules, 0) != 0) fail(settings, "closing the files");
   ::close(rules);
 }

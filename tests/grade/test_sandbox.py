@@ -1,0 +1,478 @@
+"""What a box keeps a program from, tried at both levels, and that what is honest works."""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+import signal
+import socket
+import subprocess
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
+SOURCE = ROOT / "tests" / "grade" / "sandbox" / "probe.cpp"
+LEVELS = ["full", "reduced"]
+
+End = dict[str, Any]
+Box = Callable[..., End]
+
+
+@pytest.fixture(scope="session")
+def probe(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    program = tmp_path_factory.mktemp("probe") / "probe"
+    subprocess.run(["g++", "-std=c++20", "-O1", "-static", SOURCE, "-o", program], check=True)
+    return program
+
+
+@pytest.fixture(scope="session")
+def best(probe: Path) -> str:
+    """The level that this machine has."""
+    end = run_box("full", "--show", f"{probe}=/program", "/program", "nap")
+    return str(end["level"])
+
+
+def command(*words: str | float | Path) -> list[str]:
+    return [str(PROGRAM), "dev", "box", *map(str, words)]
+
+
+def run_box(level: str, *words: str | Path, pass_fds: tuple[int, ...] = ()) -> End:
+    done = subprocess.run(
+        command(*words),
+        capture_output=True,
+        text=True,
+        stdin=subprocess.DEVNULL,
+        env={**os.environ, "CONTACT_ROOT": str(ROOT), "CONTACT_BOX_LEVEL": level, "SECRET": "told"},
+        timeout=120,
+        pass_fds=pass_fds,
+    )
+    assert done.returncode in (0, 1), done.stderr
+    result: End = json.loads(done.stdout)
+    return result
+
+
+@pytest.fixture(params=LEVELS)
+def level(request: pytest.FixtureRequest, best: str) -> str:
+    wanted = str(request.param)
+    if best not in LEVELS or LEVELS.index(wanted) < LEVELS.index(best):
+        pytest.skip(f"this machine has level {best} only")
+    return wanted
+
+
+@pytest.fixture
+def box(level: str, probe: Path) -> Box:
+    """Runs an attempt of the probe in a box of that level."""
+
+    def run(
+        *attempt: str | int,
+        limits: tuple[str | float, ...] = (),
+        pass_fds: tuple[int, ...] = (),
+    ) -> End:
+        words = [*map(str, limits), "--show", f"{probe}=/program", "/program", *map(str, attempt)]
+        end = run_box(level, *words, pass_fds=pass_fds)
+        assert end["level"] == level
+        return end
+
+    return run
+
+
+def refused(end: End) -> bool:
+    """The attempt came back with an error."""
+    return bool(end["output"].startswith("refused") and end["exit_code"] == 0)
+
+
+def managed(end: End) -> bool:
+    return bool(end["output"].endswith("managed\n") and end["exit_code"] == 0)
+
+
+# --- Attempts that must fail, the same at both levels.
+
+
+@pytest.mark.parametrize(
+    "attempt",
+    [
+        ["fork"],
+        ["vfork"],
+        ["clone3"],
+        ["thread"],
+        ["exec"],
+        ["socket"],
+        ["unix-socket"],
+        ["netlink"],
+        ["open", "/etc/passwd"],
+        ["open", "/proc/self/cmdline"],
+        ["open", "/proc/1/environ"],
+        ["open", "/dev/zero"],
+        ["open", str(SOURCE)],
+        ["list", str(ROOT)],
+        ["list", "/home"],
+        ["create", "/file"],
+        ["kill-parent"],
+        ["kill-all"],
+        ["setsid"],
+        ["signal-by-pipe"],
+        ["raise-limit"],
+        ["mount"],
+        ["chroot"],
+        ["unshare"],
+        ["io-uring"],
+        ["bpf"],
+        ["keyctl"],
+        ["userfaultfd"],
+        ["perf"],
+        ["memory-file"],
+        ["new-privileges"],
+        ["become-root"],
+    ],
+    ids=" ".join,
+)
+def test_is_refused(box: Box, attempt: list[str]) -> None:
+    assert refused(box(*attempt))
+
+
+@pytest.fixture
+def bystander() -> Iterator[subprocess.Popen[bytes]]:
+    """A process of whoever runs the grader."""
+    with subprocess.Popen(["sleep", "100"]) as process:
+        yield process
+        alive = process.poll() is None
+        process.kill()
+        assert alive, "the bystander was ended from inside a box"
+
+
+@pytest.mark.parametrize(
+    "attempt", ["kill", "tgkill", "signal-by-pipe", "ptrace", "read-process", "limit-other"]
+)
+def test_another_process_is_out_of_reach(
+    box: Box, bystander: subprocess.Popen[bytes], attempt: str
+) -> None:
+    assert refused(box(attempt, bystander.pid))
+
+
+def test_the_network_is_out_of_reach(box: Box) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        assert refused(box("connect", listener.getsockname()[1]))
+
+
+def test_it_is_never_root(box: Box) -> None:
+    real, effective = box("who")["output"].split()[1:3]
+    assert real == effective != "0"
+
+
+def test_the_environment_is_empty(box: Box) -> None:
+    variables = [line for line in box("environment")["output"].splitlines() if "variable" in line]
+    assert variables in ([], ["variable PWD=/"])
+
+
+def test_descriptors_that_lie_open_are_not_passed_on(box: Box) -> None:
+    with SOURCE.open() as leaked:
+        end = box("descriptors", pass_fds=(leaked.fileno(),))
+    lines = end["output"].splitlines()
+    assert lines == ["descriptor 0", "descriptor 1", "descriptor 2", "managed"]
+
+
+@pytest.mark.skipif(platform.machine() != "x86_64", reason="calls of another architecture")
+@pytest.mark.parametrize("attempt", ["32-bit", "x32"])
+def test_calls_of_another_architecture_end_it(box: Box, attempt: str) -> None:
+    assert box(attempt)["signal"] == signal.SIGSYS
+
+
+# --- Limits: what goes beyond is stopped, what stays below is not.
+
+
+def test_memory(box: Box) -> None:
+    assert refused(box("memory", 200, limits=("--memory", 128)))
+    assert managed(box("memory", 64, limits=("--memory", 128)))
+
+
+def test_processor_time(box: Box) -> None:
+    end = box("spin", limits=("--cpu", 0.2))
+    assert end["ended"] == "time"
+    assert end["cpu_seconds"] >= 0.2
+    assert box("arithmetic", limits=("--cpu", 0.2))["ended"] == "by_itself"
+
+
+def test_waiting(box: Box) -> None:
+    end = box("sleep", limits=("--wall", 0.5))
+    assert end["ended"] == "time"
+    assert end["cpu_seconds"] < 0.4
+    assert managed(box("nap", limits=("--wall", 5)))
+
+
+@pytest.mark.parametrize("attempt", ["flood", "flood-errors"])
+def test_output(box: Box, attempt: str) -> None:
+    end = box(attempt, limits=("--output", 100_000))
+    assert end["ended"] == "output"
+    assert 0 < len(end["output"] + end["errors"]) <= 100_000
+
+
+def test_files_fill_no_disk(box: Box, level: str) -> None:
+    assert refused(box("write-file", 3, limits=("--file-size", 2)))
+    assert refused(box("make-files", 20, limits=("--files", 16)))
+    # Without a view of files of its own it has none at all.
+    holds = managed if level == "full" else refused
+    assert holds(box("write-file", 1, limits=("--file-size", 2)))
+    assert holds(box("make-files", 10, limits=("--files", 16)))
+
+
+def test_processes_where_some_are_allowed(box: Box) -> None:
+    allowed = ("--processes", 4)
+    assert managed(box("fork", limits=allowed))
+    assert managed(box("thread", limits=allowed))
+    assert managed(box("fork-many", 2, limits=allowed))
+    assert not managed(box("fork-many", 100, limits=allowed))
+
+
+# --- How it ends.
+
+
+@pytest.mark.parametrize(
+    ("attempt", "number"),
+    [("abort", signal.SIGABRT), ("segfault", signal.SIGSEGV), ("overflow", signal.SIGSEGV)],
+)
+def test_a_signal_is_told(box: Box, attempt: str, number: int) -> None:
+    assert box(attempt)["signal"] == number
+
+
+def test_an_exit_code_is_told(box: Box) -> None:
+    end = box("exit", 3)
+    assert (end["exit_code"], end["signal"]) == (3, 0)
+
+
+def test_an_honest_program_works(box: Box) -> None:
+    assert box("arithmetic")["output"] == "sum 1\nmanaged\n"
+
+
+def processes_with(text: str) -> list[int]:
+    found = []
+    for process in Path("/proc").glob("[0-9]*"):
+        try:
+            words = (process / "cmdline").read_bytes().decode(errors="replace")
+            state = (process / "stat").read_text().rpartition(")")[2].split()[0]
+        except OSError:
+            continue
+        if text in words and state != "Z" and int(process.name) != os.getpid():
+            found.append(int(process.name))
+    return found
+
+
+def wait_until_gone(text: str) -> None:
+    end = time.monotonic() + 20
+    while processes_with(text) and time.monotonic() < end:
+        time.sleep(0.02)
+    assert processes_with(text) == []
+
+
+def test_nothing_is_left_behind(box: Box, level: str) -> None:
+    mark = f"mark-of-{level}-{os.getpid()}"
+    end = box("leave-behind", mark, limits=("--processes", 4, "--wall", 20))
+    assert managed(end)
+    assert processes_with(mark) == []
+
+
+@pytest.mark.parametrize("attempt", ["sleep", "spin"])
+def test_it_ends_with_whoever_started_it(level: str, probe: Path, attempt: str) -> None:
+    mark = f"mark-of-{attempt}-{level}-{os.getpid()}"
+    started = subprocess.Popen(
+        command(
+            "--cpu", 60, "--wall", 60, "--show", f"{probe}=/program", "/program", attempt, mark
+        ),
+        env={**os.environ, "CONTACT_ROOT": str(ROOT), "CONTACT_BOX_LEVEL": level},
+        stdout=subprocess.DEVNULL,
+    )
+    with started:
+        end = time.monotonic() + 20
+        # The program in the box, and not those that start it.
+        while not any(runs(process, attempt) for process in processes_with(mark)):
+            assert time.monotonic() < end
+            time.sleep(0.01)
+        started.kill()
+    wait_until_gone(mark)
+
+
+def runs(process: int, attempt: str) -> bool:
+    try:
+        words = Path(f"/proc/{process}/cmdline").read_bytes().split(b"\0")
+    except OSError:
+        return False
+    return attempt.encode() in words[:2]
+
+
+def test_ctrl_c_ends_the_box(level: str, probe: Path) -> None:
+    mark = f"mark-of-interrupt-{level}-{os.getpid()}"
+    started = subprocess.Popen(
+        command("--wall", 60, "--show", f"{probe}=/program", "/program", "sleep", mark),
+        env={**os.environ, "CONTACT_ROOT": str(ROOT), "CONTACT_BOX_LEVEL": level},
+        stdout=subprocess.DEVNULL,
+    )
+    with started:
+        end = time.monotonic() + 20
+        while not any(runs(process, "sleep") for process in processes_with(mark)):
+            assert time.monotonic() < end
+            time.sleep(0.01)
+        started.send_signal(signal.SIGINT)
+        assert started.wait(20) == 130
+    assert processes_with(mark) == []
+
+
+# --- Compiling.
+
+
+@pytest.fixture
+def compile_folder() -> Iterator[Path]:
+    """A folder that another user can go through: without namespaces that is who compiles."""
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder).chmod(0o711)
+        for name in ("source", "made"):
+            (Path(folder) / name).mkdir()
+        yield Path(folder)
+
+
+@pytest.fixture
+def compile_text(level: str, compile_folder: Path) -> Callable[..., End]:
+    def run(text: str, *flags: str, cpu: int = 30) -> End:
+        source, made = compile_folder / "source", compile_folder / "made"
+        (source / "answer.cpp").write_text(text)
+        limits = ["--memory", 1024, "--processes", 32, "--cpu", cpu, "--file-size", 64]
+        mounts = ["--show", f"{source}=/source", "--writable", f"{made}=/made"]
+        compiler = ["/usr/bin/g++", "-std=c++20", "-pipe", "-c", "/source/answer.cpp"]
+        return run_box(
+            level,
+            "--kind",
+            "compile",
+            *map(str, limits),
+            *mounts,
+            "--",
+            *compiler,
+            *flags,
+            "-o",
+            "/made/answer.o",
+        )
+
+    return run
+
+
+def test_the_standard_library_compiles(
+    compile_text: Callable[..., End], compile_folder: Path
+) -> None:
+    headers = ["vector", "iostream", "thread", "cmath", "regex", "filesystem", "sys/socket.h"]
+    text = "".join(f"#include <{header}>\n" for header in headers)
+    end = compile_text(
+        text + "#include <Eigen/Dense>\nEigen::Vector3d v;\n", "-I/usr/include/eigen3"
+    )
+    assert (end["exit_code"], end["errors"]) == (0, "")
+    assert (compile_folder / "made" / "answer.o").stat().st_size > 0
+
+
+@pytest.mark.parametrize(
+    "header",
+    [
+        '"/etc/passwd"',
+        f'"{ROOT}/tests/02_triangles/ray_triangle_test.cpp"',
+        "<nlohmann/json.hpp>",
+        "<catch2/catch_all.hpp>",
+        '"/proc/self/environ"',
+        "</dev/zero>",
+    ],
+)
+def test_a_compiler_includes_nothing_else(compile_text: Callable[..., End], header: str) -> None:
+    end = compile_text(f"#include {header}\n")
+    assert end["exit_code"] == 1
+    assert "No such file" in end["errors"] or "Permission denied" in end["errors"]
+    assert "root:" not in end["errors"]
+
+
+def test_an_assembler_includes_nothing_else(compile_text: Callable[..., End]) -> None:
+    end = compile_text('__asm__(".incbin \\"/etc/passwd\\"");\n')
+    assert end["exit_code"] == 1
+
+
+def test_messages_name_files_as_the_box_sees_them(compile_text: Callable[..., End]) -> None:
+    end = compile_text("int f() { return x; }\n")
+    assert end["exit_code"] == 1
+    assert end["errors"].startswith("/source/answer.cpp:")
+
+
+ENDLESS = """
+constexpr long sum() {
+  long result = 0;
+  for (long i = 0; i < 1000000000000; ++i) result += i % 2;
+  return result;
+}
+constexpr long all = sum();
+"""
+
+
+def test_a_compiler_is_limited_too(compile_text: Callable[..., End]) -> None:
+    limits = ["-fconstexpr-ops-limit=1000000000000000", "-fconstexpr-loop-limit=2147483647"]
+    # Whichever it reaches first, time or memory.
+    end = compile_text(ENDLESS, *limits, cpu=1)
+    assert end["ended"] == "time" or end["exit_code"] != 0
+    assert end["cpu_seconds"] < 5
+    assert compile_text(ENDLESS.replace("1000000000000", "100"), *limits)["exit_code"] == 0
+
+
+# --- What the machine says of itself.
+
+
+def doctor(level: str) -> dict[str, Any]:
+    done = subprocess.run(
+        [str(PROGRAM), "doctor", "--json"],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "CONTACT_ROOT": str(ROOT), "CONTACT_BOX_LEVEL": level},
+        timeout=120,
+    )
+    grading: dict[str, Any] = json.loads(done.stdout)["grading"]
+    return grading
+
+
+def held(report: dict[str, Any]) -> set[str]:
+    return {measure["what"] for measure in report["measures"] if measure["enforced"]}
+
+
+def test_doctor_says_what_holds(level: str) -> None:
+    report = doctor(level)
+    assert report["level"] == level
+    assert all(measure["how"] for measure in report["measures"])
+    assert {
+        "a submission is not root",
+        "a submission gains no rights",
+        "a submission has no network",
+        "a submission sees no other process",
+        "a submission reads no file of the machine",
+        "a submission starts no process",
+        "a submission gets no environment",
+        "memory of a process is limited",
+        "processor time is limited",
+    } <= held(report)
+
+
+def test_doctor_says_what_does_not_hold() -> None:
+    report = doctor("none")
+    assert report["level"] == "none"
+    assert not held(report) & {
+        "namespaces of its own",
+        "a submission gains no rights",
+        "a submission has no network",
+        "a submission reads no file of the machine",
+        "a submission starts no process",
+    }
+
+
+def test_a_level_that_is_none_is_named() -> None:
+    done = subprocess.run(
+        command("/program"),
+        capture_output=True,
+        text=True,
+        env={**os.environ, "CONTACT_ROOT": str(ROOT), "CONTACT_BOX_LEVEL": "total"},
+    )
+    assert done.returncode == 3
+    assert "full, reduced or none" in done.stderr
