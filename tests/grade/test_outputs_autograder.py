@@ -153,6 +153,7 @@ def test_the_program_packs_it_too(tmp_path: Path) -> None:
     with zipfile.ZipFile(tmp_path / "a.zip") as opened:
         options = json.loads(opened.read("options.json"))
         assert f"private/{EXERCISE}/tests.toml" in opened.namelist()
+    assert len(options.pop("seed")) == 32, "one for all who are graded with it"
     assert options == {
         "format": "contact-autograder/1",
         "exercises": EXERCISE,
