@@ -30,7 +30,9 @@ def language_of(path: Path) -> str:
 
 
 class Code(BookDirective):
-    """A named region of a file, or the whole file when no region is named."""
+    """A named region of a file, or the whole file when no region is named.
+
+    A page that belongs to no chapter may show any file of the book, by its path."""
 
     required_arguments = 1
     optional_arguments = 1
@@ -44,6 +46,8 @@ class Code(BookDirective):
             path = self.book.chapter(self.here, self.source).folder / name
             if path.is_file():
                 return path
+        elif (self.book.root / name).is_file():
+            return self.book.root / name
         known = [
             path.relative_to(chapter.folder).as_posix()
             for chapter in self.book.chapters.values()
