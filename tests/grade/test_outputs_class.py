@@ -295,6 +295,13 @@ def test_who_has_all_reads_that_nothing_is_left(tmp_path: Path) -> None:
     assert "2 of 2 points" in page
 
 
+def test_who_fails_hidden_tests_only_reads_that_there_is_something_left(tmp_path: Path) -> None:
+    class_ = made.document([listed("shown", "hidden")], [graded("x", "passed", "failed")])
+    page = pages(tmp_path, class_)["x"]
+    assert "Every test that is shown passes, and not every hidden one." in text(page)
+    assert "Nothing is left to do" not in text(page)
+
+
 def test_a_refused_submission_reads_why(tmp_path: Path) -> None:
     one = made.submission("x", [made.absent(listed(), "refused")], problem="it holds a link")
     page = text(pages(tmp_path, made.document([listed()], [one]))["x"])
