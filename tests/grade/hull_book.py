@@ -43,6 +43,7 @@ def make(root: Path) -> Path:
         (root / shared).symlink_to(ROOT / shared)
     out = root / "build" / "dev" / "exercises" / EXERCISE
     out.mkdir(parents=True)
+    (root / "build" / "venv").symlink_to(ROOT / "build" / "venv")
     for shared in ("bin", "student", "build.ninja"):
         (root / "build" / "dev" / shared).symlink_to(BUILD / shared)
 
@@ -64,7 +65,8 @@ def make(root: Path) -> Path:
     asks = out / "asks"
     tests_and_proxy = [str(objects["_test.cpp"]), str(objects[".proxy.cpp"])]
     linked = [described["compiler"], *tests_and_proxy, *described["asks_objects"]]
-    subprocess.run([*linked, "-o", str(asks)], cwd=BUILD, check=True)
+    options = described["server_link_flags"]
+    subprocess.run([*linked, *options, "-o", str(asks)], cwd=BUILD, check=True)
     # The server needs no sealing here: nothing of it may be replaced to any use.
     remote = BUILD / "CMakeFiles/contact_remote_server.dir/grading/contact/remote_server.cpp.o"
     whole = out / "server.o"

@@ -64,12 +64,12 @@ FOR_PLAIN_USERS = (
 
 # Small, so that what is ended is ended soon.
 PROFILE = """\
-test_cpu_seconds = 1.0
+test_cpu_seconds = 0.5
 wall_factor = 1.0
-wall_extra = 2.0
+wall_extra = 1.0
 memory_mb = 256
 output_bytes = 65536
-compile_cpu_seconds = 4.0
+compile_cpu_seconds = 2.0
 compile_memory_mb = 768
 object_mb = 32
 """
