@@ -337,7 +337,7 @@ class Grading {
     if (workers < wanted && options_.workers > 0)
       note("Only " + std::to_string(workers) +
            " at a time: on this machine more would share a quota, and marks would vary.");
-    return std::make_unique<grading::LocalEngine>(loop_, folder_, workers);
+    return std::make_unique<grading::LocalEngine>(loop_, folder_, machine_, workers);
   }
 
   std::vector<grading::JobTrouble> grade() {

@@ -33,6 +33,7 @@ using grading::Job;
 struct Options {
   std::string run_file;
   std::string temporary;
+  std::string machine;
   int parent = 0;
 };
 
@@ -104,15 +105,20 @@ class OwnTemporary {
   std::string path_;
 };
 
+grading::Machine machine_from(grading::Loop& loop, const std::string& file) {
+  if (file.empty()) return grading::examine_machine(loop);
+  return grading::machine_from_coordinator(nlohmann::json::parse(grading::read_text(file)));
+}
+
 class Worker {
  public:
-  Worker(grading::Loop& loop, const grading::Run& run)
+  Worker(grading::Loop& loop, const grading::Run& run, const std::string& machine)
       : loop_(loop),
         run_(run),
         folder_(run.results),
         book_(run.root, run.root / "work"),
         build_(grading::read_build_description(run.build)),
-        machine_(grading::examine_machine(loop)),
+        machine_(machine_from(loop, machine)),
         seat_(machine_) {
     if (machine_.level == grading::Level::none && !run.accept_weak)
       throw grading::BookError(
@@ -189,7 +195,7 @@ int run(Context& context, const Options& options) {
   const OwnTemporary temporary(options.temporary);
   end_with(options.parent);
   const grading::Run run = grading::read_run(options.run_file);
-  Worker worker(context.loop(), run);
+  Worker worker(context.loop(), run, options.machine);
   // After the seat is taken, whose lock lies where all programs of this machine look for it.
   temporary.use();
   const auto tell = [](const nlohmann::json& json) {
@@ -211,6 +217,8 @@ void add_grade_worker(CLI::App& app, Action& action) {
   command->add_option("run", options->run_file, "RUN.json")->required();
   command->add_option("--temporary", options->temporary,
                       "A folder for its boxes, which it removes at its end");
+  command->add_option("--machine", options->machine,
+                      "What the coordinator found out about this machine; tried if not given");
   command->add_option("--parent", options->parent, "The process whose end is its end");
   command->callback([&action, options] {
     action = [options](Context& context) { return run(context, *options); };

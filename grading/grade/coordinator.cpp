@@ -24,6 +24,8 @@ constexpr int most_tries = 3;
 /// Seconds that a worker has to end its boxes and to clean up.
 constexpr double grace = 5.0;
 
+fs::path machine_file(const RunFolder& folder) { return folder.grade() / "machine.json"; }
+
 // One worker, what it has to do and what it has said so far.
 class Worker {
  public:
@@ -39,7 +41,9 @@ class Worker {
                     "--temporary",
                     temporary_.path().string(),
                     "--parent",
-                    std::to_string(::getpid())};
+                    std::to_string(::getpid()),
+                    "--machine",
+                    machine_file(folder).string()};
     spec.folder = folder.grade();
     spec.descriptors = {{ends[0], 0}};
     spec.grace = grace;
@@ -236,6 +240,7 @@ class Crew {
 
 std::vector<JobTrouble> LocalEngine::run(const std::vector<Job>& jobs,
                                          const std::function<void(const Job&)>& finished) {
+  write_text(machine_file(folder_), machine_for_workers(machine_).dump() + "\n");
   std::vector<JobTrouble> troubles;
   std::vector<Job> beside;
   std::vector<Job> alone;

@@ -12,8 +12,8 @@ namespace contact::grading {
 
 class LocalEngine : public Engine {
  public:
-  LocalEngine(Loop& loop, const RunFolder& folder, int workers)
-      : loop_(loop), folder_(folder), workers_(workers) {}
+  LocalEngine(Loop& loop, const RunFolder& folder, const Machine& machine, int workers)
+      : loop_(loop), folder_(folder), machine_(machine), workers_(workers) {}
 
   [[nodiscard]] std::string name() const override { return "local"; }
   [[nodiscard]] int workers() const override { return workers_; }
@@ -23,6 +23,7 @@ class LocalEngine : public Engine {
  private:
   Loop& loop_;
   const RunFolder& folder_;
+  const Machine& machine_;
   int workers_;
 };
 

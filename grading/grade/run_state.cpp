@@ -248,6 +248,49 @@ RunLock::~RunLock() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
+nlohmann::json machine_for_workers(const Machine& machine) {
+  // A member that is added to Machine and not here stops the compiler.
+  const auto& [level, measures, own_user_ids, namespaces, own_process_count, filter, closed_files,
+               groups, group_pids, group_memory, bubblewrap, launcher, most_workers] = machine;
+  nlohmann::json told = nlohmann::json::array();
+  for (const Measure& measure : measures)
+    told.push_back({{"what", measure.what}, {"enforced", measure.enforced}, {"how", measure.how}});
+  return {{"level", static_cast<int>(level)},
+          {"measures", told},
+          {"own_user_ids", own_user_ids},
+          {"namespaces", namespaces},
+          {"own_process_count", own_process_count},
+          {"system_call_filter", filter},
+          {"closed_files", closed_files},
+          {"control_groups", static_cast<int>(groups)},
+          {"group_pids", group_pids},
+          {"group_memory", group_memory},
+          {"bubblewrap", bubblewrap},
+          {"launcher", launcher},
+          {"most_workers", most_workers}};
+}
+
+Machine machine_from_coordinator(const nlohmann::json& json) {
+  Machine machine;
+  machine.level = static_cast<Level>(json.at("level").get<int>());
+  for (const nlohmann::json& measure : json.at("measures"))
+    machine.measures.push_back({measure.at("what").get<std::string>(),
+                                measure.at("enforced").get<bool>(),
+                                measure.at("how").get<std::string>()});
+  json.at("own_user_ids").get_to(machine.own_user_ids);
+  json.at("namespaces").get_to(machine.namespaces);
+  json.at("own_process_count").get_to(machine.own_process_count);
+  json.at("system_call_filter").get_to(machine.system_call_filter);
+  json.at("closed_files").get_to(machine.closed_files);
+  machine.control_groups = static_cast<ControlGroups>(json.at("control_groups").get<int>());
+  json.at("group_pids").get_to(machine.group_pids);
+  json.at("group_memory").get_to(machine.group_memory);
+  json.at("bubblewrap").get_to(machine.bubblewrap);
+  json.at("launcher").get_to(machine.launcher);
+  json.at("most_workers").get_to(machine.most_workers);
+  return machine;
+}
+
 void write_durably(const fs::path& file, std::string_view text) {
   const fs::path partial = file.parent_path() / ("." + file.filename().string() + ".new");
   write_text(partial, text);

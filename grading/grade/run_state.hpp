@@ -119,6 +119,12 @@ class RunLock {
   int descriptor_ = -1;
 };
 
+/// What a coordinator found out about its machine, for its workers on the same machine, which need
+/// not try it all again.
+nlohmann::json machine_for_workers(const Machine& machine);
+/// @throws nlohmann::json::exception if it is not what machine_for_workers() makes
+Machine machine_from_coordinator(const nlohmann::json& json);
+
 /// As write_text(), and there after a power cut.
 void write_durably(const std::filesystem::path& file, std::string_view text);
 
