@@ -158,6 +158,8 @@ void Box::State::start(Loop& loop) {
                               in_namespaces(), alone ? program_descriptor : -1}));
     started.descriptors.emplace_back(filter->descriptor(), filter_descriptor);
   }
+  if (in_namespaces() && seat.state().network >= 0)
+    started.descriptors.emplace_back(seat.state().network, network_descriptor);
   started.time_limit = spec.limits.wall_seconds;
   started.output_limit = spec.limits.output_bytes;
   started.output_stop = spec.limits.output_bytes;

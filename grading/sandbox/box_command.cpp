@@ -163,8 +163,11 @@ std::vector<std::string> command_in_namespaces(const Machine& machine, Seat::Sta
     add(launcher, {"--write", spec.writable.host.string(), "writable"});
     add(inside, {"--bind", "/tmp/writable", spec.writable.box.string()});
   }
+  if (seat.network >= 0) add(launcher, {"--network", std::to_string(network_descriptor)});
   add(launcher, {"--", machine.bubblewrap, "--unshare-user", "--unshare-all", "--die-with-parent",
                  "--new-session", "--json-status-fd", std::to_string(status_descriptor)});
+  // It stands in the seat's empty network already.
+  if (seat.network >= 0) add(launcher, {"--share-net"});
   // bubblewrap reads it; contact-box only keeps it.
   if (machine.system_call_filter) add(launcher, {"--seccomp", std::to_string(filter_descriptor)});
   launcher.insert(launcher.end(), inside.begin(), inside.end());

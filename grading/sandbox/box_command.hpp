@@ -17,6 +17,7 @@ inline constexpr int report_descriptor = 20;
 inline constexpr int filter_descriptor = 21;
 inline constexpr int status_descriptor = 22;
 inline constexpr int program_descriptor = 23;
+inline constexpr int network_descriptor = 24;
 
 /// Paths of the machine and what a box calls them.
 class PathNames {

@@ -61,6 +61,8 @@ Settings read_settings(int count, char** words) {
       settings.kept.push_back(static_cast<int>(number(next())));
     } else if (word == "--status") {
       settings.status = static_cast<int>(number(next()));
+    } else if (word == "--network") {
+      settings.network = static_cast<int>(number(next()));
     } else if (word == "--namespaces") {
       settings.namespaces = true;
     } else if (word == "--read" || word == "--write") {
@@ -282,7 +284,7 @@ int run(int count, char** words) {
     return 2;
   }
   std::vector<int> kept = settings.kept;
-  kept.insert(kept.end(), {settings.report, settings.filter});
+  kept.insert(kept.end(), {settings.report, settings.filter, settings.network});
   keep_only(kept);
   ::fcntl(settings.report, F_SETFD, FD_CLOEXEC);
   sigset_t awaited;
@@ -293,6 +295,10 @@ int run(int count, char** words) {
   errno = 0;
   if (::getppid() != settings.parent) fail(settings, "whoever started the box is gone");
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+  if (settings.network >= 0) {
+    if (::setns(settings.network, CLONE_NEWNET) != 0) fail(settings, "entering an empty network");
+    ::close(settings.network);
+  }
   if (settings.namespaces) make_namespaces(settings);
   int alive[2];
   if (::pipe2(alive, O_CLOEXEC) != 0) fail(settings, "making a pipe");

@@ -37,6 +37,8 @@ struct Settings {
   std::vector<std::string> groups;
   /// The user to become; -1 stays who it is.
   long user = -1;
+  /// The network namespace to enter; -1 leaves that to bubblewrap.
+  int network = -1;
   /// Namespaces of its own, with what is staged; without them it confines itself.
   bool namespaces = false;
   std::vector<Staged> staged;

@@ -1,9 +1,11 @@
 #include "seat.hpp"
 
 #include <cerrno>
+#include <thread>
 
 #include <fcntl.h>
 #include <pwd.h>
+#include <sched.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -40,6 +42,16 @@ bool is_known(long user) {
   return ::getpwuid(static_cast<uid_t>(user)) != nullptr;
 }
 
+// A thread leaves the network of the others, and what it made outlives it. -1 if it may not.
+int empty_network() {
+  int network = -1;
+  std::thread([&network] {
+    if (::unshare(CLONE_NEWNET) == 0)
+      network = ::open("/proc/thread-self/ns/net", O_RDONLY | O_CLOEXEC);
+  }).join();
+  return network;
+}
+
 // A process of that user could be signalled from a box that has no namespaces.
 bool has_processes(long user) {
   std::error_code error;
@@ -57,6 +69,7 @@ bool has_processes(long user) {
 
 Seat::State::~State() {
   groups.clear();
+  if (network >= 0) ::close(network);
   if (lock >= 0) ::close(lock);
 }
 
@@ -70,6 +83,7 @@ std::unique_ptr<BoxGroup> Seat::State::take_group(const Machine& machine) {
 
 Seat::Seat(const Machine& machine) : state_(std::make_unique<State>()) {
   if (!machine.own_user_ids) return;
+  if (machine.namespaces) state_->network = empty_network();
   const fs::path folder = lock_folder();
   for (long user = first_user; user <= last_user; ++user) {
     const int lock = ::open((folder / std::to_string(user)).c_str(),

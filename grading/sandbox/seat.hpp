@@ -22,6 +22,9 @@ struct Seat::State {
   long user = -1;
   /// Holds the user id against every other program.
   int lock = -1;
+  /// A network without anything in it, which all boxes of the seat stand in: making one for each
+  /// box takes longer than all the rest of it. -1 if each box makes its own.
+  int network = -1;
   /// Groups that no box is in.
   std::vector<std::unique_ptr<BoxGroup>> groups;
   /// What compile boxes see as /usr/include, made when first asked for: the files of it, and the
