@@ -32,7 +32,8 @@ def language_of(path: Path) -> str:
 class Code(BookDirective):
     """A named region of a file, or the whole file when no region is named.
 
-    A page that belongs to no chapter may show any file of the book, by its path."""
+    A page that belongs to no chapter may show any file of the book, by its path.
+    """
 
     required_arguments = 1
     optional_arguments = 1
@@ -65,8 +66,9 @@ class Code(BookDirective):
             text = region(text, self.arguments[1], where).text
         else:
             text = without_markers(text)
-        caption: list[nodes.Node] = [nodes.literal(name, name)]
-        return [listing(text, language_of(path), caption)]
+        own = path == self.book.root / name
+        title = path.name if own else name
+        return [listing(text, language_of(path), [nodes.literal(title, title)])]
 
 
 class Example(BookDirective):
