@@ -24,6 +24,7 @@ struct Options {
   std::string exercise;
   std::string seed;
   double seconds = 0.0;
+  double compile_seconds = 0.0;
   bool json = false;
   bool as_built = false;
 };
@@ -48,6 +49,8 @@ int grade_units(Context& context, const Options& options) {
     const Exercise& exercise = *exercises[i];
     grading::UnitSettings settings;
     settings.seed = options.seed;
+    if (options.compile_seconds > 0.0)
+      settings.limits.compile_cpu_seconds = options.compile_seconds;
     settings.test_cpu_seconds = options.seconds > 0.0 ? options.seconds : exercise.time_limit;
     const grading::UnitResult unit =
         grading::grade_unit(context.loop(), book, build, machine, seat, exercise,
@@ -130,6 +133,8 @@ void add_dev_grade(CLI::App& dev, Action& action) {
   unit->add_option("--exercise", options->exercise, "The exercise that all of them answer");
   unit->add_option("--seed", options->seed, "Seed of the random cases");
   unit->add_option("--seconds", options->seconds, "Processor time of a test");
+  unit->add_option("--compile-seconds", options->compile_seconds,
+                   "Processor time of the compiler and of the linker");
   unit->add_flag("--as-built", options->as_built, "Build nothing before");
   unit->add_flag("--json", options->json, "Print JSON");
   unit->callback([&action, options] {

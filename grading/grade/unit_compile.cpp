@@ -1,8 +1,11 @@
 #include "unit_compile.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <string_view>
 #include <utility>
+
+#include "../build_text.hpp"
 
 namespace fs = std::filesystem;
 
@@ -50,22 +53,32 @@ BoxSpec compile_box(const Book& book, const BuildDescription& build, const Exerc
   return spec;
 }
 
+// What the compiler's parts say of themselves, without messages about the answer and its lines.
+std::string said_of_itself(const std::string& errors, const fs::path& answer) {
+  std::string said;
+  for (const std::string& line : split_lines(errors)) {
+    if (!line.starts_with(' ') && !line.starts_with(answer.string() + ":")) said += line + '\n';
+  }
+  return said;
+}
+
 // Why there is no object, if it is not for what the file says.
-std::string limit_met(const BoxEnd& end, const GradeLimits& limits) {
+std::string limit_met(const BoxEnd& end, const fs::path& answer, const GradeLimits& limits) {
   const ProcessResult& process = end.process;
-  if (process.ended == Ended::time)
-    return "the compiler did not finish within " + points_text(limits.compile_cpu_seconds) +
-           " s of processor time";
   if (process.ended == Ended::output) return "the compiler's messages did not end";
   if (process.succeeded()) return {};
-  if (end.out_of_memory || contains(process.errors, "out of memory") ||
-      contains(process.errors, "memory exhausted") ||
-      contains(process.errors, "annot allocate memory") ||
-      contains(process.errors, "Killed signal"))
+  const std::string said = said_of_itself(process.errors, answer);
+  const auto says = [&](std::initializer_list<std::string_view> parts) {
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](std::string_view part) { return contains(said, part); });
+  };
+  if (process.ended == Ended::time || says({"CPU time limit exceeded"}))
+    return "the compiler did not finish within " + points_text(limits.compile_cpu_seconds) +
+           " s of processor time";
+  if (end.out_of_memory ||
+      says({"out of memory", "memory exhausted", "annot allocate memory", "Killed signal"}))
     return "the compiler took more than " + std::to_string(limits.compile_memory_mb) + " MB";
-  if (contains(process.errors, "File size limit exceeded") ||
-      contains(process.errors, "o space left on device") ||
-      contains(process.errors, "File too large"))
+  if (says({"File size limit exceeded", "o space left on device", "File too large"}))
     return "the compiled file would be larger than " + std::to_string(limits.object_mb) + " MB";
   return {};
 }
@@ -129,7 +142,7 @@ CompiledUnit compile_unit(Loop& loop, const Book& book, const BuildDescription& 
     BoxEnd end = run_box(loop, machine, seat, std::move(spec));
     seconds += end.process.seconds;
     end.process.errors = first_lines(std::move(end.process.errors), limits.diagnostics_bytes);
-    const std::string limit = limit_met(end, limits);
+    const std::string limit = limit_met(end, answer.file, limits);
     unit.near_limit = unit.near_limit || !limit.empty() || end.process.ended != Ended::by_itself ||
                       end.cpu_seconds > limits.compile_cpu_seconds / 2;
     if (!limit.empty()) {

@@ -45,8 +45,9 @@ def check(*files: Path) -> list[Result]:
     return run("check", "--json", *files)
 
 
-def grade(*files: Path, seconds: float = 0) -> list[Result]:
-    return run("dev", "grade-unit", "--as-built", "--json", "--seconds", str(seconds), *files)
+def grade(*files: Path, seconds: float = 0, compile_seconds: float = 0) -> list[Result]:
+    limits = ("--seconds", str(seconds), "--compile-seconds", str(compile_seconds))
+    return run("dev", "grade-unit", "--as-built", "--json", *limits, *files)
 
 
 def without_times(result: Result) -> Result:
@@ -251,4 +252,28 @@ def test_a_file_that_compiles_into_too_much_is_told_so(tmp_path: Path) -> None:
     (result,) = grade(answer(tmp_path, text))
     assert result["verdict"] == "does_not_compile"
     assert result["compile_error"]["message"] == "the compiled file would be larger than 64 MB"
+    assert result["near_limit"]
+
+
+def test_words_about_limits_in_a_broken_line_are_only_words(tmp_path: Path) -> None:
+    text = with_distance('return "out of memory, CPU time limit exceeded, File too large";')
+    (result,) = grade(answer(tmp_path, text))
+    assert result["verdict"] == "does_not_compile"
+    assert result["compile_error"]["line"] == SOLUTION[: SOLUTION.index(DISTANCE)].count("\n") + 1
+    assert "cannot convert" in result["compile_error"]["message"]
+    assert not result["near_limit"]
+
+
+def test_a_compiler_that_finds_no_end_is_told_so(tmp_path: Path) -> None:
+    bomb = (
+        "constexpr long count(long n) {\n  long sum = 0;\n"
+        "  for (long i = 0; i < n; ++i) sum += i % 7;\n  return sum;\n}\n"
+        "#define ROW(n) count(250000 + n), count(250001 + n), count(250002 + n)\n"
+        "#define BLOCK(n) ROW(n), ROW(n + 3), ROW(n + 6), ROW(n + 9), ROW(n + 12), ROW(n + 15)\n"
+        "constexpr long sums[] = {" + ", ".join(f"BLOCK({18 * i})" for i in range(100)) + "};\n"
+    )
+    (result,) = grade(answer(tmp_path, SOLUTION + bomb), compile_seconds=2)
+    assert result["verdict"] == "does_not_compile"
+    message = "the compiler did not finish within 2 s of processor time"
+    assert result["compile_error"]["message"] == message
     assert result["near_limit"]
