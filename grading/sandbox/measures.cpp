@@ -111,8 +111,8 @@ std::vector<Measure> try_measures(Loop& loop, const Machine& machine,
   Examiner examiner(loop, machine);
   const Listener listener;
   const std::string self = std::to_string(::getpid());
-  const auto answer = [&](std::vector<std::string> words) { return probe(machine, words); };
-  const auto compiler = [&](std::vector<std::string> words) {
+  const auto answer = [&](const std::vector<std::string>& words) { return probe(machine, words); };
+  const auto compiler = [&](const std::vector<std::string>& words) {
     return probe(machine, words, BoxKind::compile);
   };
 
