@@ -341,6 +341,10 @@ class Grading {
   }
 
   std::vector<grading::JobTrouble> grade() {
+    // It first ends what another run has on a cluster, which could still write results.
+    const std::unique_ptr<grading::Engine> engine = this->engine();
+    engine_ = engine->name();
+    workers_ = engine->workers();
     const std::vector<Job> all = handed_in();
     std::vector<Job> jobs;
     std::copy_if(all.begin(), all.end(), std::back_inserter(jobs),
@@ -349,9 +353,6 @@ class Grading {
     if (reused_ > 0)
       note(std::to_string(reused_) + " of " + std::to_string(all.size()) +
            " units are graded already.");
-    const std::unique_ptr<grading::Engine> engine = this->engine();
-    engine_ = engine->name();
-    workers_ = engine->workers();
     std::vector<grading::JobTrouble> troubles = graded_by(*engine, jobs);
     if (!troubles.empty()) return troubles;
 
