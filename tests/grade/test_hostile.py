@@ -69,7 +69,7 @@ wall_factor = 1.0
 wall_extra = 1.0
 memory_mb = 256
 output_bytes = 65536
-compile_cpu_seconds = 2.0
+compile_cpu_seconds = 3.0
 compile_memory_mb = 768
 object_mb = 32
 """
@@ -404,16 +404,17 @@ def same_for_all(entry: Mapping[str, Any]) -> str:
     return json.dumps(kept, sort_keys=True)
 
 
-def run_of(name: str, run: Run, request: pytest.FixtureRequest) -> Run:
-    return request.getfixturevalue("hulls") if name in HULLS else run
+def run_of(name: str, request: pytest.FixtureRequest) -> Run:
+    run: Run = request.getfixturevalue("hulls" if name in HULLS else "run")
+    return run
 
 
 @pytest.mark.parametrize("name", SPECIMENS)
 def test_the_attack_gets_what_it_earned(
-    name: str, run: Run, request: pytest.FixtureRequest, level: str
+    name: str, request: pytest.FixtureRequest, level: str
 ) -> None:
     specimen = SPECIMENS[name]
-    entry = run_of(name, run, request).entry(name, specimen.exercise)
+    entry = run_of(name, request).entry(name, specimen.exercise)
     if level == "reduced" and specimen.reduced:
         assert entry["points"] <= specimen.points
         return
@@ -422,10 +423,10 @@ def test_the_attack_gets_what_it_earned(
 
 
 @pytest.mark.parametrize("name", SPECIMENS)
-def test_its_honest_twin_passes(name: str, run: Run, request: pytest.FixtureRequest) -> None:
+def test_its_honest_twin_passes(name: str, request: pytest.FixtureRequest, level: str) -> None:
     specimen = SPECIMENS[name]
     assert "attack" not in specimen.twin
-    entry = run_of(name, run, request).entry(f"{name}_twin", specimen.exercise)
+    entry = run_of(name, request).entry(f"{name}_twin", specimen.exercise)
     assert entry["status"] == "graded", entry.get("problem")
     assert entry["points"] == entry["max_points"] == specimen.max_points
 

@@ -1,7 +1,7 @@
 // Tries:     makes standard output the socket and the socket standard output
 // Exercise:  01_planes/signed_distance
 // Points:    0 of 8
-// Tests:     all stopped
+// Tests:     all stopped or failed
 #include "signed_distance.hpp"
 
 //[attack

@@ -2,7 +2,7 @@
 // Exercise:  01_planes/signed_distance
 // Points:    0 of 8
 // Tests:     does not compile
-// Says:      No such file
+// Says:      No such file|denied
 // Reduced:   what other users may read is seen
 //[attack
 #include "/etc/passwd"

@@ -3,7 +3,7 @@
 // Exercise:  01_planes/signed_distance
 // Points:    8 of 8
 // Tests:     all passed
-// Reduced:   what other users may read is seen
+// Reduced:   that a file is there may be seen, and stops the compiler
 //[attack
 #if __has_include("/etc/passwd")
 #warning "GOT IT: /etc/passwd"

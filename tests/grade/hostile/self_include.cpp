@@ -4,8 +4,10 @@
 // Tests:     does not compile
 //[attack
 #if __INCLUDE_LEVEL__ < 190
+#include "./signed_distance.cpp"
 #include "signed_distance.cpp"
 #endif
+#if __INCLUDE_LEVEL__ == 0
 //]attack
 #include "signed_distance.hpp"
 
@@ -22,3 +24,7 @@ int side(const PlaneEquation& plane, const Eigen::Vector3d& point) {
 }
 
 }  // namespace exercise
+
+//[attack
+#endif
+//]attack
