@@ -196,7 +196,8 @@ Intake take_in(const Book& book, const fs::path& submissions, const IdTable* ids
   std::sort(intake.entrants.begin(), intake.entrants.end(),
             [](const Entrant& a, const Entrant& b) { return a.id < b.id; });
   if (ids != nullptr) {
-    for (const auto& [entry, identity] : ids->entries()) {
+    for (const auto& line : ids->entries()) {
+      const std::string& entry = line.first;
       if (std::none_of(entries.begin(), entries.end(), [&](const Entry& there) {
             return there.name == entry || without_suffix(there.name) == entry;
           }))
