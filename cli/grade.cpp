@@ -99,7 +99,8 @@ void require_apart(const fs::path& submissions, const fs::path& results) {
 
 fs::path python_of(const Book& book) {
   const fs::path own = book.root() / "build" / "venv" / "bin" / "python";
-  if (!fs::exists(own))
+  std::error_code error;
+  if (!fs::exists(own, error))
     throw BookError("the Python that writes the reports is not there (" + own.string() +
                     "): run ./contact setup");
   return own;
