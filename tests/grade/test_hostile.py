@@ -216,7 +216,10 @@ class Run:
             cwd=self.folder,
             timeout=1200,
         )
-        assert self.result.returncode in (0, 1), self.result.stdout + self.result.stderr
+        said = self.result.stdout + self.result.stderr
+        # Another user may not reach our Python, which writes the reports after all is graded.
+        graded = self.command and "Python that writes the reports" in said
+        assert graded or self.result.returncode in (0, 1), said
         self.document = json.loads((self.results / "results.json").read_text())
         self.by_id = {entry["id"]: entry for entry in self.document["submissions"]}
 
@@ -527,7 +530,7 @@ def test_results_hold_what_the_grader_wrote(run: Run) -> None:
     expected = re.compile(
         r"results\.json|run\.json|gradebook\.csv|class\.html|changes\.json"
         rf"|students/({ids})/[a-z0-9_]+\.(html|json|xml)"
-        rf"|\.grade/(RUN\.json|log|lock|machines/[^/]+\.json)"
+        rf"|\.grade/(RUN\.json|log|lock|machine\.json|machines/[^/]+\.json)"
         rf"|\.grade/(submissions|units)/({ids})/[a-z0-9_./]+"
     )
     for file in run.results.rglob("*"):
