@@ -210,8 +210,10 @@ void add_dev(CLI::App& app, Action& action) {
   check->callback([&action, options] {
     action = [options](Context& context) { return run(context, *options); };
   });
+#ifdef CONTACT_GRADE
   add_dev_box(*command, action);
   add_dev_grade(*command, action);
+#endif
 }
 
 }  // namespace contact::cli
