@@ -272,6 +272,7 @@ void Process::State::settle() {
 
 void Process::State::keep(std::string& kept, std::size_t& bytes, std::string_view text) {
   bytes += text.size();
+  result.bytes_printed = output_bytes + error_bytes;
   const bool passed_on = &kept == &result.output && spec.on_output;
   if (!passed_on && kept.size() < spec.output_limit)
     kept.append(text.substr(0, spec.output_limit - kept.size()));

@@ -99,6 +99,8 @@ struct ProcessResult {
   Ended ended = Ended::by_itself;
   std::string output;
   std::string errors;
+  /// Of both together, kept or not.
+  std::size_t bytes_printed = 0;
   double seconds = 0.0;
   [[nodiscard]] bool succeeded() const {
     return exit_code == 0 && signal == 0 && ended == Ended::by_itself;

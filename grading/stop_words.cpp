@@ -62,7 +62,7 @@ std::string why_stopped(const ProcessResult& process, double seconds) {
     case Ended::time:
       return "no answer after " + seconds_text(seconds) + ": an endless loop, or far too much work";
     case Ended::output:
-      return "it printed without end and was stopped";
+      return printed_too_much;
     case Ended::by_itself:
     case Ended::unwanted:
       break;

@@ -8,6 +8,8 @@
 
 namespace contact::grading {
 
+inline constexpr const char* printed_too_much = "it printed without end and was stopped";
+
 /// Why a program that should have answered ended instead.
 /// @param seconds of processor time that it had
 std::string why_stopped(const ProcessResult& process, double seconds);

@@ -121,21 +121,42 @@ class Judging {
     return "exit code " + std::to_string(end.process.exit_code);
   }
 
+  // What was printed is counted when all of it is there: whether it was too much must not depend on
+  // how soon somebody looked, and neither must what is told of it.
+  void keep_output(const ProcessResult& process, TestResult* result) {
+    const std::size_t most = settings_.limits.output_bytes;
+    if (process.bytes_printed > most) {
+      output_ += "(more than " + std::to_string(most) + " bytes in one test, which are not kept)\n";
+      if (result != nullptr) {
+        result->status = TestStatus::stopped;
+        result->failure = Failure{};
+        result->failure.reason = printed_too_much;
+      }
+      return;
+    }
+    for (const std::string& text : {process.output, errors_not_told(process)})
+      output_ += text.substr(0, most - std::min(output_.size(), most));
+  }
+
   void remember(const std::vector<Answered>& answered, EventReader& reader) {
     for (TestResult& result : reader.results()) result.seconds = 0.0;
     for (const Answered& one : answered) {
       const ProcessResult& process = one.end.process;
-      for (const std::string& text : {process.output, errors_not_told(process)})
-        output_ += text.substr(0, settings_.limits.output_bytes -
-                                      std::min(output_.size(), settings_.limits.output_bytes));
       near_limit_ = near_limit_ || one.end.out_of_memory || process.ended == Ended::time ||
                     one.end.cpu_seconds > settings_.test_cpu_seconds / 2;
-      if (one.test == 0 || one.test > reader.started().size()) continue;
-      const std::string& name = reader.started()[one.test - 1];
-      for (TestResult& result : reader.results()) {
-        if (result.name == name) result.seconds += one.end.cpu_seconds;
-      }
+      TestResult* const asked = result_of(one, reader);
+      keep_output(process, asked);
+      if (asked != nullptr) asked->seconds += one.end.cpu_seconds;
     }
+  }
+
+  static TestResult* result_of(const Answered& answered, EventReader& reader) {
+    if (answered.test == 0 || answered.test > reader.started().size()) return nullptr;
+    const std::string& name = reader.started()[answered.test - 1];
+    for (TestResult& result : reader.results()) {
+      if (result.name == name) return &result;
+    }
+    return nullptr;
   }
 
   Loop& loop_;

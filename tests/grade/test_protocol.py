@@ -241,6 +241,17 @@ def test_what_a_submission_prints_is_kept_and_cut(tmp_path: Path) -> None:
     assert 0 < len(result["output"]) <= 64 << 10
 
 
+def test_too_much_output_is_too_much_however_soon_anybody_looks(tmp_path: Path) -> None:
+    # A little more than the limit, written in one piece: the answer is there at once after it.
+    flood = "std::fputs(std::string(65537, 'x').c_str(), stderr)"
+    prints = f"static const bool once = ({flood}, true);"
+    text = "#include <cstdio>\n" + with_distance(f"{prints} (void)once; {DISTANCE}")
+    first, *others = [grade(answer(tmp_path, text))[0] for _ in range(5)]
+    assert reasons(first) == {"it printed without end and was stopped"}
+    for other in others:
+        assert (statuses(other), other["output"]) == (statuses(first), first["output"])
+
+
 def test_each_test_meets_a_submission_that_remembers_nothing(tmp_path: Path) -> None:
     text = with_distance(f"static int calls = 0; if (++calls > 1000) std::abort(); {DISTANCE}")
     (result,) = grade(answer(tmp_path, "#include <cstdlib>\n" + text))
