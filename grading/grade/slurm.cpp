@@ -50,6 +50,8 @@ done
 # The worker removes its folder itself, unless it is killed. When the task is to end, it is told so
 # too, and waited for.
 temporary=$(mktemp -d "$folders-$$-XXXXXX") || exit 1
+# Where boxes have no view of files of their own, their users must get through.
+chmod 711 "$temporary"
 trap 'rm -rf "$temporary"' EXIT
 trap : HUP INT TERM
 "$@" --temporary "$temporary" --parent "$$" < "$slice"

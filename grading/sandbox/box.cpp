@@ -201,8 +201,14 @@ void Box::State::finish(BoxEnd& end) {
     end.process.signal = SIGKILL;
     return;
   }
-  if (in_namespaces() && !report.command_started && !asked_to_end && !end.out_of_memory)
-    throw BookError("a box could not be started: " + end.process.errors);
+  if (in_namespaces() && !report.command_started && !asked_to_end && !end.out_of_memory) {
+    // A submission may be linked such that no kernel starts it; then its box was there.
+    if (spec.kind != BoxKind::answer || !end.process.errors.starts_with("bwrap: execvp "))
+      throw BookError("a box could not be started: " + end.process.errors);
+    end.process.signal = 0;
+    end.process.exit_code = 127;
+    return;
+  }
   // bubblewrap says as a shell does that a signal ended the command.
   const bool in_code = in_namespaces() && !report.by_signal && report.status > 128 &&
                        report.status <= 128 + SIGRTMAX;
