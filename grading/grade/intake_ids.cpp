@@ -166,7 +166,8 @@ std::string without_suffix(const std::string& entry) {
 EntryName read_entry_name(const std::string& entry, bool is_folder,
                           const std::vector<std::string>& exercises) {
   // A name may hold any letters, so only what comes after it is matched.
-  static const std::regex moodle(R"(([^/]+)_(\d{1,20})_assignsubmission_[a-z]+(?:_(.*))?)");
+  // The file's name is the student's own and may look like another's entry: the first match counts.
+  static const std::regex moodle(R"(([^/]+?)_(\d{1,20})_assignsubmission_[a-z]+(?:_(.*))?)");
   static const std::regex canvas(R"(([^/_]+)_(?:LATE_)?(\d{3,20})_(\d{3,20})_(.+))");
   EntryName result;
   std::smatch match;

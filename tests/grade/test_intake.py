@@ -123,6 +123,12 @@ FOUND: dict[str, tuple[Make, str, str]] = {
     "Ada Lovelace_12345_assignsubmission_file_": (as_folder({NAME: STUB}), "12345", "Ada Lovelace"),
     "Ada Lovelace_12346_assignsubmission_file": (as_folder({NAME: STUB}), "12346", "Ada Lovelace"),
     f"Bo Li_12347_assignsubmission_file_{NAME}": (as_file, "12347", "Bo Li"),
+    # Whoever names a file cannot make it another's.
+    "Mal_666_assignsubmission_file_x_12345_assignsubmission_file.zip": (
+        as_zip({NAME: STUB}),
+        "666",
+        "Mal",
+    ),
     f"hopper_2001_30001_{NAME}": (as_file, "2001", "hopper"),
     f"turing_LATE_2002_30002_{NAME}": (as_file, "2002", "turing"),
     "noether_2003_30003_signed_distance-2.cpp": (as_file, "2003", "noether"),
