@@ -1,7 +1,8 @@
 """JUnit XML, as Jenkins' junit-10.xsd has it: a suite an exercise, a case a test.
 
 Texts come from `text.clean`, so no character is left that XML 1.0 forbids; ElementTree escapes the
-rest. Time is what the tests took, and is left out of what is compared between runs.
+rest. Time is what may be told of what the exercise took, as visibility.py says, and is left out of
+what is compared between runs.
 """
 
 from __future__ import annotations

@@ -54,7 +54,6 @@ class TestResult:
     status: str
     points: float
     max_points: float
-    seconds: float
     failure: Failure | None
 
 
@@ -86,7 +85,8 @@ class Verdict:
     diagnostics: tuple[Diagnostic, ...]
     warnings: tuple[str, ...]
     output: str
-    seconds: float
+    build_seconds: float
+    run_seconds: float
     compile_error: CompileError | None
 
 
@@ -255,11 +255,15 @@ def _verdict(entry: dict[str, Any]) -> Verdict:
         diagnostics=tuple(_diagnostic(remark) for remark in entry.get("diagnostics", [])),
         warnings=tuple(clean(warning) for warning in entry.get("warnings", [])),
         output=clean(entry.get("output", "")),
-        seconds=sum(
-            float(value) for value in times.values() if isinstance(value, int | float) and value > 0
-        ),
+        build_seconds=_seconds(times, "compile") + _seconds(times, "link"),
+        run_seconds=_seconds(times, "run"),
         compile_error=_compile_error(error) if error else None,
     )
+
+
+def _seconds(times: dict[str, Any], of: str) -> float:
+    value = times.get(of)
+    return float(value) if isinstance(value, int | float) and value > 0 else 0.0
 
 
 def _test(entry: dict[str, Any]) -> TestResult:
@@ -269,7 +273,6 @@ def _test(entry: dict[str, Any]) -> TestResult:
         status=entry["status"],
         points=float(entry["points"]),
         max_points=float(entry["max_points"]),
-        seconds=float(entry.get("seconds", 0.0)),
         failure=_failure(failure) if failure else None,
     )
 

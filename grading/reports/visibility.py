@@ -7,8 +7,9 @@
 
 What a submission returned, threw or printed may be the very input that it was called with. So what
 came back is withheld with the input, a reason is told in our own words, and what the program
-printed is shown only if no test of the exercise keeps anything back. The mark itself is never held
-back.
+printed is shown only if no test of the exercise keeps anything back. How long it ran is something
+that it says, too: it may sleep for as long as its input is large. So then only the compiler's and
+the linker's seconds are told, before which it has seen nothing. The mark itself is never held back.
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ from reports.results import (
     TestResult,
     TestSpec,
     Unit,
+    Verdict,
 )
 
 OUTPUT_WITHHELD = (
@@ -177,7 +179,7 @@ def see_unit(unit: Unit, results: Results, policy: Policy) -> SeenUnit:
         gradable=unit.gradable,
         points=unit.points,
         max_points=unit.max_points,
-        seconds=verdict.seconds if verdict else 0.0,
+        seconds=_seconds(verdict, everything) if verdict else 0.0,
         tests=tuple(tests),
         hidden=_sum(hidden),
         later=_sum(later),
@@ -187,6 +189,10 @@ def see_unit(unit: Unit, results: Results, policy: Policy) -> SeenUnit:
         output=output if everything else "",
         output_withheld=bool(output) and not everything,
     )
+
+
+def _seconds(verdict: Verdict, everything: bool) -> float:
+    return verdict.build_seconds + (verdict.run_seconds if everything else 0.0)
 
 
 def effective(spec: TestSpec, policy: Policy) -> str:

@@ -3,17 +3,24 @@ no file but the instructor's own."""
 
 from __future__ import annotations
 
+import copy
 import json
 import os
 import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+sys.path[:0] = [str(ROOT / "grading")]
+
+from reports.__main__ import main  # noqa: E402
+
 PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
-PRIVATE = Path(__file__).resolve().parent / "private"
+PRIVATE = HERE / "private"
 EXERCISE = "02_triangles/ray_triangle"
 
 Json = dict[str, Any]
@@ -112,3 +119,55 @@ def test_what_the_program_printed_is_kept_with_the_values(graded: Path) -> None:
 def test_public_tests_tell_the_same_student_everything(graded: Path) -> None:
     page = (graded / "students/throws/report.html").read_text()
     assert "ARGUMENTS " in page, "an exception in a test that is shown is shown"
+
+
+def slept(document: Json, *parts: str) -> Json:
+    """The same grading, in which these parts took 7 s more."""
+    longer = copy.deepcopy(document)
+    for one in longer["submissions"]:
+        for unit in one["exercises"]:
+            times = unit["verdict"]["times"]
+            for part in parts:
+                times[part] += 7.0
+            times["tests"] = [seconds + 7.0 for seconds in times["tests"]]
+    return longer
+
+
+def made_for_students(folder: Path, document: Json) -> dict[str, bytes]:
+    """What may be passed on of this grading, by file."""
+    folder.mkdir()
+    (folder / "results.json").write_text(json.dumps(document))
+    now = ["--due", "2999-01-01T00:00+00:00", "--now", "2026-06-01T00:00+00:00"]
+    assert main([str(folder), *now]) == 0
+    files = {file for file in folder.rglob("*") if file.is_file()}
+    files.remove(folder / "results.json")
+    return {str(file.relative_to(folder)): file.read_bytes() for file in files}
+
+
+def with_visibility(document: Json, kind: str) -> Json:
+    """The same grading, in which every test but the first is shown so."""
+    other = copy.deepcopy(document)
+    for test in other["exercises"][0]["tests"][1:]:
+        test["visibility"] = kind
+    return other
+
+
+@pytest.mark.parametrize("kind", ["hidden", "values_withheld", "after_due"])
+def test_how_long_kept_back_tests_ran_is_in_no_file(
+    graded: Path, tmp_path: Path, kind: str
+) -> None:
+    document = with_visibility(json.loads((graded / "results.json").read_text()), kind)
+    before = made_for_students(tmp_path / "before", document)
+    assert len(before) > len(TELLERS)
+    assert made_for_students(tmp_path / "after", slept(document, "run")) == before
+    built = made_for_students(tmp_path / "built", slept(document, "compile"))
+    told = {Path(name).name for name, text in built.items() if text != before[name]}
+    assert told == {"gradescope.json", "junit.xml"}, "the compiler has seen no input"
+
+
+def test_where_all_is_shown_the_time_is_too(graded: Path, tmp_path: Path) -> None:
+    document = with_visibility(json.loads((graded / "results.json").read_text()), "shown")
+    before = made_for_students(tmp_path / "before", document)
+    after = made_for_students(tmp_path / "after", slept(document, "run"))
+    told = {Path(name).name for name, text in after.items() if text != before[name]}
+    assert told == {"gradescope.json", "junit.xml"}
