@@ -59,6 +59,8 @@ std::pair<Descriptor, Descriptor> socket_pair(int type) {
 std::string words_of(const BoxEnd& end, const BoxLimits& limits, double cpu_seconds) {
   if (end.out_of_memory)
     return "ran out of memory: it may use " + std::to_string(limits.memory_mb) + " MB";
+  if (end.process.signal == 0 && end.process.exit_code == not_started)
+    return "it could not be started, or ended by itself with exit code 127";
   return why_stopped(end.process, cpu_seconds);
 }
 

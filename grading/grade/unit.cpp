@@ -19,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 // The judge runs what the book and the instructor wrote; these only end it if an answer leads it
 // astray.
 constexpr int kJudgeMemory = 1024;
-constexpr double kJudgeSecondsATest = 30.0;
+constexpr double kJudgeSecondsATest = 10.0;
 constexpr std::size_t kJudgeEvents = 32u << 20;
 
 double wall_seconds(const UnitSettings& settings) {

@@ -173,8 +173,11 @@ CompiledUnit compile_unit(Loop& loop, const Book& book, const BuildDescription& 
   shorten(unit.said);
   if (unit.said.error) return unit;
   unit.program = folder / exercise.name;
-  if (!is_program(unit.program, limits))
-    throw BookError("the linker made no program of " + answer.file.string());
+  if (!is_program(unit.program, limits)) {
+    unit.said.error = CompileError{};
+    unit.said.error->message = "the linker made no program of it";
+    unit.said.error->file = answer.file.string();
+  }
   return unit;
 }
 

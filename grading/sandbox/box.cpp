@@ -206,7 +206,9 @@ void Box::State::finish(BoxEnd& end) {
     if (spec.kind != BoxKind::answer || !end.process.errors.starts_with("bwrap: execvp "))
       throw BookError("a box could not be started: " + end.process.errors);
     end.process.signal = 0;
-    end.process.exit_code = 127;
+    end.process.exit_code = not_started;
+    end.process.errors.clear();
+    end.process.bytes_printed = 0;
     return;
   }
   // bubblewrap says as a shell does that a signal ended the command.

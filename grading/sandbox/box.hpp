@@ -123,6 +123,9 @@ class Box {
   std::unique_ptr<State> state_;
 };
 
+/// What a box exits with if the kernel did not start an answer's program.
+inline constexpr int not_started = 127;
+
 /// Runs a box to its end. @throws as Box::wait().
 BoxEnd run_box(Loop& loop, const Machine& machine, const Seat& seat, BoxSpec spec);
 

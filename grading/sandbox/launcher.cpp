@@ -205,10 +205,9 @@ void end_with_keeper(const Settings& settings, int keeper) {
   if (settings.filter >= 0) load_filter(settings);
   if (settings.program >= 0) {
     ::syscall(SYS_execveat, settings.program, "", settings.command.data(), environ, AT_EMPTY_PATH);
-    // A submission may be linked such that no kernel starts it: that is its own end.
-    for (const int own_fault : {ENOENT, ENOEXEC, ELIBBAD, EINVAL, ENOMEM}) {
-      if (errno == own_fault) ::_exit(127);
-    }
+    // A submission may be linked such that no kernel starts it, for whatever reason: that is its
+    // own end, and contact-box has nothing to say of it.
+    ::_exit(not_started);
   } else {
     ::execv(settings.command[0], settings.command.data());
   }

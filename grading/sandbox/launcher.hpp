@@ -11,6 +11,9 @@
 
 namespace contact::launcher {
 
+/// What it exits with if the kernel does not start a submission: as box.hpp says.
+inline constexpr int not_started = 127;
+
 struct Staged {
   enum class Kind { read, write, temporary } kind = Kind::read;
   std::string host;

@@ -478,11 +478,13 @@ def test_a_level_that_is_none_is_named() -> None:
     assert "full, reduced or none" in done.stderr
 
 
-def test_a_program_that_no_kernel_starts_has_ended(level: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize("loader", ["/nowhere/ld.so", "/dev/null", "/"])
+def test_a_program_that_no_kernel_starts_has_ended(level: str, loader: str, tmp_path: Path) -> None:
     source = tmp_path / "empty.c"
     source.write_text("int main(void) { return 0; }\n")
     program = tmp_path / "needs_what_is_not_there"
-    wanting = "-Wl,--dynamic-linker=/nowhere/ld.so"
+    wanting = f"-Wl,--dynamic-linker={loader}"
     subprocess.run(["gcc", source, wanting, "-o", program], check=True)
     end = run_box(level, "--show", f"{program}=/program", "/program")
     assert end["exit_code"] == 127
+    assert end["errors"] == ""
