@@ -155,11 +155,11 @@ def count_tap(done: Done) -> Tally | None:
     return tally
 
 
-def pytest(*folders: str) -> Iterator[Check]:
+def pytest(*folders: str, beside: Sequence[str] = ()) -> Iterator[Check]:
     for folder in folders:
         if any((ROOT / folder).glob("**/test_*.py")):
             file = BUILD / "logs" / f"{log_name(folder)}.junit.xml"
-            python = [sys.executable, "-m", "pytest", "-q", f"--junitxml={file}", folder]
+            python = [sys.executable, "-m", "pytest", "-q", f"--junitxml={file}", *beside, folder]
             yield counted(f"pytest {folder}", python, count_junit(file))
 
 
@@ -339,7 +339,8 @@ def grade() -> Iterator[Check]:
     if sys.platform != "linux":
         yield lambda _: Tally(skipped=1, why=["not run: grading needs Linux"])
         return
-    yield from pytest("tests/grade")
+    # Much of it waits: for limits to be reached, for a cluster to notice.
+    yield from pytest("tests/grade", beside=("-n", "2", "--dist", "loadfile"))
 
 
 def step_checks(book_steps: Sequence[steps.Step]) -> Iterator[Check]:
@@ -416,7 +417,7 @@ STAGES = (
         "dev-check", "stubs, solutions, wrong answers and null answers", 12, dev_check, ("native",)
     ),
     Stage("program", "the contact program from outside", 8, program, ("native",)),
-    Stage("grade", "submissions that nobody trusts: boxes, marks, reports", 14, grade, ("native",)),
+    Stage("grade", "submissions that nobody trusts: boxes, marks, reports", 20, grade, ("native",)),
     Stage("outside", "set-up; the headers in another project", 6, outside, ("native",)),
     Stage("ladder", "every ladder at a small size", 4, ladder, ("native",)),
     Stage(
