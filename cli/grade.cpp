@@ -100,7 +100,12 @@ void require_apart(const fs::path& submissions, const fs::path& results) {
 fs::path python_of(const Book& book) {
   const fs::path own = book.root() / "build" / "venv" / "bin" / "python";
   std::error_code error;
-  if (!fs::exists(own, error))
+  const bool there = fs::exists(own, error);
+  if (error)
+    throw BookError("the Python that writes the reports cannot be reached (" + own.string() + ": " +
+                    error.message() +
+                    "): grade as a user who may, or run ./contact setup as the one who grades");
+  if (!there)
     throw BookError("the Python that writes the reports is not there (" + own.string() +
                     "): run ./contact setup");
   return own;
@@ -161,7 +166,7 @@ class Grading {
     if (exercises_.empty()) throw BookError("the book has no exercises");
     if (!options_.profile.empty()) run_.limits = grading::read_profile(options_.profile);
     if (!options_.ids.empty()) ids_.emplace(options_.ids);
-    require_report_options();
+    require_reports();
   }
 
   // What everything is graded with.
@@ -482,14 +487,19 @@ class Grading {
     return grading::run_process(loop_, spec);
   }
 
-  // What the reports are asked for is understood now or not at all: where there are no results,
-  // that is all that they look at.
-  void require_report_options() {
-    if (report_options().empty()) return;
+  // The reports can be written, and what they are asked for is understood, now or not at all: where
+  // there are no results, all that they do is say so.
+  void require_reports() {
     const grading::TemporaryFolder empty;
     const grading::ProcessResult result = reports(empty.path());
     constexpr int not_understood = 2;
+    constexpr int no_results = 3;
     if (result.exit_code == not_understood) throw grading::UnknownName(last_line(result.errors));
+    if (result.exit_code != no_results)
+      throw BookError("the Python that writes the reports, " + python_of(book_).string() +
+                      ", does not do so (" +
+                      (result.errors.empty() ? "it says nothing" : last_line(result.errors)) +
+                      "): run ./contact setup");
   }
 
   void write_reports() {

@@ -175,6 +175,33 @@ def test_results_never_go_among_other_files(grader: Grader) -> None:
     assert grader.run().returncode == 0
 
 
+@pytest.mark.parametrize(
+    ("python", "says"),
+    [
+        (None, "the reports is not there"),
+        # As where a user may not look into the folder that the link leads to.
+        ("python", "the reports cannot be reached"),
+        ("/bin/false", "does not do so (it says nothing): run ./contact setup"),
+    ],
+)
+def test_nothing_is_graded_that_no_report_could_be_made_of(
+    grader: Grader, python: str | None, says: str
+) -> None:
+    grader.root = grader.folder / "book"
+    programs = grader.root / "build/venv/bin"
+    programs.mkdir(parents=True)
+    (grader.root / "build/dev").symlink_to(ROOT / "build/dev")
+    for part in ("chapters", "exercises", "grading", "solutions", "tests", "cmake", "docs"):
+        (grader.root / part).symlink_to(ROOT / part)
+    if python is not None:
+        (programs / "python").symlink_to(python)
+    grader.hand_in("ada")
+    done = grader.run()
+    assert done.returncode == 3
+    assert says in done.stderr
+    assert not grader.results.exists()
+
+
 def test_one_coordinator_at_a_time(grader: Grader) -> None:
     grader.hand_in("dan", STUB)
     grader.grade()
