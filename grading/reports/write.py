@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
-import re
 from collections.abc import Sequence
 from dataclasses import replace
 from datetime import datetime
@@ -14,6 +12,7 @@ from pathlib import Path
 from reports.class_data import class_data
 from reports.class_page import class_page
 from reports.classroom50 import classroom50
+from reports.folders import folder_name, put_away
 from reports.gradebook import gradebook
 from reports.gradescope import gradescope
 from reports.junit import junit
@@ -44,6 +43,7 @@ def write_reports(
     """Writes these formats; returns how many files that were."""
     policy = Policy(due, now)
     folders = _folders(results.submissions)
+    put_away(folder, folders.values())
     written = 0
     seen = [see(submission, results, policy) for submission in results.submissions]
     for submission, shown in zip(results.submissions, seen, strict=True):
@@ -72,20 +72,6 @@ def write_reports(
         _write(folder / FORMATS["class"], class_page(data))
         written += 1
     return written
-
-
-def folder_name(id_: str) -> str:
-    """The name of a student's folder: the id, with what no file name may hold spelled out."""
-    safe = re.sub(
-        r"[^A-Za-z0-9._@+~-]",
-        lambda found: "".join(f"%{byte:02X}" for byte in found[0].encode()),
-        id_,
-    )
-    if safe.startswith("."):
-        safe = f"%2E{safe[1:]}"
-    if len(safe) > 120:
-        safe = f"{safe[:100]}%{hashlib.sha256(safe.encode()).hexdigest()[:16]}"
-    return safe
 
 
 def _folders(submissions: Sequence[Submission]) -> dict[str, str]:

@@ -21,9 +21,9 @@ sys.path[:0] = [str(HERE), str(ROOT / "grading")]
 
 import outputs_class as made  # noqa: E402
 from reports.__main__ import main  # noqa: E402
+from reports.folders import folder_name  # noqa: E402
 from reports.gradebook import defused  # noqa: E402
 from reports.text import MOST_CHARACTERS, clean, clean_line, visible  # noqa: E402
-from reports.write import folder_name  # noqa: E402
 
 Json = dict[str, Any]
 
