@@ -42,7 +42,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"reports: {error}", file=sys.stderr)
         return 3
     except OSError as error:
-        print(f"reports: {error.filename}: {error.strerror}", file=sys.stderr)
+        print(f"reports: {error.filename or given.results}: {error.strerror}", file=sys.stderr)
         return 3
     print(f"{count} reports in {given.results}", file=sys.stderr)
     return 0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 from collections.abc import Sequence
@@ -88,7 +89,15 @@ def _json(document: object) -> str:
 
 
 def _write(file: Path, text: str) -> None:
-    file.parent.mkdir(parents=True, exist_ok=True)
     beside = file.with_name(f".{file.name}.{os.getpid()}")
-    beside.write_text(text, encoding="utf-8", newline="")
-    beside.replace(file)
+    try:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        beside.write_text(text, encoding="utf-8", newline="")
+        beside.replace(file)
+    except OSError as error:
+        # A full disk names no file, and half a report is not to be passed on.
+        with contextlib.suppress(OSError):
+            beside.unlink()
+        raise ReportError(
+            f"{file} cannot be written: {error.strerror}. Put that right and run the same command again."
+        ) from None
