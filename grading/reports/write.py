@@ -99,5 +99,6 @@ def _write(file: Path, text: str) -> None:
         with contextlib.suppress(OSError):
             beside.unlink()
         raise ReportError(
-            f"{file} cannot be written: {error.strerror}. Put that right and run the same command again."
+            f"{file} cannot be written: {error.strerror}."
+            " Put that right and run the same command again."
         ) from None
