@@ -119,6 +119,11 @@ class ClassData:
         return sorted(self.rows, key=lambda row: (row.share, row.exercise.id))
 
     @property
+    def refused_exercises(self) -> int:
+        """How many files were refused, or would have been in a submission that was."""
+        return sum(row.states["refused"] for row in self.rows)
+
+    @property
     def median(self) -> float:
         return statistics.median(self.shares) if self.shares else 0.0
 

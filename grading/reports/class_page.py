@@ -12,7 +12,7 @@ FILLS = {
     "passed": "fill-right",
     "failed": "fill-wrong",
     "does_not_compile": "fill-warn",
-    "refused": "fill-warn",
+    "refused": "fill-refused",
 }
 WIDTH = 480
 HEIGHT = 192

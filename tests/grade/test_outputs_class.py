@@ -198,6 +198,38 @@ def test_what_does_not_compile_is_grouped_by_mistake(tmp_path: Path) -> None:
     assert "identifier_of_mine" not in said
 
 
+def legend(page: BeautifulSoup, title: str) -> dict[str, str]:
+    """What a legend says of each fill, by the fill's class."""
+    heading = next(found for found in page.find_all("h2") if title in found.get_text())
+    below = heading.find_next("ul", class_="legend")
+    assert isinstance(below, Tag)
+    return {str(one["class"][0]): text(one.parent) for one in below.select("i") if one.parent}
+
+
+def test_a_refused_file_is_not_said_to_compile_or_not_to(tmp_path: Path) -> None:
+    one = made.submission("x", [made.absent(listed(), "refused", "it is too large")])
+    page = pages(tmp_path / "refused", made.document([listed()], [one]))["class"]
+    (track,) = page.select(".brief .track")
+    (fill,) = [str(part["class"][0]) for part in track.select("span")]
+    fills = legend(page, "Exercises, weakest first")
+    assert fills[fill] == "refused"
+    assert fills["fill-warn"] == "does not compile"
+    assert "1 refused" in section(page, "Exercises, weakest first"), "also without the picture"
+    tests = legend(page, "Exercise by exercise")
+    assert tests["fill-none"] == "not tried, did not compile, or refused"
+    said = section(page, "What does not compile").strip()
+    assert said == "Everything that was taken in compiles. What was refused was never compiled."
+
+    whole = made.submission("x", [], problem="x.zip holds a link")
+    page = pages(tmp_path / "whole", made.document([listed()], [whole]))["class"]
+    assert section(page, "What does not compile").strip() == said
+
+    taken = graded("x", "passed", "passed")
+    page = pages(tmp_path / "taken", made.document([listed()], [taken]))["class"]
+    said = section(page, "What does not compile").strip()
+    assert said == "Everything that was handed in compiles."
+
+
 def test_every_known_mistake_has_words_for_the_class() -> None:
     known: set[str] = set()
     for file in ("mistakes.cpp", "explain.cpp", "build_messages.cpp", "build.cpp"):
@@ -342,12 +374,17 @@ def test_a_browser_finds_nothing_wrong_with_the_pages(tmp_path: Path) -> None:
     one["exercises"][0]["verdict"]["tests"][1]["failure"]["got"] = f"<b>{wide}"
     class_ = made.document(
         [listed("shown", "shown", "shown", "shown", "hidden", "after_due")],
-        [one, broken("y", "missing-semicolon", wide), graded("z", *["passed"] * 6, name=wide)],
+        [
+            one,
+            broken("y", "missing-semicolon", wide),
+            graded("z", *["passed"] * 6, name=wide),
+            made.submission("r", [made.absent(listed(), "refused", wide)]),
+        ],
         level="reduced",
     )
     pages(tmp_path, class_)
     files = [tmp_path / "class.html", *sorted(tmp_path.glob("students/*/report.html"))]
-    assert len(files) == 4
+    assert len(files) == 5
     done = subprocess.run(
         ["node", str(HERE / "outputs_pages.mjs"), *map(str, files)],
         capture_output=True,
