@@ -133,7 +133,7 @@ class Filter {
   void allow(const Names& names) {
     for (const char* name : names) rule(SCMP_ACT_ALLOW, name, {});
   }
-  void allow(const char* name, std::vector<scmp_arg_cmp> where = {}) {
+  void allow(const char* name, const std::vector<scmp_arg_cmp>& where = {}) {
     rule(SCMP_ACT_ALLOW, name, where);
   }
   void refuse(const char* name, int error) {
