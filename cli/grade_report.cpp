@@ -130,9 +130,12 @@ std::string changes_table(const nlohmann::json& changes, const Style& style) {
     std::string why;
     for (const nlohmann::json& reason : change.at("why"))
       why += (why.empty() ? "" : ", ") + reason.get<std::string>();
-    rows.push_back({text_of(change, "submission"), text_of(change, "exercise"),
-                    grading::points_text(change.at("before").get<double>()),
-                    grading::points_text(change.at("after").get<double>()), why});
+    const auto points = [&](const char* when) {
+      const nlohmann::json& mark = change.at(when);
+      return mark.is_null() ? std::string("none") : grading::points_text(mark.get<double>());
+    };
+    rows.push_back({text_of(change, "submission"), text_of(change, "exercise"), points("before"),
+                    points("after"), why});
   }
   std::array<std::size_t, 5> widths{};
   for (const auto& row : rows) {

@@ -48,7 +48,7 @@ std::string grade_summary(const nlohmann::json& results, const grading::Summary&
 /// Every refusal, a line each.
 std::string refusals(const nlohmann::json& results);
 
-/// A table of the marks that moved: before, after and why.
+/// A table of the marks that moved, came or went: before, after and why.
 std::string changes_table(const nlohmann::json& changes, const Style& style);
 
 }  // namespace contact::cli

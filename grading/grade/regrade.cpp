@@ -4,6 +4,7 @@
 #include <array>
 #include <ctime>
 #include <map>
+#include <set>
 
 namespace fs = std::filesystem;
 
@@ -15,16 +16,41 @@ constexpr const char* changes_format = "contact-grade-changes/1";
 constexpr const char* results_name = "results.json";
 constexpr const char* changes_name = "changes.json";
 
-using Units = std::map<std::pair<std::string, std::string>, const nlohmann::json*>;
+// Stands where there is no unit.
+const nlohmann::json none;
 
-// By submission and exercise. A submission that is refused whole has none, and no marks.
-Units units_of(const nlohmann::json& results) {
-  Units units;
+// One exercise of one submission.
+struct Mark {
+  double points = 0.0;
+  bool refused = false;
+  const nlohmann::json* unit = &none;
+};
+
+using Marks = std::map<std::pair<std::string, std::string>, Mark>;
+
+// By submission and exercise. A submission that is refused whole has no units, and no points in any
+// exercise.
+Marks marks_of(const nlohmann::json& results) {
+  Marks marks;
   for (const nlohmann::json& submission : results.at("submissions")) {
+    const auto id = submission.at("id").get<std::string>();
+    if (submission.contains("problem")) {
+      for (const nlohmann::json& exercise : results.at("exercises"))
+        marks[{id, exercise.at("id").get<std::string>()}] = {0.0, true, &none};
+      continue;
+    }
     for (const nlohmann::json& unit : submission.at("exercises"))
-      units[{submission.at("id").get<std::string>(), unit.at("id").get<std::string>()}] = &unit;
+      marks[{id, unit.at("id").get<std::string>()}] = {unit.at("points").get<double>(),
+                                                       unit.at("status") == "refused", &unit};
   }
-  return units;
+  return marks;
+}
+
+std::map<std::string, double> most_points(const nlohmann::json& results) {
+  std::map<std::string, double> most;
+  for (const nlohmann::json& exercise : results.at("exercises"))
+    most[exercise.at("id").get<std::string>()] = exercise.at("max_points").get<double>();
+  return most;
 }
 
 std::map<std::string, std::string> tests_of(const nlohmann::json& unit) {
@@ -54,9 +80,17 @@ nlohmann::json changed_tests(const nlohmann::json& before, const nlohmann::json&
 }
 
 // A file that came, went or was refused is a change of code.
-std::vector<std::string> reasons(const nlohmann::json& before, const nlohmann::json& after) {
-  if (!before.contains("key") || !after.contains("key")) return {"code"};
-  return differences(key_from_json(before.at("key")), key_from_json(after.at("key")));
+std::vector<std::string> reasons(const Mark& before, const Mark& after) {
+  if (after.refused) return {"code", "refused"};
+  const nlohmann::json& then = *before.unit;
+  const nlohmann::json& now = *after.unit;
+  if (!then.contains("key") || !now.contains("key")) return {"code"};
+  return differences(key_from_json(then.at("key")), key_from_json(now.at("key")));
+}
+
+std::vector<std::string> reasons_to_come(const Mark& after) {
+  if (after.refused) return {"new", "refused"};
+  return {"new"};
 }
 
 std::string date_time() {
@@ -81,20 +115,35 @@ std::optional<nlohmann::json> earlier_results(const RunFolder& folder) {
 }
 
 nlohmann::json changes_between(const nlohmann::json& before, const nlohmann::json& after) {
+  const Marks old = marks_of(before);
+  const Marks now = marks_of(after);
+  const std::map<std::string, double> most = most_points(after);
+  const std::map<std::string, double> most_before = most_points(before);
+  std::set<std::pair<std::string, std::string>> all;
+  for (const auto& entry : old) all.insert(entry.first);
+  for (const auto& entry : now) all.insert(entry.first);
+
   nlohmann::json changes = nlohmann::json::array();
-  const Units old = units_of(before);
-  for (const auto& [which, now] : units_of(after)) {
-    const auto found = old.find(which);
-    if (found == old.end()) continue;
-    const nlohmann::json& then = *found->second;
-    if (then.at("points") == now->at("points")) continue;
+  for (const auto& which : all) {
+    const auto then = old.find(which);
+    const auto found = now.find(which);
+    const bool was = then != old.end();
+    const bool is = found != now.end();
+    if (was && is && then->second.points == found->second.points) continue;
+    const bool asked = most.count(which.second) != 0;
+    const std::vector<std::string> why = was && is ? reasons(then->second, found->second)
+                                         : is      ? reasons_to_come(found->second)
+                                         : asked
+                                             ? std::vector<std::string>{"not handed in any more"}
+                                             : std::vector<std::string>{"not asked for any more"};
     changes.push_back({{"submission", which.first},
                        {"exercise", which.second},
-                       {"before", then.at("points")},
-                       {"after", now->at("points")},
-                       {"max_points", now->at("max_points")},
-                       {"why", reasons(then, *now)},
-                       {"tests", changed_tests(then, *now)}});
+                       {"before", was ? nlohmann::json(then->second.points) : none},
+                       {"after", is ? nlohmann::json(found->second.points) : none},
+                       {"max_points", (asked ? most : most_before).at(which.second)},
+                       {"why", why},
+                       {"tests", changed_tests(was ? *then->second.unit : none,
+                                               is ? *found->second.unit : none)}});
   }
   return {{"format", changes_format}, {"changes", std::move(changes)}};
 }

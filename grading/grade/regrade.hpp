@@ -15,8 +15,9 @@ namespace contact::grading {
 /// @throws BookError if they are not understood
 std::optional<nlohmann::json> earlier_results(const RunFolder& folder);
 
-/// "contact-grade-changes/1": each mark of an exercise that moved, with what its unit depends on
-/// that is no longer the same. What was added or taken away is no mark that moved.
+/// "contact-grade-changes/1": each mark of an exercise that moved, came or went, and why. One that
+/// moved says what its unit depends on that is no longer the same; a submission that is refused
+/// whole has no points in any exercise.
 nlohmann::json changes_between(const nlohmann::json& before, const nlohmann::json& after);
 
 /// Keeps files of this run's folder that are about to give way, in RESULTS/earlier/DATE-TIME/.

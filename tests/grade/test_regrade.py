@@ -82,6 +82,47 @@ def test_a_file_that_is_gone_moves_the_mark_and_is_kept(graded: Grader) -> None:
     assert len(earlier(graded)) == 2
 
 
+def test_marks_that_come_and_go_are_marks_that_moved(graded: Grader) -> None:
+    wrong = graded.points()["cyd"]
+    shutil.rmtree(graded.submissions / "ada")
+    (graded.submissions / "ada.zip").write_text("no archive")
+    shutil.rmtree(graded.submissions / "cyd")
+    graded.hand_in("dan")
+    done = graded.run()
+    assert done.returncode == 1
+    assert "No mark moved" not in done.stdout
+    assert "3 marks moved:" in done.stdout
+    told = [" ".join(line.split()) for line in done.stdout.splitlines()]
+    assert f"ada {EXERCISE} 8 0 code, refused" in told
+    assert f"cyd {EXERCISE} {wrong:g} none not handed in any more" in told
+    assert f"dan {EXERCISE} none 8 new" in told
+    found = {change["submission"]: change for change in changes(graded)}
+    assert {id_: (one["before"], one["after"], one["why"]) for id_, one in found.items()} == {
+        "ada": (8, 0, ["code", "refused"]),
+        "cyd": (wrong, None, ["not handed in any more"]),
+        "dan": (None, 8, ["new"]),
+    }
+    assert {one["max_points"] for one in found.values()} == {8}
+    assert {test["after"] for test in found["ada"]["tests"]} == {None}
+    assert {test["before"] for test in found["dan"]["tests"]} == {None}
+    # And back again.
+    (graded.submissions / "ada.zip").unlink()
+    graded.hand_in("ada")
+    graded.grade()
+    (change,) = changes(graded)
+    assert (change["submission"], change["before"], change["after"]) == ("ada", 0, 8)
+    assert change["why"] == ["code"]
+
+
+def test_marks_of_other_exercises(graded: Grader) -> None:
+    graded.grade(exercises="sphere_plane")
+    reasons = {(one["exercise"], one["after"] is None, *one["why"]) for one in changes(graded)}
+    assert reasons == {
+        (EXERCISE, True, "not asked for any more"),
+        ("01_planes/sphere_plane", False, "new"),
+    }
+
+
 def test_other_limits(graded: Grader) -> None:
     graded.hand_in("ada", SOLUTION + greedy(200))
     graded.grade()
