@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <set>
 #include <thread>
 
 #include <unistd.h>
@@ -146,7 +147,9 @@ class Grading {
   int run() {
     start_ = now();
     prepare();
+    const std::set<std::string> ids = look();
     const grading::RunLock lock(folder_);
+    require_same_class(ids);
     grading::remove_left_behind(folder_);
     set_up();
     take_in();
@@ -167,6 +170,33 @@ class Grading {
     if (!options_.profile.empty()) run_.limits = grading::read_profile(options_.profile);
     if (!options_.ids.empty()) ids_.emplace(options_.ids);
     require_reports();
+  }
+
+  grading::Intake intake(const std::function<void(const grading::Entrant&)>& keep) const {
+    return grading::take_in(book_, options_.submissions, ids_ ? &*ids_ : nullptr,
+                            exercises_.size() == 1 ? exercises_.front() : nullptr, keep);
+  }
+
+  // Whose submissions these are. All is read once before anything is made of it: a wrong folder or
+  // table of ids would else leave a class of zeros.
+  std::set<std::string> look() const {
+    const grading::Intake found = intake([](const grading::Entrant&) {});
+    if (found.entrants.empty())
+      throw grading::UnknownName("there is no submission in " + options_.submissions);
+    const std::string mistake = grading::mistaken_for_submissions(found, options_.submissions);
+    if (!mistake.empty()) throw BookError(mistake);
+    std::set<std::string> ids;
+    for (const grading::Entrant& entrant : found.entrants) ids.insert(entrant.id);
+    return ids;
+  }
+
+  void require_same_class(const std::set<std::string>& ids) const {
+    const std::optional<nlohmann::json> earlier = grading::earlier_results(folder_);
+    if (earlier && grading::of_another_class(*earlier, ids))
+      throw BookError(
+          folder_.results().string() + " holds marks, and none of them is of a submission in " +
+          options_.submissions +
+          ". Is this another class? Then give another folder with -o. Nothing is graded");
   }
 
   // What everything is graded with.
@@ -202,9 +232,7 @@ class Grading {
   }
 
   void take_in() {
-    class_.intake = grading::take_in(book_, options_.submissions, ids_ ? &*ids_ : nullptr,
-                                     exercises_.size() == 1 ? exercises_.front() : nullptr,
-                                     [this](const grading::Entrant& entrant) { keep(entrant); });
+    class_.intake = intake([this](const grading::Entrant& entrant) { keep(entrant); });
     for (const grading::Entrant& entrant : class_.intake.entrants) {
       if (entrant.problem.empty())
         run_.submissions.push_back({entrant.id, folder_.submission(entrant.id)});
@@ -293,8 +321,6 @@ class Grading {
 
   // From here on a run that is killed goes on where it was.
   void keep_run() {
-    if (class_.intake.entrants.empty())
-      throw grading::UnknownName("there is no submission in " + options_.submissions);
     grading::write_durably(folder_.run_file(), grading::to_json(run_).dump(1) + "\n");
   }
 

@@ -176,7 +176,8 @@ Intake take_in(const Book& book, const fs::path& submissions, const IdTable* ids
   for (const auto& [student, theirs] : students) {
     if (theirs.size() == 1 || of_one_student(theirs)) {
       Entrant entrant = entrant_of(theirs);
-      if (entrant.problem.empty()) read_files(book, submissions, theirs, only, entrant);
+      entrant.opened = entrant.problem.empty();
+      if (entrant.opened) read_files(book, submissions, theirs, only, entrant);
       keep(entrant);
       for (auto& [exercise, file] : entrant.files) file.text = std::string();
       intake.entrants.push_back(std::move(entrant));
@@ -205,6 +206,21 @@ Intake take_in(const Book& book, const fs::path& submissions, const IdTable* ids
     }
   }
   return intake;
+}
+
+std::string mistaken_for_submissions(const Intake& intake, const fs::path& submissions) {
+  const std::vector<Entrant>& all = intake.entrants;
+  if (all.empty() || (all.size() == 1 && all.front().opened)) return {};
+  if (std::any_of(all.begin(), all.end(),
+                  [](const Entrant& entrant) { return entrant.problem.empty(); }))
+    return {};
+  constexpr std::size_t most = 3;
+  std::string text = "every submission was refused: ";
+  for (std::size_t i = 0; i < all.size() && i < most; ++i)
+    text += (i == 0 ? "" : "; ") + all[i].problem;
+  if (all.size() > most) text += "; and " + std::to_string(all.size() - most) + " more";
+  return text + ". Is " + submissions.string() +
+         " a folder of submissions, with an entry for each student? Nothing is graded";
 }
 
 }  // namespace contact::grading

@@ -23,6 +23,9 @@ struct Entrant {
   std::string entry;
   /// Why it is refused whole; empty if it is not.
   std::string problem;
+  /// Whether it was looked into; not if it is refused for its name, or for what kind of entry it
+  /// is.
+  bool opened = false;
   /// Its files that answer to no exercise of the book.
   std::vector<std::string> ignored;
   /// By the exercise's id.
@@ -45,5 +48,10 @@ struct Intake {
 /// @throws BookError if the folder itself cannot be read
 Intake take_in(const Book& book, const std::filesystem::path& submissions, const IdTable* ids,
                const Exercise* only, const std::function<void(const Entrant&)>& keep);
+
+/// Why a whole class that is refused looks like a mistake of whoever grades; empty if it does not.
+/// One submission alone may well be a broken archive, and its student is to read that.
+std::string mistaken_for_submissions(const Intake& intake,
+                                     const std::filesystem::path& submissions);
 
 }  // namespace contact::grading

@@ -114,6 +114,13 @@ std::optional<nlohmann::json> earlier_results(const RunFolder& folder) {
   return json;
 }
 
+bool of_another_class(const nlohmann::json& earlier, const std::set<std::string>& submissions) {
+  const nlohmann::json& all = earlier.at("submissions");
+  return !all.empty() && std::none_of(all.begin(), all.end(), [&](const nlohmann::json& one) {
+    return submissions.count(one.at("id").get<std::string>()) != 0;
+  });
+}
+
 nlohmann::json changes_between(const nlohmann::json& before, const nlohmann::json& after) {
   const Marks old = marks_of(before);
   const Marks now = marks_of(after);

@@ -3,6 +3,7 @@
 // What a second run over the same submissions changed, and why. Nothing of the first is lost.
 
 #include <optional>
+#include <set>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -14,6 +15,9 @@ namespace contact::grading {
 /// The results that an earlier run left in this folder; nothing if it left none.
 /// @throws BookError if they are not understood
 std::optional<nlohmann::json> earlier_results(const RunFolder& folder);
+
+/// Whether marks that an earlier run left are of other submissions than these, and of none of them.
+bool of_another_class(const nlohmann::json& earlier, const std::set<std::string>& submissions);
 
 /// "contact-grade-changes/1": each mark of an exercise that moved, came or went, and why. One that
 /// moved says what its unit depends on that is no longer the same; a submission that is refused

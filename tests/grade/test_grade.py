@@ -162,6 +162,38 @@ def test_a_class_without_anybody_is_nothing_to_grade(grader: Grader) -> None:
     assert "there is no submission in" in done.stderr
 
 
+def test_a_class_of_which_everybody_is_refused_is_a_mistake(grader: Grader) -> None:
+    # One student's folder.
+    grader.submissions.mkdir(exist_ok=True)
+    for name in ("signed_distance", "sphere_plane", "closest_point", "ray_triangle"):
+        (grader.submissions / f"{name}.cpp").write_text(SOLUTION)
+    done = grader.run(exercises="01_planes")
+    assert done.returncode == 3
+    assert "every submission was refused: the name 'closest_point.cpp' does not say" in done.stderr
+    assert f"Is {grader.submissions} a folder of submissions" in done.stderr
+    assert not grader.results.exists()
+
+
+@pytest.mark.parametrize("students", [["ada"], ["ada", "bob", "cyd", "dan", "eve"]])
+def test_a_table_of_another_class_is_a_mistake(grader: Grader, students: list[str]) -> None:
+    for student in students:
+        grader.hand_in(student)
+    table = grader.folder / "ids.csv"
+    table.write_text("entry,id\nzoe,1\n")
+    done = grader.run("--ids", str(table))
+    assert done.returncode == 3
+    assert "every submission was refused: 'ada' is not in ids.csv" in done.stderr
+    assert ("; and 2 more. Is " in done.stderr) == (len(students) == 5)
+    assert not grader.results.exists()
+
+
+def test_one_submission_alone_that_cannot_be_used_is_told_its_student(grader: Grader) -> None:
+    (grader.submissions / "mallory.zip").write_bytes(b"PK\3\4 and no more")
+    done = grader.run()
+    assert done.returncode == 1
+    assert "cannot be used" in grader.submission("mallory")["problem"]
+
+
 def test_results_never_go_among_other_files(grader: Grader) -> None:
     grader.hand_in("ada")
     grader.results.mkdir()

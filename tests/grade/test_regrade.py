@@ -123,6 +123,25 @@ def test_marks_of_other_exercises(graded: Grader) -> None:
     }
 
 
+def contents(folder: Path) -> dict[Path, bytes]:
+    lock = folder / ".grade/lock"
+    files = (file for file in folder.rglob("*") if file.is_file() and file != lock)
+    return {file: file.read_bytes() for file in files}
+
+
+def test_another_class_is_not_graded_into_the_same_results(graded: Grader) -> None:
+    before = contents(graded.results)
+    shutil.rmtree(graded.submissions)
+    graded.hand_in("zoe")
+    done = graded.run()
+    assert done.returncode == 3
+    assert "Is this another class? Then give another folder with -o" in done.stderr
+    assert contents(graded.results) == before
+    # One that is still there makes it the same class.
+    graded.hand_in("bob", WRONG)
+    assert graded.run().returncode == 0
+
+
 def test_other_limits(graded: Grader) -> None:
     graded.hand_in("ada", SOLUTION + greedy(200))
     graded.grade()
