@@ -213,6 +213,27 @@ std::string cut(const std::string& text) {
   return text.size() <= most ? text : text.substr(0, most) + "\n(and more)";
 }
 
+// A compiler's messages, each once: a macro as Catch2's CHECK holds what it is given more than
+// once, and so does what the compiler says of it. A message ends where the next line is not
+// indented.
+std::string each_once(const std::string& text) {
+  std::set<std::string> said;
+  std::string result;
+  for (std::size_t start = 0; start < text.size();) {
+    std::size_t end = std::min(text.find('\n', start), text.size() - 1) + 1;
+    const std::string first = text.substr(start, end - start);
+    while (end < text.size() && text[end] == ' ')
+      end = std::min(text.find('\n', end), text.size() - 1) + 1;
+    const std::string message = text.substr(start, end - start);
+    const bool diagnostic = first.find(": error: ") != std::string::npos ||
+                            first.find(": warning: ") != std::string::npos ||
+                            first.find(": note: ") != std::string::npos;
+    if (!diagnostic || said.insert(message).second) result += message;
+    start = end;
+  }
+  return result;
+}
+
 // What a file that a program was made from was like. Large ones (libraries, precompiled headers)
 // are known by size and time.
 std::string stamp_of(const fs::path& file) {
@@ -317,7 +338,7 @@ class Builder {
       const ProcessResult result = run(command);
       if (!result.succeeded())
         throw BookError("the private test " + found_.sources[i].string() + " does not compile:\n" +
-                        cut(result.errors));
+                        cut(each_once(result.errors)));
       // A path in the list is as the compiler was given it: from the build's folder.
       for (const std::string& file : dependencies(list)) {
         const fs::path whole = (book_.build_dir() / file).lexically_normal();

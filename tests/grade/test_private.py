@@ -256,6 +256,17 @@ def test_what_is_wrong_is_said(
     assert not (tmp_path / "results" / "results.json").exists()
 
 
+def test_what_the_compiler_says_of_a_macro_is_said_once(grade: Grade, private: Path) -> None:
+    file = private / EXERCISE / TEST
+    head = f'TEST_CASE("{THIN}") {{\n'
+    edit(file, head, head + "  CHECK(gone(1) == 2);\n  CHECK(missing(1) == 2);\n")
+    result = grade()
+    assert result.returncode == 3
+    assert result.stderr.count("CHECK(gone(1) == 2);") == 1
+    assert result.stderr.count("gone’ was not declared") == 1
+    assert result.stderr.count("missing’ was not declared") == 1
+
+
 def test_a_folder_that_is_of_no_exercise(grade: Grade, private: Path) -> None:
     (private / EXERCISE).rename(private / "02_triangles" / "ray_triangel")
     result = grade()
