@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <ctime>
+#include <exception>
 #include <set>
 #include <thread>
 
@@ -284,38 +286,75 @@ class Grading {
   // folder of results, so that a regrade compares like with like.
   void calibrate() {
     const grading::RunKeys keys(loop_, build_);
-    std::optional<grading::Seat> seat;
-    std::optional<grading::NotedFolder> temporary;
+    std::vector<Solution> solutions;
     for (const Exercise& exercise : with_private_) {
       const std::string id = exercise.id();
-      grading::UnitSettings settings;
-      settings.seed = run_.seed;
-      settings.limits = run_.limits;
+      Solution solution{&exercise, {}, {}};
+      solution.settings.seed = run_.seed;
+      solution.settings.limits = run_.limits;
       const grading::PrivateExercise* more = run_.private_tests.of(id);
-      if (more != nullptr) settings.more_tests.push_back(more->program);
+      if (more != nullptr) solution.settings.more_tests.push_back(more->program);
       run_.least_seconds[id] = least_test_seconds(exercise, run_.limits);
-      std::optional<double> seconds;
       if (before_ && !options_.recalibrate)
-        seconds = kept_seconds(*before_, id, run_.least_seconds[id]);
-      const auto settle = [&] {
-        run_.test_seconds[id] = *seconds;
-        run_.keys[id] = keys.of(exercise, more, run_.seed, run_.limits, *seconds);
-      };
-      if (seconds) {
-        settle();
+        solution.seconds = kept_seconds(*before_, id, run_.least_seconds[id]);
+      if (solution.seconds) {
+        settle(keys, solution);
         // Its solution is known to get full marks under all that a unit depends on.
         if (before_->keys.count(id) != 0 && before_->keys.at(id) == run_.keys[id]) continue;
       }
-      if (!seat) {
-        note("Grading the book's own solutions, to see what they take here ...");
-        seat.emplace(machine_);
-        temporary.emplace(folder_);
+      solutions.push_back(std::move(solution));
+    }
+    if (solutions.empty()) return;
+    note("Grading the book's own solutions, to see what they take here ...");
+    measure(solutions);
+    for (const Solution& solution : solutions) settle(keys, solution);
+  }
+
+  // One exercise's solution, and the seconds that a test may take, once they are known.
+  struct Solution {
+    const Exercise* exercise;
+    grading::UnitSettings settings;
+    std::optional<double> seconds;
+  };
+
+  void settle(const grading::RunKeys& keys, const Solution& solution) {
+    const std::string id = solution.exercise->id();
+    run_.test_seconds[id] = *solution.seconds;
+    run_.keys[id] = keys.of(*solution.exercise, run_.private_tests.of(id), run_.seed, run_.limits,
+                            *solution.seconds);
+  }
+
+  // Several at a time, each thread with a loop and a seat of its own. The first in the book's order
+  // that went wrong is told.
+  void measure(std::vector<Solution>& solutions) const {
+    const grading::NotedFolder temporary(folder_);
+    const grading::TemporaryPlace place(temporary.path());
+    std::vector<std::exception_ptr> wrong(solutions.size());
+    std::atomic<std::size_t> next{0};
+    const auto work = [&] {
+      std::size_t at = next++;
+      try {
+        grading::Loop loop;
+        const grading::Seat seat(machine_);
+        for (; at < solutions.size(); at = next++) {
+          Solution& solution = solutions[at];
+          const double measured = grading::calibrate(loop, book_, build_, machine_, seat,
+                                                     *solution.exercise, solution.settings);
+          if (!solution.seconds) solution.seconds = measured;
+        }
+      } catch (...) {
+        if (at < wrong.size()) wrong[at] = std::current_exception();
+        next = solutions.size();
       }
-      const grading::TemporaryPlace place(temporary->path());
-      const double measured =
-          grading::calibrate(loop_, book_, build_, machine_, *seat, exercise, settings);
-      if (!seconds) seconds = measured;
-      settle();
+    };
+    {
+      std::vector<std::jthread> threads;
+      const auto count =
+          std::min<std::size_t>(static_cast<std::size_t>(workers_here()), solutions.size());
+      for (std::size_t i = 0; i < count; ++i) threads.emplace_back(work);
+    }
+    for (const std::exception_ptr& one : wrong) {
+      if (one) std::rethrow_exception(one);
     }
   }
 
@@ -346,6 +385,12 @@ class Grading {
     return jobs;
   }
 
+  int workers_here() const {
+    const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    const bool given = options_.workers > 0 && options_.engine == "local";
+    return std::min(given ? options_.workers : cores, std::max(1, machine_.most_workers));
+  }
+
   std::unique_ptr<grading::Engine> engine() {
     if (options_.engine == "slurm") {
       grading::SlurmSetting setting;
@@ -363,10 +408,8 @@ class Grading {
       slurm.tasks_at_a_time = options_.workers;
       return std::make_unique<grading::SlurmEngine>(loop_, folder_, slurm, std::move(setting));
     }
-    const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    const int wanted = options_.workers > 0 ? options_.workers : cores;
-    const int workers = std::min(wanted, std::max(1, machine_.most_workers));
-    if (workers < wanted && options_.workers > 0)
+    const int workers = workers_here();
+    if (workers < options_.workers)
       note("Only " + std::to_string(workers) +
            " at a time: on this machine more would share a quota, and marks would vary.");
     return std::make_unique<grading::LocalEngine>(loop_, folder_, machine_, workers);
