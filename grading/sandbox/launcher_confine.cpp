@@ -41,6 +41,9 @@ bool is_folder(const std::string& path) {
 void stage(const Settings& settings, uid_t user, gid_t group) {
   if (::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0)
     fail(settings, "making a private view of files");
+  // bubblewrap looks processes up by their numbers in this namespace. Where a container forbids the
+  // mount, the one that is there stays.
+  ::mount("proc", "/proc", "proc", MS_NOSUID | MS_NODEV | MS_NOEXEC, nullptr);
   // Taken before /tmp is covered: what is staged may lie there.
   std::vector<int> trees;
   for (const Staged& staged : settings.staged) {
