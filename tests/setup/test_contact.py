@@ -205,7 +205,7 @@ def test_root_takes_a_python_that_everybody_reaches(clone: Path, tmp_path: Path)
     own = tmp_path / "own"
     own.mkdir()
     python = own / "python3"
-    own_prefix = f'case "$2" in *base_prefix*) echo "{own}/python"; exit ;; esac'
+    own_prefix = f'case "$2" in *base_prefix*) echo "{own}/python"; exit ;; venv) exit 1 ;; esac'
     python.write_text(f'#!/bin/sh\n{own_prefix}\nexec {sys.executable} "$@"\n')
     python.chmod(0o755)
     extra = {"HOME": str(own), "PATH": f"{own}{os.pathsep}{os.environ['PATH']}"}
