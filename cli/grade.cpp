@@ -20,6 +20,7 @@
 #include "../grading/grade/run_keys.hpp"
 #include "../grading/grade/sha256.hpp"
 #include "../grading/grade/slurm.hpp"
+#include "../grading/progress.hpp"
 #include "commands.hpp"
 #include "grade_report.hpp"
 #include "terminal.hpp"
@@ -54,15 +55,6 @@ struct Options {
   bool json = false;
   grading::SlurmOptions slurm;
 };
-
-std::string now() {
-  const std::time_t time = std::time(nullptr);
-  std::tm parts{};
-  ::gmtime_r(&time, &parts);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text.data();
-}
 
 // --- What is asked for
 // --------------------------------------------------------------------------------------
@@ -147,7 +139,7 @@ class Grading {
         style_(stdout) {}
 
   int run() {
-    start_ = now();
+    start_ = grading::now_utc();
     prepare();
     const std::set<std::string> ids = look();
     const grading::RunLock lock(folder_);
@@ -524,7 +516,7 @@ class Grading {
         {"version", CONTACT_VERSION},
         {"submissions", fs::absolute(options_.submissions).lexically_normal().string()},
         {"started", start_},
-        {"finished", now()},
+        {"finished", grading::now_utc()},
         {"engine", engine_},
         {"workers", workers_},
         {"host", host.data()},

@@ -33,7 +33,9 @@ class FileLock {
   int descriptor_;
 };
 
-std::string formatted_time(const char* format) {
+}  // namespace
+
+std::string now_utc(const char* format) {
   const std::time_t now = std::time(nullptr);
   std::tm parts{};
   gmtime_r(&now, &parts);
@@ -41,10 +43,6 @@ std::string formatted_time(const char* format) {
   std::strftime(text.data(), text.size(), format, &parts);
   return text.data();
 }
-
-}  // namespace
-
-std::string now_utc() { return formatted_time("%Y-%m-%dT%H:%M:%SZ"); }
 
 Progress::Progress(const fs::path& work) : file_(work / "progress.json") { load(); }
 
@@ -55,7 +53,7 @@ void Progress::load() {
     record_ = ProgressRecord(nlohmann::json::parse(read_text(file_)));
   } catch (const std::exception& error) {
     fs::path aside = file_;
-    aside += formatted_time(".broken-%Y%m%d-%H%M%S");
+    aside += now_utc(".broken-%Y%m%d-%H%M%S");
     std::error_code failed;
     fs::rename(file_, aside, failed);
     if (failed)

@@ -44,6 +44,6 @@ class Progress {
 };
 
 /// The present time in UTC, such as 2026-11-21T05:09:19Z.
-std::string now_utc();
+std::string now_utc(const char* format = "%Y-%m-%dT%H:%M:%SZ");
 
 }  // namespace contact::grading

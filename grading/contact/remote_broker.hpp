@@ -11,8 +11,15 @@
 ///     done       no reply: the submission is no longer needed
 #pragma once
 
+#include <sys/socket.h>
+#include <sys/uio.h>
+
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
 
 namespace contact::remote {
 
@@ -36,5 +43,32 @@ struct BrokerReply {
 static_assert(sizeof(BrokerReply) == 8);
 
 inline constexpr std::size_t kMaxBrokerWords = 4096;
+
+/// Sends a reply, and a descriptor with it unless that is negative. Whoever asked may be gone and
+/// then needs none.
+inline void send_reply(int socket, BrokerReply::Kind kind, std::string_view words,
+                       int descriptor = -1) {
+  BrokerReply head;
+  head.kind = kind;
+  words = words.substr(0, kMaxBrokerWords);
+  std::string packet(sizeof head, '\0');
+  std::memcpy(packet.data(), &head, sizeof head);
+  packet += words;
+  iovec bytes{packet.data(), packet.size()};
+  alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> control{};
+  msghdr message{};
+  message.msg_iov = &bytes;
+  message.msg_iovlen = 1;
+  if (descriptor >= 0) {
+    message.msg_control = control.data();
+    message.msg_controllen = control.size();
+    cmsghdr* part = CMSG_FIRSTHDR(&message);
+    part->cmsg_level = SOL_SOCKET;
+    part->cmsg_type = SCM_RIGHTS;
+    part->cmsg_len = CMSG_LEN(sizeof(int));
+    std::memcpy(CMSG_DATA(part), &descriptor, sizeof descriptor);
+  }
+  ::sendmsg(socket, &message, MSG_NOSIGNAL | MSG_DONTWAIT);
+}
 
 }  // namespace contact::remote

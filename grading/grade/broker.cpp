@@ -114,28 +114,7 @@ struct Broker::State {
   }
 
   void reply(BrokerReply::Kind kind, std::string_view words, int descriptor = -1) const {
-    BrokerReply head;
-    head.kind = kind;
-    words = words.substr(0, remote::kMaxBrokerWords);
-    std::string packet(sizeof head, '\0');
-    std::memcpy(packet.data(), &head, sizeof head);
-    packet += words;
-    iovec bytes{packet.data(), packet.size()};
-    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> control{};
-    msghdr message{};
-    message.msg_iov = &bytes;
-    message.msg_iovlen = 1;
-    if (descriptor >= 0) {
-      message.msg_control = control.data();
-      message.msg_controllen = control.size();
-      cmsghdr* part = CMSG_FIRSTHDR(&message);
-      part->cmsg_level = SOL_SOCKET;
-      part->cmsg_type = SCM_RIGHTS;
-      part->cmsg_len = CMSG_LEN(sizeof(int));
-      std::memcpy(CMSG_DATA(part), &descriptor, sizeof descriptor);
-    }
-    // A judge that is gone needs no reply.
-    ::sendmsg(ours.get(), &message, MSG_NOSIGNAL | MSG_DONTWAIT);
+    remote::send_reply(ours.get(), kind, words, descriptor);
   }
 
   void start(std::uint64_t for_test) {

@@ -6,6 +6,8 @@
 #include <map>
 #include <set>
 
+#include "../progress.hpp"
+
 namespace fs = std::filesystem;
 
 namespace contact::grading {
@@ -93,14 +95,7 @@ std::vector<std::string> reasons_to_come(const Mark& after) {
   return {"new"};
 }
 
-std::string date_time() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  ::gmtime_r(&now, &parts);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H-%M-%SZ", &parts);
-  return text.data();
-}
+std::string date_time() { return now_utc("%Y-%m-%dT%H-%M-%SZ"); }
 
 }  // namespace
 

@@ -99,11 +99,12 @@ class Broker {
     while (recv(ends_[1], &request, sizeof request, 0) == sizeof request) {
       asked_.push_back(request);
       if (request.kind == BrokerRequest::Kind::start && how_ == "refuses")
-        reply(BrokerReply::Kind::words, "no box is free", -1);
+        contact::remote::send_reply(ends_[1], BrokerReply::Kind::words, "no box is free", -1);
       else if (request.kind == BrokerRequest::Kind::start)
         start();
       else if (request.kind == BrokerRequest::Kind::why)
-        reply(BrokerReply::Kind::words, "status " + std::to_string(end()), -1);
+        contact::remote::send_reply(ends_[1], BrokerReply::Kind::words,
+                                    "status " + std::to_string(end()), -1);
       else
         kill(specimen_, SIGKILL);
     }
@@ -120,7 +121,7 @@ class Broker {
     posix_spawn(&specimen_, CONTACT_SPECIMEN, &actions, nullptr, arguments.data(), nullptr);
     posix_spawn_file_actions_destroy(&actions);
     close(ends[1]);
-    reply(BrokerReply::Kind::given, "", ends[0]);
+    contact::remote::send_reply(ends_[1], BrokerReply::Kind::given, "", ends[0]);
     close(ends[0]);
   }
 
@@ -133,29 +134,6 @@ class Broker {
     }
     specimen_ = 0;
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-
-  void reply(BrokerReply::Kind kind, const std::string& words, int descriptor) {
-    BrokerReply head;
-    head.kind = kind;
-    std::string packet(sizeof head, '\0');
-    std::memcpy(packet.data(), &head, sizeof head);
-    packet += words;
-    iovec bytes{packet.data(), packet.size()};
-    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> control{};
-    msghdr message{};
-    message.msg_iov = &bytes;
-    message.msg_iovlen = 1;
-    if (descriptor >= 0) {
-      message.msg_control = control.data();
-      message.msg_controllen = control.size();
-      cmsghdr* part = CMSG_FIRSTHDR(&message);
-      part->cmsg_level = SOL_SOCKET;
-      part->cmsg_type = SCM_RIGHTS;
-      part->cmsg_len = CMSG_LEN(sizeof(int));
-      std::memcpy(CMSG_DATA(part), &descriptor, sizeof descriptor);
-    }
-    sendmsg(ends_[1], &message, MSG_NOSIGNAL);
   }
 };
 
