@@ -30,10 +30,9 @@ void check_impulse(double mass, const Vector& before, const Vector& after) {
       .given("after", after)
       .suspect("change-reversed", [&]() -> Vector { return mass * (before - after); })
       .suspect("momentum-after-only", [&]() -> Vector { return mass * after; })
-      .suspect("speeds-for-velocities",
-               [&]() -> Vector {
-                 return mass * (after.norm() - before.norm()) * before.normalized();
-               })
+      .suspect(
+          "speeds-for-velocities",
+          [&]() -> Vector { return mass * (after.norm() - before.norm()) * before.normalized(); })
       .suspect("speeds-for-velocities",
                [&]() -> Vector { return mass * (after.cwiseAbs() - before.cwiseAbs()); })
       .answer([&] { return exercise::impulse_of(mass, before, after); })

@@ -67,8 +67,8 @@ Push mistaken(const Samples& samples, double mass, double velocity, Mistake mist
   return {impulse, impulse / duration, velocity + after};
 }
 
-/// A piece goes through four roundings, then through as many sums as there are pieces; the quotients
-/// and the last sum add three. The oracle's own is one.
+/// A piece goes through four roundings, then through as many sums as there are pieces; the
+/// quotients and the last sum add three. The oracle's own is one.
 Push bound(const Samples& samples, double mass, double velocity) {
   double size = 0;
   for (std::size_t i = 0; i + 1 < samples.size(); ++i) {

@@ -229,8 +229,7 @@ TEST_CASE("a sum that overflows only on the way is finite, and none is ever NaN"
     const double total = contact::total_impulse(terms);
     REQUIRE_FALSE(std::isnan(total));
     if (std::isfinite(total)) {
-      REQUIRE(error(total, sum_of(terms)) <=
-              3 * u<double>() * abs(sum_of(terms)) + eta<double>());
+      REQUIRE(error(total, sum_of(terms)) <= 3 * u<double>() * abs(sum_of(terms)) + eta<double>());
     }
   }
 }
@@ -260,7 +259,8 @@ TEMPLATE_TEST_CASE("momentum, its scale and the centre's velocity agree with fra
       REQUIRE(error(total(k), sums.momentum(k)) <= u<S>() * abs(sums.momentum(k)) + cancelled);
       REQUIRE(error(scale(k), sums.scale(k)) <= gamma<S>(n) * sums.scale(k));
       const Rational mean = sums.momentum(k) / sums.mass;
-      REQUIRE(error((*centre)(k), mean) <= (n + 2) * u<S>() * abs(mean) + 2 * cancelled / sums.mass);
+      REQUIRE(error((*centre)(k), mean) <=
+              (n + 2) * u<S>() * abs(mean) + 2 * cancelled / sums.mass);
     }
   }
 }
@@ -292,8 +292,8 @@ TEST_CASE("totals and means are right for any bit patterns") {
         REQUIRE(std::isinf(oracle::nearest(sums.momentum(k))));
       }
       const Rational mean = sums.momentum(k) / sums.mass;
-      REQUIRE(error((*centre)(k), mean) <= (n + 2) * u<double>() * abs(mean) +
-                                               2 * cancelled / sums.mass + eta<double>());
+      REQUIRE(error((*centre)(k), mean) <=
+              (n + 2) * u<double>() * abs(mean) + 2 * cancelled / sums.mass + eta<double>());
     }
   }
   CHECK_FALSE(contact::centre_velocity<double>({}).has_value());
@@ -347,12 +347,12 @@ TEST_CASE("a push-off is accurate for masses of any ratio, and does not overflow
     const auto got = contact::push_off(m1, m2, v, relative);
     const Rational whole = oracle::exact(m1) + oracle::exact(m2);
     for (int k = 0; k < 2; ++k) {
-      const Rational first = oracle::exact(v(k)) -
-                             oracle::exact(relative(k)) * oracle::exact(m2) / whole;
-      const Rational second = oracle::exact(v(k)) +
-                              oracle::exact(relative(k)) * oracle::exact(m1) / whole;
-      const Rational room = 4 * u<double>() * (abs(oracle::exact(v(k))) +
-                                               abs(oracle::exact(relative(k))));
+      const Rational first =
+          oracle::exact(v(k)) - oracle::exact(relative(k)) * oracle::exact(m2) / whole;
+      const Rational second =
+          oracle::exact(v(k)) + oracle::exact(relative(k)) * oracle::exact(m1) / whole;
+      const Rational room =
+          4 * u<double>() * (abs(oracle::exact(v(k))) + abs(oracle::exact(relative(k))));
       REQUIRE(error(got.first(k), first) <= room);
       REQUIRE(error(got.second(k), second) <= room);
       REQUIRE_FALSE(std::isnan(got.impulse(k)));
@@ -400,8 +400,8 @@ TEMPLATE_TEST_CASE("the impulse of a curve is the area under it", "", float, dou
 
 TEST_CASE("the impulse so far grows with the area so far") {
   // A triangle of 6 ms and 4000 N: 12 N·s, of which a quarter by 3/√2 ms.
-  const auto curve = contact::force_curve<double>(
-      {0, 0.003, 0.006}, {{0, 0, 0}, {4000, 0, 0}, {0, 0, 0}});
+  const auto curve =
+      contact::force_curve<double>({0, 0.003, 0.006}, {{0, 0, 0}, {4000, 0, 0}, {0, 0, 0}});
   CHECK(std::abs(contact::impulse(curve).x() - 12) < 1e-14);
   CHECK(std::abs(contact::average_force(curve).x() - 2000) < 1e-11);
   CHECK(std::abs(contact::impulse_until(curve, 0.003).x() - 6) < 1e-14);
@@ -442,6 +442,16 @@ TEST_CASE("matter that joins or leaves takes its own momentum with it") {
   CHECK(wet->x() == 2.5);
   CHECK(contact::acceleration_with_exchange<double>(5000, {0, 0, 0}, -v, 100).x() == -0.06);
   CHECK_FALSE(contact::velocity_after_exchange<double>(5, v, -5, {0, 0, 0}).has_value());
+  const double big = std::numeric_limits<double>::max();
+  CHECK(contact::velocity_after_exchange<double>(3, {big, 1, 0}, 1, {-big, 1, 0})->x() == big / 2);
+  CHECK(contact::velocity_after_exchange<double>(big, v, big, {1, 0, 0})->x() == 2);
+  for (int i = 0; i < 3000; ++i) {
+    const double m = std::abs(any_finite(random));
+    const double change = random.chance(0.3) ? -m * random.uniform() : any_finite(random);
+    const auto after =
+        contact::velocity_after_exchange(m, any_vector(random), change, any_vector(random));
+    if (after) REQUIRE_FALSE(after->hasNaN());
+  }
 }
 
 TEST_CASE("a rocket that throws its mass away grain by grain gains u ln(m0 / m1)") {
@@ -468,8 +478,7 @@ TEST_CASE("a rocket that throws its mass away grain by grain gains u ln(m0 / m1)
     Vector3<double> v(0, 0, 0);
     for (int k = 0; k < throws; ++k) {
       const double grain = 5.0 / throws;
-      const auto apart =
-          contact::push_off<double>(mass - grain, grain, v, {-1000, 0, 0});
+      const auto apart = contact::push_off<double>(mass - grain, grain, v, {-1000, 0, 0});
       v = apart.first;
       mass -= grain;
     }
@@ -541,6 +550,8 @@ TEST_CASE("a construction refuses bad input, naming the argument and the value")
   CHECK((contains(back, "time[2] = 3") && contains(back, "later")));
   const auto wild = refusal([&] { contact::force_curve<double>({1, 2}, {zero, {0, inf, 0}}); });
   CHECK((contains(wild, "force[1]") && contains(wild, "inf")));
-  const auto never = refusal([&] { contact::force_curve<double>({1, not_a_number}, {zero, zero}); });
+  const auto never = refusal([&] {
+    contact::force_curve<double>({1, not_a_number}, {zero, zero});
+  });
   CHECK((contains(never, "time[1]") && contains(never, "nan")));
 }

@@ -75,8 +75,7 @@ void check_velocity(const Bodies& bodies) {
                  for (const Body& body : bodies) sum += body.velocity;
                  return sum / static_cast<double>(bodies.size());
                })
-      .suspect("speeds-for-velocities",
-               [&]() -> Vector { return with_speeds(bodies, false) / m; })
+      .suspect("speeds-for-velocities", [&]() -> Vector { return with_speeds(bodies, false) / m; })
       .suspect("speeds-for-velocities", [&]() -> Vector { return with_speeds(bodies, true) / m; })
       .suspect_if("mass-of-one",
                   [&](const Vector& got) {

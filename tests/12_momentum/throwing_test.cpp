@@ -18,9 +18,10 @@ void check_exchange(double mass, double velocity, double change, double matter) 
   const double right =
       quotient<double>(Exact(mass) * Exact(velocity) + Exact(change) * Exact(matter), left);
   // Differences, product, quotient, sum; or two products, a sum and a quotient.
-  const double bound = 8 * 0x1p-53 * (mass * std::abs(velocity) + std::abs(change * velocity) +
-                                      std::abs(change * matter)) /
-                       (mass + change);
+  const double bound =
+      8 * 0x1p-53 *
+      (mass * std::abs(velocity) + std::abs(change * velocity) + std::abs(change * matter)) /
+      (mass + change);
   ask("What is the body's velocity after the matter has joined or left it?")
       .given("mass", mass)
       .given("velocity", velocity)
@@ -56,8 +57,8 @@ void check_throws(double thrower, const Stones& stones, double velocity, double 
   const double right =
       quotient<double>(Exact(velocity) * denominator - Exact(relative) * numerator, denominator);
   const double n = static_cast<double>(stones.size());
-  // What is left of the mass may be the difference of the whole and what has been thrown: off by n u
-  // of the whole, that is by whole/thrower times as much of itself.
+  // What is left of the mass may be the difference of the whole and what has been thrown: off by n
+  // u of the whole, that is by whole/thrower times as much of itself.
   const double bound = (2 * n + 8) * 0x1p-53 * size * whole_of(thrower, stones) / thrower;
   ask("What is the thrower's velocity after the last throw?")
       .given("thrower", thrower)

@@ -20,19 +20,19 @@
 
 namespace contact {
 
-/// A force that was sampled: straight lines between the samples, no force before the first and after
-/// the last. Make it with force_curve(), which checks what it is given.
+/// A force that was sampled: straight lines between the samples, no force before the first and
+/// after the last. Make it with force_curve(), which checks what it is given.
 template <Ring S>
 struct ForceCurve {
-  std::vector<S> time;               ///< s, increasing, at least two
-  std::vector<Vector3<S>> force;     ///< N, one for each time
+  std::vector<S> time;            ///< s, increasing, at least two
+  std::vector<Vector3<S>> force;  ///< N, one for each time
 };
 
 /// A force–time curve from its samples.
 /// @param time n times, s, each later than the one before
 /// @param force n forces, N
-/// @throws std::invalid_argument if there are fewer than two samples, not as many forces as times, a
-/// time that is not later than the one before, or a number that is not finite
+/// @throws std::invalid_argument if there are fewer than two samples, not as many forces as times,
+/// a time that is not later than the one before, or a number that is not finite
 template <Ring S>
 ForceCurve<S> force_curve(std::vector<S> time, std::vector<Vector3<S>> force) {
   if (time.size() < 2) {
@@ -56,7 +56,7 @@ ForceCurve<S> force_curve(std::vector<S> time, std::vector<Vector3<S>> force) {
 }
 
 // [velocity-after]
-/// The velocity of a body after an impulse, v + J / m, for one coordinate or for all three.
+/// The velocity of a body after an impulse, v + J / m, for one coordinate.
 /// @param mass kg, greater than 0
 /// @param velocity before, m/s
 /// @param impulse of all forces on the body, N·s
@@ -66,6 +66,7 @@ template <Scalar S>
 S velocity_after(const S& mass, const S& velocity, const S& impulse) {
   return velocity + impulse / mass;
 }
+/// The same for all three coordinates.
 template <Scalar S>
 Vector3<S> velocity_after(const S& mass, const Vector3<S>& velocity, const Vector3<S>& impulse) {
   return velocity + impulse / mass;
@@ -75,7 +76,7 @@ Vector3<S> velocity_after(const S& mass, const Vector3<S>& velocity, const Vecto
 /// straight back needs more than a stop.
 /// @param mass kg, greater than 0
 /// @param before, after m/s
-/// @return N·s; each entry off by at most 2 u of itself
+/// @return N·s; each entry off by at most 2 u of itself (if the difference does not overflow)
 /// @see *Interaction and Normals*, slide "Impulse and Bouncing"
 template <Ring S>
 Vector3<S> impulse_of_change(const S& mass, const Vector3<S>& before, const Vector3<S>& after) {
@@ -120,12 +121,13 @@ std::size_t pieces_of(const ForceCurve<S>& curve) {
 /// The impulse of a force, ∫F dt: the area between the curve and the time axis, counted negative
 /// where the force is.
 ///
-/// Straight lines make trapezoids, width times mean height, so the area under the curve is exact but
-/// for rounding. Between samples of a force that is *not* straight it is the trapezoidal rule, off
-/// by T h² max|F″| / 12 at most for a step h.
+/// Straight lines make trapezoids, width times mean height, so the area under the curve is exact
+/// but for rounding. Between samples of a force that is *not* straight it is the trapezoidal rule,
+/// off by T h² max|F″| / 12 at most for a step h.
 /// @param curve of a force_curve()
 /// @return N·s. In a floating-point type each entry is off by at most 5 u of the sum of the
-/// trapezoids' sizes, if nothing underflows; if a sum overflows it is computed again without rounding
+/// trapezoids' sizes, if nothing underflows; if a sum overflows it is computed again without
+/// rounding
 /// @see *Interaction and Normals*, slide "More About Impulse: F-t The Graph"
 template <Scalar S>
 Vector3<S> impulse(const ForceCurve<S>& curve) {
@@ -149,7 +151,8 @@ Vector3<S> impulse(const ForceCurve<S>& curve) {
 // [/impulse]
 
 // [impulse-exactly]
-/// The same area, rounded once: right also when what pushes and what pulls cancel to the last digit.
+/// The same area, rounded once: right also when what pushes and what pulls cancel to the last
+/// digit.
 /// @return N·s; each entry the nearest number to the area under the stored curve
 template <std::floating_point S>
 Vector3<S> impulse_exactly(const ForceCurve<S>& curve) {
@@ -165,8 +168,8 @@ Vector3<S> impulse_exactly(const ForceCurve<S>& curve) {
 // [average-force]
 /// The constant force that would give the same impulse in the same time, ∫F dt / T. It is the mean
 /// over *time*: the mean of the samples only if they are equally spaced, and not even then quite.
-/// @return N; off by at most 8 u of the trapezoids' sizes over the time, if nothing underflows. Finite
-/// for finite input
+/// @return N; off by at most 8 u of the trapezoids' sizes over the time, if nothing underflows.
+/// Finite for finite input
 /// @see *Interaction and Normals*, slide "Impulse", the time-averaged force
 template <Scalar S>
 Vector3<S> average_force(const ForceCurve<S>& curve) {

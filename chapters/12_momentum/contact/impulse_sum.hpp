@@ -74,8 +74,8 @@ S without_overflow(const std::vector<S>& terms, Sum sum) {
 // [in-order]
 /// The sum of impulses (or of anything else in one unit), added in the order given.
 ///
-/// Off by at most γ(n − 1) Σ|Jᵢ| for n terms: nothing to worry about when all push the same way, and
-/// everything that is left when they cancel. Exact if S is exact.
+/// Off by at most γ(n − 1) Σ|Jᵢ| for n terms: nothing to worry about when all push the same way,
+/// and everything that is left when they cancel. Exact if S is exact.
 /// @param terms finite, N·s
 /// @return N·s; 0 for no terms; ±∞ only if the true sum is about as large as that
 /// @see Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd edition, section 4.2

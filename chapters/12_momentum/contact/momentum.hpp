@@ -20,7 +20,7 @@ namespace contact {
 /// larger. Make it with point_mass(), which checks what it is given.
 template <Ring S>
 struct PointMass {
-  S mass = S(1);                              ///< kg, greater than 0
+  S mass = S(1);                             ///< kg, greater than 0
   Vector3<S> position = Vector3<S>::Zero();  ///< m
   Vector3<S> velocity = Vector3<S>::Zero();  ///< m/s
 };
@@ -63,8 +63,8 @@ namespace detail {
 template <Ring S>
 struct Weighted {
   S sum = S(0);
-  S size = S(0);       // Σ mᵢ |qᵢ|
-  bool sound = true;   // neither overflowed nor so small that products lost digits
+  S size = S(0);      // Σ mᵢ |qᵢ|
+  bool sound = true;  // neither overflowed nor so small that products lost digits
 };
 
 // [weighted-sum]
@@ -80,8 +80,8 @@ Weighted<S> weighted_sum(const std::vector<PointMass<S>>& bodies, const Of& of) 
     const S q = of(body);
     const S product = body.mass * q;
     const S next = sum + product;
-    const S cut = std::abs(sum) >= std::abs(product) ? (sum - next) + product
-                                                     : (product - next) + sum;
+    const S cut =
+        std::abs(sum) >= std::abs(product) ? (sum - next) + product : (product - next) + sum;
     lost += cut + std::fma(body.mass, q, -product);
     sum = next;
     result.size += std::abs(product);
@@ -89,10 +89,10 @@ Weighted<S> weighted_sum(const std::vector<PointMass<S>>& bodies, const Of& of) 
   }
   result.sum = sum + lost;
   // Above this a product that underflows is far below u² of the whole.
-  const S small = std::ldexp(S(1), std::numeric_limits<S>::min_exponent +
-                                       3 * std::numeric_limits<S>::digits);
-  result.sound = all_zero || (std::isfinite(result.sum) && std::isfinite(result.size) &&
-                              result.size >= small);
+  const S small =
+      std::ldexp(S(1), std::numeric_limits<S>::min_exponent + 3 * std::numeric_limits<S>::digits);
+  result.sound =
+      all_zero || (std::isfinite(result.sum) && std::isfinite(result.size) && result.size >= small);
   return result;
 }
 // [/weighted-sum]
@@ -168,13 +168,14 @@ S total_mass(const std::vector<PointMass<S>>& bodies) {
 template <Ring S>
 Vector3<S> total_momentum(const std::vector<PointMass<S>>& bodies) {
   return detail::each_coordinate<S>([&bodies](int k) {
-    return detail::weighted_total(bodies, [k](const PointMass<S>& body) { return body.velocity(k); });
+    return detail::weighted_total(bodies,
+                                  [k](const PointMass<S>& body) { return body.velocity(k); });
   });
 }
 // [/total-momentum]
 
-/// Σ mᵢ |vᵢ|, one coordinate at a time: how much momentum there is before directions cancel. An error
-/// of the total momentum is small or large beside this, not beside the total, which may be 0.
+/// Σ mᵢ |vᵢ|, one coordinate at a time: how much momentum there is before directions cancel. An
+/// error of the total momentum is small or large beside this, not beside the total, which may be 0.
 /// @return kg·m/s; off by at most γ(n) of itself; ∞ if it overflows
 template <Ring S>
 Vector3<S> momentum_scale(const std::vector<PointMass<S>>& bodies) {
@@ -190,13 +191,14 @@ Vector3<S> momentum_scale(const std::vector<PointMass<S>>& bodies) {
 
 // [centre-of-mass]
 /// The centre of mass of all bodies, Σ mᵢ xᵢ / Σ mᵢ.
-/// @return m, or nothing if there are no bodies. In a floating-point type off by at most (n + 2) u of
-/// itself and 3 n² u² of Σ mᵢ|xᵢ| / Σ mᵢ, and finite
+/// @return m, or nothing if there are no bodies. In a floating-point type off by at most (n + 2) u
+/// of itself and 3 n² u² of Σ mᵢ|xᵢ| / Σ mᵢ, and finite
 template <Scalar S>
 std::optional<Vector3<S>> centre_of_mass(const std::vector<PointMass<S>>& bodies) {
   if (bodies.empty()) return std::nullopt;
   return detail::each_coordinate<S>([&bodies](int k) {
-    return detail::weighted_mean(bodies, [k](const PointMass<S>& body) { return body.position(k); });
+    return detail::weighted_mean(bodies,
+                                 [k](const PointMass<S>& body) { return body.position(k); });
   });
 }
 
@@ -212,7 +214,8 @@ template <Scalar S>
 std::optional<Vector3<S>> centre_velocity(const std::vector<PointMass<S>>& bodies) {
   if (bodies.empty()) return std::nullopt;
   return detail::each_coordinate<S>([&bodies](int k) {
-    return detail::weighted_mean(bodies, [k](const PointMass<S>& body) { return body.velocity(k); });
+    return detail::weighted_mean(bodies,
+                                 [k](const PointMass<S>& body) { return body.velocity(k); });
   });
 }
 // [/centre-of-mass]
@@ -252,8 +255,8 @@ PushOff<S> push_off(const S& first_mass, const S& second_mass, const Vector3<S>&
     }
   }
   // m₁ m₂ / (m₁ + m₂), without a product that could overflow.
-  const S reduced = first_mass < second_mass ? S(first_mass * second_share)
-                                             : S(second_mass * first_share);
+  const S reduced =
+      first_mass < second_mass ? S(first_mass * second_share) : S(second_mass * first_share);
   return {together - relative * second_share, together + relative * first_share,
           relative * reduced};
 }

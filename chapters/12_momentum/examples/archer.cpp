@@ -17,7 +17,8 @@ int main() {
 
   // With a stone in place of the arrow it matters which of the two was meant.
   const auto stone = contact::push_off<double>(archer, 20, {0, 0, 0}, {3, 0, 0});
-  std::printf("a 20 kg stone at 3 m/s: archer %.3f m/s if seen by the archer, %.3f m/s if over the "
-              "ice\n",
-              stone.first.x(), -20 * 3.0 / archer);
+  std::printf(
+      "a 20 kg stone at 3 m/s: archer %.3f m/s if seen by the archer, %.3f m/s if over the "
+      "ice\n",
+      stone.first.x(), -20 * 3.0 / archer);
 }

@@ -16,11 +16,11 @@ int main() {
   for (const Stop& stop : {Stop{"dashboard", 0.005}, Stop{"belt", 0.1}, Stop{"air bag", 0.15}}) {
     // A force that rises evenly and falls evenly: a triangle whose area is what is needed.
     const double peak = 2 * needed.x() / stop.duration;
-    const auto curve = contact::force_curve<double>(
-        {0, stop.duration / 2, stop.duration}, {{0, 0, 0}, {peak, 0, 0}, {0, 0, 0}});
+    const auto curve = contact::force_curve<double>({0, stop.duration / 2, stop.duration},
+                                                    {{0, 0, 0}, {peak, 0, 0}, {0, 0, 0}});
     const auto impulse = contact::impulse(curve);
     std::printf("%-9s %5.0f ms: average %7.0f N, largest %7.0f N, area %g N s, end at %g m/s\n",
-                stop.on, 1000 * stop.duration, contact::average_force(curve).x(), peak,
-                impulse.x(), contact::velocity_after(mass, before, impulse).x());
+                stop.on, 1000 * stop.duration, contact::average_force(curve).x(), peak, impulse.x(),
+                contact::velocity_after(mass, before, impulse).x());
   }
 }

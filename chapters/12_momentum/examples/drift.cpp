@@ -75,9 +75,9 @@ double drift(Way way, int collisions) {
   const auto total = [&] {
     contact::Exact sum;
     for (std::size_t i = 0; i < bodies; ++i) {
-      sum += way == Way::grid ? contact::Exact(double(all.momentum[i]))
-                              : contact::Exact(double(all.mass[i])) *
-                                    contact::Exact(double(all.velocity[i]));
+      sum += way == Way::grid
+                 ? contact::Exact(double(all.momentum[i]))
+                 : contact::Exact(double(all.mass[i])) * contact::Exact(double(all.velocity[i]));
     }
     return sum;
   };

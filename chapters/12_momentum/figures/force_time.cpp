@@ -16,18 +16,18 @@ constexpr int moments = 49;
 
 struct Output {
   double problem;
-  std::array<double, samples> time;              // ms
-  std::array<double, samples> force;             // kN
-  std::array<double, samples - 1> split_time;    // where a piece crosses the axis, or its middle
-  std::array<double, samples - 1> split_force;   // and the force there
-  double impulse;                                // N·s
-  double average;                                // kN
-  double largest;                                // of the force, by size, with its sign
-  double change;                                 // of the velocity, m/s
-  double after;                                  // m/s
-  double to_stop;                                // the impulse that would stop the body, N·s
-  std::array<double, moments> moment;            // ms
-  std::array<double, moments> velocity_at;       // m/s
+  std::array<double, samples> time;             // ms
+  std::array<double, samples> force;            // kN
+  std::array<double, samples - 1> split_time;   // where a piece crosses the axis, or its middle
+  std::array<double, samples - 1> split_force;  // and the force there
+  double impulse;                               // N·s
+  double average;                               // kN
+  double largest;                               // of the force, by size, with its sign
+  double change;                                // of the velocity, m/s
+  double after;                                 // m/s
+  double to_stop;                               // the impulse that would stop the body, N·s
+  std::array<double, moments> moment;           // ms
+  std::array<double, moments> velocity_at;      // m/s
   double stops_gently;  // goal of a question: a body with momentum stops, and no force above 1 kN
   double comes_back;    // goal of a question: it leaves with the speed that it came with
 };
@@ -35,8 +35,7 @@ struct Output {
 Output compute(const Input& in) {
   Output out{};
   if (!(in.duration > 0) || !(in.mass > 0)) out.problem = contact::figure::not_positive;
-  const std::array<double, samples> heights{0,     in.f1, in.f2, in.f3, in.f4,
-                                            in.f5, in.f6, in.f7, 0};
+  const std::array<double, samples> heights{0, in.f1, in.f2, in.f3, in.f4, in.f5, in.f6, in.f7, 0};
   for (const double f : heights) {
     if (std::abs(f) > 1e100) out.problem = contact::figure::too_large;
   }
@@ -78,8 +77,7 @@ Output compute(const Input& in) {
         in.mass, in.velocity, contact::impulse_until(curve, out.moment[at]).x());
   }
   const bool moving = std::abs(out.to_stop) >= 5;
-  out.stops_gently =
-      moving && std::abs(out.after) <= 0.1 && std::abs(out.largest) <= 1 ? 1 : 0;
+  out.stops_gently = moving && std::abs(out.after) <= 0.1 && std::abs(out.largest) <= 1 ? 1 : 0;
   out.comes_back = moving && std::abs(out.after + in.velocity) <= 0.2 ? 1 : 0;
   return out;
 }

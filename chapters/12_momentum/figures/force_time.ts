@@ -123,11 +123,19 @@ export default defineFigure<Input, Output>({
       { role: "ray", width: 2.5 },
     );
     const T = input.duration;
-    scene.face([[0, 0], [0, output.average], [T, output.average], [T, 0]], {
-      role: "hit",
-      fill: 0,
-      dashed: true,
-    });
+    scene.face(
+      [
+        [0, 0],
+        [0, output.average],
+        [T, output.average],
+        [T, 0],
+      ],
+      {
+        role: "hit",
+        fill: 0,
+        dashed: true,
+      },
+    );
     scene.label([T, output.average], "average", { role: "hit", offset: [8, 4], size: "small" });
 
     scene.line([T, LOW - 2.6], [T, 0], { role: "muted", width: 1, dashed: true });

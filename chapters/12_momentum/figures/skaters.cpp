@@ -11,14 +11,15 @@ struct Input {
 
 struct Output {
   double problem;
-  double first, second;        // velocities after the push, m/s
-  double impulse;              // on the second, N·s; on the first the opposite
-  double first_share;          // how much of `apart` the second gets
-  double p_1, p_2;             // momenta afterwards, kg·m/s
-  double p_before, p_after;    // of both
-  double centre_velocity;      // after the push
-  double x_1, x_2, centre;     // at the time, m; the push is at 0
-  double first_stands;  // goal of a question: they were moving, and the push brings the first to rest
+  double first, second;      // velocities after the push, m/s
+  double impulse;            // on the second, N·s; on the first the opposite
+  double first_share;        // how much of `apart` the second gets
+  double p_1, p_2;           // momenta afterwards, kg·m/s
+  double p_before, p_after;  // of both
+  double centre_velocity;    // after the push
+  double x_1, x_2, centre;   // at the time, m; the push is at 0
+  double
+      first_stands;  // goal of a question: they were moving, and the push brings the first to rest
 };
 
 Output compute(const Input& in) {
@@ -33,8 +34,8 @@ Output compute(const Input& in) {
   if (out.problem != 0) return out;
 
   using V = contact::Vector3<double>;
-  const auto after = contact::push_off<double>(in.mass_1, in.mass_2, V(in.together, 0, 0),
-                                               V(in.apart, 0, 0));
+  const auto after =
+      contact::push_off<double>(in.mass_1, in.mass_2, V(in.together, 0, 0), V(in.apart, 0, 0));
   out.first = after.first.x();
   out.second = after.second.x();
   out.impulse = after.impulse.x();

@@ -12,7 +12,8 @@ namespace exercise {
 /// @param mass kg, greater than 0
 /// @param before velocity before, m/s
 /// @param after velocity after, m/s
-Eigen::Vector3d impulse_of(double mass, const Eigen::Vector3d& before, const Eigen::Vector3d& after);
+Eigen::Vector3d impulse_of(double mass, const Eigen::Vector3d& before,
+                           const Eigen::Vector3d& after);
 
 /// The average force that gives this impulse in this time, in N.
 ///

@@ -22,8 +22,8 @@ struct Push {
 /// What a force does to a body on which nothing else acts. The motion is along one line, and a sign
 /// is a direction. Between two samples the force changes along a straight line.
 ///
-/// @param samples at least two; each is later than the one before, and the times need not be equally
-/// far apart
+/// @param samples at least two; each is later than the one before, and the times need not be
+/// equally far apart
 /// @param mass of the body, kg, greater than 0
 /// @param velocity at the first sample, m/s
 Push push(const std::vector<Sample>& samples, double mass, double velocity);

@@ -8,8 +8,8 @@ namespace exercise {
 
 /// The sum of all impulses, in N·s. Zero for none.
 ///
-/// It may be off by 2 u |J| + 2 n² u² Σ|Jᵢ|, for n impulses with the sum J and u = 2⁻⁵³: as if it had
-/// been computed with twice the digits and rounded at the end. No sum on the way overflows.
+/// It may be off by 2 u |J| + 2 n² u² Σ|Jᵢ|, for n impulses with the sum J and u = 2⁻⁵³: as if it
+/// had been computed with twice the digits and rounded at the end. No sum on the way overflows.
 ///
 /// @param impulses N·s, finite, in no particular order; up to about ten thousand
 double total(const std::vector<double>& impulses);

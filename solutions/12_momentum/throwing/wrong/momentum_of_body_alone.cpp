@@ -4,7 +4,8 @@
 
 namespace exercise {
 
-double after_exchange(double mass, double velocity, double mass_change, double /*matter_velocity*/) {
+double after_exchange(double mass, double velocity, double mass_change,
+                      double /*matter_velocity*/) {
   return mass * velocity / (mass + mass_change);
 }
 
