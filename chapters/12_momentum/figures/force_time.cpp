@@ -8,7 +8,7 @@ struct Input {
   double f1, f2, f3, f4, f5, f6, f7;  // kN, at the eighths of the duration; 0 at both ends
   double duration;                    // ms
   double mass;                        // kg
-  double velocity;                    // before, m/s
+  double speed;                       // with which the body comes in, against the force, m/s
 };
 
 constexpr int samples = 9;
@@ -23,12 +23,13 @@ struct Output {
   double impulse;                               // N·s
   double average;                               // kN
   double largest;                               // of the force, by size, with its sign
+  double before;                                // velocity, m/s: minus the speed
   double change;                                // of the velocity, m/s
   double after;                                 // m/s
   double to_stop;                               // the impulse that would stop the body, N·s
   std::array<double, moments> moment;           // ms
   std::array<double, moments> velocity_at;      // m/s
-  double stops_gently;  // goal of a question: a body with momentum stops, and no force above 1 kN
+  double stops_gently;  // goal of a question: a body with momentum stops, and no force above 1.5 kN
   double comes_back;    // goal of a question: it leaves with the speed that it came with
 };
 
@@ -39,7 +40,7 @@ Output compute(const Input& in) {
   for (const double f : heights) {
     if (std::abs(f) > 1e100) out.problem = contact::figure::too_large;
   }
-  if (in.duration > 1e100 || in.mass > 1e100 || std::abs(in.velocity) > 1e100) {
+  if (in.duration > 1e100 || in.mass > 1e100 || std::abs(in.speed) > 1e100) {
     out.problem = contact::figure::too_large;
   }
   if (in.duration < 1e-100 || in.mass < 1e-100) out.problem = contact::figure::too_small;
@@ -67,21 +68,22 @@ Output compute(const Input& in) {
   const auto curve = contact::force_curve(time, force);
   out.impulse = contact::impulse(curve).x();
   out.average = contact::average_force(curve).x();
-  out.after = contact::velocity_after(in.mass, in.velocity, out.impulse);
-  out.change = out.after - in.velocity;
-  out.to_stop = contact::impulse_of_change<double>(in.mass, {in.velocity, 0, 0}, {0, 0, 0}).x();
+  out.before = -in.speed;
+  out.after = contact::velocity_after(in.mass, out.before, out.impulse);
+  out.change = out.after - out.before;
+  out.to_stop = contact::impulse_of_change<double>(in.mass, {out.before, 0, 0}, {0, 0, 0}).x();
   for (int i = 0; i < moments; ++i) {
     const auto at = static_cast<std::size_t>(i);
     out.moment[at] = in.duration * i / (moments - 1);
     out.velocity_at[at] = contact::velocity_after(
-        in.mass, in.velocity, contact::impulse_until(curve, out.moment[at]).x());
+        in.mass, out.before, contact::impulse_until(curve, out.moment[at]).x());
   }
-  const bool moving = std::abs(out.to_stop) >= 5;
-  out.stops_gently = moving && std::abs(out.after) <= 0.1 && std::abs(out.largest) <= 1 ? 1 : 0;
-  out.comes_back = moving && std::abs(out.after + in.velocity) <= 0.2 ? 1 : 0;
+  const bool moving = std::abs(out.to_stop) >= 2;
+  out.stops_gently = moving && std::abs(out.after) <= 0.1 && std::abs(out.largest) <= 1.5 ? 1 : 0;
+  out.comes_back = moving && std::abs(out.after + out.before) <= 0.2 ? 1 : 0;
   return out;
 }
 
-FIGURE(Input, FIELDS(f1, f2, f3, f4, f5, f6, f7, duration, mass, velocity), Output,
-       FIELDS(problem, time, force, split_time, split_force, impulse, average, largest, change,
-              after, to_stop, moment, velocity_at, stops_gently, comes_back))
+FIGURE(Input, FIELDS(f1, f2, f3, f4, f5, f6, f7, duration, mass, speed), Output,
+       FIELDS(problem, time, force, split_time, split_force, impulse, average, largest, before,
+              change, after, to_stop, moment, velocity_at, stops_gently, comes_back))

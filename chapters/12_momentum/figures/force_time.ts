@@ -13,7 +13,7 @@ interface Input {
   f7: number;
   duration: number;
   mass: number;
-  velocity: number;
+  speed: number;
 }
 
 interface Output {
@@ -24,6 +24,7 @@ interface Output {
   impulse: number;
   average: number;
   largest: number;
+  before: number;
   change: number;
   after: number;
   to_stop: number;
@@ -52,7 +53,7 @@ export default defineFigure<Input, Output>({
     f7: 0.3,
     duration: 8,
     mass: 0.5,
-    velocity: -12,
+    speed: 12,
   },
   handles: HANDLES.map((field, i) => ({
     kind: "slide" as const,
@@ -67,7 +68,7 @@ export default defineFigure<Input, Output>({
   controls: [
     { kind: "slider", field: "duration", label: "T", min: 3, max: 10, step: 0.1, unit: "ms" },
     { kind: "slider", field: "mass", label: "m", min: 0.1, max: 2, step: 0.05, unit: "kg" },
-    { kind: "slider", field: "velocity", label: "v", min: -20, max: 20, step: 0.5, unit: "m/s" },
+    { kind: "slider", field: "speed", label: "speed", min: 0, max: 20, step: 0.5, unit: "m/s" },
   ],
   draw(scene, input, output) {
     const axis = { role: "muted", width: 1 } as const;
@@ -143,24 +144,30 @@ export default defineFigure<Input, Output>({
       output.moment.map((t, i): Vec2 => [t, low(output.velocity_at[i] ?? 0)]),
       { role: "ball", width: 2.5 },
     );
-    scene.dot([0, low(input.velocity)], "ball", 4);
+    scene.dot([0, low(output.before)], "ball", 4);
     scene.dot([T, low(output.after)], "ball", 5);
     scene.label([T, low(output.after)], pretty(output.after, 3), {
       role: "ball",
       offset: [8, output.after < 0 ? 16 : -8],
     });
   },
-  values: (input, output) => [
+  values: (_input, output) => [
     { name: "J", meaning: "area under the curve", value: output.impulse, unit: "N·s", role: "b" },
     { name: "F_a", meaning: "average, J / T", value: output.average, unit: "kN", role: "hit" },
     { name: "F_p", meaning: "largest force", value: output.largest, unit: "kN", role: "ray" },
-    { name: "v", meaning: "before", value: input.velocity, unit: "m/s", role: "ball" },
+    {
+      name: "v",
+      meaning: "before: minus the speed",
+      value: output.before,
+      unit: "m/s",
+      role: "ball",
+    },
     { name: "v′", meaning: "v + J / m", value: output.after, unit: "m/s", role: "ball" },
     { name: "−m v", meaning: "would stop it", value: output.to_stop, unit: "N·s", role: "muted" },
   ],
   describe(input, output) {
     const start = `The force gives ${pretty(output.impulse, 3)} N·s in ${pretty(input.duration, 3)} ms`;
-    if (output.after * input.velocity < 0)
+    if (output.after * output.before < 0)
       return `${start}: more than the ${pretty(output.to_stop, 3)} N·s that stop the body, so it goes back, at ${pretty(output.after, 3)} m/s.`;
     return `${start}, and the body goes on at ${pretty(output.after, 3)} m/s.`;
   },

@@ -28,17 +28,18 @@ interface Output {
 
 const EARLY = -1;
 const LATE = 2;
-/** Where the skaters glide; rows of momentum arrows; kg·m/s in one unit. */
-const ICE = -2.3;
-const ROWS = [-3.4, -4.1, -4.8] as const;
+/** How high a second is; where the skaters glide; rows of momentum arrows; kg·m/s in one unit. */
+const HIGH = 1.5;
+const ICE = -3.3;
+const ROWS = [-4.2, -4.9, -5.6] as const;
 const PER_UNIT = 60;
 
 const radius = (mass: number): number => 0.06 * Math.sqrt(Math.max(0, Math.min(400, mass)));
 
 export default defineFigure<Input, Output>({
   title: "Two skaters push off",
-  view: { kind: "2d", x: [-6, 6], y: [-5.3, 2.9] },
-  aspect: 1.3,
+  view: { kind: "2d", x: [-6, 6], y: [-6, 3.7] },
+  aspect: 1.2,
   initial: { mass_1: 80, mass_2: 40, together: 0.4, apart: 1.8, time: 1.2 },
   handles: [
     {
@@ -46,7 +47,7 @@ export default defineFigure<Input, Output>({
       field: "together",
       label: "v, velocity of both before, m/s",
       role: "muted",
-      at: (input): Vec2 => [EARLY * input.together, EARLY],
+      at: (input): Vec2 => [EARLY * input.together, EARLY * HIGH],
       along: (): Vec2 => [EARLY, 0],
       step: 0.05,
       limit: [-0.9, 0.9],
@@ -56,7 +57,7 @@ export default defineFigure<Input, Output>({
       field: "apart",
       label: "u, velocity of the second as the first sees it, m/s",
       role: "b",
-      at: (_input, output): Vec2 => [LATE * output.second, LATE],
+      at: (_input, output): Vec2 => [LATE * output.second, LATE * HIGH],
       along: (_input, output): Vec2 => [LATE * output.first_share, 0],
       step: 0.05,
       limit: [-2, 2],
@@ -94,22 +95,22 @@ export default defineFigure<Input, Output>({
   ],
   draw(scene, input, output) {
     const axis = { role: "muted", width: 1 } as const;
-    scene.arrow([-5.8, 0], [5.8, 0], axis).arrow([0, EARLY - 0.3], [0, LATE + 0.6], axis);
-    scene.label([0, LATE + 0.5], "t, s", { role: "muted", offset: [8, 4] });
+    scene.arrow([-5.8, 0], [5.8, 0], axis);
+    scene.arrow([-5.6, EARLY * HIGH], [-5.6, LATE * HIGH + 0.5], axis);
+    scene.label([-5.6, LATE * HIGH + 0.5], "t, s", { role: "muted", offset: [8, 4] });
     scene.label([5.8, 0], "x, m", { role: "muted", offset: [0, 18], anchor: "end" });
-    for (const t of [1, 2]) {
-      scene.line([-0.06, t], [0.06, t], axis);
-      scene.label([0, t], pretty(t), {
+    for (const t of [-1, 1, 2]) {
+      scene.line([-5.66, t * HIGH], [-5.54, t * HIGH], axis);
+      scene.label([-5.6, t * HIGH], pretty(t), {
         role: "muted",
-        offset: [-8, 4],
-        anchor: "end",
+        offset: [8, 4],
         size: "small",
       });
     }
     scene.line([-5.9, ICE], [5.9, ICE], { role: "surface", width: 2 });
     if (output.problem) return;
 
-    const before: Vec2 = [EARLY * input.together, EARLY];
+    const before: Vec2 = [EARLY * input.together, EARLY * HIGH];
     scene.line(before, [0, 0], { role: "muted", width: 3 });
     scene.label(before, "together", {
       role: "muted",
@@ -117,26 +118,30 @@ export default defineFigure<Input, Output>({
       anchor: input.together > 0 ? "end" : "start",
       size: "small",
     });
-    scene.line([0, 0], [LATE * output.first, LATE], { role: "a", width: 3 });
-    scene.line([0, 0], [LATE * output.second, LATE], { role: "b", width: 3 });
-    scene.line(before, [LATE * output.centre_velocity, LATE], {
+    scene.line([0, 0], [LATE * output.first, LATE * HIGH], { role: "a", width: 3 });
+    scene.line([0, 0], [LATE * output.second, LATE * HIGH], { role: "b", width: 3 });
+    scene.line(before, [LATE * output.centre_velocity, LATE * HIGH], {
       role: "normal",
       width: 1.5,
       dashed: true,
     });
-    scene.label([LATE * output.first, LATE], `first, ${pretty(output.first, 2)} m/s`, {
-      role: "a",
-      offset: [0, -12],
-      anchor: "middle",
-    });
-    scene.label([LATE * output.second, LATE], `second, ${pretty(output.second, 2)} m/s`, {
-      role: "b",
-      offset: [0, -18],
-      anchor: "middle",
-    });
+    const left = output.first <= output.second;
+    for (const [velocity, name, role, outer] of [
+      [output.first, "first", "a", left ? -1 : 1],
+      [output.second, "second", "b", left ? 1 : -1],
+    ] as const) {
+      const tip: Vec2 = [LATE * velocity, LATE * HIGH];
+      // Beside the line's end, or above it where there is no room.
+      const beside = tip[0] * outer < 2;
+      scene.label(tip, `${name}, ${pretty(velocity, 2)} m/s`, {
+        role,
+        offset: beside ? [20 * outer, 5] : [0, -20],
+        anchor: beside ? (outer < 0 ? "end" : "start") : outer < 0 ? "start" : "end",
+      });
+    }
 
     const { x_1, x_2, centre } = output;
-    const t = input.time;
+    const t = input.time * HIGH;
     scene.dot([x_1, t], "a", 5).dot([x_2, t], "b", 5).dot([centre, t], "normal", 4, true);
     const r1 = radius(input.mass_1);
     const r2 = radius(input.mass_2);
