@@ -82,7 +82,10 @@ TEST_CASE("random changes agree with exact arithmetic") {
     return Vector{random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(-20, 20)};
   };
   for (int asked = 0; asked < 300; ++asked) {
-    check_impulse(random.uniform(0.1, 9), vector(), vector());
-    check_force(vector(), random.uniform(0.01, 5));
+    const double mass = random.uniform(0.1, 9);
+    const Vector before = vector();
+    check_impulse(mass, before, vector());
+    const Vector impulse = vector();
+    check_force(impulse, random.uniform(0.01, 5));
   }
 }

@@ -448,8 +448,8 @@ TEST_CASE("matter that joins or leaves takes its own momentum with it") {
   for (int i = 0; i < 3000; ++i) {
     const double m = std::abs(any_finite(random));
     const double change = random.chance(0.3) ? -m * random.uniform() : any_finite(random);
-    const auto after =
-        contact::velocity_after_exchange(m, any_vector(random), change, any_vector(random));
+    const Vector3<double> before = any_vector(random);
+    const auto after = contact::velocity_after_exchange(m, before, change, any_vector(random));
     if (after) REQUIRE_FALSE(after->hasNaN());
   }
 }

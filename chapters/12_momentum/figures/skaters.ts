@@ -127,13 +127,13 @@ export default defineFigure<Input, Output>({
     });
     const left = output.first <= output.second;
     for (const [velocity, name, role, outer] of [
-      [output.first, "first", "a", left ? -1 : 1],
-      [output.second, "second", "b", left ? 1 : -1],
+      [output.first, "v_1", "a", left ? -1 : 1],
+      [output.second, "v_2", "b", left ? 1 : -1],
     ] as const) {
       const tip: Vec2 = [LATE * velocity, LATE * HIGH];
       // Beside the line's end, or above it where there is no room.
       const beside = tip[0] * outer < 2;
-      scene.label(tip, `${name}, ${pretty(velocity, 2)} m/s`, {
+      scene.label(tip, `${name} = ${pretty(velocity, 2)}`, {
         role,
         offset: beside ? [20 * outer, 5] : [0, -20],
         anchor: beside ? (outer < 0 ? "end" : "start") : outer < 0 ? "start" : "end",
