@@ -60,9 +60,26 @@ setup_there() {
     header) setup_header_there "$1" ;;
     file) for setup_word in "$@"; do [ -e "$setup_word" ] && return; done; return 1 ;;
     node) command -v node > /dev/null 2>&1 && node -e 'process.exit(parseInt(process.versions.node) < 18 ? 1 : 0)' ;;
-    python) python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' > /dev/null 2>&1 ;;
-    venv) python3 -c 'import ensurepip, venv' > /dev/null 2>&1 ;;
+    python) setup_new_enough python3 ;;
+    venv) "$(setup_python)" -c 'import ensurepip, venv' > /dev/null 2>&1 ;;
   esac
+}
+
+setup_new_enough() {
+  "$1" -c 'import sys; sys.exit(sys.version_info < (3, 11))' > /dev/null 2>&1
+}
+
+# Nobody else gets at a Python in root's home: the system's serves everybody who grades here.
+setup_python() {
+  case $(id -u):$(python3 -c 'import sys; print(sys.base_prefix)' 2> /dev/null) in
+    0:"${HOME:-/root}"/*)
+      if setup_new_enough /usr/bin/python3; then
+        echo /usr/bin/python3
+        return
+      fi
+      ;;
+  esac
+  echo python3
 }
 
 setup_at_or_below() {
@@ -237,7 +254,7 @@ setup_venv() {
   mkdir -p "$root/build/logs"
   rm -rf "$root/build/venv"
   if ! {
-    python3 -m venv "$root/build/venv" &&
+    "$(setup_python)" -m venv "$root/build/venv" &&
       "$root/build/venv/bin/python" -m pip install --disable-pip-version-check --no-input --retries 2 \
         -r "$root/docs/requirements.txt"
   } > "$setup_log" 2>&1 < /dev/null; then

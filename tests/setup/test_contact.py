@@ -190,16 +190,32 @@ def test_debian_packages_out_of_reach(clone: Path, tmp_path: Path) -> None:
     assert "./contact setup again" in last
 
 
+NO_PACKAGE_INDEX = {
+    "PIP_INDEX_URL": f"{NOWHERE}/simple",
+    "PIP_NO_CACHE_DIR": "1",
+    "PIP_RETRIES": "0",
+    "PIP_FIND_LINKS": "",
+    "http_proxy": "",
+    "https_proxy": "",
+}
+
+
+@pytest.mark.skipif(os.geteuid() != 0, reason="only root's own Python is closed to others")
+def test_root_takes_a_python_that_everybody_reaches(clone: Path, tmp_path: Path) -> None:
+    own = tmp_path / "own"
+    own.mkdir()
+    python = own / "python3"
+    own_prefix = f'case "$2" in *base_prefix*) echo "{own}/python"; exit ;; esac'
+    python.write_text(f'#!/bin/sh\n{own_prefix}\nexec {sys.executable} "$@"\n')
+    python.chmod(0o755)
+    extra = {"HOME": str(own), "PATH": f"{own}{os.pathsep}{os.environ['PATH']}"}
+    contact(clone, "setup", "--for", "book", extra={**NO_PACKAGE_INDEX, **extra})
+    settings = (clone / "build/venv/pyvenv.cfg").read_text()
+    assert "home = /usr/bin\n" in settings
+
+
 def test_python_packages_out_of_reach(clone: Path) -> None:
-    extra = {
-        "PIP_INDEX_URL": f"{NOWHERE}/simple",
-        "PIP_NO_CACHE_DIR": "1",
-        "PIP_RETRIES": "0",
-        "PIP_FIND_LINKS": "",
-        "http_proxy": "",
-        "https_proxy": "",
-    }
-    done = contact(clone, "setup", "--for", "book", extra=extra)
+    done = contact(clone, "setup", "--for", "book", extra=NO_PACKAGE_INDEX)
     assert done.returncode == 3, done.stderr
     last = done.stderr.strip().splitlines()[-1]
     assert "Python packages are out of reach" in last
