@@ -222,9 +222,13 @@ BuildDescription ready_to_grade(Loop& loop, const Book& book,
     throw BookError("nothing is built yet in " + book.build_dir().string() +
                     ": run ./contact setup");
   std::vector<std::string> targets{"contact_prelude", "contact-box"};
-  for (const Exercise* exercise : exercises)
+  std::vector<fs::file_time_type> times;
+  for (const Exercise* exercise : exercises) {
     targets.push_back("exercise_" + exercise->chapter + "_" + exercise->name);
+    times.push_back(newest_source(book, *exercise));
+  }
   build_target(loop, book, targets);
+  for (std::size_t i = 0; i < exercises.size(); ++i) touch(stamp_of(book, *exercises[i]), times[i]);
   return read_build_description(book.build_dir());
 }
 
