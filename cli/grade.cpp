@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <ctime>
 #include <exception>
+#include <future>
 #include <set>
 #include <thread>
 
@@ -142,6 +142,7 @@ class Grading {
     start_ = grading::now_utc();
     prepare();
     const std::set<std::string> ids = look();
+    build();
     const grading::RunLock lock(folder_);
     require_same_class(ids);
     grading::remove_left_behind(folder_);
@@ -163,7 +164,6 @@ class Grading {
     if (exercises_.empty()) throw BookError("the book has no exercises");
     if (!options_.profile.empty()) run_.limits = grading::read_profile(options_.profile);
     if (!options_.ids.empty()) ids_.emplace(options_.ids);
-    require_reports();
   }
 
   grading::Intake intake(const std::function<void(const grading::Entrant&)>& keep) const {
@@ -193,10 +193,16 @@ class Grading {
           ". Is this another class? Then give another folder with -o. Nothing is graded");
   }
 
+  // While it is seen to that the exercises are built, Python starts.
+  void build() {
+    std::future<void> reports = std::async(std::launch::async, [this] { require_reports(); });
+    build_ = grading::current_build(loop_, book_, exercises_);
+    reports.get();
+  }
+
   // What everything is graded with.
   void set_up() {
     if (fs::exists(folder_.run_file())) before_ = grading::read_run(folder_.run_file());
-    build_ = grading::current_build(loop_, book_, exercises_);
     machine_ = grading::examine_machine(loop_);
     if (machine_.level == grading::Level::none && !options_.accept_weak)
       throw BookError(
@@ -537,7 +543,7 @@ class Grading {
     return words;
   }
 
-  grading::ProcessResult reports(const fs::path& of) {
+  grading::ProcessResult reports(grading::Loop& loop, const fs::path& of) const {
     grading::ProcessSpec spec;
     spec.command = {python_of(book_).string(), "-m", "reports", of.string()};
     const std::vector<std::string> more = report_options();
@@ -545,14 +551,15 @@ class Grading {
     spec.folder = book_.root();
     spec.environment = {{"PYTHONPATH", (book_.root() / "grading").string()},
                         {"PYTHONDONTWRITEBYTECODE", "1"}};
-    return grading::run_process(loop_, spec);
+    return grading::run_process(loop, spec);
   }
 
   // The reports can be written, and what they are asked for is understood, now or not at all: where
   // there are no results, all that they do is say so.
-  void require_reports() {
+  void require_reports() const {
+    grading::Loop loop;
     const grading::TemporaryFolder empty;
-    const grading::ProcessResult result = reports(empty.path());
+    const grading::ProcessResult result = reports(loop, empty.path());
     constexpr int not_understood = 2;
     constexpr int no_results = 3;
     if (result.exit_code == not_understood) throw grading::UnknownName(last_line(result.errors));
@@ -564,7 +571,7 @@ class Grading {
   }
 
   void write_reports() {
-    const grading::ProcessResult result = reports(folder_.results());
+    const grading::ProcessResult result = reports(loop_, folder_.results());
     if (!result.succeeded())
       throw BookError("the marks are in " + (folder_.results() / "results.json").string() +
                       ", but the reports could not be written: " + result.errors);

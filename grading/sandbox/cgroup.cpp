@@ -213,8 +213,11 @@ std::vector<fs::path> BoxGroup::folders() const {
 }
 
 std::vector<std::string> BoxGroup::entrances() const {
+  // Whoever goes in has one thread and writes of itself. Said of a thread, the kernel takes it at
+  // once; said of a process, it first waits, some ten milliseconds, until no other can be forking.
+  const char* file = kind_ == ControlGroups::v1 ? "tasks" : "cgroup.procs";
   std::vector<std::string> result;
-  for (const fs::path& folder : folders()) result.push_back((folder / "cgroup.procs").string());
+  for (const fs::path& folder : folders()) result.push_back((folder / file).string());
   return result;
 }
 

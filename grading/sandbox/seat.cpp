@@ -52,6 +52,34 @@ int empty_network() {
   return network;
 }
 
+// A lock that is ours as long as it is open; -1 if somebody else holds it.
+int locked(const fs::path& file) {
+  const int lock = ::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC | O_NOFOLLOW, 0600);
+  if (lock < 0 || ::flock(lock, LOCK_EX | LOCK_NB) == 0) return lock;
+  ::close(lock);
+  return -1;
+}
+
+// A worker keeps to a core, so that what it does at the same time (the linker's threads, the next
+// box that is made ready) takes nothing from the worker beside it. With more workers than cores,
+// those that come last go where there is room. Holds for this thread and what it starts.
+int own_core(const fs::path& folder) {
+  cpu_set_t all;
+  CPU_ZERO(&all);
+  if (::sched_getaffinity(0, sizeof all, &all) != 0) return -1;
+  for (int core = 0; core < CPU_SETSIZE; ++core) {
+    if (!CPU_ISSET(core, &all)) continue;
+    const int lock = locked(folder / ("core-" + std::to_string(core)));
+    if (lock < 0) continue;
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(core, &one);
+    ::sched_setaffinity(0, sizeof one, &one);
+    return lock;
+  }
+  return -1;
+}
+
 // A process of that user could be signalled from a box that has no namespaces.
 bool has_processes(long user) {
   std::error_code error;
@@ -69,8 +97,9 @@ bool has_processes(long user) {
 
 Seat::State::~State() {
   groups.clear();
-  if (network >= 0) ::close(network);
-  if (lock >= 0) ::close(lock);
+  for (const int held : {network, lock, core}) {
+    if (held >= 0) ::close(held);
+  }
 }
 
 std::unique_ptr<BoxGroup> Seat::State::take_group(const Machine& machine) {
@@ -86,12 +115,12 @@ Seat::Seat(const Machine& machine) : state_(std::make_unique<State>()) {
   if (machine.namespaces) state_->network = empty_network();
   const fs::path folder = lock_folder();
   for (long user = first_user; user <= last_user; ++user) {
-    const int lock = ::open((folder / std::to_string(user)).c_str(),
-                            O_CREAT | O_RDWR | O_CLOEXEC | O_NOFOLLOW, 0600);
+    const int lock = locked(folder / std::to_string(user));
     if (lock < 0) continue;
-    if (::flock(lock, LOCK_EX | LOCK_NB) == 0 && !is_known(user) && !has_processes(user)) {
+    if (!is_known(user) && !has_processes(user)) {
       state_->user = user;
       state_->lock = lock;
+      state_->core = own_core(folder);
       return;
     }
     ::close(lock);

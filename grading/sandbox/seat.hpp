@@ -22,6 +22,8 @@ struct Seat::State {
   long user = -1;
   /// Holds the user id against every other program.
   int lock = -1;
+  /// Holds the core that this worker keeps to; -1 if it goes where there is room.
+  int core = -1;
   /// A network without anything in it, which all boxes of the seat stand in: making one for each
   /// box takes longer than all the rest of it. -1 if each box makes its own.
   int network = -1;
