@@ -57,7 +57,6 @@ void check(double ratio) {
   ask("How many clicks are there?")
       .given("ratio", ratio)
       .suspect("wall-not-counted", [&] { return by_velocities(ratio, false); })
-      .suspect("digits-of-pi", [&] { return static_cast<int>(pi * std::sqrt(ratio)); })
       .suspect("floor-for-ceiling",
                [&] { return ratio <= 3 ? static_cast<int>(std::round(steps)) : -1; })
       .suspect("count-by-rounded-formula", [&] { return static_cast<int>(std::ceil(steps)) - 1; })
@@ -65,6 +64,7 @@ void check(double ratio) {
       .suspect_if(
           "count-by-rounded-formula",
           [right, close_call](const int& got) { return close_call && std::abs(got - right) == 1; })
+      .suspect("digits-of-pi", [&] { return static_cast<int>(pi * std::sqrt(ratio)); })
       .answer([&] { return exercise::clicks(ratio); })
       .equals(right);
 }

@@ -47,7 +47,10 @@ export default defineFigure<Input, Output>({
   draw(scene, _input, output) {
     scene.line([place(0), SCALE], [place(100), SCALE], { role: "muted", width: 2 });
     for (const ratio of [1, 25, 50, 75, 100]) {
-      scene.line([place(ratio), SCALE - 0.1], [place(ratio), SCALE + 0.1], { role: "muted", width: 1 });
+      scene.line([place(ratio), SCALE - 0.1], [place(ratio), SCALE + 0.1], {
+        role: "muted",
+        width: 1,
+      });
       scene.label([place(ratio), SCALE], pretty(ratio), {
         role: "muted",
         offset: [0, 20],
@@ -69,7 +72,12 @@ export default defineFigure<Input, Output>({
     scene.face([[0, 0], [-R, 0], end], { role: "hit", fill: 0.25, outline: false });
     scene.line([-end[0], -end[1]], end, { role: "b", width: 1.5, dashed: true });
     scene.label([-end[0], -end[1]], "V = v", { role: "b", offset: [10, 0] });
-    scene.label([-R, 0], "all parts", { role: "hit", offset: [-4, -10], anchor: "middle", size: "small" });
+    scene.label([-R, 0], "all parts", {
+      role: "hit",
+      offset: [-4, -10],
+      anchor: "middle",
+      size: "small",
+    });
     const at = (i: number): Vec2 => [R * (output.x[i] ?? 0), R * (output.y[i] ?? 0)];
     for (let i = 0; i < output.done; ++i) {
       scene.line(at(i), at(i + 1), { role: i % 2 === 0 ? "ray" : "a", width: 2 });

@@ -52,11 +52,15 @@ export default defineFigure<Input, Output>({
     }
     if (output.problem) return;
     for (let i = 0; i < 5; ++i) {
-      scene.label([column(i), 4], i === 2 ? "nearest" : `${i < 2 ? "−" : "+"}${Math.abs(i - 2)} ulp`, {
-        role: "muted",
-        anchor: "middle",
-        size: "small",
-      });
+      scene.label(
+        [column(i), 4],
+        i === 2 ? "nearest" : `${i < 2 ? "−" : "+"}${Math.abs(i - 2)} ulp`,
+        {
+          role: "muted",
+          anchor: "middle",
+          size: "small",
+        },
+      );
     }
     const rows = [
       ["certain", output.right],
@@ -91,9 +95,19 @@ export default defineFigure<Input, Output>({
   },
   values: (_input, output) => [
     { name: "R", meaning: "M/m, nearest to cot²(π/n)", value: output.ratio[2] ?? 0 },
-    { name: "formula", meaning: `wrong of ${output.asked}, from n on`, value: output.wrong[0] ?? 0, role: "miss" },
+    {
+      name: "formula",
+      meaning: `wrong of ${output.asked}, from n on`,
+      value: output.wrong[0] ?? 0,
+      role: "miss",
+    },
     { name: "textbook", meaning: "wrong of as many", value: output.wrong[1] ?? 0, role: "miss" },
-    { name: "book", meaning: "in double, wrong of as many", value: output.wrong[2] ?? 0, role: "miss" },
+    {
+      name: "book",
+      meaning: "in double, wrong of as many",
+      value: output.wrong[2] ?? 0,
+      role: "miss",
+    },
   ],
   describe(input, output) {
     const wrong = [output.by_formula, output.by_textbook, output.by_book]

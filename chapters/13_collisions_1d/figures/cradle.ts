@@ -88,13 +88,22 @@ export default defineFigure<Input, Output>({
     for (let i = 0; i < 5; ++i) {
       const r = Math.max(0.05, Math.min(1, size(i)));
       x += i === 0 ? 0 : r;
-      scene.ball([x, BALLS], r, { role: i === 2 && input.middle !== 1 ? "b" : "surface", fill: 0.3 });
-      scene.label([x, BALLS], `${i + 1}`, { role: "ink", offset: [0, 4], anchor: "middle", size: "small" });
+      scene.ball([x, BALLS], r, {
+        role: i === 2 && input.middle !== 1 ? "b" : "surface",
+        fill: 0.3,
+      });
+      scene.label([x, BALLS], `${i + 1}`, {
+        role: "ink",
+        offset: [0, 4],
+        anchor: "middle",
+        size: "small",
+      });
       x += r;
     }
     for (const [i, field] of FIELDS.entries()) {
       const v = input[field];
-      if (v !== 0) scene.line([column(i), BEFORE], [column(i), BEFORE + height(v)], { role: "a", width: 6 });
+      if (v !== 0)
+        scene.line([column(i), BEFORE], [column(i), BEFORE + height(v)], { role: "a", width: 6 });
     }
     if (output.problem) return;
     for (const [i, v] of output.after.entries()) {

@@ -112,11 +112,11 @@ export default defineFigure<Input, Output>({
     scene.line(before_2, [0, 0], { role: "b", width: 3 });
     if (output.problem) return;
 
-    scene.line(
-      [EARLY * output.centre, EARLY * HIGH],
-      [LATE * output.centre, LATE * HIGH],
-      { role: "normal", width: 1.5, dashed: true },
-    );
+    scene.line([EARLY * output.centre, EARLY * HIGH], [LATE * output.centre, LATE * HIGH], {
+      role: "normal",
+      width: 1.5,
+      dashed: true,
+    });
     const room = (x: number): number => Math.max(-5.2, Math.min(5.2, x));
     for (const [velocity, name, role, outer] of [
       [output.after_1, "v_1′", "a", output.through ? 1 : -1],
@@ -177,7 +177,11 @@ export default defineFigure<Input, Output>({
               [to, row + 0.26],
               [from, row + 0.26],
             ],
-            { role: i === 0 ? "a" : i === 1 ? "b" : "miss", fill: i === 2 ? 0.12 : 0.35, dashed: i === 2 },
+            {
+              role: i === 0 ? "a" : i === 1 ? "b" : "miss",
+              fill: i === 2 ? 0.12 : 0.35,
+              dashed: i === 2,
+            },
           );
         }
         from = to;
@@ -196,9 +200,19 @@ export default defineFigure<Input, Output>({
     { name: "w", meaning: "closing speed, v₁ − v₂", value: output.closing, unit: "m/s" },
     { name: "w′", meaning: "speed of separation", value: output.separation, unit: "m/s" },
     { name: "J", meaning: "on the second", value: output.impulse, unit: "N·s" },
-    { name: "p", meaning: "of both, before and after", value: output.p, unit: "kg·m/s", role: "normal" },
+    {
+      name: "p",
+      meaning: "of both, before and after",
+      value: output.p,
+      unit: "kg·m/s",
+      role: "normal",
+    },
     { name: "ΔK", meaning: "½ μ (1 − e²) w²", value: output.lost, unit: "J", role: "miss" },
-    { name: "ΔK/K", meaning: `while 1 − e² is ${pretty(1 - input.e * input.e, 3)}`, value: output.fraction },
+    {
+      name: "ΔK/K",
+      meaning: `while 1 − e² is ${pretty(1 - input.e * input.e, 3)}`,
+      value: output.fraction,
+    },
   ],
   describe(input, output) {
     if (output.through)

@@ -1,5 +1,5 @@
 // misconception: all-pairs-at-once
-// caught by: as many leave as come in
+// caught by: what comes from both sides
 #include "newtons_cradle.hpp"
 
 namespace exercise {
