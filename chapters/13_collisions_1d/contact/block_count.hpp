@@ -170,7 +170,8 @@ inline std::optional<int> sine_sign(double ratio, std::int64_t n) {
   };
   const Complex z = scaled({sqrt(DoubleDouble(ratio)), DoubleDouble(1.0)});
   Complex whole{DoubleDouble(1.0), DoubleDouble(0.0)};
-  for (int bit = std::bit_width(static_cast<std::uint64_t>(n)) - 1; bit >= 0; --bit) {
+  for (int bit = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(n))) - 1; bit >= 0;
+       --bit) {
     whole = scaled(times(whole, whole));
     if ((n >> bit & 1) != 0) whole = scaled(times(whole, z));
   }
