@@ -23,9 +23,9 @@ void check_axis(const Vector& a, const Vector& b) {
       ask("What is the axis of the collision, from B to A?")
           .given("centre_a", a)
           .given("centre_b", b)
+          .suspect_if("division-by-zero", [](const Axis& got) { return got && !got->allFinite(); })
           .suspect("axis-not-normalised", [&] { return Axis(d); })
           .suspect("axis-reversed", [&] { return Axis(-d / d.norm()); })
-          .suspect_if("division-by-zero", [](const Axis& got) { return got && !got->allFinite(); })
           .answer([&] { return exercise::line_of_centres(a, b); });
   if (!right) return std::move(answer).equals(right);
   // Six roundings in either computation: a difference, two squares and their sum, a root, a

@@ -72,11 +72,6 @@ void check(const Disc& a, const Disc& b, double e) {
       .suspect("separating-discs-reflected", [&] { return along(n, a, b, e, a.mass, b.mass); })
       .suspect("axis-not-normalised", [&] { return along(d, a, b, e, a.mass, b.mass); })
       .suspect("masses-exchanged", [&] { return along(n, a, b, e, b.mass, a.mass); })
-      .suspect("axis-along-motion",
-               [&] {
-                 const Vector motion = (b.velocity - a.velocity).normalized();
-                 return along(motion, a, b, e, a.mass, b.mass);
-               })
       .suspect("whole-velocity-reflected",
                [&]() -> Velocities {
                  return {-e * a.velocity, -e * b.velocity};

@@ -1,4 +1,4 @@
-// misconception: axis-along-motion
+// misconception: whole-velocities-exchanged
 // caught by: at an angle only the part along the centres changes
 #include "two_discs.hpp"
 
