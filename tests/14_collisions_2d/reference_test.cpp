@@ -301,6 +301,11 @@ TEST_CASE("special cases of a collision") {
   after = contact::collide_discs(D{1, 1, {-1, 0}, {3, 2}}, D{wall, 1, {1, 0}, {0, 0}}, 1.0);
   CHECK(after.velocity_a == Vector2<double>(-3, 2));
   CHECK(after.velocity_b == Vector2<double>(0, 0));
+  // Near the largest number.
+  after =
+      contact::collide_discs(D{1, 1, {0, -1}, {1, 1.7e308}}, D{1, 1, {0, 1}, {2, -1.7e308}}, 1.0);
+  CHECK(after.velocity_a == Vector2<double>(1, -1.7e308));
+  CHECK(after.velocity_b == Vector2<double>(2, 1.7e308));
   CHECK(contact::off_cushion<double>({3, 2}, {-1, 0}, 0.5) == Vector2<double>(-1.5, 2));
   CHECK(contact::off_cushion<double>({-3, 2}, {-1, 0}, 0.5) == Vector2<double>(-3, 2));
 }

@@ -141,7 +141,7 @@ struct Components {
 
 // [components]
 /// A velocity split into the part along an axis and the rest, which is at right angles to it.
-/// @param velocity m/s
+/// @param velocity m/s, below half the largest number
 /// @param axis unit vector
 /// @return both parts off by at most 16 u |v|
 /// @see *Fundamentals of Computer Animation*, slide "Collisions Between Spheres (1)", step b
@@ -167,10 +167,11 @@ struct DiscCollision {
 ///
 /// Nothing happens either if they do not approach, or if their centres coincide, since then there
 /// is no axis. Whether they touch is not asked: that is the caller's to know.
-/// @param a, b the discs at the moment of the touch; their velocities below a quarter of the
-/// largest number. A mass may be infinite: a disc that nothing turns
+/// @param a, b the discs at the moment of the touch. A mass may be infinite: a disc that nothing
+/// turns
 /// @param restitution e, from 0 (they keep together along the axis) to 1 (elastic)
-/// @return each velocity off by at most 64 u of |v_A − v_B| and 2 u of itself
+/// @return each velocity off by at most 64 u of |v_A − v_B| and 2 u of itself; infinite only if the
+/// true one is about as large as the largest number, and never NaN
 /// @note No small *relative* error of a small part is to be had: close to grazing the push itself
 /// is small beside |v_A − v_B|.
 /// @see *Fundamentals of Computer Animation*, slide "Collisions Between Spheres (1)", steps a to d,
@@ -180,9 +181,19 @@ DiscCollision<S> collide_discs(const Disc<S>& a, const Disc<S>& b, const S& rest
   DiscCollision<S> result{false, a.velocity, b.velocity, Vector2<S>::Zero()};
   const auto axis = line_of_centres(a.centre, b.centre);
   if (!axis || !approaching(a, b)) return result;
+  const Vector2<S> relative = a.velocity - b.velocity;
+  if (!all_finite(Vector2<S>(relative * S(4)))) {
+    // Near the largest number: the same with an eighth of the velocities.
+    Disc<S> slow_a = a;
+    Disc<S> slow_b = b;
+    slow_a.velocity /= S(8);
+    slow_b.velocity /= S(8);
+    const DiscCollision<S> slow = collide_discs(slow_a, slow_b, restitution);
+    return {true, slow.velocity_a * S(8), slow.velocity_b * S(8), slow.impulse * S(8)};
+  }
   result.hit = true;
   // As B sees it, A comes and B rests. Along the axis that is a collision on a line.
-  const S speed = std::max(S(0), -components<S>(a.velocity - b.velocity, *axis).normal);
+  const S speed = std::max(S(0), -components<S>(relative, *axis).normal);
   const LineBody<S> coming{a.mass, speed};
   const LineBody<S> resting{b.mass, S(0)};
   const LineCollision<S> after = collide(coming, resting, restitution);
@@ -196,7 +207,7 @@ DiscCollision<S> collide_discs(const Disc<S>& a, const Disc<S>& b, const S& rest
 // [cushion]
 /// A velocity after a hit against a fixed smooth wall: the part along the wall's normal turns round
 /// and is multiplied by e, the part along the wall stays.
-/// @param velocity m/s
+/// @param velocity m/s, below a quarter of the largest number
 /// @param normal unit vector, away from the wall
 /// @param restitution e, from 0 to 1
 /// @return m/s, off by at most 16 u |v|; unchanged if the body does not move towards the wall

@@ -182,7 +182,7 @@ export default defineFigure<Input, Output>({
       for (const place of way.slice(1, output.events + 1)) scene.dot(place, role, 3);
       scene.ball(start, output.radius, { role, fill: 0.1, dashed: true });
       scene.ball(now, output.radius, { role, fill: 0.35 });
-      scene.label(now, name, { role: "ink", offset: [0, 5], anchor: "middle" });
+      scene.label(now, name, { role, offset: [0, 44], anchor: "middle" });
     }
     if (output.touches) {
       scene.ball(output.touch_a, output.radius, { role: "hit", fill: 0.05 });
@@ -196,9 +196,9 @@ export default defineFigure<Input, Output>({
       fill: 0.06,
       dashed: true,
     });
-    scene.label(guess, "?", {
+    scene.label(guess, "B?", {
       role: output.guessed ? "hit" : "c",
-      offset: [0, -12],
+      offset: [0, -34],
       anchor: "middle",
     });
     if (output.cushion_time > 0) {
@@ -210,7 +210,7 @@ export default defineFigure<Input, Output>({
       name: "t_1",
       meaning: "first touch of two discs",
       value: output.touches ? output.first_touch : "none",
-      unit: output.touches ? "s" : undefined,
+      ...(output.touches ? { unit: "s" } : {}),
       role: "hit",
     },
     { name: "events", meaning: "shown, cushions too", value: output.events },
@@ -225,7 +225,7 @@ export default defineFigure<Input, Output>({
       name: "t_B",
       meaning: "B reaches a cushion",
       value: output.cushion_time > 0 ? output.cushion_time : "not shown",
-      unit: output.cushion_time > 0 ? "s" : undefined,
+      ...(output.cushion_time > 0 ? { unit: "s" } : {}),
       role: "b",
     },
   ],

@@ -38,9 +38,9 @@ interface Output {
 }
 
 /** Where the two triangles of momenta begin, and how many kg·m/s are one unit of the drawing. */
-const BEFORE: Vec2 = [-4.6, -4.9];
-const AFTER: Vec2 = [0.5, -4.9];
-const PER_UNIT = 1.25;
+const BEFORE: Vec2 = [-4.2, -5.2];
+const AFTER: Vec2 = [0.9, -5.2];
+const PER_UNIT = 1;
 
 const add = (p: Vec2, q: Vec2): Vec2 => [p[0] + q[0], p[1] + q[1]];
 const momentum = (p: Vec2): Vec2 => [p[0] / PER_UNIT, p[1] / PER_UNIT];
@@ -64,7 +64,7 @@ function arrow(
 /** Pixels that push a label on where its arrow points. */
 function onwards(v: Vec2): Vec2 {
   const length = Math.hypot(v[0], v[1]) || 1;
-  return [(18 * v[0]) / length, 5 - (15 * v[1]) / length];
+  return [(27 * v[0]) / length, 5 - (23 * v[1]) / length];
 }
 
 export default defineFigure<Input, Output>({
@@ -75,7 +75,7 @@ export default defineFigure<Input, Output>({
     centre_a: [-1.1, 0.6],
     centre_b: [0.9, 1.5],
     velocity_a: [2.7, 0.2],
-    velocity_b: [0, 0],
+    velocity_b: [-0.8, 1],
     mass_a: 1,
     mass_b: 1,
     restitution: 1,
@@ -161,9 +161,15 @@ export default defineFigure<Input, Output>({
       [BEFORE, "momenta before", output.p_a, output.p_b, output.p_before],
       [AFTER, "momenta after", output.p_a_after, output.p_b_after, output.p_after],
     ] as const) {
-      scene.label([corner[0], -2.9], title, { role: "muted", offset: [0, 18], size: "small" });
+      scene.label([corner[0] - 0.4, -2.9], title, {
+        role: "muted",
+        offset: [0, 18],
+        size: "small",
+      });
       const end = arrow(scene, corner, momentum(p_a), "a");
-      arrow(scene, end, momentum(p_b), "b");
+      const tip = arrow(scene, end, momentum(p_b), "b");
+      scene.label(tip, "p_B", { role: "b", offset: onwards(p_b), anchor: "middle" });
+      scene.label(corner, "p_A", { role: "a", offset: [-4, 20], anchor: "end", size: "small" });
       arrow(scene, corner, momentum(sum), "normal", { thin: true });
     }
   },
