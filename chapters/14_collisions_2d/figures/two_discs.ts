@@ -38,8 +38,8 @@ interface Output {
 }
 
 /** Where the two triangles of momenta begin, and how many kg·m/s are one unit of the drawing. */
-const BEFORE: Vec2 = [-4.2, -5.2];
-const AFTER: Vec2 = [0.9, -5.2];
+const BEFORE: Vec2 = [-3, -5.6];
+const AFTER: Vec2 = [2, -5.6];
 const PER_UNIT = 1;
 
 const add = (p: Vec2, q: Vec2): Vec2 => [p[0] + q[0], p[1] + q[1]];
@@ -111,8 +111,8 @@ export default defineFigure<Input, Output>({
       label: "computed",
       options: [
         { value: 0, label: "by the book" },
-        { value: 1, label: "without asking for approach" },
-        { value: 2, label: "whole velocity turned round" },
+        { value: 1, label: "without asking" },
+        { value: 2, label: "all turned round" },
       ],
     },
     { kind: "numbers", field: "velocity_a", label: "v_A", role: "a" },
@@ -161,7 +161,7 @@ export default defineFigure<Input, Output>({
       [BEFORE, "momenta before", output.p_a, output.p_b, output.p_before],
       [AFTER, "momenta after", output.p_a_after, output.p_b_after, output.p_after],
     ] as const) {
-      scene.label([corner[0] - 0.4, -2.9], title, {
+      scene.label([corner[0] - 1.6, -2.9], title, {
         role: "muted",
         offset: [0, 18],
         size: "small",
