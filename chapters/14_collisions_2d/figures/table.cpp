@@ -7,6 +7,7 @@ constexpr int most_events = 13;
 constexpr int places = most_events + 2;
 constexpr int samples = 61;
 
+// Places that are off the table are brought to its edge.
 struct Input {
   contact::Vector2<double> centre_a, centre_b, centre_c;  // m
   contact::Vector2<double> velocity_a;                    // m/s; B and C stand
@@ -44,6 +45,11 @@ constexpr double table_side = 1.6;
 constexpr double disc_radius = 0.1;
 constexpr double table_duration = 3;
 
+/// The nearest place at which a disc lies on the table.
+Vector on_table(const Vector& p) {
+  return p.cwiseMax(disc_radius).cwiseMin(table_side - disc_radius);
+}
+
 Output compute(const Input& in) {
   Output out{};
   for (const Vector* v : {&in.centre_a, &in.centre_b, &in.centre_c, &in.velocity_a, &in.guess}) {
@@ -59,9 +65,9 @@ Output compute(const Input& in) {
   out.radius = disc_radius;
   out.duration = table_duration;
   const contact::Table<double> table{table_side, table_side, in.restitution, in.restitution};
-  const Discs start{contact::disc<double>(1, disc_radius, in.centre_a, in.velocity_a),
-                    contact::disc<double>(1, disc_radius, in.centre_b, Vector(0, 0)),
-                    contact::disc<double>(1, disc_radius, in.centre_c, Vector(0, 0))};
+  const Discs start{contact::disc<double>(1, disc_radius, on_table(in.centre_a), in.velocity_a),
+                    contact::disc<double>(1, disc_radius, on_table(in.centre_b), Vector(0, 0)),
+                    contact::disc<double>(1, disc_radius, on_table(in.centre_c), Vector(0, 0))};
 
   // The whole future, event by event.
   std::vector<double> times{0};
@@ -141,8 +147,10 @@ Output compute(const Input& in) {
       out.cushion_time = cushion_time;
       out.b_at_cushion = b_at_cushion;
     }
-    out.guessed = cushion_time <= out.shown && (in.guess - b_at_cushion).norm() <= disc_radius;
-    out.guessed_unseen = in.show == 0 && (in.guess - b_at_cushion).norm() <= disc_radius ? 1 : 0;
+    out.guessed =
+        cushion_time <= out.shown && (on_table(in.guess) - b_at_cushion).norm() <= disc_radius;
+    out.guessed_unseen =
+        in.show == 0 && (on_table(in.guess) - b_at_cushion).norm() <= disc_radius ? 1 : 0;
   }
   return out;
 }
