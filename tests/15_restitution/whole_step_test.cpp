@@ -11,7 +11,7 @@ namespace {
 using namespace contact::testing;
 using exercise::Ball;
 
-struct Question {
+struct Asked {
   Ball ball;
   double gravity, k, rest_speed, step;
 };
@@ -19,7 +19,7 @@ struct Question {
 /// How the step is made, in all the ways that are known.
 enum class Way { right, end_velocity, one_impact, rest_lost, incoming };
 
-Ball stepped(const Question& q, Way way) {
+Ball stepped(const Asked& q, Way way) {
   Ball now = q.ball;
   double step = q.step;
   for (int impacts = 0; !now.resting && impacts < 100000; ++impacts) {
@@ -46,7 +46,7 @@ Ball stepped(const Question& q, Way way) {
   return now;
 }
 
-void check(const Question& q, double room) {
+void check(const Asked& q, double room) {
   const Ball right = stepped(q, Way::right);
   ask("Where is the ball one step later?")
       .given("ball", q.ball)
@@ -63,7 +63,7 @@ void check(const Question& q, double room) {
 }
 
 /// For numbers whose times and speeds are exact: rounding to spare.
-void check_exact(const Question& q) { check(q, 0x1p-40); }
+void check_exact(const Asked& q) { check(q, 0x1p-40); }
 
 }  // namespace
 
@@ -97,7 +97,7 @@ TEST_CASE("the ball comes to rest") {
 TEST_CASE("one long step is many short ones") {
   generators::Random random(seed(0));
   for (int asked = 0; asked < 250; ++asked) {
-    Question q{};
+    Asked q{};
     q.ball = {random.uniform(0.1, 3), random.uniform(-4, 4), 0, false};
     q.gravity = random.uniform(4, 16);
     q.k = random.uniform(0.3, 0.9);
