@@ -1,5 +1,5 @@
-// Where is a bouncing ball after so long, and how often has it bounced? By formula, by events and in
-// steps.
+// Where is a bouncing ball after so long, and how often has it bounced? By formula, by events and
+// in steps.
 #include <support/ladder.hpp>
 
 #include <contact/bouncing.hpp>
@@ -8,8 +8,8 @@
 
 namespace {
 
-/// The same ball as a float and as a double stores it; the change of type is not timed. It starts on
-/// the floor, so that all its times are rational, and the truth needs no root.
+/// The same ball as a float and as a double stores it; the change of type is not timed. It starts
+/// on the floor, so that all its times are rational, and the truth needs no root.
 struct Input {
   contact::BouncingBall<double> in_double;
   contact::BouncingBall<float> in_float;
@@ -30,10 +30,8 @@ struct Answer {
 
 Input thrown(double speed, double gravity, double k, double time) {
   const auto narrow = [](double x) { return static_cast<float>(x); };
-  return {{0, speed, gravity, k},
-          {0, narrow(speed), narrow(gravity), narrow(k)},
-          time,
-          narrow(time)};
+  return {
+      {0, speed, gravity, k}, {0, narrow(speed), narrow(gravity), narrow(k)}, time, narrow(time)};
 }
 
 /// In whole 256ths, so that the truth has not too many digits.
@@ -50,8 +48,8 @@ Place truth_of(double speed, double gravity, double k, double time) {
   if (!(g * t * (Exact(1.0) - e) < two * v)) {
     return {0, std::numeric_limits<double>::infinity()};
   }
-  Exact sum;            // 1 + k + … + k^(n − 1)
-  Exact power(1.0);     // k^n
+  Exact sum;         // 1 + k + … + k^(n − 1)
+  Exact power(1.0);  // k^n
   double n = 0;
   for (; !(g * t < two * v * (sum + power)); ++n) {
     sum += power;
@@ -65,12 +63,12 @@ Place truth_of(double speed, double gravity, double k, double time) {
 Answer truth_of_both(const Input& input) {
   const auto& narrow = input.in_float;
   const auto& wide = input.in_double;
-  return {false,
-          truth_of(static_cast<double>(narrow.velocity), static_cast<double>(narrow.gravity),
-                   static_cast<double>(narrow.restitution),
-                   static_cast<double>(input.time_in_float)),
-          truth_of(wide.velocity, wide.gravity, wide.restitution, input.time),
-          wide.velocity * wide.velocity / (2 * wide.gravity)};
+  return {
+      false,
+      truth_of(static_cast<double>(narrow.velocity), static_cast<double>(narrow.gravity),
+               static_cast<double>(narrow.restitution), static_cast<double>(input.time_in_float)),
+      truth_of(wide.velocity, wide.gravity, wide.restitution, input.time),
+      wide.velocity * wide.velocity / (2 * wide.gravity)};
 }
 
 /// A ball that is thrown from the floor with k from 1/2 to 0.9, somewhere in its first eight
@@ -119,8 +117,8 @@ Input no_loss(generators::Random& random) {
 template <class S>
 Place place(const contact::BounceState<S>& state, double k) {
   const bool endless = state.resting && k > 0;
-  return {static_cast<double>(state.height), endless ? std::numeric_limits<double>::infinity()
-                                                     : static_cast<double>(state.bounces)};
+  return {static_cast<double>(state.height),
+          endless ? std::numeric_limits<double>::infinity() : static_cast<double>(state.bounces)};
 }
 
 ladder::Ladder<Input, Answer> experiment() {
@@ -181,13 +179,12 @@ ladder::Ladder<Input, Answer> experiment() {
                  .scalar = "double",
                  .exact = false},
                 [](const Input& input) {
-                  return Answer{
-                      false,
-                      {},
-                      place(contact::follow_bounces(
-                                input.in_double, input.time,
-                                contact::rest_speed(0.001, input.in_double.gravity)),
-                            input.in_double.restitution)};
+                  return Answer{false,
+                                {},
+                                place(contact::follow_bounces(
+                                          input.in_double, input.time,
+                                          contact::rest_speed(0.001, input.in_double.gravity)),
+                                      input.in_double.restitution)};
                 });
   ladder.method({.id = "formula-float",
                  .title = "the book's formula",
@@ -209,14 +206,11 @@ ladder::Ladder<Input, Answer> experiment() {
                                 place(contact::bounce_at(input.in_double, input.time),
                                       input.in_double.restitution)};
                 });
-  ladder.method({.id = "exact", .title = "exact", .scalar = "exact", .exact = true},
-                [](const Input& input) {
-                  const auto& ball = input.in_double;
-                  return Answer{
-                      false,
-                      {},
-                      truth_of(ball.velocity, ball.gravity, ball.restitution, input.time)};
-                });
+  ladder.method({.id = "exact", .title = "exact", .scalar = "exact", .exact = true}, [](const Input&
+                                                                                            input) {
+    const auto& ball = input.in_double;
+    return Answer{false, {}, truth_of(ball.velocity, ball.gravity, ball.restitution, input.time)};
+  });
   return ladder;
 }
 

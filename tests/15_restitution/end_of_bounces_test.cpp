@@ -56,7 +56,7 @@ void check_count(double drop, double gravity, double k, double time, int right) 
 }  // namespace
 
 TEST_CASE("a ball that keeps half its speed rests after three falls' time") {
-  check_end(1, 8, 0.5);     // falls for half a second
+  check_end(1, 8, 0.5);  // falls for half a second
   check_end(1, 8, 0.75);
   check_end(2, 16, 0.875);
 }

@@ -123,13 +123,12 @@ void add_bounces(hard_cases::Runner& runner) {
   };
   method("float, flight by flight", [followed](const contact::BouncingBall<double>& b, double t) {
     const contact::BouncingBall<float> narrow{
-        static_cast<float>(b.height), static_cast<float>(b.velocity),
-        static_cast<float>(b.gravity), static_cast<float>(b.restitution)};
+        static_cast<float>(b.height), static_cast<float>(b.velocity), static_cast<float>(b.gravity),
+        static_cast<float>(b.restitution)};
     return followed(narrow, static_cast<float>(t));
   });
-  method("double, flight by flight", [followed](const contact::BouncingBall<double>& b, double t) {
-    return followed(b, t);
-  });
+  method("double, flight by flight",
+         [followed](const contact::BouncingBall<double>& b, double t) { return followed(b, t); });
   method("by a logarithm", [](const contact::BouncingBall<double>& b, double t) {
     const double w = std::sqrt(b.velocity * b.velocity + 2 * b.gravity * b.height);
     const double first = (b.velocity + w) / b.gravity;
@@ -149,8 +148,7 @@ void add_reflected(hard_cases::Runner& runner) {
     const oracle::Vector d = oracle::exact(c.vector("direction"));
     oracle::Vector right = v;
     if (v.dot(d) < 0) {
-      const Rational share =
-          (1 + oracle::exact(c.number("restitution"))) * v.dot(d) / d.dot(d);
+      const Rational share = (1 + oracle::exact(c.number("restitution"))) * v.dot(d) / d.dot(d);
       right = v - d * share;
     }
     return Json{{"class", "a"}, {"velocity", hard_cases::hex(oracle::nearest(right))}};
@@ -195,9 +193,8 @@ void add_approaching(hard_cases::Runner& runner) {
              answer.at("approaches").get<bool>();
     });
   };
-  method("float", [](const Vector& v, const Vector& n) {
-    return v.cast<float>().dot(n.cast<float>()) < 0;
-  });
+  method("float",
+         [](const Vector& v, const Vector& n) { return v.cast<float>().dot(n.cast<float>()) < 0; });
   method("double", [](const Vector& v, const Vector& n) { return v.dot(n) < 0; });
   method("below −10⁻⁹", [](const Vector& v, const Vector& n) { return v.dot(n) < -1e-9; });
   method("book", [](const Vector& v, const Vector& n) { return contact::approaches(v, n); });
@@ -205,8 +202,7 @@ void add_approaching(hard_cases::Runner& runner) {
 
 void add_coefficient(hard_cases::Runner& runner) {
   runner.question("coefficient", [](const Case& c) {
-    const Rational ratio =
-        oracle::exact(c.number("rebound")) / oracle::exact(c.number("drop"));
+    const Rational ratio = oracle::exact(c.number("rebound")) / oracle::exact(c.number("drop"));
     return Json{{"class", "b"}, {"k", hard_cases::hex(oracle::nearest(Surd{0, 1, ratio}))}};
   });
   const auto method = [&runner](const char* name, auto coefficient) {
@@ -232,24 +228,21 @@ void add_fall(hard_cases::Runner& runner) {
     });
   };
   method("(v + w)/g", [](const contact::BouncingBall<double>& b) {
-    return (b.velocity + std::sqrt(b.velocity * b.velocity + 2 * b.gravity * b.height)) /
-           b.gravity;
+    return (b.velocity + std::sqrt(b.velocity * b.velocity + 2 * b.gravity * b.height)) / b.gravity;
   });
   method("2h/(w − v)", [](const contact::BouncingBall<double>& b) {
     return 2 * b.height /
            (std::sqrt(b.velocity * b.velocity + 2 * b.gravity * b.height) - b.velocity);
   });
-  method("book", [](const contact::BouncingBall<double>& b) {
-    return contact::first_impact_time(b);
-  });
+  method("book",
+         [](const contact::BouncingBall<double>& b) { return contact::first_impact_time(b); });
 }
 
 void add_height(hard_cases::Runner& runner) {
   runner.question("height", [](const Case& c) {
     const ExactBall exact(c);
     const Rational t = oracle::exact(c.number("time"));
-    const double height =
-        exact.endless(t) ? 0 : oracle::nearest(exact.height(t, exact.count(t)));
+    const double height = exact.endless(t) ? 0 : oracle::nearest(exact.height(t, exact.count(t)));
     return Json{{"class", "b"}, {"height", hard_cases::hex(height)}};
   });
   const auto method = [&runner](const char* name, auto height) {

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <contact/bouncing.hpp>
 #include <contact/fixed_step_bounce.hpp>
+#include <contact/impulse.hpp>
 #include <contact/rebound_angle.hpp>
 #include <contact/restitution.hpp>
 #include <contact/stacked_drop.hpp>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -189,6 +191,18 @@ TEST_CASE("a bounce of rationals is exact") {
   CHECK(contact::after_bounce_along<Rational>(v, oracle::Vector(0, -1, 0), Rational(1)) == v);
 }
 
+TEST_CASE("the lecture's steel ball: 60 degrees from the wall, 259.8 N") {
+  // Twice 3 kg times the normal part of 10 m/s, 5 √3 m/s, over 0.2 s: 150 √3 N.
+  const Vector3<double> wall(1, 0, 0);
+  const Vector3<double> v(-5 * std::sqrt(3.0), 5, 0);
+  const Vector3<double> after = contact::after_bounce(v, wall, 1.0);
+  const double force = contact::impulse_of_change(3.0, v, after).x() / 0.2;
+  CHECK(std::abs(force * force - 67500) <= 1e-9);
+  CHECK(after.y() == v.y());
+  const double angle = contact::angle_from_normal(v, wall);
+  CHECK(std::abs(contact::degrees(angle) - 30) <= 1e-13);
+}
+
 TEST_CASE("friction slows the slip, and at most stops it") {
   Random random(1503);
   int stopped = 0;
@@ -226,8 +240,8 @@ TEST_CASE("friction slows the slip, and at most stops it") {
         Vector3<double>(0, 0, 1));
 }
 
-TEMPLATE_TEST_CASE("k is the root of the ratio of heights, also where the ratio is not a number", "",
-                   float, double) {
+TEMPLATE_TEST_CASE("k is the root of the ratio of heights, also where the ratio is not a number",
+                   "", float, double) {
   using S = TestType;
   Random random(1504);
   const int range = sizeof(S) == sizeof(float) ? 120 : 1000;
@@ -273,8 +287,8 @@ TEST_CASE("angles agree with intervals") {
   for (int i = 0; i < 1500; ++i) {
     const double y = std::abs(random.magnitude(-30, 30));
     const double x = std::abs(random.magnitude(-30, 30));
-    const auto right = oracle::enclose(
-        atan(oracle::Interval(Rational(oracle::exact(y) / oracle::exact(x)), 128)));
+    const auto right =
+        oracle::enclose(atan(oracle::Interval(Rational(oracle::exact(y) / oracle::exact(x)), 128)));
     const double got = contact::arctangent(y, x);
     REQUIRE(right.error(got) <= 16 * 0x1p-53 * got);
   }
@@ -388,8 +402,7 @@ TEST_CASE("the ball is where fractions and roots say") {
     REQUIRE(std::isfinite(got.bounces));
     const auto n = static_cast<long long>(got.bounces);
     const double u = 0x1p-53;
-    const double memory =
-        std::min(static_cast<double>(n), 1 / (1 - ball.restitution));
+    const double memory = std::min(static_cast<double>(n), 1 / (1 - ball.restitution));
     const double factor = 16 + 2 * std::log2(1.0 + static_cast<double>(n)) + 2 * memory;
     const double room =
         n == 0 ? 8 * u * (ball.height + std::abs(ball.velocity) * t + ball.gravity * t * t / 2)
@@ -397,7 +410,8 @@ TEST_CASE("the ball is where fractions and roots say") {
     REQUIRE(oracle::error(got.height, exact.height(oracle::exact(t), n)) <= room);
     // Flight by flight comes to the same.
     const auto followed = contact::follow_bounces(ball, t, 0.0);
-    REQUIRE(std::abs(followed.height - got.height) <= (3.0 * static_cast<double>(n) + 40) * u * w * t);
+    REQUIRE(std::abs(followed.height - got.height) <=
+            (3.0 * static_cast<double>(n) + 40) * u * w * t);
   }
 }
 
@@ -483,8 +497,7 @@ TEST_CASE("steps with the impact velocity land where the formula does, in any nu
     const auto ball = any_ball<double>(random);
     const double dt = random.uniform(0.005, 0.5);
     const int steps = random.integer(1, 40);
-    const auto stepped =
-        contact::bounce_in_steps(ball, dt, steps, StepRule::impact_velocity);
+    const auto stepped = contact::bounce_in_steps(ball, dt, steps, StepRule::impact_velocity);
     const double t = steps * dt;
     // Near an impact the two may count it on different sides of t; far from it they agree.
     const auto exact = contact::bounce_at(ball, t);

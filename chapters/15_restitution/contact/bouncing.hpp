@@ -121,7 +121,8 @@ Geometric<S> geometric(const S& k, long long m) {
 /// The time of the n-th impact, T₁ + F (k + k² + … + k^(n − 1)), where F is how long the flight
 /// after the first impact would take if nothing were lost in it: 2 w / g.
 /// @param n 1 or more
-/// @return s; off by at most (16 + 2 log₂ n + 2 min(n, 1/(1 − k))) u of itself, if nothing underflows
+/// @return s; off by at most (16 + 2 log₂ n + 2 min(n, 1/(1 − k))) u of itself, if nothing
+/// underflows
 template <std::floating_point S>
 S impact_time(const BouncingBall<S>& ball, long long n) {
   const S first = first_impact_time(ball);
@@ -133,8 +134,8 @@ S impact_time(const BouncingBall<S>& ball, long long n) {
 
 /// When the ball has come to rest: the impacts get infinitely many, and their times have a limit,
 /// T₁ + F k / (1 − k).
-/// @return s; infinite if k = 1 and the ball moves; off by at most 16 u of itself. Of a ball that lies on
-/// the floor 0
+/// @return s; infinite if k = 1 and the ball moves; off by at most 16 u of itself. Of a ball that
+/// lies on the floor 0
 template <std::floating_point S>
 S rest_time(const BouncingBall<S>& ball) {
   const S first = first_impact_time(ball);
@@ -252,16 +253,16 @@ S bounces_by(const BouncingBall<S>& ball, const S& t) {
     return k == S(0) ? S(1) : std::numeric_limits<S>::infinity();
   }
   if (near(first, S(16)) ? !exact().impact_by(1) : t < first) return S(0);
-  const long long guess =
-      detail::impacts_rounded(k, std::max(S(0), S((t - first) / flight)));
+  const long long guess = detail::impacts_rounded(k, std::max(S(0), S((t - first) / flight)));
   const S memory = std::min(S(guess), S(1) / (S(1) - k));
-  const S room = S(32) + S(2) * S(std::bit_width(static_cast<unsigned long long>(guess))) + S(2) * memory;
+  const S room =
+      S(32) + S(2) * S(std::bit_width(static_cast<unsigned long long>(guess))) + S(2) * memory;
   const bool sure = t < impact_time(ball, guess + 1) && !(t < impact_time(ball, guess)) &&
                     !near(impact_time(ball, guess), room) &&
                     !near(impact_time(ball, guess + 1), room);
   if (sure || guess > detail::exact_impacts) return S(guess);
-  return S(detail::corrected(
-      guess, [decided = exact()](long long n) { return decided.impact_by(n); }));
+  return S(
+      detail::corrected(guess, [decided = exact()](long long n) { return decided.impact_by(n); }));
 }
 // [/bounces-by]
 
@@ -284,8 +285,7 @@ BounceState<S> bounce_at(const BouncingBall<S>& ball, const S& t) {
   const auto n = static_cast<long long>(bounces);
   const S leaving = impact_speed(ball) * detail::geometric(ball.restitution, n).power;
   // Rounding may put the time a little outside the flight.
-  const S since =
-      std::clamp(S(t - impact_time(ball, n)), S(0), S(S(2) * leaving / g));
+  const S since = std::clamp(S(t - impact_time(ball, n)), S(0), S(S(2) * leaving / g));
   return {std::max(S(0), S(since * (leaving - g * since / S(2)))), leaving - g * since, bounces,
           false};
 }

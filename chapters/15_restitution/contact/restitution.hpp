@@ -88,8 +88,8 @@ Vector3<S> bounce_off(const Vector3<S>& v, const Vector3<S>& d, const S& k) {
 }  // namespace detail
 
 // [after-bounce-along]
-/// The same for a normal of any length, such as a cross product of two edges, without a square root:
-/// v' = v − (1 + k) (v · d) / (d · d) d. So it is rational, and exact if S is.
+/// The same for a normal of any length, such as a cross product of two edges, without a square
+/// root: v' = v − (1 + k) (v · d) / (d · d) d. So it is rational, and exact if S is.
 /// @param velocity before, m/s, relative to the surface
 /// @param direction points away from the surface; any length but 0
 /// @param k coefficient of restitution, 0 to 1
@@ -168,8 +168,9 @@ S restitution_from_speeds(const S& approach, const S& separation) {
 /// square of the speed at the floor.
 /// @param drop height from which it was let go, m, greater than 0
 /// @param rebound height to which it came back, m, 0 or more
-/// @return off by at most 3 u of itself, also where the quotient would underflow or overflow; ∞ only
-/// if the root is beyond the largest number. More than 1 if it came back higher: then it did not only fall, or something pushed
+/// @return off by at most 3 u of itself, also where the quotient would underflow or overflow; ∞
+/// only if the root is beyond the largest number. More than 1 if it came back higher: then it did
+/// not only fall, or something pushed
 /// @throws std::invalid_argument if drop is not greater than 0, rebound is negative, or one is not
 /// finite
 template <std::floating_point S>

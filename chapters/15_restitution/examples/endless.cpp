@@ -8,9 +8,9 @@ int main() {
               contact::impact_speed(ball));
   for (const long long n : {1, 2, 3, 4, 5, 10, 20, 40}) {
     const double after = contact::impact_time(ball, n);
-    std::printf("impact %2lld after %.6f s, then up to %.3g mm\n", n, after,
-                1000 * contact::bounce_at(ball, (after + contact::impact_time(ball, n + 1)) / 2)
-                           .height);
+    std::printf(
+        "impact %2lld after %.6f s, then up to %.3g mm\n", n, after,
+        1000 * contact::bounce_at(ball, (after + contact::impact_time(ball, n + 1)) / 2).height);
   }
   const double end = contact::rest_time(ball);
   std::printf("at rest after %.6f s\n", end);

@@ -1,6 +1,6 @@
 // A small ball on a large one, both dropped from 1 m.
-#include <contact/stacked_drop.hpp>
 #include <cmath>
+#include <contact/stacked_drop.hpp>
 #include <cstdio>
 
 int main() {

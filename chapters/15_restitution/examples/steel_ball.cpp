@@ -1,4 +1,5 @@
-// The lecture's steel ball: 3 kg, 10 m/s, at 60 degrees with the surface of a wall, 0.2 s of contact.
+// The lecture's steel ball: 3 kg, 10 m/s, at 60 degrees with the surface of a wall, 0.2 s of
+// contact.
 #include <cmath>
 #include <contact/impulse.hpp>
 #include <contact/rebound_angle.hpp>
@@ -7,7 +8,7 @@
 
 int main() {
   using Vector = contact::Vector3<double>;
-  const Vector wall(1, 0, 0);  // the wall's normal
+  const Vector wall(1, 0, 0);              // the wall's normal
   const double sine = std::sqrt(3.0) / 2;  // of 60 degrees
   const double cosine = 0.5;
 

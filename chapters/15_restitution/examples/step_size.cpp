@@ -11,7 +11,9 @@ int main() {
   const double third = (contact::impact_time(ball, 3) + contact::impact_time(ball, 4)) / 2;
   std::printf("exact: third bounce %.4f m, %g impacts in 3 s\n",
               contact::bounce_at(ball, third).height, contact::bounces_by(ball, 3.0));
-  std::printf("steps a second   flip below      on the floor    lecture's loop  step's end      at the impact\n");
+  std::printf(
+      "steps a second   flip below      on the floor    lecture's loop  step's end      at the "
+      "impact\n");
   for (const int rate : {30, 60, 240, 960}) {
     std::printf("%-14d", rate);
     for (const StepRule rule : {StepRule::flip_below, StepRule::clamp, StepRule::new_velocity,

@@ -1,5 +1,5 @@
-// A ball that meets a surface: its velocity split along the normal and along the surface, what comes
-// back, and the two angles, both from the normal.
+// A ball that meets a surface: its velocity split along the normal and along the surface, what
+// comes back, and the two angles, both from the normal.
 #include <contact/figure.hpp>
 #include <contact/rebound_angle.hpp>
 #include <contact/restitution.hpp>
@@ -7,25 +7,25 @@
 using Vector2 = Eigen::Matrix<double, 2, 1>;
 
 struct Input {
-  Vector2 from;      // where the ball comes from; it moves to the origin, m/s
-  Vector2 facing;    // a point in front of the surface, straight over the origin
-  double k;          // coefficient of restitution
-  double friction;   // μ
-  double turns;      // 1: a solid ball that may turn; 0: a body that does not
+  Vector2 from;     // where the ball comes from; it moves to the origin, m/s
+  Vector2 facing;   // a point in front of the surface, straight over the origin
+  double k;         // coefficient of restitution
+  double friction;  // μ
+  double turns;     // 1: a solid ball that may turn; 0: a body that does not
 };
 
 struct Output {
   double problem;
-  double approaching;                // 1 if it meets the surface from its front
-  Vector2 normal;                    // unit vector
-  Vector2 before, after;             // velocities, m/s
+  double approaching;     // 1 if it meets the surface from its front
+  Vector2 normal;         // unit vector
+  Vector2 before, after;  // velocities, m/s
   Vector2 normal_before, along_before;
   Vector2 normal_after, along_after;
-  Vector2 mirror;                    // after a bounce with k = 1 and no friction
-  double angle_in, angle_out;        // degrees from the normal
-  double closing, parting;           // speeds along the normal, m/s
-  double kept;                       // of the kinetic energy, without spin
-  double right_angle;                // goal: incidence and rebound are at right angles
+  Vector2 mirror;              // after a bounce with k = 1 and no friction
+  double angle_in, angle_out;  // degrees from the normal
+  double closing, parting;     // speeds along the normal, m/s
+  double kept;                 // of the kinetic energy, without spin
+  double right_angle;          // goal: incidence and rebound are at right angles
 };
 
 Output compute(const Input& in) {
@@ -34,8 +34,8 @@ Output compute(const Input& in) {
   const double most = 1e100;
   if (!(in.facing.cwiseAbs().maxCoeff() > least)) out.problem = contact::figure::zero_normal;
   if (!(in.from.cwiseAbs().maxCoeff() > least)) out.problem = contact::figure::zero_direction;
-  if (in.facing.cwiseAbs().maxCoeff() > most || in.from.cwiseAbs().maxCoeff() > most ||
-      in.k > 1 || in.friction > most) {
+  if (in.facing.cwiseAbs().maxCoeff() > most || in.from.cwiseAbs().maxCoeff() > most || in.k > 1 ||
+      in.friction > most) {
     out.problem = contact::figure::too_large;
   }
   if (in.k < 0 || in.friction < 0) out.problem = contact::figure::too_small;

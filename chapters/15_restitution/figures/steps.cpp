@@ -8,7 +8,7 @@ struct Input {
   double height;  // of the drop, m
   double step;    // s
   double k;
-  double rule;    // 0 to 4, as StepRule
+  double rule;  // 0 to 4, as StepRule
 };
 
 constexpr int points = 241;
@@ -18,14 +18,14 @@ constexpr double gravity = 9.81;
 
 struct Output {
   double problem;
-  std::array<double, points> moment, truth;                // s, m
+  std::array<double, points> moment, truth;  // s, m
   std::array<double, stepped_points> stepped_time, stepped;
-  double steps;                                            // in all
-  double true_bounces, bounces;                            // in 6 s
-  double true_height, last_height;                         // after 6 s, m
-  double highest;                                          // after the first impact, m
-  double last_peak, true_last_peak;                        // highest of the last 1.5 s, m
-  double gains;                                            // goal: comes back a tenth higher
+  double steps;                      // in all
+  double true_bounces, bounces;      // in 6 s
+  double true_height, last_height;   // after 6 s, m
+  double highest;                    // after the first impact, m
+  double last_peak, true_last_peak;  // highest of the last 1.5 s, m
+  double gains;                      // goal: comes back a tenth higher
 };
 
 Output compute(const Input& in) {

@@ -103,7 +103,13 @@ export default defineFigure<Input, Output>({
   values: (_input, output) => [
     { name: "n", meaning: "impacts in 6 s", value: output.bounces, role: "ball" },
     { name: "n_true", meaning: "impacts, exactly", value: output.true_bounces, role: "ghost" },
-    { name: "peak", meaning: "in the last 1.5 s", value: output.last_peak, unit: "m", role: "ball" },
+    {
+      name: "peak",
+      meaning: "in the last 1.5 s",
+      value: output.last_peak,
+      unit: "m",
+      role: "ball",
+    },
     {
       name: "peak_true",
       meaning: "the same, exactly",

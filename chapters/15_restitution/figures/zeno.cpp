@@ -1,14 +1,14 @@
-// A ball that is dropped and bounces: its heights, its impacts, when they end, and what resting early
-// leaves out.
+// A ball that is dropped and bounces: its heights, its impacts, when they end, and what resting
+// early leaves out.
 #include <algorithm>
 #include <contact/bouncing.hpp>
 #include <contact/figure.hpp>
 
 struct Input {
-  double height;    // of the drop, m
-  double rebound;   // height of the first rebound, m: decides k
-  double gravity;   // m/s²
-  double time;      // s
+  double height;       // of the drop, m
+  double rebound;      // height of the first rebound, m: decides k
+  double gravity;      // m/s²
+  double time;         // s
   double rest_height;  // bounces lower than this are left out, m
 };
 
@@ -27,11 +27,11 @@ struct Output {
   std::array<double, arcs> peak;            // m
   std::array<double, points> moment, path;  // a curve through all of it: s, m
   double now, height_now, velocity_now;
-  double bounces;                           // until now; infinite at rest
-  double rest_speed;                        // m/s
-  double rest_from;                         // when the ball that rests early does, s
-  double rest_bounces;                      // its impacts
-  double ends_at_three;                     // goal: everything is over after 3 s
+  double bounces;        // until now; infinite at rest
+  double rest_speed;     // m/s
+  double rest_from;      // when the ball that rests early does, s
+  double rest_bounces;   // its impacts
+  double ends_at_three;  // goal: everything is over after 3 s
 };
 
 Output compute(const Input& in) {

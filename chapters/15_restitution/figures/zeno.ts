@@ -145,10 +145,19 @@ export default defineFigure<Input, Output>({
         width: 1,
         dashed: true,
       });
-      scene.label(at(LAST + 0.2, input.rest_height), "ε", { role: "c", offset: [0, -6], anchor: "end" });
+      scene.label(at(LAST + 0.2, input.rest_height), "ε", {
+        role: "c",
+        offset: [0, -6],
+        anchor: "end",
+      });
       if (output.rest_from < LAST) {
         scene.dot(at(to, 0), "c", 5, true);
-        scene.label(at(to, 0), "rests", { role: "c", offset: [0, 36], anchor: "middle", size: "small" });
+        scene.label(at(to, 0), "rests", {
+          role: "c",
+          offset: [0, 36],
+          anchor: "middle",
+          size: "small",
+        });
       }
     }
     scene.dot(at(output.now, output.height_now), "ray", 6);

@@ -8,8 +8,6 @@ Eigen::Vector3d after_rough_bounce(const Eigen::Vector3d& /*velocity*/,
   contact::todo();
 }
 
-double rebound_tangent(double /*incidence*/, double /*k*/, double /*friction*/) {
-  contact::todo();
-}
+double rebound_tangent(double /*incidence*/, double /*k*/, double /*friction*/) { contact::todo(); }
 
 }  // namespace exercise

@@ -6,10 +6,10 @@
 
 namespace exercise {
 
-/// The velocity after a bounce off a rough surface of a body that does not turn, in m/s. The surface
-/// gives it a change of velocity along the normal, and friction one against its motion along the
-/// surface: up to friction times as large, and no larger than what stops that motion. What moves
-/// along the surface or away from it does not bounce: its velocity comes back unchanged.
+/// The velocity after a bounce off a rough surface of a body that does not turn, in m/s. The
+/// surface gives it a change of velocity along the normal, and friction one against its motion
+/// along the surface: up to friction times as large, and no larger than what stops that motion.
+/// What moves along the surface or away from it does not bounce: its velocity comes back unchanged.
 ///
 /// @param velocity before, m/s, relative to the surface
 /// @param normal unit vector that points away from the surface

@@ -14,10 +14,10 @@ struct Ball {
   bool resting = false;  ///< then height and velocity are 0
 };
 
-/// The ball one step later. Between impacts it falls freely; at an impact it leaves the floor k times
-/// as fast as it came. If it would leave with rest_speed or less, it rests from then on; that impact
-/// counts too. A step may hold many impacts, or none. An impact at the very end of the step belongs
-/// to it.
+/// The ball one step later. Between impacts it falls freely; at an impact it leaves the floor k
+/// times as fast as it came. If it would leave with rest_speed or less, it rests from then on; that
+/// impact counts too. A step may hold many impacts, or none. An impact at the very end of the step
+/// belongs to it.
 ///
 /// @param ball at the start of the step; a resting ball stays as it is; one on the floor that does
 /// not rest moves up
