@@ -127,7 +127,6 @@ template <std::floating_point S>
 S impact_time(const BouncingBall<S>& ball, long long n) {
   const S first = first_impact_time(ball);
   if (n <= 1 || ball.restitution == S(0)) return first;
-  if (ball.restitution == S(1)) return std::numeric_limits<S>::infinity();
   const S flight = S(2) * impact_speed(ball) / ball.gravity;
   return first + flight * (ball.restitution * detail::geometric(ball.restitution, n - 1).sum);
 }
