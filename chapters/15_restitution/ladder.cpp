@@ -99,14 +99,15 @@ Input at_impact(generators::Random& random) {
   return thrown(v, g, k, time);
 }
 
-/// So near to the end that a flight takes less than a millionth of the time that has passed.
+/// So near to the end that a flight takes less than a millionth of the time that has passed; some
+/// of the flights are shorter than the last digit of the time.
 Input near_end(generators::Random& random) {
   const double v = share(random, 3, 8);
   const double g = 9.8125;
   const double k = share(random, 0.5, 0.75);
   const contact::BouncingBall<double> ball{0, v, g, k};
   const double end = contact::rest_time(ball);
-  return thrown(v, g, k, end * (1 - std::abs(random.magnitude(-40, -22))));
+  return thrown(v, g, k, end * (1 - std::abs(random.magnitude(-52, -24))));
 }
 
 /// Nothing is lost, for up to a minute.

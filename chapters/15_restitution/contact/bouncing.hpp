@@ -248,7 +248,7 @@ S bounces_by(const BouncingBall<S>& ball, const S& t) {
   const auto near = [&](const S& time, const S& room) {
     return !(std::abs(t - time) > room * u * time);
   };
-  if (near(end, S(32)) ? exact().at_rest() : t > end) {
+  if (k < S(1) && (near(end, S(32)) ? exact().at_rest() : t > end)) {
     return k == S(0) ? S(1) : std::numeric_limits<S>::infinity();
   }
   if (near(first, S(16)) ? !exact().impact_by(1) : t < first) return S(0);

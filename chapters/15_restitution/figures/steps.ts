@@ -93,7 +93,7 @@ export default defineFigure<Input, Output>({
     });
     scene.path(
       output.moment.map((t, i): Vec2 => [t, cut(output.truth[i] ?? 0)]),
-      { role: "ghost", width: 2, dashed: true },
+      { role: "normal", width: 2, dashed: true },
     );
     scene.path(
       output.stepped_time.map((t, i): Vec2 => [t, cut(output.stepped[i] ?? 0)]),
@@ -102,7 +102,7 @@ export default defineFigure<Input, Output>({
   },
   values: (_input, output) => [
     { name: "n", meaning: "impacts in 6 s", value: output.bounces, role: "ball" },
-    { name: "n_true", meaning: "impacts, exactly", value: output.true_bounces, role: "ghost" },
+    { name: "n_true", meaning: "impacts, exactly", value: output.true_bounces, role: "normal" },
     {
       name: "peak",
       meaning: "in the last 1.5 s",
@@ -115,7 +115,7 @@ export default defineFigure<Input, Output>({
       meaning: "the same, exactly",
       value: output.true_last_peak,
       unit: "m",
-      role: "ghost",
+      role: "normal",
     },
     { name: "steps", meaning: "in 6 s", value: output.steps },
   ],
