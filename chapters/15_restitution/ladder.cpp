@@ -110,9 +110,9 @@ Input near_end(generators::Random& random) {
   return thrown(v, g, k, end * (1 - std::abs(random.magnitude(-52, -24))));
 }
 
-/// Nothing is lost, for up to a minute.
+/// Nothing is lost, for up to a quarter of a minute.
 Input no_loss(generators::Random& random) {
-  return thrown(share(random, 3, 8), 9.8125, 1, random.uniform(20, 60));
+  return thrown(share(random, 3, 8), 9.8125, 1, random.uniform(5, 15));
 }
 
 template <class S>
@@ -136,7 +136,7 @@ ladder::Ladder<Input, Answer> experiment() {
   ladder.family("plain", "in the first eight flights", plain);
   ladder.family("impact", "at an impact, to the last digit", at_impact);
   ladder.family("end", "just before the end of all bounces", near_end);
-  ladder.family("no-loss", "k = 1 for up to a minute", no_loss);
+  ladder.family("no-loss", "k = 1 for 5 to 15 s", no_loss);
 
   const auto in_steps = [&ladder](const char* id, const char* title, contact::StepRule rule,
                                   double rate) {

@@ -54,7 +54,7 @@ struct BounceState {
   S height = S(0);    ///< m
   S velocity = S(0);  ///< upwards, m/s; just after the impact if it is one
   S bounces = S(0);   ///< impacts up to this time, this one included; infinite after endless ones
-  bool resting = false;
+  bool resting = false;  ///< on the floor from now on
 };
 
 // [first-impact]
