@@ -25,7 +25,7 @@ struct Output {
   double true_height, last_height;   // after 6 s, m
   double highest;                    // after the first impact, m
   double last_peak, true_last_peak;  // highest of the last 1.5 s, m
-  double gains;                      // goal: comes back a tenth higher
+  double gains;                      // goal: comes back a third higher
 };
 
 Output compute(const Input& in) {
@@ -74,7 +74,7 @@ Output compute(const Input& in) {
   out.steps = steps;
   out.bounces = state.bounces;
   out.last_height = state.height;
-  out.gains = in.k <= 1 && out.highest >= 1.1 * in.height ? 1 : 0;
+  out.gains = out.highest >= 4 * in.height / 3 ? 1 : 0;
   return out;
 }
 

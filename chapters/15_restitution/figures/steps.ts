@@ -51,8 +51,8 @@ export default defineFigure<Input, Output>({
       field: "rule",
       label: "at the floor",
       options: [
-        { value: 4, label: "velocity of the impact" },
-        { value: 3, label: "velocity of the step's end" },
+        { value: 4, label: "impact velocity" },
+        { value: 3, label: "end-of-step velocity" },
         { value: 2, label: "the lecture's loop" },
         { value: 1, label: "put on the floor" },
         { value: 0, label: "flip whatever is below" },

@@ -97,7 +97,7 @@ export default defineFigure<Input, Output>({
     scene.arrow(at(0, 0), at(0, 1.62), axis);
     scene.line(at(0, 0), at(LAST + 0.2, 0), { role: "surface", width: 2.5 });
     scene.label(at(0, 1.62), "height, m", { role: "muted", offset: [8, 6] });
-    scene.label(at(LAST + 0.2, 0), "t, s", { role: "muted", offset: [0, -10], anchor: "end" });
+    scene.label(at(LAST + 0.2, 0), "t, s", { role: "muted", offset: [0, 36], anchor: "end" });
     for (const t of [1, 2, 3, 4, 5]) {
       scene.line([t, -0.05], [t, 0.05], axis);
       scene.label([t, 0], pretty(t), {
@@ -154,7 +154,7 @@ export default defineFigure<Input, Output>({
         scene.dot(at(to, 0), "c", 5, true);
         scene.label(at(to, 0), "rests", {
           role: "c",
-          offset: [0, 36],
+          offset: [0, -14],
           anchor: "middle",
           size: "small",
         });
@@ -165,16 +165,17 @@ export default defineFigure<Input, Output>({
   values: (_input, output) => [
     { name: "k", meaning: "√(h₁ / h)", value: output.k, role: "a" },
     { name: "w", meaning: "speed at the first impact", value: output.speed, unit: "m/s" },
-    { name: "T_∞", meaning: "end of all bounces", value: output.end, unit: "s", role: "hit" },
+    { name: "T_end", meaning: "end of all bounces", value: output.end, unit: "s", role: "hit" },
     { name: "n", meaning: "impacts until t", value: output.bounces, role: "ray" },
     { name: "y", meaning: "height at t", value: output.height_now, unit: "m", role: "ray" },
     { name: "√(2gε)", meaning: "rest speed", value: output.rest_speed, unit: "m/s", role: "c" },
-    { name: "n_ε", meaning: "impacts if it rests early", value: output.rest_bounces, role: "c" },
+    { name: "n_rest", meaning: "impacts if it rests early", value: output.rest_bounces, role: "c" },
   ],
   describe(input, output) {
     if (!Number.isFinite(output.end)) return "Nothing is lost, so the ball bounces for ever.";
     if (input.time >= output.end)
       return `After ${pretty(output.end, 3)} s the ball has touched the floor infinitely often and rests.`;
-    return `After ${pretty(input.time, 3)} s there have been ${pretty(output.bounces, 3)} impacts; all of them, infinitely many, are over after ${pretty(output.end, 3)} s.`;
+    const impacts = output.bounces === 1 ? "impact" : "impacts";
+    return `${pretty(output.bounces, 3)} ${impacts} until ${pretty(input.time, 3)} s; all of them, infinitely many, are over after ${pretty(output.end, 3)} s.`;
   },
 });
