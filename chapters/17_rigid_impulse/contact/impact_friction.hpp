@@ -61,6 +61,7 @@ template <Ring S>
 struct Impact {
   std::array<ImpactPoint<S>, 4> path{};  ///< first touch; where the slip stops; largest compression
   std::size_t count = 0;                 ///< how many of them there are
+  /// The last touch.
   const ImpactPoint<S>& end() const { return path[count - 1]; }
 };
 

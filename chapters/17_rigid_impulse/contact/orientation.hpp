@@ -14,8 +14,8 @@ namespace contact {
 /// A sine and a cosine.
 template <std::floating_point S>
 struct SineCosine {
-  S sine = S(0);
-  S cosine = S(1);
+  S sine = S(0);    ///< from −1 to 1
+  S cosine = S(1);  ///< from −1 to 1
 };
 
 // [sine-cosine]
@@ -94,8 +94,8 @@ Matrix3<S> orthonormalised(const Matrix3<S>& m) {
 /// A rotation as a quaternion of length 1: w, and the vector part x, y, z.
 template <Ring S>
 struct Rotor {
-  S w = S(1);
-  Vector3<S> v = Vector3<S>::Zero();
+  S w = S(1);                         ///< cosine of half the angle
+  Vector3<S> v = Vector3<S>::Zero();  ///< sine of half the angle, along the axis
 };
 
 /// The product of two quaternions: first b's rotation, then a's.

@@ -155,7 +155,8 @@ S collision_impulse(const RigidBody<S>& a, const RigidBody<S>& b, const ContactP
 /// Two bodies after a collision, and the impulse that A got and B gave.
 template <Ring S>
 struct Collided {
-  RigidBody<S> a, b;
+  RigidBody<S> a;                           ///< afterwards
+  RigidBody<S> b;                           ///< afterwards
   Vector3<S> impulse = Vector3<S>::Zero();  ///< on A; on B it is the opposite, N·s
 };
 

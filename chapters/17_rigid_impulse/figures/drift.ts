@@ -28,6 +28,7 @@ const WAYS = [
 const LOW = -8;
 const HIGH = 2;
 const TALL = 0.6;
+/** Where a power of ten is on the scale. */
 const height = (power: number): number => (Math.max(LOW, Math.min(HIGH, power)) - LOW) * TALL;
 
 export default defineFigure<Input, Output>({
@@ -67,16 +68,27 @@ export default defineFigure<Input, Output>({
       });
     }
     for (const t of [2, 4, 6, 8])
-      scene.label([t, 0], pretty(t), { role: "muted", offset: [0, 20], anchor: "middle", size: "small" });
+      scene.label([t, 0], pretty(t), {
+        role: "muted",
+        offset: [0, 20],
+        anchor: "middle",
+        size: "small",
+      });
     scene.line([input.at, 0], [input.at, 6.1], { role: "muted", width: 1, dashed: true });
     if (output.problem) return;
     for (const [k, [field, name, role]] of WAYS.entries()) {
       const curve = output[field]
-        .map((power, i): Vec2 => [i / 4, height(power)])
+        .map((error, i): Vec2 => [i / 4, height(Math.log10(error))])
         .filter(([, y]) => y > 0);
       scene.path(curve, { role, width: 2.5, dashed: k === 1 });
       const end = curve[curve.length - 6 - 8 * k];
-      if (end) scene.label(end, name, { role, offset: [0, k === 2 ? 18 : -10], anchor: "middle", size: "small" });
+      if (end)
+        scene.label(end, name, {
+          role,
+          offset: [0, k === 2 ? 18 : -10],
+          anchor: "middle",
+          size: "small",
+        });
     }
   },
   values: (_input, output) => [
@@ -87,7 +99,12 @@ export default defineFigure<Input, Output>({
       unit: "rad",
       role: role as Role,
     })),
-    { name: "length", meaning: "of the longest column of Euler’s matrix, at 10 s", value: output.length, role: "a" as Role },
+    {
+      name: "length",
+      meaning: "of the longest column of Euler’s matrix, at 10 s",
+      value: output.length,
+      role: "a" as Role,
+    },
   ],
   describe(input, output) {
     return `At ${pretty(input.at)} s and ${pretty(input.steps)} steps a second, Euler’s matrix is off by ${pretty(output.read[0] ?? 0, 2)}, the quaternion by ${pretty(output.read[1] ?? 0, 2)}, the exponential map by ${pretty(output.read[2] ?? 0, 2)} and its midpoint by ${pretty(output.read[3] ?? 0, 2)} radians.`;

@@ -53,7 +53,16 @@ export default defineFigure<Input, Output>({
     { kind: "slider", field: "rod", label: "m_rod", min: 0.5, max: 9, step: 0.1, unit: "kg" },
     { kind: "slider", field: "ball", label: "m_ball", min: 0.1, max: 9, step: 0.1, unit: "kg" },
     { kind: "slider", field: "e", label: "e", min: 0, max: 1, step: 0.05 },
-    { kind: "slider", field: "time", label: "t", min: -0.3, max: 1, step: 0.01, unit: "s", play: 4 },
+    {
+      kind: "slider",
+      field: "time",
+      label: "t",
+      min: -0.3,
+      max: 1,
+      step: 0.01,
+      unit: "s",
+      play: 4,
+    },
   ],
   draw(scene, input, output) {
     scene.line([-1, 0], [1, 0], { role: "surface", width: 7 });
@@ -76,7 +85,11 @@ export default defineFigure<Input, Output>({
     scene.dot(output.left, "b", 3, true);
     if (Math.abs(output.still) <= 1.8) {
       scene.dot([output.still, 0], "hit", 6, true);
-      scene.label([output.still, 0], "at rest", { role: "hit", offset: [0, -14], anchor: "middle" });
+      scene.label([output.still, 0], "at rest", {
+        role: "hit",
+        offset: [0, -14],
+        anchor: "middle",
+      });
     }
   },
   values: (_input, output) => [
@@ -98,7 +111,13 @@ export default defineFigure<Input, Output>({
       unit: "m/s",
       role: "ball",
     },
-    { name: "x_0", meaning: "the point that stays at rest", value: output.still, unit: "m", role: "hit" },
+    {
+      name: "x_0",
+      meaning: "the point that stays at rest",
+      value: output.still,
+      unit: "m",
+      role: "hit",
+    },
     { name: "lost", meaning: "share of the kinetic energy", value: output.lost },
   ],
   describe(input, output) {

@@ -64,7 +64,8 @@ function inBox(from: Vec2, to: Vec2): [Vec2, Vec2] | undefined {
     high = Math.min(high, Math.max(a, b));
   }
   if (low >= high) return undefined;
-  const at = (t: number): Vec2 => place(from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1]));
+  const at = (t: number): Vec2 =>
+    place(from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1]));
   return [at(low), at(high)];
 }
 
@@ -73,7 +74,7 @@ export default defineFigure<Input, Output>({
   view: { kind: "2d", x: [-2.9, 2.9], y: [-4.9, 1.9] },
   aspect: 0.9,
   initial: {
-    top: [-1.41421356, 1.41421356],
+    top: [-1.41, 1.41],
     tip: [-0.6, -1],
     spin: -1,
     friction: 0.5,
@@ -81,8 +82,20 @@ export default defineFigure<Input, Output>({
     law: 0,
   },
   handles: [
-    { kind: "point", field: "top", label: "upper end of the rod, m", role: "surface", limit: [-1.8, 1.8] },
-    { kind: "point", field: "tip", label: "u, velocity of the lower end, m/s", role: "a", limit: [-2, 2] },
+    {
+      kind: "point",
+      field: "top",
+      label: "upper end of the rod, m",
+      role: "surface",
+      limit: [-1.8, 1.8],
+    },
+    {
+      kind: "point",
+      field: "tip",
+      label: "u, velocity of the lower end, m/s",
+      role: "a",
+      limit: [-2, 2],
+    },
   ],
   controls: [
     {
@@ -139,7 +152,12 @@ export default defineFigure<Input, Output>({
       const gains = (output.energy[k] ?? 0) > 1.0000001;
       const role: Role = gains ? "miss" : "ink";
       scene.dot(at, k === input.law ? "b" : role, k === input.law ? 6 : 4, k !== input.law);
-      scene.label(at, name, { role, offset: k === 4 ? [8, 12] : [-9, 4], anchor: k === 4 ? "start" : "end", size: "small" });
+      scene.label(at, name, {
+        role,
+        offset: k === 4 ? [8, 12] : [-9, 4],
+        anchor: k === 4 ? "start" : "end",
+        size: "small",
+      });
     }
   },
   values: (input, output) => [
