@@ -80,12 +80,12 @@ export default defineFigure<Input, Output>({
       const curve = output[field]
         .map((error, i): Vec2 => [i / 4, height(Math.log10(error))])
         .filter(([, y]) => y > 0);
-      scene.path(curve, { role, width: 2.5, dashed: k === 1 });
+      scene.path(curve, { role, width: k === 1 ? 5 : 2, dashed: k === 2 });
       const end = curve[curve.length - 6 - 8 * k];
       if (end)
         scene.label(end, name, {
           role,
-          offset: [0, k === 2 ? 18 : -10],
+          offset: [0, k === 1 || k === 2 ? 20 : -10],
           anchor: "middle",
           size: "small",
         });

@@ -33,8 +33,8 @@ const PER_SPEED = 0.3;
 
 export default defineFigure<Input, Output>({
   title: "Where to hit a rod",
-  view: { kind: "2d", x: [-1.9, 1.9], y: [-1.3, 2.3] },
-  aspect: 1.15,
+  view: { kind: "2d", x: [-1.9, 1.9], y: [-1.1, 1.6] },
+  aspect: 1.3,
   initial: { at: 0.7, rod: 3, ball: 1, speed: 4, e: 0.5, time: 0.4 },
   handles: [
     {
@@ -67,7 +67,7 @@ export default defineFigure<Input, Output>({
   draw(scene, input, output) {
     scene.line([-1, 0], [1, 0], { role: "surface", width: 7 });
     scene.dot([0, 0], "ink", 4, true);
-    scene.label([-1, 0], "grip", { role: "muted", offset: [0, 22], anchor: "middle" });
+    scene.label([-1, 0], "grip", { role: "muted", offset: [-10, 5], anchor: "end" });
     if (output.problem) return;
     const r = 0.1;
     scene.ball([input.at, output.ball_place], r, { role: "ball", fill: 0.35 });

@@ -33,10 +33,18 @@ interface Output {
 }
 
 const LAWS = ["Newton", "Poisson", "Stronge", "joint", "clamped"];
+/** Where the first letters of the names stand beside the ends of the paths. */
+const BESIDE = [
+  [[10, -3], "start"],
+  [[10, 14], "start"],
+  [[10, 3], "start"],
+  [[-10, 0], "end"],
+  [[-10, 6], "end"],
+] as const;
 /** Where the impulse 0 is, and how long 1 N·s is. */
 const ZERO: Vec2 = [0, -4.6];
-const PER_IMPULSE = 2;
-const HIGH = 1.5;
+const PER_IMPULSE = 2.4;
+const HIGH = 1.2;
 
 const place = (along: number, up: number): Vec2 => [
   ZERO[0] + PER_IMPULSE * along,
@@ -125,9 +133,9 @@ export default defineFigure<Input, Output>({
     scene.label(output.tip_after, "u′", { role: "b", offset: [12, -6] });
 
     const axis = { role: "muted", width: 1 } as const;
-    scene.arrow(place(-1.3, 0), place(1.35, 0), axis);
+    scene.arrow(place(-1.15, 0), place(1.2, 0), axis);
     scene.arrow(place(0, 0), place(0, HIGH + 0.05), axis);
-    scene.label(place(1.35, 0), "p_t", { role: "muted", offset: [2, -8], anchor: "end" });
+    scene.label(place(1.2, 0), "p_t", { role: "muted", offset: [2, -8], anchor: "end" });
     scene.label(place(0, HIGH), "p_n", { role: "muted", offset: [8, 6] });
     for (const side of [-1, 1]) {
       const edge = inBox([0, 0], [side * input.friction * 3, 3]);
@@ -152,12 +160,8 @@ export default defineFigure<Input, Output>({
       const gains = (output.energy[k] ?? 0) > 1.0000001;
       const role: Role = gains ? "miss" : "ink";
       scene.dot(at, k === input.law ? "b" : role, k === input.law ? 6 : 4, k !== input.law);
-      scene.label(at, name, {
-        role,
-        offset: k === 4 ? [8, 12] : [-9, 4],
-        anchor: k === 4 ? "start" : "end",
-        size: "small",
-      });
+      const [offset, anchor] = BESIDE[k] ?? BESIDE[0];
+      scene.label(at, name.charAt(0).toUpperCase(), { role, offset, anchor, size: "small" });
     }
   },
   values: (input, output) => [
