@@ -80,6 +80,8 @@ export default defineFigure<Input, Output>({
       const curve = output[field]
         .map((error, i): Vec2 => [i / 4, height(Math.log10(error))])
         .filter(([, y]) => y > 0);
+      // What is exact lies below the scale, and has no curve.
+      if (curve.length < 2) continue;
       scene.path(curve, { role, width: k === 1 ? 5 : 2, dashed: k === 2 });
       const end = curve[curve.length - 6 - 8 * k];
       if (end)

@@ -11,7 +11,8 @@ struct Input {
   double rod, ball;  // masses, kg
   double speed;      // of the ball, m/s
   double e;          // coefficient of restitution
-  double time;       // since the hit, s; the rod is 2 m long
+  double time;       // since the hit, s
+  double half;       // of the rod's length, m
 };
 
 struct Output {
@@ -31,16 +32,17 @@ struct Output {
 
 Output compute(const Input& in) {
   Output out{};
-  if (!(in.rod > 0) || !(in.ball > 0)) out.problem = contact::figure::not_positive;
-  for (const double x : {in.at, in.rod, in.ball, in.speed, in.e, in.time}) {
+  if (!(in.rod > 0) || !(in.ball > 0) || !(in.half > 0))
+    out.problem = contact::figure::not_positive;
+  for (const double x : {in.at, in.rod, in.ball, in.speed, in.e, in.time, in.half}) {
     if (std::abs(x) > 1e30) out.problem = contact::figure::too_large;
   }
-  if (out.problem == 0 && (in.rod < 1e-30 || in.ball < 1e-30)) {
+  if (out.problem == 0 && (in.rod < 1e-30 || in.ball < 1e-30 || in.half < 1e-10)) {
     out.problem = contact::figure::too_small;
   }
   if (out.problem != 0) return out;
 
-  const double inertia = in.rod * 4 / 12;
+  const double inertia = in.rod * in.half * in.half / 3;
   const Vector zero(0, 0, 0);
   const auto rod = contact::rigid_body<double>(
       in.rod, contact::detail::diagonal<double>(inertia, inertia, inertia), zero, zero, zero);
@@ -48,15 +50,18 @@ Output compute(const Input& in) {
   const auto ball =
       contact::rigid_body<double>(in.ball, ball_inertia, {in.at, -0.1, 0}, {0, in.speed, 0}, zero);
   const contact::ContactPoint<double> hit{{in.at, 0, 0}, {0, 1, 0}};
-  const auto after = contact::collide(rod, ball, hit, in.e);
+  // A ball that passes beside the rod hits nothing.
+  const bool meets = std::abs(in.at) <= in.half;
+  const auto after =
+      meets ? contact::collide(rod, ball, hit, in.e) : contact::Collided<double>{rod, ball, zero};
   out.impulse = after.impulse.y();
-  out.without_turning = contact::impulse_without_rotation(rod, ball, hit, in.e);
+  out.without_turning = meets ? contact::impulse_without_rotation(rod, ball, hit, in.e) : 0;
   out.velocity = after.a.velocity.y();
   out.spin = after.a.spin.z();
   out.ball_velocity = after.b.velocity.y();
   for (int k = 0; k < 5; ++k) {
     out.along[static_cast<std::size_t>(k)] =
-        contact::velocity_at(after.a, Vector(-1 + k / 2.0, 0, 0)).y();
+        contact::velocity_at(after.a, Vector((k / 2.0 - 1) * in.half, 0, 0)).y();
   }
   out.grip = out.along[0];
   out.still = -contact::centre_of_percussion(inertia, in.rod, in.at);
@@ -66,13 +71,13 @@ Output compute(const Input& in) {
   const bool hit_yet = in.time > 0;
   const auto turn = contact::sine_cosine(hit_yet ? out.spin * in.time : 0.0);
   out.middle = {0, hit_yet ? out.velocity * in.time : 0.0};
-  out.right = out.middle + Eigen::Vector2d(turn.cosine, turn.sine);
-  out.left = out.middle - Eigen::Vector2d(turn.cosine, turn.sine);
+  out.right = out.middle + in.half * Eigen::Vector2d(turn.cosine, turn.sine);
+  out.left = out.middle - in.half * Eigen::Vector2d(turn.cosine, turn.sine);
   out.ball_place = -0.1 + (hit_yet ? out.ball_velocity : in.speed) * in.time;
   out.grip_stands = out.impulse > 0.1 && std::abs(out.grip) <= 0.02 * std::abs(out.velocity);
   return out;
 }
 
-FIGURE(Input, FIELDS(at, rod, ball, speed, e, time), Output,
+FIGURE(Input, FIELDS(at, rod, ball, speed, e, time, half), Output,
        FIELDS(problem, impulse, without_turning, velocity, spin, ball_velocity, along, grip, still,
               lost, middle, left, right, ball_place, grip_stands))

@@ -10,6 +10,7 @@ interface Input {
   speed: number;
   e: number;
   time: number;
+  half: number;
 }
 
 interface Output {
@@ -33,9 +34,9 @@ const PER_SPEED = 0.3;
 
 export default defineFigure<Input, Output>({
   title: "Where to hit a rod",
-  view: { kind: "2d", x: [-1.9, 1.9], y: [-1.1, 1.6] },
+  view: { kind: "2d", x: [-2.1, 2.1], y: [-1.1, 1.6] },
   aspect: 1.3,
-  initial: { at: 0.7, rod: 3, ball: 1, speed: 4, e: 0.5, time: 0.4 },
+  initial: { at: 0.7, rod: 3, ball: 1, speed: 4, e: 0.5, time: 0.4, half: 1 },
   handles: [
     {
       kind: "slide",
@@ -45,13 +46,22 @@ export default defineFigure<Input, Output>({
       at: (input): Vec2 => [input.at, -0.1],
       along: (): Vec2 => [1, 0],
       step: 0.01,
-      limit: [-1, 1],
+      limit: [-1.6, 1.6],
     },
   ],
   controls: [
-    { kind: "slider", field: "at", label: "x", min: -1, max: 1, step: 0.01, unit: "m" },
+    { kind: "slider", field: "at", label: "x", min: -1.6, max: 1.6, step: 0.01, unit: "m" },
     { kind: "slider", field: "rod", label: "m_rod", min: 0.5, max: 9, step: 0.1, unit: "kg" },
     { kind: "slider", field: "ball", label: "m_ball", min: 0.1, max: 9, step: 0.1, unit: "kg" },
+    {
+      kind: "slider",
+      field: "half",
+      label: "L/2",
+      min: 0.5,
+      max: 1.6,
+      step: 0.05,
+      unit: "m",
+    },
     { kind: "slider", field: "e", label: "e", min: 0, max: 1, step: 0.05 },
     {
       kind: "slider",
@@ -65,16 +75,16 @@ export default defineFigure<Input, Output>({
     },
   ],
   draw(scene, input, output) {
-    scene.line([-1, 0], [1, 0], { role: "surface", width: 7 });
+    scene.line([-input.half, 0], [input.half, 0], { role: "surface", width: 7 });
     scene.dot([0, 0], "ink", 4, true);
-    scene.label([-1, 0], "grip", { role: "muted", offset: [-10, 5], anchor: "end" });
+    scene.label([-input.half, 0], "grip", { role: "muted", offset: [-10, 5], anchor: "end" });
     if (output.problem) return;
     const r = 0.1;
     scene.ball([input.at, output.ball_place], r, { role: "ball", fill: 0.35 });
     scene.ball([input.at, -r], r, { role: "ball", dashed: true, fill: 0 });
     const tips: Vec2[] = [];
     for (const [k, v] of output.along.entries()) {
-      const x = -1 + k / 2;
+      const x = (k / 2 - 1) * input.half;
       const tip: Vec2 = [x, v * PER_SPEED];
       tips.push(tip);
       if (Math.abs(v) * PER_SPEED > 0.02) scene.arrow([x, 0], tip, { role: "a", width: 2 });
@@ -121,7 +131,7 @@ export default defineFigure<Input, Output>({
     { name: "lost", meaning: "share of the kinetic energy", value: output.lost },
   ],
   describe(input, output) {
-    const where = Math.abs(output.still) <= 1 ? "lies on the rod" : "lies beyond the rod";
+    const where = Math.abs(output.still) <= input.half ? "lies on the rod" : "lies beyond the rod";
     return `The ball hits ${pretty(input.at, 2)} m from the middle: the middle leaves at ${pretty(output.velocity, 3)} m/s, the grip at ${pretty(output.grip, 3)} m/s, and the point that stays at rest ${where}.`;
   },
 });

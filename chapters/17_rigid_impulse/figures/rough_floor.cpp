@@ -101,7 +101,7 @@ Output compute(const Input& in) {
   const auto on_turn = [&](double p) { return Plane(p, -(c.normal + c.k_tn * p) / c.k_nn); };
   out.turn_from = on_turn(-2);
   out.turn_to = on_turn(2);
-  out.gains = (chosen == 0 || chosen == 3) && out.energy[chosen] >= 1.3;
+  out.gains = in.e <= 1 && (chosen == 0 || chosen == 3) && out.energy[chosen] >= 1.3;
   return out;
 }
 

@@ -95,6 +95,7 @@ export default defineFigure<Input, Output>({
       field: "top",
       label: "upper end of the rod, m",
       role: "surface",
+      step: 0.02,
       limit: [-1.8, 1.8],
     },
     {
