@@ -90,20 +90,20 @@ ladder::Verdict judge(const Answer& got, const Answer& right) {
 
 ladder::Ladder<Input, Answer> experiment() {
   const auto truth = [](const Input& input) {
-    return of_hull(contact::convex_hull_with<contact::UnfilteredSides>(input.points));
+    return of_hull(contact::gift_wrap_with<contact::ExactSides>(input.points));
   };
   ladder::Ladder<Input, Answer> ladder("What is the hull of these points?", truth, judge);
   const auto family = [&ladder](const char* id, const char* title, int count, auto draw) {
     ladder.family(id, title,
                   [count, draw](generators::Random& random) { return many(random, count, draw); });
   };
-  family("ball-12", "12 points in a ball", 12, in_ball);
-  family("ball-48", "48 points in a ball", 48, in_ball);
-  family("sphere-12", "12 points on a sphere", 12, on_sphere);
-  family("sphere-48", "48 points on a sphere", 48, on_sphere);
-  family("grid", "24 points of a grid, many equal", 24, on_grid);
-  family("flat", "24 points near a plane", 24, nearly_flat);
-  family("top", "24 points, half of them at the top", 24, tied_top);
+  family("ball-8", "8 points in a ball", 8, in_ball);
+  family("ball-24", "24 points in a ball", 24, in_ball);
+  family("sphere-8", "8 points on a sphere", 8, on_sphere);
+  family("sphere-24", "24 points on a sphere", 24, on_sphere);
+  family("grid", "16 points of a grid, many equal", 16, on_grid);
+  family("flat", "16 points near a plane", 16, nearly_flat);
+  family("top", "16 points, half of them at the top", 16, tied_top);
 
   const auto add = [&ladder](const char* id, const char* title, const char* scalar, bool exact,
                              auto method) {
@@ -136,9 +136,6 @@ ladder::Ladder<Input, Answer> experiment() {
   });
   add("grow-exact", "growing (the book's)", "double, then exact", true,
       [](const Points& p) { return of_hull(contact::convex_hull(p)); });
-  add("grow-unfiltered", "growing, no filter", "exact", true, [](const Points& p) {
-    return of_hull(contact::convex_hull_with<contact::UnfilteredSides>(p));
-  });
   return ladder;
 }
 

@@ -56,7 +56,7 @@ export default defineFigure<Input, Output>({
     g: [1, 1, 1],
     h: [-1, 1, 1],
     method: 2,
-    epsilon: 0.1,
+    epsilon: 0.3,
     shown: 24,
   },
   handles: NAMES.map((field) => ({
