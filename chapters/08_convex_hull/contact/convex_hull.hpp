@@ -79,9 +79,10 @@ class GrowingHull {
   /// p. Points that waited at a triangle that is gone wait at a new one, or are inside.
   ///
   /// Why the new ones are enough: let q see a removed triangle, and take a point x within it. From
-  /// x to q the way lies outside the old hull, and x is inside the new one. If q is outside, the way
-  /// leaves the new hull through a face that is not old; so q is in front of that face.
-  /// @param dropped dropped(p, q) is called for a point q that waited and is in the new hull now: it
+  /// x to q the way lies outside the old hull, and x is inside the new one. If q is outside, the
+  /// way leaves the new hull through a face that is not old; so q is in front of that face.
+  /// @param dropped dropped(p, q) is called for a point q that waited and is in the new hull now:
+  /// it
   ///   may be equal to p
   template <class Dropped>
   void add(int p, int seen, const Dropped& dropped) {
@@ -177,8 +178,7 @@ class GrowingHull {
               return hull;
             }
             const int shared = triangles_[at].corner[static_cast<std::size_t>(edge)];
-            at = static_cast<std::size_t>(
-                triangles_[at].neighbour[static_cast<std::size_t>(edge)]);
+            at = static_cast<std::size_t>(triangles_[at].neighbour[static_cast<std::size_t>(edge)]);
             edge = edge_to(triangles_[at], shared);
           }
         } while (((done[at] >> edge) & 1) == 0);
@@ -227,9 +227,12 @@ class GrowingHull {
       index = free_.back();
       free_.pop_back();
     }
-    triangles_[static_cast<std::size_t>(index)] = {
-        {edge.from, edge.to, p}, {edge.outer, -1, -1}, -1, 0, true,
-        sides_.plane(edge.from, edge.to, p)};
+    triangles_[static_cast<std::size_t>(index)] = {{edge.from, edge.to, p},
+                                                   {edge.outer, -1, -1},
+                                                   -1,
+                                                   0,
+                                                   true,
+                                                   sides_.plane(edge.from, edge.to, p)};
     triangles_[static_cast<std::size_t>(edge.outer)]
         .neighbour[static_cast<std::size_t>(edge.outer_edge)] = index;
     return index;
@@ -349,8 +352,8 @@ Hull convex_hull_with(const std::vector<Vector3<double>>& points, Arguments... a
 // [convex-hull]
 /// The convex hull of points in space, with every decision exact.
 ///
-/// Every point is on or inside it, every face is a convex polygon, and all of one plane is one face;
-/// `Hull` says what comes back for points in a plane, on a line, all equal, or none.
+/// Every point is on or inside it, every face is a convex polygon, and all of one plane is one
+/// face; `Hull` says what comes back for points in a plane, on a line, all equal, or none.
 ///
 /// @param points m, any number, any scale; throws std::invalid_argument unless all are finite
 ///

@@ -41,8 +41,7 @@ std::vector<int> monotone_chain(const std::vector<Vector2<S>>& points, const Tur
   const auto walk = [&chain, &turn](auto first, auto last) {
     const std::size_t start = chain.size();
     for (auto i = first; i != last; ++i) {
-      while (chain.size() >= start + 2 &&
-             !(turn(chain[chain.size() - 2], chain.back(), *i) > 0)) {
+      while (chain.size() >= start + 2 && !(turn(chain[chain.size() - 2], chain.back(), *i) > 0)) {
         chain.pop_back();
       }
       chain.push_back(*i);
