@@ -24,7 +24,6 @@ struct Output {
   std::array<double, 3> asked;          // the three points of the last turn, or -1
   double turn;                          // its sign
   double all_corners;                   // goal of a question: every point is a corner
-  double straight;                      // goal of a question: eight different points, two corners
 };
 
 Output compute(const Input& in) {
@@ -85,15 +84,8 @@ Output compute(const Input& in) {
   for (std::size_t i = 0; i < chain.size() && i < out.chain.size(); ++i) out.chain[i] = chain[i];
 
   out.all_corners = hull.size() == count ? 1 : 0;
-  bool different = true;
-  for (int i = 0; i < count; ++i) {
-    for (int j = 0; j < i; ++j)
-      different =
-          different && points[static_cast<std::size_t>(i)] != points[static_cast<std::size_t>(j)];
-  }
-  out.straight = different && hull.size() == 2 ? 1 : 0;
   return out;
 }
 
 FIGURE(Input, FIELDS(p0, p1, p2, p3, p4, p5, p6, p7, step), Output,
-       FIELDS(problem, steps, corners, hull, length, chain, asked, turn, all_corners, straight))
+       FIELDS(problem, steps, corners, hull, length, chain, asked, turn, all_corners))

@@ -31,7 +31,6 @@ struct Output {
   double open_edges;                      // edges that belong to one triangle only
   std::array<double, 2 * 3 * most> open;  // their ends
   double outside;                         // points that are exactly in front of some triangle
-  double fails_on_flat;  // goal of a question: eight corners, and the method is wrong
 };
 
 Output compute(const Input& in) {
@@ -104,10 +103,9 @@ Output compute(const Input& in) {
                       (out.dimension < 2 || out.triangles == needed)
                   ? 1
                   : 0;
-  out.fails_on_flat = in.method == 2 && out.corners == count && out.right == 0 ? 1 : 0;
   return out;
 }
 
 FIGURE(Input, FIELDS(a, b, c, d, e, f, g, h, method, epsilon, shown), Output,
        FIELDS(problem, dimension, corners, faces, triangles, closed, right, corner, in_front,
-              open_edges, open, outside, fails_on_flat))
+              open_edges, open, outside))
