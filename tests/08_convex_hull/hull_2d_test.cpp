@@ -39,6 +39,10 @@ void check(const Points& points) {
                       for (std::size_t j = 0; j < i; ++j) {
                         if (got[i] != got[j] && at(got[i]) == at(got[j])) return true;
                       }
+                      // Or a later one of equals in the place of the first.
+                      for (const int j : right) {
+                        if (!has(right, got[i]) && at(got[i]) == at(j)) return true;
+                      }
                     }
                     return false;
                   })

@@ -106,9 +106,9 @@ TEST_CASE("corners of a box, and nothing within") {
 
 TEST_CASE("points within a face or on an edge are no corners") {
   // Within a face, and on no line between two others.
-  check({{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {2, 3, 0}, {1, 1, 5}});
+  check({{-1, -1, -1}, {9, 0, 0}, {0, 9, 0}, {3, 3, 3}, {0, 0, 9}});
   // On edges only.
-  check({{0, 0, 0}, {8, 0, 0}, {4, 0, 0}, {0, 8, 0}, {0, 0, 8}, {4, 4, 0}, {2, 0, 6}});
+  check({{-1, -1, -1}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}, {4, 4, 0}, {2, 0, 6}, {4, 0, 4}});
 }
 
 TEST_CASE("corners are found in every direction") {

@@ -38,10 +38,10 @@ void check(const Point& a, const Point& b, const Point& c) {
       .given("a", a)
       .given("b", b)
       .given("c", c)
-      .suspect("turn-reversed", [&] { return -right; })
       .suspect("turn-by-slopes", [&] { return by_slopes(a, b, c); })
-      .suspect("epsilon-orientation", [&] { return with_epsilon(a, b, c); })
+      .suspect("turn-reversed", [&] { return -right; })
       .suspect("angles-by-atan2", [&] { return by_angles(a, b, c); })
+      .suspect("epsilon-orientation", [&] { return with_epsilon(a, b, c); })
       .answer([&] { return exercise::turn(a, b, c); })
       .close_to(right, within(0.0));
 }
@@ -80,6 +80,8 @@ TEST_CASE("a turn by one unit counts in a long way") {
   check({-kFar, -kFar}, {0, 0}, {kFar, kFar - 1});
   check({-kFar, -kFar}, {kFar - 1, kFar - 2}, {kFar, kFar - 1});
   check({-kFar, -kFar}, {0, 0}, {kFar, kFar});
+  // Directions near 135°, where neighbouring angles are far apart.
+  for (int i = 1; i < 5; ++i) check({kFar, -kFar}, {i - kFar, kFar - i - 1}, {-kFar, kFar - 1});
 }
 
 TEST_CASE("random points agree with whole-number arithmetic") {

@@ -26,12 +26,12 @@ class GrowingHull {
  public:
   /// One triangle. Neighbour i lies across the edge from corner i to corner i + 1.
   struct Triangle {
-    std::array<int, 3> corner;
-    std::array<int, 3> neighbour;
-    int first_waiting = -1;    ///< head of the list of points that wait in front of it
-    std::uint32_t marked = 0;  ///< by the last search that has seen it
-    bool alive = true;
-    typename Sides::Plane plane;
+    std::array<int, 3> corner;     ///< points, counter-clockwise from outside
+    std::array<int, 3> neighbour;  ///< triangles
+    int first_waiting = -1;        ///< head of the list of points that wait in front of it
+    std::uint32_t marked = 0;      ///< by the last search that has seen it
+    bool alive = true;             ///< false once it is removed
+    typename Sides::Plane plane;   ///< worked out when it was made
   };
 
   /// Begins with the four points of a simplex of three dimensions, 3 behind 0, 1, 2.
@@ -49,11 +49,14 @@ class GrowingHull {
     for (const int corner : s) stands_for_[static_cast<std::size_t>(corner)] = corner;
   }
 
+  /// All triangles that were ever made; those that are not alive have been removed.
   const std::vector<Triangle>& all() const { return triangles_; }
+  /// Whether the horizon failed to be one ring.
   bool stuck() const { return stuck_; }
   /// The triangle that waiting point p sees, or −1 if it waits no more.
   int sees(int p) const { return sees_[static_cast<std::size_t>(p)]; }
 
+  /// On which side of a triangle point p is.
   int side(const Triangle& t, int p) const {
     return sides_.side(t.plane, t.corner[0], t.corner[1], t.corner[2], p);
   }
@@ -110,8 +113,9 @@ class GrowingHull {
   }
   // [/add]
 
-  /// The number of triangles that the last search removed, and of those that it made.
+  /// The triangles that the last search removed.
   const std::vector<int>& removed() const { return removed_; }
+  /// The triangles that took their place, in order round the horizon.
   const std::vector<int>& made() const { return made_; }
 
   /// Makes `index` the one that is told for point p.
@@ -297,6 +301,7 @@ class GrowingHull {
 /// The same order of numbers on every machine (splitmix64), to shuffle with.
 class HullShuffle {
  public:
+  /// 64 random bits.
   std::uint64_t next() {
     std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;

@@ -23,7 +23,7 @@ enum class FoldAngle {
 
 /// What wrapping by angles gave.
 struct Wrapping {
-  std::vector<std::array<int, 3>> triangles;
+  std::vector<std::array<int, 3>> triangles;  ///< three points each
   bool closed = false;  ///< every edge is shared by two triangles, once in each direction
 };
 

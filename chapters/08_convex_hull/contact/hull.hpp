@@ -33,21 +33,25 @@ namespace contact {
 /// points the first one stands for all. For 2 and 3 dimensions Euler's formula holds: corners −
 /// edges + faces = 2, where the number of edges is half that of the corners of all faces.
 struct Hull {
-  int dimension = -1;
+  int dimension = -1;         ///< of what the points span, from -1 to 3
   std::vector<int> vertices;  ///< in increasing order
   std::vector<int> corners;   ///< of all faces, one face after the other
   std::vector<int> starts;    ///< where each face begins in `corners`, and at last where it ends
   /// False if a method of rounded decisions got stuck: then the faces do not close.
   bool closed = true;
 
+  /// How many faces there are.
   int face_count() const { return starts.empty() ? 0 : static_cast<int>(starts.size()) - 1; }
+  /// How many edges there are.
   int edge_count() const { return static_cast<int>(corners.size() / 2); }
+  /// The corners of face i, counter-clockwise from outside.
   std::span<const int> face(int i) const {
     const auto at = static_cast<std::size_t>(i);
     return std::span<const int>(corners).subspan(
         static_cast<std::size_t>(starts[at]),
         static_cast<std::size_t>(starts[at + 1] - starts[at]));
   }
+  /// Appends a face.
   void add_face(std::span<const int> polygon) {
     if (starts.empty()) starts.push_back(0);
     corners.insert(corners.end(), polygon.begin(), polygon.end());
@@ -79,7 +83,7 @@ inline void collect_vertices(Hull& hull) {
 /// span, and `dimension + 1` of them. For 3 dimensions point 3 is behind the triangle of the
 /// others.
 struct Simplex {
-  int dimension = -1;
+  int dimension = -1;  ///< from -1 to 3
   std::array<int, 4> points{0, 0, 0, 0};
 };
 
@@ -200,8 +204,9 @@ class ExactSides {
  public:
   /// A plane, its normal as rounded, and how far n·(p − at) may be from exact.
   struct Plane {
-    Vector3<double> normal, at;
-    double bound;
+    Vector3<double> normal;  ///< not normalised
+    Vector3<double> at;      ///< a point of the plane
+    double bound;            ///< on the error of n·(p − at), for every point of the set
   };
 
   /// @param points must stay where they are, and be finite
@@ -216,6 +221,7 @@ class ExactSides {
     width_ = high - low;
   }
 
+  /// The plane of three points.
   Plane plane(int a, int b, int c) const {
     constexpr double nine_u = 4.5 * std::numeric_limits<double>::epsilon();
     const Vector3<double> q = at(b) - at(a), r = at(c) - at(a);
@@ -232,6 +238,7 @@ class ExactSides {
     return plane;
   }
 
+  /// +1 if point d is in front of the points a, b, c, −1 behind, 0 exactly in their plane.
   int side(const Plane& plane, int a, int b, int c, int d) const {
     const Vector3<double> p = at(d) - plane.at;
     const double value = p[0] * plane.normal[0] + p[1] * plane.normal[1] + p[2] * plane.normal[2];
@@ -251,9 +258,13 @@ class ExactSides {
 /// Sides by exact arithmetic from the start.
 class UnfilteredSides {
  public:
+  /// Nothing is worked out beforehand.
   struct Plane {};
+  /// @param points must stay where they are, and be finite
   explicit UnfilteredSides(const std::vector<Vector3<double>>& points) : points_(points.data()) {}
+  /// Nothing.
   Plane plane(int, int, int) const { return {}; }
+  /// As that of `ExactSides`.
   int side(const Plane&, int a, int b, int c, int d) const {
     return side_of_plane_exactly(points_[a], points_[b], points_[c], points_[d]);
   }
@@ -268,14 +279,18 @@ class UnfilteredSides {
 template <Scalar S>
 class RoundedSides {
  public:
+  /// A plane as rounded.
   struct Plane {
-    Vector3<S> normal, at;
+    Vector3<S> normal;  ///< a unit vector if there is an epsilon
+    Vector3<S> at;      ///< a point of the plane
   };
+  /// @param epsilon m; 0 for none
   explicit RoundedSides(const std::vector<Vector3<double>>& points, S epsilon = S(0))
       : epsilon_(epsilon) {
     points_.reserve(points.size());
     for (const Vector3<double>& p : points) points_.push_back(p.template cast<S>());
   }
+  /// The plane of three points.
   Plane plane(int a, int b, int c) const {
     const Vector3<S> ab = at(b) - at(a), ac = at(c) - at(a);
     Vector3<S> normal = ab.cross(ac);
@@ -285,6 +300,7 @@ class RoundedSides {
     }
     return {normal, at(a)};
   }
+  /// +1 in front, −1 behind, 0 in the plane, as rounded.
   int side(const Plane& plane, int a, int b, int c, int d) const {
     if (d == a || d == b || d == c) return 0;  // rounded, a corner may be off its own plane
     const S value = plane.normal.dot(at(d) - plane.at);

@@ -41,17 +41,20 @@ S signed_volume(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c,
 
 namespace orientation_detail {
 
+/// −1, 0 or +1.
 inline int sign_of(double x) { return x > 0 ? 1 : (x < 0 ? -1 : 0); }
 
 /// A sum of doubles that do not overlap, least first, without zeros: its sign is that of the last.
 template <std::size_t Capacity>
 struct Expansion {
-  std::array<double, Capacity> part{};
-  std::size_t size = 0;
+  std::array<double, Capacity> part{};  ///< the doubles
+  std::size_t size = 0;                 ///< how many there are
 
+  /// Appends one that is larger than all there are, unless it is zero.
   void push(double x) {
     if (x != 0) part[size++] = x;
   }
+  /// −1, 0 or +1.
   int sign() const { return size == 0 ? 0 : sign_of(part[size - 1]); }
 };
 
@@ -221,6 +224,7 @@ struct FlatView {
   int dropped = 0;  ///< 0, 1 or 2
   int turn = 0;     ///< +1 if a, b, c turn left in the flat picture, −1 if right
 };
+/// Looks for that coordinate, exactly.
 inline FlatView flat_view(const Vector3<double>& a, const Vector3<double>& b,
                           const Vector3<double>& c) {
   for (int k = 0; k < 3; ++k) {

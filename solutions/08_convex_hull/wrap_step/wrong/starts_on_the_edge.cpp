@@ -17,7 +17,7 @@ bool on_line(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Ve
 
 }  // namespace
 
-int wrap_step(const std::vector<Eigen::Vector3d>& points, int from, int to, int inner) {
+int wrap_step(const std::vector<Eigen::Vector3d>& points, int from, int to, int /*inner*/) {
   const auto at = [&](std::size_t i) { return points[i]; };
   const Eigen::Vector3d f = at(static_cast<std::size_t>(from));
   const Eigen::Vector3d t = at(static_cast<std::size_t>(to));
