@@ -80,8 +80,9 @@ TEST_CASE("a turn by one unit counts in a long way") {
   check({-kFar, -kFar}, {0, 0}, {kFar, kFar - 1});
   check({-kFar, -kFar}, {kFar - 1, kFar - 2}, {kFar, kFar - 1});
   check({-kFar, -kFar}, {0, 0}, {kFar, kFar});
-  // Directions near 135°, where neighbouring angles are far apart.
-  for (int i = 1; i < 5; ++i) check({kFar, -kFar}, {i - kFar, kFar - i - 1}, {-kFar, kFar - 1});
+  // Directions that are two and have one arctangent.
+  check({kFar, -kFar}, {-21542497, 19078079}, {-29946953, 27106614});
+  check({kFar, -kFar}, {-27202485, 6795957}, {-18583107, 1071584});
 }
 
 TEST_CASE("random points agree with whole-number arithmetic") {
