@@ -83,8 +83,8 @@ inline void collect_vertices(Hull& hull) {
 /// span, and `dimension + 1` of them. For 3 dimensions point 3 is behind the triangle of the
 /// others.
 struct Simplex {
-  int dimension = -1;  ///< from -1 to 3
-  std::array<int, 4> points{0, 0, 0, 0};
+  int dimension = -1;                     ///< from -1 to 3
+  std::array<int, 4> points{0, 0, 0, 0};  ///< the first `dimension + 1` count
 };
 
 /// A large simplex of the points, found exactly: far points are tried first, all if those fail.
