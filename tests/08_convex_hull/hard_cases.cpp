@@ -1,0 +1,225 @@
+// Recomputes the answers of hard_cases.json and says which method gets which case right.
+#include "support/hard_cases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <contact/convex_hull.hpp>
+#include <contact/gift_wrapping.hpp>
+#include <contact/hull_2d.hpp>
+#include <map>
+#include <set>
+
+using hard_cases::Case;
+using hard_cases::Json;
+
+namespace {
+
+using contact::Hull;
+using contact::Vector2;
+using contact::Vector3;
+using oracle::Rational;
+
+template <int Size>
+std::vector<Eigen::Matrix<double, Size, 1>> points_of(const Case& c) {
+  const std::vector<double> numbers = c.numbers("points");
+  std::vector<Eigen::Matrix<double, Size, 1>> points(numbers.size() / Size);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    points[i / Size](static_cast<Eigen::Index>(i % Size)) = numbers[i];
+  }
+  return points;
+}
+
+/// A point is a corner of the flat hull if there is a line through it with all others strictly on
+/// one side: by fractions, from the angles that the others span.
+bool is_corner(const std::vector<Vector2<Rational>>& points, std::size_t i) {
+  std::vector<Vector2<Rational>> others;
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    if (points[j] != points[i]) others.push_back(points[j] - points[i]);
+    if (j < i && points[j] == points[i]) return false;
+  }
+  // In the hull of the others: on a segment, or in a triangle of them.
+  const auto cross = [](const auto& u, const auto& v) { return contact::cross2<Rational>(u, v); };
+  for (const auto& u : others) {
+    for (const auto& v : others) {
+      const Rational between = cross(u, v);
+      if (between == 0 && u.dot(v) < 0) return false;
+      if (between <= 0) continue;
+      for (const auto& w : others) {
+        if (cross(v, w) >= 0 && cross(w, u) >= 0 && cross(v, w) + cross(w, u) > 0) return false;
+      }
+    }
+  }
+  return true;
+}
+
+Json flat_answer(const Case& c) {
+  std::vector<Vector2<Rational>> points;
+  for (const auto& p : points_of<2>(c))
+    points.push_back({oracle::exact(p.x()), oracle::exact(p.y())});
+  std::vector<int> corners;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (is_corner(points, i)) corners.push_back(static_cast<int>(i));
+  }
+  return {{"class", "a"}, {"corners", corners}};
+}
+
+bool right_flat(const Json& answer, std::vector<int> got) {
+  std::sort(got.begin(), got.end());
+  return answer.at("corners").get<std::vector<int>>() == got;
+}
+
+template <class S>
+std::vector<Vector2<S>> narrowed(const std::vector<Vector2<double>>& points) {
+  std::vector<Vector2<S>> result;
+  for (const auto& p : points) result.push_back(p.template cast<S>());
+  return result;
+}
+
+/// Graham's scan with angles about the lowest point, by atan2, and ties in any order.
+std::vector<int> by_angles(const std::vector<Vector2<double>>& points) {
+  if (points.size() < 3) return contact::convex_hull_2d(points);
+  const auto at = [&](int i) { return points[static_cast<std::size_t>(i)]; };
+  std::vector<int> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int i, int j) {
+    return at(i).y() != at(j).y() ? at(i).y() < at(j).y() : at(i).x() < at(j).x();
+  });
+  const Vector2<double> pivot = at(order[0]);
+  const auto angle = [&](int i) {
+    return std::atan2(at(i).y() - pivot.y(), at(i).x() - pivot.x());
+  };
+  std::stable_sort(order.begin() + 1, order.end(),
+                   [&](int i, int j) { return angle(i) < angle(j); });
+  std::vector<int> hull;
+  for (const int i : order) {
+    while (hull.size() >= 2 &&
+           contact::turn<double>(at(hull[hull.size() - 2]), at(hull.back()), at(i)) <= 0) {
+      hull.pop_back();
+    }
+    hull.push_back(i);
+  }
+  return hull;
+}
+
+/// The hull by trying every plane through three points, in fractions.
+Json solid_answer(const Case& c) {
+  const auto points = points_of<3>(c);
+  std::vector<oracle::Vector> exact;
+  std::vector<int> kept;  // the first of equal points
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (std::find(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(i), points[i]) ==
+        points.begin() + static_cast<std::ptrdiff_t>(i)) {
+      kept.push_back(static_cast<int>(i));
+      exact.push_back(oracle::exact(points[i]));
+    }
+  }
+  const std::size_t n = kept.size();
+  int dimension = n == 0 ? -1 : n == 1 ? 0 : 1;
+  std::set<std::vector<std::size_t>> planes;  // by the points in them
+  std::set<int> corners;
+  bool solid = false;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      for (std::size_t k = 0; k < j; ++k) {
+        const oracle::Vector normal =
+            (exact[j] - exact[i]).cross(oracle::Vector(exact[k] - exact[i]));
+        if (normal.x() == 0 && normal.y() == 0 && normal.z() == 0) continue;
+        dimension = std::max(dimension, 2);
+        bool front = false, behind = false;
+        std::vector<std::size_t> flat;
+        for (std::size_t l = 0; l < n; ++l) {
+          const int side = oracle::sign(normal.dot(exact[l] - exact[i]));
+          front = front || side > 0;
+          behind = behind || side < 0;
+          if (side == 0) flat.push_back(l);
+        }
+        solid = solid || front || behind;
+        if (front && behind) continue;
+        if (!planes.insert(flat).second) continue;
+        const int drop = normal.x() != 0 ? 0 : normal.y() != 0 ? 1 : 2;
+        std::vector<Vector2<Rational>> view;
+        for (const std::size_t l : flat)
+          view.push_back(contact::drop_dimension<Rational>(exact[l], drop));
+        for (std::size_t l = 0; l < view.size(); ++l) {
+          if (is_corner(view, l)) corners.insert(kept[flat[l]]);
+        }
+      }
+    }
+  }
+  Json answer{{"class", "a"}};
+  if (solid) dimension = 3;
+  answer["dimension"] = dimension;
+  std::size_t corner_count = corners.size();
+  if (dimension == 0) corner_count = 1;
+  if (dimension == 1) corner_count = 2;
+  answer["corners"] = corner_count;
+  answer["faces"] = dimension == 3   ? planes.size()
+                    : dimension == 2 ? std::size_t(2)
+                                     : std::size_t(0);
+  return answer;
+}
+
+bool right_hull(const Json& answer, const Hull& hull) {
+  return hull.closed && hull.dimension == answer.at("dimension").get<int>() &&
+         hull.vertices.size() == answer.at("corners").get<std::size_t>() &&
+         hull.face_count() == answer.at("faces").get<int>();
+}
+
+/// Triangles only: right if they close, have the right corners, and would be the faces, cut.
+bool right_wrapping(const Json& answer, const contact::Wrapping& wrapping) {
+  std::set<int> corners;
+  for (const auto& t : wrapping.triangles) corners.insert(t.begin(), t.end());
+  const std::size_t count = answer.at("corners").get<std::size_t>();
+  return wrapping.closed && answer.at("dimension") == 3 && corners.size() == count &&
+         wrapping.triangles.size() == 2 * count - 4;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  hard_cases::Runner runner("08_convex_hull");
+
+  runner.question("hull_2d", flat_answer);
+  runner.method("hull_2d", "float", [](const Case& c, const Json& answer) {
+    return right_flat(answer, contact::convex_hull_2d_rounded(narrowed<float>(points_of<2>(c))));
+  });
+  runner.method("hull_2d", "double", [](const Case& c, const Json& answer) {
+    return right_flat(answer, contact::convex_hull_2d_rounded(points_of<2>(c)));
+  });
+  runner.method("hull_2d", "double, epsilon 1e-6", [](const Case& c, const Json& answer) {
+    return right_flat(answer, contact::convex_hull_2d_rounded(points_of<2>(c), 1e-6));
+  });
+  runner.method("hull_2d", "angles by atan2", [](const Case& c, const Json& answer) {
+    return right_flat(answer, by_angles(points_of<2>(c)));
+  });
+  runner.method("hull_2d", "exact", [](const Case& c, const Json& answer) {
+    return right_flat(answer, contact::convex_hull_2d(points_of<2>(c)));
+  });
+
+  runner.question("hull_3d", solid_answer);
+  runner.method("hull_3d", "wrapping, angles as on the slide", [](const Case& c, const Json& a) {
+    return right_wrapping(
+        a, contact::wrap_by_angles<double>(points_of<3>(c), contact::FoldAngle::unsigned_));
+  });
+  runner.method("hull_3d", "wrapping, signed angles", [](const Case& c, const Json& a) {
+    return right_wrapping(
+        a, contact::wrap_by_angles<double>(points_of<3>(c), contact::FoldAngle::signed_));
+  });
+  runner.method("hull_3d", "incremental, float", [](const Case& c, const Json& a) {
+    return right_hull(a, contact::convex_hull_with<contact::RoundedSides<float>>(points_of<3>(c)));
+  });
+  runner.method("hull_3d", "incremental, double", [](const Case& c, const Json& a) {
+    return right_hull(a, contact::convex_hull_with<contact::RoundedSides<double>>(points_of<3>(c)));
+  });
+  runner.method("hull_3d", "incremental, epsilon 1e-6", [](const Case& c, const Json& a) {
+    return right_hull(
+        a, contact::convex_hull_with<contact::RoundedSides<double>>(points_of<3>(c), 1e-6));
+  });
+  runner.method("hull_3d", "wrapping, exact", [](const Case& c, const Json& a) {
+    return right_hull(a, contact::gift_wrap(points_of<3>(c)));
+  });
+  runner.method("hull_3d", "incremental, exact", [](const Case& c, const Json& a) {
+    return right_hull(a, contact::convex_hull(points_of<3>(c)));
+  });
+  return runner.run(argc, argv);
+}
