@@ -71,32 +71,6 @@ S dot_exactly(const Eigen::Matrix<S, N, 1>& u, const Eigen::Matrix<S, N, 1>& v) 
   return rounded<S>(sum);
 }
 
-// [dot-accurately]
-/// u · v, never off by more than 3 u of itself (u the unit roundoff), whatever cancels, unless it
-/// is subnormal, where it is the nearest number.
-///
-/// The compensated value is taken if its bound says that it is good enough. Otherwise everything is
-/// computed again without rounding, which is slow and always right.
-/// @param u n finite coordinates, n u < 1/16
-/// @param v as many
-template <std::floating_point S, int N>
-S dot_accurately(const Eigen::Matrix<S, N, 1>& u, const Eigen::Matrix<S, N, 1>& v) {
-  const S sum = dot_compensated(u, v);
-  S size(0);
-  for (Eigen::Index i = 0; i < u.size(); ++i) size += std::abs(u[i] * v[i]);
-  const S unit = tolerance::unit_roundoff<S>;
-  const S share = S(u.size()) * unit;
-  // γ(n) < 1.1 n u, and the size is off by less than as much. Then what may have underflowed.
-  const S uncertain =
-      S(1.5) * share * share * size + S(2 * u.size()) * tolerance::underflow_unit<S>;
-  if (std::isfinite(size) && std::isfinite(sum) && share < S(0.0625) &&
-      uncertain <= unit * std::abs(sum)) {
-    return sum;
-  }
-  return dot_exactly(u, v);
-}
-// [/dot-accurately]
-
 // [difference-of-products]
 /// a b − c d, off by at most 2 u of itself.
 ///
@@ -127,6 +101,37 @@ bool product_keeps_its_digits(S a, S b) {
   return size <= Limits::max() / S(4) &&
          size >= std::ldexp(S(1), Limits::min_exponent + 2 * Limits::digits);
 }
+
+// [dot-accurately]
+/// u · v, never off by more than 3 u of itself (u the unit roundoff), whatever cancels, unless it
+/// is subnormal, where it is the nearest number.
+///
+/// Two products are a difference of products. For more, the compensated value is taken if its bound
+/// says that it is good enough. Otherwise everything is computed again without rounding, which is
+/// slow and always right.
+/// @param u n finite coordinates, n u < 1/16
+/// @param v as many
+template <std::floating_point S, int N>
+S dot_accurately(const Eigen::Matrix<S, N, 1>& u, const Eigen::Matrix<S, N, 1>& v) {
+  if (u.size() == 2 && product_keeps_its_digits(u[0], v[0]) &&
+      product_keeps_its_digits(u[1], v[1])) {
+    return difference_of_products(u[0], v[0], -u[1], v[1]);
+  }
+  const S sum = dot_compensated(u, v);
+  S size(0);
+  for (Eigen::Index i = 0; i < u.size(); ++i) size += std::abs(u[i] * v[i]);
+  const S unit = tolerance::unit_roundoff<S>;
+  const S share = S(u.size()) * unit;
+  // γ(n) < 1.1 n u, and the size is off by less than as much. Then what may have underflowed.
+  const S uncertain =
+      S(1.5) * share * share * size + S(2 * u.size()) * tolerance::underflow_unit<S>;
+  if (std::isfinite(size) && std::isfinite(sum) && share < S(0.0625) &&
+      uncertain <= unit * std::abs(sum)) {
+    return sum;
+  }
+  return dot_exactly(u, v);
+}
+// [/dot-accurately]
 
 /// a b − c d without rounding, until it is rounded once.
 template <std::floating_point S>

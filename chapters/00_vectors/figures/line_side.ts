@@ -1,41 +1,50 @@
-// 17 × 17 neighbouring points round the line y = x, each with the side that a formula gives it.
+// 17 × 17 points a millimetre apart, each with the side of the line that a formula gives it.
 
 import { defineFigure, pretty, type Role, type Vec2 } from "@contact/figure";
 
 interface Input {
-  zoom: number;
+  far: number;
   method: number;
 }
 
 interface Output {
   side: readonly number[];
   wrong: readonly number[];
-  spacing: number;
+  distance: number;
   wrong_expanded: number;
   wrong_by_differences: number;
-  wrong_exactly: number;
+  wrong_in_float: number;
 }
 
 const CELLS = 17;
 const RAIL = -1.6;
-const PER_STEP = CELLS / 53;
-const METHODS = ["products first", "differences first", "without rounding"] as const;
+const LAST = 42;
+const PER_STEP = CELLS / LAST;
+const METHODS = [
+  "products first",
+  "differences first",
+  "differences first, in single precision",
+] as const;
+
+/** A distance as one says it. */
+const said = (metres: number): string =>
+  metres < 1000 ? `${pretty(metres, 3)} m` : `${pretty(metres / 1000, 3)} km`;
 
 export default defineFigure<Input, Output>({
   title: "On which side of the line?",
   view: { kind: "2d", x: [-0.6, 17.6], y: [-3, 17.6] },
   aspect: 0.9,
-  initial: { zoom: 50, method: 0 },
+  initial: { far: 24, method: 0 },
   handles: [
     {
       kind: "slide",
-      field: "zoom",
-      label: "zoom: the points are 2 to the power of minus this apart",
+      field: "far",
+      label: "how far from the origin: 2 to the power of this, in metres",
       role: "ray",
-      at: (input): Vec2 => [PER_STEP * input.zoom, RAIL],
+      at: (input): Vec2 => [PER_STEP * input.far, RAIL],
       along: (): Vec2 => [PER_STEP, 0],
       step: 1,
-      limit: [30, 53],
+      limit: [0, LAST],
     },
   ],
   controls: [
@@ -45,12 +54,12 @@ export default defineFigure<Input, Output>({
       label: "Method",
       options: METHODS.map((label, value) => ({ value, label })),
     },
-    { kind: "slider", field: "zoom", label: "zoom", min: 30, max: 53, step: 1 },
+    { kind: "slider", field: "far", label: "far", min: 0, max: LAST, step: 1 },
   ],
   draw(scene, _input, output) {
     scene.line([0, RAIL], [CELLS, RAIL], { role: "muted", width: 1.5 });
-    scene.label([0, RAIL], "far", { role: "muted", offset: [0, 24], size: "small" });
-    scene.label([CELLS, RAIL], "every double", {
+    scene.label([0, RAIL], "near the origin", { role: "muted", offset: [0, 24], size: "small" });
+    scene.label([CELLS, RAIL], "far away", {
       role: "muted",
       offset: [0, 24],
       anchor: "end",
@@ -76,12 +85,12 @@ export default defineFigure<Input, Output>({
     scene.label([CELLS - 0.6, 0.9], "right", { role: "ink", offset: [-4, 0], anchor: "end" });
   },
   values: (_input, output) => [
-    { name: "spacing", meaning: "from point to point", value: output.spacing.toExponential(2) },
+    { name: "distance", meaning: "from the origin", value: said(output.distance), role: "ray" },
     ...(
       [
         [METHODS[0], output.wrong_expanded],
         [METHODS[1], output.wrong_by_differences],
-        [METHODS[2], output.wrong_exactly],
+        [METHODS[2], output.wrong_in_float],
       ] as const
     ).map(([name, value]) => ({
       name,
@@ -91,6 +100,6 @@ export default defineFigure<Input, Output>({
     })),
   ],
   describe: (_input, output) =>
-    `Of 289 points ${pretty(output.wrong_expanded)} are put on the wrong side by products first, ` +
-    `${pretty(output.wrong_by_differences)} by differences first and ${pretty(output.wrong_exactly)} without rounding.`,
+    `At ${said(output.distance)} from the origin, of 289 points ${pretty(output.wrong_expanded)} are put on the wrong side by products first, ` +
+    `${pretty(output.wrong_by_differences)} by differences first and ${pretty(output.wrong_in_float)} by differences in single precision.`,
 });
