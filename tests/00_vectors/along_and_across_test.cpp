@@ -35,7 +35,8 @@ void check_speed(const Vector& v, const Vector& d) {
       .given("velocity", v)
       .given("direction", d)
       .suspect("direction-not-normalised", [&]() -> double { return v.dot(d); })
-      .suspect("speed-along-without-sign", [&]() -> double { return std::abs(v.dot(d)) / d.norm(); })
+      .suspect("speed-along-without-sign",
+               [&]() -> double { return std::abs(v.dot(d)) / d.norm(); })
       .suspect("cosine-for-speed", [&]() -> double { return v.dot(d) / (v.norm() * d.norm()); })
       .answer([&] { return exercise::speed_along(v, d); })
       .close_to(right, within(bound));

@@ -25,9 +25,7 @@ namespace {
 using Numbers = std::vector<double>;
 using Vector = Vector3<double>;
 
-double read(const Json& answer) {
-  return std::strtod(answer.get<std::string>().c_str(), nullptr);
-}
+double read(const Json& answer) { return std::strtod(answer.get<std::string>().c_str(), nullptr); }
 Json nearest(const Rational& x) { return hard_cases::hex(oracle::nearest(x)); }
 
 bool close(double got, double right) {
@@ -92,8 +90,7 @@ void add_dot(hard_cases::Runner& runner) {
       return close(dot(c.vector("u"), c.vector("v")), read(answer.at("dot")));
     });
   };
-  method("in order",
-         [](const Vector& u, const Vector& v) { return contact::dot_in_order(u, v); });
+  method("in order", [](const Vector& u, const Vector& v) { return contact::dot_in_order(u, v); });
   method("|u||v| cos θ, by way of |u − v|", [](const Vector& u, const Vector& v) {
     return (u.squaredNorm() + v.squaredNorm() - Vector(u - v).squaredNorm()) / 2;
   });
@@ -192,8 +189,7 @@ void add_angle(hard_cases::Runner& runner) {
       const Interval half = Interval::pi(bits) * Interval(Rational(1) / 2, bits);
       if (cosine == 0) return half;
       if (sine_squared == 0) return Interval::pi(bits);
-      const Interval acute =
-          atan(sqrt(Interval(sine_squared, bits)) / Interval(abs(cosine), bits));
+      const Interval acute = atan(sqrt(Interval(sine_squared, bits)) / Interval(abs(cosine), bits));
       return cosine > 0 ? acute : Interval::pi(bits) - acute;
     });
     return Json{{"class", "c"}, {"angle", hard_cases::hex(angle.value())}};
@@ -209,9 +205,8 @@ void add_angle(hard_cases::Runner& runner) {
   method("asin", [](const Vector& u, const Vector& v) {
     return std::asin(u.cross(v).norm() / (u.norm() * v.norm()));
   });
-  method("atan2, products as defined", [](const Vector& u, const Vector& v) {
-    return std::atan2(u.cross(v).norm(), u.dot(v));
-  });
+  method("atan2, products as defined",
+         [](const Vector& u, const Vector& v) { return std::atan2(u.cross(v).norm(), u.dot(v)); });
   method("book", [](const Vector& u, const Vector& v) { return *contact::angle_between(u, v); });
 }
 

@@ -85,8 +85,7 @@ void check_world(const Wagon& wagon, const Vector& p) {
       .given("wagon", wagon)
       .given("place_in_wagon", p)
       .suspect("place-not-subtracted", [&]() -> Vector { return turned(wagon, p); })
-      .suspect("turned-the-other-way",
-               [&]() -> Vector { return wagon.position + plain(wagon, p); })
+      .suspect("turned-the-other-way", [&]() -> Vector { return wagon.position + plain(wagon, p); })
       .suspect("left-for-right",
                [&]() -> Vector { return wagon.position + turned(wagon, mirrored(p)); })
       .answer([&] { return exercise::place_in_world(wagon, p); })

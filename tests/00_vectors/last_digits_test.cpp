@@ -1,5 +1,5 @@
-// Right answers are computed without rounding and rounded once. Each coordinate may be off by 4 u of
-// itself: Kahan's difference of products is off by 2 u, one with twice the digits by little more
+// Right answers are computed without rounding and rounded once. Each coordinate may be off by 4 u
+// of itself: Kahan's difference of products is off by 2 u, one with twice the digits by little more
 // than 1 u, and the right answer by 1 u. Every test asks for at least two different answers.
 #include "last_digits.hpp"
 

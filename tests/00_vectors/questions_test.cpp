@@ -92,22 +92,21 @@ KEY("down-and-back") {
 }
 
 KEY("stone-in-wagon") {
-  return index_of(contact::place_in_frame(wagon(), {2, 4, 0}),
-                  std::array<Vector3<double>, 4>{
-                      Vector3<double>{3, 0, 0}, {0, 3, 0}, {4, -2, 0}, {2, 4, 0}});
+  return index_of(
+      contact::place_in_frame(wagon(), {2, 4, 0}),
+      std::array<Vector3<double>, 4>{Vector3<double>{3, 0, 0}, {0, 3, 0}, {4, -2, 0}, {2, 4, 0}});
 }
 
 KEY("wind-in-wagon") {
-  return index_of(contact::direction_in_frame(wagon(), {0, 5, 0}),
-                  std::array<Vector3<double>, 4>{
-                      Vector3<double>{4, -2, 0}, {5, 0, 0}, {0, 5, 0}, {2, 6, 0}});
+  return index_of(
+      contact::direction_in_frame(wagon(), {0, 5, 0}),
+      std::array<Vector3<double>, 4>{Vector3<double>{4, -2, 0}, {5, 0, 0}, {0, 5, 0}, {2, 6, 0}});
 }
 
 KEY("ahead-and-left") {
   // Looking along (3, 4)/5: 2 ahead and 1 to the left is (1.2 - 0.8, 1.6 + 0.6) from the origin.
   const double winning = frames::compute({{1, 1}, {1.5, 2}, {1.4, 3.2}}).ahead_and_left;
-  return questions::Construct{winning,
-                              frames::compute({{1, 1}, {2, 0}, {3, 2}}).ahead_and_left};
+  return questions::Construct{winning, frames::compute({{1, 1}, {2, 0}, {3, 2}}).ahead_and_left};
 }
 
 KEY("stopping-distance") {

@@ -66,7 +66,8 @@ S any_finite(Random& random) {
 /// A vector as a family of generators::point has it, stored in S; or without any pattern.
 template <class S>
 Vector3<S> any_vector(Random& random, int kind) {
-  if (kind == 0) return Vector3<S>{any_finite<S>(random), any_finite<S>(random), any_finite<S>(random)};
+  if (kind == 0)
+    return Vector3<S>{any_finite<S>(random), any_finite<S>(random), any_finite<S>(random)};
   if (kind == 1) {
     return Vector3<S>{S(random.integer(-4, 4)), S(random.integer(-4, 4)), S(random.integer(-4, 4))};
   }
@@ -140,8 +141,8 @@ TEMPLATE_TEST_CASE("a sum and what it lost are the whole", "", float, double) {
 
 TEMPLATE_TEST_CASE("a product and what it lost are the whole", "", float, double) {
   using S = TestType;
-  const Rational safe = oracle::exact(std::ldexp(
-      S(1), std::numeric_limits<S>::min_exponent + 2 * std::numeric_limits<S>::digits));
+  const Rational safe = oracle::exact(
+      std::ldexp(S(1), std::numeric_limits<S>::min_exponent + 2 * std::numeric_limits<S>::digits));
   Random random(3);
   int seen = 0;
   for (int i = 0; i < 6000; ++i) {
@@ -276,7 +277,8 @@ TEST_CASE("the side of a line is decided without a mistake") {
     const Vector2<double> b{random.uniform(8, 9), random.uniform(8, 9)};
     const double share = random.uniform();
     const double nudge = i % 3 == 0 ? random.magnitude(-56, -50) : 0;
-    const Vector2<double> p{a.x() + share * (b.x() - a.x()), a.y() + share * (b.y() - a.y()) + nudge};
+    const Vector2<double> p{a.x() + share * (b.x() - a.x()),
+                            a.y() + share * (b.y() - a.y()) + nudge};
     const auto exact = [](const Vector2<double>& v) {
       return contact::Vector2<Rational>(oracle::exact(v.x()), oracle::exact(v.y()));
     };
@@ -285,8 +287,8 @@ TEST_CASE("the side of a line is decided without a mistake") {
     CHECK(contact::line_side_exactly(a, b, p) == oracle::sign(right));
     CHECK(contact::line_side_exactly(b, a, p) == -oracle::sign(right));
     CHECK(contact::line_side_exactly(b, p, a) == oracle::sign(right));
-    const double size = std::abs((b.x() - a.x()) * (p.y() - a.y())) +
-                        std::abs((b.y() - a.y()) * (p.x() - a.x()));
+    const double size =
+        std::abs((b.x() - a.x()) * (p.y() - a.y())) + std::abs((b.y() - a.y()) * (p.x() - a.x()));
     CHECK(within(contact::line_side_by_differences(a, b, p), right,
                  gamma<double>(5) * oracle::exact(size) * (1 + 8 * u<double>())));
     const double expanded = contact::line_side_expanded(a, b, p);
@@ -314,8 +316,7 @@ TEMPLATE_TEST_CASE("an angle is as near as it says", "", float, double) {
     const Rational sine_squared = n.dot(n);
     const auto angle = [&](unsigned bits) {
       if (cosine == 0) return Interval::pi(bits) * Interval(Rational(1) / 2, bits);
-      const Interval acute =
-          atan(sqrt(Interval(sine_squared, bits)) / Interval(abs(cosine), bits));
+      const Interval acute = atan(sqrt(Interval(sine_squared, bits)) / Interval(abs(cosine), bits));
       return cosine > 0 ? acute : Interval::pi(bits) - acute;
     };
     const Interval truth = angle(256);

@@ -31,8 +31,8 @@ S ulp(S x) {
 /// A rounded result and what its rounding took away: value + error is the true one.
 template <std::floating_point S>
 struct WithError {
-  S value;
-  S error;
+  S value;  ///< rounded
+  S error;  ///< what is missing in value
 };
 
 // [two-sum]

@@ -18,7 +18,7 @@ namespace contact {
 /// inverse of `axes` is its transpose. A wrong program, not a wrong input, makes other ones.
 template <Ring S>
 struct CoordinateFrame {
-  Vector3<S> origin = Vector3<S>::Zero();                          ///< in world coordinates, m
+  Vector3<S> origin = Vector3<S>::Zero();                            ///< in world coordinates, m
   Eigen::Matrix<S, 3, 3> axes = Eigen::Matrix<S, 3, 3>::Identity();  ///< no unit of measure
 };
 // [/coordinate-frame]

@@ -16,7 +16,7 @@ struct Output {
   double problem;
   std::array<double, cells * cells> side;  // row by row from below, as the method says: -1, 0, 1
   std::array<double, cells * cells> wrong;
-  double distance;  // m
+  double distance;                                              // m
   double wrong_expanded, wrong_by_differences, wrong_in_float;  // of 289
 };
 

@@ -77,7 +77,11 @@ export default defineFigure<Input, Output>({
       ];
       const role: Role = side > 0 ? "a" : side < 0 ? "b" : "ghost";
       // Left is full, right is pale, and on the line there is nothing but the frame.
-      scene.face(corners, { role, fill: side > 0 ? 0.75 : side < 0 ? 0.3 : 0, outline: side === 0 });
+      scene.face(corners, {
+        role,
+        fill: side > 0 ? 0.75 : side < 0 ? 0.3 : 0,
+        outline: side === 0,
+      });
       if (output.wrong[i]) scene.dot([x + 0.5, y + 0.5], "miss", 3.5);
     }
     scene.line([0, 0], [CELLS, CELLS], { role: "ink", width: 1.5 });

@@ -11,8 +11,7 @@ double speed_along(const Eigen::Vector3d& velocity, const Eigen::Vector3d& direc
 
 Parts split(const Eigen::Vector3d& velocity, const Eigen::Vector3d& direction) {
   if (direction.norm() == 0) throw std::invalid_argument("direction: it has no length");
-  const Eigen::Vector3d along =
-      velocity.dot(direction) / direction.squaredNorm() * direction;
+  const Eigen::Vector3d along = velocity.dot(direction) / direction.squaredNorm() * direction;
   return {along, velocity - along};
 }
 

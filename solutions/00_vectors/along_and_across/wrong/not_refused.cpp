@@ -9,8 +9,7 @@ double speed_along(const Eigen::Vector3d& velocity, const Eigen::Vector3d& direc
 }
 
 Parts split(const Eigen::Vector3d& velocity, const Eigen::Vector3d& direction) {
-  const Eigen::Vector3d along =
-      velocity.dot(direction) / direction.squaredNorm() * direction;
+  const Eigen::Vector3d along = velocity.dot(direction) / direction.squaredNorm() * direction;
   return {along, velocity - along};
 }
 

@@ -4,8 +4,6 @@
 
 namespace exercise {
 
-Eigen::Vector3d cross(const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
-  return u.cross(v - u);
-}
+Eigen::Vector3d cross(const Eigen::Vector3d& u, const Eigen::Vector3d& v) { return u.cross(v - u); }
 
 }  // namespace exercise
