@@ -26,12 +26,12 @@ double sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
 Output compute(const Input& in) {
   Output out{};
-  if (in.far > 42) out.problem = contact::figure::too_large;
+  if (in.far > 42.4) out.problem = contact::figure::too_large;
   if (in.far < 0) out.problem = contact::figure::too_small;
   if (out.problem != 0) return out;
   // All coordinates are whole multiples of 2^-10 m below 2^43 m: a double holds them.
   const double step = std::ldexp(1.0, -10);
-  const double x = std::ldexp(1.0, static_cast<int>(in.far));
+  const double x = std::ldexp(1.0, static_cast<int>(std::round(in.far)));
   const double y = step * std::floor(0.6 * x / step);
   out.distance = x;
   const Point a(x, y);

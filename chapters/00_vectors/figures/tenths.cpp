@@ -7,13 +7,14 @@
 #include <limits>
 
 struct Input {
-  double a;       // tenths
-  double b;       // tenths
+  double a;       // tenths; a part of one does not count
+  double b;       // tenths; the same
   double digits;  // 24: float; 53: double
 };
 
 struct Output {
   double problem;
+  double a, b;                         // whole tenths
   double stored_a, stored_b;           // the numbers nearest to a/10 and b/10
   double sum;                          // of the two, rounded
   double nearest;                      // the number nearest to (a + b)/10
@@ -65,12 +66,14 @@ void compare(const Input& in, Output& out) {
   out.equal = sum == nearest ? 1 : 0;
 }
 
-Output compute(const Input& in) {
+Output compute(const Input& given) {
   Output out{};
+  const Input in{std::round(given.a), std::round(given.b), given.digits};
   if (!(in.a > 0) || !(in.b > 0)) out.problem = contact::figure::not_positive;
   if (in.a > 1e15 || in.b > 1e15) out.problem = contact::figure::too_large;
-  if (out.problem == 0 && (in.a < 1e-15 || in.b < 1e-15)) out.problem = contact::figure::too_small;
   if (out.problem != 0) return out;
+  out.a = in.a;
+  out.b = in.b;
   if (in.digits < 53) {
     compare<float>(in, out);
     out.differs_in_float = 1 - out.equal;
@@ -81,5 +84,5 @@ Output compute(const Input& in) {
 }
 
 FIGURE(Input, FIELDS(a, b, digits), Output,
-       FIELDS(problem, stored_a, stored_b, sum, nearest, spacing, decimal_at, exact_at, nearest_at,
-              error_a, error_b, neighbour_at, equal, differs_in_float))
+       FIELDS(problem, a, b, stored_a, stored_b, sum, nearest, spacing, decimal_at, exact_at,
+              nearest_at, error_a, error_b, neighbour_at, equal, differs_in_float))

@@ -10,6 +10,8 @@ interface Input {
 }
 
 interface Output {
+  a: number;
+  b: number;
   sum: number;
   nearest: number;
   spacing: number;
@@ -26,7 +28,8 @@ interface Output {
 const LINE = 3;
 const A = 3.35;
 const B = 3.8;
-const TENTH = 0.25;
+const TENTH = 0.5;
+const MOST = 10;
 /** The glass: where its line is, its middle, its half width, world units in an ulp. */
 const GLASS = 0.9;
 const MIDDLE = 5;
@@ -38,8 +41,8 @@ const text = (x: number, bits: number): string => x.toPrecision(digits(bits));
 
 export default defineFigure<Input, Output>({
   title: "Tenths, as a computer adds them",
-  view: { kind: "2d", x: [-0.2, 10.2], y: [-0.6, 4.4] },
-  aspect: 1.55,
+  view: { kind: "2d", x: [-0.2, 10.2], y: [-1, 4.3] },
+  aspect: 1.6,
   initial: { a: 1, b: 2, digits: 53 },
   handles: [
     {
@@ -47,20 +50,20 @@ export default defineFigure<Input, Output>({
       field: "a",
       label: "a, in tenths",
       role: "a",
-      at: (input): Vec2 => [TENTH * input.a, A],
+      at: (_input, output): Vec2 => [TENTH * output.a, A],
       along: (): Vec2 => [TENTH, 0],
       step: 1,
-      limit: [1, 20],
+      limit: [1, MOST],
     },
     {
       kind: "slide",
       field: "b",
       label: "b, in tenths",
       role: "b",
-      at: (input): Vec2 => [TENTH * (input.a + input.b), B],
+      at: (_input, output): Vec2 => [TENTH * (output.a + output.b), B],
       along: (): Vec2 => [TENTH, 0],
       step: 1,
-      limit: [1, 20],
+      limit: [1, MOST],
     },
   ],
   controls: [
@@ -73,12 +76,12 @@ export default defineFigure<Input, Output>({
         { value: 24, label: "single precision" },
       ],
     },
-    { kind: "slider", field: "a", label: "a", min: 1, max: 20, step: 1, unit: "tenths" },
-    { kind: "slider", field: "b", label: "b", min: 1, max: 20, step: 1, unit: "tenths" },
+    { kind: "slider", field: "a", label: "a", min: 1, max: MOST, step: 1, unit: "tenths" },
+    { kind: "slider", field: "b", label: "b", min: 1, max: MOST, step: 1, unit: "tenths" },
   ],
-  draw(scene, input, output) {
-    scene.line([0, LINE], [40 * TENTH, LINE], { role: "muted", width: 1 });
-    for (let tenth = 0; tenth <= 40; tenth += 1) {
+  draw(scene, _input, output) {
+    scene.line([0, LINE], [2 * MOST * TENTH, LINE], { role: "muted", width: 1 });
+    for (let tenth = 0; tenth <= 2 * MOST; tenth += 1) {
       const x = tenth * TENTH;
       const long = tenth % 10 === 0;
       scene.line([x, LINE], [x, LINE - (long ? 0.16 : 0.08)], { role: "muted", width: 1 });
@@ -90,10 +93,10 @@ export default defineFigure<Input, Output>({
           size: "small",
         });
     }
-    const at = TENTH * (input.a + input.b);
-    scene.arrow([0, A], [TENTH * input.a, A], { role: "a", width: 3 });
-    scene.arrow([TENTH * input.a, B], [at, B], { role: "b", width: 3 });
     if (output.problem) return;
+    const at = TENTH * (output.a + output.b);
+    scene.arrow([0, A], [TENTH * output.a, A], { role: "a", width: 3 });
+    scene.arrow([TENTH * output.a, B], [at, B], { role: "b", width: 3 });
 
     // From the place on the line to the glass.
     const edge = { role: "ghost", width: 1, dashed: true } as const;
@@ -101,8 +104,8 @@ export default defineFigure<Input, Output>({
     scene.line([at, LINE], [MIDDLE + HALF, GLASS + 1.05], edge);
     scene.face(
       [
-        [MIDDLE - HALF, GLASS - 1.2],
-        [MIDDLE + HALF, GLASS - 1.2],
+        [MIDDLE - HALF, GLASS - 1.75],
+        [MIDDLE + HALF, GLASS - 1.75],
         [MIDDLE + HALF, GLASS + 1.05],
         [MIDDLE - HALF, GLASS + 1.05],
       ],
@@ -169,8 +172,8 @@ export default defineFigure<Input, Output>({
       role: output.equal ? "hit" : "miss",
     },
     {
-      name: "(a + b)/10",
-      meaning: "nearest number",
+      name: "nearest",
+      meaning: "to (a + b)/10",
       value: text(output.nearest, input.digits),
       role: "normal",
     },
@@ -179,10 +182,12 @@ export default defineFigure<Input, Output>({
     { name: "b", meaning: "stored − meant, in ulps of the sum", value: output.error_b, role: "b" },
   ],
   describe(input, output) {
-    const said = `${pretty(input.a)} tenths and ${pretty(input.b)} tenths`;
+    const tenths = (n: number): string => (n === 1 ? "one tenth" : `${pretty(n)} tenths`);
+    const said = `${tenths(output.a)} and ${tenths(output.b)}`;
     const type = input.digits < 53 ? "single" : "double";
+    const meant = `the number nearest to ${tenths(output.a + output.b)}`;
     return output.equal
-      ? `In ${type} precision ${said} give the number nearest to ${pretty(input.a + input.b)} tenths.`
-      : `In ${type} precision ${said} do not give the number nearest to ${pretty(input.a + input.b)} tenths, but one ${pretty(Math.abs(output.nearest_at), 2)} ulp beside it.`;
+      ? `In ${type} precision ${said} give ${meant}.`
+      : `In ${type} precision ${said} do not give ${meant}, but its neighbour.`;
   },
 });
