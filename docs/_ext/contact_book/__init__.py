@@ -17,12 +17,13 @@ from contact_book.chapter import (
     append_frame,
     place_head,
 )
+from contact_book.chapter_map import ChapterMap
 from contact_book.exercise import Exercise
 from contact_book.exercise_data import connect as connect_exercise_data
 from contact_book.fonts import copy_fonts, subset_fonts
 from contact_book.hard_cases import HardCases
 from contact_book.highlight import mark_less
-from contact_book.home import BookContents, ChapterMap, read_again
+from contact_book.home import BookContents, ChapterCards, read_again
 from contact_book.html import depart_through, visit_component, visit_through
 from contact_book.ladder import Ladder
 from contact_book.landmarks import name_columns, plain_captions
@@ -49,6 +50,7 @@ DIRECTIVES = {
     "chapter-head": ChapterHead,
     "chapter-foot": ChapterFoot,
     "chapter-map": ChapterMap,
+    "chapter-cards": ChapterCards,
     "book-contents": BookContents,
 }
 

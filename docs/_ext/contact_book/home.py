@@ -1,4 +1,4 @@
-"""The map of chapters and the table of contents, both made from the chapters there are."""
+"""The cards of the chapters and the table of contents, both made from the chapters there are."""
 
 from __future__ import annotations
 
@@ -16,9 +16,11 @@ def _parts(chapters: list[Chapter]) -> list[tuple[str, list[Chapter]]]:
     return [(name, group) for name, group in found if group]
 
 
-class ChapterMap(BookDirective):
+class ChapterCards(BookDirective):
+    """What each chapter is about."""
+
     def build(self) -> list[nodes.Node]:
-        box = nodes.container(classes=["chapter-map"])
+        box = nodes.container(classes=["chapter-cards"])
         for name, chapters in _parts(list(self.book.chapters.values())):
             box += nodes.paragraph("", name, classes=["part"])
             cards = nodes.bullet_list("", bullet="-", classes=["cards"])
