@@ -100,7 +100,7 @@ describe("home and search", { skip }, () => {
   for (const [what, words, place] of /** @type {const} */ ([
     ["a word of a lesson", "watertight", "chapters/02_triangles.html"],
     ["the name of a function", "cross_plane", "api/02_triangles.html"],
-    ]))
+  ]))
     test(`search finds ${what}: ${words}`, async () => {
       const { page, trouble, close } = await home();
       await page.locator("body").press("/");

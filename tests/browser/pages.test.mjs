@@ -80,6 +80,7 @@ describe("pages", { skip }, () => {
       });
       await loadFigures(page);
       await page.emulateMedia({ media: "print" });
+      await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
       const found = await page.evaluate(() => {
         const seen = (/** @type {Element} */ node) => {
           const { width, height } = node.getBoundingClientRect();
@@ -88,7 +89,7 @@ describe("pages", { skip }, () => {
         const name = (/** @type {Element} */ node) =>
           `${node.parentElement?.tagName} > ${node.tagName}.${node.className} ${node.textContent?.trim().slice(0, 40)}`;
         const sheet = document.documentElement.clientWidth;
-        const controls = "button, input, select, textarea, summary, .grip[tabindex] .ring";
+        const controls = "button, input, select, textarea, .grip .ring, details:not([open])";
         return {
           controls: [...document.querySelectorAll(controls)].filter(seen).map(name),
           cut: [...document.querySelectorAll("article *")]
