@@ -375,7 +375,7 @@ def wasm() -> Iterator[Check]:
 
 
 def book() -> Iterator[Check]:
-    yield from step_checks(steps.FIRST[3:])
+    yield from step_checks(steps.FIRST[3:] + steps.BEHIND[3:4])
     yield from pytest("tests/docs", "tests/serve")
 
 
