@@ -116,7 +116,7 @@ const Plane kFloor{{0, 0, 1}, 1};
 
 TEST_CASE("a falling sphere touches when its centre is a radius away") {
   // A step of one metre first: who finds this touch and misses the next measures t in metres.
-  check({{0, 0, 3.5}, 2}, {0, 0, -1}, kFloor);
+  check({{0, 0, 1.75}, 0.5}, {0, 0, -1}, kFloor, {Mistake::sphere_as_point});
   check({{0, 0, 9}, 2}, {0, 0, -8}, kFloor,
         {Mistake::sphere_as_point, Mistake::metres_for_fraction});
   check({{4, 1, 6}, 1}, {8, 0, -16}, kFloor, {Mistake::sphere_as_point});
