@@ -21,8 +21,8 @@ class DoubleDouble {
   /// The value of a double, unchanged.
   DoubleDouble(double value) : high_(value) {}
 
-  double high() const { return high_; }
-  double low() const { return low_; }
+  double high() const { return high_; }  ///< the double nearest to the sum
+  double low() const { return low_; }    ///< what high() leaves
 
   // [arithmetic]
   friend DoubleDouble operator-(const DoubleDouble& x) { return {-x.high_, -x.low_}; }
