@@ -42,7 +42,7 @@ void check_crash(const Vehicle& a, const Vehicle& b) {
                [&]() -> Motion {
                  return {scale / mass, right.heading};
                })
-      .suspect("quadrant-lost",
+      .suspect("heading-quadrant-lost",
                [&]() -> Motion {
                  return {right.speed, std::atan(p.y() / p.x()) / kDegree};
                })

@@ -1,4 +1,4 @@
-// misconception: quadrant-lost
+// misconception: heading-quadrant-lost
 // caught by: any headings, in every quadrant
 #include "at_an_angle.hpp"
 
