@@ -55,7 +55,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slider",
       field: "step",
-      label: "turns asked",
+      label: "turns",
       min: 0,
       max: 24,
       step: 1,

@@ -79,7 +79,7 @@ export default defineFigure<Input, Output>({
         { value: 3, label: "growing, with an epsilon" },
       ],
     },
-    { kind: "slider", field: "shown", label: "triangles shown", min: 0, max: 24, step: 1, play: 8 },
+    { kind: "slider", field: "shown", label: "shown", min: 0, max: 24, step: 1, play: 8 },
     { kind: "slider", field: "epsilon", label: "epsilon", min: 0, max: 1, step: 0.05, unit: "m" },
     ...NAMES.map((field) => ({
       kind: "numbers" as const,
