@@ -9,21 +9,13 @@
 #include <concepts>
 #include <utility>
 
+#include <contact/collision_1d.hpp>
 #include <contact/exact.hpp>
 #include <contact/invalid_argument.hpp>
 #include <contact/tolerance.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {
-
-/// Throws std::invalid_argument unless k is a coefficient of restitution: 0 ≤ k ≤ 1.
-template <Ring S>
-void require_restitution(const char* argument, const S& k) {
-  require_finite(argument, k);
-  if (!(k >= S(0) && k <= S(1))) {
-    throw_invalid_argument(argument, number_text(k), "must be from 0 to 1");
-  }
-}
 
 // [approaches]
 /// Whether something with this velocity moves against the normal, v · n < 0: towards the surface
