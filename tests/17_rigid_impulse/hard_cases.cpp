@@ -110,8 +110,10 @@ void add_closing(hard_cases::Runner& runner) {
   });
 }
 
-void add_collision(hard_cases::Runner& runner) {
-  runner.question("collision", [](const Case& c) {
+/// Collisions of stout bodies, and of slender ones that lie askew: the same question, and other
+/// ways to fail.
+void add_collision(hard_cases::Runner& runner, const std::string& question) {
+  runner.question(question, [](const Case& c) {
     const Rational j =
         contact::collision_impulse<Rational>(body<Rational>(c, "a"), body<Rational>(c, "b"),
                                              contact_of<Rational>(c), oracle::exact(c.number("e")));
@@ -129,8 +131,8 @@ void add_collision(hard_cases::Runner& runner) {
     }
     return true;
   };
-  const auto method = [&runner, judge](const char* name, auto collide) {
-    runner.method("collision", name, [judge, collide](const Case& c, const Json&) {
+  const auto method = [&runner, &question, judge](const char* name, auto collide) {
+    runner.method(question, name, [judge, collide](const Case& c, const Json&) {
       const Body a = body<double>(c, "a");
       const Body b = body<double>(c, "b");
       const auto right =
@@ -145,80 +147,83 @@ void add_collision(hard_cases::Runner& runner) {
     return {contact::after_impulse<double>(a, V(at.normal * j), at.point),
             contact::after_impulse<double>(b, V(at.normal * -j), at.point)};
   };
-  method("no rotation",
-         [push](const Body& a, const Body& b, const auto& at, double e, const Case&) -> Pair {
-           return push(a, b, at, contact::impulse_without_rotation(a, b, at, e));
-         });
-  method("no test",
-         [push](const Body& a, const Body& b, const auto& at, double e, const Case&) -> Pair {
-           const double k = contact::response<double>(a, b, at.point, at.normal, at.normal);
-           return push(a, b, at, -(1 + e) * contact::normal_velocity(a, b, at) / k);
-         });
-  method("mass product",
-         [push](const Body& a, const Body& b, const auto& at, double e, const Case&) -> Pair {
-           // Multiplied through by m_A m_B, as one does on paper: 0/0 where one is immovable.
-           const double v = contact::normal_velocity(a, b, at);
-           if (!(v < 0)) return {a, b};
-           Body alone_a = a;
-           Body alone_b = b;
-           alone_a.inverse_mass = alone_b.inverse_mass = 0;
-           const double turn =
-               contact::response<double>(alone_a, alone_b, at.point, at.normal, at.normal);
-           const double product = a.mass * b.mass;
-           return push(a, b, at, -(1 + e) * v * product / (a.mass + b.mass + product * turn));
-         });
-  method("full tensor",
-         [push](const Body& a, const Body& b, const auto& at, double e, const Case&) -> Pair {
-           const auto full = [](Body x) {
-             if (x.mass > 0) {
-               const auto inverse = contact::inverse_of_symmetric<double>(x.inertia);
-               x.inverse_inertia = inverse ? *inverse : M::Constant(std::nan(""));
+  if (question == "collision") {
+    method("no rotation",
+           [push](const Body& a, const Body& b, const auto& at, double e, const Case&) -> Pair {
+             return push(a, b, at, contact::impulse_without_rotation(a, b, at, e));
+           });
+    method("no test",
+           [push](const Body& a, const Body& b, const auto& at, double e, const Case&) -> Pair {
+             const double k = contact::response<double>(a, b, at.point, at.normal, at.normal);
+             return push(a, b, at, -(1 + e) * contact::normal_velocity(a, b, at) / k);
+           });
+    method("mass product",
+           [push](const Body& a, const Body& b, const auto& at, double e, const Case&) -> Pair {
+             // Multiplied through by m_A m_B, as one does on paper: 0/0 where one is immovable.
+             const double v = contact::normal_velocity(a, b, at);
+             if (!(v < 0)) return {a, b};
+             Body alone_a = a;
+             Body alone_b = b;
+             alone_a.inverse_mass = alone_b.inverse_mass = 0;
+             const double turn =
+                 contact::response<double>(alone_a, alone_b, at.point, at.normal, at.normal);
+             const double product = a.mass * b.mass;
+             return push(a, b, at, -(1 + e) * v * product / (a.mass + b.mass + product * turn));
+           });
+  } else {
+    method("full tensor",
+           [push](const Body& a, const Body& b, const auto& at, double e, const Case&) -> Pair {
+             const auto full = [](Body x) {
+               if (x.mass > 0) {
+                 const auto inverse = contact::inverse_of_symmetric<double>(x.inertia);
+                 x.inverse_inertia = inverse ? *inverse : M::Constant(std::nan(""));
+               }
+               return x;
+             };
+             const Body a2 = full(a);
+             const Body b2 = full(b);
+             return push(a2, b2, at, contact::collision_impulse<double>(a2, b2, at, e));
+           });
+    method("body axes",
+           [push](const Body& a, const Body& b, const auto& at, double e, const Case& c) -> Pair {
+             const auto unturned = [&](Body x, const char* moments) {
+               if (x.mass > 0) x.inverse_inertia = V(c.vector(moments).cwiseInverse()).asDiagonal();
+               return x;
+             };
+             const Body a2 = unturned(a, "a_moments");
+             const Body b2 = unturned(b, "b_moments");
+             return push(a2, b2, at, contact::collision_impulse<double>(a2, b2, at, e));
+           });
+    method("by vectors",
+           [](const Body& a, const Body& b, const auto& at, double e, const Case& c) -> Pair {
+             // R (I⁻¹ (Rᵀ x)): no tensor is formed, so nothing cancels in one.
+             M turn = M::Identity();
+             if (c.has("turn")) {
+               const V t = c.vector("turn");
+               turn << t.x(), -t.y(), 0, t.y(), t.x(), 0, 0, 0, 1;
              }
-             return x;
-           };
-           const Body a2 = full(a);
-           const Body b2 = full(b);
-           return push(a2, b2, at, contact::collision_impulse<double>(a2, b2, at, e));
-         });
-  method("body axes",
-         [push](const Body& a, const Body& b, const auto& at, double e, const Case& c) -> Pair {
-           const auto unturned = [&](Body x, const char* moments) {
-             if (x.mass > 0) x.inverse_inertia = V(c.vector(moments).cwiseInverse()).asDiagonal();
-             return x;
-           };
-           const Body a2 = unturned(a, "a_moments");
-           const Body b2 = unturned(b, "b_moments");
-           return push(a2, b2, at, contact::collision_impulse<double>(a2, b2, at, e));
-         });
-  method("by vectors",
-         [](const Body& a, const Body& b, const auto& at, double e, const Case& c) -> Pair {
-           // R (I⁻¹ (Rᵀ x)): no tensor is formed, so nothing cancels in one.
-           M turn = M::Identity();
-           if (c.has("turn")) {
-             const V t = c.vector("turn");
-             turn << t.x(), -t.y(), 0, t.y(), t.x(), 0, 0, 0, 1;
-           }
-           const auto turned = [&](const Body& x, const char* moments) -> V {
-             if (x.mass == 0) return V::Zero();
-             const V twist = V(at.point - x.position).cross(at.normal);
-             return contact::free_spin<double>(twist, c.vector(moments), turn);
-           };
-           const double v = contact::normal_velocity(a, b, at);
-           if (!(v < 0)) return {a, b};
-           const V by_a = turned(a, "a_moments");
-           const V by_b = turned(b, "b_moments");
-           const double k = a.inverse_mass + b.inverse_mass +
-                            V(V(at.point - a.position).cross(at.normal)).dot(by_a) +
-                            V(V(at.point - b.position).cross(at.normal)).dot(by_b);
-           const double j = -(1 + e) * v / k;
-           Body a2 = a;
-           Body b2 = b;
-           a2.velocity += at.normal * (j * a.inverse_mass);
-           a2.spin += by_a * j;
-           b2.velocity -= at.normal * (j * b.inverse_mass);
-           b2.spin -= by_b * j;
-           return {a2, b2};
-         });
+             const auto turned = [&](const Body& x, const char* moments) -> V {
+               if (x.mass == 0) return V::Zero();
+               const V twist = V(at.point - x.position).cross(at.normal);
+               return contact::free_spin<double>(twist, c.vector(moments), turn);
+             };
+             const double v = contact::normal_velocity(a, b, at);
+             if (!(v < 0)) return {a, b};
+             const V by_a = turned(a, "a_moments");
+             const V by_b = turned(b, "b_moments");
+             const double k = a.inverse_mass + b.inverse_mass +
+                              V(V(at.point - a.position).cross(at.normal)).dot(by_a) +
+                              V(V(at.point - b.position).cross(at.normal)).dot(by_b);
+             const double j = -(1 + e) * v / k;
+             Body a2 = a;
+             Body b2 = b;
+             a2.velocity += at.normal * (j * a.inverse_mass);
+             a2.spin += by_a * j;
+             b2.velocity -= at.normal * (j * b.inverse_mass);
+             b2.spin -= by_b * j;
+             return {a2, b2};
+           });
+  }
   method("book", [](const Body& a, const Body& b, const auto& at, double e, const Case&) -> Pair {
     const auto after = contact::collide<double>(a, b, at, e);
     return {after.a, after.b};
@@ -411,7 +416,8 @@ void add_spin(hard_cases::Runner& runner) {
 int main(int argc, char** argv) {
   hard_cases::Runner runner("17_rigid_impulse");
   add_closing(runner);
-  add_collision(runner);
+  add_collision(runner, "collision");
+  add_collision(runner, "slender");
   add_friction(
       runner, "poisson",
       [](const Case& c) {
