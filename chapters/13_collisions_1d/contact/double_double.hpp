@@ -6,6 +6,8 @@
 #include <cmath>
 #include <compare>
 
+#include <contact/error_free.hpp>
+
 namespace contact {
 
 /// The sum high + low, with |low| at most half an ulp of high.
@@ -66,9 +68,8 @@ class DoubleDouble {
 
   /// x + y without error.
   static DoubleDouble two_sum(double x, double y) {
-    const double sum = x + y;
-    const double part = sum - x;
-    return {sum, (x - (sum - part)) + (y - part)};
+    const WithError<double> sum = contact::two_sum(x, y);
+    return {sum.value, sum.error};
   }
   /// The same for |x| ≥ |y|.
   static DoubleDouble quick_two_sum(double x, double y) {
