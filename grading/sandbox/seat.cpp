@@ -62,9 +62,9 @@ int locked(const fs::path& file) {
 
 // A worker keeps to a core, so that what it does at the same time (the linker's threads, the next
 // box that is made ready) takes nothing from the worker beside it. With more workers than cores,
-// those that come last go where there is room. Holds for this thread and what it starts.
-int own_core(const fs::path& folder) {
-  cpu_set_t all;
+// those that come last go where there is room. Holds for this thread and what it starts, as long as
+// the lock that is returned is open.
+int own_core(const fs::path& folder, cpu_set_t& all) {
   CPU_ZERO(&all);
   if (::sched_getaffinity(0, sizeof all, &all) != 0) return -1;
   for (int core = 0; core < CPU_SETSIZE; ++core) {
@@ -97,6 +97,7 @@ bool has_processes(long user) {
 
 Seat::State::~State() {
   groups.clear();
+  if (core >= 0) ::sched_setaffinity(0, sizeof cores, &cores);
   for (const int held : {network, lock, core}) {
     if (held >= 0) ::close(held);
   }
@@ -120,7 +121,7 @@ Seat::Seat(const Machine& machine) : state_(std::make_unique<State>()) {
     if (!is_known(user) && !has_processes(user)) {
       state_->user = user;
       state_->lock = lock;
-      state_->core = own_core(folder);
+      state_->core = own_core(folder, state_->cores);
       return;
     }
     ::close(lock);

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <sched.h>
+
 #include "box.hpp"
 #include "cgroup.hpp"
 
@@ -24,6 +26,8 @@ struct Seat::State {
   int lock = -1;
   /// Holds the core that this worker keeps to; -1 if it goes where there is room.
   int core = -1;
+  /// Where the thread could go before it kept to one.
+  cpu_set_t cores{};
   /// A network without anything in it, which all boxes of the seat stand in: making one for each
   /// box takes longer than all the rest of it. -1 if each box makes its own.
   int network = -1;
