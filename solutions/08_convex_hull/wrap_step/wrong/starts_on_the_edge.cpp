@@ -11,10 +11,6 @@ double side(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vec
   return (p - a).dot((b - a).cross(c - a));
 }
 
-bool on_line(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
-  return (b - a).cross(c - a) == Eigen::Vector3d(0, 0, 0);
-}
-
 }  // namespace
 
 int wrap_step(const std::vector<Eigen::Vector3d>& points, int from, int to, int /*inner*/) {
