@@ -15,7 +15,17 @@ import pytest
 Run = Callable[..., subprocess.CompletedProcess[str]]
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
-SOURCES = ("chapters", "exercises", "solutions", "tests", "grading", "cmake", "cli", "docs/figure")
+SOURCES = (
+    "benchmarks",
+    "chapters",
+    "exercises",
+    "solutions",
+    "tests",
+    "grading",
+    "cmake",
+    "cli",
+    "docs/figure",
+)
 
 
 @pytest.fixture
