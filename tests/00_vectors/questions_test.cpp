@@ -100,7 +100,7 @@ KEY("stone-in-wagon") {
 KEY("wind-in-wagon") {
   return index_of(
       contact::direction_in_frame(wagon(), {0, 5, 0}),
-      std::array<Vector3<double>, 4>{Vector3<double>{4, -2, 0}, {5, 0, 0}, {0, 5, 0}, {2, 6, 0}});
+      std::array<Vector3<double>, 4>{Vector3<double>{4, 2, 0}, {5, 0, 0}, {0, 5, 0}, {2, 6, 0}});
 }
 
 KEY("ahead-and-left") {

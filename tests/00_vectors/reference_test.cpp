@@ -141,8 +141,8 @@ TEMPLATE_TEST_CASE("a sum and what it lost are the whole", "", float, double) {
 
 TEMPLATE_TEST_CASE("a product and what it lost are the whole", "", float, double) {
   using S = TestType;
-  const Rational safe = oracle::exact(
-      std::ldexp(S(1), std::numeric_limits<S>::min_exponent + 2 * std::numeric_limits<S>::digits));
+  const Rational safe =
+      oracle::exact(std::ldexp(std::numeric_limits<S>::min(), std::numeric_limits<S>::digits));
   Random random(3);
   int seen = 0;
   for (int i = 0; i < 6000; ++i) {

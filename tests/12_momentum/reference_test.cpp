@@ -259,8 +259,7 @@ TEMPLATE_TEST_CASE("momentum, its scale and the centre's velocity agree with fra
       REQUIRE(error(total(k), sums.momentum(k)) <= u<S>() * abs(sums.momentum(k)) + cancelled);
       REQUIRE(error(scale(k), sums.scale(k)) <= gamma<S>(n) * sums.scale(k));
       const Rational mean = sums.momentum(k) / sums.mass;
-      REQUIRE(error((*centre)(k), mean) <=
-              (n + 2) * u<S>() * abs(mean) + 2 * cancelled / sums.mass);
+      REQUIRE(error((*centre)(k), mean) <= (n + 2) * u<S>() * abs(mean) + cancelled / sums.mass);
     }
   }
 }
@@ -293,7 +292,7 @@ TEST_CASE("totals and means are right for any bit patterns") {
       }
       const Rational mean = sums.momentum(k) / sums.mass;
       REQUIRE(error((*centre)(k), mean) <=
-              (n + 2) * u<double>() * abs(mean) + 2 * cancelled / sums.mass + eta<double>());
+              (n + 2) * u<double>() * abs(mean) + cancelled / sums.mass + eta<double>());
     }
   }
   CHECK_FALSE(contact::centre_velocity<double>({}).has_value());
@@ -380,6 +379,7 @@ TEMPLATE_TEST_CASE("the impulse of a curve is the area under it", "", float, dou
     const auto once = contact::impulse_exactly(curve);
     const auto mean = contact::average_force(curve);
     const Rational duration = oracle::exact(time.back()) - oracle::exact(time.front());
+    const Rational many = gamma<S>(n - 2) * gamma<S>(n - 2);  // n − 1 trapezoids
     for (int k = 0; k < 3; ++k) {
       Rational area = 0;
       Rational size = 0;
@@ -389,13 +389,25 @@ TEMPLATE_TEST_CASE("the impulse of a curve is the area under it", "", float, dou
         area += piece;
         size += abs(piece);
       }
-      REQUIRE(error(fast(k), area) <= 5 * u<S>() * size);
+      REQUIRE(error(fast(k), area) <= (5 * u<S>() + many) * size);
       REQUIRE(once(k) == nearest<S>(area));
-      REQUIRE(error(mean(k), area / duration) <= 8 * u<S>() * size / duration);
+      REQUIRE(error(mean(k), area / duration) <= (8 * u<S>() + many) * size / duration);
     }
     CHECK(contact::impulse_until(curve, time.front()) == Vector3<S>::Zero());
     CHECK(contact::impulse_until(curve, time.back()) == fast);
   }
+}
+
+TEST_CASE("a curve of very many samples is off by more than a few roundings, and by what is said") {
+  const int pieces = 200000;
+  std::vector<float> time;
+  for (int i = 0; i <= pieces; ++i) time.push_back(static_cast<float>(i));
+  const std::vector<Vector3<float>> force(time.size(), Vector3<float>(0.1f, 0, 0));
+  const float got = contact::impulse(contact::force_curve(time, force)).x();
+  const Rational right = pieces * oracle::exact(0.1f);
+  CHECK(error(got, right) > 5 * u<float>() * right);
+  CHECK(error(got, right) <=
+        (5 * u<float>() + gamma<float>(pieces - 1) * gamma<float>(pieces - 1)) * right);
 }
 
 TEST_CASE("the impulse so far grows with the area so far") {

@@ -29,7 +29,8 @@ Vector3<S> near_one(const Vector3<S>& v, int& power) {
 ///
 /// It is measured by both products, tan θ = |u × v| / u · v. Where the cosine is flat, near 0 and
 /// π, the cross product decides, and where the sine is flat the dot product. The result is off by
-/// at most 12 u of itself (u the unit roundoff), whatever the lengths and however small the angle.
+/// at most 12 u of itself (u the unit roundoff), whatever the lengths and however small the angle,
+/// unless it is near the smallest normal number or below, where there are too few digits for that.
 /// @param u any finite vector, in any unit
 /// @param v any finite vector, in any unit
 ///

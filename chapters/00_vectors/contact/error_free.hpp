@@ -38,7 +38,8 @@ struct WithError {
 // [two-sum]
 /// The sum of two numbers, and what it lost. value + error = a + b without rounding.
 ///
-/// Limits: none but overflow of the sum; sums do not underflow. Six additions, without a branch.
+/// Limits: the sum does not overflow, nor does a difference on the way, which it can if an argument
+/// is near the largest number; sums do not underflow. Six additions, without a branch.
 ///
 /// Source: Knuth, *The Art of Computer Programming*, volume 2, 3rd edition, section 4.2.2, theorem
 /// B.
@@ -56,8 +57,9 @@ WithError<S> two_sum(S a, S b) {
 ///
 /// A fused multiply-add computes a b − value with one rounding, and that difference needs none.
 ///
-/// Limits: the product neither overflows nor is smaller than 2^(emin + 2p), about 2^-968 for
-/// double; below that the error may be off by half the smallest positive number. 0 is exact.
+/// Limits: the product neither overflows nor is smaller than 2^(emin + p), where 2^emin is the
+/// smallest normal number: 2^-969 for double; below that the error may be off by half the smallest
+/// positive number. 0 is exact.
 ///
 /// Source: Ogita, Rump and Oishi, *Accurate sum and dot product*, SIAM Journal on Scientific
 /// Computing 26 (2005), algorithm 3.5.

@@ -7,7 +7,7 @@
 int main() {
   using Vector = contact::Vector3<double>;
   std::printf("  true      acos          atan2\n");
-  for (const double angle : {1e-3, 1e-5, 1e-7, 1e-8, 1e-9}) {
+  for (const double angle : {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9}) {
     // tan θ = θ to the digits shown.
     const Vector u(1, 0, 0);
     const Vector v(1, angle, 0);

@@ -125,9 +125,9 @@ std::size_t pieces_of(const ForceCurve<S>& curve) {
 /// but for rounding. Between samples of a force that is *not* straight it is the trapezoidal rule,
 /// off by T h² max|F″| / 12 at most for a step h.
 /// @param curve of a force_curve()
-/// @return N·s. In a floating-point type each entry is off by at most 5 u of the sum of the
-/// trapezoids' sizes, if nothing underflows; if a sum overflows it is computed again without
-/// rounding
+/// @return N·s. In a floating-point type each entry is off by at most 5 u + γ(n − 1)² of the sum of
+/// the sizes of the n trapezoids, if nothing underflows and n u < 1/4; if a sum overflows it is
+/// computed again without rounding
 /// @see *Interaction and Normals*, slide "More About Impulse: F-t The Graph"
 template <Scalar S>
 Vector3<S> impulse(const ForceCurve<S>& curve) {
@@ -168,8 +168,8 @@ Vector3<S> impulse_exactly(const ForceCurve<S>& curve) {
 // [average-force]
 /// The constant force that would give the same impulse in the same time, ∫F dt / T. It is the mean
 /// over *time*: the mean of the samples only if they are equally spaced, and not even then quite.
-/// @return N; off by at most 8 u of the trapezoids' sizes over the time, if nothing underflows.
-/// Finite for finite input
+/// @return N; off by at most 8 u + γ(n − 1)² of the sizes of the n trapezoids over the time, if
+/// nothing underflows and n u < 1/4. Finite for finite input
 /// @see *Interaction and Normals*, slide "Impulse", the time-averaged force
 template <Scalar S>
 Vector3<S> average_force(const ForceCurve<S>& curve) {

@@ -163,7 +163,8 @@ S total_mass(const std::vector<PointMass<S>>& bodies) {
 /// Forces between the bodies do not change it, since they come in opposite pairs; only forces from
 /// outside do. So it is what a simulation can be held against.
 /// @return kg·m/s. In a floating-point type each entry is off by at most u of itself and 3 n² u² of
-/// Σ mᵢ|vᵢ|; ±∞ only if the true sum is beyond the largest number; 0 for no bodies
+/// Σ mᵢ|vᵢ| for n bodies, n u < 1/10; ±∞ only if the true sum is beyond the largest number; 0 for
+/// no bodies
 /// @see *Interaction and Normals*, slide "Conservation of Momentum and Newton's Third Law"
 template <Ring S>
 Vector3<S> total_momentum(const std::vector<PointMass<S>>& bodies) {
@@ -192,7 +193,8 @@ Vector3<S> momentum_scale(const std::vector<PointMass<S>>& bodies) {
 // [centre-of-mass]
 /// The centre of mass of all bodies, Σ mᵢ xᵢ / Σ mᵢ.
 /// @return m, or nothing if there are no bodies. In a floating-point type off by at most (n + 2) u
-/// of itself and 3 n² u² of Σ mᵢ|xᵢ| / Σ mᵢ, and finite
+/// of itself and 3 n² u² of Σ mᵢ|xᵢ| / Σ mᵢ for n bodies, n u < 1/10, and by the smallest positive
+/// number where the division by the mass underflows; finite
 template <Scalar S>
 std::optional<Vector3<S>> centre_of_mass(const std::vector<PointMass<S>>& bodies) {
   if (bodies.empty()) return std::nullopt;
