@@ -111,7 +111,7 @@ ladder::Ladder<Input, Answer> experiment() {
       });
   ladder.method({.id = "certain",
                  .title = "the book's: the sign of sin nθ",
-                 .scalar = "double-double, then exact",
+                 .scalar = "exact, then double-double",
                  .exact = true},
                 [](const Input& input) {
                   return Answer{false, 0, contact::count_collisions(input.in_double).value_or(-1)};
