@@ -384,6 +384,18 @@ TEST_CASE("counts are right within 2 ulp of cot²(π/n) for n up to 5000") {
   CHECK(miscounted < asked / 2);
 }
 
+TEST_CASE("ties keep their bound") {
+  for (int n = 3; n <= 5001; ++n) {
+    const auto angle = oracle::Interval::pi(256) / oracle::Interval(Rational(n), 256);
+    const auto tangent = tan(angle);
+    const auto cot_squared = oracle::Interval(Rational(1), 256) / (tangent * tangent);
+    const Rational tie = exactly(contact::tie_ratio(n));
+    const Rational room = oracle::exact(0x1p-96) * cot_squared.low();
+    CHECK(tie - cot_squared.low() <= room);
+    CHECK(cot_squared.high() - tie <= room);
+  }
+}
+
 TEST_CASE("the close calls are the doubles nearest to cot²(π/n)") {
   for (int n = 5; n <= 5000; n += 37) {
     const auto cot_squared = oracle::nearest_value([n](unsigned bits) {

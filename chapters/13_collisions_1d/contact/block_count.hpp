@@ -98,11 +98,11 @@ S arctan(const S& x) {
 // [/arctan]
 
 // [close-call]
-/// The ratio M/m for which n θ = π, as nearly as a double can: cot²(π/n), moved by some ulps. The
-/// same bits on every machine.
+/// The ratio M/m for which n θ = π: cot²(π/n), by the series of the sine. The same bits on every
+/// machine.
 /// @param n from 3 on
-/// @param ulps how many steps to the next larger double, or smaller if negative
-inline double close_call(int n, int ulps) {
+/// @return off by at most 2^-96 of itself, for n up to 5001
+inline DoubleDouble tie_ratio(int n) {
   const DoubleDouble x = DoubleDouble(4.0) * arctan(DoubleDouble(1.0)) / DoubleDouble(n);
   const DoubleDouble square = x * x;
   DoubleDouble sine(0.0);  // x − x³/3! + x⁵/5! − …
@@ -110,7 +110,14 @@ inline double close_call(int n, int ulps) {
     sine = DoubleDouble(1.0) - square / DoubleDouble((k + 1.0) * (k + 2.0)) * sine;
   }
   sine = x * sine;
-  double ratio = (DoubleDouble(1.0) / (sine * sine) - DoubleDouble(1.0)).high();
+  return DoubleDouble(1.0) / (sine * sine) - DoubleDouble(1.0);
+}
+
+/// The double nearest to tie_ratio(n), moved by some ulps. The same bits on every machine.
+/// @param n from 3 on
+/// @param ulps how many steps to the next larger double, or smaller if negative
+inline double close_call(int n, int ulps) {
+  double ratio = tie_ratio(n).high();
   for (; ulps > 0; --ulps) ratio = std::nextafter(ratio, 2 * ratio);
   for (; ulps < 0; ++ulps) ratio = std::nextafter(ratio, 0.0);
   return ratio;
@@ -187,10 +194,10 @@ inline std::optional<int> sine_sign(double ratio, std::int64_t n) {
 // [count-collisions]
 /// The count for certain: the largest n with n θ < π, decided by the sign of sin(n θ).
 ///
-/// sin(n θ) is, but for a positive factor, the imaginary part of (√R + i)ⁿ with R = M/m. It is
-/// computed in double-double with a bound on its error; where that does not decide and n is small,
-/// without rounding. (Exact ties, n θ = π, are R = 1 and R = 3 alone: no other tan²(π/n) is a
-/// dyadic number.)
+/// sin(n θ) is, but for a positive factor, the imaginary part of (√R + i)ⁿ with R = M/m. For n ≤ 8
+/// its sign is computed without rounding; above that in double-double with a bound on its error,
+/// and where the bound does not decide, nothing is returned. (Exact ties, n θ = π, are R = 1 and
+/// R = 3 alone: no other cot²(π/n) is a dyadic number above 0.)
 /// @param ratio M/m, as stored; finite, at least 2^-60
 /// @return nothing if ratio is above 1e24, not that large or NaN, or if no digit decides: which is
 /// not known to happen, and would need n θ within 1e-29 n of π

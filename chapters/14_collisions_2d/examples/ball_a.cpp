@@ -25,8 +25,8 @@ int main() {
   std::printf("their product v_A'.v_B': %.1f, so they leave at right angles\n",
               std::abs(after.velocity_a.dot(after.velocity_b)));
   // 40 taken as radians, and the angle taken from the tangent.
-  std::printf("sin and cos of 40 radians: A %.2f, B %.2f\n", 20 * std::abs(std::sin(40.0)),
-              20 * std::abs(std::cos(40.0)));
+  std::printf("sin and cos of 40 radians: A %.2f, B %.2f\n", 20 * std::sin(40.0),
+              20 * std::cos(40.0));
   std::printf("40 degrees from the tangent: A %.2f, B %.2f\n", 20 * std::cos(angle),
               20 * std::sin(angle));
 }

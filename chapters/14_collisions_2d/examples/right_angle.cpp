@@ -28,6 +28,8 @@ int main() {
   hit("e = 0.9:", 1, 0.9, {0, 0}, aside);
   hit("B twice as heavy:", 2, 1, {0, 0}, aside);
   hit("B half as heavy:", 0.5, 1, {0, 0}, aside);
+  hit("twice as heavy, e = 0.5:", 2, 0.5, {0, 0}, aside);
   hit("B moves:", 1, 1, {0.5, -0.5}, aside);
+  hit("B moves across A's way:", 1, 1, {0, -0.5}, aside);
   hit("head-on:", 1, 1, {0, 0}, {1, 0});
 }
