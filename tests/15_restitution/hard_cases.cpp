@@ -258,6 +258,8 @@ void add_height(hard_cases::Runner& runner) {
       return contact::bounce_in_steps(b, t / static_cast<double>(steps), steps, rule).height;
     };
   };
+  method("1/60 s, flip below", in_steps(contact::StepRule::flip_below, 60));
+  method("1/60 s, on the floor", in_steps(contact::StepRule::clamp, 60));
   method("1/60 s, the lecture's loop", in_steps(contact::StepRule::new_velocity, 60));
   method("1/60 s, step's end", in_steps(contact::StepRule::end_velocity, 60));
   method("1/60 s, at the impact", in_steps(contact::StepRule::impact_velocity, 60));

@@ -65,12 +65,18 @@ S impact_speed(const BouncingBall<S>& ball) {
   const S square = ball.velocity * ball.velocity + S(2) * ball.gravity * ball.height;
   const S safe = std::sqrt(std::numeric_limits<S>::min());
   if (square > safe && std::isfinite(square)) return std::sqrt(square);
-  const S a = std::abs(ball.velocity);
-  const S b = std::sqrt(ball.gravity) * std::sqrt(ball.height) * std::sqrt(S(2));
-  const S larger = std::max(a, b);
-  if (larger == S(0)) return S(0);
-  const S ratio = std::min(a, b) / larger;
-  return larger * std::sqrt(S(1) + ratio * ratio);
+  if (ball.height == S(0)) return std::abs(ball.velocity);
+  // The same with powers of two taken out, which rounds no more: v = a 2^i and 2 g h = b 2^j, and
+  // the larger of v² and 2 g h comes near 1.
+  int i = 0;
+  int of_gravity = 0;
+  int of_height = 0;
+  const S a = std::frexp(ball.velocity, &i);
+  const S b = std::frexp(ball.gravity, &of_gravity) * std::frexp(ball.height, &of_height);
+  const int j = of_gravity + of_height + 1;
+  const int power = a == S(0) ? j / 2 : std::max(i, j / 2);
+  return std::ldexp(std::sqrt(std::ldexp(a * a, 2 * (i - power)) + std::ldexp(b, j - 2 * power)),
+                    power);
 }
 
 /// The time of the first impact: the root of h + v t − g t²/2 that is not in the past.

@@ -1,5 +1,5 @@
 /// @file
-/// A bouncing ball in steps of one length: four rules for the step in which it meets the floor, of
+/// A bouncing ball in steps of one length: five rules for the step in which it meets the floor, of
 /// which one is right.
 #pragma once
 

@@ -6,7 +6,10 @@
 using M = contact::Matrix3<double>;
 using V = contact::Vector3<double>;
 
-double off(const M& got, const M& right) { return (got - right).norm() / std::sqrt(2.0); }
+/// The angle between two rotations. Over √2, the norm of their difference is its chord, 2 sin(δ/2).
+double off(const M& got, const M& right) {
+  return 2 * std::asin(std::fmin((got - right).norm() / std::sqrt(8.0), 1.0));
+}
 
 void spin(const char* name, const V& moments, const V& momentum) {
   const double h = 1.0 / 64;
