@@ -1,0 +1,63 @@
+// What it costs to find a triangle to wait at: by a walk, or by trying every new one. The points
+// are a ring, a few points above its middle, and one below.
+#include <array>
+#include <cmath>
+#include <contact/convex_hull.hpp>
+#include <cstdint>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+using Point = contact::Vector3<double>;
+
+/// Exact sides that count.
+class CountingSides : public contact::ExactSides {
+ public:
+  using ExactSides::ExactSides;
+  static inline std::int64_t asked = 0;
+  int side(const Plane& plane, int a, int b, int c, int d) const {
+    ++asked;
+    return ExactSides::side(plane, a, b, c, d);
+  }
+};
+
+int main() {
+  contact::HullShuffle random;
+  const auto uniform = [&random] { return static_cast<double>(random.next() >> 11) * 0x1p-52 - 1; };
+  std::printf("%8s %16s %24s\n", "points", "walking asks", "moved x made, summed");
+  for (const int n : {250, 1000, 4000}) {
+    std::vector<Point> points{{0, 0, -3}};
+    for (int i = 1; i <= 10; ++i) points.emplace_back(1e-3 * uniform(), 1e-3 * uniform(), 0.05 * i);
+    while (static_cast<int>(points.size()) < n) {
+      const double x = uniform(), y = uniform(), size = std::sqrt(x * x + y * y);
+      if (size < 1 && size > 0.1) points.emplace_back(x / size, y / size, 1e-6 * uniform());
+    }
+    const int orders = 8;
+    std::int64_t asked = 0, product = 0;
+    for (int order = 0; order < orders; ++order) {
+      for (std::size_t i = points.size(); i > 1; --i)
+        std::swap(points[i - 1], points[random.below(i)]);
+      const CountingSides sides(points);
+      CountingSides::asked = 0;
+      contact::GrowingHull<CountingSides> hull(sides, contact::first_simplex(points).points, n);
+      for (int p = 0; p < n; ++p) hull.wait(p, std::array{0, 1, 2, 3});
+      std::vector<int> before(points.size());
+      for (int p = 0; p < n; ++p) {
+        if (hull.sees(p) < 0) continue;
+        for (int q = 0; q < n; ++q) before[static_cast<std::size_t>(q)] = hull.sees(q);
+        hull.add(p, hull.sees(p), [](int, int) {});
+        std::vector<bool> removed(hull.all().size(), false);
+        for (const int t : hull.removed()) removed[static_cast<std::size_t>(t)] = true;
+        std::int64_t moved = 0;
+        for (int q = 0; q < n; ++q) {
+          const int t = before[static_cast<std::size_t>(q)];
+          moved += q != p && t >= 0 && removed[static_cast<std::size_t>(t)];
+        }
+        product += moved * static_cast<std::int64_t>(hull.made().size());
+      }
+      asked += CountingSides::asked;
+    }
+    std::printf("%8d %16lld %24lld\n", n, static_cast<long long>(asked / orders),
+                static_cast<long long>(product / orders));
+  }
+}
