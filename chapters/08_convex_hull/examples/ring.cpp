@@ -24,7 +24,7 @@ class CountingSides : public contact::ExactSides {
 int main() {
   contact::HullShuffle random;
   const auto uniform = [&random] { return static_cast<double>(random.next() >> 11) * 0x1p-52 - 1; };
-  std::printf("%8s %16s %24s\n", "points", "walking asks", "moved x made, summed");
+  std::printf("%8s %20s %20s\n", "points", "growing, in all", "moves alone, in turn");
   for (const int n : {250, 1000, 4000}) {
     std::vector<Point> points{{0, 0, -3}};
     for (int i = 1; i <= 10; ++i) points.emplace_back(1e-3 * uniform(), 1e-3 * uniform(), 0.05 * i);
@@ -33,7 +33,7 @@ int main() {
       if (size < 1 && size > 0.1) points.emplace_back(x / size, y / size, 1e-6 * uniform());
     }
     const int orders = 8;
-    std::int64_t asked = 0, product = 0;
+    std::int64_t walking = 0, in_turn = 0;
     for (int order = 0; order < orders; ++order) {
       for (std::size_t i = points.size(); i > 1; --i)
         std::swap(points[i - 1], points[random.below(i)]);
@@ -46,18 +46,23 @@ int main() {
         if (hull.sees(p) < 0) continue;
         for (int q = 0; q < n; ++q) before[static_cast<std::size_t>(q)] = hull.sees(q);
         hull.add(p, hull.sees(p), [](int, int) {});
-        std::vector<bool> removed(hull.all().size(), false);
-        for (const int t : hull.removed()) removed[static_cast<std::size_t>(t)] = true;
-        std::int64_t moved = 0;
+        // What the points that moved would have asked of the new triangles in turn.
+        const std::int64_t so_far = CountingSides::asked;
+        std::vector<bool> gone(hull.all().size(), false);
+        for (const int t : hull.removed()) gone[static_cast<std::size_t>(t)] = true;
         for (int q = 0; q < n; ++q) {
           const int t = before[static_cast<std::size_t>(q)];
-          moved += q != p && t >= 0 && removed[static_cast<std::size_t>(t)];
+          if (q == p || t < 0 || !gone[static_cast<std::size_t>(t)]) continue;
+          for (const int made : hull.made()) {
+            if (hull.side(hull.all()[static_cast<std::size_t>(made)], q) > 0) break;
+          }
         }
-        product += moved * static_cast<std::int64_t>(hull.made().size());
+        in_turn += CountingSides::asked - so_far;
+        CountingSides::asked = so_far;
       }
-      asked += CountingSides::asked;
+      walking += CountingSides::asked;
     }
-    std::printf("%8d %16lld %24lld\n", n, static_cast<long long>(asked / orders),
-                static_cast<long long>(product / orders));
+    std::printf("%8d %20lld %20lld\n", n, static_cast<long long>(walking / orders),
+                static_cast<long long>(in_turn / orders));
   }
 }
