@@ -25,14 +25,14 @@ int main() {
   contact::HullShuffle random;
   const auto uniform = [&random] { return static_cast<double>(random.next() >> 11) * 0x1p-52 - 1; };
   std::printf("%8s %20s %20s\n", "points", "growing, in all", "moves alone, in turn");
-  for (const int n : {250, 1000, 4000}) {
+  for (const int n : {125, 500, 2000}) {
     std::vector<Point> points{{0, 0, -3}};
     for (int i = 1; i <= 10; ++i) points.emplace_back(1e-3 * uniform(), 1e-3 * uniform(), 0.05 * i);
     while (static_cast<int>(points.size()) < n) {
       const double x = uniform(), y = uniform(), size = std::sqrt(x * x + y * y);
       if (size < 1 && size > 0.1) points.emplace_back(x / size, y / size, 1e-6 * uniform());
     }
-    const int orders = 8;
+    const int orders = 4;
     std::int64_t walking = 0, in_turn = 0;
     for (int order = 0; order < orders; ++order) {
       for (std::size_t i = points.size(); i > 1; --i)
