@@ -136,6 +136,9 @@ ladder::Ladder<Input, Answer> experiment() {
   });
   add("grow-exact", "growing (the book's)", "double, then exact", true,
       [](const Points& p) { return of_hull(contact::convex_hull(p)); });
+  add("grow-unfiltered", "growing, no filter", "exact", true, [](const Points& p) {
+    return of_hull(contact::convex_hull_with<contact::UnfilteredSides>(p));
+  });
   return ladder;
 }
 

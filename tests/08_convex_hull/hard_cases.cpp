@@ -159,19 +159,48 @@ Json solid_answer(const Case& c) {
   return answer;
 }
 
-bool right_hull(const Json& answer, const Hull& hull) {
-  return hull.closed && hull.dimension == answer.at("dimension").get<int>() &&
-         hull.vertices.size() == answer.at("corners").get<std::size_t>() &&
-         hull.face_count() == answer.at("faces").get<int>();
+using Points = std::vector<Vector3<double>>;
+
+/// Whether three points span a plane with nothing in front of it.
+bool supports(const Points& points, int a, int b, int c) {
+  const auto at = [&points](int i) { return points[static_cast<std::size_t>(i)]; };
+  return !contact::on_one_line(at(a), at(b), at(c)) &&
+         std::all_of(points.begin(), points.end(), [&](const Vector3<double>& p) {
+           return contact::side_of_plane(at(a), at(b), at(c), p) <= 0;
+         });
 }
 
-/// Triangles only: right if they close, have the right corners, and would be the faces, cut.
-bool right_wrapping(const Json& answer, const contact::Wrapping& wrapping) {
+/// Faces with nothing in front that close are the hull; then the number of corners says whether
+/// they are the right ones.
+bool right_hull(const Json& answer, const Points& points, const Hull& hull) {
+  bool right = hull.closed && hull.dimension == answer.at("dimension").get<int>() &&
+               hull.vertices.size() == answer.at("corners").get<std::size_t>() &&
+               hull.face_count() == answer.at("faces").get<int>();
+  for (int f = 0; right && f < hull.face_count(); ++f) {
+    const auto face = hull.face(f);
+    right = supports(points, face[0], face[1], face[2]);
+  }
+  return right;
+}
+
+/// Triangles only: right if they close with nothing in front, and have the right corners.
+bool right_wrapping(const Json& answer, const Points& points, const contact::Wrapping& wrapping) {
   std::set<int> corners;
   for (const auto& t : wrapping.triangles) corners.insert(t.begin(), t.end());
   const std::size_t count = answer.at("corners").get<std::size_t>();
   return wrapping.closed && answer.at("dimension") == 3 && corners.size() == count &&
-         wrapping.triangles.size() == 2 * count - 4;
+         wrapping.triangles.size() == 2 * count - 4 &&
+         std::all_of(wrapping.triangles.begin(), wrapping.triangles.end(),
+                     [&points](const auto& t) { return supports(points, t[0], t[1], t[2]); });
+}
+
+/// A method for points in space, and how it is judged.
+template <class Method, class Judge>
+auto judged(Method method, Judge judge) {
+  return [method, judge](const Case& c, const Json& answer) {
+    const Points points = points_of<3>(c);
+    return judge(answer, points, method(points));
+  };
 }
 
 }  // namespace
@@ -197,29 +226,39 @@ int main(int argc, char** argv) {
   });
 
   runner.question("hull_3d", solid_answer);
-  runner.method("hull_3d", "wrapping, angles as on the slide", [](const Case& c, const Json& a) {
-    return right_wrapping(
-        a, contact::wrap_by_angles<double>(points_of<3>(c), contact::FoldAngle::unsigned_));
-  });
-  runner.method("hull_3d", "wrapping, signed angles", [](const Case& c, const Json& a) {
-    return right_wrapping(
-        a, contact::wrap_by_angles<double>(points_of<3>(c), contact::FoldAngle::signed_));
-  });
-  runner.method("hull_3d", "incremental, float", [](const Case& c, const Json& a) {
-    return right_hull(a, contact::convex_hull_with<contact::RoundedSides<float>>(points_of<3>(c)));
-  });
-  runner.method("hull_3d", "incremental, double", [](const Case& c, const Json& a) {
-    return right_hull(a, contact::convex_hull_with<contact::RoundedSides<double>>(points_of<3>(c)));
-  });
-  runner.method("hull_3d", "incremental, epsilon 1e-6", [](const Case& c, const Json& a) {
-    return right_hull(
-        a, contact::convex_hull_with<contact::RoundedSides<double>>(points_of<3>(c), 1e-6));
-  });
-  runner.method("hull_3d", "wrapping, exact", [](const Case& c, const Json& a) {
-    return right_hull(a, contact::gift_wrap(points_of<3>(c)));
-  });
-  runner.method("hull_3d", "incremental, exact", [](const Case& c, const Json& a) {
-    return right_hull(a, contact::convex_hull(points_of<3>(c)));
-  });
+  runner.method("hull_3d", "wrapping, angles as on the slide",
+                judged(
+                    [](const Points& p) {
+                      return contact::wrap_by_angles<double>(p, contact::FoldAngle::unsigned_);
+                    },
+                    right_wrapping));
+  runner.method("hull_3d", "wrapping, signed angles",
+                judged(
+                    [](const Points& p) {
+                      return contact::wrap_by_angles<double>(p, contact::FoldAngle::signed_);
+                    },
+                    right_wrapping));
+  runner.method("hull_3d", "incremental, float",
+                judged(
+                    [](const Points& p) {
+                      return contact::convex_hull_with<contact::RoundedSides<float>>(p);
+                    },
+                    right_hull));
+  runner.method("hull_3d", "incremental, double",
+                judged(
+                    [](const Points& p) {
+                      return contact::convex_hull_with<contact::RoundedSides<double>>(p);
+                    },
+                    right_hull));
+  runner.method("hull_3d", "incremental, epsilon 1e-6",
+                judged(
+                    [](const Points& p) {
+                      return contact::convex_hull_with<contact::RoundedSides<double>>(p, 1e-6);
+                    },
+                    right_hull));
+  runner.method("hull_3d", "wrapping, exact",
+                judged([](const Points& p) { return contact::gift_wrap(p); }, right_hull));
+  runner.method("hull_3d", "incremental, exact",
+                judged([](const Points& p) { return contact::convex_hull(p); }, right_hull));
   return runner.run(argc, argv);
 }

@@ -24,6 +24,37 @@ bool on_edge(const Points& points, int i) {
   return false;
 }
 
+bool solid(const Points& points) {
+  for (const Point& a : points) {
+    for (const Point& b : points) {
+      for (const Point& c : points) {
+        if (whole::side(points[0], a, b, c) != 0) return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// The corners of faces that have no fourth point in their plane.
+Corners without_ties(const Points& points) {
+  Corners corners;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point& a = points[i];
+    bool found = std::find(points.begin(), points.end(), a) ==
+                 points.begin() + static_cast<std::ptrdiff_t>(i);
+    found = found && std::any_of(points.begin(), points.end(), [&](const Point& b) {
+              return std::any_of(points.begin(), points.end(), [&](const Point& c) {
+                return !whole::on_line(a, b, c) &&
+                       std::all_of(points.begin(), points.end(), [&](const Point& p) {
+                         return p == a || p == b || p == c || whole::side(a, b, c, p) < 0;
+                       });
+              });
+            });
+    if (found) corners.push_back(static_cast<int>(i));
+  }
+  return corners;
+}
+
 void check(const Points& points) {
   const Corners right = whole::hull_corners(points);
   const auto has = [](const Corners& list, int i) {
@@ -36,6 +67,11 @@ void check(const Points& points) {
   const auto at = [&](int i) { return points[static_cast<std::size_t>(i)]; };
   ask("Which points are corners of the hull?")
       .given("points", points)
+      .suspect_if("ties-dropped",
+                  [&](const Corners& got) {
+                    return got.size() < right.size() && solid(points) &&
+                           got == without_ties(points);
+                  })
       .suspect("flat-input-empty", [] { return Corners{}; })
       .suspect("axis-extremes-only",
                [&] {

@@ -30,6 +30,7 @@ class GrowingHull {
     std::array<int, 3> neighbour;  ///< triangles
     int first_waiting = -1;        ///< head of the list of points that wait in front of it
     std::uint32_t marked = 0;      ///< by the last search that has seen it
+    int walked_by = -1;            ///< the last waiting point that has asked about it
     bool alive = true;             ///< false once it is removed
     typename Sides::Plane plane;   ///< worked out when it was made
   };
@@ -80,10 +81,6 @@ class GrowingHull {
   // [add]
   /// Adds point p, which sees triangle `seen`: what p sees is removed, and the horizon is joined to
   /// p. Points that waited at a triangle that is gone wait at a new one, or are inside.
-  ///
-  /// Why the new ones are enough: let q see a removed triangle, and take a point x within it. From
-  /// x to q the way lies outside the old hull, and x is inside the new one. If q is outside, the
-  /// way leaves the new hull through a face that is not old; so q is in front of that face.
   /// @param dropped dropped(p, q) is called for a point q that waited and is in the new hull now:
   /// it
   ///   may be equal to p
@@ -105,11 +102,45 @@ class GrowingHull {
       int q = triangles_[static_cast<std::size_t>(gone)].first_waiting;
       while (q >= 0) {
         const int next = next_waiting_[static_cast<std::size_t>(q)];
-        if (q != p && !wait(q, made_)) dropped(p, q);
+        if (q != p && !wait_beyond(q, gone)) dropped(p, q);
         q = next;
       }
-      free_.push_back(gone);
     }
+    free_.insert(free_.end(), removed_.begin(), removed_.end());
+  }
+
+  /// Lets point q, which sees removed triangle `gone`, wait at one of the triangles just made that
+  /// it sees, if there is one: found on a walk over the removed triangles that q sees.
+  ///
+  /// Why the walk finds one: what q saw of the old hull is one patch. If it reaches beyond the
+  /// horizon, q saw both triangles at the edge where the walk first gets there, and so it sees the
+  /// new one at that edge, whose plane lies between theirs. If it does not, the walk comes to every
+  /// triangle that q saw; and q can see the new triangle of an edge only if it saw one of the two
+  /// there.
+  /// @return whether there is one
+  bool wait_beyond(int q, int gone) {
+    walk_.assign(1, gone);
+    triangles_[static_cast<std::size_t>(gone)].walked_by = q;
+    while (!walk_.empty()) {
+      const Triangle& here = triangles_[static_cast<std::size_t>(walk_.back())];
+      walk_.pop_back();
+      for (std::size_t i = 0; i < 3; ++i) {
+        const int beyond = here.neighbour[i];
+        Triangle& other = triangles_[static_cast<std::size_t>(beyond)];
+        if (other.alive) {  // the horizon: across the edge there is a new triangle now
+          const int back = edge_to(other, here.corner[(i + 1) % 3]);
+          if (wait(q, std::array{other.neighbour[static_cast<std::size_t>(back)]})) {
+            walk_.clear();
+            return true;
+          }
+        } else if (other.walked_by != q) {
+          other.walked_by = q;
+          if (side(other, q) > 0) walk_.push_back(beyond);
+        }
+      }
+    }
+    sees_[static_cast<std::size_t>(q)] = -1;
+    return false;
   }
   // [/add]
 
@@ -214,13 +245,13 @@ class GrowingHull {
   std::vector<Triangle> triangles_;
   std::vector<int> free_, next_waiting_, sees_, stands_for_;
   std::vector<Edge> horizon_;
-  std::vector<int> removed_, made_;
+  std::vector<int> removed_, made_, walk_;
   std::vector<Step> steps_;
   std::uint32_t search_ = 0;
   bool stuck_ = false;
 
   void make(int a, int b, int c, const std::array<int, 3>& neighbour) {
-    triangles_.push_back({{a, b, c}, neighbour, -1, 0, true, sides_.plane(a, b, c)});
+    triangles_.push_back({{a, b, c}, neighbour, -1, 0, -1, true, sides_.plane(a, b, c)});
   }
 
   int allocate(const Edge& edge, int p) {
@@ -235,6 +266,7 @@ class GrowingHull {
                                                    {edge.outer, -1, -1},
                                                    -1,
                                                    0,
+                                                   -1,
                                                    true,
                                                    sides_.plane(edge.from, edge.to, p)};
     triangles_[static_cast<std::size_t>(edge.outer)]
@@ -362,12 +394,13 @@ Hull convex_hull_with(const std::vector<Vector3<double>>& points, Arguments... a
 ///
 /// @param points m, any number, any scale; throws std::invalid_argument unless all are finite
 ///
-/// Limits: exact for every finite input; fewer than 2^29 points. The expected time is O(n log n),
-/// whatever the points are: the order is random, and the same each time.
+/// Limits: exact for every finite input; fewer than 2^29 points. For points in a random order, no
+/// four of them in one plane, the expected time is O(n log n). The order is shuffled, but the same
+/// each time: who knows it can make points for which it is bad.
 ///
-/// Source: Clarkson and Shor, Applications of Random Sampling in Computational Geometry II, 1989;
-/// that a waiting point needs only one face is from Barber, Dobkin and Huhdanpaa, The Quickhull
-/// Algorithm for Convex Hulls, 1996.
+/// Source: Clarkson and Shor, Applications of Random Sampling in Computational Geometry II, 1989,
+/// who keep for each point all triangles that it sees; that one is enough to wait at is from
+/// Barber, Dobkin and Huhdanpaa, The Quickhull Algorithm for Convex Hulls, 1996.
 inline Hull convex_hull(const std::vector<Vector3<double>>& points) {
   return convex_hull_with<ExactSides>(points);
 }

@@ -155,7 +155,7 @@ Wrapping wrap_by_angles(const std::vector<Vector3<double>>& points, FoldAngle fo
 ///
 /// @param points m; throws std::invalid_argument unless all are finite
 ///
-/// Limits: n side tests for each edge of the hull, so O(n h).
+/// Limits: 2n side tests for each face of the hull, so O(n h) with h corners.
 ///
 /// Source: Chand and Kapur, An Algorithm for Convex Polytopes, 1970.
 template <SideTest Sides, class... Arguments>

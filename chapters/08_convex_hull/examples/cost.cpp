@@ -32,19 +32,29 @@ std::vector<Point> draw(int count, bool on_surface) {
   return points;
 }
 
+/// One line of a table.
+void count(const std::vector<Point>& points) {
+  CountingSides::asked = 0;
+  const contact::Hull hull = contact::convex_hull_with<CountingSides>(points);
+  const std::int64_t growing = CountingSides::asked;
+  CountingSides::asked = 0;
+  contact::gift_wrap_with<CountingSides>(points);
+  std::printf("%8zu %9zu %16lld %16lld\n", points.size(), hull.vertices.size(),
+              static_cast<long long>(CountingSides::asked), static_cast<long long>(growing));
+}
+
 int main() {
   for (const bool on_surface : {false, true}) {
     std::printf("%s\n%8s %9s %16s %16s\n", on_surface ? "on a sphere" : "in a ball", "points",
                 "corners", "wrapping asks", "growing asks");
-    for (const int n : {125, 500, 2000}) {
-      const std::vector<Point> points = draw(n, on_surface);
-      CountingSides::asked = 0;
-      const contact::Hull hull = contact::convex_hull_with<CountingSides>(points);
-      const std::int64_t growing = CountingSides::asked;
-      CountingSides::asked = 0;
-      contact::gift_wrap_with<CountingSides>(points);
-      std::printf("%8d %9zu %16lld %16lld\n", n, hull.vertices.size(),
-                  static_cast<long long>(CountingSides::asked), static_cast<long long>(growing));
+    for (const int n : {125, 500, 2000}) count(draw(n, on_surface));
+  }
+  std::printf("some on a sphere, the others within half of it\n");
+  for (const int n : {500, 2000}) {
+    for (const int part : {16, 4, 2, 1}) {
+      std::vector<Point> points = draw(n / part, true);
+      for (const Point& p : draw(n - n / part, false)) points.push_back(p / 2);
+      count(points);
     }
   }
 }
