@@ -15,7 +15,7 @@ inline constexpr double seconds = 10;
 
 struct Output {
   double problem;
-  std::array<double, samples> matrix, quaternion, exponential, midpoint;  // errors, rad
+  std::array<double, samples> matrix, quaternion, exponential, midpoint;  // errors: 2 sin(angle/2)
   std::array<double, 4> read;  // the errors at the time, rad
   double length;               // of Euler's matrix's longest column at the end
 };

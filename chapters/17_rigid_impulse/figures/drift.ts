@@ -60,7 +60,7 @@ export default defineFigure<Input, Output>({
     scene.label([10.6, 0], "t, s", { role: "muted", offset: [0, 20], anchor: "end" });
     for (let power = LOW; power <= HIGH; power += 2) {
       scene.line([0, height(power)], [10.4, height(power)], { role: "ghost", width: 1 });
-      scene.label([0, height(power)], power === 0 ? "1 rad" : `1e${power}`, {
+      scene.label([0, height(power)], power === 0 ? "1" : `1e${power}`, {
         role: "muted",
         offset: [-6, 4],
         anchor: "end",
@@ -96,9 +96,8 @@ export default defineFigure<Input, Output>({
   values: (_input, output) => [
     ...WAYS.map(([, name, role], k) => ({
       name,
-      meaning: "error at t",
+      meaning: "error at t, as a chord",
       value: output.read[k] ?? 0,
-      unit: "rad",
       role: role as Role,
     })),
     {
@@ -109,6 +108,6 @@ export default defineFigure<Input, Output>({
     },
   ],
   describe(input, output) {
-    return `At ${pretty(input.at)} s and ${pretty(input.steps)} steps a second, Euler’s matrix is off by ${pretty(output.read[0] ?? 0, 2)}, the quaternion by ${pretty(output.read[1] ?? 0, 2)}, the exponential map by ${pretty(output.read[2] ?? 0, 2)} and its midpoint by ${pretty(output.read[3] ?? 0, 2)} radians.`;
+    return `At ${pretty(input.at)} s and ${pretty(input.steps)} steps a second, Euler’s matrix is off by ${pretty(output.read[0] ?? 0, 2)}, the quaternion by ${pretty(output.read[1] ?? 0, 2)}, the exponential map by ${pretty(output.read[2] ?? 0, 2)} and its midpoint by ${pretty(output.read[3] ?? 0, 2)}, as chords of the unit circle.`;
   },
 });
