@@ -3,12 +3,14 @@
 
 build/venv/bin/python docs/build.py             with whatever is built already
 build/venv/bin/python docs/build.py --complete  everything a page shows must be there
+build/venv/bin/python docs/build.py --builder epub  the book as one file, beside the pages
 """
 
 from __future__ import annotations
 
 import argparse
 import os
+import shutil
 import sys
 import time
 from pathlib import Path
@@ -20,7 +22,7 @@ from contact_book.book import Book  # noqa: E402
 from contact_book.doxygen import run_doxygen  # noqa: E402
 from contact_book.errors import BookError  # noqa: E402
 from contact_book.products import run_programs  # noqa: E402
-from contact_book.run import run_sphinx  # noqa: E402
+from contact_book.run import EBOOK, run_sphinx  # noqa: E402
 from contact_book.stage import stage  # noqa: E402
 
 
@@ -41,7 +43,9 @@ def arguments() -> argparse.Namespace:
     parser.add_argument(
         "--build", type=Path, help="where everything is built (default: ROOT/build)"
     )
-    parser.add_argument("--site", type=Path, help="where the pages go (default: BUILD/site)")
+    parser.add_argument(
+        "--site", type=Path, help="where the pages go (default: BUILD/site, or BUILD/epub)"
+    )
     parser.add_argument("--web", type=Path, help="the built components (default: BUILD/web)")
     parser.add_argument("--programs", type=Path, help="built programs (default: BUILD/dev/bin)")
     parser.add_argument("--complete", action="store_true", help="fail if a product is missing")
@@ -63,7 +67,8 @@ def page_names(staged: Path) -> set[str]:
 def build(options: argparse.Namespace) -> int:
     root: Path = options.root.resolve()
     made: Path = (options.build or root / "build").resolve()
-    site: Path = (options.site or made / "site").resolve()
+    kind = "site" if options.builder == "html" else options.builder
+    site: Path = (options.site or made / kind).resolve()
     web: Path = (options.web or made / "web").resolve()
     book = Book(root, made / "docs-data")
     steps = Steps()
@@ -83,9 +88,17 @@ def build(options: argparse.Namespace) -> int:
         "CONTACT_BOOK_WEB": str(web),
         "CONTACT_BOOK_COMPLETE": "1" if options.complete else "0",
     }
+    if options.builder == "epub":
+        # Whatever is in the folder becomes part of the file.
+        shutil.rmtree(site, ignore_errors=True)
     steps.say("Sphinx")
     code = run_sphinx(options.builder, DOCS, made, site, environment, every_page=every_page)
-    if code == 0:
+    if code == 0 and options.builder == "epub":
+        pages = made / "site"
+        pages.mkdir(exist_ok=True)
+        shutil.copyfile(site / EBOOK, pages / EBOOK)
+        steps.say(f"the e-book is at {pages / EBOOK}")
+    elif code == 0:
         steps.say(f"the book is at {site / 'index.html'}")
     return code
 

@@ -56,6 +56,20 @@ nitpick_ignore_regex = [
     (r"cpp:identifier", r"(contact::)?(detail|internal)(::.*)?|contact(::tolerance)?"),
 ]
 
+epub_basename = "contact-hours"
+epub_title = project
+epub_description = "A book of collision detection and response that you can run, in C++."
+epub_contributor = author
+epub_publisher = author
+epub_copyright = project_copyright
+# Sphinx writes the one where the other is wanted.
+epub_identifier = epub_uid = "contact-hours.book"
+epub_tocscope = "includehidden"
+epub_tocdepth = 2
+epub_tocdup = False
+epub_show_urls = "no"
+epub_css_files = ["ebook.css"]
+
 html_theme = "furo"
 html_title = "Contact Hours"
 html_favicon = "_static/favicon.svg"

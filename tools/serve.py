@@ -37,6 +37,7 @@ class Handler(http.server.SimpleHTTPRequestHandler):
         ".svg": "image/svg+xml",
         ".woff2": "font/woff2",
         ".gz": "application/gzip",
+        ".epub": "application/epub+zip",
     }
 
     def end_headers(self) -> None:
@@ -161,6 +162,21 @@ def fetch_all(port: int) -> list[str]:
     return wrong if pages else ["there is no page at all"]
 
 
+# --- Where things lie -----------------------------------------------------------------------------
+
+
+def where_things_lie(address: str) -> str:
+    ebook = steps.EBOOK.relative_to(steps.ROOT)
+    there = "" if steps.EBOOK.exists() else ", as soon as everything is built"
+    lines = (
+        f"The book: {address}",
+        f"Search:   {address}search.html, or press / on any page",
+        f"E-book:   {ebook}{there}; {address}{steps.EBOOK.name}",
+        "On paper: print a page from the browser (Ctrl-P); its controls stay behind",
+    )
+    return "\n" + "".join(f"  {line}\n" for line in lines)
+
+
 # --- Together -------------------------------------------------------------------------------------
 
 
@@ -173,7 +189,7 @@ def serve(port: int, once: bool) -> int:
     thread = threading.Thread(target=server.serve_forever, daemon=True)
     try:
         thread.start()
-        print(f"\n  The book: http://127.0.0.1:{port}/\n", flush=True)
+        print(where_things_lie(f"http://127.0.0.1:{port}/"), flush=True)
         behind.start()
         if once:
             behind.join()

@@ -19,6 +19,8 @@ BUILD = ROOT / "build"
 DEV = BUILD / "dev"
 LOGS = BUILD / "logs"
 SITE = BUILD / "site"
+# As docs/build.py names it.
+EBOOK = SITE / "contact-hours.epub"
 PROGRAM = DEV / "bin" / "contact"
 # Seconds after which a step hangs rather than works, on any machine.
 STEP_LIMIT = 1200.0
@@ -212,6 +214,15 @@ def build_book() -> Done:
     )
 
 
+def build_ebook() -> Done:
+    """The pages once more, as one file; any warning fails."""
+    return run(
+        [sys.executable, ROOT / "docs" / "build.py", "--complete", "--builder", "epub"],
+        "book-ebook",
+        limit=STEP_LIMIT,
+    )
+
+
 # What a reader needs to begin, in order.
 FIRST = (
     Step("the programs whose results the pages show", _page_programs),
@@ -224,5 +235,6 @@ BEHIND = (
     Step("the ladders' C++ for the page", _node("book-ladders", "wasm/build.mjs", "ladders")),
     Step("the compiler and the exercises for the page", _page_exercises),
     Step("the pages with all that", build_book),
+    Step("the e-book", build_ebook),
     Step("the program, for the exercises", lambda: build_native(["contact"], "book-program")),
 )

@@ -19,6 +19,7 @@ import sys
 import time
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -163,10 +164,34 @@ def pytest(*folders: str, beside: Sequence[str] = ()) -> Iterator[Check]:
             yield counted(f"pytest {folder}", python, count_junit(file))
 
 
+def side_by_side(checks: Sequence[Check]) -> Check:
+    """Checks that use one core each, two at a time."""
+
+    def check(seconds: float) -> Tally:
+        until = time.monotonic() + seconds
+        total = Tally()
+        with ThreadPoolExecutor(2) as pool:
+            try:
+                for tally in pool.map(lambda one: one(max(1.0, until - time.monotonic())), checks):
+                    total.add(tally)
+            except BaseException:
+                pool.shutdown(wait=False, cancel_futures=True)
+                steps.CHILDREN.stop_all()
+                raise
+        return total
+
+    return check
+
+
 def node_tests(what: str, files: Sequence[Path], cwd: Path) -> Iterator[Check]:
+    """Each file by itself, those with most in them first, so that the last to end ends soon."""
+
+    def one(file: Path) -> Check:
+        command: list[str | Path] = ["node", "--test", "--test-reporter=tap", file]
+        return counted(f"{what} {file.name.removesuffix('.test.mjs')}", command, count_tap, cwd)
+
     if files:
-        command: list[str | Path] = ["node", "--test", "--test-reporter=tap", *files]
-        yield counted(what, command, count_tap, cwd)
+        yield side_by_side([one(file) for file in sorted(files, key=lambda f: -f.stat().st_size)])
 
 
 def ctest(preset: str) -> Check:
@@ -357,7 +382,7 @@ def page() -> Iterator[Check]:
     """Everything the book is made of, as ./contact serve makes it, and the tests of the scripts."""
     docs = ROOT / "docs"
     yield from step_checks(steps.FIRST[1:3] + steps.BEHIND[:1])
-    yield from node_tests("tests of docs/web", sorted(docs.glob("web/test/*.test.mjs")), docs)
+    yield from node_tests("test of docs/web:", sorted(docs.glob("web/test/*.test.mjs")), docs)
 
 
 def wasm() -> Iterator[Check]:
@@ -371,11 +396,11 @@ def wasm() -> Iterator[Check]:
         yield once("Catch2's source", [ROOT / "tools" / "fetch_catch2_source.sh"])
     yield from step_checks(steps.BEHIND[1:2])
     tests = [*sorted(docs.glob("wasm/*.test.mjs")), *sorted(docs.glob("web/test/cpp/*.test.mjs"))]
-    yield from node_tests("tests of docs/wasm", tests, docs)
+    yield from node_tests("test of docs/wasm:", tests, docs)
 
 
 def book() -> Iterator[Check]:
-    yield from step_checks(steps.FIRST[3:])
+    yield from step_checks(steps.FIRST[3:] + steps.BEHIND[3:4])
     yield from pytest("tests/docs", "tests/serve")
 
 
@@ -394,7 +419,7 @@ def ladder() -> Iterator[Check]:
 
 def browser() -> Iterator[Check]:
     files = sorted((ROOT / "tests" / "browser").glob("*.test.mjs"))
-    yield from node_tests("tests in a browser", files, ROOT / "docs")
+    yield from node_tests("test in a browser:", files, ROOT / "docs")
 
 
 # --- The stages, in order -------------------------------------------------------------------------

@@ -57,7 +57,8 @@ enum class Mistake {
   overlap_at_start_missed,
   contact_point_is_centre,
   sphere_as_point,
-  separating_touches
+  separating_touches,
+  metres_for_fraction
 };
 
 std::optional<FirstTouch> mistaken(const Sphere& sphere, const Vector& displacement,
@@ -72,7 +73,8 @@ std::optional<FirstTouch> mistaken(const Sphere& sphere, const Vector& displacem
     if (mistake == Mistake::contact_point_is_centre) return FirstTouch{0, sphere.centre};
     return FirstTouch{0, sphere.centre - distance * plane.normal};
   }
-  const double t = mistake == Mistake::separating_touches ? gap / std::abs(closing) : gap / closing;
+  double t = mistake == Mistake::separating_touches ? gap / std::abs(closing) : gap / closing;
+  if (mistake == Mistake::metres_for_fraction) t *= displacement.norm();
   if (!(t >= 0 && t <= 1)) return std::nullopt;
   const Vector centre = sphere.centre + t * displacement;
   if (mistake == Mistake::contact_point_is_centre) return FirstTouch{t, centre};
@@ -81,16 +83,18 @@ std::optional<FirstTouch> mistaken(const Sphere& sphere, const Vector& displacem
 
 void check(const Sphere& sphere, const Vector& displacement, const Plane& plane,
            std::initializer_list<Mistake> mistakes = {}) {
-  constexpr std::string_view kIds[] = {"offset-to-one-side", "overlap-at-start-missed",
+  constexpr std::string_view kIds[] = {"offset-to-one-side",      "overlap-at-start-missed",
                                        "contact-point-is-centre", "sphere-as-point",
-                                       "separating-touches"};
+                                       "separating-touches",      "metres-for-fraction"};
   const double distance = plane.normal.dot(sphere.centre) - plane.offset;
   std::vector<Suspect<std::optional<FirstTouch>>> suspects;
   for (const Mistake mistake : mistakes) {
     // A hint must be true of what is in front of the student: "from behind" of a sphere there, and
     // a touch where the centre arrives of an answer that is one.
     const bool misses = !mistaken(sphere, displacement, plane, mistake);
-    if (misses && mistake != Mistake::overlap_at_start_missed) continue;
+    const bool may_miss =
+        mistake == Mistake::overlap_at_start_missed || mistake == Mistake::metres_for_fraction;
+    if (misses && !may_miss) continue;
     if (mistake == Mistake::offset_to_one_side && distance >= 0) continue;
     suspects.push_back({kIds[static_cast<std::size_t>(mistake)],
                         [&, mistake] { return mistaken(sphere, displacement, plane, mistake); }});
@@ -111,7 +115,10 @@ const Plane kFloor{{0, 0, 1}, 1};
 }  // namespace
 
 TEST_CASE("a falling sphere touches when its centre is a radius away") {
-  check({{0, 0, 9}, 2}, {0, 0, -8}, kFloor, {Mistake::sphere_as_point});
+  // A step of one metre first: who finds this touch and misses the next measures t in metres.
+  check({{0, 0, 1.75}, 0.5}, {0, 0, -1}, kFloor, {Mistake::sphere_as_point});
+  check({{0, 0, 9}, 2}, {0, 0, -8}, kFloor,
+        {Mistake::sphere_as_point, Mistake::metres_for_fraction});
   check({{4, 1, 6}, 1}, {8, 0, -16}, kFloor, {Mistake::sphere_as_point});
   check({{4, 1, 6}, 1}, {8, 0, -4}, kFloor, {Mistake::sphere_as_point});  // touches at the end
 }

@@ -46,13 +46,16 @@ enum class Mistake {
   fraction_from_the_end,
   hits_beyond_the_end,
   touching_rejected,
-  product_of_signs
+  product_of_signs,
+  metres_for_fraction,
+  absolute_epsilon
 };
 
 std::optional<Hit> mistaken(const Segment& segment, const Plane& plane, Mistake mistake) {
   const double d0 = plane.normal.dot(segment.start) - plane.offset;
   const double d1 = plane.normal.dot(segment.end) - plane.offset;
   if (d0 == d1) return std::nullopt;
+  if (std::abs(d0 - d1) < 1e-9 && mistake == Mistake::absolute_epsilon) return std::nullopt;
   double t = d0 / (d0 - d1);
   switch (mistake) {
     case Mistake::one_sided:
@@ -71,14 +74,24 @@ std::optional<Hit> mistaken(const Segment& segment, const Plane& plane, Mistake 
     case Mistake::product_of_signs:
       if (d0 * d1 > 0) return std::nullopt;
       break;
+    case Mistake::metres_for_fraction: {
+      const double metres = t * (segment.end - segment.start).norm();
+      if (metres < 0 || metres > 1) return std::nullopt;
+      t = metres;
+      break;
+    }
+    case Mistake::absolute_epsilon:
+      if (t < 0 || t > 1) return std::nullopt;
+      break;
   }
   return Hit{t, segment.start + t * (segment.end - segment.start)};
 }
 
 void check(const Segment& segment, const Plane& plane,
            std::initializer_list<Mistake> mistakes = {}) {
-  constexpr std::string_view kIds[] = {"one-sided", "fraction-from-the-end", "hits-beyond-the-end",
-                                       "touching-rejected", "product-of-signs"};
+  constexpr std::string_view kIds[] = {
+      "one-sided",        "fraction-from-the-end", "hits-beyond-the-end", "touching-rejected",
+      "product-of-signs", "metres-for-fraction",   "absolute-epsilon"};
   std::vector<Suspect<std::optional<Hit>>> suspects;
   for (const Mistake mistake : mistakes) {
     suspects.push_back({kIds[static_cast<std::size_t>(mistake)],
@@ -103,7 +116,10 @@ const Plane kLeaning{{0.6, 0, 0.8}, 2};
 }  // namespace
 
 TEST_CASE("a segment through the plane meets it at a fraction of its way") {
-  check({{0, 0, 4}, {8, 4, 0}}, kLevel, {Mistake::fraction_from_the_end});
+  // A way of one metre first: who finds this point and not the next one measures t in metres.
+  check({{0, 0, 3.25}, {0, 0, 2.25}}, kLevel, {Mistake::fraction_from_the_end});
+  check({{0, 0, 4}, {8, 4, 0}}, kLevel,
+        {Mistake::fraction_from_the_end, Mistake::metres_for_fraction});
   check({{1, 2, 11}, {1, 2, 2}}, kLevel, {Mistake::fraction_from_the_end});
   check({{5, 1, 5}, {-5, 1, -2}}, kLeaning, {Mistake::fraction_from_the_end});
   check({{1, 2, 11}, {1, 2, 4}}, kLevel);
@@ -125,7 +141,7 @@ TEST_CASE("the plane is met from the front and from the back") {
 TEST_CASE("an end on the plane counts") {
   check({{0, 0, 5}, {8, 4, 4}}, kLevel);
   check({{1, 2, 3}, {1, 2, -5}}, kLevel, {Mistake::touching_rejected});
-  check({{1, 2, 7}, {4, 2, 3}}, kLevel, {Mistake::touching_rejected});
+  check({{1, 2, 3.5}, {1, 2, 3}}, kLevel, {Mistake::touching_rejected});
   // From back to front a miss has another cause as well.
   check({{1, 2, 3}, {1, 2, 5}}, kLevel);
   check({{1, 2, -7}, {4, 2, 3}}, kLevel);
@@ -141,7 +157,8 @@ TEST_CASE("a segment in the plane, or of no length, has no single point") {
 
 TEST_CASE("tiny distances keep their signs") {
   const Plane floor{{0, 0, 1}, 0};
-  check({{0, 0, 0x1p-600}, {1, 0, -0x1p-600}}, floor);
+  check({{0, 0, 1}, {1, 0, -1}}, floor);
+  check({{0, 0, 0x1p-600}, {1, 0, -0x1p-600}}, floor, {Mistake::absolute_epsilon});
   // The same at a size whose products are not zero: who fails here does not fail for being tiny.
   check({{0, 0, 4}, {1, 0, 8}}, floor);
   check({{0, 0, 8}, {1, 0, 2}}, floor, {Mistake::hits_beyond_the_end});

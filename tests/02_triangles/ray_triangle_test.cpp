@@ -48,11 +48,13 @@ enum class Mistake {
   touching_rejected,
   drops_smallest_dimension,
   absolute_epsilon,
+  metres_for_fraction,
 };
 
 std::optional<Hit> mistaken(const Ray& ray, const Triangle& triangle, Mistake mistake) {
-  const Vector d =
-      mistake == Mistake::direction_normalised ? ray.direction.normalized() : ray.direction;
+  const bool metres =
+      mistake == Mistake::direction_normalised || mistake == Mistake::metres_for_fraction;
+  const Vector d = metres ? ray.direction.normalized() : ray.direction;
   const Vector e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a, n = e1.cross(e2);
   const double det = -n.dot(d);
   if (det == 0) return std::nullopt;
@@ -72,6 +74,7 @@ std::optional<Hit> mistaken(const Ray& ray, const Triangle& triangle, Mistake mi
   if (mistake == Mistake::beta_sign) gamma = -gamma;  // the lecture calls the weight of c beta
   const double alpha = 1 - beta - gamma;
   if (t < 0 && mistake != Mistake::hits_behind_origin) return std::nullopt;
+  if (t > 1 && mistake == Mistake::metres_for_fraction) return std::nullopt;
   if (beta < 0 || gamma < 0) return std::nullopt;
   if (mistake == Mistake::parallelogram ? beta > 1 || gamma > 1 : alpha < 0) return std::nullopt;
   if (mistake == Mistake::touching_rejected && (alpha <= 0 || beta <= 0 || gamma <= 0 || t <= 0))
@@ -82,8 +85,9 @@ std::optional<Hit> mistaken(const Ray& ray, const Triangle& triangle, Mistake mi
 /// Asks once. `mistakes` are those that this input tells from everything else.
 void check(const Ray& ray, const Triangle& triangle, const std::vector<Mistake>& mistakes = {}) {
   constexpr std::string_view kIds[] = {
-      "beta-sign", "parallelogram",     "direction-normalised",     "hits-behind-origin",
-      "one-sided", "touching-rejected", "drops-smallest-dimension", "absolute-epsilon"};
+      "beta-sign",          "parallelogram",     "direction-normalised",     "hits-behind-origin",
+      "one-sided",          "touching-rejected", "drops-smallest-dimension", "absolute-epsilon",
+      "metres-for-fraction"};
   std::vector<Suspect<std::optional<Hit>>> suspects;
   for (const Mistake mistake : mistakes) {
     suspects.push_back({kIds[static_cast<std::size_t>(mistake)],
@@ -124,6 +128,11 @@ TEST_CASE("a ray hits where it passes inside the triangle and misses beside it")
 }
 
 TEST_CASE("t counts lengths of the direction as it is given") {
+  // Half a metre away, then half a direction: who hits the first and misses the second takes a ray
+  // for a way that ends at t = 1, and measures it in metres.
+  check(aimed(kTilted, 0.25, 0.5, kDown, 0.5), kTilted);
+  check(aimed(kTilted, 0.25, 0.5, 4 * kDown, 0.5), kTilted,
+        {Mistake::direction_normalised, Mistake::metres_for_fraction});
   for (const double length : {4.0, 0.125}) {
     check(aimed(kTilted, 0.25, 0.5, length * kDown, 3), kTilted, {Mistake::direction_normalised});
   }

@@ -29,7 +29,7 @@ export function notRun() {
   return findBrowser() ? false : "not run: no Chromium found (set CHROMIUM to one)";
 }
 
-/** The built pages with components: every lesson, and the page with one of everything. */
+/** The built pages with components: home, every lesson, and the page with one of everything. */
 export function pages() {
   if (!fs.existsSync(path.join(site, "index.html")))
     throw new Error(`the book is not built in ${site}: run ./contact serve or docs/build.py`);
@@ -38,7 +38,7 @@ export function pages() {
     .filter((name) => name.endsWith(".html"))
     .sort()
     .map((name) => `chapters/${name}`);
-  return ["kitchen_sink.html", ...lessons];
+  return ["index.html", "kitchen_sink.html", ...lessons];
 }
 
 export const lessons = () => pages().filter((page) => page.startsWith("chapters/"));

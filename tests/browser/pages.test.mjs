@@ -72,6 +72,44 @@ describe("pages", { skip }, () => {
     });
   }
 
+  for (const where of all)
+    test(`${where}: paper shows no control and cuts nothing`, async () => {
+      // A sheet of A4 between its margins.
+      const { page, close } = await open(chromium.browser, url(where), {
+        viewport: { width: 658, height: 930 },
+      });
+      await loadFigures(page);
+      await page.emulateMedia({ media: "print" });
+      await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+      const found = await page.evaluate(() => {
+        const seen = (/** @type {Element} */ node) => {
+          const { width, height } = node.getBoundingClientRect();
+          return node.checkVisibility({ visibilityProperty: true }) && width > 1 && height > 1;
+        };
+        const name = (/** @type {Element} */ node) =>
+          `${node.parentElement?.tagName} > ${node.tagName}.${node.className} ${node.textContent?.trim().slice(0, 40)}`;
+        const sheet = document.documentElement.clientWidth;
+        const controls = "button, input, select, textarea, .grip .ring, details:not([open])";
+        return {
+          controls: [...document.querySelectorAll(controls)].filter(seen).map(name),
+          cut: [...document.querySelectorAll("article *")]
+            .filter((node) => !node.closest(".katex-mathml, svg, .builds-on") && seen(node))
+            .filter((node) => {
+              const style = getComputedStyle(node);
+              const clips = (/** @type {string} */ how) => /hidden|auto|scroll|clip/.test(how);
+              return (
+                node.getBoundingClientRect().right > sheet + 1 ||
+                (clips(style.overflowX) && node.scrollWidth > node.clientWidth + 1) ||
+                (clips(style.overflowY) && node.scrollHeight > node.clientHeight + 1)
+              );
+            })
+            .map(name),
+        };
+      });
+      assert.deepEqual(found, { controls: [], cut: [] });
+      await close();
+    });
+
   for (const where of skip ? [] : lessons()) {
     test(`${where}: complete without a script`, async () => {
       const { page, trouble, close } = await open(chromium.browser, url(where), {

@@ -1,6 +1,7 @@
-// The page and the command line give the same verdict. Every stub, every solution and every wrong
-// answer of every exercise is checked both ways, in a real browser by the page's own checker and by
-// `contact check`, and so are answers that end badly (endings/). Verdicts, points, hints and words
+// The page and the command line give the same verdict. Every stub, every solution and a wrong
+// answer of every exercise, another one with each commit, are checked both ways, in a real browser by
+// the page's own checker and by `contact check`, and so are answers that end badly (endings/). With
+// CONTACT_ALL=1 it is every wrong answer of the book. Verdicts, points, hints and words
 // are equal, numbers to 12 digits. How a program dies differs between machines (a signal, a trap,
 // an abort); that it was stopped, and at which question, does not.
 
@@ -39,6 +40,14 @@ const sources = (folder) =>
         .map((name) => `${folder}/${name}`)
     : [];
 
+/** All of them if all are asked for; else one, which the commit chooses. @param {string[]} files */
+function asked(files) {
+  if (process.env["CONTACT_ALL"] || files.length === 0) return files;
+  const commit = execFileSync("git", ["-C", root, "rev-parse", "HEAD"]).toString();
+  const file = files[Number.parseInt(commit.slice(0, 8), 16) % files.length];
+  return /** @type {string[]} */ ([file]);
+}
+
 /** @returns {Answer[]} */
 function answers() {
   const all = exercisesIn("exercises").flatMap((exercise) => {
@@ -46,7 +55,7 @@ function answers() {
     return [
       { exercise, kind: /** @type {const} */ ("stub"), file: `exercises/${file}` },
       { exercise, kind: /** @type {const} */ ("solution"), file: `solutions/${file}` },
-      ...sources(`solutions/${exercise}/wrong`).map((wrong) => ({
+      ...asked(sources(`solutions/${exercise}/wrong`)).map((wrong) => ({
         exercise,
         kind: /** @type {const} */ ("wrong"),
         file: wrong,

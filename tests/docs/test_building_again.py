@@ -65,13 +65,3 @@ def test_programs_run_only_when_newer_than_what_they_said(sample: Sample) -> Non
     failing = sample.make("--skip-api", "--programs", str(programs))
     assert failing.returncode == 1
     assert "case on-the-line has changed" in failing.stderr
-
-
-def test_an_e_book_has_fallbacks_and_no_elements(sample: Sample) -> None:
-    target = sample.build / "epub"
-    made = sample.make("--skip-api", "--builder", "epub", "--site", str(target))
-    assert made.returncode == 0, made.stderr
-    page = (target / "chapters" / "01_lines.xhtml").read_text("utf-8")
-    assert "<contact-" not in page
-    assert "Drag the point." in page
-    assert (target / "_static/contact/figures/01_lines/point_line.svg").is_file()

@@ -153,8 +153,21 @@ def test_the_head_says_time_what_it_builds_on_and_objectives(lesson: BeautifulSo
 
 def test_the_map_links_lessons_and_shows_the_rest_as_code(built: Sample) -> None:
     home = BeautifulSoup(built.page("index.html"), "html.parser")
-    cards = home.select(".chapter-map li.card")
-    assert [card.select("a")[0]["href"] for card in cards] == [
+    boxes = one(home, "nav.chapter-map[aria-label]").select("li.box")
+    assert [one(box, "a")["href"] for box in boxes] == [
+        "api/00_numbers.html",
+        "chapters/01_lines.html",
+    ]
+    assert "code-only" in boxes[0]["class"]
+    assert "code only, every chapter stands on it" in boxes[0].get_text()
+    assert "builds on Numbers" in boxes[1].get_text()
+    assert boxes[1]["title"]
+
+
+def test_the_cards_say_what_each_chapter_is_about(built: Sample) -> None:
+    home = BeautifulSoup(built.page("index.html"), "html.parser")
+    cards = home.select(".chapter-cards li.card")
+    assert [one(card, "a")["href"] for card in cards] == [
         "api/00_numbers.html",
         "chapters/01_lines.html",
     ]

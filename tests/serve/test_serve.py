@@ -46,6 +46,11 @@ def children_of(pid: int) -> list[int]:
     return [int(word) for text in listed for word in text.split()]
 
 
+def ebook_if_built(file: Path) -> list[tuple[str, int, str]]:
+    """It comes last, so the first time it may not be there yet."""
+    return [(f"/{file.name}", 200, "application/epub+zip")] if file.exists() else []
+
+
 def test_a_taken_port_what_is_served_and_an_interrupt() -> None:
     if not (ROOT / "build/site/index.html").exists():
         pytest.skip("the book is not built")
@@ -65,11 +70,16 @@ def test_a_taken_port_what_is_served_and_an_interrupt() -> None:
             lines = lines_of(process)
             wait_for(f"Port {port} is taken", lines, 240)
             served = int(wait_for(r"The book: http://127\.0\.0\.1:(\d+)/", lines, 30)[1])
+            search = wait_for(rf"Search: +http://127\.0\.0\.1:{served}(/search\.html)", lines, 5)[1]
+            ebook = wait_for(r"E-book: +(build/site/\S+\.epub)", lines, 5)[1]
+            wait_for(r"On paper: .*print", lines, 5)
             connection = http.client.HTTPConnection("127.0.0.1", served, timeout=10)
             wasm = next((ROOT / "build/site").rglob("*.wasm")).relative_to(ROOT / "build/site")
             for path, status, kind in (
                 ("/", 200, "text/html"),
                 (f"/{wasm.as_posix()}", 200, "application/wasm"),
+                (search, 200, "text/html"),
+                *ebook_if_built(ROOT / ebook),
                 ("/../../contact", 404, None),
             ):
                 connection.request("GET", path)

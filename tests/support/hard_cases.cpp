@@ -106,6 +106,15 @@ double Case::number(const std::string& field) const {
 contact::Vector3<double> Case::vector(const std::string& field) const {
   return stored_vector(find(input_, field, field), field);
 }
+std::vector<double> Case::numbers(const std::string& field) const {
+  const Json& list = find(input_, field, field);
+  if (!list.is_array()) fail(field, "must be a list of numbers");
+  std::vector<double> all;
+  for (const Json& value : list) {
+    all.push_back(stored(value, field + "[" + std::to_string(all.size()) + "]"));
+  }
+  return all;
+}
 oracle::Rational Case::exact_number(const std::string& field) const {
   return fraction(find(input_, field, field), field);
 }

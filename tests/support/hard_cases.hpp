@@ -70,6 +70,7 @@ class Case {
   /// @{
   double number(const std::string& field) const;
   contact::Vector3<double> vector(const std::string& field) const;   ///< [x, y, z]
+  std::vector<double> numbers(const std::string& field) const;       ///< a list of any length
   contact::Segment<double> segment(const std::string& field) const;  ///< {"start": .., "end": ..}
   contact::Ray<double> ray(const std::string& field) const;  ///< {"origin": .., "direction": ..}
   contact::Sphere<double> sphere(const std::string& field) const;  ///< {"centre": .., "radius": ..}

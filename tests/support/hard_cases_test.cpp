@@ -43,6 +43,7 @@ TEST_CASE("hexadecimal floats are read to the last bit") {
   const Case c(good());
   CHECK(c.number("x") == 3.0);
   CHECK(c.vector("v") == contact::Vector3<double>(-5e-324, 0, 8.98846567431158e307));
+  CHECK(c.numbers("v") == std::vector<double>{-5e-324, 0, 8.98846567431158e307});
   CHECK(c.exact_number("x") == 3);
   CHECK(hard_cases::hex(0.1) == "0x1.999999999999ap-4");
 }
@@ -63,6 +64,8 @@ TEST_CASE("a bad corpus is refused with the case and the field in the message") 
   Json entry = good();
   entry["input"]["v"][1] = "one";
   CHECK(names(complaint(entry, "v"), "a-case", "\"v[1]\""));
+  CHECK_THROWS_AS(Case(good()).numbers("x"), CorpusError);
+  CHECK_THROWS_AS(Case(entry).numbers("v"), CorpusError);
   Json type = good();
   type["type"] = "float";
   CHECK(names(complaint(type, "v"), "a-case", "v[0]"));  // -0x1p-1074 is no float

@@ -9,6 +9,7 @@ from sphinx.util.typing import ExtensionMetadata
 from contact_book.api import depend_on_headers
 from contact_book.ask import Question, Recall
 from contact_book.assets import add_script, copy_components
+from contact_book.blocks import connect as connect_blocks
 from contact_book.chapter import (
     ChapterFoot,
     ChapterHead,
@@ -17,12 +18,14 @@ from contact_book.chapter import (
     append_frame,
     place_head,
 )
+from contact_book.chapter_map import ChapterMap
+from contact_book.ebook import connect as connect_ebook
 from contact_book.exercise import Exercise
 from contact_book.exercise_data import connect as connect_exercise_data
 from contact_book.fonts import copy_fonts, subset_fonts
 from contact_book.hard_cases import HardCases
 from contact_book.highlight import mark_less
-from contact_book.home import BookContents, ChapterMap, read_again
+from contact_book.home import BookContents, ChapterCards, EBookLink, read_again
 from contact_book.html import depart_through, visit_component, visit_through
 from contact_book.ladder import Ladder
 from contact_book.landmarks import name_columns, plain_captions
@@ -49,7 +52,9 @@ DIRECTIVES = {
     "chapter-head": ChapterHead,
     "chapter-foot": ChapterFoot,
     "chapter-map": ChapterMap,
+    "chapter-cards": ChapterCards,
     "book-contents": BookContents,
+    "e-book-link": EBookLink,
 }
 
 
@@ -75,6 +80,8 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.add_css_file("katex/katex.css")
     mark_less()
     connect_exercise_data(app)
+    connect_ebook(app)
+    connect_blocks(app)
     app.connect("builder-inited", name_authors_files)
     app.connect("builder-inited", copy_fonts)
     app.connect("builder-inited", copy_components)

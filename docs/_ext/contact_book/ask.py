@@ -35,7 +35,9 @@ class Question(BookDirective):
         fields = [make_slot("text", self.inline_markdown(question.text))]
         fields += [make_slot("choice", self.inline_markdown(item)) for item in question.choices]
         fields += [make_slot("explain", self.markdown(question.explain))]
-        fields += [make_slot("why", self.inline_markdown(item.why)) for item in question.wrong]
+        # A link must stand in text, which a slot is not.
+        whys = [nodes.inline("", "", *self.inline_markdown(item.why)) for item in question.wrong]
+        fields += [make_slot("why", [why]) for why in whys]
         return make_component("question", {"question": question}, fields)
 
 

@@ -19,7 +19,6 @@ from pathlib import Path
 
 from fontTools import subset
 from sphinx.application import Sphinx
-from sphinx.builders import _epub_base
 
 _OTHER_FORMATS = re.compile(r',url\([^)]*\.(?:woff|ttf)\) format\("[a-z]+"\)')
 _TEXT_FACES = ("400-normal", "400-italic", "600-normal")
@@ -28,9 +27,6 @@ _ALWAYS = set(string.digits + string.ascii_letters + string.punctuation + " ")
 _TAG = re.compile(r"<(/?)span\b[^>]*>|<[^>]*>")
 _MATHS = '<span class="katex-html"'
 
-
-# Sphinx 8.2 does not know it, and would leave the fonts out of an e-book.
-_epub_base.MEDIA_TYPES.setdefault(".woff2", "font/woff2")
 logging.getLogger("fontTools").setLevel(logging.WARNING)
 
 
@@ -46,7 +42,7 @@ def faces(packages: Path) -> dict[str, Path]:
 def copy_fonts(app: Sphinx) -> None:
     """Copies KaTeX's style, and the faces whole; `subset_fonts` makes those of the site smaller."""
     packages = Path(app.config.contact_node) / "node_modules"
-    if app.builder.format != "html" or not packages.is_dir():
+    if app.builder.format != "html" or app.builder.name == "epub" or not packages.is_dir():
         return
     static = Path(app.outdir) / "_static"
     katex = (packages / "katex" / "dist" / "katex.min.css").read_text(encoding="utf-8")

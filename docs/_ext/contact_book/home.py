@@ -1,14 +1,18 @@
-"""The map of chapters and the table of contents, both made from the chapters there are."""
+"""The cards of the chapters and the table of contents, both made from the chapters there are."""
 
 from __future__ import annotations
 
 from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
+from sphinx.writers.html5 import HTML5Translator
 
 from contact_book.book import PARTS, Chapter
 from contact_book.chapter import chapter_link, joined
 from contact_book.directive import BookDirective
+from contact_book.html import can_run_scripts, renders
+from contact_book.nodes import component, make_component
+from contact_book.run import EBOOK
 
 
 def _parts(chapters: list[Chapter]) -> list[tuple[str, list[Chapter]]]:
@@ -16,9 +20,11 @@ def _parts(chapters: list[Chapter]) -> list[tuple[str, list[Chapter]]]:
     return [(name, group) for name, group in found if group]
 
 
-class ChapterMap(BookDirective):
+class ChapterCards(BookDirective):
+    """What each chapter is about."""
+
     def build(self) -> list[nodes.Node]:
-        box = nodes.container(classes=["chapter-map"])
+        box = nodes.container(classes=["chapter-cards"])
         for name, chapters in _parts(list(self.book.chapters.values())):
             box += nodes.paragraph("", name, classes=["part"])
             cards = nodes.bullet_list("", bullet="-", classes=["cards"])
@@ -48,6 +54,22 @@ class ChapterMap(BookDirective):
             facts += nodes.inline("", "", nodes.Text("builds on "), *joined(titles))
         item += facts
         return item
+
+
+class EBookLink(BookDirective):
+    """Where the site has the book as one file; it is made after the pages."""
+
+    def build(self) -> list[nodes.Node]:
+        return [make_component("e-book-link", {})]
+
+
+@renders("e-book-link")
+def e_book_link_html(translator: HTML5Translator, node: component) -> str:
+    if not can_run_scripts(translator):
+        return ""
+    builder = translator.builder
+    root = "../" * builder.current_docname.count("/")
+    return f'<p><a href="{root}{EBOOK}" download="">Contact Hours as an EPUB file</a></p>\n'
 
 
 class BookContents(BookDirective):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -128,6 +129,17 @@ class Ladder(BookDirective):
         return scrolled(table(heads, rows, data["question"], ["ladder"]), "Table of measurements")
 
 
+# What readers of e-books refuse in a drawing, and what its colours are without a page's palette.
+_REFUSED = re.compile(r'<style>.*?</style>| font-variant="[^"]*"', re.S)
+_COLOUR = re.compile(r"var\(--[\w-]+, *(#\w+)\)")
+
+
+def alone(html: str) -> str:
+    """The drawing where no style sheet of the site is."""
+    plain = _COLOUR.sub(r"\1", _REFUSED.sub("", html))
+    return plain.replace("<svg ", '<svg xmlns="http://www.w3.org/2000/svg" ', 1)
+
+
 _PLOT = 'role="region" tabindex="0" aria-label="Plot of measurements"'
 
 
@@ -138,10 +150,10 @@ def ladder_html(translator: HTML5Translator, node: component) -> str:
     fallback = (
         f'<div class="plot" {_PLOT}>{data["plot"]}</div>'
         f'<div class="measured">{parts["source"][0]}</div>'
-        "<details open><summary>The numbers</summary>"
+        '<details open=""><summary>The numbers</summary>'
         f"{parts['table'][0]}</details>"
     )
     if not can_run_scripts(translator):
-        return fallback
+        return alone(fallback)
     where = attributes(base=base_path(translator), name=data["slug"])
     return f"<contact-ladder{where}>{json_script(data['ladder'])}{fallback}</contact-ladder>\n"

@@ -58,7 +58,7 @@ def live_figure_html(translator: HTML5Translator, node: component) -> str:
     if data["picture"]:
         width, height = data["size"] or (None, None)
         source = f"{base}figures/{data['name']}.svg"
-        inner = f"<img{attributes(src=source, alt=data['describe'], width=width, height=height)}>"
+        inner = f"<img{attributes(src=source, alt=data['describe'], width=width, height=height)}/>"
     else:
         inner = '<p class="not-built">The picture of this figure is still being built.</p>'
     if can_run_scripts(translator):

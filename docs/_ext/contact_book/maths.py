@@ -14,7 +14,9 @@ from sphinx.util import logging
 from sphinx.util.math import get_node_equation_number
 from sphinx.writers.html5 import HTML5Translator
 
+from contact_book.ebook import mathml
 from contact_book.errors import BookError
+from contact_book.html import can_run_scripts
 
 logger = logging.getLogger(__name__)
 
@@ -65,7 +67,8 @@ def _rendered(translator: HTML5Translator, node: nodes.Element, display: bool) -
         tex = f"\\begin{{gathered}}{tex}\\end{{gathered}}"
     try:
         engine = katex(Path(translator.config.contact_node), os.getpid())
-        return engine.render(tex, display)
+        html = engine.render(tex, display)
+        return html if can_run_scripts(translator) else mathml(html)
     except BookError as error:
         logger.error("mathematics: %s in %s", error, tex, location=node, type="contact")
         return f"<code>{translator.encode(tex)}</code>"

@@ -1,7 +1,8 @@
 """What the service worker needs: itself at the site's root, and the list of the site's files.
 
 offline.json names each file with the start of its SHA-256 and its sizes; the page's side of it is
-docs/web/src/offline. The compiler's files are not in it: they have a manifest of their own.
+docs/web/src/offline. The compiler's files are not in it: they have a manifest of their own. Nor is
+the e-book, which is the pages once more.
 """
 
 from __future__ import annotations
@@ -14,6 +15,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from sphinx.application import Sphinx
+
+from contact_book.run import EBOOK
 
 WORKER = "sw.js"
 LIST = "offline.json"
@@ -30,7 +33,7 @@ def kept_files(site: Path) -> Iterator[tuple[str, Path]]:
         hidden = any(part.startswith(".") for part in file.relative_to(site).parts)
         if not file.is_file() or hidden or path.startswith((_COMPILER, "_sources/")):
             continue
-        if path not in (WORKER, LIST, "objects.inv") and not path.endswith("/" + WORKER):
+        if path not in (WORKER, LIST, EBOOK, "objects.inv") and not path.endswith("/" + WORKER):
             yield path, file
 
 

@@ -7,6 +7,9 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
+# The name of the e-book, beside the pages.
+EBOOK = "contact-hours.epub"
+
 
 def run_sphinx(
     builder: str,

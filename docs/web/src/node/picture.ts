@@ -42,8 +42,8 @@ export async function drawPicture(figure: AnyFigure, wasm: Uint8Array): Promise<
     const name = subscripted(value.name, (sub) => `<tspan font-size="80%">${sub}</tspan>`);
     return (
       `<text class="${/[A-Za-z]{3}/.test(value.name) ? "name word" : "name"}" x="14" y="${y}">${name}</text>` +
-      `<text class="text" x="130" y="${y}">${escapeText(valueText(value))}</text>` +
-      `<text class="meaning" x="330" y="${y}">${escapeText(value.meaning)}</text>`
+      `<text class="text" x="150" y="${y}">${escapeText(valueText(value))}</text>` +
+      `<text class="meaning" x="340" y="${y}">${escapeText(value.meaning)}</text>`
     );
   });
   const full = height + (rows.length > 0 ? 16 + LINE * rows.length : 0);

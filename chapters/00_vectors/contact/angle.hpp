@@ -1,0 +1,55 @@
+/// @file
+/// The angle between two vectors, so that small ones keep their digits.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <contact/products.hpp>
+#include <contact/vector.hpp>
+#include <optional>
+
+namespace contact {
+
+namespace angle_detail {
+
+/// v times the power of two that brings its largest coordinate into [1/2, 1), and that power;
+/// rounds only what is far too small to matter. 0 for 0.
+template <std::floating_point S>
+Vector3<S> near_one(const Vector3<S>& v, int& power) {
+  power = 0;
+  const S largest = v.cwiseAbs().maxCoeff();
+  if (largest > S(0)) std::frexp(largest, &power);
+  return {std::ldexp(v.x(), -power), std::ldexp(v.y(), -power), std::ldexp(v.z(), -power)};
+}
+
+}  // namespace angle_detail
+
+// [angle-between]
+/// The angle between two vectors, from 0 to π, in radians; nothing if one of them is 0.
+///
+/// It is measured by both products, tan θ = |u × v| / u · v. Where the cosine is flat, near 0 and
+/// π, the cross product decides, and where the sine is flat the dot product. The result is off by
+/// at most 12 u of itself (u the unit roundoff), whatever the lengths and however small the angle,
+/// unless it is near the smallest normal number or below, where there are too few digits for that.
+/// @param u any finite vector, in any unit
+/// @param v any finite vector, in any unit
+///
+/// Limits: the last bit may differ from machine to machine, with `std::atan2`.
+///
+/// Source: Kahan, *How Futile are Mindless Assessments of Roundoff in Floating-Point Computation?*
+/// (2006), section 12, on mangled angles, with another formula for the same end.
+template <std::floating_point S>
+std::optional<S> angle_between(const Vector3<S>& u, const Vector3<S>& v) {
+  const Vector3<S> zero = Vector3<S>::Zero();
+  if (u == zero || v == zero) return std::nullopt;
+  int power = 0;
+  const Vector3<S> a = angle_detail::near_one(u, power);
+  const Vector3<S> b = angle_detail::near_one(v, power);
+  // The cross product of nearly parallel vectors may be so short that its squares underflow.
+  const Vector3<S> c = angle_detail::near_one(cross_accurately(a, b), power);
+  const S across = std::ldexp(std::sqrt(c.dot(c)), power);
+  return std::atan2(across, dot_in_order(a, b));
+}
+// [/angle-between]
+
+}  // namespace contact

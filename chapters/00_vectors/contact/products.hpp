@@ -1,0 +1,220 @@
+/// @file
+/// Dot and cross products, the way they are first written, with the digits that get lost, and
+/// without rounding.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <limits>
+
+#include <contact/error_free.hpp>
+#include <contact/exact.hpp>
+#include <contact/tolerance.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+// [dot-in-order]
+/// u · v = Σ uᵢ vᵢ, one product after the other. With v = (1, 1, ...) it is the sum of u.
+///
+/// Off by at most γ(n) Σ|uᵢ vᵢ| for n coordinates, plus half the smallest positive number for each
+/// product that underflows. The error belongs to the *terms*: when they cancel, none of the digits
+/// of u · v need be right, nor its sign. Exact if S is exact.
+/// @param u n coordinates
+/// @param v as many
+/// @return in the unit of u times that of v; 0 for no coordinates
+///
+/// Source: Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd edition, section 3.1.
+template <Ring S, int N>
+S dot_in_order(const Eigen::Matrix<S, N, 1>& u, const Eigen::Matrix<S, N, 1>& v) {
+  S sum(0);
+  for (Eigen::Index i = 0; i < u.size(); ++i) sum = sum + u[i] * v[i];
+  return sum;
+}
+// [/dot-in-order]
+
+// [dot-compensated]
+/// u · v with the lost parts of every product and every sum added at the end.
+///
+/// Off by at most u |u · v| + γ(n)² Σ|uᵢ vᵢ| (with u the unit roundoff), as if it had been computed
+/// with twice the digits and rounded once. So it fails too, but only where all of a double's digits
+/// have cancelled.
+///
+/// Limits: no product or sum overflows; a product that underflows costs up to the smallest positive
+/// number.
+///
+/// Source: Ogita, Rump and Oishi (2005), algorithm 5.3 and proposition 5.5.
+template <std::floating_point S, int N>
+S dot_compensated(const Eigen::Matrix<S, N, 1>& u, const Eigen::Matrix<S, N, 1>& v) {
+  S sum(0);
+  S lost(0);
+  for (Eigen::Index i = 0; i < u.size(); ++i) {
+    const WithError<S> product = two_product(u[i], v[i]);
+    const WithError<S> next = two_sum(sum, product.value);
+    lost += product.error + next.error;
+    sum = next.value;
+  }
+  return sum + lost;
+}
+// [/dot-compensated]
+
+/// u · v without rounding, until it is rounded once, to the nearest number.
+/// @param u n finite coordinates
+/// @param v as many
+/// @return ±∞ if the true value is beyond the largest number; 0 if it is 0, or nearer to 0 than to
+/// any other number
+template <std::floating_point S, int N>
+S dot_exactly(const Eigen::Matrix<S, N, 1>& u, const Eigen::Matrix<S, N, 1>& v) {
+  static_assert(std::numeric_limits<S>::digits <= 53, "Exact holds floats and doubles");
+  Exact sum;
+  for (Eigen::Index i = 0; i < u.size(); ++i) sum += Exact(double(u[i])) * Exact(double(v[i]));
+  return rounded<S>(sum);
+}
+
+// [difference-of-products]
+/// a b − c d, off by at most 2 u of itself.
+///
+/// The first fused multiply-add finds what the product c d lost, the second subtracts the rounded
+/// product from a b without rounding a b, and the loss is put back.
+///
+/// Limits: each product is 0 because a factor is, or neither over- nor underflows
+/// (`product_keeps_its_digits`).
+///
+/// Source: Kahan; the bound is that of Jeannerod, Louvet and Muller, *Further analysis of Kahan's
+/// algorithm for the accurate computation of 2 × 2 determinants*, Mathematics of Computation 82
+/// (2013).
+template <std::floating_point S>
+S difference_of_products(S a, S b, S c, S d) {
+  const S cd = c * d;
+  const S lost = std::fma(-c, d, cd);  // cd − c d
+  return std::fma(a, b, -cd) + lost;
+}
+// [/difference-of-products]
+
+/// Whether a b is 0 because a factor is, or so far inside the number range that neither it nor what
+/// its rounding cuts off over- or underflows.
+template <std::floating_point S>
+bool product_keeps_its_digits(S a, S b) {
+  using Limits = std::numeric_limits<S>;
+  if (a == S(0) || b == S(0)) return true;
+  const S size = std::abs(a * b);
+  return size <= Limits::max() / S(4) &&
+         size >= std::ldexp(S(1), Limits::min_exponent + 2 * Limits::digits);
+}
+
+// [dot-accurately]
+/// u · v, never off by more than 3 u of itself (u the unit roundoff), whatever cancels, unless it
+/// is subnormal, where it is the nearest number.
+///
+/// Two products are a difference of products. For more, the compensated value is taken if its bound
+/// says that it is good enough. Otherwise everything is computed again without rounding, which is
+/// slow and always right.
+/// @param u n finite coordinates, n u < 1/16
+/// @param v as many
+template <std::floating_point S, int N>
+S dot_accurately(const Eigen::Matrix<S, N, 1>& u, const Eigen::Matrix<S, N, 1>& v) {
+  if (u.size() == 2 && product_keeps_its_digits(u[0], v[0]) &&
+      product_keeps_its_digits(u[1], v[1])) {
+    return difference_of_products(u[0], v[0], -u[1], v[1]);
+  }
+  const S sum = dot_compensated(u, v);
+  S size(0);
+  for (Eigen::Index i = 0; i < u.size(); ++i) size += std::abs(u[i] * v[i]);
+  const S unit = tolerance::unit_roundoff<S>;
+  const S share = S(u.size()) * unit;
+  // γ(n) < 1.1 n u, and the size is off by less than as much. Then what may have underflowed.
+  const S uncertain =
+      S(1.5) * share * share * size + S(2 * u.size()) * tolerance::underflow_unit<S>;
+  if (std::isfinite(size) && std::isfinite(sum) && share < S(0.0625) &&
+      uncertain <= unit * std::abs(sum)) {
+    return sum;
+  }
+  return dot_exactly(u, v);
+}
+// [/dot-accurately]
+
+/// a b − c d without rounding, until it is rounded once.
+template <std::floating_point S>
+S difference_of_products_exactly(S a, S b, S c, S d) {
+  static_assert(std::numeric_limits<S>::digits <= 53, "Exact holds floats and doubles");
+  return rounded<S>(Exact(double(a)) * Exact(double(b)) - Exact(double(c)) * Exact(double(d)));
+}
+
+// [cross-in-order]
+/// u × v as it is defined: two products and a difference for each coordinate.
+///
+/// Each coordinate is off by at most γ(2) (|product| + |product|), plus the smallest positive
+/// number: nothing beside |u||v|, and everything beside u × v when u and v are nearly parallel. A
+/// product that overflows makes ∞ or NaN. Exact if S is exact.
+template <Ring S>
+Vector3<S> cross_in_order(const Vector3<S>& u, const Vector3<S>& v) {
+  return {u.y() * v.z() - u.z() * v.y(), u.z() * v.x() - u.x() * v.z(),
+          u.x() * v.y() - u.y() * v.x()};
+}
+// [/cross-in-order]
+
+// [cross-accurately]
+/// u × v, each coordinate off by at most 2 u of itself (u the unit roundoff), so that parallel
+/// vectors, and only they, give 0; a subnormal coordinate is the nearest number.
+///
+/// Where a product would over- or underflow, the coordinate is computed without rounding. That is
+/// slow, and rare.
+/// @param u finite
+/// @param v finite
+/// @return in the unit of u times that of v; ±∞ where a coordinate is beyond the largest number
+template <std::floating_point S>
+Vector3<S> cross_accurately(const Vector3<S>& u, const Vector3<S>& v) {
+  const auto coordinate = [](S a, S b, S c, S d) {
+    if (product_keeps_its_digits(a, b) && product_keeps_its_digits(c, d)) {
+      return difference_of_products(a, b, c, d);
+    }
+    return difference_of_products_exactly(a, b, c, d);
+  };
+  return {coordinate(u.y(), v.z(), u.z(), v.y()), coordinate(u.z(), v.x(), u.x(), v.z()),
+          coordinate(u.x(), v.y(), u.y(), v.x())};
+}
+// [/cross-accurately]
+
+/// u × v without rounding, until each coordinate is rounded once.
+template <std::floating_point S>
+Vector3<S> cross_exactly(const Vector3<S>& u, const Vector3<S>& v) {
+  return {difference_of_products_exactly(u.y(), v.z(), u.z(), v.y()),
+          difference_of_products_exactly(u.z(), v.x(), u.x(), v.z()),
+          difference_of_products_exactly(u.x(), v.y(), u.y(), v.x())};
+}
+
+// [line-side]
+/// On which side of the line from a to b the point p is: positive on the left, negative on the
+/// right. Twice the signed area of the triangle a, b, p, with products of the coordinates
+/// themselves.
+///
+/// Limits: six products as large as |a||b|. Far from the origin they are much larger than the
+/// area, and the sign of what is left of them may be anything. Exact if S is exact.
+template <Ring S>
+S line_side_expanded(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& p) {
+  return (a.x() * b.y() - a.y() * b.x()) + (b.x() * p.y() - b.y() * p.x()) +
+         (p.x() * a.y() - p.y() * a.x());
+}
+
+/// The same, with the differences taken first: (b − a) × (p − a).
+///
+/// Limits: the differences of near points have no or little error; what is left is one difference
+/// of two products, off by at most γ(5) times their sizes added. Exact if S is exact.
+template <Ring S>
+S line_side_by_differences(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& p) {
+  return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
+}
+// [/line-side]
+
+/// The same as a decision: +1 on the left of the line from a to b, −1 on its right, 0 on it (or if
+/// a = b). Right for all finite input.
+template <std::floating_point S>
+int line_side_exactly(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& p) {
+  static_assert(std::numeric_limits<S>::digits <= 53, "Exact holds floats and doubles");
+  const auto exact = [](const Vector2<S>& v) {
+    return Vector2<Exact>(Exact(double(v.x())), Exact(double(v.y())));
+  };
+  return line_side_by_differences(exact(a), exact(b), exact(p)).sign();
+}
+
+}  // namespace contact

@@ -1,0 +1,17 @@
+// The same side of the same line, near the origin and far from it.
+#include <cmath>
+#include <contact/products.hpp>
+#include <cstdio>
+
+int main() {
+  using Point = contact::Vector2<double>;
+  std::printf("   far away    products first    differences first    true\n");
+  for (const double far : {0.0, 1e5, 1e6, 1e7, 1e8}) {
+    const Point place(far, 2 * far);
+    const Point a = place + Point(0, 0);
+    const Point b = place + Point(1, 1);
+    const Point p = place + Point(0.5, 0.5009765625);  // a little to the left
+    std::printf("%9g m %17.10g %20.10g %7d\n", far, contact::line_side_expanded(a, b, p),
+                contact::line_side_by_differences(a, b, p), contact::line_side_exactly(a, b, p));
+  }
+}

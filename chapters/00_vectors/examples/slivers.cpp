@@ -1,0 +1,15 @@
+// The cross product of two nearly parallel edges: as defined, and with the lost digits put back.
+#include <contact/products.hpp>
+#include <cstdio>
+
+int main() {
+  using Vector = contact::Vector3<double>;
+  const Vector u(0.1, 0.3, 0.7);
+  const Vector v(0.3, 0.9, 2.1);  // three times u, were it not for rounding
+  const auto line = [](const char* how, const Vector& n) {
+    std::printf("%-12s (% .17g, % .17g, % .17g)\n", how, n.x(), n.y(), n.z());
+  };
+  line("as defined", contact::cross_in_order(u, v));
+  line("accurately", contact::cross_accurately(u, v));
+  line("exactly", contact::cross_exactly(u, v));
+}

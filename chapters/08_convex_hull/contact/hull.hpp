@@ -1,0 +1,318 @@
+/// @file
+/// What a convex hull is: its corners and its faces, for input of any dimension.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <contact/hull_2d.hpp>
+#include <contact/orientation.hpp>
+#include <contact/vector.hpp>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace contact {
+
+// [hull]
+/// A convex hull in space, by the indices of the points that it was made of.
+///
+/// | dimension | the points are | vertices | faces |
+/// |---|---|---|---|
+/// | −1 | none | none | none |
+/// | 0 | all equal | one | none |
+/// | 1 | on a line | the two ends | none |
+/// | 2 | in a plane | the corners of a convex polygon | two: that polygon from either side |
+/// | 3 | none of these | the corners of a polyhedron | its faces |
+///
+/// A face is a convex polygon, and all that lies in one plane is one face. Its corners run
+/// counter-clockwise as seen from outside. No corner lies on an edge or within a face. Of equal
+/// points the first one stands for all. For 2 and 3 dimensions Euler's formula holds: corners −
+/// edges + faces = 2, where the number of edges is half that of the corners of all faces.
+struct Hull {
+  int dimension = -1;         ///< of what the points span, from -1 to 3
+  std::vector<int> vertices;  ///< in increasing order
+  std::vector<int> corners;   ///< of all faces, one face after the other
+  std::vector<int> starts;    ///< where each face begins in `corners`, and at last where it ends
+  /// False if a method of rounded decisions got stuck: then the faces do not close.
+  bool closed = true;
+
+  /// How many faces there are.
+  int face_count() const { return starts.empty() ? 0 : static_cast<int>(starts.size()) - 1; }
+  /// How many edges there are.
+  int edge_count() const { return static_cast<int>(corners.size() / 2); }
+  /// The corners of face i, counter-clockwise from outside.
+  std::span<const int> face(int i) const {
+    const auto at = static_cast<std::size_t>(i);
+    return std::span<const int>(corners).subspan(
+        static_cast<std::size_t>(starts[at]),
+        static_cast<std::size_t>(starts[at + 1] - starts[at]));
+  }
+  /// Appends a face.
+  void add_face(std::span<const int> polygon) {
+    if (starts.empty()) starts.push_back(0);
+    corners.insert(corners.end(), polygon.begin(), polygon.end());
+    starts.push_back(static_cast<int>(corners.size()));
+  }
+};
+// [/hull]
+
+/// The faces cut into triangles, each by diagonals from its first corner.
+inline std::vector<std::array<int, 3>> triangles(const Hull& hull) {
+  std::vector<std::array<int, 3>> all;
+  for (int f = 0; f < hull.face_count(); ++f) {
+    const auto polygon = hull.face(f);
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+      all.push_back({polygon[0], polygon[i - 1], polygon[i]});
+    }
+  }
+  return all;
+}
+
+/// Fills `vertices` with the corners of the faces.
+inline void collect_vertices(Hull& hull) {
+  hull.vertices = hull.corners;
+  std::sort(hull.vertices.begin(), hull.vertices.end());
+  hull.vertices.erase(std::unique(hull.vertices.begin(), hull.vertices.end()), hull.vertices.end());
+}
+
+/// Four points that are not in one plane, or fewer if there are none: the dimension that the points
+/// span, and `dimension + 1` of them. For 3 dimensions point 3 is behind the triangle of the
+/// others.
+struct Simplex {
+  int dimension = -1;                     ///< from -1 to 3
+  std::array<int, 4> points{0, 0, 0, 0};  ///< the first `dimension + 1` count
+};
+
+/// A large simplex of the points, found exactly: far points are tried first, all if those fail.
+inline Simplex first_simplex(const std::vector<Vector3<double>>& points) {
+  Simplex simplex;
+  if (points.empty()) return simplex;
+  const int n = static_cast<int>(points.size());
+  const auto at = [&points](int i) -> const Vector3<double>& {
+    return points[static_cast<std::size_t>(i)];
+  };
+  auto& [a, b, c, d] = simplex.points;
+  // The candidate with the largest rounded size; if that one is degenerate, the first that is not.
+  const auto choose = [n](const auto& size, const auto& fits) {
+    int best = 0;
+    double largest = -1;
+    for (int i = 0; i < n; ++i) {
+      const double s = size(i);
+      if (s > largest) {
+        largest = s;
+        best = i;
+      }
+    }
+    if (fits(best)) return best;
+    for (int i = 0; i < n; ++i) {
+      if (fits(i)) return i;
+    }
+    return -1;
+  };
+  for (int i = 1; i < n; ++i) {
+    if (at(i).x() < at(a).x()) a = i;
+  }
+  simplex.dimension = 0;
+  b = choose([&](int i) { return (at(i) - at(a)).squaredNorm(); },
+             [&](int i) { return at(i) != at(a); });
+  if (b < 0) return simplex;
+  simplex.dimension = 1;
+  c = choose([&](int i) { return (at(b) - at(a)).cross(at(i) - at(a)).squaredNorm(); },
+             [&](int i) { return !on_one_line(at(a), at(b), at(i)); });
+  if (c < 0) return simplex;
+  simplex.dimension = 2;
+  const Vector3<double> normal = (at(b) - at(a)).cross(at(c) - at(a));
+  d = choose([&](int i) { return std::abs(normal.dot(at(i) - at(a))); },
+             [&](int i) { return side_of_plane(at(a), at(b), at(c), at(i)) != 0; });
+  if (d < 0) return simplex;
+  simplex.dimension = 3;
+  if (side_of_plane(at(a), at(b), at(c), at(d)) > 0) std::swap(b, c);
+  return simplex;
+}
+
+/// The corners of the hull of some points that lie in the plane of a, b and c, counter-clockwise
+/// from where that triangle is seen so. Exact. Of equal points the first stands for all.
+inline std::vector<int> hull_in_plane(const std::vector<Vector3<double>>& points,
+                                      const std::vector<int>& chosen, int a, int b, int c) {
+  const auto at = [&points](int i) -> const Vector3<double>& {
+    return points[static_cast<std::size_t>(i)];
+  };
+  const FlatView view = flat_view(at(a), at(b), at(c));
+  std::vector<Vector2<double>> flat;
+  flat.reserve(chosen.size());
+  for (const int i : chosen) flat.push_back(drop_dimension<double>(at(i), view.dropped));
+  std::vector<int> polygon = convex_hull_2d(flat);
+  for (int& corner : polygon) corner = chosen[static_cast<std::size_t>(corner)];
+  if (view.turn < 0) std::reverse(polygon.begin(), polygon.end());
+  return polygon;
+}
+
+/// The hull of points that span fewer than three dimensions.
+inline Hull flat_hull(const std::vector<Vector3<double>>& points, const Simplex& simplex) {
+  Hull hull;
+  hull.dimension = simplex.dimension;
+  if (simplex.dimension < 0) return hull;
+  const auto at = [&points](int i) -> const Vector3<double>& {
+    return points[static_cast<std::size_t>(i)];
+  };
+  const int n = static_cast<int>(points.size());
+  if (simplex.dimension < 2) {
+    const auto before = [&at](int i, int j) {
+      return std::lexicographical_compare(at(i).begin(), at(i).end(), at(j).begin(), at(j).end());
+    };
+    int first = 0, last = 0;
+    for (int i = 1; i < n; ++i) {
+      if (before(i, first)) first = i;
+      if (before(last, i)) last = i;
+    }
+    hull.vertices = {std::min(first, last)};
+    if (first != last) hull.vertices.push_back(std::max(first, last));
+    return hull;
+  }
+  std::vector<int> all(points.size());
+  std::iota(all.begin(), all.end(), 0);
+  const auto [a, b, c, d] = simplex.points;
+  std::vector<int> polygon = hull_in_plane(points, all, a, b, c);
+  hull.add_face(polygon);
+  std::reverse(polygon.begin(), polygon.end());
+  hull.add_face(polygon);
+  collect_vertices(hull);
+  return hull;
+}
+
+/// What decides in a hull: side(plane, a, b, c, d) is +1 if point d is in front of the triangle of
+/// the points a, b, c, −1 behind and 0 in its plane; `plane` is what was worked out before.
+template <class T>
+concept SideTest = requires(const T test, int i) {
+  typename T::Plane;
+  { test.plane(i, i, i) } -> std::same_as<typename T::Plane>;
+  { test.side(test.plane(i, i, i), i, i, i, i) } -> std::same_as<int>;
+};
+
+// [exact-sides]
+/// Exact sides, with one filter a plane: the normal is computed once, with a bound on the error for
+/// all points of the set.
+///
+/// The bound is that of `bounded_volume`, with the width of the set in the place of |p_i|. Rounding
+/// keeps order, so the computed |p_i| is at most the computed width, and each step of the bound is
+/// at least that of one point.
+class ExactSides {
+ public:
+  /// A plane, its normal as rounded, and how far n·(p − at) may be from exact.
+  struct Plane {
+    Vector3<double> normal;  ///< not normalised
+    Vector3<double> at;      ///< a point of the plane
+    double bound;            ///< on the error of n·(p − at), for every point of the set
+  };
+
+  /// @param points must stay where they are, and be finite
+  explicit ExactSides(const std::vector<Vector3<double>>& points)
+      : points_(points.data()), width_(0, 0, 0) {
+    if (points.empty()) return;
+    Vector3<double> low = points[0], high = points[0];
+    for (const Vector3<double>& p : points) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    width_ = high - low;
+  }
+
+  /// The plane of three points.
+  Plane plane(int a, int b, int c) const {
+    constexpr double nine_u = 4.5 * std::numeric_limits<double>::epsilon();
+    const Vector3<double> q = at(b) - at(a), r = at(c) - at(a);
+    Plane plane{{0, 0, 0}, at(a), 0};
+    double magnitude = 0, size = 0;
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      const double left = q[j] * r[k], right = q[k] * r[j];
+      plane.normal[i] = left - right;
+      magnitude += width_[i] * (std::abs(left) + std::abs(right));
+      size += width_[i];
+    }
+    plane.bound = nine_u * magnitude + 0x1p-1000 * (1 + size);
+    return plane;
+  }
+
+  /// +1 if point d is in front of the points a, b, c, −1 behind, 0 exactly in their plane.
+  int side(const Plane& plane, int a, int b, int c, int d) const {
+    const Vector3<double> p = at(d) - plane.at;
+    const double value = p[0] * plane.normal[0] + p[1] * plane.normal[1] + p[2] * plane.normal[2];
+    if (value > plane.bound) return 1;
+    if (value < -plane.bound) return -1;
+    return side_of_plane(at(a), at(b), at(c), at(d));
+  }
+
+ private:
+  const Vector3<double>* points_;
+  Vector3<double> width_;
+
+  const Vector3<double>& at(int i) const { return points_[i]; }
+};
+// [/exact-sides]
+
+/// Sides by exact arithmetic from the start.
+class UnfilteredSides {
+ public:
+  /// Nothing is worked out beforehand.
+  struct Plane {};
+  /// @param points must stay where they are, and be finite
+  explicit UnfilteredSides(const std::vector<Vector3<double>>& points) : points_(points.data()) {}
+  /// Nothing.
+  Plane plane(int, int, int) const { return {}; }
+  /// As that of `ExactSides`.
+  int side(const Plane&, int a, int b, int c, int d) const {
+    return side_of_plane_exactly(points_[a], points_[b], points_[c], points_[d]);
+  }
+
+ private:
+  const Vector3<double>* points_;
+};
+
+// [rounded-sides]
+/// Sides as the scalar rounds them. With an epsilon, what is nearer to the plane than that (in m)
+/// counts as in it. For comparison: these decisions contradict each other near zero.
+template <Scalar S>
+class RoundedSides {
+ public:
+  /// A plane as rounded.
+  struct Plane {
+    Vector3<S> normal;  ///< a unit vector if there is an epsilon
+    Vector3<S> at;      ///< a point of the plane
+  };
+  /// @param epsilon m; 0 for none
+  explicit RoundedSides(const std::vector<Vector3<double>>& points, S epsilon = S(0))
+      : epsilon_(epsilon) {
+    points_.reserve(points.size());
+    for (const Vector3<double>& p : points) points_.push_back(p.template cast<S>());
+  }
+  /// The plane of three points.
+  Plane plane(int a, int b, int c) const {
+    const Vector3<S> ab = at(b) - at(a), ac = at(c) - at(a);
+    Vector3<S> normal = ab.cross(ac);
+    if (epsilon_ > S(0)) {
+      const S length = normal.norm();
+      if (length > S(0)) normal /= length;
+    }
+    return {normal, at(a)};
+  }
+  /// +1 in front, −1 behind, 0 in the plane, as rounded.
+  int side(const Plane& plane, int a, int b, int c, int d) const {
+    if (d == a || d == b || d == c) return 0;  // rounded, a corner may be off its own plane
+    const S value = plane.normal.dot(at(d) - plane.at);
+    return value > epsilon_ ? 1 : (value < -epsilon_ ? -1 : 0);
+  }
+
+ private:
+  std::vector<Vector3<S>> points_;
+  S epsilon_;
+
+  const Vector3<S>& at(int i) const { return points_[static_cast<std::size_t>(i)]; }
+};
+// [/rounded-sides]
+
+}  // namespace contact

@@ -1,0 +1,238 @@
+/// @file
+/// On which side? The orientation of three points in the plane and of four points in space, with
+/// the right sign for every finite input.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <contact/barycentric.hpp>
+#include <contact/exact.hpp>
+#include <contact/exact_ray_triangle.hpp>
+#include <contact/vector.hpp>
+#include <cstddef>
+#include <limits>
+
+namespace contact {
+
+// [rounded-2d]
+/// Twice the signed area of the triangle a, b, c, as the scalar rounds it: positive if the way from
+/// a over b to c turns left.
+///
+/// Limits: on rounded numbers the sign may be wrong where the three points are nearly on a line.
+/// With S = Exact it is exact.
+template <Ring S>
+S turn(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& c) {
+  return cross2<S>(b - a, c - a);
+}
+// [/rounded-2d]
+
+// [rounded-3d]
+/// Six times the signed volume of the tetrahedron a, b, c, d, as the scalar rounds it: positive if
+/// d is in front of the triangle a, b, c, where its corners are seen counter-clockwise.
+///
+/// Limits: as `turn`.
+template <Ring S>
+S signed_volume(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c,
+                const Vector3<S>& d) {
+  const Vector3<S> ab = b - a, ac = c - a, ad = d - a;
+  return ad.dot(ab.cross(ac));
+}
+// [/rounded-3d]
+
+namespace orientation_detail {
+
+/// −1, 0 or +1.
+inline int sign_of(double x) { return x > 0 ? 1 : (x < 0 ? -1 : 0); }
+
+/// A sum of doubles that do not overlap, least first, without zeros: its sign is that of the last.
+template <std::size_t Capacity>
+struct Expansion {
+  std::array<double, Capacity> part{};  ///< the doubles
+  std::size_t size = 0;                 ///< how many there are
+
+  /// Appends one that is larger than all there are, unless it is zero.
+  void push(double x) {
+    if (x != 0) part[size++] = x;
+  }
+  /// −1, 0 or +1.
+  int sign() const { return size == 0 ? 0 : sign_of(part[size - 1]); }
+};
+
+/// x + y = sum + error, exactly (Knuth).
+inline void two_sum(double x, double y, double& sum, double& error) {
+  sum = x + y;
+  const double y_part = sum - x;
+  error = (x - (sum - y_part)) + (y - y_part);
+}
+
+/// x y = product + error, exactly, if nothing overflows or underflows.
+inline void two_product(double x, double y, double& product, double& error) {
+  product = x * y;
+  error = std::fma(x, y, -product);
+}
+
+/// Adds one number (Shewchuk's GROW-EXPANSION, with the zeros left out).
+template <std::size_t Capacity>
+void grow(Expansion<Capacity>& e, double x) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < e.size; ++i) {
+    double sum = 0, error = 0;
+    two_sum(x, e.part[i], sum, error);
+    x = sum;
+    if (error != 0) e.part[kept++] = error;
+  }
+  e.size = kept;
+  e.push(x);
+}
+
+/// Whether x − y has no rounding error, and what it is.
+inline bool exact_difference(double x, double y, double& difference) {
+  double error = 0;
+  two_sum(x, -y, difference, error);
+  return error == 0;
+}
+
+/// Whether products of three such numbers and their errors stay clear of overflow and of the
+/// smallest numbers: a whole multiple of 2^-352 below 2^300 each.
+inline bool moderate(double x) {
+  const double size = std::abs(x);
+  return x == 0 || (size >= 0x1p-300 && size <= 0x1p300);
+}
+
+}  // namespace orientation_detail
+
+/// The same sign as `side_of_line`, in exact arithmetic from the start: slow, and the measure of
+/// what the filter saves.
+inline int side_of_line_exactly(const Vector2<double>& a, const Vector2<double>& b,
+                                const Vector2<double>& c) {
+  const auto exact = [](const Vector2<double>& v) {
+    return Vector2<Exact>(Exact(v.x()), Exact(v.y()));
+  };
+  return turn<Exact>(exact(a), exact(b), exact(c)).sign();
+}
+
+/// The same sign as `side_of_plane`, in exact arithmetic from the start.
+inline int side_of_plane_exactly(const Vector3<double>& a, const Vector3<double>& b,
+                                 const Vector3<double>& c, const Vector3<double>& d) {
+  const auto exact = [](const Vector3<double>& v) {
+    return Vector3<Exact>(Exact(v.x()), Exact(v.y()), Exact(v.z()));
+  };
+  return signed_volume<Exact>(exact(a), exact(b), exact(c), exact(d)).sign();
+}
+
+// [filter-2d]
+/// `turn` in double with its error bound.
+///
+/// The bound. Each product has two rounded differences and its own rounding, and the difference of
+/// the products is rounded once: four roundings a term, so |value − exact| ≤ γ₄ (|left| + |right|)
+/// for exact products. The computed magnitudes are at most γ₃ smaller, and their sum is rounded:
+/// 5u covers 4u/(1 − 4u)/(1 − γ₃)·(1 + u)². An underflow adds at most 2^-1074 for each product; the
+/// floor is far more. Overflow makes the bound infinite or NaN, and then no sign is certain.
+inline Bounded bounded_turn(const Vector2<double>& a, const Vector2<double>& b,
+                            const Vector2<double>& c) {
+  constexpr double five_u = 2.5 * std::numeric_limits<double>::epsilon();
+  const double left = (b.x() - a.x()) * (c.y() - a.y());
+  const double right = (b.y() - a.y()) * (c.x() - a.x());
+  return {left - right, five_u * (std::abs(left) + std::abs(right)) + 0x1p-1000};
+}
+
+/// On which side of the line from a to b the point c is: +1 left, −1 right, 0 exactly on it (or
+/// a = b).
+///
+/// The sign is right for every finite input: a floating-point filter answers nearly always, exact
+/// arithmetic the rest.
+///
+/// @param a,b,c m, any scale; coordinates must be finite
+///
+/// Source: Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
+/// Predicates, 1997, with the bound derived at `bounded_turn`.
+inline int side_of_line(const Vector2<double>& a, const Vector2<double>& b,
+                        const Vector2<double>& c) {
+  const int certain = bounded_turn(a, b, c).certain_sign();
+  return certain != 0 ? certain : side_of_line_exactly(a, b, c);
+}
+// [/filter-2d]
+
+/// What the filter could not decide: on which side of the plane a, b, c the point d is.
+///
+/// If the nine differences have no rounding error (whole numbers, floats of like size), the
+/// determinant is summed as an expansion of doubles that do not overlap: two_product makes each
+/// product of two an exact pair, and of three at most four parts, so 24 parts in all. Otherwise, or
+/// at extreme scales, the exact type decides.
+inline int side_of_plane_in_doubt(const Vector3<double>& a, const Vector3<double>& b,
+                                  const Vector3<double>& c, const Vector3<double>& d) {
+  using namespace orientation_detail;
+  Vector3<double> p(0, 0, 0), q(0, 0, 0), r(0, 0, 0);
+  bool plain = true;
+  for (int i = 0; i < 3; ++i) {
+    plain = plain && exact_difference(d[i], a[i], p[i]) && exact_difference(b[i], a[i], q[i]) &&
+            exact_difference(c[i], a[i], r[i]) && moderate(p[i]) && moderate(q[i]) &&
+            moderate(r[i]);
+  }
+  if (!plain) return side_of_plane_exactly(a, b, c, d);
+  Expansion<24> sum;
+  const auto add = [&sum](double x, double y, double z) {
+    double high = 0, low = 0;
+    two_product(y, z, high, low);
+    for (const double part : {low, high}) {
+      double product = 0, error = 0;
+      two_product(x, part, product, error);
+      grow(sum, error);
+      grow(sum, product);
+    }
+  };
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    add(p[i], q[j], r[k]);
+    add(-p[i], q[k], r[j]);
+  }
+  return sum.sign();
+}
+
+// [filter-3d]
+/// On which side of the plane through a, b and c the point d is: +1 in front, where the corners are
+/// seen counter-clockwise, −1 behind, 0 exactly on it (or a, b, c on one line).
+///
+/// The sign is right for every finite input.
+///
+/// @param a,b,c,d m, any scale; coordinates must be finite
+///
+/// Source: the filter is `bounded_volume` of the chapter on triangles; Shewchuk 1997 for
+/// expansions.
+inline int side_of_plane(const Vector3<double>& a, const Vector3<double>& b,
+                         const Vector3<double>& c, const Vector3<double>& d) {
+  const int certain = bounded_volume(d - a, b - a, c - a).certain_sign();
+  return certain != 0 ? certain : side_of_plane_in_doubt(a, b, c, d);
+}
+// [/filter-3d]
+
+/// Whether three points are exactly on one line (or two of them are one point).
+inline bool on_one_line(const Vector3<double>& a, const Vector3<double>& b,
+                        const Vector3<double>& c) {
+  for (int k = 0; k < 3; ++k) {
+    if (side_of_line(drop_dimension<double>(a, k), drop_dimension<double>(b, k),
+                     drop_dimension<double>(c, k)) != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// A coordinate that may be dropped from points of the plane a, b, c without folding it, and the
+/// sign that the flat triangle then has; {0, 0} if they are on one line.
+struct FlatView {
+  int dropped = 0;  ///< 0, 1 or 2
+  int turn = 0;     ///< +1 if a, b, c turn left in the flat picture, −1 if right
+};
+/// Looks for that coordinate, exactly.
+inline FlatView flat_view(const Vector3<double>& a, const Vector3<double>& b,
+                          const Vector3<double>& c) {
+  for (int k = 0; k < 3; ++k) {
+    const int side = side_of_line(drop_dimension<double>(a, k), drop_dimension<double>(b, k),
+                                  drop_dimension<double>(c, k));
+    if (side != 0) return {k, side};
+  }
+  return {};
+}
+
+}  // namespace contact

@@ -1,0 +1,113 @@
+// A chain of left turns round eight points. Each step asks for one turn: green keeps the point in
+// the middle, red takes it off.
+
+import { defineFigure, type Vec2 } from "@contact/figure";
+
+interface Input {
+  p0: Vec2;
+  p1: Vec2;
+  p2: Vec2;
+  p3: Vec2;
+  p4: Vec2;
+  p5: Vec2;
+  p6: Vec2;
+  p7: Vec2;
+  step: number;
+}
+
+interface Output {
+  steps: number;
+  corners: number;
+  hull: readonly number[];
+  length: number;
+  chain: readonly number[];
+  asked: readonly number[];
+  turn: number;
+}
+
+const NAMES = ["p0", "p1", "p2", "p3", "p4", "p5", "p6", "p7"] as const;
+const all = (input: Input): Vec2[] => NAMES.map((name) => input[name]);
+
+export default defineFigure<Input, Output>({
+  title: "A chain of left turns",
+  view: { kind: "2d", x: [-5, 5], y: [-3.6, 3.6], grid: 1 },
+  aspect: 1.3,
+  initial: {
+    p0: [-4, -1],
+    p1: [-3, 2],
+    p2: [-2, -2.5],
+    p3: [-1, 0.5],
+    p4: [1, -1],
+    p5: [2, 3],
+    p6: [3, -2],
+    p7: [4, 1],
+    step: 4,
+  },
+  handles: NAMES.map((field, i) => ({
+    kind: "point" as const,
+    field,
+    label: `point ${i}`,
+    role: "ray" as const,
+    step: 0.5,
+    limit: [-4.5, 4.5] as const,
+  })),
+  controls: [
+    {
+      kind: "slider",
+      field: "step",
+      label: "turns",
+      min: 0,
+      max: 24,
+      step: 1,
+      play: 10,
+    },
+    ...NAMES.map((field, i) => ({
+      kind: "numbers" as const,
+      field,
+      label: `p_${i}`,
+      role: "ray" as const,
+      step: 0.5,
+    })),
+  ],
+  draw(scene, input, output) {
+    const points = all(input);
+    for (const [i, p] of points.entries())
+      scene.label(p, String(i), { role: "ink", offset: [9, -9], size: "small" });
+    if (output.problem) return;
+    const at = (i: number | undefined): Vec2 => points[i ?? 0] ?? [0, 0];
+    const hull = output.hull.slice(0, output.corners).map(at);
+    if (hull.length > 2) scene.face(hull, { role: "surface", fill: 0.08, outline: false });
+    const chain = output.chain.slice(0, output.length).map(at);
+    if (chain.length > 1) scene.path(chain, { role: "surface", width: 3 });
+    const [i = -1, j = -1, k = -1] = output.asked;
+    if (i >= 0 && input.step < output.steps) {
+      const role = output.turn > 0 ? "hit" : "miss";
+      scene.path([at(i), at(j), at(k)], { role, width: 2, dashed: true, arrow: true });
+      scene.dot(at(j), role, 6, output.turn <= 0);
+      scene.label(at(j), output.turn > 0 ? "left: stays" : "off", { role, offset: [10, 18] });
+    }
+  },
+  values: (input, output) => [
+    { name: "corners", meaning: "of the hull", value: output.corners, role: "surface" },
+    {
+      name: "turns",
+      meaning: "asked so far, of all",
+      value: `${Math.min(input.step, output.steps)} of ${output.steps}`,
+    },
+    {
+      name: "turn",
+      meaning: "of the last three",
+      value:
+        output.asked[0] === -1
+          ? "–"
+          : output.turn > 0
+            ? "left"
+            : output.turn < 0
+              ? "right"
+              : "none",
+      role: output.turn > 0 ? "hit" : "miss",
+    },
+  ],
+  describe: (input, output) =>
+    `The hull of the eight points has ${output.corners} corners. ${Math.min(input.step, output.steps)} of ${output.steps} turns have been asked.`,
+});

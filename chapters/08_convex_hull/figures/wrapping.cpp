@@ -1,0 +1,111 @@
+// One set of points and several ways to its hull: where the ways part, at most one is right.
+#include <algorithm>
+#include <array>
+#include <contact/convex_hull.hpp>
+#include <contact/figure.hpp>
+#include <contact/gift_wrapping.hpp>
+#include <map>
+#include <utility>
+#include <vector>
+
+using Point = contact::Vector3<double>;
+
+struct Input {
+  Point a, b, c, d, e, f, g, h;
+  double method;   // 0 exact, 1 angles as on the slide, 2 signed angles, 3 growing with an epsilon
+  double epsilon;  // m, for method 3
+  double shown;    // how many triangles are shown
+};
+
+constexpr int count = 8;
+constexpr int most = 24;
+
+struct Output {
+  double problem;
+  double dimension, corners, faces;       // of the exact hull
+  double triangles;                       // that the method gave
+  double closed;                          // 1 if they close
+  double right;                           // 1 if they are the hull
+  std::array<double, 3 * most> corner;    // three indices a triangle
+  std::array<double, most> in_front;      // how many points are exactly in front of it
+  double open_edges;                      // edges that belong to one triangle only
+  std::array<double, 2 * 3 * most> open;  // their ends
+  double outside;                         // points that are exactly in front of some triangle
+};
+
+Output compute(const Input& in) {
+  Output out{};
+  const std::vector<Point> points{in.a, in.b, in.c, in.d, in.e, in.f, in.g, in.h};
+  out.corner.fill(-1);
+  out.open.fill(-1);
+  for (const Point& p : points) {
+    if (p.cwiseAbs().maxCoeff() > 1e100) out.problem = contact::figure::too_large;
+  }
+  if (!(in.epsilon >= 0)) out.problem = contact::figure::not_positive;
+  if (out.problem != 0) return out;
+
+  const contact::Hull exact = contact::convex_hull(points);
+  out.dimension = exact.dimension;
+  out.corners = static_cast<double>(exact.vertices.size());
+  out.faces = exact.face_count();
+
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<int> corners;
+  bool closed = true;
+  if (in.method == 1 || in.method == 2) {
+    const auto fold = in.method == 1 ? contact::FoldAngle::unsigned_ : contact::FoldAngle::signed_;
+    const contact::Wrapping wrapping = contact::wrap_by_angles<double>(points, fold);
+    triangles = wrapping.triangles;
+    closed = wrapping.closed;
+  } else if (in.method == 3) {
+    const contact::Hull hull =
+        contact::convex_hull_with<contact::RoundedSides<double>>(points, in.epsilon);
+    triangles = contact::triangles(hull);
+    closed = hull.closed;
+  } else {
+    triangles = contact::triangles(exact);
+  }
+  if (triangles.size() > most) triangles.resize(most);
+  for (const auto& t : triangles) corners.insert(corners.end(), t.begin(), t.end());
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  out.triangles = static_cast<double>(triangles.size());
+  out.closed = closed ? 1 : 0;
+
+  const auto at = [&points](int i) { return points[static_cast<std::size_t>(i)]; };
+  std::array<bool, count> outside{};
+  std::map<std::pair<int, int>, int> edges;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto [i, j, k] = triangles[t];
+    out.corner[3 * t] = i;
+    out.corner[3 * t + 1] = j;
+    out.corner[3 * t + 2] = k;
+    for (int p = 0; p < count; ++p) {
+      if (contact::side_of_plane(at(i), at(j), at(k), at(p)) <= 0) continue;
+      outside[static_cast<std::size_t>(p)] = true;
+      ++out.in_front[t];
+    }
+    for (const auto& edge : {std::pair{i, j}, std::pair{j, k}, std::pair{k, i}}) {
+      ++edges[edge];
+      --edges[{edge.second, edge.first}];
+    }
+  }
+  for (const auto& [edge, surplus] : edges) {
+    if (surplus <= 0 || 2 * out.open_edges + 2 > static_cast<double>(out.open.size())) continue;
+    const auto place = static_cast<std::size_t>(2 * out.open_edges);
+    out.open[place] = edge.first;
+    out.open[place + 1] = edge.second;
+    ++out.open_edges;
+  }
+  for (const bool is_outside : outside) out.outside += is_outside;
+  const double needed = out.dimension == 3 ? 2 * out.corners - 4 : 2 * (out.corners - 2);
+  out.right = closed && out.open_edges == 0 && out.outside == 0 && corners == exact.vertices &&
+                      (out.dimension < 2 || out.triangles == needed)
+                  ? 1
+                  : 0;
+  return out;
+}
+
+FIGURE(Input, FIELDS(a, b, c, d, e, f, g, h, method, epsilon, shown), Output,
+       FIELDS(problem, dimension, corners, faces, triangles, closed, right, corner, in_front,
+              open_edges, open, outside))

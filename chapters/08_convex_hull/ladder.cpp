@@ -1,0 +1,147 @@
+// What does it cost to be right about a hull? Gift wrapping and growing, in float, double and
+// exact, against the number of points and against the part of them that are corners.
+#include <support/ladder.hpp>
+
+#include <contact/convex_hull.hpp>
+#include <contact/gift_wrapping.hpp>
+
+namespace {
+
+using Point = contact::Vector3<double>;
+
+/// Every coordinate is a float, so that every method is asked about the same points.
+struct Input {
+  std::vector<Point> points;
+};
+
+/// What is compared: the corners, and how many faces there are. Triangles are compared by number.
+struct Answer {
+  bool closed = false;
+  bool only_triangles = false;
+  std::vector<int> corners;
+  std::size_t faces = 0, triangles = 0;
+};
+
+Point narrow(const Point& p) { return p.cast<float>().cast<double>(); }
+
+Point in_cube(generators::Random& random) {
+  const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
+  return {x, y, random.uniform(-1, 1)};
+}
+Point in_ball(generators::Random& random) {
+  for (;;) {
+    const Point p = in_cube(random);
+    if (p.squaredNorm() <= 1) return p;
+  }
+}
+Point on_sphere(generators::Random& random) {
+  for (;;) {
+    const Point p = in_cube(random);
+    const double square = p.squaredNorm();
+    if (square <= 1 && square > 0.01) return p / std::sqrt(square);
+  }
+}
+
+template <class Draw>
+Input many(generators::Random& random, int count, Draw draw) {
+  Input input;
+  for (int i = 0; i < count; ++i) input.points.push_back(narrow(draw(random)));
+  return input;
+}
+
+Point on_grid(generators::Random& random) {
+  const double x = random.integer(0, 3), y = random.integer(0, 3);
+  return {x, y, double(random.integer(0, 3))};
+}
+/// Sums of tenths: near a plane, rounded.
+Point nearly_flat(generators::Random& random) {
+  const double x = random.integer(-10, 10) / 10.0, y = random.integer(-10, 10) / 10.0;
+  return {x, y, 0.3 * x + 0.7 * y};
+}
+/// Half of the points share the greatest height.
+Point tied_top(generators::Random& random) {
+  const double x = random.integer(-8, 8), y = random.integer(-8, 8);
+  return {x, y, random.chance(0.5) ? 8.0 : double(random.integer(-8, 7))};
+}
+
+Answer of_hull(const contact::Hull& hull) {
+  Answer answer{hull.closed, false, hull.vertices, static_cast<std::size_t>(hull.face_count()), 0};
+  // Corners of all faces, less two a face.
+  answer.triangles = hull.corners.size() - 2 * answer.faces;
+  return answer;
+}
+Answer of_triangles(const contact::Wrapping& wrapping) {
+  Answer answer{wrapping.closed, true, {}, 0, wrapping.triangles.size()};
+  for (const auto& t : wrapping.triangles)
+    answer.corners.insert(answer.corners.end(), t.begin(), t.end());
+  std::sort(answer.corners.begin(), answer.corners.end());
+  answer.corners.erase(std::unique(answer.corners.begin(), answer.corners.end()),
+                       answer.corners.end());
+  return answer;
+}
+
+ladder::Verdict judge(const Answer& got, const Answer& right) {
+  ladder::Verdict verdict;
+  verdict.wrong =
+      !got.closed || got.corners != right.corners ||
+      (got.only_triangles ? got.triangles != right.triangles : got.faces != right.faces);
+  return verdict;
+}
+
+ladder::Ladder<Input, Answer> experiment() {
+  const auto truth = [](const Input& input) {
+    return of_hull(contact::gift_wrap_with<contact::ExactSides>(input.points));
+  };
+  ladder::Ladder<Input, Answer> ladder("What is the hull of these points?", truth, judge);
+  const auto family = [&ladder](const char* id, const char* title, int count, auto draw) {
+    ladder.family(id, title,
+                  [count, draw](generators::Random& random) { return many(random, count, draw); });
+  };
+  family("ball-8", "8 points in a ball", 8, in_ball);
+  family("ball-24", "24 points in a ball", 24, in_ball);
+  family("sphere-8", "8 points on a sphere", 8, on_sphere);
+  family("sphere-24", "24 points on a sphere", 24, on_sphere);
+  family("grid", "16 points of a grid, many equal", 16, on_grid);
+  family("flat", "16 points near a plane", 16, nearly_flat);
+  family("top", "16 points, half of them at the top", 16, tied_top);
+
+  const auto add = [&ladder](const char* id, const char* title, const char* scalar, bool exact,
+                             auto method) {
+    ladder.method({.id = id, .title = title, .scalar = scalar, .exact = exact},
+                  [method](const Input& input) { return method(input.points); });
+  };
+  using Points = std::vector<Point>;
+  add("slide", "wrapping, angles as on the slide", "double", false, [](const Points& p) {
+    return of_triangles(contact::wrap_by_angles<double>(p, contact::FoldAngle::unsigned_));
+  });
+  add("angles-float", "wrapping, signed angles", "float", false, [](const Points& p) {
+    return of_triangles(contact::wrap_by_angles<float>(p, contact::FoldAngle::signed_));
+  });
+  add("angles-double", "wrapping, signed angles", "double", false, [](const Points& p) {
+    return of_triangles(contact::wrap_by_angles<double>(p, contact::FoldAngle::signed_));
+  });
+  add("wrap-double", "wrapping, sides", "double", false, [](const Points& p) {
+    return of_hull(contact::gift_wrap_with<contact::RoundedSides<double>>(p));
+  });
+  add("wrap-exact", "wrapping, sides", "double, then exact", true,
+      [](const Points& p) { return of_hull(contact::gift_wrap(p)); });
+  add("grow-float", "growing", "float", false, [](const Points& p) {
+    return of_hull(contact::convex_hull_with<contact::RoundedSides<float>>(p));
+  });
+  add("grow-double", "growing", "double", false, [](const Points& p) {
+    return of_hull(contact::convex_hull_with<contact::RoundedSides<double>>(p));
+  });
+  add("grow-epsilon", "growing, epsilon 1e-6", "double", false, [](const Points& p) {
+    return of_hull(contact::convex_hull_with<contact::RoundedSides<double>>(p, 1e-6));
+  });
+  add("grow-exact", "growing (the book's)", "double, then exact", true,
+      [](const Points& p) { return of_hull(contact::convex_hull(p)); });
+  add("grow-unfiltered", "growing, no filter", "exact", true, [](const Points& p) {
+    return of_hull(contact::convex_hull_with<contact::UnfilteredSides>(p));
+  });
+  return ladder;
+}
+
+}  // namespace
+
+LADDER(experiment)

@@ -1,0 +1,174 @@
+// A force–time curve that is drawn by hand, and under it the velocity that it gives. A duration that
+// grows stretches the curve: the same shape in a longer time is a larger area.
+
+import { defineFigure, pretty, type Vec2 } from "@contact/figure";
+
+interface Input {
+  f1: number;
+  f2: number;
+  f3: number;
+  f4: number;
+  f5: number;
+  f6: number;
+  f7: number;
+  duration: number;
+  mass: number;
+  speed: number;
+}
+
+interface Output {
+  time: readonly number[];
+  force: readonly number[];
+  split_time: readonly number[];
+  split_force: readonly number[];
+  impulse: number;
+  average: number;
+  largest: number;
+  before: number;
+  change: number;
+  after: number;
+  to_stop: number;
+  moment: readonly number[];
+  velocity_at: readonly number[];
+}
+
+/** The axis of the velocity lies below that of the force; ten metres a second are one unit high. */
+const LOW = -4.4;
+const low = (velocity: number): number => LOW + Math.max(-26, Math.min(26, velocity)) / 10;
+const END = 10.3;
+
+const HANDLES = ["f1", "f2", "f3", "f4", "f5", "f6", "f7"] as const;
+
+export default defineFigure<Input, Output>({
+  title: "The area under a force–time curve",
+  view: { kind: "2d", x: [-0.9, 10.9], y: [-7.3, 4.7] },
+  aspect: 1.02,
+  initial: {
+    f1: 0.4,
+    f2: 1.2,
+    f3: 2.4,
+    f4: 2.8,
+    f5: 2,
+    f6: 0.9,
+    f7: 0.3,
+    duration: 8,
+    mass: 0.5,
+    speed: 12,
+  },
+  handles: HANDLES.map((field, i) => ({
+    kind: "slide" as const,
+    field,
+    label: `force after ${i + 1} eighths of the time, kN`,
+    role: "ray" as const,
+    at: (input: Input, output: Output): Vec2 => [output.time[i + 1] ?? 0, input[field]],
+    along: (): Vec2 => [0, 1],
+    step: 0.05,
+    limit: [-1.5, 4.2] as const,
+  })),
+  controls: [
+    { kind: "slider", field: "duration", label: "T", min: 3, max: 10, step: 0.1, unit: "ms" },
+    { kind: "slider", field: "mass", label: "m", min: 0.1, max: 2, step: 0.05, unit: "kg" },
+    { kind: "slider", field: "speed", label: "speed", min: 0, max: 20, step: 0.5, unit: "m/s" },
+  ],
+  draw(scene, input, output) {
+    const axis = { role: "muted", width: 1 } as const;
+    scene.arrow([0, 0], [END, 0], axis).arrow([0, -1.7], [0, 4.5], axis);
+    scene.arrow([0, LOW], [END, LOW], axis).arrow([0, LOW - 2.7], [0, LOW + 2.6], axis);
+    for (const t of [2, 4, 6, 8, 10]) {
+      scene.line([t, -0.08], [t, 0.08], axis).line([t, LOW - 0.08], [t, LOW + 0.08], axis);
+      scene.label([t, LOW], pretty(t), {
+        role: "muted",
+        offset: [0, 18],
+        anchor: "middle",
+        size: "small",
+      });
+    }
+    for (const f of [1, 2, 3, 4]) {
+      scene.line([-0.08, f], [0.08, f], axis);
+      scene.label([0, f], pretty(f), {
+        role: "muted",
+        offset: [-9, 4],
+        anchor: "end",
+        size: "small",
+      });
+    }
+    for (const v of [-20, -10, 10, 20]) {
+      scene.line([-0.08, low(v)], [0.08, low(v)], axis);
+      scene.label([0, low(v)], pretty(v), {
+        role: "muted",
+        offset: [-9, 4],
+        anchor: "end",
+        size: "small",
+      });
+    }
+    scene.label([0, 4.4], "F, kN", { role: "ray", offset: [10, 4] });
+    scene.label([0, LOW + 2.5], "velocity, m/s", { role: "ball", offset: [10, 4] });
+    scene.label([END, 0], "t, ms", { role: "muted", offset: [0, -10], anchor: "end" });
+    scene.label([END, LOW], "t, ms", { role: "muted", offset: [0, -10], anchor: "end" });
+    if (output.problem) return;
+
+    for (const [i, t] of output.split_time.entries()) {
+      const middle: Vec2 = [t, output.split_force[i] ?? 0];
+      for (const at of [i, i + 1]) {
+        const end: Vec2 = [output.time[at] ?? 0, output.force[at] ?? 0];
+        const below = end[1] + middle[1] < 0;
+        scene.face([[end[0], 0], end, middle, [t, 0]], {
+          role: below ? "miss" : "b",
+          fill: below ? 0.3 : 0.22,
+          outline: false,
+        });
+      }
+    }
+    scene.path(
+      output.time.map((t, i): Vec2 => [t, output.force[i] ?? 0]),
+      { role: "ray", width: 2.5 },
+    );
+    const T = input.duration;
+    scene.face(
+      [
+        [0, 0],
+        [0, output.average],
+        [T, output.average],
+        [T, 0],
+      ],
+      {
+        role: "hit",
+        fill: 0,
+        dashed: true,
+      },
+    );
+    scene.label([T, output.average], "average", { role: "hit", offset: [8, 4], size: "small" });
+
+    scene.line([T, LOW - 2.6], [T, 0], { role: "muted", width: 1, dashed: true });
+    scene.path(
+      output.moment.map((t, i): Vec2 => [t, low(output.velocity_at[i] ?? 0)]),
+      { role: "ball", width: 2.5 },
+    );
+    scene.dot([0, low(output.before)], "ball", 4);
+    scene.dot([T, low(output.after)], "ball", 5);
+    scene.label([T, low(output.after)], pretty(output.after, 3), {
+      role: "ball",
+      offset: [8, output.after < 0 ? 16 : -8],
+    });
+  },
+  values: (_input, output) => [
+    { name: "J", meaning: "area under the curve", value: output.impulse, unit: "N·s", role: "b" },
+    { name: "F_a", meaning: "average, J / T", value: output.average, unit: "kN", role: "hit" },
+    { name: "F_p", meaning: "largest force", value: output.largest, unit: "kN", role: "ray" },
+    {
+      name: "v",
+      meaning: "before: minus the speed",
+      value: output.before,
+      unit: "m/s",
+      role: "ball",
+    },
+    { name: "v′", meaning: "v + J / m", value: output.after, unit: "m/s", role: "ball" },
+    { name: "−m v", meaning: "would stop it", value: output.to_stop, unit: "N·s", role: "muted" },
+  ],
+  describe(input, output) {
+    const start = `The force gives ${pretty(output.impulse, 3)} N·s in ${pretty(input.duration, 3)} ms`;
+    if (output.after * output.before < 0)
+      return `${start}: more than the ${pretty(output.to_stop, 3)} N·s that stop the body, so it goes back, at ${pretty(output.after, 3)} m/s.`;
+    return `${start}, and the body goes on at ${pretty(output.after, 3)} m/s.`;
+  },
+});

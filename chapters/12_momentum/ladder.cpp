@@ -1,0 +1,186 @@
+// What does it cost to add up many impulses without losing the small ones?
+#include <support/ladder.hpp>
+
+#include <contact/impulse_sum.hpp>
+
+#ifdef CONTACT_HAS_GMP
+#include <boost/multiprecision/gmp.hpp>
+#endif
+
+namespace {
+
+constexpr int count = 128;
+
+/// The same impulses as a float and as a double stores them; the change of type is not timed.
+struct Input {
+  std::vector<float> in_float;
+  std::vector<double> in_double;
+};
+
+/// A sum as the number nearest to it and what that leaves, and Σ|Jᵢ|, beside which an error is
+/// large or small.
+struct Sum {
+  double nearest = 0;
+  double rest = 0;
+  double size = 0;
+};
+
+/// What a method says, of the floats or of the doubles; the truth says both.
+struct Answer {
+  bool of_floats = false;
+  Sum in_float, in_double;
+};
+
+Input in_both_types(std::vector<double> impulses) {
+  std::vector<float> narrow;
+  for (const double x : impulses) narrow.push_back(static_cast<float>(x));
+  return {std::move(narrow), std::move(impulses)};
+}
+
+void shuffle(generators::Random& random, std::vector<double>& impulses) {
+  for (std::size_t i = impulses.size(); i > 1; --i) {
+    const auto other = static_cast<std::size_t>(random.integer(0, static_cast<int>(i) - 1));
+    std::swap(impulses[i - 1], impulses[other]);
+  }
+}
+
+/// A push that goes on: all of them one way.
+Input one_way(generators::Random& random) {
+  std::vector<double> impulses;
+  for (int i = 0; i < count; ++i) impulses.push_back(random.uniform(0.5, 1));
+  return in_both_types(std::move(impulses));
+}
+
+/// A force that changes its sign: a swing to and fro, and its samples.
+Input to_and_fro(generators::Random& random) {
+  std::vector<double> impulses;
+  const double period = random.uniform(5, 20);
+  const double start = random.uniform();
+  for (int i = 0; i < count; ++i) {
+    // A triangle wave between -1 and 1.
+    const double phase = i / period + start;
+    const double share = phase - std::floor(phase);
+    impulses.push_back(4 * std::abs(share - 0.5) - 1);
+  }
+  return in_both_types(std::move(impulses));
+}
+
+/// Actions and reactions: every impulse and its opposite, in any order.
+Input zero_total(generators::Random& random) {
+  std::vector<double> impulses;
+  for (int i = 0; i < count / 2; ++i) {
+    const double x = random.uniform(-1, 1);
+    impulses.push_back(x);
+    impulses.push_back(-x);
+  }
+  shuffle(random, impulses);
+  return in_both_types(std::move(impulses));
+}
+
+/// From 1 to 2^53, about 10^16: what is large comes with its opposite, what is small does not.
+Input spread(generators::Random& random) {
+  std::vector<double> impulses;
+  for (int i = 0; i < count / 4; ++i) {
+    const double x = random.magnitude(40, 53);
+    impulses.push_back(x);
+    impulses.push_back(-x);
+  }
+  while (impulses.size() < count) {
+    impulses.push_back(random.uniform(0.5, 1));
+  }
+  shuffle(random, impulses);
+  return in_both_types(std::move(impulses));
+}
+
+template <class S>
+Sum exact_sum(const std::vector<S>& impulses) {
+  contact::Exact sum;
+  double size = 0;
+  for (const S x : impulses) {
+    sum += contact::Exact(double(x));
+    size += std::abs(double(x));
+  }
+  const auto nearest = rounded<double>(sum);
+  return {nearest, rounded<double>(sum - contact::Exact(nearest)), size};
+}
+
+Answer truth_of(const Input& input) {
+  return {false, exact_sum(input.in_float), exact_sum(input.in_double)};
+}
+
+/// Written out once more as Kahan had it, with the correction of the next term and not of the sum.
+template <class S>
+S kahan(const std::vector<S>& terms) {
+  S sum(0);
+  S carry(0);
+  for (const S x : terms) {
+    const S y = x - carry;
+    const S next = sum + y;
+    carry = (next - sum) - y;
+    sum = next;
+  }
+  return sum;
+}
+
+#ifdef CONTACT_HAS_GMP
+double by_rationals(const std::vector<double>& terms) {
+  using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
+                                                 boost::multiprecision::et_off>;
+  Rational sum = 0;
+  for (const double x : terms) sum += Rational(x);
+  return static_cast<double>(sum);
+}
+#endif
+
+ladder::Ladder<Input, Answer> experiment() {
+  const auto judge = [](const Answer& got, const Answer& right) {
+    ladder::Verdict verdict;
+    const Sum& told = got.of_floats ? got.in_float : got.in_double;
+    const Sum& truth = got.of_floats ? right.in_float : right.in_double;
+    verdict.error = std::abs((told.nearest - truth.nearest) - truth.rest) / truth.size;
+    return verdict;
+  };
+  ladder::Ladder<Input, Answer> ladder("What do 128 impulses add up to?", truth_of, judge);
+
+  ladder.family("one-way", "all one way", one_way);
+  ladder.family("to-and-fro", "a force that changes sign", to_and_fro);
+  ladder.family("zero-total", "actions and reactions: zero total", zero_total);
+  ladder.family("spread", "sizes from 1 to 1e16, the large ones cancel", spread);
+
+  const auto in_both = [&ladder](const char* id, const char* title, auto method) {
+    ladder.method(
+        {.id = std::string(id) + "-float", .title = title, .scalar = "float", .exact = false},
+        [method](const Input& input) {
+          return Answer{true, {static_cast<double>(method(input.in_float)), 0, 0}, {}};
+        });
+    ladder.method(
+        {.id = std::string(id) + "-double", .title = title, .scalar = "double", .exact = false},
+        [method](const Input& input) {
+          return Answer{false, {}, {method(input.in_double), 0, 0}};
+        });
+  };
+  in_both("order", "in order", [](const auto& terms) { return contact::total_in_order(terms); });
+  in_both("pairwise", "pairwise", [](const auto& terms) { return contact::total_pairwise(terms); });
+  in_both("kahan", "Kahan", [](const auto& terms) { return kahan(terms); });
+  in_both("compensated", "compensated",
+          [](const auto& terms) { return contact::total_compensated(terms); });
+
+  const auto exact = [&ladder](const char* id, const char* title, const char* scalar, auto method) {
+    ladder.method({.id = id, .title = title, .scalar = scalar, .exact = true},
+                  [method](const Input& input) {
+                    return Answer{false, {}, {method(input.in_double), 0, 0}};
+                  });
+  };
+  exact("filtered", "the book's: compensated, else exact", "double, then exact",
+        [](const std::vector<double>& terms) { return contact::total_impulse(terms); });
+  exact("exact", "exact", "exact",
+        [](const std::vector<double>& terms) { return contact::total_exactly(terms); });
+#ifdef CONTACT_HAS_GMP
+  exact("rational", "in fractions (GMP)", "rational", by_rationals);
+#endif
+  return ladder;
+}
+
+}  // namespace
+
+LADDER(experiment)

@@ -1,0 +1,147 @@
+/// @file
+/// Balls in a row that touch, as in Newton's cradle: one pair after the other, or all at once on
+/// springs.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <vector>
+
+#include <contact/collision_1d.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+/// Which of several pairs that approach collides next.
+enum class PairOrder {
+  left_to_right,  ///< sweeps from the first pair to the last, again and again
+  right_to_left,  ///< the other way
+  fastest_first   ///< always the pair with the largest closing speed; of equals the leftmost
+};
+
+/// What has become of a row.
+template <Ring S>
+struct RowOutcome {
+  std::vector<S> velocities;  ///< m/s, in the order of the balls
+  int collisions = 0;         ///< of pairs
+  bool settled = false;       ///< whether no neighbours approach any more
+};
+
+// [collide-row]
+/// A row of balls that touch their neighbours: pairs that approach collide, one at a time, until
+/// none does.
+///
+/// Balls of one mass with e = 1 exchange velocities, so any order sorts them, and the result is the
+/// same. With other masses, or e < 1, the order decides: pairs alone do not say what the row does.
+/// @param row of line_body(), by coordinate
+/// @param e coefficient of restitution of every pair, from 0 to 1
+/// @param order see PairOrder
+/// @param limit how many collisions at most. For small e there may be infinitely many, and then the
+/// row is not settled when the limit is reached
+/// @return momentum is conserved to γ(8) of Σ m|v| a collision
+template <Scalar S>
+RowOutcome<S> collide_row(std::vector<LineBody<S>> row, const S& e, PairOrder order, int limit) {
+  RowOutcome<S> outcome;
+  const std::size_t pairs = row.empty() ? 0 : row.size() - 1;
+  const auto collides = [&row](std::size_t i) { return detail::collides(row[i], row[i + 1]); };
+  std::size_t next = 0;  // where a sweep goes on
+  while (true) {
+    std::size_t chosen = pairs;
+    for (std::size_t step = 0; step < pairs; ++step) {
+      std::size_t i = (next + step) % pairs;
+      if (order == PairOrder::right_to_left) i = pairs - 1 - i;
+      if (order == PairOrder::fastest_first) i = step;
+      if (!collides(i)) continue;
+      const bool faster = chosen < pairs && closing_speed(row[i], row[i + 1]) >
+                                                closing_speed(row[chosen], row[chosen + 1]);
+      if (chosen == pairs || faster) chosen = i;
+      if (order != PairOrder::fastest_first) {
+        next = (next + step + 1) % pairs;
+        break;
+      }
+    }
+    outcome.settled = chosen == pairs;
+    if (outcome.settled || outcome.collisions == limit) break;
+    const LineCollision<S> after = collide(row[chosen], row[chosen + 1], e);
+    row[chosen].velocity = after.first;
+    row[chosen + 1].velocity = after.second;
+    ++outcome.collisions;
+  }
+  for (const LineBody<S>& ball : row) outcome.velocities.push_back(ball.velocity);
+  return outcome;
+}
+// [/collide-row]
+
+/// How a contact pushes back when it is pressed in by d.
+enum class ContactSpring {
+  linear,  ///< force = k d
+  hertz    ///< force = k d^(3/2), as elastic spheres do (Hertz, 1882)
+};
+
+// [row-on-springs]
+/// The same row with all contacts at once: between neighbours is a spring that pushes when it is
+/// pressed, and never pulls. The balls have finite masses and move until every spring is free.
+///
+/// This is what simultaneous contact needs: a law for the force, and time for it to act. The
+/// velocities afterwards do not depend on the stiffness k, only on its *ratio* from contact to
+/// contact (here all are alike) and on the shape of the law. Nothing is lost on the way.
+/// @param row of line_body(), by coordinate, touching and unpressed
+/// @param law see ContactSpring
+/// @param steps how many of the leapfrog method cover the time in which sound would cross the row;
+/// the error falls with the square of it
+/// @return velocities when no spring is pressed; settled = false if that took too long
+template <std::floating_point S>
+RowOutcome<S> row_on_springs(const std::vector<LineBody<S>>& row, ContactSpring law, int steps) {
+  const std::size_t n = row.size();
+  RowOutcome<S> outcome;
+  std::vector<S>& v = outcome.velocities;
+  S mass(0);
+  S fastest(0);
+  for (const LineBody<S>& ball : row) {
+    assert(std::isfinite(ball.mass));
+    v.push_back(ball.velocity);
+    mass = std::max(mass, ball.mass);
+    fastest = std::max(fastest, std::abs(ball.velocity - row.front().velocity));
+  }
+  // Units in which the heaviest mass, the stiffness and the largest relative velocity are 1.
+  if (n < 2 || fastest == S(0)) {
+    outcome.settled = true;
+    return outcome;
+  }
+  const S dt = S(4) * S(n) / S(steps);
+  std::vector<S> x(n, S(0));
+  std::vector<S> a(n, S(0));
+  const auto push = [&] {
+    bool pressed = false;
+    std::fill(a.begin(), a.end(), S(0));
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+      const S d = x[i] - x[i + 1];
+      if (!(d > S(0))) continue;
+      pressed = true;
+      const S force = law == ContactSpring::linear ? d : d * std::sqrt(d);
+      a[i] -= force / (row[i].mass / mass);
+      a[i + 1] += force / (row[i + 1].mass / mass);
+    }
+    return pressed;
+  };
+  for (S& velocity : v) velocity /= fastest;
+  push();
+  for (int step = 0; step < 20 * steps && !outcome.settled; ++step) {
+    for (std::size_t i = 0; i < n; ++i) {
+      v[i] += a[i] * dt / S(2);
+      x[i] += v[i] * dt;
+    }
+    const bool pressed = push();
+    for (std::size_t i = 0; i < n; ++i) v[i] += a[i] * dt / S(2);
+    outcome.settled = !pressed;
+    for (std::size_t i = 0; i + 1 < n; ++i) outcome.settled &= !(v[i] > v[i + 1]);
+  }
+  for (S& velocity : v) velocity *= fastest;
+  return outcome;
+}
+// [/row-on-springs]
+
+}  // namespace contact

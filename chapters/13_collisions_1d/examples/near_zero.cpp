@@ -1,0 +1,20 @@
+// A body that is nearly stopped: how far off its small velocity is, as a part of itself and as a
+// part of what went in. In float, so that it shows; truth without rounding.
+#include <cmath>
+#include <contact/collision_1d.hpp>
+#include <cstdio>
+
+int main() {
+  const float u = 0x1p-24f;
+  const auto second = contact::line_body(1.0f, 0.0f);
+  std::printf("   m1      exact v1'    computed   off by, of itself   of u(|v1| + |v2|)\n");
+  for (const float m1 : {0.6f, 0.31f, 0.3001f, 0.30001f, 0.3000001f}) {
+    const auto first = contact::line_body(m1, 1.0f);
+    const float e = 0.3f;
+    const float got = contact::collide(first, second, e).first;
+    const float right = contact::collide_exactly(first, second, e).first;
+    const double off = std::abs(double{got} - double{right});
+    std::printf("%-9.7g %11.4g %11.4g %14.1e %17.2f\n", double{m1}, double{right}, double{got},
+                off / std::abs(double{right}), off / double{u});
+  }
+}

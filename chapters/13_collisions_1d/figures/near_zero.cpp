@@ -1,0 +1,65 @@
+// A body of about e kilograms hits one of 1 kg at rest, and nearly stops. Its velocity in single
+// precision and without rounding, under a glass that enlarges more and more.
+#include <contact/collision_1d.hpp>
+#include <contact/figure.hpp>
+#include <contact/tolerance.hpp>
+
+struct Input {
+  double zoom;   // the window is 2^-zoom wide to either side of m_1 = e
+  double place;  // of the mass that is read off, from -1 to 1 in the window
+  double e;      // coefficient of restitution
+};
+
+struct Output {
+  double problem;
+  std::array<double, 41> mass;     // m₁ as stored, from -1 to 1 in the window
+  std::array<double, 41> exact;    // v₁' in units of 2^-zoom m/s
+  std::array<double, 41> rounded;  // as computed in float
+  double bound;                    // γ(8) (|v₁| + |v₂|) in the same units
+  double m_1;                      // read off, kg
+  double v_exact, v_rounded;       // m/s
+  double relative;                 // error of v_rounded as a part of v_exact; 0 where both are 0
+  double absolute;                 // and of u (|v₁| + |v₂|)
+  double read_x, read_y;           // where that is in the picture
+};
+
+Output compute(const Input& in) {
+  Output out{};
+  if (!(in.e >= 0.1) || in.zoom < 2) out.problem = contact::figure::too_small;
+  if (in.e > 0.9 || in.zoom > 23 || std::abs(in.place) > 1) {
+    out.problem = contact::figure::too_large;
+  }
+  if (out.problem != 0) return out;
+  const double width = std::ldexp(1.0, -static_cast<int>(in.zoom));
+  const auto e = static_cast<float>(in.e);
+  const auto resting = contact::line_body(1.0f, 0.0f);
+  const auto at = [&](double place, auto&& tell) {
+    const auto m = static_cast<float>(double{e} + place * width * 0.5);
+    const auto hitting = contact::line_body(m, 1.0f);
+    tell(m, double{contact::collide_exactly(hitting, resting, e).first},
+         double{contact::collide(hitting, resting, e).first});
+  };
+  for (std::size_t i = 0; i < out.mass.size(); ++i) {
+    at((static_cast<double>(i) - 20) / 20, [&](float m, double exact, double rounded) {
+      out.mass[i] = (double{m} - double{e}) / (width * 0.5);
+      out.exact[i] = exact / width;
+      out.rounded[i] = rounded / width;
+    });
+  }
+  out.bound = double{contact::tolerance::gamma<float>(8)} / width;
+  at(in.place, [&](float m, double exact, double rounded) {
+    out.m_1 = m;
+    out.v_exact = exact;
+    out.v_rounded = rounded;
+    const double off = std::abs(rounded - exact);
+    out.relative = off == 0 ? 0 : off / std::abs(exact);
+    out.absolute = off / double{contact::tolerance::unit_roundoff<float>};
+    out.read_x = (double{m} - double{e}) / (width * 0.5);
+    out.read_y = rounded / width;
+  });
+  return out;
+}
+
+FIGURE(Input, FIELDS(zoom, place, e), Output,
+       FIELDS(problem, mass, exact, rounded, bound, m_1, v_exact, v_rounded, relative, absolute,
+              read_x, read_y))

@@ -1,0 +1,76 @@
+// A ball that meets a surface: its velocity split along the normal and along the surface, what
+// comes back, and the two angles, both from the normal.
+#include <contact/figure.hpp>
+#include <contact/rebound_angle.hpp>
+#include <contact/restitution.hpp>
+
+using Vector2 = Eigen::Matrix<double, 2, 1>;
+
+struct Input {
+  Vector2 from;     // where the ball comes from; it moves to the origin, m/s
+  Vector2 facing;   // a point in front of the surface, straight over the origin
+  double k;         // coefficient of restitution
+  double friction;  // μ
+  double turns;     // 1: a solid ball that may turn; 0: a body that does not
+};
+
+struct Output {
+  double problem;
+  double approaching;     // 1 if it meets the surface from its front
+  Vector2 normal;         // unit vector
+  Vector2 before, after;  // velocities, m/s
+  Vector2 normal_before, along_before;
+  Vector2 normal_after, along_after;
+  Vector2 mirror;              // after a bounce with k = 1 and no friction
+  double angle_in, angle_out;  // degrees from the normal
+  double closing, parting;     // speeds along the normal, m/s
+  double kept;                 // of the kinetic energy, without spin
+  double right_angle;          // goal: incidence and rebound are at right angles
+};
+
+Output compute(const Input& in) {
+  Output out{};
+  const double least = 1e-100;
+  const double most = 1e100;
+  if (!(in.facing.cwiseAbs().maxCoeff() > least)) out.problem = contact::figure::zero_normal;
+  if (!(in.from.cwiseAbs().maxCoeff() > least)) out.problem = contact::figure::zero_direction;
+  if (in.facing.cwiseAbs().maxCoeff() > most || in.from.cwiseAbs().maxCoeff() > most || in.k > 1 ||
+      in.friction > most) {
+    out.problem = contact::figure::too_large;
+  }
+  if (in.k < 0 || in.friction < 0) out.problem = contact::figure::too_small;
+  if (out.problem != 0) return out;
+
+  using V = contact::Vector3<double>;
+  const V facing(in.facing.x(), in.facing.y(), 0);
+  const V n = facing / facing.norm();
+  const V v(-in.from.x(), -in.from.y(), 0);
+  const double grip = in.turns > 0.5 ? contact::solid_ball_grip<double> : 1;
+  const V after = contact::after_bounce_with_friction(v, n, in.k, in.friction, grip);
+  out.approaching = contact::approaches(v, n) ? 1 : 0;
+  const auto flat = [](const V& x) { return Vector2(x.x(), x.y()); };
+  out.normal = flat(n);
+  out.before = flat(v);
+  out.after = flat(after);
+  out.normal_before = flat(n * v.dot(n));
+  out.along_before = flat(v - n * v.dot(n));
+  out.normal_after = flat(n * after.dot(n));
+  out.along_after = flat(after - n * after.dot(n));
+  out.mirror = flat(contact::after_bounce<double>(v, n, 1));
+  out.angle_in = contact::degrees(contact::angle_from_normal(v, n));
+  out.angle_out = contact::degrees(contact::angle_from_normal(after, n));
+  out.closing = -v.dot(n);
+  out.parting = after.dot(n);
+  out.kept = after.squaredNorm() / v.squaredNorm();
+  const double turn = v.dot(after);
+  out.right_angle = out.approaching > 0 && in.friction == 0 && in.k <= 0.8 &&
+                            std::abs(turn) <= 0.02 * v.norm() * after.norm()
+                        ? 1
+                        : 0;
+  return out;
+}
+
+FIGURE(Input, FIELDS(from, facing, k, friction, turns), Output,
+       FIELDS(problem, approaching, normal, before, after, normal_before, along_before,
+              normal_after, along_after, mirror, angle_in, angle_out, closing, parting, kept,
+              right_angle))

@@ -1,0 +1,220 @@
+// Where is a bouncing ball after so long, and how often has it bounced? By formula, by events and
+// in steps.
+#include <support/ladder.hpp>
+
+#include <contact/bouncing.hpp>
+#include <contact/exact.hpp>
+#include <contact/fixed_step_bounce.hpp>
+
+namespace {
+
+/// The same ball as a float and as a double stores it; the change of type is not timed. It starts
+/// on the floor, so that all its times are rational, and the truth needs no root.
+struct Input {
+  contact::BouncingBall<double> in_double;
+  contact::BouncingBall<float> in_float;
+  double time = 0;
+  float time_in_float = 0;
+};
+
+/// A height and a count; the truth says both of the floats and of the doubles.
+struct Place {
+  double height = 0;
+  double bounces = 0;
+};
+struct Answer {
+  bool of_floats = false;
+  Place in_float, in_double;
+  double highest = 1;
+};
+
+Input thrown(double speed, double gravity, double k, double time) {
+  const auto narrow = [](double x) { return static_cast<float>(x); };
+  return {
+      {0, speed, gravity, k}, {0, narrow(speed), narrow(gravity), narrow(k)}, time, narrow(time)};
+}
+
+/// In whole 256ths, so that the truth has not too many digits.
+double share(generators::Random& random, double low, double high) {
+  return std::ldexp(std::round(std::ldexp(random.uniform(low, high), 8)), -8);
+}
+
+/// How many impacts, and where: n is the largest with (2 v / g)(1 + k + … + k^(n−1)) ≤ t.
+Place truth_of(double speed, double gravity, double k, double time) {
+  using contact::Exact;
+  const Exact v(speed), g(gravity), e(k), t(time);
+  const Exact two(2.0);
+  // Rest: g t (1 − k) ≥ 2 v.
+  if (!(g * t * (Exact(1.0) - e) < two * v)) {
+    return {0, std::numeric_limits<double>::infinity()};
+  }
+  Exact sum;         // 1 + k + … + k^(n − 1)
+  Exact power(1.0);  // k^n
+  double n = 0;
+  for (; !(g * t < two * v * (sum + power)); ++n) {
+    sum += power;
+    power *= e;
+  }
+  // g y = (g s)(v k^n) − (g s)²/2 with g s = g t − 2 v sum.
+  const Exact since = g * t - two * v * sum;
+  return {quotient<double>(since * (two * v * power - since), two * g), n};
+}
+
+Answer truth_of_both(const Input& input) {
+  const auto& narrow = input.in_float;
+  const auto& wide = input.in_double;
+  return {
+      false,
+      truth_of(static_cast<double>(narrow.velocity), static_cast<double>(narrow.gravity),
+               static_cast<double>(narrow.restitution), static_cast<double>(input.time_in_float)),
+      truth_of(wide.velocity, wide.gravity, wide.restitution, input.time),
+      wide.velocity * wide.velocity / (2 * wide.gravity)};
+}
+
+/// A ball that is thrown from the floor with k from 1/2 to 0.9, somewhere in its first eight
+/// flights.
+Input plain(generators::Random& random) {
+  const double v = share(random, 3, 8);
+  const double g = 9.8125;
+  const double k = share(random, 0.5, 0.9);
+  const double flight = 2 * v / g;
+  double time = 0;
+  double length = flight;
+  for (int n = random.integer(0, 7); n > 0; --n) {
+    time += length;
+    length *= k;
+  }
+  return thrown(v, g, k, time + random.uniform(0.05, 0.95) * length);
+}
+
+/// At an impact, or one unit in the last place beside it.
+Input at_impact(generators::Random& random) {
+  const double v = share(random, 3, 8);
+  const double g = 9.8125;
+  const double k = share(random, 0.5, 0.9);
+  const contact::BouncingBall<double> ball{0, v, g, k};
+  double time = contact::impact_time(ball, random.integer(1, 8));
+  const int side = random.integer(-1, 1);
+  if (side != 0) time = std::nextafter(time, side > 0 ? 1e9 : 0);
+  return thrown(v, g, k, time);
+}
+
+/// So near to the end that a flight takes less than a millionth of the time that has passed; some
+/// of the flights are shorter than the last digit of the time.
+Input near_end(generators::Random& random) {
+  const double v = share(random, 3, 8);
+  const double g = 9.8125;
+  const double k = share(random, 0.5, 0.75);
+  const contact::BouncingBall<double> ball{0, v, g, k};
+  const double end = contact::rest_time(ball);
+  return thrown(v, g, k, end * (1 - std::abs(random.magnitude(-52, -24))));
+}
+
+/// Nothing is lost, for up to a quarter of a minute.
+Input no_loss(generators::Random& random) {
+  return thrown(share(random, 3, 8), 9.8125, 1, random.uniform(5, 15));
+}
+
+template <class S>
+Place place(const contact::BounceState<S>& state, double k) {
+  const bool endless = state.resting && k > 0;
+  return {static_cast<double>(state.height),
+          endless ? std::numeric_limits<double>::infinity() : static_cast<double>(state.bounces)};
+}
+
+ladder::Ladder<Input, Answer> experiment() {
+  const auto judge = [](const Answer& got, const Answer& right) {
+    ladder::Verdict verdict;
+    const Place& told = got.of_floats ? got.in_float : got.in_double;
+    const Place& truth = got.of_floats ? right.in_float : right.in_double;
+    verdict.wrong = told.bounces != truth.bounces;
+    verdict.error = std::abs(told.height - truth.height) / right.highest;
+    return verdict;
+  };
+  ladder::Ladder<Input, Answer> ladder("Where is the ball, and how often has it bounced?",
+                                       truth_of_both, judge);
+  ladder.family("plain", "in the first eight flights", plain);
+  ladder.family("impact", "at an impact, to the last digit", at_impact);
+  ladder.family("end", "just before the end of all bounces", near_end);
+  ladder.family("no-loss", "k = 1 for 5 to 15 s", no_loss);
+
+  const auto in_steps = [&ladder](const char* id, const char* title, contact::StepRule rule,
+                                  double rate) {
+    ladder.method({.id = id, .title = title, .scalar = "double", .exact = false},
+                  [rule, rate](const Input& input) {
+                    const auto steps = static_cast<long long>(std::ceil(input.time * rate));
+                    const double dt = input.time / static_cast<double>(steps);
+                    return Answer{false,
+                                  {},
+                                  place(contact::bounce_in_steps(input.in_double, dt, steps, rule),
+                                        input.in_double.restitution)};
+                  });
+  };
+  using contact::StepRule;
+  in_steps("clamp-60", "put on the floor, 1/60 s", StepRule::clamp, 60);
+  in_steps("clamp-960", "put on the floor, 1/960 s", StepRule::clamp, 960);
+  in_steps("lecture-60", "the lecture's loop, 1/60 s", StepRule::new_velocity, 60);
+  in_steps("lecture-960", "the lecture's loop, 1/960 s", StepRule::new_velocity, 960);
+  in_steps("end-60", "velocity of the step's end, 1/60 s", StepRule::end_velocity, 60);
+  in_steps("end-960", "velocity of the step's end, 1/960 s", StepRule::end_velocity, 960);
+  in_steps("impact-60", "velocity of the impact, 1/60 s", StepRule::impact_velocity, 60);
+
+  ladder.method(
+      {.id = "events-float", .title = "flight by flight", .scalar = "float", .exact = false},
+      [](const Input& input) {
+        return Answer{true,
+                      place(contact::follow_bounces(input.in_float, input.time_in_float, 0.0f),
+                            static_cast<double>(input.in_float.restitution)),
+                      {}};
+      });
+  ladder.method(
+      {.id = "events-double", .title = "flight by flight", .scalar = "double", .exact = false},
+      [](const Input& input) {
+        return Answer{false,
+                      {},
+                      place(contact::follow_bounces(input.in_double, input.time, 0.0),
+                            input.in_double.restitution)};
+      });
+  ladder.method({.id = "rest",
+                 .title = "flight by flight, rests below 1 mm",
+                 .scalar = "double",
+                 .exact = false},
+                [](const Input& input) {
+                  return Answer{false,
+                                {},
+                                place(contact::follow_bounces(
+                                          input.in_double, input.time,
+                                          contact::rest_speed(0.001, input.in_double.gravity)),
+                                      input.in_double.restitution)};
+                });
+  ladder.method({.id = "formula-float",
+                 .title = "the book's formula",
+                 .scalar = "float, then exact",
+                 .exact = true},
+                [](const Input& input) {
+                  return Answer{true,
+                                place(contact::bounce_at(input.in_float, input.time_in_float),
+                                      static_cast<double>(input.in_float.restitution)),
+                                {}};
+                });
+  ladder.method({.id = "formula",
+                 .title = "the book's formula",
+                 .scalar = "double, then exact",
+                 .exact = true},
+                [](const Input& input) {
+                  return Answer{false,
+                                {},
+                                place(contact::bounce_at(input.in_double, input.time),
+                                      input.in_double.restitution)};
+                });
+  ladder.method({.id = "exact", .title = "exact", .scalar = "exact", .exact = true}, [](const Input&
+                                                                                            input) {
+    const auto& ball = input.in_double;
+    return Answer{false, {}, truth_of(ball.velocity, ball.gravity, ball.restitution, input.time)};
+  });
+  return ladder;
+}
+
+}  // namespace
+
+LADDER(experiment)

@@ -1,0 +1,190 @@
+/// @file
+/// A rigid body in the world: how its points move, and what it carries of momentum and energy.
+#pragma once
+
+#include <contact/inertia.hpp>
+#include <contact/invalid_argument.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+// [rigid-body]
+/// A rigid body at one moment, all of it in the axes of the world.
+///
+/// What a collision needs are the inverses: how much a push or a twist of one changes the velocity
+/// or the spin. An immovable body has zeros there, and so needs no case of its own. Its `mass` and
+/// `inertia` are zero too: it has no share in sums of momentum and energy.
+template <Ring S>
+struct RigidBody {
+  S mass = S(0);                                    ///< kg
+  Matrix3<S> inertia = Matrix3<S>::Zero();          ///< about the centre of mass, kg·m²
+  S inverse_mass = S(0);                            ///< 1/kg; 0 for an immovable body
+  Matrix3<S> inverse_inertia = Matrix3<S>::Zero();  ///< 1/(kg·m²); 0 for an immovable body
+  Vector3<S> position = Vector3<S>::Zero();         ///< of the centre of mass, m
+  Vector3<S> velocity = Vector3<S>::Zero();         ///< of the centre of mass, m/s
+  Vector3<S> spin = Vector3<S>::Zero();             ///< angular velocity ω, rad/s
+};
+// [/rigid-body]
+
+namespace detail {
+
+template <Ring S>
+void require_motion(const Vector3<S>& position, const Vector3<S>& velocity,
+                    const Vector3<S>& spin) {
+  require_finite("position", position);
+  require_finite("velocity", velocity);
+  require_finite("spin", spin);
+}
+
+template <Scalar S>
+S inverse_of(const char* argument, const S& x) {
+  require_size(argument, x);
+  const S inverse = S(1) / x;
+  if (!is_finite(inverse)) throw_invalid_argument(argument, number_text(x), "is too small");
+  return inverse;
+}
+
+}  // namespace detail
+
+/// The inverse of a symmetric positive definite matrix, by cofactors.
+/// @return nothing if a leading minor is not greater than 0, or an entry of the inverse is not
+/// finite. Exact if S is exact; else off by about the ratio of the largest moment to the smallest,
+/// times a few u of its largest entry
+template <Scalar S>
+std::optional<Matrix3<S>> inverse_of_symmetric(const Matrix3<S>& m) {
+  const S c00 = m(1, 1) * m(2, 2) - m(1, 2) * m(2, 1);
+  const S c01 = m(1, 2) * m(2, 0) - m(1, 0) * m(2, 2);
+  const S c02 = m(1, 0) * m(2, 1) - m(1, 1) * m(2, 0);
+  const S minor = m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0);
+  const S det = m(0, 0) * c00 + m(0, 1) * c01 + m(0, 2) * c02;
+  if (!(S(0) < m(0, 0)) || !(S(0) < minor) || !(S(0) < det)) return std::nullopt;
+  Matrix3<S> inverse;
+  inverse(0, 0) = c00 / det;
+  inverse(0, 1) = inverse(1, 0) = c01 / det;
+  inverse(0, 2) = inverse(2, 0) = c02 / det;
+  inverse(1, 1) = (m(0, 0) * m(2, 2) - m(0, 2) * m(2, 0)) / det;
+  inverse(1, 2) = inverse(2, 1) = (m(0, 2) * m(1, 0) - m(0, 0) * m(1, 2)) / det;
+  inverse(2, 2) = minor / det;
+  if (!all_finite(inverse)) return std::nullopt;
+  return inverse;
+}
+
+/// A movable body from its tensor in the axes of the world.
+/// @param mass kg, finite and greater than 0
+/// @param inertia about the centre of mass, world axes, symmetric and positive definite, kg·m²
+/// @param position, velocity of the centre of mass, m and m/s
+/// @param spin angular velocity, rad/s
+/// @throws std::invalid_argument naming the argument and its value
+/// @note The inverse of a needle's full tensor loses as many digits as its moments are apart. With
+/// the moments at hand, use rigid_body_from_axes().
+template <Scalar S>
+RigidBody<S> rigid_body(const S& mass, const Matrix3<S>& inertia, const Vector3<S>& position,
+                        const Vector3<S>& velocity, const Vector3<S>& spin) {
+  const S inverse_mass = detail::inverse_of("mass", mass);
+  detail::require_motion(position, velocity, spin);
+  if (!all_finite(inertia)) throw_invalid_argument("inertia", "?", "every entry must be finite");
+  if (inertia != inertia.transpose()) throw_invalid_argument("inertia", "?", "must be symmetric");
+  const auto inverse = inverse_of_symmetric(inertia);
+  if (!inverse) throw_invalid_argument("inertia", "?", "must be positive definite");
+  return {mass, inertia, inverse_mass, *inverse, position, velocity, spin};
+}
+
+/// A movable body from its principal moments and the rotation that turns their axes into the
+/// world's.
+/// @param moments kg·m², each finite and greater than 0
+/// @param rotation orthonormal; its columns are the principal axes as the world sees them
+/// @return with an inverse tensor that is as accurate as the tensor, whatever the moments' ratio
+/// @throws std::invalid_argument naming the argument and its value
+template <Scalar S>
+RigidBody<S> rigid_body_from_axes(const S& mass, const Vector3<S>& moments,
+                                  const Matrix3<S>& rotation, const Vector3<S>& position,
+                                  const Vector3<S>& velocity, const Vector3<S>& spin) {
+  const S inverse_mass = detail::inverse_of("mass", mass);
+  Vector3<S> inverse;
+  for (int k = 0; k < 3; ++k) inverse(k) = detail::inverse_of("moments", S(moments(k)));
+  detail::require_motion(position, velocity, spin);
+  if (!all_finite(rotation)) throw_invalid_argument("rotation", "?", "must be finite");
+  return {mass,
+          rotated<S>(detail::diagonal<S>(moments.x(), moments.y(), moments.z()), rotation),
+          inverse_mass,
+          rotated<S>(detail::diagonal<S>(inverse.x(), inverse.y(), inverse.z()), rotation),
+          position,
+          velocity,
+          spin};
+}
+
+/// A body that nothing moves: the ground, or a flywheel that keeps its velocity and spin.
+/// @throws std::invalid_argument if a coordinate is not finite
+template <Ring S>
+RigidBody<S> immovable(const Vector3<S>& position, const Vector3<S>& velocity,
+                       const Vector3<S>& spin) {
+  detail::require_motion(position, velocity, spin);
+  RigidBody<S> body;
+  body.position = position;
+  body.velocity = velocity;
+  body.spin = spin;
+  return body;
+}
+
+// [velocity-at]
+/// The velocity of the point of the body that is at p now: v + ω × r, with r from the body's centre
+/// of mass to p.
+/// @param p in the world, m; it need not lie in the body
+/// @return m/s; each coordinate off by γ(5) of the sum of its terms' sizes
+/// @see *Interaction and Normals*, slide "Velocities of points of contact"
+template <Ring S>
+Vector3<S> velocity_at(const RigidBody<S>& body, const Vector3<S>& p) {
+  const Vector3<S> r = p - body.position;
+  return body.velocity + Vector3<S>(body.spin.cross(r));
+}
+// [/velocity-at]
+
+// [momenta]
+/// The angular momentum of a body about a point of the world: that of its centre of mass, and that
+/// of its spin, (x − o) × m v + I ω.
+/// @return kg·m²/s; 0 for an immovable body
+template <Ring S>
+Vector3<S> angular_momentum(const RigidBody<S>& body, const Vector3<S>& o) {
+  const Vector3<S> p = body.velocity * body.mass;
+  const Vector3<S> r = body.position - o;
+  return Vector3<S>(r.cross(p)) + Vector3<S>(body.inertia * body.spin);
+}
+
+/// The kinetic energy of a body: ½ m v² + ½ ω · I ω.
+/// @return J; 0 for an immovable body
+template <Scalar S>
+S kinetic_energy(const RigidBody<S>& body) {
+  const Vector3<S> spin_momentum = body.inertia * body.spin;
+  return (body.mass * body.velocity.dot(body.velocity) + body.spin.dot(spin_momentum)) / S(2);
+}
+// [/momenta]
+
+// [apply-impulse]
+/// The body after an impulse J at the point p: the velocity changes by J/m, the spin by
+/// I⁻¹ (r × J). Its place does not change.
+/// @param impulse on this body, N·s
+/// @param p in the world, m
+template <Ring S>
+RigidBody<S> after_impulse(RigidBody<S> body, const Vector3<S>& impulse, const Vector3<S>& p) {
+  const Vector3<S> r = p - body.position;
+  const Vector3<S> twist = r.cross(impulse);
+  body.velocity = body.velocity + impulse * body.inverse_mass;
+  body.spin = body.spin + Vector3<S>(body.inverse_inertia * twist);
+  return body;
+}
+// [/apply-impulse]
+
+// [sweet-spot]
+/// How far beyond the centre of mass a body must be hit so that a point on the other side of it
+/// stays at rest: I/(m d), the centre of percussion.
+/// @param inertia about the centre of mass and the axis across the hit, kg·m², greater than 0
+/// @param mass kg, greater than 0
+/// @param d how far the point that is to stay at rest is from the centre of mass, m
+/// @return m; ∞ for d = 0 in a floating-point type: no hit spares the centre itself
+template <Scalar S>
+S centre_of_percussion(const S& inertia, const S& mass, const S& d) {
+  return inertia / mass / d;
+}
+// [/sweet-spot]
+
+}  // namespace contact

@@ -1,0 +1,181 @@
+/// @file
+/// Two rigid bodies touch at a point: whether they close, and the impulse that sends them apart.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <limits>
+
+#include <contact/exact.hpp>
+#include <contact/rigid_body.hpp>
+#include <contact/tolerance.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+// [contact]
+/// Where two bodies A and B touch.
+template <Ring S>
+struct ContactPoint {
+  Vector3<S> point = Vector3<S>::Zero();   ///< in the world, m
+  Vector3<S> normal = Vector3<S>::Zero();  ///< unit vector, from B to A
+};
+// [/contact]
+
+namespace detail {
+
+/// n · (v + ω × (p − x)) without rounding.
+template <std::floating_point S>
+Exact exact_normal_part(const RigidBody<S>& body, const ContactPoint<S>& at) {
+  const auto exact = [](const S& x) { return Exact(double(x)); };
+  const auto arm = [&](int k) { return exact(at.point(k)) - exact(body.position(k)); };
+  Exact sum;
+  for (int k = 0; k < 3; ++k) {
+    const int y = (k + 1) % 3;
+    const int z = (k + 2) % 3;
+    sum += exact(at.normal(k)) *
+           (exact(body.velocity(k)) + exact(body.spin(y)) * arm(z) - exact(body.spin(z)) * arm(y));
+  }
+  return sum;
+}
+
+template <std::floating_point S>
+S exact_normal_velocity(const RigidBody<S>& a, const RigidBody<S>& b, const ContactPoint<S>& at) {
+  const Exact sum = exact_normal_part(a, at) - exact_normal_part(b, at);
+  const S value = rounded<S>(sum);
+  // What is not zero keeps its sign, even if the nearest number is 0.
+  if (value == S(0)) return S(sum.sign()) * std::numeric_limits<S>::denorm_min();
+  return value;
+}
+
+}  // namespace detail
+
+// [normal-velocity]
+/// How fast A moves away from B at the contact: n · (v_A(p) − v_B(p)).
+///
+/// Its sign is the whole question of whether there is a collision: negative, the bodies close,
+/// zero, they touch and do not collide, positive, they separate already.
+/// @return m/s. In a floating-point type the sign is that of the exact value for the numbers as
+/// stored, for every finite input: if plain arithmetic cannot tell, the value is computed without
+/// rounding, and rounded once. Otherwise it is off by γ(12) of the sum of its terms' sizes
+/// @see *Game Physics – Part III*, slide "Normal velocity equations"
+template <Ring S>
+S normal_velocity(const RigidBody<S>& a, const RigidBody<S>& b, const ContactPoint<S>& at) {
+  const Vector3<S> relative = velocity_at(a, at.point) - velocity_at(b, at.point);
+  const S plain = at.normal.dot(relative);
+  if constexpr (std::floating_point<S>) {
+    S size(0);
+    const auto add = [&](const RigidBody<S>& body) {
+      const Vector3<S> r = (at.point - body.position).cwiseAbs();
+      const Vector3<S> w = body.spin.cwiseAbs();
+      const Vector3<S> turn(w.y() * r.z() + w.z() * r.y(), w.z() * r.x() + w.x() * r.z(),
+                            w.x() * r.y() + w.y() * r.x());
+      size += at.normal.cwiseAbs().dot(body.velocity.cwiseAbs() + turn);
+    };
+    add(a);
+    add(b);
+    // Ten roundings on the longest way from an input to the sum, and those of `size` itself.
+    const S bound = tolerance::gamma<S>(16) * size;
+    const S small =
+        std::ldexp(S(1), std::numeric_limits<S>::min_exponent + 2 * std::numeric_limits<S>::digits);
+    if (std::isfinite(size) && size > small && std::abs(plain) > bound) return plain;
+    return detail::exact_normal_velocity(a, b, at);
+  }
+  return plain;
+}
+
+/// What two bodies that touch are about to do.
+enum class Closing { approaching, touching, separating };
+
+/// Which of the three cases it is. Never wrong for the numbers as stored.
+template <Ring S>
+Closing closing_case(const RigidBody<S>& a, const RigidBody<S>& b, const ContactPoint<S>& at) {
+  const S v = normal_velocity(a, b, at);
+  return v < S(0) ? Closing::approaching : S(0) < v ? Closing::separating : Closing::touching;
+}
+// [/normal-velocity]
+
+// [response]
+/// How much the relative velocity at the contact changes along `out` for one unit of impulse along
+/// `in`, given to A and taken from B: (1/m_A + 1/m_B) out · in, and (r × out) · I⁻¹ (r × in) for
+/// each body.
+///
+/// For in = out = n it is the divisor of the collision impulse, and its inverse the mass that the
+/// contact feels. It is never negative for in = out, and 0 only between immovable bodies.
+/// @return 1/kg
+template <Ring S>
+S response(const RigidBody<S>& a, const RigidBody<S>& b, const Vector3<S>& point,
+           const Vector3<S>& out, const Vector3<S>& in) {
+  const auto turning = [&](const RigidBody<S>& body) {
+    const Vector3<S> r = point - body.position;
+    const Vector3<S> turned = body.inverse_inertia * Vector3<S>(r.cross(in));
+    return S(Vector3<S>(r.cross(out)).dot(turned));
+  };
+  return (a.inverse_mass + b.inverse_mass) * S(out.dot(in)) + turning(a) + turning(b);
+}
+// [/response]
+
+// [impulse-without-rotation]
+/// The impulse along n of a collision without friction between bodies that cannot turn:
+/// j = −(1 + e) v_n / (1/m_A + 1/m_B), and 0 unless they close.
+/// @param e coefficient of restitution, from 0 to 1
+/// @return N·s, not negative: on A along n, on B against it
+/// @see *Game Physics – Part III*, slide "Impulse force magnitude (without rotation)"
+template <Scalar S>
+S impulse_without_rotation(const RigidBody<S>& a, const RigidBody<S>& b, const ContactPoint<S>& at,
+                           const S& e) {
+  const S v = at.normal.dot(a.velocity - b.velocity);
+  const S divisor = a.inverse_mass + b.inverse_mass;
+  if (!(v < S(0)) || divisor == S(0)) return S(0);
+  return -((S(1) + e) * v) / divisor;
+}
+// [/impulse-without-rotation]
+
+// [collision-impulse]
+/// The impulse along n of a collision without friction: j = −(1 + e) v_n / k, with
+/// k = 1/m_A + 1/m_B + (r_A × n) · I_A⁻¹ (r_A × n) + (r_B × n) · I_B⁻¹ (r_B × n), and 0 unless the
+/// bodies close.
+///
+/// The tensors are those in the world's axes, as RigidBody has them. Without friction the
+/// restitution laws of Newton, Poisson and Stronge all say this.
+/// @param e coefficient of restitution, from 0 to 1
+/// @return N·s, not negative: on A along n, on B against it; 0 between immovable bodies
+/// @see *Game Physics – Part III*, slides "Spinning" and "Completion"
+template <Scalar S>
+S collision_impulse(const RigidBody<S>& a, const RigidBody<S>& b, const ContactPoint<S>& at,
+                    const S& e) {
+  const S v = normal_velocity(a, b, at);
+  const S k = response<S>(a, b, at.point, at.normal, at.normal);
+  if (!(v < S(0)) || k == S(0)) return S(0);
+  return -((S(1) + e) * v) / k;
+}
+// [/collision-impulse]
+
+/// Two bodies after a collision, and the impulse that A got and B gave.
+template <Ring S>
+struct Collided {
+  RigidBody<S> a;                           ///< afterwards
+  RigidBody<S> b;                           ///< afterwards
+  Vector3<S> impulse = Vector3<S>::Zero();  ///< on A; on B it is the opposite, N·s
+};
+
+// [collide]
+/// A collision without friction. Bodies that do not close are returned as they came.
+///
+/// One impulse is computed, given to A and taken from B at the same point. So momentum, and angular
+/// momentum about any point, are kept but for the rounding of the velocities themselves.
+/// @param e coefficient of restitution, from 0 to 1
+/// @see *Interaction and Normals*, slide "Rigid body simulation"
+template <Scalar S>
+Collided<S> collide(const RigidBody<S>& a, const RigidBody<S>& b, const ContactPoint<S>& at,
+                    const S& e) {
+  const S j = collision_impulse(a, b, at, e);
+  if (j == S(0)) return {a, b, Vector3<S>::Zero()};
+  const Vector3<S> impulse = at.normal * j;
+  return {after_impulse(a, impulse, at.point), after_impulse<S>(b, Vector3<S>(-impulse), at.point),
+          impulse};
+}
+// [/collide]
+
+}  // namespace contact

@@ -1,0 +1,41 @@
+// A ball of 1 kg hits a rod of 3 kg and 2 m at rest, at 4 m/s and with e = 1/2: in the middle, at
+// the sweet spot, at the end.
+#include <contact/rigid_impulse.hpp>
+#include <cstdio>
+
+using V = contact::Vector3<double>;
+
+int main() {
+  const V none(0, 0, 0);
+  const auto inertia = contact::detail::diagonal<double>(1, 1, 1);  // 3 kg · (2 m)² / 12
+  const auto rod = contact::rigid_body<double>(3, inertia, none, none, none);
+  const double sweet = contact::centre_of_percussion(1.0, 3.0, 1.0);
+  std::printf("the sweet spot for a grip at the left end: %.4f m beyond the middle\n", sweet);
+  std::printf("hit at   j        v'      w'      ball    grip    kept   L about 0\n");
+  for (const double x : {0.0, sweet, 0.7, 1.0}) {
+    const auto ball = contact::rigid_body<double>(1, contact::sphere_inertia<double>(1, 0.1),
+                                                  {x, -0.1, 0}, {0, 4, 0}, none);
+    const auto [a, b, impulse] = contact::collide<double>(rod, ball, {{x, 0, 0}, {0, 1, 0}}, 0.5);
+    const V momentum = contact::angular_momentum(a, none) + contact::angular_momentum(b, none);
+    std::printf(
+        "%.4f  %.4f  %.4f  %.4f  %7.4f %7.4f  %.4f  %.4f of %.4f\n", x, impulse.y(), a.velocity.y(),
+        a.spin.z(), b.velocity.y(), contact::velocity_at(a, V(-1, 0, 0)).y(),
+        (contact::kinetic_energy(a) + contact::kinetic_energy(b)) / contact::kinetic_energy(ball),
+        momentum.z(), contact::angular_momentum(ball, none).z());
+  }
+
+  // The slide's two slips: the normal the other way round, and j divided by M but multiplied by a
+  // time step.
+  const auto ball = contact::rigid_body<double>(1, contact::sphere_inertia<double>(1, 0.1),
+                                                {0, -0.1, 0}, {0, 4, 0}, none);
+  const contact::ContactPoint<double> towards_b{{0, 0, 0}, {0, -1, 0}};
+  std::printf("normal from A to B: v_n = %+.1f m/s, so it counts as parting: j = %g\n",
+              contact::normal_velocity(rod, ball, towards_b),
+              contact::collision_impulse<double>(rod, ball, towards_b, 0.5));
+  const contact::ContactPoint<double> hit{{0, 0, 0}, {0, 1, 0}};
+  const double j = contact::collision_impulse<double>(rod, ball, hit, 0.5);
+  for (const double h : {1.0 / 60, 1.0 / 120}) {
+    std::printf("v + h j/M with h = 1/%g s: the rod leaves at %.4f m/s, in place of %.4f\n", 1 / h,
+                h * j / 3, j / 3);
+  }
+}

@@ -1,0 +1,44 @@
+// Two bodies spin freely at 3 rad/s, a ball and a top. How far off is the orientation after a
+// while, and what is left of the rotation matrix?
+#include <contact/orientation.hpp>
+#include <cstdio>
+
+using M = contact::Matrix3<double>;
+using V = contact::Vector3<double>;
+
+/// The angle between two rotations. Over √2, the norm of their difference is its chord, 2 sin(δ/2).
+double off(const M& got, const M& right) {
+  return 2 * std::asin(std::fmin((got - right).norm() / std::sqrt(8.0), 1.0));
+}
+
+void spin(const char* name, const V& moments, const V& momentum) {
+  const double h = 1.0 / 64;
+  M plain = M::Identity();
+  M tidy = M::Identity();
+  contact::Rotor<double> q;
+  contact::Rotor<double> x;
+  contact::Rotor<double> mid;
+  const auto turn = [&](const M& r) { return contact::free_spin<double>(momentum, moments, r); };
+  for (int step = 1; step <= 6400; ++step) {
+    // What is read from the plain matrix must be a rotation, or its spin grows with it.
+    plain = contact::matrix_step<double>(plain, turn(contact::orthonormalised<double>(plain)), h);
+    tidy = contact::orthonormalised<double>(contact::matrix_step<double>(tidy, turn(tidy), h));
+    q = contact::quaternion_step<double>(q, turn(contact::matrix_of(q)), h);
+    x = contact::exponential_step<double>(x, turn(contact::matrix_of(x)), h);
+    mid = contact::midpoint_step<double>(mid, momentum, moments, h);
+    if (step != 64 && step != 640 && step != 6400) continue;
+    const M right = contact::matrix_of(
+        contact::free_top<double>({}, momentum, moments.x(), moments.z(), step * h));
+    std::printf("%s %4d s  %8.2f  %8.5f  %8.5f  %11.5f  %8.5f\n", name, step / 64,
+                plain.colwise().norm().maxCoeff(), off(tidy, right),
+                off(contact::matrix_of(q), right), off(contact::matrix_of(x), right),
+                off(contact::matrix_of(mid), right));
+  }
+}
+
+int main() {
+  std::printf("64 steps a second   errors in radians\n");
+  std::printf("       time   length    matrix  quaternion  exponential  midpoint\n");
+  spin("ball", V(1, 1, 1), V(0, 0, 3));
+  spin("top ", V(1, 1, 0.5), V(1.8, 0, 1.2));
+}

@@ -1,0 +1,87 @@
+// A body spins freely. How far is each way of keeping its orientation from the truth, as time goes
+// by?
+#include <contact/figure.hpp>
+#include <contact/orientation.hpp>
+
+struct Input {
+  double steps;  // for each second
+  double spin;   // rad/s
+  double shape;  // moment about the axis of symmetry over that across it
+  double at;     // the time that is read off, s
+};
+
+inline constexpr std::size_t samples = 41;
+inline constexpr double seconds = 10;
+
+struct Output {
+  double problem;
+  std::array<double, samples> matrix, quaternion, exponential, midpoint;  // errors: 2 sin(angle/2)
+  std::array<double, 4> read;  // the errors at the time, rad
+  double length;               // of Euler's matrix's longest column at the end
+};
+
+namespace {
+
+using Matrix = contact::Matrix3<double>;
+
+double between(const Matrix& got, const Matrix& right) {
+  // For two rotations √(2·|1 − cos|·2) of the angle between them: the angle itself while small.
+  return (got - right).norm() / std::sqrt(2.0);
+}
+
+}  // namespace
+
+Output compute(const Input& in) {
+  Output out{};
+  if (!(in.steps > 0) || !(in.shape > 0)) out.problem = contact::figure::not_positive;
+  if (in.steps > 2000 || std::abs(in.spin) > 1e6 || in.shape > 1e6) {
+    out.problem = contact::figure::too_large;
+  }
+  if (out.problem == 0 && (in.steps < 4 || in.shape < 1e-3)) {
+    out.problem = contact::figure::too_small;
+  }
+  if (out.problem != 0) return out;
+
+  using V = contact::Vector3<double>;
+  const V moments(1, 1, in.shape);
+  // The spin is tilted from the axis of symmetry, 3 : 4.
+  const V momentum(0.6 * in.spin, 0, 0.8 * in.spin * in.shape);
+  const contact::Rotor<double> start;
+  Matrix m = Matrix::Identity();
+  contact::Rotor<double> q;
+  contact::Rotor<double> x;
+  contact::Rotor<double> mid;
+  const auto a_sample = std::floor(in.steps / 4);
+  const double h = seconds / (samples - 1) / a_sample;
+  const auto spin_of = [&](const Matrix& r) {
+    return contact::free_spin<double>(momentum, moments, r);
+  };
+  const auto read_at = static_cast<std::size_t>(
+      std::nearbyint(std::fmin(std::fmax(in.at, 0), seconds) / seconds * (samples - 1)));
+  for (std::size_t k = 0; k < samples; ++k) {
+    const double t = static_cast<double>(k) * seconds / (samples - 1);
+    const Matrix right =
+        contact::matrix_of(contact::free_top<double>(start, momentum, 1, in.shape, t));
+    const std::array<double, 4> error{between(m, right), between(contact::matrix_of(q), right),
+                                      between(contact::matrix_of(x), right),
+                                      between(contact::matrix_of(mid), right)};
+    out.matrix[k] = error[0];
+    out.quaternion[k] = error[1];
+    out.exponential[k] = error[2];
+    out.midpoint[k] = error[3];
+    if (k == read_at) out.read = error;
+    for (double step = 0; step < a_sample; ++step) {
+      m = contact::matrix_step<double>(m, spin_of(m), h);
+      // A matrix that has grown past all measure stays what it is.
+      if (!(m.cwiseAbs().maxCoeff() < 1e30)) m = Matrix::Constant(1e30);
+      q = contact::quaternion_step<double>(q, spin_of(contact::matrix_of(q)), h);
+      x = contact::exponential_step<double>(x, spin_of(contact::matrix_of(x)), h);
+      mid = contact::midpoint_step<double>(mid, momentum, moments, h);
+    }
+  }
+  out.length = m.colwise().norm().maxCoeff();
+  return out;
+}
+
+FIGURE(Input, FIELDS(steps, spin, shape, at), Output,
+       FIELDS(problem, matrix, quaternion, exponential, midpoint, read, length))

@@ -1,0 +1,113 @@
+// The error of four ways of keeping an orientation, against time: a plot with a logarithmic scale.
+
+import { defineFigure, pretty, type Role, type Vec2 } from "@contact/figure";
+
+interface Input {
+  steps: number;
+  spin: number;
+  shape: number;
+  at: number;
+}
+
+interface Output {
+  matrix: readonly number[];
+  quaternion: readonly number[];
+  exponential: readonly number[];
+  midpoint: readonly number[];
+  read: readonly number[];
+  length: number;
+}
+
+const WAYS = [
+  ["matrix", "Euler’s matrix", "a"],
+  ["quaternion", "quaternion", "b"],
+  ["exponential", "exponential map", "c"],
+  ["midpoint", "its midpoint", "hit"],
+] as const;
+/** Powers of ten at the lower and the upper edge, and how high one of them is. */
+const LOW = -8;
+const HIGH = 2;
+const TALL = 0.6;
+/** Where a power of ten is on the scale. */
+const height = (power: number): number => (Math.max(LOW, Math.min(HIGH, power)) - LOW) * TALL;
+
+export default defineFigure<Input, Output>({
+  title: "Drift of an orientation",
+  view: { kind: "2d", x: [-1.2, 10.9], y: [-0.9, 6.5] },
+  aspect: 1.35,
+  initial: { steps: 60, spin: 3, shape: 0.5, at: 5 },
+  handles: [
+    {
+      kind: "slide",
+      field: "at",
+      label: "t, the time that is read off, s",
+      role: "muted",
+      at: (input): Vec2 => [input.at, 0],
+      along: (): Vec2 => [1, 0],
+      step: 0.25,
+      limit: [0, 10],
+    },
+  ],
+  controls: [
+    { kind: "slider", field: "steps", label: "steps a second", min: 8, max: 480, step: 4 },
+    { kind: "slider", field: "spin", label: "ω", min: 0, max: 30, step: 0.5, unit: "rad/s" },
+    { kind: "slider", field: "shape", label: "I₃/I₁", min: 0.05, max: 2, step: 0.05 },
+    { kind: "slider", field: "at", label: "t", min: 0, max: 10, step: 0.25, unit: "s" },
+  ],
+  draw(scene, input, output) {
+    const axis = { role: "muted", width: 1 } as const;
+    scene.arrow([0, 0], [10.6, 0], axis).arrow([0, 0], [0, 6.3], axis);
+    scene.label([10.6, 0], "t, s", { role: "muted", offset: [0, 20], anchor: "end" });
+    for (let power = LOW; power <= HIGH; power += 2) {
+      scene.line([0, height(power)], [10.4, height(power)], { role: "ghost", width: 1 });
+      scene.label([0, height(power)], power === 0 ? "1" : `1e${power}`, {
+        role: "muted",
+        offset: [-6, 4],
+        anchor: "end",
+        size: "small",
+      });
+    }
+    for (const t of [2, 4, 6, 8])
+      scene.label([t, 0], pretty(t), {
+        role: "muted",
+        offset: [0, 20],
+        anchor: "middle",
+        size: "small",
+      });
+    scene.line([input.at, 0], [input.at, 6.1], { role: "muted", width: 1, dashed: true });
+    if (output.problem) return;
+    for (const [k, [field, name, role]] of WAYS.entries()) {
+      const curve = output[field]
+        .map((error, i): Vec2 => [i / 4, height(Math.log10(error))])
+        .filter(([, y]) => y > 0);
+      // What is exact lies below the scale, and has no curve.
+      if (curve.length < 2) continue;
+      scene.path(curve, { role, width: k === 1 ? 5 : 2, dashed: k === 2 });
+      const end = curve[curve.length - 6 - 8 * k];
+      if (end)
+        scene.label(end, name, {
+          role,
+          offset: [0, k === 1 || k === 2 ? 20 : -10],
+          anchor: "middle",
+          size: "small",
+        });
+    }
+  },
+  values: (_input, output) => [
+    ...WAYS.map(([, name, role], k) => ({
+      name,
+      meaning: "error at t, as a chord",
+      value: output.read[k] ?? 0,
+      role: role as Role,
+    })),
+    {
+      name: "length",
+      meaning: "of the longest column of Euler’s matrix, at 10 s",
+      value: output.length,
+      role: "a" as Role,
+    },
+  ],
+  describe(input, output) {
+    return `At ${pretty(input.at)} s and ${pretty(input.steps)} steps a second, Euler’s matrix is off by ${pretty(output.read[0] ?? 0, 2)}, the quaternion by ${pretty(output.read[1] ?? 0, 2)}, the exponential map by ${pretty(output.read[2] ?? 0, 2)} and its midpoint by ${pretty(output.read[3] ?? 0, 2)}, as chords of the unit circle.`;
+  },
+});

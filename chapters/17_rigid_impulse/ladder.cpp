@@ -1,0 +1,221 @@
+// What does it cost to know how a body lies a second after it was hit? Two choices: how its inertia
+// is handled, in the hit and in flight, and how its orientation is kept.
+#include <support/ladder.hpp>
+
+#include <contact/orientation.hpp>
+#include <contact/rigid_body.hpp>
+
+namespace {
+
+template <class S>
+using V = contact::Vector3<S>;
+template <class S>
+using M = contact::Matrix3<S>;
+
+constexpr int steps = 64;  // of 1/64 s
+
+/// A body at rest with an axis of symmetry, and the blow that it gets. In double and in float.
+template <class S>
+struct Hit {
+  S across, along;          // moments, kg·m²
+  contact::Rotor<S> start;  // how it lies; its axis of symmetry is its own z
+  V<S> momentum;            // r × J, kg·m²/s
+  M<S> tensor;              // in its own axes that are not the principal ones
+  M<S> frame;               // those axes, as the world sees them at first
+};
+
+struct Input {
+  Hit<double> in_double;
+  Hit<float> in_float;
+};
+
+/// The orientation at the end.
+struct Answer {
+  bool of_floats = false;
+  M<double> in_double, in_float;
+};
+
+template <class To>
+Hit<To> convert(const Hit<double>& h) {
+  return {static_cast<To>(h.across),
+          static_cast<To>(h.along),
+          contact::normalised<To>({static_cast<To>(h.start.w), h.start.v.cast<To>()}),
+          h.momentum.cast<To>(),
+          h.tensor.cast<To>(),
+          h.frame.cast<To>()};
+}
+
+V<double> direction(generators::Random& random) {
+  for (;;) {
+    const V<double> v{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    const double length = std::sqrt(v.dot(v));
+    if (length > 0.1 && length <= 1) return v / length;
+  }
+}
+
+Input hit(generators::Random& random, double across, double along) {
+  const auto turn = [&] {
+    const V<double> axis = direction(random);
+    return contact::exponential<double>(V<double>(axis * random.uniform(0, 3)));
+  };
+  Hit<double> h{};
+  h.across = across;
+  h.along = along;
+  h.start = turn();
+  // A blow that makes it spin at 1 to 4 rad/s.
+  const V<double> spin = direction(random) * random.uniform(1, 4);
+  const M<double> r = contact::matrix_of(h.start);
+  const M<double> own = contact::detail::diagonal<double>(across, across, along);
+  h.momentum = contact::rotated<double>(own, r) * spin;
+  // The same body as a full tensor: in axes as a modeller left them.
+  const M<double> left = contact::matrix_of(turn());
+  h.tensor = contact::rotated<double>(own, left);
+  h.frame = r * left.transpose();
+  return {h, convert<float>(h)};
+}
+
+template <class S>
+M<double> right_end(const Hit<S>& h) {
+  contact::Rotor<double> q{double(h.start.w), h.start.v.template cast<double>()};
+  q = contact::normalised<double>(q);
+  return contact::matrix_of(contact::free_top<double>(q, h.momentum.template cast<double>(),
+                                                      double(h.across), double(h.along), 1.0));
+}
+
+Answer truth_of(const Input& input) {
+  return {false, right_end(input.in_double), right_end(input.in_float)};
+}
+
+/// How the spin is found from the angular momentum and the orientation.
+struct ByAxes {
+  template <class S>
+  V<S> operator()(const Hit<S>& h, const M<S>& r) const {
+    return contact::free_spin<S>(h.momentum, V<S>(h.across, h.across, h.along), r);
+  }
+};
+struct AsSphere {
+  template <class S>
+  V<S> operator()(const Hit<S>& h, const M<S>&) const {
+    return h.momentum / ((h.across + h.across + h.along) / S(3));
+  }
+};
+struct ByTensor {
+  /// The frame turns with the body: R R₀ᵀ takes what was at first to what is now.
+  template <class S>
+  V<S> operator()(const Hit<S>& h, const M<S>& r) const {
+    const M<S> first = contact::matrix_of(h.start);
+    const M<S> now = r * first.transpose() * h.frame;
+    const M<S> world = contact::rotated<S>(h.tensor, now);
+    const auto inverse = contact::inverse_of_symmetric<S>(world);
+    return inverse ? V<S>(*inverse * h.momentum) : V<S>(V<S>::Zero());
+  }
+};
+
+template <class S, class Spin>
+M<S> by_matrix(const Hit<S>& h, const Spin& spin) {
+  M<S> r = contact::matrix_of(h.start);
+  for (int i = 0; i < steps; ++i) {
+    r = contact::orthonormalised<S>(contact::matrix_step<S>(r, spin(h, r), S(1) / S(steps)));
+  }
+  return r;
+}
+template <class S, class Spin>
+M<S> by_bare_matrix(const Hit<S>& h, const Spin& spin) {
+  M<S> r = contact::matrix_of(h.start);
+  for (int i = 0; i < steps; ++i) r = contact::matrix_step<S>(r, spin(h, r), S(1) / S(steps));
+  return r;
+}
+template <class S, class Spin>
+M<S> by_quaternion(const Hit<S>& h, const Spin& spin) {
+  contact::Rotor<S> q = h.start;
+  for (int i = 0; i < steps; ++i) {
+    q = contact::quaternion_step<S>(q, spin(h, contact::matrix_of(q)), S(1) / S(steps));
+  }
+  return contact::matrix_of(q);
+}
+template <class S, class Spin>
+M<S> by_exponential(const Hit<S>& h, const Spin& spin) {
+  contact::Rotor<S> q = h.start;
+  for (int i = 0; i < steps; ++i) {
+    q = contact::exponential_step<S>(q, spin(h, contact::matrix_of(q)), S(1) / S(steps));
+  }
+  return contact::matrix_of(q);
+}
+template <class S, class Spin>
+M<S> by_midpoint(const Hit<S>& h, const Spin& spin) {
+  contact::Rotor<S> q = h.start;
+  const S step = S(1) / S(steps);
+  for (int i = 0; i < steps; ++i) {
+    const V<S> first = spin(h, contact::matrix_of(q));
+    const auto middle = contact::exponential_step<S>(q, first, step / S(2));
+    q = contact::exponential_step<S>(q, spin(h, contact::matrix_of(middle)), step);
+  }
+  return contact::matrix_of(q);
+}
+
+ladder::Ladder<Input, Answer> experiment() {
+  const auto judge = [](const Answer& got, const Answer& right) {
+    const M<double> off =
+        got.of_floats ? got.in_float - right.in_float : got.in_double - right.in_double;
+    ladder::Verdict verdict;
+    verdict.error = std::sqrt(off.cwiseAbs2().sum() / 2);
+    // Wrong, for a picture: a tenth of a radian, six degrees.
+    verdict.wrong = !(verdict.error <= 0.1);
+    return verdict;
+  };
+  ladder::Ladder<Input, Answer> ladder("How does a body lie a second after it was hit?", truth_of,
+                                       judge);
+  ladder.family("balls", "balls", [](generators::Random& random) {
+    const double i = random.uniform(0.5, 2);
+    return hit(random, i, i);
+  });
+  ladder.family("bricks", "square bricks", [](generators::Random& random) {
+    const double i = random.uniform(0.5, 2);
+    return hit(random, i, i * random.uniform(0.4, 1.8));
+  });
+  ladder.family("plates", "plates", [](generators::Random& random) {
+    const double i = random.uniform(0.5, 2);
+    return hit(random, i, 2 * i);
+  });
+  ladder.family("needles", "needles, moments 1 : 100", [](generators::Random& random) {
+    const double i = random.uniform(0.5, 2);
+    return hit(random, i, 0.01 * i);
+  });
+
+  const auto method = [&ladder](const char* id, const char* title, auto way) {
+    ladder.method({.id = std::string(id), .title = title, .scalar = "double", .exact = false},
+                  [way](const Input& input) {
+                    return Answer{false, way(input.in_double), M<double>::Zero()};
+                  });
+  };
+  const auto method_in_float = [&ladder](const char* id, const char* title, auto way) {
+    ladder.method({.id = std::string(id), .title = title, .scalar = "float", .exact = false},
+                  [way](const Input& input) {
+                    return Answer{true, M<double>::Zero(),
+                                  M<double>(way(input.in_float).template cast<double>())};
+                  });
+  };
+  method("sphere-exponential", "scalar, exponential map",
+         [](const auto& h) { return by_exponential(h, AsSphere()); });
+  method("axes-bare", "axes, Euler's matrix",
+         [](const auto& h) { return by_bare_matrix(h, ByAxes()); });
+  method("axes-matrix", "axes, Euler's matrix, tidied",
+         [](const auto& h) { return by_matrix(h, ByAxes()); });
+  method("axes-quaternion", "axes, quaternion",
+         [](const auto& h) { return by_quaternion(h, ByAxes()); });
+  method("axes-exponential", "axes, exponential map",
+         [](const auto& h) { return by_exponential(h, ByAxes()); });
+  method("axes-midpoint", "axes, exponential map at the midpoint",
+         [](const auto& h) { return by_midpoint(h, ByAxes()); });
+  method("tensor-midpoint", "full tensor, exponential map at the midpoint",
+         [](const auto& h) { return by_midpoint(h, ByTensor()); });
+  method_in_float("axes-midpoint-float", "axes, exponential map at the midpoint",
+                  [](const auto& h) { return by_midpoint(h, ByAxes()); });
+  method_in_float("tensor-midpoint-float", "full tensor, exponential map at the midpoint",
+                  [](const auto& h) { return by_midpoint(h, ByTensor()); });
+  return ladder;
+}
+
+}  // namespace
+
+LADDER(experiment)

@@ -1,0 +1,28 @@
+/// @file
+/// Exercise: the axis of a collision, and a velocity's parts along it and across it.
+#pragma once
+
+#include <contact/prelude.hpp>
+
+namespace exercise {
+
+/// The unit vector along the line of two discs' centres, from B to A. Nothing if the centres
+/// coincide.
+///
+/// @param centre_a, centre_b m
+std::optional<Eigen::Vector2d> line_of_centres(const Eigen::Vector2d& centre_a,
+                                               const Eigen::Vector2d& centre_b);
+
+/// A velocity as the sum of two at right angles.
+struct Parts {
+  Eigen::Vector2d along;   ///< parallel to the axis, m/s
+  Eigen::Vector2d across;  ///< at right angles to it, m/s
+};
+
+/// The parts of a velocity along an axis and across it.
+///
+/// @param velocity m/s
+/// @param axis a unit vector
+Parts parts(const Eigen::Vector2d& velocity, const Eigen::Vector2d& axis);
+
+}  // namespace exercise

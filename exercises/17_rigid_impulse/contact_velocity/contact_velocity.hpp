@@ -1,0 +1,34 @@
+/// @file
+/// Exercise: how fast a point of a spinning body moves, and whether two bodies close.
+#pragma once
+
+#include <contact/prelude.hpp>
+
+namespace exercise {
+
+/// How a rigid body moves at one moment, in the axes of the world.
+struct Motion {
+  Eigen::Vector3d centre;    ///< of mass, m
+  Eigen::Vector3d velocity;  ///< of the centre of mass, m/s
+  Eigen::Vector3d spin;      ///< angular velocity, rad/s
+};
+
+/// What two bodies that touch are about to do.
+enum class Closing { approaching, touching, separating };
+
+/// The velocity of the point of the body that is at `point` now, in m/s.
+///
+/// @param body its motion
+/// @param point in the world, m
+Eigen::Vector3d velocity_of_point(const Motion& body, const Eigen::Vector3d& point);
+
+/// Whether two bodies that touch at `point` close, rest against each other along the normal, or
+/// part.
+///
+/// @param a, b the two bodies
+/// @param point in the world, m
+/// @param normal unit vector, from B to A
+Closing closing(const Motion& a, const Motion& b, const Eigen::Vector3d& point,
+                const Eigen::Vector3d& normal);
+
+}  // namespace exercise

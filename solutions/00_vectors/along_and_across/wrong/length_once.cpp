@@ -1,0 +1,18 @@
+// misconception: length-divided-once
+// caught by: the two parts of a velocity that hits a slope
+#include "along_and_across.hpp"
+
+namespace exercise {
+
+double speed_along(const Eigen::Vector3d& velocity, const Eigen::Vector3d& direction) {
+  if (direction.norm() == 0) throw std::invalid_argument("direction: it has no length");
+  return velocity.dot(direction) / direction.norm();
+}
+
+Parts split(const Eigen::Vector3d& velocity, const Eigen::Vector3d& direction) {
+  if (direction.norm() == 0) throw std::invalid_argument("direction: it has no length");
+  const Eigen::Vector3d along = velocity.dot(direction) / direction.norm() * direction;
+  return {along, velocity - along};
+}
+
+}  // namespace exercise

@@ -1,0 +1,18 @@
+// misconception: direction-not-normalised
+// caught by: the length of the direction does not count
+#include "along_and_across.hpp"
+
+namespace exercise {
+
+double speed_along(const Eigen::Vector3d& velocity, const Eigen::Vector3d& direction) {
+  if (direction.norm() == 0) throw std::invalid_argument("direction: it has no length");
+  return velocity.dot(direction);
+}
+
+Parts split(const Eigen::Vector3d& velocity, const Eigen::Vector3d& direction) {
+  if (direction.norm() == 0) throw std::invalid_argument("direction: it has no length");
+  const Eigen::Vector3d along = velocity.dot(direction) * direction;
+  return {along, velocity - along};
+}
+
+}  // namespace exercise

@@ -1,0 +1,19 @@
+#include "in_the_wagon.hpp"
+
+namespace exercise {
+
+Eigen::Vector2d place_in_wagon(const Wagon& wagon, const Eigen::Vector2d& place) {
+  return velocity_in_wagon(wagon, place - wagon.position);
+}
+
+Eigen::Vector2d velocity_in_wagon(const Wagon& wagon, const Eigen::Vector2d& velocity) {
+  const Eigen::Vector2d left(-wagon.forward.y(), wagon.forward.x());
+  return {wagon.forward.dot(velocity), left.dot(velocity)};
+}
+
+Eigen::Vector2d place_in_world(const Wagon& wagon, const Eigen::Vector2d& place_in_wagon) {
+  const Eigen::Vector2d left(-wagon.forward.y(), wagon.forward.x());
+  return wagon.position + place_in_wagon.x() * wagon.forward + place_in_wagon.y() * left;
+}
+
+}  // namespace exercise

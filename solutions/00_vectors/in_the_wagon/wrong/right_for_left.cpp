@@ -1,0 +1,21 @@
+// misconception: left-for-right
+// caught by: left is positive
+#include "in_the_wagon.hpp"
+
+namespace exercise {
+
+Eigen::Vector2d place_in_wagon(const Wagon& wagon, const Eigen::Vector2d& place) {
+  return velocity_in_wagon(wagon, place - wagon.position);
+}
+
+Eigen::Vector2d velocity_in_wagon(const Wagon& wagon, const Eigen::Vector2d& velocity) {
+  const Eigen::Vector2d side(wagon.forward.y(), -wagon.forward.x());
+  return {wagon.forward.dot(velocity), side.dot(velocity)};
+}
+
+Eigen::Vector2d place_in_world(const Wagon& wagon, const Eigen::Vector2d& place_in_wagon) {
+  const Eigen::Vector2d side(wagon.forward.y(), -wagon.forward.x());
+  return wagon.position + place_in_wagon.x() * wagon.forward + place_in_wagon.y() * side;
+}
+
+}  // namespace exercise

@@ -1,0 +1,22 @@
+// misconception: place-subtracted-from-velocity
+// caught by: a velocity has no place
+#include "in_the_wagon.hpp"
+
+namespace exercise {
+
+Eigen::Vector2d place_in_wagon(const Wagon& wagon, const Eigen::Vector2d& place) {
+  const Eigen::Vector2d left(-wagon.forward.y(), wagon.forward.x());
+  const Eigen::Vector2d there = place - wagon.position;
+  return {wagon.forward.dot(there), left.dot(there)};
+}
+
+Eigen::Vector2d velocity_in_wagon(const Wagon& wagon, const Eigen::Vector2d& velocity) {
+  return place_in_wagon(wagon, velocity);
+}
+
+Eigen::Vector2d place_in_world(const Wagon& wagon, const Eigen::Vector2d& place_in_wagon) {
+  const Eigen::Vector2d left(-wagon.forward.y(), wagon.forward.x());
+  return wagon.position + place_in_wagon.x() * wagon.forward + place_in_wagon.y() * left;
+}
+
+}  // namespace exercise

@@ -1,0 +1,9 @@
+// misconception: products-rounded
+// caught by: what two products have in common cancels and the rest is right
+#include "last_digits.hpp"
+
+namespace exercise {
+
+Eigen::Vector3d cross(const Eigen::Vector3d& u, const Eigen::Vector3d& v) { return u.cross(v); }
+
+}  // namespace exercise

@@ -1,0 +1,13 @@
+// misconception: products-before-differences
+// caught by: far from the origin it is the same path
+#include "which_way.hpp"
+
+namespace exercise {
+
+int which_way(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+  const double left = (a.x() * b.y() - a.y() * b.x()) + (b.x() * c.y() - b.y() * c.x()) +
+                      (c.x() * a.y() - c.y() * a.x());
+  return left > 0 ? 1 : left < 0 ? -1 : 0;
+}
+
+}  // namespace exercise

@@ -1,0 +1,15 @@
+// misconception: epsilon-orientation
+// caught by: a turn by one unit counts in a long way
+#include "turn.hpp"
+
+namespace exercise {
+
+int turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+  const Eigen::Vector2d u = b - a;
+  const Eigen::Vector2d v = c - a;
+  const double area = u.x() * v.y() - u.y() * v.x();
+  if (std::abs(area) <= 1e-9 * u.norm() * v.norm()) return 0;
+  return area > 0 ? 1 : -1;
+}
+
+}  // namespace exercise

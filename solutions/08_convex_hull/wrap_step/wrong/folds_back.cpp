@@ -1,0 +1,35 @@
+// misconception: fold-back
+// caught by: the paper folds on, not back, over a sharp edge
+#include "wrap_step.hpp"
+
+namespace exercise {
+namespace {
+
+bool on_line(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  return (b - a).cross(c - a) == Eigen::Vector3d(0, 0, 0);
+}
+
+}  // namespace
+
+int wrap_step(const std::vector<Eigen::Vector3d>& points, int from, int to, int inner) {
+  const auto at = [&](std::size_t i) { return points[i]; };
+  const Eigen::Vector3d f = at(static_cast<std::size_t>(from));
+  const Eigen::Vector3d t = at(static_cast<std::size_t>(to));
+  const Eigen::Vector3d normal = (t - f).cross(at(static_cast<std::size_t>(inner)) - f);
+  double least = 4;
+  int best = inner;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (on_line(t, f, at(i)) || static_cast<int>(i) == inner) continue;
+    const Eigen::Vector3d turned = (f - t).cross(at(i) - t);
+    // The angle between two planes.
+    const double cosine = std::abs(normal.dot(turned)) / (normal.norm() * turned.norm());
+    const double angle = std::acos(std::min(1.0, cosine));
+    if (angle < least - 1e-7) {
+      least = angle;
+      best = static_cast<int>(i);
+    }
+  }
+  return best;
+}
+
+}  // namespace exercise

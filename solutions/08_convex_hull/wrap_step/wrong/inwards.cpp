@@ -1,0 +1,35 @@
+// misconception: wraps-inwards
+// caught by: the next face of a box and of a pyramid is found
+#include "wrap_step.hpp"
+
+namespace exercise {
+namespace {
+
+// Positive if p is in front of the triangle a, b, c.
+double side(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+            const Eigen::Vector3d& p) {
+  return (p - a).dot((b - a).cross(c - a));
+}
+
+bool on_line(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  return (b - a).cross(c - a) == Eigen::Vector3d(0, 0, 0);
+}
+
+}  // namespace
+
+int wrap_step(const std::vector<Eigen::Vector3d>& points, int from, int to, int inner) {
+  const auto at = [&](std::size_t i) { return points[i]; };
+  const Eigen::Vector3d f = at(static_cast<std::size_t>(from));
+  const Eigen::Vector3d t = at(static_cast<std::size_t>(to));
+  std::size_t best = 0;
+  while (on_line(t, f, at(best))) ++best;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (side(t, f, at(best), at(i)) < 0) best = i;
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!on_line(t, f, at(i)) && side(t, f, at(best), at(i)) == 0) return static_cast<int>(i);
+  }
+  return inner;
+}
+
+}  // namespace exercise

@@ -1,0 +1,16 @@
+// misconception: speeds-for-velocities
+// caught by: a bounce takes more than a stop
+#include "bounce_impulse.hpp"
+
+namespace exercise {
+
+Eigen::Vector3d impulse_of(double mass, const Eigen::Vector3d& before,
+                           const Eigen::Vector3d& after) {
+  return mass * (after.norm() - before.norm()) * before.normalized();
+}
+
+Eigen::Vector3d average_force(const Eigen::Vector3d& impulse, double duration) {
+  return impulse / duration;
+}
+
+}  // namespace exercise

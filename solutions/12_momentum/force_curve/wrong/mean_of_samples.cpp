@@ -1,0 +1,15 @@
+// misconception: mean-of-samples
+// caught by: a force that rises and falls has its own area
+#include "force_curve.hpp"
+
+namespace exercise {
+
+Push push(const std::vector<Sample>& samples, double mass, double velocity) {
+  double sum = 0;
+  for (const Sample& sample : samples) sum += sample.force;
+  const double duration = samples.back().time - samples.front().time;
+  const double impulse = sum / static_cast<double>(samples.size()) * duration;
+  return {impulse, impulse / duration, velocity + impulse / mass};
+}
+
+}  // namespace exercise

@@ -1,0 +1,19 @@
+// misconception: kahan-large-term
+// caught by: a large push may come late
+#include "sum_of_impulses.hpp"
+
+namespace exercise {
+
+double total(const std::vector<double>& impulses) {
+  double sum = 0;
+  double carry = 0;
+  for (const double x : impulses) {
+    const double y = x - carry;
+    const double next = sum + y;
+    carry = (next - sum) - y;
+    sum = next;
+  }
+  return sum;
+}
+
+}  // namespace exercise

@@ -1,0 +1,22 @@
+// misconception: relative-for-ground
+// caught by: each throw starts from a smaller mass
+#include "throwing.hpp"
+
+namespace exercise {
+
+double after_exchange(double mass, double velocity, double mass_change, double matter_velocity) {
+  return velocity + (matter_velocity - velocity) * mass_change / (mass + mass_change);
+}
+
+double after_throws(double thrower, const std::vector<double>& stones, double velocity,
+                    double relative) {
+  double whole = thrower;
+  for (const double stone : stones) whole += stone;
+  for (const double stone : stones) {
+    velocity = (whole * velocity - stone * relative) / (whole - stone);
+    whole -= stone;
+  }
+  return velocity;
+}
+
+}  // namespace exercise

@@ -1,0 +1,26 @@
+// misconception: wall-not-counted
+// caught by: a hundred times as heavy
+#include "count_the_clicks.hpp"
+
+#include <cmath>
+
+namespace exercise {
+
+int clicks(double ratio) {
+  double large = 1;
+  double small = 0;
+  int count = 0;
+  while (large > small || small > 0) {
+    if (large > small) {
+      const double change = 2 * (large - small);
+      large -= change / (ratio + 1);
+      small += change * ratio / (ratio + 1);
+      ++count;
+    } else {
+      small = -small;
+    }
+  }
+  return count;
+}
+
+}  // namespace exercise

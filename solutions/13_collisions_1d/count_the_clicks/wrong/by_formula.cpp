@@ -1,0 +1,13 @@
+// misconception: count-by-rounded-formula
+// caught by: close calls
+#include "count_the_clicks.hpp"
+
+#include <cmath>
+
+namespace exercise {
+
+int clicks(double ratio) {
+  return static_cast<int>(std::ceil(M_PI / std::atan(std::sqrt(1 / ratio)))) - 1;
+}
+
+}  // namespace exercise

@@ -1,0 +1,11 @@
+// misconception: digits-of-pi
+// caught by: heavier and lighter
+#include "count_the_clicks.hpp"
+
+#include <cmath>
+
+namespace exercise {
+
+int clicks(double ratio) { return static_cast<int>(std::floor(M_PI * std::sqrt(ratio))); }
+
+}  // namespace exercise

@@ -1,0 +1,13 @@
+// misconception: floor-for-ceiling
+// caught by: equal blocks click three times
+#include "count_the_clicks.hpp"
+
+#include <cmath>
+
+namespace exercise {
+
+int clicks(double ratio) {
+  return static_cast<int>(std::floor(M_PI / std::atan(std::sqrt(1 / ratio))));
+}
+
+}  // namespace exercise

@@ -1,0 +1,17 @@
+// misconception: sum-for-reduced-mass
+// caught by: the truck and the parked car
+#include "energy_of_a_crash.hpp"
+
+namespace exercise {
+
+Bill bill(const Body& first, const Body& second, double restitution) {
+  if (!(first.velocity > second.velocity)) return {0, 0};
+  const double before = 0.5 * (first.mass * first.velocity * first.velocity +
+                               second.mass * second.velocity * second.velocity);
+  const double reduced = first.mass + second.mass;
+  const double closing = first.velocity - second.velocity;
+  const double lost = 0.5 * reduced * (1 - restitution) * (1 + restitution) * closing * closing;
+  return {lost, lost / before};
+}
+
+}  // namespace exercise

@@ -1,0 +1,18 @@
+#include "fly_apart.hpp"
+
+namespace exercise {
+
+Rest send_out(double mass, const Eigen::Vector2d& velocity, double piece_mass,
+              const Eigen::Vector2d& piece_velocity) {
+  if (!(piece_mass > 0 && piece_mass < mass)) {
+    throw std::invalid_argument("a piece weighs more than nothing and less than the whole");
+  }
+  const double rest_mass = mass - piece_mass;
+  const Eigen::Vector2d rest = (mass * velocity - piece_mass * piece_velocity) / rest_mass;
+  const double before = mass * velocity.squaredNorm() / 2;
+  const double after =
+      piece_mass * piece_velocity.squaredNorm() / 2 + rest_mass * rest.squaredNorm() / 2;
+  return {rest, after - before};
+}
+
+}  // namespace exercise

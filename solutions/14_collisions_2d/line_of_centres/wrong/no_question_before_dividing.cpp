@@ -1,0 +1,19 @@
+// misconception: division-by-zero
+// caught by: coincident centres have no axis
+#include "line_of_centres.hpp"
+
+namespace exercise {
+
+std::optional<Eigen::Vector2d> line_of_centres(const Eigen::Vector2d& centre_a,
+                                               const Eigen::Vector2d& centre_b) {
+  const Eigen::Vector2d d = centre_a - centre_b;
+  return d / d.norm();
+}
+
+Parts parts(const Eigen::Vector2d& velocity, const Eigen::Vector2d& axis) {
+  const double reach = axis.dot(velocity);
+  const Eigen::Vector2d along = reach * axis;
+  return {along, velocity - along};
+}
+
+}  // namespace exercise

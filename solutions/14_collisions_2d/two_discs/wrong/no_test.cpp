@@ -1,0 +1,18 @@
+// misconception: separating-discs-reflected
+// caught by: what separates is left alone
+#include "two_discs.hpp"
+
+namespace exercise {
+
+bool approach(const Disc& a, const Disc& b) {
+  return (a.centre - b.centre).dot(a.velocity - b.velocity) < 0;
+}
+
+Velocities after_touch(const Disc& a, const Disc& b, double restitution) {
+  const Eigen::Vector2d n = (a.centre - b.centre).normalized();
+  const double w = n.dot(a.velocity - b.velocity);
+  const double j = -(1 + restitution) * w * a.mass * b.mass / (a.mass + b.mass);
+  return {a.velocity + j / a.mass * n, b.velocity - j / b.mass * n};
+}
+
+}  // namespace exercise

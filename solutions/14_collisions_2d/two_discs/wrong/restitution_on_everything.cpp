@@ -1,0 +1,19 @@
+// misconception: restitution-on-everything
+// caught by: at an angle only the part along the centres changes
+#include "two_discs.hpp"
+
+namespace exercise {
+
+bool approach(const Disc& a, const Disc& b) {
+  return (a.centre - b.centre).dot(a.velocity - b.velocity) < 0;
+}
+
+Velocities after_touch(const Disc& a, const Disc& b, double restitution) {
+  if (!approach(a, b)) return {a.velocity, b.velocity};
+  const Eigen::Vector2d n = (a.centre - b.centre).normalized();
+  const double w = n.dot(a.velocity - b.velocity);
+  const double j = -2 * w * a.mass * b.mass / (a.mass + b.mass);
+  return {restitution * (a.velocity + j / a.mass * n), restitution * (b.velocity - j / b.mass * n)};
+}
+
+}  // namespace exercise

@@ -1,0 +1,12 @@
+#include "drop_test.hpp"
+
+namespace exercise {
+
+double restitution(double drop, double rebound) { return std::sqrt(rebound / drop); }
+
+double height_after(double drop, double k, int bounces) {
+  for (; bounces > 0; --bounces) drop *= k * k;
+  return drop;
+}
+
+}  // namespace exercise

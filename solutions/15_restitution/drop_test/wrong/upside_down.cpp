@@ -1,0 +1,14 @@
+// misconception: heights-the-wrong-way-up
+// caught by: k is a ratio of speeds
+#include "drop_test.hpp"
+
+namespace exercise {
+
+double restitution(double drop, double rebound) { return std::sqrt(drop / rebound); }
+
+double height_after(double drop, double k, int bounces) {
+  for (; bounces > 0; --bounces) drop *= k * k;
+  return drop;
+}
+
+}  // namespace exercise

@@ -1,0 +1,25 @@
+// misconception: times-go-with-k-squared
+// caught by: a ball that keeps half its speed rests after three falls' time
+#include "end_of_bounces.hpp"
+
+namespace exercise {
+
+double rest_time(double drop, double gravity, double k) {
+  const double fall = std::sqrt(2 * drop / gravity);
+  return fall * (1 + k * k) / (1 - k * k);
+}
+
+int bounces_by(double drop, double gravity, double k, double time) {
+  const double fall = std::sqrt(2 * drop / gravity);
+  int bounces = 0;
+  double impact = fall;
+  double flight = 2 * k * k * fall;
+  while (impact <= time) {
+    ++bounces;
+    impact += flight;
+    flight *= k * k;
+  }
+  return bounces;
+}
+
+}  // namespace exercise

@@ -1,0 +1,14 @@
+// misconception: restitution-on-the-slip
+// caught by: the part along the surface stays
+#include "floor_bounce.hpp"
+
+namespace exercise {
+
+Eigen::Vector3d after_bounce(const Eigen::Vector3d& velocity, const Eigen::Vector3d& normal,
+                             double k) {
+  const double along_normal = velocity.dot(normal);
+  if (!(along_normal < 0)) return velocity;
+  return k * (velocity - 2 * along_normal * normal);
+}
+
+}  // namespace exercise

@@ -1,0 +1,13 @@
+// misconception: bounce-when-separating
+// caught by: what moves away is left alone
+#include "floor_bounce.hpp"
+
+namespace exercise {
+
+Eigen::Vector3d after_bounce(const Eigen::Vector3d& velocity, const Eigen::Vector3d& normal,
+                             double k) {
+  const double along_normal = velocity.dot(normal);
+  return velocity - (1 + k) * along_normal * normal;
+}
+
+}  // namespace exercise

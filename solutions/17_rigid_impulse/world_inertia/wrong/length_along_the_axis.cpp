@@ -1,0 +1,23 @@
+// misconception: length-along-the-axis
+// caught by: a box is harder to turn across its length
+#include "world_inertia.hpp"
+
+namespace exercise {
+
+Eigen::Matrix3d box_inertia(double mass, const Eigen::Vector3d& size) {
+  const Eigen::Vector3d square = size.cwiseProduct(size);
+  return (square * mass / 12).asDiagonal();
+}
+
+Eigen::Matrix3d about_point(const Eigen::Matrix3d& central, double mass,
+                            const Eigen::Vector3d& offset) {
+  const Eigen::Matrix3d moved =
+      offset.squaredNorm() * Eigen::Matrix3d::Identity() - offset * offset.transpose();
+  return central + mass * moved;
+}
+
+Eigen::Matrix3d in_world(const Eigen::Matrix3d& inertia, const Eigen::Matrix3d& rotation) {
+  return rotation * inertia * rotation.transpose();
+}
+
+}  // namespace exercise

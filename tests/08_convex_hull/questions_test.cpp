@@ -1,0 +1,114 @@
+#include "support/questions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <contact/convex_hull.hpp>
+#include <contact/gift_wrapping.hpp>
+#include <contact/hull_2d.hpp>
+#include <set>
+
+#define CONTACT_FIGURE_NO_MAIN
+#include <contact/figure.hpp>
+namespace chain {
+#include "figures/chain.cpp"
+}
+namespace horizon {
+#include "figures/horizon.cpp"
+}
+
+using Flat = contact::Vector2<double>;
+using Solid = contact::Vector3<double>;
+
+KEY("turn-area") { return contact::turn<double>({1, 1}, {4, 2}, {2, 5}); }
+
+KEY("grid-border") {
+  std::vector<Flat> grid;
+  for (int i = 0; i < 25; ++i) grid.push_back({double(i % 5), double(i / 5)});
+  return static_cast<double>(contact::convex_hull_2d(grid).size());
+}
+
+KEY("twelve-corners") {
+  std::vector<Solid> points;
+  for (const double x : {-0.625, 0.625}) {
+    for (const double y : {-1.0, 1.0}) {
+      points.push_back({0, x, y});
+      points.push_back({x, y, 0});
+      points.push_back({y, 0, x});
+    }
+  }
+  const contact::Hull hull = contact::convex_hull(points);
+  return hull.vertices.size() == 12 ? static_cast<double>(hull.face_count()) : -1.0;
+}
+
+KEY("wrapping-a-sphere") {
+  const double n = 1e5;
+  return (2 * n - 4) * n / 1e9;
+}
+
+KEY("highest-corner") {
+  // Points of a top edge and a top face, in every order: which rule always finds a corner?
+  std::vector<Solid> points{{1, 1, 5}, {0, 0, 5}, {3, 0, 5}, {0, 3, 5},
+                            {3, 3, 5}, {3, 1, 5}, {1, 2, 0}};
+  const auto corner = [&](const Solid& p) {
+    for (const int v : contact::convex_hull(points).vertices) {
+      if (points[static_cast<std::size_t>(v)] == p) return true;
+    }
+    return false;
+  };
+  const bool first = corner(points[0]);
+  Solid best = points[0];
+  for (const Solid& p : points) {
+    if (std::array{best.z(), best.x(), best.y()} < std::array{p.z(), p.x(), p.y()}) best = p;
+  }
+  return !first && corner(best) ? 2 : 1;
+}
+
+KEY("what-dies") {
+  const std::vector<Solid> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 2, 0}};
+  const contact::ExactSides sides(points);
+  return sides.side(sides.plane(0, 2, 1), 0, 2, 1, 4) > 0 ? 0 : 1;
+}
+
+KEY("adding-a-point") {
+  // What each step needs to have been done before it.
+  const std::vector<std::set<int>> needs{{4}, {}, {0}, {1}, {3}};
+  std::vector<int> order;
+  std::set<int> done;
+  while (order.size() < needs.size()) {
+    std::vector<int> possible;
+    for (int i = 0; i < static_cast<int>(needs.size()); ++i) {
+      const auto& before = needs[static_cast<std::size_t>(i)];
+      if (done.count(i) == 0 &&
+          std::includes(done.begin(), done.end(), before.begin(), before.end())) {
+        possible.push_back(i);
+      }
+    }
+    if (possible.size() != 1) return std::vector<int>{};
+    order.push_back(possible.front());
+    done.insert(possible.front());
+  }
+  return order;
+}
+
+KEY("epsilon-chain") {
+  // An arch of a hundred points: each is near the line of its neighbours, the middle far from all.
+  double sag_of_neighbours = 0;
+  const double n = 100, height = 0.5;
+  const auto arch = [&](double i) { return height * (1 - (2 * i / n - 1) * (2 * i / n - 1)); };
+  sag_of_neighbours = arch(50) - (arch(49) + arch(51)) / 2;
+  return height > 10 * sag_of_neighbours ? 2 : 0;
+}
+
+KEY("all-corners") {
+  chain::Input state{{-4, 0}, {-3, -2}, {0, -3}, {3, -2}, {4, 0}, {3, 2}, {0, 3}, {-3, 2}, 0};
+  const double winning = chain::compute(state).all_corners;
+  state.p1 = {-2, -1.5};  // on the way from one neighbour to the other
+  return questions::Construct{winning, chain::compute(state).all_corners};
+}
+
+KEY("sees-eight") {
+  horizon::Input state{{3.5, -2, 2.5}, 0};
+  const double winning = horizon::compute(state).sees_many;
+  state.p = {0.9, 0.4, 0.4};
+  return questions::Construct{winning, horizon::compute(state).sees_many};
+}

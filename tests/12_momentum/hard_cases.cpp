@@ -1,0 +1,271 @@
+// Recomputes the answers of hard_cases.json and says which method gets which case right.
+//
+// All answers are of class (a): rational in the stored numbers, rounded once. A sum or a mean is
+// right if it is off by at most 2^-40 of itself (2^-18 for a method in float), and exactly 0 where
+// it is 0. A velocity that comes out of a difference is right if it is off by at most 2^-40 of the
+// velocities that went in: more is not to be had.
+#include "support/hard_cases.hpp"
+
+#include <cmath>
+#include <contact/impulse.hpp>
+#include <contact/impulse_sum.hpp>
+#include <contact/momentum.hpp>
+#include <contact/variable_mass.hpp>
+#include <cstdlib>
+#include <vector>
+
+using hard_cases::Case;
+using hard_cases::Json;
+using oracle::Rational;
+
+namespace {
+
+using Numbers = std::vector<double>;
+
+Rational sum_of(const Numbers& numbers) {
+  Rational sum = 0;
+  for (const double x : numbers) sum += oracle::exact(x);
+  return sum;
+}
+
+double read(const Json& answer, const char* field) {
+  return std::strtod(answer.at(field).get<std::string>().c_str(), nullptr);
+}
+Json nearest(const Rational& x) { return hard_cases::hex(oracle::nearest(x)); }
+
+bool close(double got, double right, double room) {
+  return std::isfinite(got) && std::abs(got - right) <= room;
+}
+bool same(double got, const Json& answer, const char* field, int bits = 40) {
+  const double right = read(answer, field);
+  return close(got, right, std::ldexp(std::abs(right), -bits));
+}
+
+template <class S>
+S kahan(const std::vector<S>& terms) {
+  S sum(0);
+  S carry(0);
+  for (const S x : terms) {
+    const S y = x - carry;
+    const S next = sum + y;
+    carry = (next - sum) - y;
+    sum = next;
+  }
+  return sum;
+}
+
+template <class S>
+S plain(const std::vector<S>& terms) {
+  S sum(0);
+  for (const S x : terms) sum += x;
+  return sum;
+}
+
+void add_total(hard_cases::Runner& runner) {
+  runner.question("total", [](const Case& c) {
+    return Json{{"class", "a"}, {"sum", nearest(sum_of(c.numbers("impulses")))}};
+  });
+  const auto in_double = [&runner](const char* name, auto total) {
+    runner.method("total", name, [total](const Case& c, const Json& answer) {
+      return same(total(c.numbers("impulses")), answer, "sum");
+    });
+  };
+  in_double("double, in order", [](const Numbers& terms) { return plain(terms); });
+  in_double("pairwise", [](const Numbers& terms) { return contact::total_pairwise(terms); });
+  in_double("Kahan", [](const Numbers& terms) { return kahan(terms); });
+  in_double("compensated", [](const Numbers& terms) { return contact::total_compensated(terms); });
+  in_double("book", [](const Numbers& terms) { return contact::total_impulse(terms); });
+}
+
+void add_total_of_floats(hard_cases::Runner& runner) {
+  runner.question("total_of_floats", [](const Case& c) {
+    return Json{{"class", "a"}, {"sum", nearest(sum_of(c.numbers("impulses")))}};
+  });
+  const auto in_float = [&runner](const char* name, auto total) {
+    runner.method("total_of_floats", name, [total](const Case& c, const Json& answer) {
+      const Numbers terms = c.numbers("impulses");
+      const std::vector<float> floats(terms.begin(), terms.end());
+      return same(static_cast<double>(total(floats)), answer, "sum", 18);
+    });
+  };
+  in_float("float, in order", [](const auto& terms) { return plain(terms); });
+  in_float("float, pairwise", [](const auto& terms) { return contact::total_pairwise(terms); });
+  in_float("float, compensated",
+           [](const auto& terms) { return contact::total_compensated(terms); });
+  in_float("float, book", [](const auto& terms) { return contact::total_impulse(terms); });
+}
+
+std::vector<contact::PointMass<double>> bodies(const Case& c) {
+  const Numbers masses = c.numbers("masses");
+  const Numbers velocities = c.numbers("velocities");
+  std::vector<contact::PointMass<double>> all;
+  for (std::size_t i = 0; i < masses.size(); ++i) {
+    all.push_back(contact::point_mass<double>(masses[i], {0, 0, 0}, {velocities[i], 0, 0}));
+  }
+  return all;
+}
+
+void add_together(hard_cases::Runner& runner) {
+  runner.question("together", [](const Case& c) {
+    Rational momentum = 0;
+    Rational mass = 0;
+    for (const auto& body : bodies(c)) {
+      momentum += oracle::exact(body.mass) * oracle::exact(body.velocity.x());
+      mass += oracle::exact(body.mass);
+    }
+    return Json{{"class", "a"}, {"velocity", nearest(momentum / mass)}};
+  });
+  runner.method("together", "mean of the velocities", [](const Case& c, const Json& answer) {
+    const Numbers velocities = c.numbers("velocities");
+    return same(plain(velocities) / static_cast<double>(velocities.size()), answer, "velocity");
+  });
+  runner.method("together", "as one writes it first", [](const Case& c, const Json& answer) {
+    double momentum = 0;
+    double mass = 0;
+    for (const auto& body : bodies(c)) {
+      momentum += body.mass * body.velocity.x();
+      mass += body.mass;
+    }
+    return same(momentum / mass, answer, "velocity");
+  });
+  runner.method("together", "book", [](const Case& c, const Json& answer) {
+    return same(contact::centre_velocity(bodies(c))->x(), answer, "velocity");
+  });
+}
+
+contact::ForceCurve<double> curve(const Case& c) {
+  std::vector<contact::Vector3<double>> force;
+  for (const double f : c.numbers("forces")) force.push_back({f, 0, 0});
+  return contact::force_curve<double>(c.numbers("times"), force);
+}
+
+void add_curve(hard_cases::Runner& runner) {
+  runner.question("curve", [](const Case& c) {
+    const Numbers times = c.numbers("times");
+    const Numbers forces = c.numbers("forces");
+    Rational area = 0;
+    for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+      area += (oracle::exact(times[i + 1]) - oracle::exact(times[i])) *
+              (oracle::exact(forces[i]) + oracle::exact(forces[i + 1])) / 2;
+    }
+    return Json{{"class", "a"}, {"impulse", nearest(area)}};
+  });
+  runner.method("curve", "largest force × time", [](const Case& c, const Json& answer) {
+    double largest = 0;
+    for (const double f : c.numbers("forces")) {
+      if (std::abs(f) > std::abs(largest)) largest = f;
+    }
+    return same(largest * (c.numbers("times").back() - c.numbers("times").front()), answer,
+                "impulse");
+  });
+  runner.method("curve", "mean of samples × time", [](const Case& c, const Json& answer) {
+    const Numbers forces = c.numbers("forces");
+    return same(plain(forces) / static_cast<double>(forces.size()) *
+                    (c.numbers("times").back() - c.numbers("times").front()),
+                answer, "impulse");
+  });
+  runner.method("curve", "trapezoids, in order", [](const Case& c, const Json& answer) {
+    const Numbers times = c.numbers("times");
+    const Numbers forces = c.numbers("forces");
+    double area = 0;
+    for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+      area += (times[i + 1] - times[i]) * (forces[i] + forces[i + 1]) / 2;
+    }
+    return same(area, answer, "impulse");
+  });
+  runner.method("curve", "book, compensated", [](const Case& c, const Json& answer) {
+    return same(contact::impulse(curve(c)).x(), answer, "impulse");
+  });
+  runner.method("curve", "book, exact", [](const Case& c, const Json& answer) {
+    return same(contact::impulse_exactly(curve(c)).x(), answer, "impulse");
+  });
+}
+
+void add_exchange(hard_cases::Runner& runner) {
+  runner.question("exchange", [](const Case& c) {
+    const Rational m = oracle::exact(c.number("mass"));
+    const Rational change = oracle::exact(c.number("change"));
+    const Rational after =
+        (m * oracle::exact(c.number("velocity")) + change * oracle::exact(c.number("matter"))) /
+        (m + change);
+    return Json{{"class", "a"}, {"velocity", nearest(after)}};
+  });
+  // What |v| + |w − v| |Δm| / (m + Δm) leaves to be had.
+  const auto judge = [](const Case& c, double got, const Json& answer) {
+    const Rational m = oracle::exact(c.number("mass"));
+    const Rational change = oracle::exact(c.number("change"));
+    const Rational v = oracle::exact(c.number("velocity"));
+    const Rational size =
+        abs(v) + abs(oracle::exact(c.number("matter")) - v) * abs(change) / (m + change);
+    return close(got, read(answer, "velocity"), oracle::nearest(size / 0x1p40));
+  };
+  runner.method("exchange", "momentum of the body alone",
+                [judge](const Case& c, const Json& answer) {
+                  const double m = c.number("mass");
+                  return judge(c, m * c.number("velocity") / (m + c.number("change")), answer);
+                });
+  runner.method("exchange", "momenta, then divide", [judge](const Case& c, const Json& answer) {
+    const double m = c.number("mass");
+    const double change = c.number("change");
+    return judge(c, (m * c.number("velocity") + change * c.number("matter")) / (m + change),
+                 answer);
+  });
+  runner.method("exchange", "book", [judge](const Case& c, const Json& answer) {
+    const auto after =
+        contact::velocity_after_exchange<double>(c.number("mass"), {c.number("velocity"), 0, 0},
+                                                 c.number("change"), {c.number("matter"), 0, 0});
+    return after && judge(c, after->x(), answer);
+  });
+}
+
+void add_push_off(hard_cases::Runner& runner) {
+  runner.question("push_off", [](const Case& c) {
+    const Rational m1 = oracle::exact(c.number("first"));
+    const Rational m2 = oracle::exact(c.number("second"));
+    const Rational u = oracle::exact(c.number("apart"));
+    const Rational v = oracle::exact(c.number("together"));
+    return Json{{"class", "a"},
+                {"first", nearest(v - u * m2 / (m1 + m2))},
+                {"second", nearest(v + u * m1 / (m1 + m2))}};
+  });
+  const auto judge = [](const Case& c, double first, double second, const Json& answer) {
+    const double room =
+        std::ldexp(std::abs(c.number("together")) + std::abs(c.number("apart")), -40);
+    // From rest the small recoil of a heavy body is a product, and has all its digits.
+    const bool from_rest = c.number("together") == 0;
+    return (from_rest ? same(first, answer, "first") : close(first, read(answer, "first"), room)) &&
+           close(second, read(answer, "second"), room);
+  };
+  runner.method("push_off", "velocity over the ground", [judge](const Case& c, const Json& answer) {
+    const double ground = c.number("together") + c.number("apart");
+    return judge(c,
+                 c.number("together") - c.number("apart") * c.number("second") / c.number("first"),
+                 ground, answer);
+  });
+  runner.method("push_off", "as one writes it first", [judge](const Case& c, const Json& answer) {
+    const double m1 = c.number("first");
+    const double m2 = c.number("second");
+    const double u = c.number("apart");
+    const double first = ((m1 + m2) * c.number("together") - m2 * u) / (m1 + m2);
+    return judge(c, first, first + u, answer);
+  });
+  runner.method("push_off", "book", [judge](const Case& c, const Json& answer) {
+    const auto after =
+        contact::push_off<double>(c.number("first"), c.number("second"),
+                                  {c.number("together"), 0, 0}, {c.number("apart"), 0, 0});
+    return judge(c, after.first.x(), after.second.x(), answer);
+  });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  hard_cases::Runner runner("12_momentum");
+  add_total(runner);
+  add_total_of_floats(runner);
+  add_together(runner);
+  add_curve(runner);
+  add_exchange(runner);
+  add_push_off(runner);
+  return runner.run(argc, argv);
+}

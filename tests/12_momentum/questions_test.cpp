@@ -1,0 +1,132 @@
+#include "support/questions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <contact/impulse.hpp>
+#include <contact/impulse_sum.hpp>
+#include <contact/momentum.hpp>
+#include <contact/variable_mass.hpp>
+#include <set>
+
+#define CONTACT_FIGURE_NO_MAIN
+#include <contact/figure.hpp>
+namespace force_time {
+#include "figures/force_time.cpp"
+}
+namespace skaters {
+#include "figures/skaters.cpp"
+}
+
+using Vector = contact::Vector3<double>;
+using Body = contact::PointMass<double>;
+
+KEY("players-together") {
+  return contact::centre_velocity<double>({{90, {0, 0, 0}, {6, 0, 0}}, {80, {0, 0, 0}, {-7, 0, 0}}})
+      ->x();
+}
+
+KEY("bounce-or-stop") {
+  const auto bounce = contact::impulse_of_change<double>(0.4, {10, 0, 0}, {-5, 0, 0});
+  const auto stop = contact::impulse_of_change<double>(0.4, {10, 0, 0}, {0, 0, 0});
+  return bounce.x() / stop.x();
+}
+
+KEY("belt-force") {
+  const auto impulse = contact::impulse_of_change<double>(5, {15, 0, 0}, {0, 0, 0});
+  // A steady force with this impulse is its own average.
+  const Vector force = impulse / 0.1;
+  const auto steady = contact::force_curve<double>({0, 0.1}, {force, force});
+  return std::abs(contact::average_force(steady).x());
+}
+
+KEY("triangle-area") {
+  const auto curve =
+      contact::force_curve<double>({0, 0.002, 0.006}, {{0, 0, 0}, {4000, 0, 0}, {0, 0, 0}});
+  return contact::impulse(curve).x();
+}
+
+KEY("internal-or-external") {
+  // The man's push J on the boat, the boat's push on the man, and what each does to the total.
+  const Body man{80, {0, 0, 0}, {0, 0, 0}};
+  const Body boat{200, {0, 0, 0}, {0, 0, 0}};
+  const Vector push(-50, 0, 0);
+  Body pushed_boat = boat;
+  pushed_boat.velocity = contact::velocity_after<double>(boat.mass, boat.velocity, push);
+  Body pushed_man = man;
+  pushed_man.velocity = contact::velocity_after<double>(man.mass, man.velocity, Vector(-push));
+  const Vector before = contact::total_momentum<double>({man, boat});
+  return contact::total_momentum<double>({pushed_man, pushed_boat}) == before ? 3 : 2;
+}
+
+KEY("conservation-steps") {
+  // What each step needs to have been done before it.
+  const std::vector<std::set<int>> needs{{1, 3, 4}, {}, {0}, {1, 4}, {1}};
+  std::vector<int> order;
+  std::set<int> done;
+  while (order.size() < needs.size()) {
+    std::vector<int> possible;
+    for (int i = 0; i < static_cast<int>(needs.size()); ++i) {
+      const auto& before = needs[static_cast<std::size_t>(i)];
+      if (done.count(i) == 0 &&
+          std::includes(done.begin(), done.end(), before.begin(), before.end())) {
+        possible.push_back(i);
+      }
+    }
+    if (possible.size() != 1) return std::vector<int>{};  // two right orders would be no question
+    order.push_back(possible.front());
+    done.insert(possible.front());
+  }
+  return order;
+}
+
+KEY("gravity-in-a-hit") {
+  const double mass = 0.145;
+  const Vector weight(0, 0, -9.81 * mass);
+  const auto hit = contact::force_curve<double>({0, 0.001}, {weight, weight});
+  return 1000 * contact::velocity_after<double>(mass, Vector(0, 0, 0), -contact::impulse(hit)).z();
+}
+
+KEY("leaking-wagon") {
+  const Vector v(3, 0, 0);
+  const double after = contact::velocity_after_exchange<double>(4000, v, -1000, v)->x();
+  return after > v.x() ? 0 : after == v.x() ? 1 : 2;
+}
+
+KEY("recoil-of-thrower") {
+  return contact::push_off<double>(60, 20, {0, 0, 0}, {3, 0, 0}).first.x();
+}
+
+KEY("which-sum") {
+  const std::vector<double> terms{1, 1e100, 1, -1e100};
+  double kahan = 0;
+  double carry = 0;
+  for (const double x : terms) {
+    const double y = x - carry;
+    const double next = kahan + y;
+    carry = (next - kahan) - y;
+    kahan = next;
+  }
+  const std::vector<double> got{contact::total_in_order(terms), contact::total_pairwise(terms),
+                                kahan, contact::total_compensated(terms)};
+  const double right = contact::total_exactly(terms);
+  if (std::count(got.begin(), got.end(), right) != 1) return -1;
+  return static_cast<int>(std::find(got.begin(), got.end(), right) - got.begin());
+}
+
+KEY("stop-it-gently") {
+  // 0.8 kN held for seven of eight pieces of 8.5 ms: 0.8 · 7/8 · 8.5 = 5.95 N·s for 6 kg·m/s.
+  force_time::Input state{0.8, 0.8, 0.8, 0.8, 0.8, 0.8, 0.8, 8.5, 0.5, 11.9};
+  const double winning = force_time::compute(state).stops_gently;
+  state.f1 = state.f7 = 0.2;
+  state.f2 = state.f6 = 0.6;
+  state.f3 = state.f5 = 1.2;
+  state.f4 = 1.6;  // the same area, and too hard
+  return questions::Construct{winning, force_time::compute(state).stops_gently};
+}
+
+KEY("one-skater-stands") {
+  skaters::Input state{80, 40, 0.5, 1.5, 1};
+  const double winning = skaters::compute(state).first_stands;
+  state.apart = -1.5;
+  return questions::Construct{winning, skaters::compute(state).first_stands};
+}

@@ -1,0 +1,569 @@
+// Every reference function of the chapter against rational arithmetic on the stored numbers (class
+// (a) of the oracle), the rocket against intervals (class (c)). u is the unit roundoff of the type.
+// A bound that a comment of the reference gives is tested as it stands, without an allowance.
+#include <array>
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <contact/impulse.hpp>
+#include <contact/impulse_sum.hpp>
+#include <contact/momentum.hpp>
+#include <contact/variable_mass.hpp>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "support/generators.hpp"
+#include "support/oracle.hpp"
+
+using contact::ForceCurve;
+using contact::PointMass;
+using contact::Vector3;
+using generators::Random;
+using oracle::Rational;
+using oracle::Vector;
+
+namespace {
+
+template <class S>
+Rational u() {
+  return oracle::exact(contact::tolerance::unit_roundoff<S>);
+}
+template <class S>
+Rational eta() {
+  return oracle::exact(contact::tolerance::underflow_unit<S>);
+}
+template <class S>
+Rational gamma(int n) {
+  return n * u<S>() / (1 - n * u<S>());
+}
+
+template <class S>
+Rational error(S got, const Rational& right) {
+  const double distance = oracle::error(static_cast<double>(got), right);
+  REQUIRE(std::isfinite(distance));
+  return oracle::exact(distance);
+}
+
+template <class S>
+S nearest(const Rational& x) {
+  if constexpr (sizeof(S) == sizeof(float)) {
+    return oracle::nearest_float(x);
+  } else {
+    return oracle::nearest(x);
+  }
+}
+
+template <class S>
+Rational sum_of(const std::vector<S>& terms) {
+  Rational sum = 0;
+  for (const S x : terms) sum += oracle::exact(x);
+  return sum;
+}
+template <class S>
+Rational size_of(const std::vector<S>& terms) {
+  Rational sum = 0;
+  for (const S x : terms) sum += abs(oracle::exact(x));
+  return sum;
+}
+
+enum class Push { one_way, both_ways, zero_total, spread };
+
+/// Impulses: all one way; to and fro; to and fro with the sum of all before as the last; from 1 to
+/// 10^16 in size, and what is large cancels.
+template <class S>
+std::vector<S> impulses(Random& random, Push push) {
+  const int n = random.integer(1, 60);
+  std::vector<S> terms;
+  for (int i = 0; i < n; ++i) {
+    double x = random.uniform(0.001, 1);
+    if (push != Push::one_way) x = random.uniform(-1, 1);
+    if (push == Push::spread) x = random.magnitude(0, 53);
+    terms.push_back(static_cast<S>(x));
+  }
+  if (push == Push::zero_total) {
+    for (int i = 0; i < n; ++i) terms.push_back(-terms[static_cast<std::size_t>(i)]);
+  }
+  if (push == Push::spread) {
+    for (int i = 0; i < n; ++i) {
+      const S x = terms[static_cast<std::size_t>(i)];
+      if (std::abs(x) > S(1000)) terms.push_back(-x);
+    }
+  }
+  for (std::size_t i = terms.size(); i > 1; --i) {
+    std::swap(terms[i - 1], terms[static_cast<std::size_t>(random.integer(0, int(i) - 1))]);
+  }
+  return terms;
+}
+
+constexpr std::array<Push, 4> all_pushes{Push::one_way, Push::both_ways, Push::zero_total,
+                                         Push::spread};
+
+/// Bit patterns without a pattern.
+double any_finite(Random& random) {
+  for (;;) {
+    const std::uint64_t bits = random.bits();
+    double x = 0;
+    std::memcpy(&x, &bits, sizeof x);
+    if (std::isfinite(x)) return x;
+  }
+}
+Vector3<double> any_vector(Random& random) {
+  return Vector3<double>{any_finite(random), any_finite(random), any_finite(random)};
+}
+
+template <class S>
+std::vector<PointMass<S>> bodies(Random& random, int low, int high) {
+  std::vector<PointMass<S>> all;
+  const int n = random.integer(1, 20);
+  const auto number = [&] { return static_cast<S>(random.magnitude(low, high)); };
+  for (int i = 0; i < n; ++i) {
+    const S mass = std::abs(number());
+    const Vector3<S> position{number(), number(), number()};
+    const Vector3<S> velocity{number(), number(), number()};
+    all.push_back(contact::point_mass(mass, position, velocity));
+  }
+  return all;
+}
+
+template <class S>
+struct ExactSums {
+  Rational mass = 0;
+  Vector momentum = Vector::Zero();
+  Vector scale = Vector::Zero();  // Σ m |v|
+};
+template <class S>
+ExactSums<S> exact_sums(const std::vector<PointMass<S>>& all) {
+  ExactSums<S> sums;
+  for (const auto& body : all) {
+    const Rational m = oracle::exact(body.mass);
+    sums.mass += m;
+    for (int k = 0; k < 3; ++k) {
+      sums.momentum(k) += m * oracle::exact(body.velocity(k));
+      sums.scale(k) += m * abs(oracle::exact(body.velocity(k)));
+    }
+  }
+  return sums;
+}
+
+std::string refusal(const std::function<void()>& construct) {
+  try {
+    construct();
+  } catch (const std::invalid_argument& problem) {
+    return problem.what();
+  }
+  return "";
+}
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("every way of adding impulses is as near as its comment says", "", float,
+                   double) {
+  using S = TestType;
+  Random random(1201);
+  int zero_totals = 0;
+  int cancelled = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const auto terms = impulses<S>(random, all_pushes[static_cast<std::size_t>(i) % 4]);
+    const int n = static_cast<int>(terms.size());
+    const Rational right = sum_of(terms);
+    const Rational size = size_of(terms);
+    const int halvings = static_cast<int>(std::bit_width(static_cast<unsigned>(n - 1)));
+    REQUIRE(error(contact::total_in_order(terms), right) <= gamma<S>(n - 1) * size);
+    REQUIRE(error(contact::total_pairwise(terms), right) <= gamma<S>(halvings + 4) * size);
+    REQUIRE(error(contact::total_compensated(terms), right) <=
+            u<S>() * abs(right) + gamma<S>(n - 1) * gamma<S>(n - 1) * size);
+    REQUIRE(contact::total_exactly(terms) == nearest<S>(right));
+    const S total = contact::total_impulse(terms);
+    REQUIRE(error(total, right) <= 3 * u<S>() * abs(right));
+    REQUIRE((total == S(0)) == (right == 0));
+    zero_totals += right == 0;
+    cancelled += abs(right) < size * u<S>();
+  }
+  CHECK(zero_totals > 500);
+  CHECK(cancelled > 900);
+}
+
+TEST_CASE("sums of rationals are exact in every order") {
+  Random random(1202);
+  for (int i = 0; i < 200; ++i) {
+    std::vector<Rational> terms;
+    for (const double x : impulses<double>(random, Push::spread)) terms.push_back(oracle::exact(x));
+    Rational right = 0;
+    for (const Rational& x : terms) right += x;
+    REQUIRE(contact::total_in_order(terms) == right);
+    REQUIRE(contact::total_pairwise(terms) == right);
+  }
+}
+
+TEST_CASE("a sum that overflows only on the way is finite, and none is ever NaN") {
+  const double big = std::numeric_limits<double>::max();
+  const std::vector<double> there_and_back{big, big, 3.0, -big, -big};
+  CHECK(contact::total_exactly(there_and_back) == 3.0);
+  CHECK(contact::total_impulse(there_and_back) == 3.0);
+  for (const auto total : {contact::total_in_order<double>, contact::total_pairwise<double>,
+                           contact::total_compensated<double>}) {
+    CHECK(std::isfinite(total(there_and_back)));
+    CHECK(std::abs(total({big, big / 2, -big}) - big / 2) <= 1e-15 * big);
+    CHECK(total({big, big}) == std::numeric_limits<double>::infinity());
+    CHECK(total({}) == 0.0);
+  }
+  CHECK(contact::total_exactly<double>({}) == 0.0);
+  CHECK(contact::total_impulse<double>({}) == 0.0);
+  Random random(1203);
+  for (int i = 0; i < 3000; ++i) {
+    std::vector<double> terms;
+    for (int n = random.integer(0, 12); n > 0; --n) {
+      terms.push_back(random.chance(0.5) ? any_finite(random) : random.magnitude(1015, 1023));
+    }
+    REQUIRE_FALSE(std::isnan(contact::total_in_order(terms)));
+    REQUIRE_FALSE(std::isnan(contact::total_pairwise(terms)));
+    REQUIRE_FALSE(std::isnan(contact::total_compensated(terms)));
+    REQUIRE(contact::total_exactly(terms) == oracle::nearest(sum_of(terms)));
+    const double total = contact::total_impulse(terms);
+    REQUIRE_FALSE(std::isnan(total));
+    if (std::isfinite(total)) {
+      REQUIRE(error(total, sum_of(terms)) <= 3 * u<double>() * abs(sum_of(terms)) + eta<double>());
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("momentum, its scale and the centre's velocity agree with fractions", "", float,
+                   double) {
+  using S = TestType;
+  Random random(1204);
+  for (int i = 0; i < 2500; ++i) {
+    const int range = i % 2 == 0 ? 3 : 25;
+    auto all = bodies<S>(random, -range, range);
+    if (random.chance(0.3)) {  // everything comes back the other way: the total is zero
+      for (std::size_t n = all.size(), k = 0; k < n; ++k) {
+        all.push_back(all[k]);
+        all.back().velocity = -all.back().velocity;
+      }
+    }
+    const int n = static_cast<int>(all.size());
+    const auto sums = exact_sums(all);
+    const auto total = contact::total_momentum(all);
+    const auto scale = contact::momentum_scale(all);
+    const auto centre = contact::centre_velocity(all);
+    REQUIRE(centre.has_value());
+    REQUIRE(error(contact::total_mass(all), sums.mass) <= gamma<S>(n - 1) * sums.mass);
+    for (int k = 0; k < 3; ++k) {
+      const Rational cancelled = 3 * n * n * u<S>() * u<S>() * sums.scale(k);
+      REQUIRE(error(total(k), sums.momentum(k)) <= u<S>() * abs(sums.momentum(k)) + cancelled);
+      REQUIRE(error(scale(k), sums.scale(k)) <= gamma<S>(n) * sums.scale(k));
+      const Rational mean = sums.momentum(k) / sums.mass;
+      REQUIRE(error((*centre)(k), mean) <= (n + 2) * u<S>() * abs(mean) + cancelled / sums.mass);
+    }
+  }
+}
+
+TEST_CASE("totals and means are right for any bit patterns") {
+  Random random(1205);
+  const double big = std::numeric_limits<double>::max();
+  for (int i = 0; i < 4000; ++i) {
+    std::vector<PointMass<double>> all;
+    for (int n = random.integer(1, 6); n > 0; --n) {
+      double mass = std::abs(any_finite(random));
+      if (mass == 0) mass = 1;
+      Vector3<double> velocity = any_vector(random);
+      if (random.chance(0.2)) velocity = {big, -big, 5e-324};
+      all.push_back({mass, any_vector(random), velocity});
+    }
+    const int n = static_cast<int>(all.size());
+    const auto sums = exact_sums(all);
+    const auto total = contact::total_momentum(all);
+    const auto centre = contact::centre_velocity(all);
+    REQUIRE(contact::all_finite(*contact::centre_of_mass(all)));
+    for (int k = 0; k < 3; ++k) {
+      const Rational cancelled = 3 * n * n * u<double>() * u<double>() * sums.scale(k);
+      REQUIRE_FALSE(std::isnan(total(k)));
+      if (std::isfinite(total(k))) {
+        REQUIRE(error(total(k), sums.momentum(k)) <=
+                u<double>() * abs(sums.momentum(k)) + cancelled + eta<double>());
+      } else {
+        REQUIRE(std::isinf(oracle::nearest(sums.momentum(k))));
+      }
+      const Rational mean = sums.momentum(k) / sums.mass;
+      REQUIRE(error((*centre)(k), mean) <=
+              (n + 2) * u<double>() * abs(mean) + cancelled / sums.mass + eta<double>());
+    }
+  }
+  CHECK_FALSE(contact::centre_velocity<double>({}).has_value());
+  CHECK_FALSE(contact::centre_of_mass<double>({}).has_value());
+  CHECK(contact::total_momentum<double>({}) == Vector3<double>(0, 0, 0));
+}
+
+TEST_CASE("the lecture's players: 90 kg at 6 m/s and 80 kg at -7 m/s") {
+  const std::vector<PointMass<double>> players{{90, {0, 0, 0}, {6, 0, 0}},
+                                               {80, {0, 0, 0}, {-7, 0, 0}}};
+  CHECK(contact::momentum(players[0]) == Vector3<double>(540, 0, 0));
+  CHECK(contact::total_momentum(players) == Vector3<double>(-20, 0, 0));
+  CHECK(contact::momentum_scale(players) == Vector3<double>(1100, 0, 0));
+  CHECK(contact::centre_velocity(players)->x() == oracle::nearest(Rational(-2) / 17));
+}
+
+TEST_CASE("no push between two bodies moves their centre of mass, in fractions") {
+  Random random(1206);
+  for (int i = 0; i < 300; ++i) {
+    const auto fraction = [&] { return Rational(random.integer(-50, 50)) / random.integer(1, 9); };
+    const auto vector = [&] { return Vector{fraction(), fraction(), fraction()}; };
+    const Rational m1 = Rational(random.integer(1, 50)) / random.integer(1, 9);
+    const Rational m2 = Rational(random.integer(1, 50)) / random.integer(1, 9);
+    const Vector v1 = vector();
+    const Vector v2 = vector();
+    const Vector j = vector();
+    const std::vector<PointMass<Rational>> before{{m1, Vector::Zero(), v1},
+                                                  {m2, Vector::Zero(), v2}};
+    const std::vector<PointMass<Rational>> after{
+        {m1, Vector::Zero(), contact::velocity_after<Rational>(m1, v1, Vector(-j))},
+        {m2, Vector::Zero(), contact::velocity_after<Rational>(m2, v2, j)}};
+    REQUIRE(contact::total_momentum(before) == contact::total_momentum(after));
+    REQUIRE(*contact::centre_velocity(before) == *contact::centre_velocity(after));
+    REQUIRE(contact::impulse_of_change(m2, v2, after[1].velocity) == j);
+
+    const auto apart = contact::push_off(m1, m2, v1, j);
+    REQUIRE(Vector(apart.second - apart.first) == j);
+    REQUIRE(Vector(apart.first * m1 + apart.second * m2) == Vector(v1 * Rational(m1 + m2)));
+    REQUIRE(contact::impulse_of_change(m2, v1, apart.second) == apart.impulse);
+    REQUIRE(contact::impulse_of_change(m1, v1, apart.first) == Vector(-apart.impulse));
+  }
+}
+
+TEST_CASE("a push-off is accurate for masses of any ratio, and does not overflow") {
+  Random random(1207);
+  for (int i = 0; i < 3000; ++i) {
+    const double m1 = std::abs(random.magnitude(-1000, 1023));
+    const double m2 = std::abs(random.magnitude(-1000, 1023));
+    const Vector3<double> v{random.magnitude(-5, 5), random.magnitude(-5, 5), 0};
+    const Vector3<double> relative{random.magnitude(-5, 5), random.magnitude(-5, 5), 0};
+    const auto got = contact::push_off(m1, m2, v, relative);
+    const Rational whole = oracle::exact(m1) + oracle::exact(m2);
+    for (int k = 0; k < 2; ++k) {
+      const Rational first =
+          oracle::exact(v(k)) - oracle::exact(relative(k)) * oracle::exact(m2) / whole;
+      const Rational second =
+          oracle::exact(v(k)) + oracle::exact(relative(k)) * oracle::exact(m1) / whole;
+      const Rational room =
+          4 * u<double>() * (abs(oracle::exact(v(k))) + abs(oracle::exact(relative(k))));
+      REQUIRE(error(got.first(k), first) <= room);
+      REQUIRE(error(got.second(k), second) <= room);
+      REQUIRE_FALSE(std::isnan(got.impulse(k)));
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("the impulse of a curve is the area under it", "", float, double) {
+  using S = TestType;
+  Random random(1208);
+  for (int i = 0; i < 2500; ++i) {
+    std::vector<S> time{static_cast<S>(random.uniform(-1, 1))};
+    std::vector<Vector3<S>> force;
+    const int n = random.integer(2, 40);
+    while (static_cast<int>(time.size()) < n) {
+      const S later = time.back() + static_cast<S>(random.uniform(0.001, 0.1));
+      time.push_back(later);
+    }
+    for (int k = 0; k < n; ++k) {
+      force.push_back(generators::rounded<S>(Vector3<double>{
+          random.uniform(-900, 900), random.magnitude(-10, 10), random.uniform(0, 1)}));
+    }
+    const ForceCurve<S> curve = contact::force_curve(time, force);
+    const auto fast = contact::impulse(curve);
+    const auto once = contact::impulse_exactly(curve);
+    const auto mean = contact::average_force(curve);
+    const Rational duration = oracle::exact(time.back()) - oracle::exact(time.front());
+    const Rational many = gamma<S>(n - 2) * gamma<S>(n - 2);  // n − 1 trapezoids
+    for (int k = 0; k < 3; ++k) {
+      Rational area = 0;
+      Rational size = 0;
+      for (std::size_t p = 0; p + 1 < time.size(); ++p) {
+        const Rational piece = (oracle::exact(time[p + 1]) - oracle::exact(time[p])) *
+                               (oracle::exact(force[p](k)) + oracle::exact(force[p + 1](k))) / 2;
+        area += piece;
+        size += abs(piece);
+      }
+      REQUIRE(error(fast(k), area) <= (5 * u<S>() + many) * size);
+      REQUIRE(once(k) == nearest<S>(area));
+      REQUIRE(error(mean(k), area / duration) <= (8 * u<S>() + many) * size / duration);
+    }
+    CHECK(contact::impulse_until(curve, time.front()) == Vector3<S>::Zero());
+    CHECK(contact::impulse_until(curve, time.back()) == fast);
+  }
+}
+
+TEST_CASE("a curve of very many samples is off by more than a few roundings, and by what is said") {
+  const int pieces = 200000;
+  std::vector<float> time;
+  for (int i = 0; i <= pieces; ++i) time.push_back(static_cast<float>(i));
+  const std::vector<Vector3<float>> force(time.size(), Vector3<float>(0.1f, 0, 0));
+  const float got = contact::impulse(contact::force_curve(time, force)).x();
+  const Rational right = pieces * oracle::exact(0.1f);
+  CHECK(error(got, right) > 5 * u<float>() * right);
+  CHECK(error(got, right) <=
+        (5 * u<float>() + gamma<float>(pieces - 1) * gamma<float>(pieces - 1)) * right);
+}
+
+TEST_CASE("the impulse so far grows with the area so far") {
+  // A triangle of 6 ms and 4000 N: 12 N·s, of which a quarter by 3/√2 ms.
+  const auto curve =
+      contact::force_curve<double>({0, 0.003, 0.006}, {{0, 0, 0}, {4000, 0, 0}, {0, 0, 0}});
+  CHECK(std::abs(contact::impulse(curve).x() - 12) < 1e-14);
+  CHECK(std::abs(contact::average_force(curve).x() - 2000) < 1e-11);
+  CHECK(std::abs(contact::impulse_until(curve, 0.003).x() - 6) < 1e-14);
+  CHECK(std::abs(contact::impulse_until(curve, 0.003 / std::sqrt(2.0)).x() - 3) < 1e-13);
+  CHECK(contact::impulse_until(curve, -1.0).x() == 0);
+  CHECK(contact::impulse_until(curve, 9.0) == contact::impulse(curve));
+}
+
+TEST_CASE("impulse and average force are finite where only a step on the way overflows") {
+  const double big = std::numeric_limits<double>::max();
+  const auto wide = contact::force_curve<double>({-big, big}, {{1, 2, 0}, {1, -2, 0}});
+  CHECK(contact::average_force(wide) == Vector3<double>(1, 0, 0));
+  const auto strong = contact::force_curve<double>({0, 0.25}, {{big, 0, 0}, {big, -big, 0}});
+  CHECK(contact::impulse(strong).x() == big / 4);
+  CHECK(contact::average_force(strong).x() == big);
+  CHECK(contact::average_force(strong).y() == -big / 2);
+}
+
+TEST_CASE("matter that joins or leaves takes its own momentum with it") {
+  Random random(1209);
+  for (int i = 0; i < 300; ++i) {
+    const auto fraction = [&] { return Rational(random.integer(-50, 50)) / random.integer(1, 9); };
+    const Rational m = Rational(random.integer(1, 50)) / random.integer(1, 9);
+    const Rational change = fraction();
+    const Vector v{fraction(), fraction(), fraction()};
+    const Vector w{fraction(), fraction(), fraction()};
+    const auto after = contact::velocity_after_exchange(m, v, change, w);
+    REQUIRE(after.has_value() == (m + change > 0));
+    if (after) REQUIRE(Vector(*after * Rational(m + change)) == Vector(v * m + w * change));
+  }
+  const Vector3<double> v(3, 0, 0);
+  // Sand runs out of a wagon: it leaves with the wagon's velocity, and nothing happens.
+  CHECK(*contact::velocity_after_exchange(5000.0, v, -2000.0, v) == v);
+  CHECK(contact::acceleration_with_exchange<double>(5000, {0, 0, 0}, {0, 0, 0}, -100) ==
+        Vector3<double>(0, 0, 0));
+  // Rain falls into it: it must be brought to the wagon's speed.
+  const auto wet = contact::velocity_after_exchange<double>(5000, v, 1000, {0, 0, 0});
+  CHECK(wet->x() == 2.5);
+  CHECK(contact::acceleration_with_exchange<double>(5000, {0, 0, 0}, -v, 100).x() == -0.06);
+  CHECK_FALSE(contact::velocity_after_exchange<double>(5, v, -5, {0, 0, 0}).has_value());
+  const double big = std::numeric_limits<double>::max();
+  CHECK(contact::velocity_after_exchange<double>(3, {big, 1, 0}, 1, {-big, 1, 0})->x() == big / 2);
+  CHECK(contact::velocity_after_exchange<double>(big, v, big, {1, 0, 0})->x() == 2);
+  for (int i = 0; i < 3000; ++i) {
+    const double m = std::abs(any_finite(random));
+    const double change = random.chance(0.3) ? -m * random.uniform() : any_finite(random);
+    const Vector3<double> before = any_vector(random);
+    const auto after = contact::velocity_after_exchange(m, before, change, any_vector(random));
+    if (after) REQUIRE_FALSE(after->hasNaN());
+  }
+}
+
+TEST_CASE("a rocket that throws its mass away grain by grain gains u ln(m0 / m1)") {
+  Random random(1210);
+  for (int i = 0; i < 400; ++i) {
+    const double before = random.uniform(1, 100);
+    double after = before * random.uniform(0.01, 1);
+    if (random.chance(0.3)) after = before - std::ldexp(before, -random.integer(20, 52));
+    const double exhaust = random.uniform(1, 5000);
+    const auto right = oracle::nearest_value([&](unsigned bits) {
+      const Rational ratio = oracle::exact(before) / oracle::exact(after);
+      return oracle::Interval(oracle::exact(exhaust), bits) * log(oracle::Interval(ratio, bits));
+    });
+    REQUIRE(right.has_value());
+    const double got = contact::rocket_speed_gain(exhaust, before, after);
+    // Difference, quotient and product round once each, the logarithm by an ulp; its own slope
+    // never makes a relative error larger here.
+    REQUIRE(std::abs(got - *right) <= 8 * 0x1p-53 * std::abs(*right));
+  }
+  // Many small throws come near it from below, and their shortfall halves with their size.
+  double shortfall = 0;
+  for (const int throws : {100, 200}) {
+    double mass = 10;
+    Vector3<double> v(0, 0, 0);
+    for (int k = 0; k < throws; ++k) {
+      const double grain = 5.0 / throws;
+      const auto apart = contact::push_off<double>(mass - grain, grain, v, {-1000, 0, 0});
+      v = apart.first;
+      mass -= grain;
+    }
+    const double missing = contact::rocket_speed_gain(1000.0, 10.0, 5.0) - v.x();
+    CHECK(missing > 0);
+    if (shortfall > 0) CHECK(std::abs(shortfall / missing - 2) < 0.02);
+    shortfall = missing;
+  }
+}
+
+TEST_CASE("over many collisions the momentum drifts no further than each rounding allows") {
+  Random random(1211);
+  constexpr int n = 16;
+  std::array<double, n> mass{};
+  std::array<double, n> velocity{};
+  std::array<double, n> kept{};  // momenta that are multiples of 2^-30 N·s
+  for (int i = 0; i < n; ++i) {
+    mass[i] = random.uniform(0.5, 3);
+    velocity[i] = random.uniform(-4, 4);
+    kept[i] = std::nearbyint(std::ldexp(mass[i] * velocity[i], 30)) * 0x1p-30;
+  }
+  const auto total_of = [&] {
+    Rational sum = 0;
+    for (int i = 0; i < n; ++i) sum += oracle::exact(mass[i]) * oracle::exact(velocity[i]);
+    return sum;
+  };
+  const Rational before = total_of();
+  Rational kept_before = 0;
+  for (const double p : kept) kept_before += oracle::exact(p);
+  double room = 0;  // what the roundings of all collisions can add up to
+  for (int c = 0; c < 100000; ++c) {
+    const auto a = static_cast<std::size_t>(random.integer(0, n - 1));
+    const auto b = (a + static_cast<std::size_t>(random.integer(1, n - 1))) % n;
+    const double reduced = mass[a] * mass[b] / (mass[a] + mass[b]);
+    const double j = 2 * reduced * (velocity[a] - velocity[b]);
+    velocity[a] = contact::velocity_after(mass[a], velocity[a], -j);
+    velocity[b] = contact::velocity_after(mass[b], velocity[b], j);
+    room += 2.01 * 0x1p-53 *
+            (mass[a] * std::abs(velocity[a]) + mass[b] * std::abs(velocity[b]) + 2 * std::abs(j));
+    const double on_grid = std::nearbyint(std::ldexp(j, 30)) * 0x1p-30;
+    kept[a] -= on_grid;
+    kept[b] += on_grid;
+  }
+  CHECK(abs(total_of() - before) <= oracle::exact(room));
+  CHECK(abs(total_of() - before) > 0);
+  Rational kept_after = 0;
+  for (const double p : kept) kept_after += oracle::exact(p);
+  CHECK(kept_after == kept_before);
+}
+
+TEST_CASE("a construction refuses bad input, naming the argument and the value") {
+  const double inf = std::numeric_limits<double>::infinity();
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  using V = Vector3<double>;
+  const V zero(0, 0, 0);
+  for (const double mass : {0.0, -0.0, -1.0, inf, -inf, not_a_number}) {
+    const auto message = refusal([&] { contact::point_mass<double>(mass, zero, zero); });
+    CHECK((contains(message, "mass = ") && contains(message, contact::number_text(mass))));
+  }
+  const auto place = refusal([&] { contact::point_mass<double>(1, {0, inf, 0}, zero); });
+  CHECK((contains(place, "position") && contains(place, "inf")));
+  const auto speed = refusal([&] { contact::point_mass<double>(1, zero, {not_a_number, 0, 0}); });
+  CHECK((contains(speed, "velocity") && contains(speed, "nan")));
+  const auto one = refusal([&] { contact::force_curve<double>({1}, {zero}); });
+  CHECK((contains(one, "time") && contains(one, "1 samples")));
+  const auto fewer = refusal([&] { contact::force_curve<double>({1, 2}, {zero}); });
+  CHECK((contains(fewer, "force") && contains(fewer, "1 samples")));
+  const auto back = refusal([&] { contact::force_curve<double>({1, 3, 3}, {zero, zero, zero}); });
+  CHECK((contains(back, "time[2] = 3") && contains(back, "later")));
+  const auto wild = refusal([&] { contact::force_curve<double>({1, 2}, {zero, {0, inf, 0}}); });
+  CHECK((contains(wild, "force[1]") && contains(wild, "inf")));
+  const auto never = refusal([&] {
+    contact::force_curve<double>({1, not_a_number}, {zero, zero});
+  });
+  CHECK((contains(never, "time[1]") && contains(never, "nan")));
+}

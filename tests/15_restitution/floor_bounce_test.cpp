@@ -1,0 +1,82 @@
+// Right answers are the formula without rounding, rounded once. Every test asks for at least two
+// different answers, so that no constant passes one, and no velocity comes back unchanged but where
+// that is what is asked.
+#include "floor_bounce.hpp"
+
+#include <support/exercise.hpp>
+#include <support/generators.hpp>
+
+#include <contact/exact.hpp>
+
+namespace {
+
+using namespace contact::testing;
+using contact::Exact;
+using Vector = Eigen::Vector3d;
+
+Vector right_answer(const Vector& v, const Vector& n, double k) {
+  Exact along;
+  for (int i = 0; i < 3; ++i) along += Exact(v(i)) * Exact(n(i));
+  if (along.sign() >= 0) return v;
+  const auto coordinate = [&](int i) {
+    return rounded<double>(Exact(v(i)) - (Exact(1.0) + Exact(k)) * along * Exact(n(i)));
+  };
+  return {coordinate(0), coordinate(1), coordinate(2)};
+}
+
+void check(const Vector& v, const Vector& n, double k) {
+  // Dot product, 1 + k, two products and a difference: 24 u |v|. A normal that is off its unit
+  // length by 4 u is one more 4 u for whoever splits the velocity in two parts.
+  const double bound = 32 * 0x1p-53 * v.norm();
+  const double along = v.dot(n);
+  ask("What is the velocity after the bounce?")
+      .given("velocity", v)
+      .given("normal", n)
+      .given("k", k)
+      .suspect("bounce-when-separating", [&]() -> Vector { return v - (1 + k) * along * n; })
+      .suspect("bounce-reverses-all", [&]() -> Vector { return -k * v; })
+      .suspect("one-of-one-plus-k", [&]() -> Vector { return v - k * along * n; })
+      .suspect("restitution-on-the-slip", [&]() -> Vector { return k * (v - 2 * along * n); })
+      .answer([&] { return exercise::after_bounce(v, n, k); })
+      .close_to(right_answer(v, n, k), within(Vector(bound, bound, bound)));
+}
+
+}  // namespace
+
+TEST_CASE("a ball that falls straight down comes back k times as fast") {
+  check({0, 0, -4}, {0, 0, 1}, 0.5);
+  check({0, 0, -4}, {0, 0, 1}, 1);
+  check({0, 8, 0}, {0, -1, 0}, 0.25);
+  check({0, 0, -4}, {0, 0, 1}, 0);
+}
+
+TEST_CASE("the part along the surface stays") {
+  check({3, 0, -4}, {0, 0, 1}, 0.5);
+  check({3, -2, -4}, {0, 0, 1}, 1);
+  check({-5, 1, 2}, {1, 0, 0}, 0.75);
+  check({3, 0, -4}, {0.6, 0, 0.8}, 0.5);
+}
+
+TEST_CASE("what moves away is left alone") {
+  check({1, 2, -3}, {0, 0, 1}, 0.5);
+  check({1, 2, 3}, {0, 0, 1}, 0.5);
+  check({-2, 0, 0}, {0, 0, 1}, 0.5);
+  check({0, 7, 1}, {0.6, 0, 0.8}, 0.875);
+}
+
+TEST_CASE("random bounces agree with exact arithmetic") {
+  generators::Random random(seed(0));
+  const auto vector = [&] {
+    return Vector{random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-9, 9)};
+  };
+  int bounced = 0;
+  for (int asked = 0; asked < 300 || bounced < 2; ++asked) {
+    const Vector v = vector();
+    const Vector n = vector().normalized();
+    const double k = random.uniform();
+    // What moves along the surface but for rounding is nobody's fault.
+    if (!(std::abs(v.dot(n)) > 1e-9)) continue;
+    bounced += v.dot(n) < 0;
+    check(v, n, k);
+  }
+}
