@@ -2,8 +2,8 @@
 // is handled, in the hit and in flight, and how its orientation is kept.
 #include <support/ladder.hpp>
 
-#include <contact/orientation.hpp>
 #include <contact/rigid_body.hpp>
+#include <contact/rotation.hpp>
 
 namespace {
 

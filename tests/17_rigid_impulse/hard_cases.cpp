@@ -13,8 +13,8 @@
 #include <cmath>
 #include <contact/impact_friction.hpp>
 #include <contact/inertia.hpp>
-#include <contact/orientation.hpp>
 #include <contact/rigid_impulse.hpp>
+#include <contact/rotation.hpp>
 #include <cstdlib>
 #include <vector>
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <contact/impact_friction.hpp>
-#include <contact/orientation.hpp>
 #include <contact/rigid_impulse.hpp>
+#include <contact/rotation.hpp>
 #include <set>
 
 #define CONTACT_FIGURE_NO_MAIN

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <contact/impact_friction.hpp>
 #include <contact/inertia.hpp>
-#include <contact/orientation.hpp>
 #include <contact/rigid_body.hpp>
 #include <contact/rigid_impulse.hpp>
+#include <contact/rotation.hpp>
 #include <functional>
 #include <limits>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 // Two bodies spin freely at 3 rad/s, a ball and a top. How far off is the orientation after a
 // while, and what is left of the rotation matrix?
-#include <contact/orientation.hpp>
+#include <contact/rotation.hpp>
 #include <cstdio>
 
 using M = contact::Matrix3<double>;

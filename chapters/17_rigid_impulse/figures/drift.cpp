@@ -1,7 +1,7 @@
 // A body spins freely. How far is each way of keeping its orientation from the truth, as time goes
 // by?
 #include <contact/figure.hpp>
-#include <contact/orientation.hpp>
+#include <contact/rotation.hpp>
 
 struct Input {
   double steps;  // for each second

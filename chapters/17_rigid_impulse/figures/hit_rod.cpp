@@ -1,8 +1,8 @@
 // A ball hits a rod that lies at rest on ice: where it is hit decides how it flies, and how it
 // turns.
 #include <contact/figure.hpp>
-#include <contact/orientation.hpp>
 #include <contact/rigid_impulse.hpp>
+#include <contact/rotation.hpp>
 
 using Vector = contact::Vector3<double>;
 
