@@ -174,7 +174,7 @@ TEST_CASE("points in a plane, on a line or in one place have corners too") {
 
 TEST_CASE("random sets agree with whole-number arithmetic") {
   generators::Random random(seed(0));
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < 64; ++round) {
     const int size = round % 2 == 0 ? 2 : 1000;
     Points points;
     for (int n = random.integer(1, 14); n > 0; --n) {

@@ -14,7 +14,7 @@ int bounces_by(double drop, double gravity, double k, double time) {
   int bounces = 0;
   double impact = fall;
   double flight = 2 * k * k * fall;
-  while (impact <= time) {
+  while (impact <= time && bounces < 10000) {
     ++bounces;
     impact += flight;
     flight *= k * k;
