@@ -115,16 +115,6 @@ std::vector<DevResult> check_answers(const grading::Book& book,
   return results;
 }
 
-std::vector<const Exercise*> chosen(const grading::Book& book,
-                                    const std::vector<std::string>& names) {
-  std::vector<const Exercise*> exercises;
-  for (const std::string& name : names) exercises.push_back(&book.exercise(name));
-  if (names.empty()) {
-    for (const Exercise& exercise : book.exercises()) exercises.push_back(&exercise);
-  }
-  return exercises;
-}
-
 std::string plural(const std::string& kind) {
   return kind == "generated code" || kind.ends_with("s") ? kind : kind + "s";
 }
@@ -170,7 +160,7 @@ int print(const std::vector<DevResult>& results, bool json) {
 int run(Context& context, const Options& options) {
   const grading::Book& book = context.book();
   std::vector<DevResult> results = check_book_files(book);
-  std::vector<const Exercise*> exercises = chosen(book, options.names);
+  std::vector<const Exercise*> exercises = book.chosen(options.names);
   if (!options.names.empty()) {
     std::erase_if(results, [&](const DevResult& result) {
       return std::none_of(exercises.begin(), exercises.end(),
@@ -203,7 +193,7 @@ void add_dev(CLI::App& app, Action& action) {
   auto options = std::make_shared<Options>();
   CLI::App* check = command->add_subcommand(
       "check", "Prove that stubs, solutions, wrong answers and null answers get what they must");
-  check->add_option("exercise", options->names, "Only these exercises");
+  check->add_option("exercise", options->names, "Only these exercises, or those of these chapters");
   check->add_option("--jobs", options->jobs, "Answers checked at a time (default: one a core)");
   check->add_flag("--files", options->files_only, "Look at the files only; build and run nothing");
   check->add_flag("--json", options->json, "Print JSON");

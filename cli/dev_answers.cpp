@@ -33,6 +33,14 @@ void check_stub(const Verdict& verdict, std::vector<std::string>& problems) {
   }
 }
 
+// Whoever hands in something like it would be told of a mistake in C++ that is not theirs, or not
+// the one that the answer is about.
+void check_silence(const Verdict& verdict, std::vector<std::string>& problems) {
+  for (const grading::Remark& remark : verdict.remarks)
+    problems.push_back("line " + std::to_string(remark.line) +
+                       " would be remarked upon: " + remark.words);
+}
+
 void check_solution(const Verdict& verdict, std::vector<std::string>& problems) {
   for (const TestVerdict& test : verdict.tests) {
     if (test.status != TestStatus::passed) problems.push_back(told(test));
@@ -187,7 +195,11 @@ DevResult check_answer(grading::Loop& loop, const grading::Book& book,
       result.problems.push_back("it does not compile: " + verdict.compile_error->message + " (" +
                                 shown(verdict.compile_error->file) + ":" +
                                 std::to_string(verdict.compile_error->line) + ")");
-    } else if (job.kind == "stub") {
+      return result;
+    }
+    if (job.kind == "solution" || job.kind == "wrong answer")
+      check_silence(verdict, result.problems);
+    if (job.kind == "stub") {
       check_stub(verdict, result.problems);
     } else if (job.kind == "solution") {
       check_solution(verdict, result.problems);

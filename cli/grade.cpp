@@ -59,24 +59,6 @@ struct Options {
 // --- What is asked for
 // --------------------------------------------------------------------------------------
 
-std::vector<const Exercise*> chosen(const Book& book, const std::vector<std::string>& names) {
-  std::vector<const Exercise*> wanted;
-  for (const std::string& name : names) {
-    const grading::Chapter* chapter = book.find_chapter(name);
-    if (chapter == nullptr || book.find_exercise(name) != nullptr)
-      wanted.push_back(&book.exercise(name));
-    else
-      for (const Exercise* exercise : book.exercises_of(*chapter)) wanted.push_back(exercise);
-  }
-  // In the book's order, each once.
-  std::vector<const Exercise*> result;
-  for (const Exercise& exercise : book.exercises()) {
-    if (names.empty() || std::find(wanted.begin(), wanted.end(), &exercise) != wanted.end())
-      result.push_back(&exercise);
-  }
-  return result;
-}
-
 bool lies_in(const fs::path& inner, const fs::path& outer) {
   const fs::path relative =
       fs::weakly_canonical(inner).lexically_relative(fs::weakly_canonical(outer));
@@ -160,7 +142,7 @@ class Grading {
   void prepare() {
     const fs::path submissions = fs::absolute(options_.submissions).lexically_normal();
     require_apart(submissions, folder_.results());
-    exercises_ = chosen(book_, options_.exercises);
+    exercises_ = book_.chosen(options_.exercises);
     if (exercises_.empty()) throw BookError("the book has no exercises");
     if (!options_.profile.empty()) run_.limits = grading::read_profile(options_.profile);
     if (!options_.ids.empty()) ids_.emplace(options_.ids);
@@ -642,7 +624,7 @@ int pack_autograder(Context& context, const Options& options) {
   };
   std::string exercises;
   if (!options.exercises.empty()) {
-    for (const Exercise* exercise : chosen(book, options.exercises))
+    for (const Exercise* exercise : book.chosen(options.exercises))
       exercises += (exercises.empty() ? "" : ",") + exercise->id();
   }
   const auto file = [](const std::string& name) {

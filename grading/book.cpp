@@ -333,6 +333,24 @@ std::vector<const Exercise*> Book::exercises_of(const Chapter& chapter) const {
   return result;
 }
 
+std::vector<const Exercise*> Book::chosen(const std::vector<std::string>& names) const {
+  std::vector<const Exercise*> wanted;
+  for (const std::string& name : names) {
+    const Chapter* chapter = find_chapter(name);
+    if (chapter == nullptr || find_exercise(name) != nullptr)
+      wanted.push_back(&exercise(name));
+    else
+      for (const Exercise* of_chapter : exercises_of(*chapter)) wanted.push_back(of_chapter);
+  }
+  // In the book's order, each once.
+  std::vector<const Exercise*> result;
+  for (const Exercise& candidate : exercises_) {
+    if (names.empty() || std::find(wanted.begin(), wanted.end(), &candidate) != wanted.end())
+      result.push_back(&candidate);
+  }
+  return result;
+}
+
 std::string Book::hint_for(const std::string& misconception) const {
   const auto found = misconceptions_.find(misconception);
   return found == misconceptions_.end() ? std::string() : found->second.hint;

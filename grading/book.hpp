@@ -137,6 +137,11 @@ class Book {
 
   [[nodiscard]] std::vector<const Exercise*> exercises_of(const Chapter& chapter) const;
 
+  /// The exercises and chapters meant by these names, in the book's order, each exercise once; all
+  /// exercises if no name is given.
+  /// @throws UnknownName if a name is neither an exercise's nor a chapter's.
+  [[nodiscard]] std::vector<const Exercise*> chosen(const std::vector<std::string>& names) const;
+
   /// The hint for a misconception; empty if the book has none.
   [[nodiscard]] std::string hint_for(const std::string& misconception) const;
 

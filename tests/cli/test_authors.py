@@ -190,6 +190,30 @@ def test_dev_check_reports_a_wrong_answer_that_nobody_catches(
     assert "should fail where it does not" in failed["problems"][0]
 
 
+def test_dev_check_reports_an_answer_that_would_be_remarked_upon(
+    contact: Run, tmp_path: Path
+) -> None:
+    root = tmp_path / "root"
+    root.mkdir()
+    for name in ("chapters", "exercises", "tests", "grading", "build"):
+        (root / name).symlink_to(ROOT / name)
+    shutil.copytree(ROOT / "solutions", root / "solutions")
+    wrong = root / "solutions/02_triangles/ray_triangle/wrong/one_sided.cpp"
+    begin, body, rest = wrong.read_text().partition("& triangle) {\n")
+    wrong.write_text(begin + body + "double x = 1.0; if (x = 0.0) return std::nullopt;\n" + rest)
+    done = contact("dev", "check", "ray_triangle", "--json", CONTACT_ROOT=str(root))
+    (failed,) = [result for result in json.loads(done.stdout)["results"] if not result["passed"]]
+    assert failed["name"].endswith("/one_sided")
+    assert "would be remarked upon: One = assigns" in failed["problems"][0]
+
+
+def test_dev_check_takes_a_chapter_for_its_exercises(contact: Run) -> None:
+    done = contact("dev", "check", "02_triangles", "--files", "--json")
+    exercises = {folder.name for folder in (ROOT / "exercises/02_triangles").iterdir()}
+    checked = {result["name"] for result in json.loads(done.stdout)["results"]}
+    assert checked == {f"02_triangles/{name}" for name in exercises}
+
+
 def test_dev_check_reports_what_anybody_would_earn(
     contact: Run, solution: str, tmp_path: Path
 ) -> None:
