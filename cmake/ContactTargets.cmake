@@ -35,6 +35,14 @@ function(contact_add_reference_tests chapter)
   endif()
 endfunction()
 
+# What every example, or every figure, includes: compiled once, with the flags that they share.
+function(contact_add_precompiled name)
+  file(GENERATE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp" CONTENT "")
+  add_library(${name} OBJECT "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
+  target_link_libraries(${name} PRIVATE contact_00_vectors nlohmann_json::nlohmann_json contact_warnings)
+  target_precompile_headers(${name} PRIVATE ${ARGN})
+endfunction()
+
 # chapters/NN_slug/examples/NAME.cpp must print exactly NAME.out.
 function(contact_add_examples chapter)
   file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/chapters/${chapter}/examples/*.cpp")
@@ -43,11 +51,15 @@ function(contact_add_examples chapter)
     set(target example_${chapter}_${stem})
     add_executable(${target} "${source}")
     target_link_libraries(${target} PRIVATE contact_${chapter} contact_warnings)
+    target_precompile_headers(${target} REUSE_FROM contact_examples_precompiled)
     add_test(NAME "${target}" COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:${target}>"
       "-DEXPECTED=${PROJECT_SOURCE_DIR}/chapters/${chapter}/examples/${stem}.out"
       -P "${PROJECT_SOURCE_DIR}/cmake/CompareOutput.cmake")
   endforeach()
 endfunction()
+
+# `Output out{}` sets an Eigen column to nothing in particular otherwise; as in docs/wasm/flags.mjs.
+set(CONTACT_FIGURE_DEFINITION EIGEN_INITIALIZE_MATRICES_BY_ZERO)
 
 # The native twin of a live figure: the same source as the page's WebAssembly.
 function(contact_add_figures chapter)
@@ -58,8 +70,8 @@ function(contact_add_figures chapter)
     add_executable(${target} "${source}")
     target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/docs/figure")
     target_link_libraries(${target} PRIVATE contact_${chapter} nlohmann_json::nlohmann_json contact_warnings)
-    # `Output out{}` sets an Eigen column to nothing in particular otherwise; as in docs/wasm/flags.mjs.
-    target_compile_definitions(${target} PRIVATE EIGEN_INITIALIZE_MATRICES_BY_ZERO)
+    target_compile_definitions(${target} PRIVATE ${CONTACT_FIGURE_DEFINITION})
+    target_precompile_headers(${target} REUSE_FROM contact_figures_precompiled)
   endforeach()
 endfunction()
 
