@@ -164,6 +164,10 @@ def pytest(*folders: str, beside: Sequence[str] = ()) -> Iterator[Check]:
             yield counted(f"pytest {folder}", python, count_junit(file))
 
 
+# Files of pytest two at a time: much of what they do waits, or uses one core.
+TWO = ("-n", "2", "--dist", "loadfile")
+
+
 def side_by_side(checks: Sequence[Check]) -> Check:
     """Checks that use one core each, two at a time."""
 
@@ -352,11 +356,11 @@ def dev_check() -> Iterator[Check]:
 
 
 def outside() -> Iterator[Check]:
-    yield from pytest("tests/setup", "tests/package")
+    yield side_by_side(list(pytest("tests/setup", "tests/package")))
 
 
 def program() -> Iterator[Check]:
-    yield from pytest("tests/cli")
+    yield from pytest("tests/cli", beside=TWO)
 
 
 def grade() -> Iterator[Check]:
@@ -364,8 +368,7 @@ def grade() -> Iterator[Check]:
     if sys.platform != "linux":
         yield lambda _: Tally(skipped=1, why=["not run: grading needs Linux"])
         return
-    # Much of it waits: for limits to be reached, for a cluster to notice.
-    yield from pytest("tests/grade", beside=("-n", "2", "--dist", "loadfile"))
+    yield from pytest("tests/grade", beside=TWO)
 
 
 def step_checks(book_steps: Sequence[steps.Step]) -> Iterator[Check]:
