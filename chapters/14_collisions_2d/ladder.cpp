@@ -214,7 +214,7 @@ ladder::Ladder<Input, Answer> experiment() {
   ladder::Ladder<Input, Answer> ladder("Do two discs push each other, and how do they leave?",
                                        truth_of, judge);
 
-  ladder.family("touching", "touching, anyhow", anyhow);
+  ladder.family("touching", "touching, at random", anyhow);
   ladder.family("just-collided", "just collided", just_collided);
   ladder.family("grazing", "grazing", grazing);
   ladder.family("far", "far from the origin", far_out);

@@ -20,7 +20,7 @@ struct Motion {
   double heading;  ///< degrees from the x axis towards the y axis, more than -180, at most 180
 };
 
-/// How two vehicles move on once they have stuck together. What they have together is never zero.
+/// How two vehicles move on once they have stuck together. Their total momentum is never zero.
 Motion stuck_together(const Vehicle& a, const Vehicle& b);
 
 /// The sizes of two momenta, kg·m/s.

@@ -18,7 +18,7 @@ struct Rest {
 /// @param velocity of the whole before, m/s
 /// @param piece_mass kg, greater than 0 and less than mass
 /// @param piece_velocity of the piece afterwards, m/s
-/// @throws std::invalid_argument if piece_mass is not greater than 0 and less than mass
+/// @throws std::invalid_argument unless piece_mass is greater than 0 and less than mass
 Rest send_out(double mass, const Eigen::Vector2d& velocity, double piece_mass,
               const Eigen::Vector2d& piece_velocity);
 

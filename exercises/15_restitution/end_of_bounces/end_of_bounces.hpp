@@ -14,7 +14,8 @@ namespace exercise {
 /// @param k coefficient of restitution, greater than 0 and less than 1
 double rest_time(double drop, double gravity, double k);
 
-/// How often the ball has touched the floor by a time before it rests.
+/// How often the ball has touched the floor by a time before it rests. An impact at that very time
+/// counts.
 ///
 /// @param drop, gravity, k as above
 /// @param time s since it was let go, 0 or more and less than rest_time

@@ -25,9 +25,10 @@ struct Motion {
 /// restitution.
 ///
 /// All through the impact the friction is Coulomb's: against the slip and μ times as strong as the
-/// normal impulse while there is slip; once the slip has stopped, whatever keeps it so, up to μ
-/// times; and if that is not enough, the point slips off the other way, or on. From the largest
-/// compression on, the normal impulse gives back e² of the work that it has taken.
+/// normal impulse while there is slip; while there is none, be it from the first touch or once the
+/// slip has stopped, whatever keeps it so, up to μ times; and if that is not enough, the point
+/// slips off the way in which the normal impulse pushes it. From the largest compression on, the
+/// normal impulse gives back e² of the work that it has taken.
 ///
 /// @param body before
 /// @param point of the body that touches the floor, m. If it does not sink, nothing happens
