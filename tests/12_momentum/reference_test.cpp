@@ -202,6 +202,26 @@ TEST_CASE("sums of rationals are exact in every order") {
   }
 }
 
+TEST_CASE("a thousand tenths between a large impulse and its opposite, as the lesson tells it") {
+  const auto tenths = []<class S>(S, int power) {
+    std::vector<S> all(1002, S(0.1F));
+    all.front() = std::ldexp(S(1), power);
+    all.back() = -all.front();
+    return all;
+  };
+  CHECK(contact::total_in_order(tenths(0.0F, 21)) == 0);
+  CHECK(contact::total_in_order(tenths(0.0F, 20)) == 125);
+  CHECK(contact::total_in_order(tenths(0.0F, 18)) == 93.75F);
+  CHECK(contact::total_in_order(tenths(0.0, 50)) == 0);
+  CHECK(contact::total_in_order(tenths(0.0, 49)) == 125);
+  CHECK(contact::total_pairwise(tenths(0.0F, 29)) > 0);
+  CHECK(contact::total_pairwise(tenths(0.0F, 30)) == 0);
+  for (int power = 0; power <= 52; ++power) {
+    CAPTURE(power);
+    CHECK(std::abs(contact::total_compensated(tenths(0.0F, power)) - 100) < 0.002F);
+  }
+}
+
 TEST_CASE("a sum that overflows only on the way is finite, and none is ever NaN") {
   const double big = std::numeric_limits<double>::max();
   const std::vector<double> there_and_back{big, big, 3.0, -big, -big};
