@@ -42,7 +42,7 @@ class GrowingHull {
         sees_(static_cast<std::size_t>(point_count), -1),
         stands_for_(static_cast<std::size_t>(point_count), -1) {
     const auto [a, b, c, d] = s;
-    triangles_.reserve(static_cast<std::size_t>(4 * point_count + 16));
+    triangles_.reserve(4 * static_cast<std::size_t>(point_count) + 16);
     make(a, b, c, {2, 3, 1});
     make(a, c, d, {0, 3, 2});
     make(a, d, b, {1, 3, 0});

@@ -64,7 +64,7 @@ Wrapping wrap_by_angles(const std::vector<Vector3<double>>& points, FoldAngle fo
     S smallest = S(0);
     for (int i = 0; i < n; ++i) {
       const S x = angle(i);
-      if (x == x && (best < 0 || x < smallest)) {
+      if (!std::isnan(x) && (best < 0 || x < smallest)) {
         smallest = x;
         best = i;
       }

@@ -95,7 +95,10 @@ inline Simplex first_simplex(const std::vector<Vector3<double>>& points) {
   const auto at = [&points](int i) -> const Vector3<double>& {
     return points[static_cast<std::size_t>(i)];
   };
-  auto& [a, b, c, d] = simplex.points;
+  int& a = simplex.points[0];
+  int& b = simplex.points[1];
+  int& c = simplex.points[2];
+  int& d = simplex.points[3];
   // The candidate with the largest rounded size; if that one is degenerate, the first that is not.
   const auto choose = [n](const auto& size, const auto& fits) {
     int best = 0;
