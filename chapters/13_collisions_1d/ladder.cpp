@@ -28,7 +28,8 @@ int number_of_steps(generators::Random& random, int largest) {
 }
 
 Input any_ratio(generators::Random& random) {
-  return in_both_types(std::ldexp(random.uniform(1, 2), random.integer(0, 15)));
+  const double fraction = random.uniform(1, 2);
+  return in_both_types(std::ldexp(fraction, random.integer(0, 15)));
 }
 Input power_of_100(generators::Random& random) {
   double ratio = 1;

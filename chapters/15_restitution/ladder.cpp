@@ -112,7 +112,8 @@ Input near_end(generators::Random& random) {
 
 /// Nothing is lost, for up to a quarter of a minute.
 Input no_loss(generators::Random& random) {
-  return thrown(share(random, 3, 8), 9.8125, 1, random.uniform(5, 15));
+  const double v = share(random, 3, 8);
+  return thrown(v, 9.8125, 1, random.uniform(5, 15));
 }
 
 template <class S>

@@ -63,7 +63,8 @@ Input hit(generators::Random& random, double across, double along) {
   h.along = along;
   h.start = turn();
   // A blow that makes it spin at 1 to 4 rad/s.
-  const V<double> spin = direction(random) * random.uniform(1, 4);
+  const double rate = random.uniform(1, 4);
+  const V<double> spin = direction(random) * rate;
   const M<double> r = contact::matrix_of(h.start);
   const M<double> own = contact::detail::diagonal<double>(across, across, along);
   h.momentum = contact::rotated<double>(own, r) * spin;

@@ -118,7 +118,8 @@ TEST_CASE("random crashes and triangles") {
     if (p.x() < 0 && std::abs(p.y()) < 1e-3 * p.norm()) continue;
     check_crash(a, b);
     const double angle_a = random.uniform(5, 85);
-    check_triangle(random.uniform(0.1, 50), angle_a, random.uniform(5, 85));
+    const double momentum_before = random.uniform(0.1, 50);
+    check_triangle(momentum_before, angle_a, random.uniform(5, 85));
     ++asked;
   }
 }

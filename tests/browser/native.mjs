@@ -52,17 +52,28 @@ export function random(seed) {
 }
 
 /**
- * Inputs of the same shape on a grid of quarters, some with a zero, so that edge cases occur.
+ * Inputs of the same shape. Half of them are on a grid of quarters, some with a zero, so that edge cases occur; half
+ * keep most of the numbers and move some by up to about their size, since some figures answer nowhere else.
  * @param {Fields} like @param {number} count @param {number} seed @returns {Fields[]}
  */
 export function inputsLike(like, count, seed) {
   const next = random(seed);
   const number = () => (next() < 0.15 ? 0 : Math.round((next() * 8 - 4) * 4) / 4);
-  return Array.from({ length: count }, () =>
+  const near = (/** @type {number} */ start) => {
+    if (next() < 0.7) return start;
+    return Math.round((start + (2 * next() - 1) * Math.max(1, Math.abs(start))) * 4) / 4;
+  };
+  return Array.from({ length: count }, (_, i) =>
     Object.fromEntries(
       Object.entries(like).map(([name, value]) => [
         name,
-        Array.isArray(value) ? value.map(number) : Math.abs(number()),
+        i % 2
+          ? Array.isArray(value)
+            ? value.map(near)
+            : near(value)
+          : Array.isArray(value)
+            ? value.map(number)
+            : Math.abs(number()),
       ]),
     ),
   );

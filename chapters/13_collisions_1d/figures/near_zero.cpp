@@ -32,6 +32,9 @@ Output compute(const Input& in) {
   if (out.problem != 0) return out;
   const double width = std::ldexp(1.0, -static_cast<int>(in.zoom));
   const auto e = static_cast<float>(in.e);
+  if (!(double{e} > width * 0.5))
+    out.problem = contact::figure::too_large;  // a mass would be negative
+  if (out.problem != 0) return out;
   const auto resting = contact::line_body(1.0f, 0.0f);
   const auto at = [&](double place, auto&& tell) {
     const auto m = static_cast<float>(double{e} + place * width * 0.5);
