@@ -64,7 +64,7 @@ def test_a_choice_carries_its_key_and_finds_its_words_beside_it(lesson: Beautifu
     assert element.select("div.question > ul > li")[0].select(".katex")
     assert not {"text", "options", "explain"} & set(question)
     wrong = question["wrong"]
-    assert wrong == [{"answer": 2, "why": "Look at the <strong>sign</strong>."}]
+    assert wrong == [{"answer": 2, "why": "<span>Look at the <strong>sign</strong>.</span>"}]
 
 
 def test_no_text_of_a_question_can_end_its_script(lesson: BeautifulSoup) -> None:
