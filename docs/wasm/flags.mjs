@@ -71,7 +71,7 @@ const exceptions = [
   "-wasm-use-legacy-eh=true",
 ];
 
-/** Figures and ladders: for the page, small and quick; a throw ends the run (throw_stub.cpp). */
+/** Ladders: as quick as the native ones; a throw ends the run (throw_stub.cpp). */
 export const pageFlags = [
   ...compiler,
   ...arithmetic,
@@ -82,8 +82,15 @@ export const pageFlags = [
   "-DNDEBUG",
 ];
 
-/** A figure's `Output out{}` leaves Eigen's columns unset without it: numbers of the state before. */
-export const figureFlags = [...pageFlags, "-DEIGEN_INITIALIZE_MATRICES_BY_ZERO"];
+/**
+ * Figures: small, since a page fetches all of its own, and none of them computes for long. `Output out{}` leaves
+ * Eigen's columns unset without the first definition: numbers of the state before. printf would be half of a module.
+ */
+export const figureFlags = [
+  ...pageFlags.map((flag) => (flag === "-O2" ? "-Oz" : flag)),
+  "-DEIGEN_INITIALIZE_MATRICES_BY_ZERO",
+  "-DCONTACT_WITHOUT_PRINTF",
+];
 
 /** Holds our __assertion_handler, so that what was broken is said, and not only that something was. */
 export const assertionsFolder = "docs/wasm/libcxx";

@@ -2,6 +2,7 @@
 // stderr, and traps. The page shows the sentence and goes on; the module's instance is not used
 // again.
 #include <unistd.h>
+#include <__verbose_abort>
 
 #include <cstddef>
 #include <cstring>
@@ -27,6 +28,19 @@ const char* message(const void* thrown, const std::type_info& type) {
 }
 
 }  // namespace
+
+// The libraries' own last words, which they would print with all of printf.
+extern "C" [[noreturn]] void __abort_message(const char* format, ...) {
+  say(format);
+  __builtin_trap();
+}
+
+_LIBCPP_BEGIN_NAMESPACE_STD
+[[noreturn]] void __libcpp_verbose_abort(const char* format, ...) noexcept {
+  say(format);
+  __builtin_trap();
+}
+_LIBCPP_END_NAMESPACE_STD
 
 extern "C" {
 

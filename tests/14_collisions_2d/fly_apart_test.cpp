@@ -115,6 +115,7 @@ TEST_CASE("random decays agree with exact arithmetic") {
   for (int asked = 0; asked < 200; ++asked) {
     const double mass = random.uniform(1, 250);
     const Vector v = vector();
-    check(mass, v, mass * random.uniform(0.01, 0.9), vector());
+    const double piece = mass * random.uniform(0.01, 0.9);
+    check(mass, v, piece, vector());
   }
 }

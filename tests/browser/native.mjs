@@ -52,8 +52,9 @@ export function random(seed) {
 }
 
 /**
- * Inputs of the same shape. Half of them are on a grid of quarters, some with a zero, so that edge cases occur; half
- * keep most of the numbers and move some by up to about their size, since some figures answer nowhere else.
+ * Inputs of the same shape. A third are on a grid of quarters, some with a zero, so that edge cases occur. A third
+ * keep most of the numbers and move some by up to about their size, since some figures answer nowhere else. A third
+ * are halves, doubles and tens, since much of what a figure asks for is a ratio.
  * @param {Fields} like @param {number} count @param {number} seed @returns {Fields[]}
  */
 export function inputsLike(like, count, seed) {
@@ -63,18 +64,24 @@ export function inputsLike(like, count, seed) {
     if (next() < 0.7) return start;
     return Math.round((start + (2 * next() - 1) * Math.max(1, Math.abs(start))) * 4) / 4;
   };
+  const ratio = (/** @type {number} */ start) => {
+    const kind = next();
+    if (kind < 0.3) return start;
+    if (kind < 0.5) return 0;
+    if (kind < 0.75) return kind < 0.6 ? start * 2 : start / 2;
+    return 10 * Math.round(next() * 10);
+  };
+  const drawn = [
+    (/** @type {number | number[]} */ value) =>
+      Array.isArray(value) ? value.map(number) : Math.abs(number()),
+    (/** @type {number | number[]} */ value) =>
+      Array.isArray(value) ? value.map(near) : near(value),
+    (/** @type {number | number[]} */ value) =>
+      Array.isArray(value) ? value.map(ratio) : ratio(value),
+  ];
   return Array.from({ length: count }, (_, i) =>
     Object.fromEntries(
-      Object.entries(like).map(([name, value]) => [
-        name,
-        i % 2
-          ? Array.isArray(value)
-            ? value.map(near)
-            : near(value)
-          : Array.isArray(value)
-            ? value.map(number)
-            : Math.abs(number()),
-      ]),
+      Object.entries(like).map(([name, value]) => [name, drawn[i % 3]?.(value) ?? 0]),
     ),
   );
 }

@@ -11,6 +11,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { launch, notRun, open, root, serve } from "./browser.mjs";
+import { one } from "./sample.mjs";
 
 /** @typedef {import("../../docs/web/src/cpp/types.ts").VerdictJson} Verdict */
 /** @typedef {import("../../docs/web/src/cpp/types.ts").TestVerdict} TestVerdict */
@@ -40,14 +41,6 @@ const sources = (folder) =>
         .map((name) => `${folder}/${name}`)
     : [];
 
-/** All of them if all are asked for; else one, which the commit chooses. @param {string[]} files */
-function asked(files) {
-  if (process.env["CONTACT_ALL"] || files.length === 0) return files;
-  const commit = execFileSync("git", ["-C", root, "rev-parse", "HEAD"]).toString();
-  const file = files[Number.parseInt(commit.slice(0, 8), 16) % files.length];
-  return /** @type {string[]} */ ([file]);
-}
-
 /** @returns {Answer[]} */
 function answers() {
   const all = exercisesIn("exercises").flatMap((exercise) => {
@@ -55,7 +48,7 @@ function answers() {
     return [
       { exercise, kind: /** @type {const} */ ("stub"), file: `exercises/${file}` },
       { exercise, kind: /** @type {const} */ ("solution"), file: `solutions/${file}` },
-      ...asked(sources(`solutions/${exercise}/wrong`)).map((wrong) => ({
+      ...one(sources(`solutions/${exercise}/wrong`)).map((wrong) => ({
         exercise,
         kind: /** @type {const} */ ("wrong"),
         file: wrong,

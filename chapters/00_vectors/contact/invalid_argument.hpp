@@ -7,6 +7,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <concepts>
 #include <cstdio>
 #include <cstdlib>
@@ -18,13 +19,28 @@
 namespace contact {
 
 /// A number as text: 17 digits, enough to give the same double back; "?" for a type that is not a
-/// floating-point type.
+/// floating-point type. With CONTACT_WITHOUT_PRINTF, which a figure in the page defines to be
+/// small: "5" or "3 * 2^-2".
 template <Ring S>
 std::string number_text(const S& x) {
   if constexpr (std::floating_point<S>) {
+#ifdef CONTACT_WITHOUT_PRINTF
+    if (!std::isfinite(x)) return std::isnan(x) ? "nan" : (x > 0 ? "inf" : "-inf");
+    int exponent = 0;
+    auto digits = static_cast<long long>(0x1p53 * std::frexp(static_cast<double>(x), &exponent));
+    for (exponent -= 53; digits % 2 == 0 && exponent < 0 && digits != 0; ++exponent) digits /= 2;
+    const auto whole = [](long long n) {
+      std::string text;
+      for (long long rest = n < 0 ? -n : n; rest > 0 || text.empty(); rest /= 10)
+        text.insert(text.begin(), static_cast<char>('0' + rest % 10));
+      return n < 0 ? "-" + text : text;
+    };
+    return digits == 0 || exponent == 0 ? whole(digits) : whole(digits) + " * 2^" + whole(exponent);
+#else
     char text[48];
     std::snprintf(text, sizeof text, "%.17g", static_cast<double>(x));
     return text;
+#endif
   } else {
     return "?";
   }
