@@ -445,7 +445,7 @@ STAGES = (
         "dev-check", "stubs, solutions, wrong answers and null answers", 12, dev_check, ("native",)
     ),
     Stage("program", "the contact program from outside", 8, program, ("native",)),
-    Stage("grade", "submissions that nobody trusts: boxes, marks, reports", 20, grade, ("native",)),
+    Stage("grade", "submissions that nobody trusts: boxes, marks, reports", 25, grade, ("native",)),
     Stage("outside", "set-up; the headers in another project", 6, outside, ("native",)),
     Stage("ladder", "every ladder at a small size", 4, ladder, ("native",)),
     Stage(
@@ -457,9 +457,9 @@ STAGES = (
     ),
     Stage("sanitize", "the reference tests under sanitizers", 20, sanitize),
     Stage("page", "the page's scripts, figures and ladders in WebAssembly", 15, page, ("native",)),
-    Stage("wasm", "the compiler in the page, and the exercises for it", 15, wasm, ("native",)),
+    Stage("wasm", "the compiler in the page, and the exercises for it", 20, wasm, ("native",)),
     Stage("book", "the book without a warning, and served", 8, book, ("page", "wasm")),
-    Stage("browser", "the book in a real browser", 16, browser, ("book",)),
+    Stage("browser", "the book in a real browser", 25, browser, ("book",)),
 )
 
 
