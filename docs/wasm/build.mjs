@@ -61,6 +61,7 @@ async function main(args) {
           archive: "packed",
           link: "linked",
           seal: "sealed",
+          shrink: "made smaller",
         };
         console.error(
           `${ok ? verb[recipe.tool] : "FAILED  "} ${recipe.what}  ${seconds.toFixed(1)} s, ${left} left`,

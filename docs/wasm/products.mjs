@@ -85,8 +85,10 @@ function moduleRecipe(source, folders, flags) {
 }
 
 /** @param {string} source @param {string[]} folders where the reference headers are */
-export const figureRecipe = (source, folders) =>
-  moduleRecipe(source, [inRoot("docs", "figure"), ...folders], figureFlags);
+export const figureRecipe = (source, folders) => {
+  const part = moduleRecipe(source, [inRoot("docs", "figure"), ...folders], figureFlags);
+  return /** @type {const} */ ({ tool: "shrink", what: part.what, part });
+};
 
 /** Every figure: chapters/NN_slug/figures/NAME.cpp. @returns {Product[]} */
 export function figures() {

@@ -18,7 +18,8 @@ import { definedNames, sealed } from "./seal.mjs";
  * @typedef {{ tool: 'link', what: string, before: string[], after: string[], parts: Recipe[] }} Link
  * @typedef {{ tool: 'seal', what: string, part: Recipe, others: Recipe[], open: Recipe[], keep: string[] }} Seal
  *   what `others` define is sealed as well; what `open` defines is not, nor the names in `keep`
- * @typedef {Compile | Precompile | Archive | Link | Seal} Recipe
+ * @typedef {{ tool: 'shrink', what: string, part: Recipe }} Shrink a linked module, made smaller
+ * @typedef {Compile | Precompile | Archive | Link | Seal | Shrink} Recipe
  */
 
 /** What must be made before this can be. @param {Recipe} recipe @returns {Recipe[]} */
@@ -26,6 +27,7 @@ export function needs(recipe) {
   if (recipe.tool === "compile") return recipe.pch ? [recipe.pch] : [];
   if (recipe.tool === "precompile") return [];
   if (recipe.tool === "seal") return [recipe.part, ...recipe.others, ...recipe.open];
+  if (recipe.tool === "shrink") return [recipe.part];
   return recipe.parts;
 }
 
@@ -40,6 +42,11 @@ function filesOf({ source, folders, flags }) {
 /** What libc++ does when one of its assertions fails. */
 export const assertionHandler = inRoot(assertionsFolder, "__assertion_handler");
 
+/** The version of Binaryen, and so of what shrink.mjs makes. */
+const shrinkerVersion = () =>
+  JSON.parse(fs.readFileSync(inRoot("docs", "node_modules", "binaryen", "package.json"), "utf8"))
+    .version;
+
 /** The name under which the result is kept: it changes with the compiler, the flags and every file read.
  * @param {Recipe} recipe @returns {string} */
 export function key(recipe) {
@@ -53,6 +60,7 @@ export function key(recipe) {
     for (const { virtual, hash } of filesOf(recipe)) add(virtual, hash);
   }
   if (recipe.tool === "link") add(...recipe.before, "", ...recipe.after, "");
+  if (recipe.tool === "shrink") add(shrinkerVersion());
   if (recipe.tool === "seal") add("2", `${recipe.others.length}`, ...recipe.keep);
   for (const need of needs(recipe)) add(key(need));
   return hash.digest("hex");
@@ -136,6 +144,12 @@ export async function make(recipe, name, needed) {
     const keep = [...recipe.keep, ...defined.slice(count).flatMap((names) => [...names])];
     const object = sealed(/** @type {Uint8Array} */ (part), defined.slice(0, count), keep);
     writeWhole(cached(name), object);
+    return "";
+  }
+  if (recipe.tool === "shrink") {
+    // Loaded where it is needed: most of the build does without.
+    const { shrunk } = await import("./shrink.mjs");
+    writeWhole(cached(name), shrunk(made(String(needed[0]))));
     return "";
   }
   const result = "result.out";
