@@ -4,6 +4,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { launch, lessons, loadFigures, notRun, open, pages, require, serve } from "./browser.mjs";
+import { sample } from "./sample.mjs";
 
 const skip = notRun();
 const all = skip ? [] : pages();
