@@ -359,6 +359,28 @@ TEMPLATE_TEST_CASE("bounces are counted exactly, a last digit before an impact a
   CHECK(at_impact > 150);
 }
 
+TEST_CASE("bounces are counted exactly in the last digits before rest") {
+  Random random(1523);
+  int counted = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double speed = random.uniform(3, 8);
+    const BouncingBall<double> ball{0, speed, 9.8125, random.uniform(0.5, 0.75)};
+    const ExactBall exact(ball);
+    double t = contact::rest_time(ball);
+    for (int steps = random.integer(0, 6); steps > 0; --steps) t = std::nextafter(t, 0.0);
+    const Surd time{oracle::exact(t), 0, 0};
+    const double got = contact::bounces_by(ball, t);
+    const bool rests = oracle::compare(time, exact.rest()) >= 0;
+    REQUIRE(std::isinf(got) == rests);
+    if (rests) continue;
+    const auto count = static_cast<long long>(got);
+    REQUIRE(oracle::compare(exact.impact(count), time) <= 0);
+    REQUIRE(oracle::compare(exact.impact(count + 1), time) > 0);
+    ++counted;
+  }
+  CHECK(counted > 100);
+}
+
 TEST_CASE("counts and rest where everything is exact") {
   // Half a second to the floor and a quarter of the height after each bounce.
   const auto ball = contact::bouncing_ball(1.0, 0.0, 8.0, 0.5);

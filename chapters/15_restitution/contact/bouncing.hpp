@@ -265,9 +265,12 @@ S bounces_by(const BouncingBall<S>& ball, const S& t) {
   const bool sure = t < impact_time(ball, guess + 1) && !(t < impact_time(ball, guess)) &&
                     !near(impact_time(ball, guess), room) &&
                     !near(impact_time(ball, guess + 1), room);
-  if (sure || guess > detail::exact_impacts) return S(guess);
-  return S(
-      detail::corrected(guess, [decided = exact()](long long n) { return decided.impact_by(n); }));
+  if (sure) return S(guess);
+  // So near to the end that what is left of the series rounds to nothing, the guess is any number.
+  const auto decided = exact();
+  if (guess > detail::exact_impacts && decided.impact_by(detail::exact_impacts)) return S(guess);
+  return S(detail::corrected(std::min(guess, detail::exact_impacts),
+                             [&decided](long long n) { return decided.impact_by(n); }));
 }
 // [/bounces-by]
 
