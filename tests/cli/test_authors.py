@@ -173,15 +173,21 @@ def test_dev_check_proves_one_exercise_whatever_is_in_work(contact: Run, work: P
     assert document["counts"]["null answers"]["passed"] >= 7
 
 
-def test_dev_check_reports_a_wrong_answer_that_nobody_catches(
-    contact: Run, solution: str, tmp_path: Path
-) -> None:
+@pytest.fixture
+def own_answer(tmp_path: Path) -> tuple[Path, Path]:
+    """The project with solutions of its own, and one of its wrong answers, to be spoiled."""
     root = tmp_path / "root"
     root.mkdir()
     for name in ("chapters", "exercises", "tests", "grading", "build"):
         (root / name).symlink_to(ROOT / name)
     shutil.copytree(ROOT / "solutions", root / "solutions")
-    wrong = root / "solutions/02_triangles/ray_triangle/wrong/one_sided.cpp"
+    return root, root / "solutions/02_triangles/ray_triangle/wrong/one_sided.cpp"
+
+
+def test_dev_check_reports_a_wrong_answer_that_nobody_catches(
+    contact: Run, solution: str, own_answer: tuple[Path, Path]
+) -> None:
+    root, wrong = own_answer
     wrong.write_text("".join(wrong.read_text().splitlines(keepends=True)[:2]) + solution)
     done = contact("dev", "check", "ray_triangle", "--json", CONTACT_ROOT=str(root))
     assert done.returncode == 1
@@ -191,14 +197,9 @@ def test_dev_check_reports_a_wrong_answer_that_nobody_catches(
 
 
 def test_dev_check_reports_an_answer_that_would_be_remarked_upon(
-    contact: Run, tmp_path: Path
+    contact: Run, own_answer: tuple[Path, Path]
 ) -> None:
-    root = tmp_path / "root"
-    root.mkdir()
-    for name in ("chapters", "exercises", "tests", "grading", "build"):
-        (root / name).symlink_to(ROOT / name)
-    shutil.copytree(ROOT / "solutions", root / "solutions")
-    wrong = root / "solutions/02_triangles/ray_triangle/wrong/one_sided.cpp"
+    root, wrong = own_answer
     begin, body, rest = wrong.read_text().partition("& triangle) {\n")
     wrong.write_text(begin + body + "double x = 1.0; if (x = 0.0) return std::nullopt;\n" + rest)
     done = contact("dev", "check", "ray_triangle", "--json", CONTACT_ROOT=str(root))
