@@ -82,16 +82,13 @@ Work all_work(const Book& book, const grading::ProgressRecord& record) {
   return work;
 }
 
+// What each name means; of a chapter, what has been begun.
 std::vector<const Exercise*> chosen(const Book& book, const std::vector<std::string>& names) {
   std::vector<const Exercise*> exercises;
   for (const std::string& name : names) {
-    const grading::Chapter* chapter = book.find_chapter(name);
-    if (chapter == nullptr || book.find_exercise(name) != nullptr) {
-      exercises.push_back(&book.exercise(name));
-      continue;
-    }
-    for (const Exercise* exercise : book.exercises_of(*chapter)) {
-      if (book.started(*exercise)) exercises.push_back(exercise);
+    const bool one = book.find_exercise(name) != nullptr;
+    for (const Exercise* exercise : book.meant_by(name)) {
+      if (one || book.started(*exercise)) exercises.push_back(exercise);
     }
   }
   return exercises;

@@ -18,16 +18,10 @@ bool start_exercise(const grading::Book& book, const grading::Exercise& exercise
 
 namespace {
 
-std::vector<const grading::Exercise*> chosen(const grading::Book& book, const std::string& name) {
-  if (const grading::Exercise* exercise = book.find_exercise(name)) return {exercise};
-  if (const grading::Chapter* chapter = book.find_chapter(name)) return book.exercises_of(*chapter);
-  return {&book.exercise(name)};
-}
-
 int run(Context& context, const std::vector<std::string>& names) {
   const grading::Book& book = context.book();
   for (const std::string& name : names) {
-    for (const grading::Exercise* exercise : chosen(book, name)) {
+    for (const grading::Exercise* exercise : book.meant_by(name)) {
       const bool made = start_exercise(book, *exercise);
       const std::string copy = shown(book.work_file(*exercise));
       say(made ? "Your copy is " + copy : "Your copy is there already, untouched: " + copy);

@@ -38,23 +38,6 @@ std::string time_of_day() {
   return text.data();
 }
 
-std::vector<const Exercise*> chosen(const Book& book, const std::vector<std::string>& names) {
-  std::vector<const Exercise*> result;
-  for (const std::string& name : names) {
-    if (const Exercise* exercise = book.find_exercise(name)) {
-      result.push_back(exercise);
-    } else if (const grading::Chapter* chapter = book.find_chapter(name)) {
-      for (const Exercise* of_chapter : book.exercises_of(*chapter)) result.push_back(of_chapter);
-    } else {
-      result.push_back(&book.exercise(name));
-    }
-  }
-  if (names.empty()) {
-    for (const Exercise& exercise : book.exercises()) result.push_back(&exercise);
-  }
-  return result;
-}
-
 class Watch {
  public:
   Watch(Context& context, const std::vector<std::string>& names, bool poll)
@@ -63,7 +46,7 @@ class Watch {
         limits_(grading::limits_from_environment()),
         progress_(book_.work()),
         always_poll_(poll) {
-    for (const Exercise* exercise : chosen(book_, names)) {
+    for (const Exercise* exercise : book_.chosen(names)) {
       Watched watched;
       watched.exercise = exercise;
       files_[book_.work_file(*exercise)] = watched;

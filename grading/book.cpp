@@ -293,16 +293,20 @@ const Exercise* Book::find_exercise(std::string_view name) const {
 
 const Exercise& Book::exercise(std::string_view name) const {
   if (const Exercise* found = find_exercise(name)) return *found;
+  throw_unknown(name, "exercise", {});
+}
+
+void Book::throw_unknown(std::string_view name, const std::string& kind,
+                         std::vector<std::string> names) const {
   for (const BookProblem& problem : problems_) {
     const fs::path folder = problem.file.parent_path();
     if (folder.filename() == fs::path(std::string(name)).stem()) throw BookError(problem.what);
   }
-  std::vector<std::string> names;
   for (const Exercise& candidate : exercises_) {
     names.push_back(candidate.name);
     names.push_back(candidate.id());
   }
-  std::string text = "there is no exercise called '" + std::string(name) + "'.";
+  std::string text = "there is no " + kind + " called '" + std::string(name) + "'.";
   const std::vector<std::string> near = nearest(name, names);
   if (!near.empty()) {
     text += " Did you mean ";
@@ -333,14 +337,21 @@ std::vector<const Exercise*> Book::exercises_of(const Chapter& chapter) const {
   return result;
 }
 
+std::vector<const Exercise*> Book::meant_by(std::string_view name) const {
+  if (const Exercise* found = find_exercise(name)) return {found};
+  if (const Chapter* chapter = find_chapter(name)) return exercises_of(*chapter);
+  std::vector<std::string> slugs;
+  for (const Chapter& chapter : chapters_) {
+    slugs.push_back(chapter.slug);
+    slugs.push_back(without_number(chapter.slug));
+  }
+  throw_unknown(name, "exercise or chapter", std::move(slugs));
+}
+
 std::vector<const Exercise*> Book::chosen(const std::vector<std::string>& names) const {
   std::vector<const Exercise*> wanted;
   for (const std::string& name : names) {
-    const Chapter* chapter = find_chapter(name);
-    if (chapter == nullptr || find_exercise(name) != nullptr)
-      wanted.push_back(&exercise(name));
-    else
-      for (const Exercise* of_chapter : exercises_of(*chapter)) wanted.push_back(of_chapter);
+    for (const Exercise* exercise : meant_by(name)) wanted.push_back(exercise);
   }
   // In the book's order, each once.
   std::vector<const Exercise*> result;

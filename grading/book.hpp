@@ -137,6 +137,10 @@ class Book {
 
   [[nodiscard]] std::vector<const Exercise*> exercises_of(const Chapter& chapter) const;
 
+  /// The exercises meant by a name: the one it names, or all of the chapter that it names.
+  /// @throws UnknownName, with the nearest names, if it is neither an exercise's nor a chapter's.
+  [[nodiscard]] std::vector<const Exercise*> meant_by(std::string_view name) const;
+
   /// The exercises and chapters meant by these names, in the book's order, each exercise once; all
   /// exercises if no name is given.
   /// @throws UnknownName if a name is neither an exercise's nor a chapter's.
@@ -149,6 +153,8 @@ class Book {
   void read_chapters();
   void read_exercises();
   void read_misconceptions();
+  [[noreturn]] void throw_unknown(std::string_view name, const std::string& kind,
+                                  std::vector<std::string> names) const;
 
   std::filesystem::path root_;
   std::filesystem::path work_;

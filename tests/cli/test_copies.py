@@ -144,6 +144,14 @@ def test_a_wrong_name_is_a_usage_error_that_helps(contact: Run) -> None:
     assert "ray_triangle" in done.stderr
 
 
+@pytest.mark.parametrize("words", [["start"], ["watch"], ["export", "a.zip"], ["dev", "check"]])
+def test_a_misspelt_chapter_is_told_the_nearest(contact: Run, words: list[str]) -> None:
+    done = contact(*words, "02_triangels")
+    assert done.returncode == 2
+    assert "no exercise or chapter called '02_triangels'" in done.stderr
+    assert "02_triangles" in done.stderr
+
+
 @pytest.mark.parametrize(
     "words", [[], ["nonsense"], ["list", "--nonsense"], ["start"], ["new", "chapter", "polygons"]]
 )
