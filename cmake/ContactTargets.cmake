@@ -75,21 +75,36 @@ function(contact_add_figures chapter)
   endforeach()
 endfunction()
 
-# Timed code is optimised whatever the preset, and without assertions.
+# Timed code is optimised whatever the preset, and without assertions. What all ladders share is compiled once.
+function(contact_ladder_options target)
+  target_compile_options(${target} PRIVATE -O2 -U_GLIBCXX_ASSERTIONS)
+  target_compile_definitions(${target} PRIVATE NDEBUG CONTACT_HAS_GMP ${ARGN})
+  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
+  target_link_libraries(${target} PRIVATE nlohmann_json::nlohmann_json Boost::headers PkgConfig::GMP contact_warnings)
+endfunction()
+
+function(contact_add_ladder_harness)
+  file(GLOB harness CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/support/ladder*.cpp")
+  add_library(contact_ladder_harness OBJECT ${harness})
+  target_link_libraries(contact_ladder_harness PRIVATE contact_00_vectors)
+  contact_ladder_options(contact_ladder_harness)
+  # Of the sources alone: what is precompiled must know no definition that a ladder does not have.
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
+  set_property(SOURCE ${harness} APPEND PROPERTY COMPILE_DEFINITIONS
+    "CONTACT_COMPILER=\"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}\""
+    "CONTACT_FLAGS=\"-std=c++20 ${CMAKE_CXX_FLAGS_${type}} -O2 -U_GLIBCXX_ASSERTIONS -DNDEBUG -ffp-contract=off -DEIGEN_DONT_VECTORIZE\"")
+  target_precompile_headers(contact_ladder_harness PRIVATE <Eigen/Core> <Eigen/Geometry> <nlohmann/json.hpp>
+    <boost/multiprecision/gmp.hpp> "${PROJECT_SOURCE_DIR}/tests/support/ladder.hpp")
+endfunction()
+
 function(contact_add_ladder chapter)
   set(source "${PROJECT_SOURCE_DIR}/chapters/${chapter}/ladder.cpp")
   if(NOT EXISTS "${source}")
     return()
   endif()
   set(target ladder_${chapter})
-  file(GLOB harness CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/support/ladder*.cpp")
-  add_executable(${target} "${source}" ${harness})
-  string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
-  target_compile_options(${target} PRIVATE -O2 -U_GLIBCXX_ASSERTIONS)
-  target_compile_definitions(${target} PRIVATE NDEBUG CONTACT_HAS_GMP
-    "CONTACT_LADDER=\"${chapter}\"" "CONTACT_COMPILER=\"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}\""
-    "CONTACT_FLAGS=\"-std=c++20 ${CMAKE_CXX_FLAGS_${type}} -O2 -U_GLIBCXX_ASSERTIONS -DNDEBUG -ffp-contract=off -DEIGEN_DONT_VECTORIZE\"")
-  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
-  target_link_libraries(${target} PRIVATE contact_${chapter} nlohmann_json::nlohmann_json Boost::headers
-    PkgConfig::GMP contact_warnings)
+  add_executable(${target} "${source}" $<TARGET_OBJECTS:contact_ladder_harness>)
+  target_link_libraries(${target} PRIVATE contact_${chapter})
+  contact_ladder_options(${target} "CONTACT_LADDER=\"${chapter}\"")
+  target_precompile_headers(${target} REUSE_FROM contact_ladder_harness)
 endfunction()

@@ -13,9 +13,6 @@
 #include <string_view>
 #include <thread>
 
-#ifndef CONTACT_LADDER
-#define CONTACT_LADDER "ladder"
-#endif
 #ifndef CONTACT_COMPILER
 #define CONTACT_COMPILER "unknown"
 #endif
@@ -107,7 +104,7 @@ json number(double x) { return std::isfinite(x) ? json(x) : json(nullptr); }
 
 }  // namespace
 
-int ladder::run_program(Experiment& experiment, int argc, char** argv) {
+int ladder::run_program(Experiment& experiment, const char* chapter, int argc, char** argv) {
   const std::optional<Options> options = read(argc, argv);
   if (!options || options->help) {
     std::fprintf(options ? stdout : stderr,
@@ -173,7 +170,7 @@ int ladder::run_program(Experiment& experiment, int argc, char** argv) {
                         {"exact", method.exact}});
     }
     std::ofstream out(options->json_file);
-    out << json{{"ladder", CONTACT_LADDER},
+    out << json{{"ladder", chapter},
                 {"question", experiment.question()},
                 {"size", options->size},
                 {"machine", machine()},

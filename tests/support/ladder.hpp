@@ -167,8 +167,9 @@ class Ladder : public Experiment {
   std::vector<Answer> truths_, answers_;
 };
 
-/// The program (ladder.cpp): runs every method on every family and writes a table, or JSON.
-int run_program(Experiment& experiment, int argc, char** argv);
+/// The program (ladder.cpp): runs every method of a chapter's ladder on every family and writes a
+/// table, or JSON.
+int run_program(Experiment& experiment, const char* chapter, int argc, char** argv);
 
 /// Text between quotes; ids and titles need no other escapes.
 inline std::string quoted(const std::string& text) {
@@ -253,10 +254,10 @@ void run_in_page(Experiment& experiment, std::size_t method, const Now& now_in_m
     return row;                                                                                   \
   }
 #else
-/// Makes the program from a function that returns a ladder.
-#define LADDER(make)                                    \
-  int main(int argc, char** argv) {                     \
-    auto the_ladder = make();                           \
-    return ladder::run_program(the_ladder, argc, argv); \
+/// Makes the program from a function that returns a ladder; the build defines whose it is.
+#define LADDER(make)                                                    \
+  int main(int argc, char** argv) {                                     \
+    auto the_ladder = make();                                           \
+    return ladder::run_program(the_ladder, CONTACT_LADDER, argc, argv); \
   }
 #endif
