@@ -98,11 +98,13 @@ class GrowingHull {
     }
     sees_[static_cast<std::size_t>(p)] = -1;
     stands_for_[static_cast<std::size_t>(p)] = p;
+    // Of a few new triangles each is asked: that is no more than so many steps, and quicker.
+    const bool few = size <= few_triangles;
     for (const int gone : removed_) {
       int q = triangles_[static_cast<std::size_t>(gone)].first_waiting;
       while (q >= 0) {
         const int next = next_waiting_[static_cast<std::size_t>(q)];
-        if (q != p && !wait_beyond(q, gone)) dropped(p, q);
+        if (q != p && !(few ? wait(q, made_) : wait_beyond(q, gone))) dropped(p, q);
         q = next;
       }
     }
@@ -110,7 +112,8 @@ class GrowingHull {
   }
 
   /// Lets point q, which sees removed triangle `gone`, wait at one of the triangles just made that
-  /// it sees, if there is one: found on a walk over the removed triangles that q sees.
+  /// it sees, if there is one: found on a walk over the removed triangles that q sees, whose length
+  /// does not depend on how many were made.
   ///
   /// Why the walk finds one: what q saw of the old hull is one patch. If it reaches beyond the
   /// horizon, q saw both triangles at the edge where the walk first gets there, and so it sees the
@@ -143,6 +146,9 @@ class GrowingHull {
     return false;
   }
   // [/add]
+
+  /// So many new triangles are asked in turn; among more, `wait_beyond` walks.
+  static constexpr std::size_t few_triangles = 16;
 
   /// The triangles that the last search removed.
   const std::vector<int>& removed() const { return removed_; }
