@@ -132,7 +132,7 @@ std::vector<std::string> Box::State::command() {
   if (spec.kind != BoxKind::answer && spec.limits.files > 0) {
     temporary = std::make_unique<TemporaryFolder>();
     seat.give(temporary->path());
-    names.add(temporary->path().string(), "/tmp");
+    names.add_temporary(temporary->path().string());
   }
   return command_without_namespaces(machine, seat.state(), group.get(), spec, names,
                                     temporary ? temporary->path().string() : "");

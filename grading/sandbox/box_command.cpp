@@ -117,7 +117,10 @@ void PathNames::add(std::string machine, std::string box) {
   });
 }
 
+void PathNames::add_temporary(std::string machine) { temporary_ = std::move(machine); }
+
 std::string PathNames::in_machine(const std::string& word) const {
+  if (word == "/tmp" && !temporary_.empty()) return temporary_;
   for (const auto& [machine, box] : names_) {
     for (std::size_t at = word.find(box); at != std::string::npos; at = word.find(box, at + 1)) {
       const std::size_t end = at + box.size();
@@ -131,11 +134,13 @@ std::string PathNames::in_machine(const std::string& word) const {
 }
 
 std::string PathNames::in_box(std::string text) const {
-  for (const auto& [machine, box] : names_) {
+  const auto replace = [&text](const std::string& machine, const std::string& box) {
     for (std::size_t at = text.find(machine); at != std::string::npos;
          at = text.find(machine, at + box.size()))
       text.replace(at, machine.size(), box);
-  }
+  };
+  for (const auto& [machine, box] : names_) replace(machine, box);
+  if (!temporary_.empty()) replace(temporary_, "/tmp");
   return text;
 }
 

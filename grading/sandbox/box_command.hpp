@@ -23,6 +23,9 @@ inline constexpr int network_descriptor = 24;
 class PathNames {
  public:
   void add(std::string machine, std::string box);
+  /// The private /tmp, which only stands for itself: a path below /tmp in a command may be the
+  /// machine's, of a book that lies there.
+  void add_temporary(std::string machine);
   /// A word of a command line with the machine's paths in place of the box's.
   [[nodiscard]] std::string in_machine(const std::string& word) const;
   /// A text with the box's paths in place of the machine's.
@@ -30,6 +33,7 @@ class PathNames {
 
  private:
   std::vector<std::pair<std::string, std::string>> names_;
+  std::string temporary_;
 };
 
 /// @param group of this box, or null

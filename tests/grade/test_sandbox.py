@@ -337,11 +337,13 @@ def compile_folder() -> Iterator[Path]:
 
 @pytest.fixture
 def compile_text(level: str, compile_folder: Path) -> Callable[..., End]:
-    def run(text: str, *flags: str, cpu: int = 30) -> End:
+    def run(text: str, *flags: str, cpu: int = 30, shown: Path | None = None) -> End:
         source, made = compile_folder / "source", compile_folder / "made"
         (source / "answer.cpp").write_text(text)
         limits = ["--memory", 1024, "--processes", 32, "--cpu", cpu, "--file-size", 64]
         mounts = ["--show", f"{source}=/source", "--writable", f"{made}=/made"]
+        if shown is not None:
+            mounts += ["--show", f"{shown}={shown}"]
         compiler = ["/usr/bin/g++", "-std=c++20", "-pipe", "-c", "/source/answer.cpp"]
         return run_box(
             level,
@@ -398,6 +400,16 @@ def test_messages_name_files_as_the_box_sees_them(compile_text: Callable[..., En
     end = compile_text("int f() { return x; }\n")
     assert end["exit_code"] == 1
     assert end["errors"].startswith("/source/answer.cpp:")
+
+
+def test_a_book_may_lie_below_tmp(compile_text: Callable[..., End]) -> None:
+    with tempfile.TemporaryDirectory(dir="/tmp") as name:
+        folder = Path(name)
+        folder.chmod(0o711)
+        contract = folder / "contract.hpp"
+        contract.write_text("int f();\n")
+        end = compile_text("#include <contract.hpp>\n", f"-I{folder}", shown=contract)
+    assert (end["exit_code"], end["errors"]) == (0, "")
 
 
 ENDLESS = """
