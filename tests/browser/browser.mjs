@@ -166,6 +166,13 @@ export async function loadFigures(page) {
   });
 }
 
+/** Loads one figure, as scrolling to it does. @param {any} locator */
+export const loadFigure = (locator) =>
+  locator.evaluate(async (/** @type {any} */ figure) => {
+    await customElements.whenDefined("contact-figure");
+    await figure.ready;
+  });
+
 /** A figure's input or output as plain fields, -0 and NaN kept. @param {any} locator @param {"input" | "output"} which */
 export const fieldsOf = (locator, which) =>
   locator.evaluate(

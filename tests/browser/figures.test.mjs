@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
 import { after, before, describe, test } from "node:test";
-import { fieldsOf, launch, lessons, loadFigures, notRun, open, serve, site } from "./browser.mjs";
+import { fieldsOf, launch, lessons, loadFigure, notRun, open, serve, site } from "./browser.mjs";
 import { inputsLike, native } from "./native.mjs";
 import { sample } from "./sample.mjs";
 
@@ -44,8 +44,8 @@ describe("figures", { skip }, () => {
       `${server.origin}/${where}${hash}`,
       { reducedMotion: "reduce", ...options },
     );
-    await loadFigures(page);
     const figure = page.locator(`contact-figure[name="${name}"]`);
+    await loadFigure(figure);
     await figure.locator(".stage").scrollIntoViewIfNeeded();
     const input = () => fieldsOf(figure, "input");
     const output = () => fieldsOf(figure, "output");

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { fieldsOf, launch, lessons, loadFigures, notRun, open, serve } from "./browser.mjs";
+import { fieldsOf, launch, lessons, loadFigure, notRun, open, serve } from "./browser.mjs";
 import { inputsLike, native } from "./native.mjs";
 
 const skip = notRun();
@@ -88,6 +88,7 @@ describe("questions", { skip }, () => {
     /** @param {Locator} element @param {any} question @param {boolean} right */
     async construct(element, question, right) {
       const figure = element.page().locator(`contact-figure[name="${question.figure}"]`);
+      await loadFigure(figure);
       if (right) {
         const like = await fieldsOf(figure, "input");
         const state = winning(question.figure, question.goal, like);
@@ -101,7 +102,7 @@ describe("questions", { skip }, () => {
   for (const where of skip ? [] : lessons())
     test(`${where}: every question, wrong then right`, async () => {
       const { page, trouble, close } = await open(chromium.browser, `${server.origin}/${where}`);
-      await loadFigures(page);
+      await page.evaluate(() => customElements.whenDefined("contact-question"));
       const all = await page.locator("contact-question").all();
       assert.ok(all.length > 0);
       for (const element of all) {
