@@ -612,7 +612,7 @@ TEST_CASE("the exact test has no wrong answer over adversarial rays and segments
   Random random(31);
   for (std::size_t kind = 0; kind < adversarial::all.size(); ++kind) {
     Count count;
-    for (int i = 0; i < 17000; ++i) {
+    for (int i = 0; i < generators::tried(17000); ++i) {
       const adversarial::Case c = adversarial::all[kind](random);
       CAPTURE(kind, i);
       if (i % 2 == 0) {
@@ -623,7 +623,7 @@ TEST_CASE("the exact test has no wrong answer over adversarial rays and segments
     }
     CAPTURE(kind, count.asked, count.hits);
     REQUIRE(count.wrong == 0);
-    REQUIRE(count.hits > 100);
+    REQUIRE(count.hits > generators::tried(100));
   }
 }
 
@@ -748,7 +748,7 @@ TEST_CASE("no method turns finite input into NaN, whatever its scale") {
     hold(contact::intersect_watertight(line, triangle));
     hold(contact::intersect_exact(line, triangle));
   };
-  for (int i = 0; i < 30000; ++i) {
+  for (int i = 0; i < generators::tried(30000); ++i) {
     const adversarial::Case c =
         adversarial::all[static_cast<std::size_t>(i) % adversarial::all.size()](random);
     hold_all(Ray<double>{c.start, c.second}, c.triangle);

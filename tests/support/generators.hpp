@@ -26,6 +26,16 @@
 
 namespace generators {
 
+/// How many cases of `wanted` this build tries. Sanitizers look at how the code runs, and each
+/// makes it slow: an eighth shows them all of it.
+constexpr int tried(int wanted) {
+#ifdef __SANITIZE_ADDRESS__
+  return wanted / 8;
+#else
+  return wanted;
+#endif
+}
+
 /// splitmix64 (Steele, Lea and Flood, 2014): the state counts, a mixer scrambles. 2^64 numbers,
 /// every seed a good one.
 class Random {
