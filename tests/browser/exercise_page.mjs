@@ -161,21 +161,30 @@ export function exerciseOn(page, id) {
     const line = content.locator(".cm-line").filter({ hasText: from }).first();
     await line.scrollIntoViewIfNeeded();
     await line.evaluate((node) => node.closest(".cm-scroller")?.scrollTo({ left: 0 }));
-    const box = await line.evaluate((node, wanted) => {
-      const start = (node.textContent ?? "").indexOf(wanted);
-      const range = document.createRange();
-      const walk = document.createTreeWalker(node, NodeFilter.SHOW_TEXT);
-      let passed = 0;
-      for (let piece = walk.nextNode(); piece; piece = walk.nextNode()) {
-        const length = piece.textContent?.length ?? 0;
-        if (start >= passed && start < passed + length) range.setStart(piece, start - passed);
-        const end = start + wanted.length - passed;
-        if (end > 0 && end <= length) range.setEnd(piece, end);
-        passed += length;
-      }
-      const { left, right, top, bottom } = range.getBoundingClientRect();
-      return { left, right, middle: (top + bottom) / 2 };
-    }, from);
+    const place = () =>
+      line.evaluate((node, wanted) => {
+        const start = (node.textContent ?? "").indexOf(wanted);
+        const range = document.createRange();
+        const walk = document.createTreeWalker(node, NodeFilter.SHOW_TEXT);
+        let passed = 0;
+        for (let piece = walk.nextNode(); piece; piece = walk.nextNode()) {
+          const length = piece.textContent?.length ?? 0;
+          if (start >= passed && start < passed + length) range.setStart(piece, start - passed);
+          const end = start + wanted.length - passed;
+          if (end > 0 && end <= length) range.setEnd(piece, end);
+          passed += length;
+        }
+        const { left, right, top, bottom } = range.getBoundingClientRect();
+        return { left, right, middle: (top + bottom) / 2 };
+      }, from);
+    // A face that arrives, or an editor that measures itself anew, moves the text.
+    await page.evaluate(() => document.fonts.ready);
+    let box = await place();
+    for (let before = null; JSON.stringify(before) !== JSON.stringify(box); ) {
+      await page.waitForTimeout(100);
+      before = box;
+      box = await place();
+    }
     await page.mouse.move(box.left + 0.5, box.middle);
     await page.mouse.down();
     await page.mouse.move(box.right - 0.5, box.middle, { steps: 5 });
