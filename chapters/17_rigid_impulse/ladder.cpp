@@ -189,7 +189,7 @@ ladder::Ladder<Input, Answer> experiment() {
     const double i = random.uniform(0.5, 2);
     return hit(random, i, 0.01 * i);
   });
-  // Drift: the same bricks, looked at later.
+  // Drift: bricks of the same kind, looked at later.
   ladder.family("bricks-4", "square bricks, 4 s",
                 [brick](generators::Random& random) { return brick(random, 4); });
   ladder.family("bricks-16", "square bricks, 16 s",
