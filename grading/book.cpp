@@ -116,7 +116,6 @@ Chapter read_chapter(const fs::path& folder) {
   chapter.status = text_of(table, "status");
   chapter.tooltip = text_of(table, "tooltip");
   chapter.part = table["part"].value_or(0);
-  chapter.minutes = table["minutes"].value_or(0.0);
   chapter.builds_on = texts_of(table, "builds_on");
   chapter.recall = texts_of(table, "recall");
   chapter.exercise_names = texts_of(table, "exercises");

@@ -90,7 +90,6 @@ struct Chapter {
   std::string status;
   std::string tooltip;
   int part = 0;
-  double minutes = 0.0;
   std::vector<std::string> builds_on;
   std::vector<std::string> recall;
   std::vector<std::string> exercise_names;

@@ -59,6 +59,15 @@ export const checkPrelude = {
   source: inRoot("grading", "contact", "prelude.hpp"),
 };
 
+/** @type {import('./recipes.mjs').Precompile} */
+const testPrelude = {
+  tool: "precompile",
+  what: "what the tests of exercises include",
+  flags: testFlags,
+  folders: [inRoot("tests"), inRoot("grading"), inRoot("chapters", "00_vectors")],
+  source: inRoot("tests", "support", "exercise_precompiled.hpp"),
+};
+
 /** @type {Compile} */
 const throwStub = {
   tool: "compile",
@@ -258,7 +267,7 @@ export const openTests = (exercise) => ({
   flags: testFlags,
   folders: exerciseFolders(exercise),
   source: exercise.test,
-  pch: checkPrelude,
+  pch: testPrelude,
 });
 
 /**

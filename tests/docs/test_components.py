@@ -145,7 +145,7 @@ def test_code_comes_from_its_region_and_examples_show_their_output(lesson: Beaut
 def test_the_head_says_time_what_it_builds_on_and_objectives(lesson: BeautifulSoup) -> None:
     head = one(lesson, ".chapter-head")
     assert head.find_previous_sibling().name == "h1"  # type: ignore[union-attr]
-    assert "About 20 minutes" in head.get_text()
+    assert "About 11 minutes: 1 to read, 10 for the first exercises" in head.get_text()
     assert one(head, 'a[href="../api/00_numbers.html"]').get_text() == "Numbers"
     assert len(head.select(".objectives li")) == 2
     assert "lines & planes" in one(lesson, ".chapter-foot").get_text()

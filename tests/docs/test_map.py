@@ -21,7 +21,7 @@ def chapter(number: int, part: int, builds_on: list[str]) -> Chapter:
         status="reference",
         tooltip="",
         builds_on=tuple(builds_on),
-        minutes=0,
+        in_lesson=(),
         recall=(),
         exercises=(),
         objectives=(),

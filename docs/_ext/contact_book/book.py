@@ -43,7 +43,7 @@ class Chapter:
     status: str
     tooltip: str
     builds_on: tuple[str, ...]
-    minutes: int
+    in_lesson: tuple[str, ...]
     recall: tuple[str, ...]
     exercises: tuple[str, ...]
     objectives: tuple[Objective, ...]
@@ -64,6 +64,11 @@ class Chapter:
     @property
     def has_lesson(self) -> bool:
         return self.status == "lesson" and self.lesson.is_file()
+
+    @property
+    def reading_minutes(self) -> int:
+        """At 200 words a minute, code and questions among them."""
+        return max(1, round(len(self.lesson.read_text(encoding="utf-8").split()) / 200))
 
     @property
     def headers(self) -> list[Path]:
@@ -97,7 +102,7 @@ def _chapter(root: Path, folder: Path) -> Chapter:
         status=status,
         tooltip=table.get("tooltip", str, ""),
         builds_on=tuple(table.strings("builds_on")),
-        minutes=table.get("minutes", int, 0),
+        in_lesson=tuple(table.strings("in_lesson")),
         recall=tuple(table.strings("recall")),
         exercises=tuple(table.strings("exercises")),
         objectives=tuple(

@@ -10,7 +10,7 @@ from sphinx.util.docutils import SphinxRole
 from contact_book.book import Chapter
 from contact_book.directive import BookDirective, open_book, slug_of, source_of
 from contact_book.errors import BookError
-from contact_book.exercises import find_exercise
+from contact_book.exercises import lesson_time
 
 _PLACED = "contact-objectives"
 
@@ -87,13 +87,13 @@ class ChapterHead(ChapterDirective):
     """Added to every lesson by `append_frame`, then moved to its place under the title."""
 
     def time(self) -> str:
-        chapter = self.chapter
-        exercises = sum(
-            find_exercise(self.book, name, chapter.slug, self.source).minutes
-            for name in chapter.exercises
-        )
-        reading = f"About {chapter.minutes} minutes"
-        return f"{reading}, and {exercises} more for the exercises" if exercises else reading
+        time = lesson_time(self.book, self.chapter)
+        words = f"About {time.lesson} minutes"
+        if time.in_lesson:
+            words += f": {time.reading} to read, {time.in_lesson} for the first exercises"
+        if time.further:
+            words += f"; {time.further} more for further practice"
+        return words
 
     def build(self) -> list[nodes.Node]:
         chapter = self.chapter
@@ -102,8 +102,8 @@ class ChapterHead(ChapterDirective):
             words = self.inline_markdown(chapter.tooltip)
             head += nodes.paragraph("", "", *words, classes=["tooltip"])
         facts = nodes.paragraph(classes=["facts"])
-        if chapter.minutes:
-            facts += nodes.inline("", self.time())
+        self.depends(chapter.lesson)
+        facts += nodes.inline("", self.time())
         if chapter.builds_on:
             earlier = [self.book.chapter(slug, self.source) for slug in chapter.builds_on]
             links = joined([chapter_link(item, self.env.docname) for item in earlier])

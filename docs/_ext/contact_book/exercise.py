@@ -72,6 +72,8 @@ class Exercise(BookDirective):
         words = [KINDS[exercise.kind].capitalize(), f"{_number(exercise.points)} points"]
         if exercise.minutes:
             words.append(f"about {exercise.minutes} minutes")
+        if exercise.name not in exercise.chapter.in_lesson:
+            words.append("further practice")
         return nodes.paragraph("", " · ".join(words), classes=["facts"])
 
     def source_file(self, path: Path, label: str) -> nodes.Element:

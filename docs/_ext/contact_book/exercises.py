@@ -99,6 +99,35 @@ def find_exercise(book: Book, name: str, here: str | None, where: str) -> Exerci
     )
 
 
+@dataclass(frozen=True)
+class LessonTime:
+    """How many minutes a lesson takes, and what may come after it."""
+
+    reading: int
+    in_lesson: int
+    further: int
+
+    @property
+    def lesson(self) -> int:
+        return self.reading + self.in_lesson
+
+
+def lesson_time(book: Book, chapter: Chapter) -> LessonTime:
+    where = f"chapters/{chapter.slug}/chapter.toml"
+    for name in chapter.in_lesson:
+        if name not in chapter.exercises:
+            raise unknown("exercise", name, chapter.exercises, f"{where}: in_lesson")
+    minutes = {
+        name: find_exercise(book, name, chapter.slug, where).minutes for name in chapter.exercises
+    }
+    in_lesson = sum(minutes[name] for name in chapter.in_lesson)
+    return LessonTime(
+        reading=chapter.reading_minutes,
+        in_lesson=in_lesson,
+        further=sum(minutes.values()) - in_lesson,
+    )
+
+
 def misconception_hints(book: Book, exercise: Exercise) -> dict[str, str]:
     """What a student reads beside a test that recognises one of the exercise's misconceptions."""
     if not exercise.misconceptions:

@@ -10,6 +10,7 @@ from sphinx.writers.html5 import HTML5Translator
 from contact_book.book import PARTS, Chapter
 from contact_book.chapter import chapter_link, joined
 from contact_book.directive import BookDirective
+from contact_book.exercises import lesson_time
 from contact_book.html import can_run_scripts, renders
 from contact_book.nodes import component, make_component
 from contact_book.run import EBOOK
@@ -44,8 +45,9 @@ class ChapterCards(BookDirective):
         if chapter.tooltip:
             item += nodes.paragraph("", "", *self.inline_markdown(chapter.tooltip))
         facts = nodes.paragraph(classes=["facts"])
-        if chapter.has_lesson and chapter.minutes:
-            facts += nodes.inline("", f"{chapter.minutes} minutes")
+        if chapter.has_lesson:
+            self.depends(chapter.lesson)
+            facts += nodes.inline("", f"{lesson_time(self.book, chapter).lesson} minutes")
         if not chapter.has_lesson:
             facts += nodes.inline("", "code only")
         if chapter.builds_on:
