@@ -166,6 +166,23 @@ export async function loadFigures(page) {
   });
 }
 
+/**
+ * Waits until nothing on the page moves any more: a click is lost if what is pressed moves between the press and the
+ * release, and figures, faces and answers of the judge arrive late. @param {import("playwright-core").Page} page
+ */
+export async function settle(page) {
+  await loadFigures(page);
+  await page.evaluate(async () => {
+    await document.fonts.ready;
+    for (let still = 0, height = -1; still < 5; ) {
+      await new Promise(requestAnimationFrame);
+      const now = document.documentElement.scrollHeight;
+      still = now === height ? still + 1 : 0;
+      height = now;
+    }
+  });
+}
+
 /** Loads one figure, as scrolling to it does. @param {any} locator */
 export const loadFigure = (locator) =>
   locator.evaluate(async (/** @type {any} */ figure) => {

@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { fieldsOf, launch, lessons, loadFigure, notRun, open, serve } from "./browser.mjs";
+import { fieldsOf, launch, lessons, loadFigure, notRun, open, serve, settle } from "./browser.mjs";
 import { inputsLike, native } from "./native.mjs";
 import { sample } from "./sample.mjs";
 
@@ -102,6 +102,7 @@ describe("questions", { skip }, () => {
     test(`${where}: every question, wrong then right`, async () => {
       const { page, trouble, close } = await open(chromium.browser, `${server.origin}/${where}`);
       await page.evaluate(() => customElements.whenDefined("contact-question"));
+      await settle(page);
       const all = await page.locator("contact-question").all();
       assert.ok(all.length > 0);
       for (const element of all) {
@@ -143,9 +144,12 @@ describe("questions", { skip }, () => {
   async function first(kind) {
     for (const where of lessons()) {
       const shown = await open(chromium.browser, `${server.origin}/${where}`);
+      await shown.page.evaluate(() => customElements.whenDefined("contact-question"));
       for (const element of await shown.page.locator("contact-question").all()) {
         const question = await asked(element);
-        if (question.kind === kind) return { ...shown, element, question };
+        if (question.kind !== kind) continue;
+        await settle(shown.page);
+        return { ...shown, element, question };
       }
       await shown.close();
     }
