@@ -74,7 +74,7 @@ describe("your work", { skip, timeout: 120_000 }, () => {
   async function download(page, button) {
     const [file] = await Promise.all([
       page.waitForEvent("download"),
-      page.getByRole("button", { name: button, exact: true }).click(),
+      page.getByRole("button", { name: button, exact: true }).press("Enter"),
     ]);
     const place = path.join(scratch, `${Math.random()}-${file.suggestedFilename()}`);
     await file.saveAs(place);
@@ -94,7 +94,7 @@ describe("your work", { skip, timeout: 120_000 }, () => {
     assert.equal(far, "tried 3 times, 1 hint");
     const chapter = page.locator("tr.chapter").filter({ hasText: "Triangles" });
     assert.match((await chapter.textContent()) ?? "", /7 of \d+0 of \d passed/);
-    await page.locator(`tr[data-exercise="${HIT}"] a`).click();
+    await page.locator(`tr[data-exercise="${HIT}"] a`).press("Enter");
     await page.waitForURL(/chapters\/02_triangles\.html#exercise-ray-triangle$/);
     assert.ok(await page.locator("#exercise-ray-triangle").isVisible());
     assert.deepEqual(trouble, []);
@@ -124,7 +124,7 @@ describe("your work", { skip, timeout: 120_000 }, () => {
   test("code of an exercise that the book no longer has is shown, and saved to a file", async () => {
     const { page, close } = await visit(MINE);
     const lost = page.locator(`.lost li[data-exercise="${GONE}"]`);
-    await lost.locator("summary").click();
+    await lost.locator("summary").press("Enter");
     assert.equal(await lost.locator("pre").textContent(), "int gone = 1;\n");
     const place = await download(page, "Save taken_out.cpp");
     assert.equal(fs.readFileSync(place, "utf8"), "int gone = 1;\n");
@@ -187,10 +187,10 @@ describe("your work", { skip, timeout: 120_000 }, () => {
   test("forgetting asks, saves first, and leaves nothing", async () => {
     const { page, close } = await visit(MINE);
     await page.evaluate(() => localStorage.setItem("theme", "dark"));
-    await page.getByRole("button", { name: "Forget everything", exact: true }).click();
-    await page.getByRole("button", { name: "Keep it" }).click();
+    await page.getByRole("button", { name: "Forget everything", exact: true }).press("Enter");
+    await page.getByRole("button", { name: "Keep it" }).press("Enter");
     assert.ok(await stored(page, PROGRESS));
-    await page.getByRole("button", { name: "Forget everything", exact: true }).click();
+    await page.getByRole("button", { name: "Forget everything", exact: true }).press("Enter");
     const archive = await download(page, "Export, then forget everything");
     await page.getByText(/^Forgotten\. Your work is in contact-hours-.*\.zip\.$/).waitFor();
     assert.deepEqual(await page.evaluate(() => Object.keys(localStorage)), ["theme"]);
@@ -231,8 +231,8 @@ describe("your work", { skip, timeout: 120_000 }, () => {
   for (const colorScheme of /** @type {const} */ (["light", "dark"]))
     test(`axe finds nothing, ${colorScheme}`, async () => {
       const { page, close } = await visit(MINE, { colorScheme, reducedMotion: "reduce" });
-      await page.getByRole("button", { name: "Forget everything", exact: true }).click();
-      await page.locator(".lost summary").click();
+      await page.getByRole("button", { name: "Forget everything", exact: true }).press("Enter");
+      await page.locator(".lost summary").press("Enter");
       await page.evaluate(() => scrollTo(0, 0));
       await page.addScriptTag({ path: require.resolve("axe-core/axe.min.js") });
       const found = await page.evaluate(async () => {
