@@ -1,0 +1,102 @@
+// Place and velocity of a body on a spring, step by step, beside the circle that they ought to stay
+// on.
+
+import { defineFigure, pretty, type Vec2 } from "@contact/figure";
+
+interface Input {
+  start: Vec2;
+  step: number;
+  integrator: number;
+}
+
+interface Output {
+  place: readonly number[];
+  speed: readonly number[];
+  radius: number;
+  steps: number;
+  kept: number;
+  largest: number;
+  last: Vec2;
+  truth: Vec2;
+  off: number;
+}
+
+const EDGE = 3.6;
+/** What leaves the picture is cut off at its edge. */
+const cut = (value: number): number => Math.max(-EDGE, Math.min(EDGE, value));
+const NAMES = [
+  "position first",
+  "velocity first",
+  "Verlet, by velocity",
+  "Verlet, by position",
+  "Runge–Kutta",
+];
+
+export default defineFigure<Input, Output>({
+  title: "What a step does to a swing",
+  view: { kind: "2d", x: [-2.9, 2.9], y: [-2.1, 2.1] },
+  aspect: 1.38,
+  initial: { start: [1.2, 0], step: 0.25, integrator: 0 },
+  handles: [
+    {
+      kind: "point",
+      field: "start",
+      label: "start: place x and velocity v/ω",
+      role: "ball",
+      step: 0.05,
+      limit: [-1.8, 1.8],
+    },
+  ],
+  controls: [
+    {
+      kind: "choice",
+      field: "integrator",
+      label: "the step",
+      options: [
+        { value: 0, label: "position first" },
+        { value: 1, label: "velocity first" },
+        { value: 2, label: "Verlet, by velocity" },
+        { value: 3, label: "Verlet, by position" },
+        { value: 4, label: "Runge–Kutta" },
+      ],
+    },
+    { kind: "slider", field: "step", label: "ωh", min: 0.05, max: 3, step: 0.05 },
+  ],
+  draw(scene, input, output) {
+    const axis = { role: "muted", width: 1 } as const;
+    scene.arrow([-2.7, 0], [2.7, 0], axis);
+    scene.arrow([0, -1.95], [0, 1.95], axis);
+    scene.label([2.7, 0], "x", { role: "muted", offset: [-4, 20] });
+    scene.label([0, 1.95], "v/ω", { role: "muted", offset: [10, 8] });
+    if (output.problem) return;
+    const circle: Vec2[] = [];
+    for (let i = 0; i <= 96; ++i) {
+      const angle = (i / 96) * 2 * Math.PI;
+      circle.push([output.radius * Math.cos(angle), output.radius * Math.sin(angle)]);
+    }
+    scene.path(circle, { role: "normal", width: 2, dashed: true });
+    const path = output.place
+      .slice(0, output.steps + 1)
+      .map((x, i): Vec2 => [cut(x), cut(output.speed[i] ?? 0)]);
+    scene.path(path, { role: "ball", width: 1.6 });
+    if (output.steps <= 80) for (const point of path) scene.dot(point, "ball", 2.4);
+    scene.dot(output.truth, "normal", 5, true);
+    scene.label(output.truth, "truth", { role: "normal", offset: [9, -7], size: "small" });
+    const last: Vec2 = [cut(output.last[0]), cut(output.last[1])];
+    scene.dot(last, "hit", 5);
+    scene.label(last, "last step", { role: "hit", offset: [9, 14], size: "small" });
+    void input;
+  },
+  values: (_input, output) => [
+    { name: "n", meaning: "steps in two swings", value: output.steps },
+    { name: "E_n/E", meaning: "energy after them", value: output.kept, role: "ball" },
+    { name: "E_max/E", meaning: "most on the way", value: output.largest, role: "ball" },
+    { name: "last", meaning: "x and v/ω at the end", value: output.last, role: "hit" },
+    { name: "truth", meaning: "where it ought to be", value: output.truth, role: "normal" },
+    { name: "off", meaning: "their distance", value: output.off, unit: "m" },
+  ],
+  describe(input, output) {
+    const name = NAMES[Math.floor(input.integrator)] ?? "This";
+    return `With the step "${name}" and ωh = ${pretty(input.step, 3)}, ${pretty(output.steps, 3)} steps make ${pretty(output.kept, 4)} of the energy, and the last is ${pretty(output.off, 3)} m from the truth.`;
+  },
+});

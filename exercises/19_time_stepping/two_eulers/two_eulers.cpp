@@ -1,0 +1,16 @@
+#include "two_eulers.hpp"
+
+namespace exercise {
+
+Body position_first(const Body& body, const Eigen::Vector3d& acceleration, double step) {
+  // The velocity after the step is the same in both orders. Which one moves the body?
+  [[maybe_unused]] const Eigen::Vector3d velocity = body.velocity + acceleration * step;
+  contact::todo();
+}
+
+Body velocity_first(const Body& /*body*/, const Eigen::Vector3d& /*acceleration*/,
+                    double /*step*/) {
+  contact::todo();
+}
+
+}  // namespace exercise

@@ -1,0 +1,32 @@
+// misconception: one-impact-a-step
+// caught by: to and fro in one step
+#include "advance_and_reflect.hpp"
+
+namespace exercise {
+
+Ball advance(const Ball& ball, const std::vector<Wall>& walls, double k, double step) {
+  Ball now = ball;
+  for (int turns = 0; turns < 1000; ++turns) {
+    double first = std::numeric_limits<double>::infinity();
+    const Wall* met = nullptr;
+    for (const Wall& wall : walls) {
+      const double gap = wall.normal.dot(now.centre) - wall.offset - ball.radius;
+      const double rate = wall.normal.dot(now.velocity);
+      if (rate >= 0) continue;
+      const double time = std::max(0.0, gap) / -rate;
+      if (time < first) {
+        first = time;
+        met = &wall;
+      }
+    }
+    if (met == nullptr || first > step || turns > 0) break;
+    now.centre += now.velocity * first;
+    now.velocity -= (1 + k) * met->normal.dot(now.velocity) * met->normal;
+    ++now.impacts;
+    step -= first;
+  }
+  now.centre += now.velocity * step;
+  return now;
+}
+
+}  // namespace exercise

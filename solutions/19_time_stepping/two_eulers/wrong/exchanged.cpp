@@ -1,0 +1,16 @@
+// misconception: euler-orders-exchanged
+// caught by: from rest, one order stays and the other moves
+#include "two_eulers.hpp"
+
+namespace exercise {
+
+Body position_first(const Body& body, const Eigen::Vector3d& acceleration, double step) {
+  const Eigen::Vector3d velocity = body.velocity + step * acceleration;
+  return {body.position + step * velocity, velocity};
+}
+
+Body velocity_first(const Body& body, const Eigen::Vector3d& acceleration, double step) {
+  return {body.position + step * body.velocity, body.velocity + step * acceleration};
+}
+
+}  // namespace exercise

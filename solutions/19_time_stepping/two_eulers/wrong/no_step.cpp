@@ -1,0 +1,16 @@
+// misconception: step-left-out
+// caught by: from rest, one order stays and the other moves
+#include "two_eulers.hpp"
+
+namespace exercise {
+
+Body position_first(const Body& body, const Eigen::Vector3d& acceleration, double step) {
+  return {body.position + body.velocity, body.velocity + acceleration};
+}
+
+Body velocity_first(const Body& body, const Eigen::Vector3d& acceleration, double step) {
+  const Eigen::Vector3d velocity = body.velocity + acceleration;
+  return {body.position + velocity, velocity};
+}
+
+}  // namespace exercise

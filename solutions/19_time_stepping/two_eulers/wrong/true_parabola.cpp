@@ -1,0 +1,17 @@
+// misconception: half-a-t-squared
+// caught by: from rest, one order stays and the other moves
+#include "two_eulers.hpp"
+
+namespace exercise {
+
+Body position_first(const Body& body, const Eigen::Vector3d& acceleration, double step) {
+  const Eigen::Vector3d velocity = body.velocity + step * acceleration;
+  return {body.position + step * body.velocity + step * step / 2 * acceleration, velocity};
+}
+
+Body velocity_first(const Body& body, const Eigen::Vector3d& acceleration, double step) {
+  const Eigen::Vector3d velocity = body.velocity + step * acceleration;
+  return {body.position + step * body.velocity + step * step / 2 * acceleration, velocity};
+}
+
+}  // namespace exercise

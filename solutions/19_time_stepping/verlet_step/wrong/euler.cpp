@@ -1,0 +1,13 @@
+// misconception: euler-for-verlet
+// caught by: one step from the end of the swing
+#include "verlet_step.hpp"
+
+namespace exercise {
+
+Swinging verlet_step(const Swinging& body, double angular_frequency, double step) {
+  const double pull = angular_frequency * angular_frequency;
+  const double velocity = body.velocity - pull * body.position * step;
+  return {body.position + velocity * step, velocity};
+}
+
+}  // namespace exercise

@@ -1,0 +1,14 @@
+// misconception: omega-not-squared
+// caught by: one step from the end of the swing
+#include "verlet_step.hpp"
+
+namespace exercise {
+
+Swinging verlet_step(const Swinging& body, double angular_frequency, double step) {
+  const double pull = angular_frequency;
+  const double middle = body.velocity - pull * body.position * step / 2;
+  const double position = body.position + middle * step;
+  return {position, middle - pull * position * step / 2};
+}
+
+}  // namespace exercise

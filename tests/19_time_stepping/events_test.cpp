@@ -1,0 +1,285 @@
+// The queue against a list that is searched, and two balls before a wall against fractions and what
+// is conserved (class (a) of the oracle).
+#include <algorithm>
+#include <array>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <contact/block_count.hpp>
+#include <contact/event_queue.hpp>
+#include <contact/two_balls_wall.hpp>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "support/generators.hpp"
+#include "support/oracle.hpp"
+
+using contact::EventQueue;
+using contact::QueuedEvent;
+using contact::TwoBallsAndWall;
+using generators::Random;
+using oracle::Rational;
+
+namespace {
+
+/// A queue without a heap: a list, searched.
+template <class Time>
+struct SearchedList {
+  std::vector<QueuedEvent<Time>> events;
+
+  void push(const Time& time, int first, int second) {
+    if (second >= 0 && second < first) std::swap(first, second);
+    events.push_back({time, first, second});
+  }
+  void invalidate(int body) {
+    std::erase_if(events, [body](const auto& e) { return e.first == body || e.second == body; });
+  }
+  std::optional<QueuedEvent<Time>> pop() {
+    if (events.empty()) return std::nullopt;
+    const auto next =
+        std::min_element(events.begin(), events.end(), [](const auto& a, const auto& b) {
+          return std::tuple(a.time, a.first, a.second) < std::tuple(b.time, b.first, b.second);
+        });
+    const auto event = *next;
+    events.erase(next);
+    return event;
+  }
+};
+
+template <class Time>
+bool same(const std::optional<QueuedEvent<Time>>& a, const std::optional<QueuedEvent<Time>>& b) {
+  if (!a || !b) return !a && !b;
+  return a->time == b->time && a->first == b->first && a->second == b->second;
+}
+
+}  // namespace
+
+TEST_CASE("the queue gives what a searched list gives, ties and stale events included") {
+  Random random(1931);
+  int popped = 0;
+  for (int run = 0; run < 60; ++run) {
+    const int bodies = random.integer(2, 9);
+    EventQueue<Rational> queue(static_cast<std::size_t>(bodies));
+    SearchedList<Rational> list;
+    for (int i = 0; i < 400; ++i) {
+      const int what = random.integer(0, 9);
+      if (what < 6) {
+        const Rational time = Rational(random.integer(0, 12)) / 3;  // many ties
+        const int first = random.integer(0, bodies - 1);
+        int second = random.integer(-2, bodies - 1);
+        if (second == first) second = -1;
+        queue.push(time, first, second);
+        list.push(time, first, second);
+      } else if (what < 7) {
+        const int body = random.integer(0, bodies - 1);
+        queue.invalidate(body);
+        list.invalidate(body);
+      } else {
+        const auto next = queue.next_time();
+        const auto got = queue.pop();
+        REQUIRE(next.has_value() == got.has_value());
+        if (got) REQUIRE(*next == got->time);
+        REQUIRE(same(got, list.pop()));
+        popped += got.has_value();
+      }
+      REQUIRE(queue.size() >= list.events.size());
+    }
+  }
+  CHECK(popped > 3000);
+}
+
+TEST_CASE("the order does not depend on the order of putting in") {
+  Random random(1932);
+  std::vector<QueuedEvent<double>> events;
+  for (int i = 0; i < 40; ++i) {
+    const double time = random.integer(0, 3);
+    const int first = random.integer(0, 5);
+    events.push_back({time, first, first + random.integer(1, 4)});
+  }
+  std::vector<QueuedEvent<double>> before;
+  for (int run = 0; run < 50; ++run) {
+    for (std::size_t i = events.size() - 1; i > 0; --i) {
+      std::swap(events[i],
+                events[static_cast<std::size_t>(random.integer(0, static_cast<int>(i)))]);
+    }
+    EventQueue<double> queue(10);
+    for (const auto& e : events) queue.push(e.time, e.second, e.first);
+    std::vector<QueuedEvent<double>> order;
+    while (const auto e = queue.pop()) order.push_back(*e);
+    REQUIRE(order.size() == events.size());
+    if (run > 0) {
+      for (std::size_t i = 0; i < order.size(); ++i) {
+        REQUIRE(same(std::optional(order[i]), std::optional(before[i])));
+      }
+    }
+    before = order;
+  }
+}
+
+TEST_CASE("stale events do not pile up") {
+  EventQueue<double> queue(100);
+  Random random(1933);
+  std::size_t most = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const int body = random.integer(0, 99);
+    queue.invalidate(body);
+    queue.push(i + random.uniform(), body);
+    most = std::max(most, queue.size());
+  }
+  // At most a hundred count at a time.
+  CHECK(most <= 2 * 100 + 2 * 100);
+}
+
+namespace {
+
+TwoBallsAndWall<Rational> any_balls(Random& random, const Rational& e) {
+  const auto part = [&random](int low, int high) {
+    const int top = random.integer(low, high);
+    return Rational(top) / random.integer(1, 7);
+  };
+  const Rational inner_mass = part(1, 20);
+  const Rational outer_mass = part(1, 20);
+  const Rational v1 = part(-9, 9);
+  const Rational v2 = part(-9, 9);
+  const Rational wall_gap = part(0, 9);
+  const Rational ball_gap = part(0, 9);
+  return contact::two_balls_and_wall<Rational>({inner_mass, v1}, {outer_mass, v2}, wall_gap,
+                                               ball_gap, e);
+}
+
+}  // namespace
+
+TEST_CASE("two elastic balls keep energy, and m x² + M y² is the parabola it must be") {
+  // Seen with √m x and √M y for axes, the two are a point in a wedge that bounces without loss, and
+  // its distance from the corner is that of a straight line: Q(t) = Q + 2 P t + 2 E t².
+  Random random(1934);
+  std::int64_t hits = 0;
+  for (int i = 0; i < 500; ++i) {
+    const auto start = any_balls(random, 1);
+    const Rational t = Rational(random.integer(1, 40)) / 4;
+    Rational left = t;
+    const auto end = contact::two_balls_by_events<Rational>(start, left, 10000);
+    REQUIRE(left == 0);
+    const auto sums = [](const TwoBallsAndWall<Rational>& s) {
+      const Rational x = s.wall_gap;
+      const Rational y = s.wall_gap + s.ball_gap;
+      const Rational& m = s.inner.mass;
+      const Rational& n = s.outer.mass;
+      const Rational& v = s.inner.velocity;
+      const Rational& w = s.outer.velocity;
+      return std::array<Rational, 3>{m * x * x + n * y * y, m * x * v + n * y * w,
+                                     m * v * v + n * w * w};
+    };
+    const auto before = sums(start);
+    const auto after = sums(end);
+    REQUIRE(after[2] == before[2]);
+    REQUIRE(after[1] == before[1] + before[2] * t);
+    REQUIRE(after[0] == before[0] + 2 * before[1] * t + before[2] * t * t);
+    REQUIRE(end.wall_gap >= 0);
+    REQUIRE(end.ball_gap >= 0);
+    hits += end.hits;
+  }
+  CHECK(hits > 500);
+}
+
+TEST_CASE("equal elastic balls pass through each other, as far as anybody can tell") {
+  Random random(1935);
+  for (int i = 0; i < 300; ++i) {
+    auto start = any_balls(random, 1);
+    start.outer.mass = start.inner.mass;
+    const Rational t = Rational(random.integer(1, 40)) / 4;
+    Rational left = t;
+    const auto end = contact::two_balls_by_events<Rational>(start, left, 10000);
+    Rational a = abs(Rational(start.wall_gap + start.inner.velocity * t));
+    Rational b = abs(Rational(start.wall_gap + start.ball_gap + start.outer.velocity * t));
+    if (b < a) std::swap(a, b);
+    REQUIRE(end.wall_gap == a);
+    REQUIRE(end.wall_gap + end.ball_gap == b);
+  }
+}
+
+TEST_CASE("the clicks are the digits of pi, by events") {
+  for (const double ratio : {1.0, 2.0, 16.0, 100.0, 1000.0, 10000.0}) {
+    auto blocks = contact::two_balls_and_wall<double>({1, 0}, {ratio, -1}, 1.0, 1.0, 1.0);
+    double forever = 1e9;
+    blocks = contact::two_balls_by_events(blocks, forever, 100000);
+    CHECK(blocks.hits == *contact::count_collisions(ratio));
+  }
+}
+
+TEST_CASE("whether collisions have an end is what the polynomial says") {
+  Random random(1936);
+  int endless = 0;
+  int ending = 0;
+  for (int i = 0; i < 400; ++i) {
+    const double e = random.integer(1, 15) / 16.0;
+    const double outer = random.integer(1, 64);
+    const double inner = random.integer(1, 16);
+    // Near the border the pair of velocities turns so slowly that its end is far away.
+    const double trace = 1 - 3 * e + (1 + e) * (e * outer - inner) / (outer + inner);
+    if (trace < 2 * e && trace > 1.9 * e) continue;
+    const auto start = contact::two_balls_and_wall<Rational>(
+        {oracle::exact(inner), 0}, {oracle::exact(outer), -1}, 1, 1, oracle::exact(e));
+    Rational time = 1000000000;
+    const auto end = contact::two_balls_by_events<Rational>(start, time, 60);
+    const bool stopped = time > 0;
+    INFO("e = " << e << ", m = " << inner << ", M = " << outer);
+    REQUIRE(contact::collapses(inner, outer, e) == stopped);
+    (stopped ? endless : ending) += 1;
+  }
+  CHECK(endless > 50);
+  CHECK(ending > 50);
+  // On the border: e = 1/2 and M = 8 m; e = 1/3 is no double.
+  CHECK(contact::collapses(1.0, 8.0, 0.5));
+  CHECK_FALSE(contact::collapses(1.0, std::nextafter(8.0, 0.0), 0.5));
+  CHECK_FALSE(contact::collapses(std::nextafter(1.0, 2.0), 8.0, 0.5));
+  CHECK(contact::collapses(1.0, 1e-300, 0.0));
+  CHECK_FALSE(contact::collapses(1e-300, 1e300, 1.0));
+}
+
+TEST_CASE("steps of two balls are right while nothing is met, and lose a pass between two looks") {
+  Random random(1937);
+  for (int i = 0; i < 200; ++i) {
+    auto start = any_balls(random, 1);
+    start.inner.velocity = Rational(random.integer(0, 3));
+    start.outer.velocity = start.inner.velocity + Rational(random.integer(0, 3));
+    const auto end = contact::two_balls_in_steps<Rational>(start, Rational(1) / 8, 16);
+    REQUIRE(end.hits == 0);
+    REQUIRE(end.wall_gap == start.wall_gap + 2 * start.inner.velocity);
+  }
+  // Overlap is found a step late: the inner ball gets 1 m into the wall before it turns.
+  const auto late = contact::two_balls_in_steps<Rational>(
+      contact::two_balls_and_wall<Rational>({1, -4}, {1, 0}, 1, 100, 1), Rational(1) / 2, 1);
+  CHECK(late.wall_gap == -1);
+  CHECK(late.inner.velocity == 4);
+}
+
+TEST_CASE("balls that cannot be are refused by name") {
+  const auto refusal = [](const std::function<void()>& construct) {
+    try {
+      construct();
+    } catch (const std::invalid_argument& problem) {
+      return std::string(problem.what());
+    }
+    return std::string();
+  };
+  const auto contains = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  const contact::LineBody<double> ball{1, 0};
+  const contact::LineBody<double> wall{std::numeric_limits<double>::infinity(), 0};
+  CHECK(contains(refusal([&] { contact::two_balls_and_wall(wall, ball, 0.0, 0.0, 1.0); }),
+                 "inner.mass"));
+  CHECK(contains(refusal([&] { contact::two_balls_and_wall(ball, wall, 0.0, 0.0, 1.0); }),
+                 "outer.mass"));
+  CHECK(contains(refusal([&] { contact::two_balls_and_wall(ball, ball, -1.0, 0.0, 1.0); }),
+                 "wall_gap = -1"));
+  CHECK(contains(refusal([&] { contact::two_balls_and_wall(ball, ball, 0.0, -1.0, 1.0); }),
+                 "ball_gap"));
+  CHECK(contains(refusal([&] { contact::two_balls_and_wall(ball, ball, 0.0, 0.0, 2.0); }),
+                 "restitution"));
+}

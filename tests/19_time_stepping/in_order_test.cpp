@@ -1,0 +1,162 @@
+// Beads that are alike and exchange their velocities are, to anybody who cannot tell them apart,
+// beads that pass through each other. So every meeting is a crossing of two straight lines, and its
+// index says how many lines are to the left of it. Named tests take times that are exact; where
+// several lines cross at one point and time, the rule of the contract is followed by hand. Every
+// test asks for at least two different answers, so that no constant passes one.
+#include "in_order.hpp"
+
+#include <support/exercise.hpp>
+#include <support/generators.hpp>
+
+#include <algorithm>
+
+namespace {
+
+using namespace contact::testing;
+using exercise::Bead;
+using exercise::Meeting;
+using Meetings = std::vector<Meeting>;
+using Wire = std::vector<Bead>;
+
+/// From the velocities of the start alone.
+Meetings of_the_start(const Wire& beads, double until) {
+  Meetings list;
+  for (std::size_t i = 0; i + 1 < beads.size(); ++i) {
+    const double closing = beads[i].velocity - beads[i + 1].velocity;
+    if (!(closing > 0)) continue;
+    const double time = (beads[i + 1].position - beads[i].position) / closing;
+    if (time <= until) list.push_back({time, static_cast<int>(i)});
+  }
+  std::stable_sort(list.begin(), list.end(),
+                   [](const Meeting& a, const Meeting& b) { return a.time < b.time; });
+  return list;
+}
+
+bool ordered_the_other_way(const Meetings& got, Meetings right) {
+  // The same meetings, with those of one time in the opposite order.
+  std::stable_sort(right.begin(), right.end(), [](const Meeting& a, const Meeting& b) {
+    return a.time < b.time || (a.time == b.time && a.left > b.left);
+  });
+  if (got.size() != right.size()) return false;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    if (!(std::abs(got[i].time - right[i].time) <= 1e-9) || got[i].left != right[i].left) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool end_missing(const Meetings& got, const Meetings& right, double until) {
+  Meetings before = right;
+  std::erase_if(before, [until](const Meeting& m) { return m.time >= until; });
+  return before.size() < right.size() && got.size() == before.size();
+}
+
+bool some_pair_once(const Meetings& got, const Meetings& right) {
+  Meetings once;
+  for (const Meeting& m : right) {
+    const bool met =
+        std::any_of(once.begin(), once.end(), [&](const Meeting& o) { return o.left == m.left; });
+    if (!met) once.push_back(m);
+  }
+  if (got.empty() || got.size() >= right.size()) return false;
+  std::vector<int> seen;
+  for (const Meeting& m : got) {
+    if (std::count(seen.begin(), seen.end(), m.left) > 0) return false;
+    seen.push_back(m.left);
+  }
+  return true;
+}
+
+void check(const Wire& beads, double until, const Meetings& right) {
+  ask("Which beads meet, and when?")
+      .given("beads", beads)
+      .given("until", until)
+      .suspect("from-the-start-alone", [&] { return of_the_start(beads, until); })
+      .suspect_if("end-left-out",
+                  [&](const Meetings& got) { return end_missing(got, right, until); })
+      .suspect_if("ties-by-the-larger-index",
+                  [&](const Meetings& got) { return ordered_the_other_way(got, right); })
+      .suspect_if("pair-meets-once",
+                  [&](const Meetings& got) { return some_pair_once(got, right); })
+      .suspect_if("stale-meetings-kept",
+                  [&](const Meetings& got) { return got.size() > right.size(); })
+      .answer([&] { return exercise::meetings(beads, until); })
+      // Places below 100 m with speeds of some 5 m/s, and a few roundings a meeting.
+      .close_to(right, within(1e-9));
+}
+
+}  // namespace
+
+TEST_CASE("two beads meet once or never") {
+  check({{0, 1}, {2, -1}}, 10, {{1, 0}});
+  check({{0, 1}, {2, 1}}, 10, {});
+  check({{0, -1}, {2, 1}}, 10, {});
+  check({{0, 3}, {2, -1}}, 10, {{0.5, 0}});
+  check({{1, 2}, {1, 1}}, 10, {{0, 0}});
+}
+
+TEST_CASE("a chain of three") {
+  // The first pushes the second, that the third.
+  check({{0, 2}, {1, 0}, {3, 0}}, 10, {{0.5, 0}, {1.5, 1}});
+  // The third comes back, and the first two meet again.
+  check({{0, 2}, {1, 0}, {4, -1}}, 10, {{0.5, 0}, {4.0 / 3, 1}, {3, 0}});
+  // The second would have met the third at 4 s; it meets the first before, and so the third sooner.
+  check({{0, 4}, {2, 1}, {6, 0}}, 10, {{2.0 / 3, 0}, {1.5, 1}, {4, 0}});
+}
+
+TEST_CASE("the end belongs to it") {
+  check({{0, 1}, {2, -1}}, 1, {{1, 0}});
+  check({{0, 1}, {2, -1}}, 0.875, {});
+  check({{0, 2}, {1, 0}, {3, 0}}, 1.5, {{0.5, 0}, {1.5, 1}});
+}
+
+TEST_CASE("three at one place meet three times") {
+  check({{-1, 1}, {0, 0}, {1, -1}}, 10, {{1, 0}, {1, 1}, {1, 0}});
+  check({{-2, 1}, {0, 0}, {2, -1}, {9, 0}}, 20, {{2, 0}, {2, 1}, {2, 0}, {11, 2}});
+}
+
+TEST_CASE("far pairs at one time go by index") {
+  check({{0, 1}, {2, -1}, {100, 1}, {102, -1}}, 5, {{1, 0}, {1, 2}});
+  check({{0, 2}, {4, -2}, {50, 4}, {54, 0}, {99, 1}, {101, -1}}, 5, {{1, 0}, {1, 2}, {1, 4}});
+}
+
+TEST_CASE("random wires agree with lines that cross") {
+  generators::Random random(seed(0));
+  for (int asked = 0; asked < 150; ++asked) {
+    Wire beads;
+    double place = 0;
+    const int count = random.integer(2, 7);
+    for (int i = 0; i < count; ++i) {
+      place += random.uniform(0.1, 3);
+      beads.push_back({place, random.uniform(-5, 5)});
+    }
+    const double until = random.uniform(0.5, 6);
+    Meetings right;
+    bool close = false;
+    for (std::size_t i = 0; i < beads.size(); ++i) {
+      for (std::size_t j = i + 1; j < beads.size(); ++j) {
+        const double closing = beads[i].velocity - beads[j].velocity;
+        if (!(closing > 0)) continue;
+        const double time = (beads[j].position - beads[i].position) / closing;
+        close = close || std::abs(time - until) < 1e-6;
+        if (time > until) continue;
+        const double there = beads[i].position + beads[i].velocity * time;
+        int left = 0;
+        for (std::size_t k = 0; k < beads.size(); ++k) {
+          if (k == i || k == j) continue;
+          const double other = beads[k].position + beads[k].velocity * time;
+          close = close || std::abs(other - there) < 1e-6;
+          left += other < there;
+        }
+        right.push_back({time, left});
+      }
+    }
+    std::sort(right.begin(), right.end(),
+              [](const Meeting& a, const Meeting& b) { return a.time < b.time; });
+    for (std::size_t i = 1; i < right.size(); ++i) {
+      close = close || right[i].time - right[i - 1].time < 1e-6;
+    }
+    if (!close) check(beads, until, right);
+  }
+}
