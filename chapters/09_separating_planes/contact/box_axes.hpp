@@ -1,0 +1,112 @@
+/// @file
+/// The fifteen directions that decide whether two boxes keep apart.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+
+#include <contact/convex_shapes.hpp>
+#include <contact/exact.hpp>
+#include <contact/plane.hpp>
+#include <contact/tolerance.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+/// How many directions can separate two boxes: three face normals each, nine pairs of edges.
+inline constexpr int box_axis_count = 15;
+
+// [box-axis]
+/// Candidate k for a separating direction of two boxes: 0 to 2 are normals of A's faces, 3 to 5 of
+/// B's, 6 to 14 are at right angles to one edge of each (6 + 3 i + j: A's edge i, B's edge j).
+///
+/// Face normals are cross products of edges, not the axes themselves: so they are right for what is
+/// stored even if rounding has bent a box. Parallel edges give 0, which is no direction.
+/// @return of any length
+/// @see Gottschalk, Lin and Manocha, *OBBTree*, SIGGRAPH 1996
+template <Ring S>
+Vector3<S> box_axis(const OrientedBox<S>& a, const OrientedBox<S>& b, int k) {
+  if (k < 6) {
+    const Matrix3<S>& axes = k < 3 ? a.axes : b.axes;
+    return Vector3<S>(axes.col((k + 1) % 3)).cross(Vector3<S>(axes.col((k + 2) % 3)));
+  }
+  return Vector3<S>(a.axes.col((k - 6) / 3)).cross(Vector3<S>(b.axes.col((k - 6) % 3)));
+}
+// [/box-axis]
+
+namespace detail {
+
+template <Ring S>
+S magnitude(const S& x) {
+  return x < S(0) ? S(-x) : x;
+}
+
+}  // namespace detail
+
+/// How far a box reaches from its centre along n, times |n|: Σ hᵢ |n · aᵢ|.
+template <Ring S>
+S box_reach(const OrientedBox<S>& box, const Vector3<S>& n) {
+  S reach(0);
+  for (int i = 0; i < 3; ++i) {
+    reach =
+        reach + S(box.half_lengths(i)) * detail::magnitude<S>(n.dot(Vector3<S>(box.axes.col(i))));
+  }
+  return reach;
+}
+
+// [axis-gap]
+/// How much room there is between the two boxes as seen along n, times |n|: positive if a plane
+/// across n fits between them, 0 if they touch it from both sides, negative if they overlap.
+template <Ring S>
+S gap_along(const OrientedBox<S>& a, const OrientedBox<S>& b, const Vector3<S>& n) {
+  const Vector3<S> between = a.centre - b.centre;
+  return detail::magnitude<S>(n.dot(between)) - box_reach(a, n) - box_reach(b, n);
+}
+// [/axis-gap]
+
+namespace detail {
+
+/// The boxes' numbers are small and large enough for the bounds below: nothing overflows, and what
+/// underflows does not matter beside a bound of at least 2^-600.
+inline bool in_filter_range(double size) { return size >= 0x1p-600 && size <= 0x1p600; }
+
+/// The sign of the gap along axis k: 1, 0 or −1, and 2 for an axis that is exactly 0.
+///
+/// In rounded arithmetic first. Each entry of the axis is off by at most γ(2) Mᵢ, with Mᵢ the
+/// products in it taken positive. A term of the gap goes through at most 14 roundings: two in the
+/// axis, one in the difference of the centres or the product with a half length, three in the dot
+/// product, and eight in the sums. So the gap is off by at most γ(14) (M · |between| + Σ hᵢ M ·
+/// |aᵢ| + Σ hⱼ M · |bⱼ|); γ(32) leaves room for the rounding of the bound.
+inline int sign_of_gap(const OrientedBox<double>& a, const OrientedBox<double>& b, int k) {
+  const Vector3<double> u = k < 6 ? (k < 3 ? a : b).axes.col((k + 1) % 3) : a.axes.col((k - 6) / 3);
+  const Vector3<double> v = k < 6 ? (k < 3 ? a : b).axes.col((k + 2) % 3) : b.axes.col((k - 6) % 3);
+  const Vector3<double> products(std::abs(u.y() * v.z()) + std::abs(u.z() * v.y()),
+                                 std::abs(u.z() * v.x()) + std::abs(u.x() * v.z()),
+                                 std::abs(u.x() * v.y()) + std::abs(u.y() * v.x()));
+  const Vector3<double> reach_a = a.axes.cwiseAbs() * a.half_lengths.cwiseAbs();
+  const Vector3<double> reach_b = b.axes.cwiseAbs() * b.half_lengths.cwiseAbs();
+  const Vector3<double> all = (a.centre - b.centre).cwiseAbs() + reach_a + reach_b;
+  const double size = products.dot(all);
+  const double gap = gap_along<double>(a, b, box_axis(a, b, k));
+  const double bound = tolerance::gamma<double>(32) * size + 0x1p-1060 * (1 + all.sum());
+  if (in_filter_range(size) && std::abs(gap) > bound) {
+    return gap > 0 ? 1 : -1;
+  }
+  const auto exact = [](const OrientedBox<double>& box) {
+    OrientedBox<Exact> e{exact_vector<double>(box.centre), Matrix3<Exact>(),
+                         exact_vector<double>(box.half_lengths)};
+    for (int i = 0; i < 3; ++i) e.axes.col(i) = exact_vector<double>(box.axes.col(i));
+    return e;
+  };
+  const OrientedBox<Exact> ea = exact(a);
+  const OrientedBox<Exact> eb = exact(b);
+  const Vector3<Exact> n = box_axis(ea, eb, k);
+  if (n == Vector3<Exact>::Zero()) return 2;
+  return gap_along(ea, eb, n).sign();
+}
+
+}  // namespace detail
+
+}  // namespace contact

@@ -1,0 +1,254 @@
+/// @file
+/// The closest points of segments and boxes, in rounded arithmetic.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <limits>
+
+#include <contact/convex_shapes.hpp>
+#include <contact/exact.hpp>
+#include <contact/plane.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+/// A point of A and a point of B with no two nearer to each other.
+template <Ring S>
+struct ClosestPoints {
+  Vector3<S> on_a = Vector3<S>::Zero();  ///< m
+  Vector3<S> on_b = Vector3<S>::Zero();  ///< m
+};
+
+namespace detail {
+
+template <std::floating_point S>
+S squared_gap(const ClosestPoints<S>& points) {
+  const Vector3<S> between = points.on_a - points.on_b;
+  return between.dot(between);
+}
+
+/// The point of a segment at the fraction t, from whichever end is nearer.
+template <std::floating_point S>
+Vector3<S> point_at(const Segment<S>& segment, const S& t) {
+  const Vector3<S> d = segment.end - segment.start;
+  if (t <= S(0.5)) return segment.start + d * t;
+  return segment.end - d * (S(1) - t);
+}
+
+/// Keeps the nearer of two pairs, and of equals the earlier.
+template <std::floating_point S>
+void keep_nearer(ClosestPoints<S>& best, const ClosestPoints<S>& other) {
+  if (squared_gap(other) < squared_gap(best)) best = other;
+}
+
+template <std::floating_point S>
+ClosestPoints<S> exchanged(const ClosestPoints<S>& points) {
+  return {points.on_b, points.on_a};
+}
+
+}  // namespace detail
+
+// [point-segment]
+/// The point of a segment that is nearest to p. A segment without length is its start.
+/// @return m, off by a few u of the coordinates' size
+template <std::floating_point S>
+Vector3<S> closest_point(const Vector3<S>& p, const Segment<S>& segment) {
+  const Vector3<S> d = segment.end - segment.start;
+  const S along = d.dot(Vector3<S>(p - segment.start));
+  const S whole = d.dot(d);
+  if (!(along > S(0))) return segment.start;
+  if (!(along < whole)) return segment.end;
+  return detail::point_at<S>(segment, along / whole);
+}
+// [/point-segment]
+
+// [crossing]
+namespace detail {
+
+/// Where on two lines their closest points lie, as fractions of the segments, if both fractions are
+/// from 0 to 1; {−1, −1} if not, or if the lines are parallel.
+///
+/// With n = d × e: s = n · (w × e) / n², t = n · (w × d) / n². Where the sine of the angle between
+/// the segments is below 2^-12, rounding would spoil n, and the fractions are computed without
+/// rounding but for the last step (in long double, for which there is no exact arithmetic here, in
+/// rounded arithmetic always).
+template <std::floating_point S>
+Vector2<S> crossing_fractions(const Segment<S>& a, const Segment<S>& b) {
+  const auto solve = [](const auto& d, const auto& e, const auto& w, auto& s, auto& t,
+                        auto& whole) {
+    const auto n = d.cross(e).eval();
+    whole = n.dot(n);
+    s = n.dot(w.cross(e).eval());
+    t = n.dot(w.cross(d).eval());
+  };
+  const Vector2<S> none(S(-1), S(-1));
+  const Vector3<S> d = a.end - a.start;
+  const Vector3<S> e = b.end - b.start;
+  const Vector3<S> w = b.start - a.start;
+  S s(0);
+  S t(0);
+  S whole(0);
+  solve(d, e, w, s, t, whole);
+  const S lengths = d.dot(d) * e.dot(e);
+  if constexpr (std::numeric_limits<S>::digits <= 53) {
+    if (!(whole > lengths * S(0x1p-24))) {
+      if (d == Vector3<S>::Zero() || e == Vector3<S>::Zero()) return none;
+      const Vector3<Exact> start = exact_vector(a.start);
+      const Vector3<Exact> other = exact_vector(b.start);
+      const Vector3<Exact> exact_d = exact_vector(a.end) - start;
+      const Vector3<Exact> exact_e = exact_vector(b.end) - other;
+      const Vector3<Exact> exact_w = other - start;
+      Exact es;
+      Exact et;
+      Exact ew;
+      solve(exact_d, exact_e, exact_w, es, et, ew);
+      if (ew.sign() == 0 || es.sign() < 0 || et.sign() < 0 || ew < es || ew < et) return none;
+      return {quotient<S>(es, ew), quotient<S>(et, ew)};
+    }
+  }
+  if (!(whole > S(0)) || s < S(0) || t < S(0) || s > whole || t > whole) return none;
+  return {s / whole, t / whole};
+}
+
+}  // namespace detail
+// [/crossing]
+
+// [segments]
+/// The closest points of two segments, which may be parallel or have no length.
+///
+/// Four candidates are an end and the point of the other segment nearest to it. The fifth lies
+/// between the ends, where the lines are nearest to each other; its points are moved to each other
+/// once more, which takes out what rounding did to them. The nearest pair is kept: of equals, the
+/// earlier, so parallel segments give an end.
+/// @return m; their distance is off by a few u of the coordinates' size, at any angle
+template <std::floating_point S>
+ClosestPoints<S> closest_points(const Segment<S>& a, const Segment<S>& b) {
+  ClosestPoints<S> best{a.start, closest_point<S>(a.start, b)};
+  detail::keep_nearer<S>(best, {a.end, closest_point<S>(a.end, b)});
+  detail::keep_nearer<S>(best, {closest_point<S>(b.start, a), b.start});
+  detail::keep_nearer<S>(best, {closest_point<S>(b.end, a), b.end});
+  const Vector2<S> at = detail::crossing_fractions(a, b);
+  if (at.x() >= S(0)) {
+    const Vector3<S> on_a = detail::point_at<S>(a, at.x());
+    detail::keep_nearer<S>(best, {on_a, detail::point_at<S>(b, at.y())});
+    const Vector3<S> on_b = closest_point<S>(on_a, b);
+    detail::keep_nearer<S>(best, {closest_point<S>(on_b, a), on_b});
+  }
+  return best;
+}
+// [/segments]
+
+// [point-box]
+/// A point in the axes of a box, from its centre.
+template <Ring S>
+Vector3<S> in_box_axes(const OrientedBox<S>& box, const Vector3<S>& p) {
+  const Vector3<S> w = p - box.centre;
+  return {w.dot(Vector3<S>(box.axes.col(0))), w.dot(Vector3<S>(box.axes.col(1))),
+          w.dot(Vector3<S>(box.axes.col(2)))};
+}
+
+/// A point given in the axes of a box, in the world.
+template <Ring S>
+Vector3<S> out_of_box_axes(const OrientedBox<S>& box, const Vector3<S>& local) {
+  Vector3<S> p = box.centre;
+  for (int i = 0; i < 3; ++i) p = p + Vector3<S>(box.axes.col(i)) * S(local(i));
+  return p;
+}
+
+/// The point of a box that is nearest to p: each coordinate in the box's axes is cut off at its
+/// half length. A point of the box is its own nearest.
+/// @return m, off by a few u of the coordinates' size
+template <std::floating_point S>
+Vector3<S> closest_point(const Vector3<S>& p, const OrientedBox<S>& box) {
+  const Vector3<S> local = in_box_axes(box, p);
+  Vector3<S> inside;
+  for (int i = 0; i < 3; ++i) {
+    inside(i) = std::clamp<S>(local(i), -box.half_lengths(i), box.half_lengths(i));
+  }
+  if (inside == local) return p;
+  return out_of_box_axes(box, inside);
+}
+// [/point-box]
+
+namespace detail {
+
+/// A point that a segment and a box have in common, as rounded: the middle of the piece that the
+/// slabs leave. Equal points say that there is one.
+template <std::floating_point S>
+bool rounded_meeting(const Segment<S>& segment, const OrientedBox<S>& box, Vector3<S>& meeting) {
+  const Vector3<S> start = in_box_axes(box, segment.start);
+  const Vector3<S> end = in_box_axes(box, segment.end);
+  S first(0);
+  S last(1);
+  for (int i = 0; i < 3; ++i) {
+    const S half = box.half_lengths(i);
+    const S rate = end(i) - start(i);
+    if (rate == S(0)) {
+      if (std::abs(start(i)) > half) return false;
+      continue;
+    }
+    const S one = (-half - start(i)) / rate;
+    const S other = (half - start(i)) / rate;
+    first = std::max(first, std::min(one, other));
+    last = std::min(last, std::max(one, other));
+    if (!(first <= last)) return false;
+  }
+  meeting = point_at<S>(segment, (first + last) / S(2));
+  return true;
+}
+
+}  // namespace detail
+
+// [segment-box]
+/// The closest points of a segment and a box. If they meet, both are one point of the two.
+///
+/// If not, the candidates are an end of the segment and the point of the box nearest to it, and the
+/// closest points of the segment and each edge of the box.
+/// @return m; their distance is off by a few u of the coordinates' size
+template <std::floating_point S>
+ClosestPoints<S> closest_points(const Segment<S>& a, const OrientedBox<S>& b) {
+  Vector3<S> meeting;
+  if (detail::rounded_meeting<S>(a, b, meeting)) {
+    return {meeting, closest_point<S>(meeting, b)};
+  }
+  ClosestPoints<S> best{a.start, closest_point<S>(a.start, b)};
+  detail::keep_nearer<S>(best, {a.end, closest_point<S>(a.end, b)});
+  if (a.start == a.end) return best;
+  for (int k = 0; k < 12; ++k) {
+    detail::keep_nearer<S>(best, closest_points<S>(a, box_edge(b, k)));
+  }
+  return best;
+}
+// [/segment-box]
+
+// [boxes]
+/// The closest points of two boxes that keep apart.
+///
+/// Candidates are a corner of one and the point of the other nearest to it, and the closest points
+/// of two edges: 16 and 144 of them, in a fixed order.
+/// @return m; their distance is off by a few u of the coordinates' size. Of boxes that overlap, a
+/// pair that says nothing
+template <std::floating_point S>
+ClosestPoints<S> closest_points(const OrientedBox<S>& a, const OrientedBox<S>& b) {
+  ClosestPoints<S> best{box_corner(a, 0), closest_point<S>(box_corner(a, 0), b)};
+  for (int k = 1; k < 8; ++k) {
+    const Vector3<S> corner = box_corner(a, k);
+    detail::keep_nearer<S>(best, {corner, closest_point<S>(corner, b)});
+  }
+  for (int k = 0; k < 8; ++k) {
+    const Vector3<S> corner = box_corner(b, k);
+    detail::keep_nearer<S>(best, {closest_point<S>(corner, a), corner});
+  }
+  for (int i = 0; i < 12; ++i) {
+    const Segment<S> edge = box_edge(a, i);
+    for (int j = 0; j < 12; ++j) {
+      detail::keep_nearer<S>(best, closest_points<S>(edge, box_edge(b, j)));
+    }
+  }
+  return best;
+}
+// [/boxes]
+
+}  // namespace contact

@@ -1,0 +1,89 @@
+/// @file
+/// Fractions without rounding: exact numbers with a division.
+#pragma once
+
+#include <cassert>
+#include <compare>
+
+#include <contact/exact.hpp>
+
+namespace contact {
+
+// [exact-fraction]
+/// A quotient of two exact numbers, so that a formula with divisions is right to the last bit too.
+///
+/// Nothing is cancelled: numerator and denominator grow with every operation. That does for short
+/// formulas, such as a squared distance, and for nothing long. Division by 0 is a wrong program,
+/// and asserts.
+class ExactFraction {
+ public:
+  /// Zero.
+  ExactFraction() : below_(1.0) {}
+  /// A whole number.
+  ExactFraction(int value) : ExactFraction(static_cast<double>(value)) {}
+  /// The value of a finite double, unchanged.
+  ExactFraction(double value) : above_(value), below_(1.0) {}
+
+  /// -1, 0 or +1.
+  int sign() const { return above_.sign(); }
+  /// The double nearest to it.
+  double nearest() const { return quotient<double>(above_, below_); }
+
+  friend ExactFraction operator-(const ExactFraction& x) { return {-x.above_, x.below_}; }
+  friend ExactFraction operator+(const ExactFraction& x, const ExactFraction& y) {
+    if (x.below_ == y.below_) return {x.above_ + y.above_, x.below_};
+    return {x.above_ * y.below_ + y.above_ * x.below_, x.below_ * y.below_};
+  }
+  friend ExactFraction operator-(const ExactFraction& x, const ExactFraction& y) { return x + -y; }
+  friend ExactFraction operator*(const ExactFraction& x, const ExactFraction& y) {
+    return {x.above_ * y.above_, x.below_ * y.below_};
+  }
+  friend ExactFraction operator/(const ExactFraction& x, const ExactFraction& y) {
+    assert(y.sign() != 0);
+    if (y.sign() < 0) return {-(x.above_ * y.below_), -(x.below_ * y.above_)};
+    return {x.above_ * y.below_, x.below_ * y.above_};
+  }
+  ExactFraction& operator+=(const ExactFraction& y) { return *this = *this + y; }
+  ExactFraction& operator-=(const ExactFraction& y) { return *this = *this - y; }
+  ExactFraction& operator*=(const ExactFraction& y) { return *this = *this * y; }
+  ExactFraction& operator/=(const ExactFraction& y) { return *this = *this / y; }
+
+  friend bool operator==(const ExactFraction& x, const ExactFraction& y) { return (x <=> y) == 0; }
+  friend std::strong_ordering operator<=>(const ExactFraction& x, const ExactFraction& y) {
+    if (x.sign() != y.sign()) return x.sign() <=> y.sign();
+    return x.above_ * y.below_ <=> y.above_ * x.below_;
+  }
+
+ private:
+  ExactFraction(const Exact& above, const Exact& below) : above_(above), below_(below) {}
+
+  Exact above_;
+  Exact below_;  // greater than 0
+};
+// [/exact-fraction]
+
+}  // namespace contact
+
+namespace Eigen {
+template <class T>
+struct NumTraits;
+
+/// Lets Eigen's vectors hold `contact::ExactFraction`.
+template <>
+struct NumTraits<contact::ExactFraction> {
+  using Real = contact::ExactFraction;
+  using NonInteger = contact::ExactFraction;
+  using Nested = contact::ExactFraction;
+  using Literal = contact::ExactFraction;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 8,
+    AddCost = 200,
+    MulCost = 120
+  };
+  static int digits10() { return 0; }
+};
+}  // namespace Eigen

@@ -1,0 +1,400 @@
+/// @file
+/// How far two convex bodies are apart or how deep they overlap, in which direction, and at which
+/// points.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <vector>
+
+#include <contact/box_axes.hpp>
+#include <contact/closest_points.hpp>
+#include <contact/convex_shapes.hpp>
+#include <contact/face_clipping.hpp>
+#include <contact/tolerance.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+// [gap]
+/// The distance of two bodies A and B, or how deep they overlap.
+///
+/// on_a − on_b = distance normal, but for rounding. Separating bodies: the two closest points.
+/// Overlapping bodies: moving A by −distance along the normal is the shortest way to part them.
+template <Ring S>
+struct Gap {
+  S distance = S(0);                       ///< m; negative: minus the depth of penetration
+  Vector3<S> normal = Vector3<S>::Zero();  ///< unit vector, from B to A
+  Vector3<S> on_a = Vector3<S>::Zero();    ///< of A's surface, m
+  Vector3<S> on_b = Vector3<S>::Zero();    ///< of B's surface, m
+};
+// [/gap]
+
+/// The same seen from the other body.
+template <Ring S>
+Gap<S> exchanged(const Gap<S>& gap) {
+  return {gap.distance, Vector3<S>(-gap.normal), gap.on_b, gap.on_a};
+}
+
+namespace detail {
+
+/// A unit vector across d, the same for the same d: across the coordinate axis that d is least
+/// along. For d = 0, the z axis.
+template <std::floating_point S>
+Vector3<S> across(const Vector3<S>& d) {
+  if (d == Vector3<S>::Zero()) return Vector3<S>::UnitZ();
+  int least = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (std::abs(d(i)) < std::abs(d(least))) least = i;
+  }
+  Vector3<S> axis = Vector3<S>::Zero();
+  axis(least) = S(1);
+  return normalised<S>(Vector3<S>(d.cross(axis)));
+}
+
+/// The gap of two bodies from the closest points of their cores, along a unit normal: each surface
+/// is its radius away from its core.
+template <std::floating_point S>
+Gap<S> gap_of_cores(const Vector3<S>& on_a, const S& radius_a, const Vector3<S>& on_b,
+                    const S& radius_b, const S& distance, const Vector3<S>& normal) {
+  return {distance - (radius_a + radius_b), normal, Vector3<S>(on_a - normal * radius_a),
+          Vector3<S>(on_b + normal * radius_b)};
+}
+
+/// Below this length the difference of two closest points is what rounding left of it, and says
+/// nothing about the direction.
+template <std::floating_point S>
+S no_direction_below(const Vector3<S>& p, const Vector3<S>& q) {
+  return S(32) * std::numeric_limits<S>::epsilon() *
+         std::max(p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff());
+}
+
+template <std::floating_point S>
+S length(const Vector3<S>& v) {
+  return std::sqrt(v.dot(v));
+}
+
+}  // namespace detail
+
+// [gap-spheres]
+/// The gap of two spheres. Where the centres coincide every direction is as good, and it is z.
+/// @return distance off by a few u of the coordinates and radii
+template <std::floating_point S>
+Gap<S> gap(const Sphere<S>& a, const Sphere<S>& b) {
+  const Vector3<S> between = a.centre - b.centre;
+  const Vector3<S> normal =
+      between == Vector3<S>::Zero() ? Vector3<S>(Vector3<S>::UnitZ()) : normalised<S>(between);
+  return detail::gap_of_cores<S>(a.centre, a.radius, b.centre, b.radius, detail::length<S>(between),
+                                 normal);
+}
+// [/gap-spheres]
+
+// [gap-capsules]
+/// The gap of two capsules: that of the closest points of their segments, less the radii.
+///
+/// Segments that cross have no direction between their closest points. Then the shortest way out is
+/// across both.
+/// @return distance off by a few u of the coordinates and radii
+template <std::floating_point S>
+Gap<S> gap(const Capsule<S>& a, const Capsule<S>& b) {
+  const ClosestPoints<S> near = closest_points<S>(a.core, b.core);
+  const Vector3<S> between = near.on_a - near.on_b;
+  const S distance = detail::length<S>(between);
+  const Vector3<S> d = a.core.end - a.core.start;
+  const Vector3<S> e = b.core.end - b.core.start;
+  if (distance > detail::no_direction_below<S>(near.on_a, near.on_b)) {
+    return detail::gap_of_cores<S>(near.on_a, a.radius, near.on_b, b.radius, distance,
+                                   normalised<S>(between));
+  }
+  Vector3<S> normal = d.cross(e);
+  const S parallel = detail::length<S>(d) * detail::length<S>(e) * S(0x1p-20);
+  if (detail::length<S>(normal) > parallel) {
+    normal = normalised<S>(normal);
+  } else {
+    normal = detail::across<S>(d == Vector3<S>::Zero() ? e : d);
+  }
+  if (normal.dot(between) < S(0)) normal = -normal;
+  return detail::gap_of_cores<S>(near.on_a, a.radius, near.on_b, b.radius, S(0), normal);
+}
+/// A sphere and a capsule.
+template <std::floating_point S>
+Gap<S> gap(const Sphere<S>& a, const Capsule<S>& b) {
+  return gap(as_capsule(a), b);
+}
+/// A capsule and a sphere.
+template <std::floating_point S>
+Gap<S> gap(const Capsule<S>& a, const Sphere<S>& b) {
+  return gap(a, as_capsule(b));
+}
+// [/gap-capsules]
+
+// [gap-sphere-box]
+/// The gap of a sphere and a box. A centre inside the box leaves it through the nearest face: of
+/// equals, the first of x, y and z, on the positive side.
+/// @return distance off by a few u of the coordinates, sizes and radius
+template <std::floating_point S>
+Gap<S> gap(const Sphere<S>& a, const OrientedBox<S>& b) {
+  const Vector3<S> local = in_box_axes(b, a.centre);
+  Vector3<S> inside;
+  for (int i = 0; i < 3; ++i) {
+    inside(i) = std::clamp<S>(local(i), -b.half_lengths(i), b.half_lengths(i));
+  }
+  const Vector3<S> between = local - inside;
+  if (between != Vector3<S>::Zero()) {
+    const Vector3<S> unit = normalised<S>(between);
+    const Vector3<S> normal = b.axes * unit;
+    return detail::gap_of_cores<S>(a.centre, a.radius, out_of_box_axes(b, inside), S(0),
+                                   detail::length<S>(between), normal);
+  }
+  int face = 0;
+  S depth = b.half_lengths(0) - std::abs(local(0));
+  for (int i = 1; i < 3; ++i) {
+    const S other = b.half_lengths(i) - std::abs(local(i));
+    if (other < depth) {
+      depth = other;
+      face = i;
+    }
+  }
+  const S side = local(face) < S(0) ? S(-1) : S(1);
+  inside(face) = side * b.half_lengths(face);
+  const Vector3<S> normal = Vector3<S>(b.axes.col(face)) * side;
+  return detail::gap_of_cores<S>(a.centre, a.radius, out_of_box_axes(b, inside), S(0), S(-depth),
+                                 normal);
+}
+/// A box and a sphere.
+template <std::floating_point S>
+Gap<S> gap(const OrientedBox<S>& a, const Sphere<S>& b) {
+  return exchanged(gap(b, a));
+}
+// [/gap-sphere-box]
+
+namespace detail {
+
+/// A direction and how much room it leaves between A and B.
+template <std::floating_point S>
+struct AxisRoom {
+  S room = -std::numeric_limits<S>::infinity();  ///< m
+  Vector3<S> normal = Vector3<S>::Zero();        ///< unit vector, from B to A
+  int axis = -1;                                 ///< which candidate it was
+};
+
+/// a × b for nearly or quite parallel vectors of nearly the same length, and any others. The
+/// difference b ∓ a is short then, and its digits are good: a × b = a × (b ∓ a).
+template <std::floating_point S>
+Vector3<S> careful_cross(const Vector3<S>& a, const Vector3<S>& b) {
+  if (a.dot(b) < S(0)) return a.cross(Vector3<S>(b + a));
+  return a.cross(Vector3<S>(b - a));
+}
+
+/// Whether a cross product of unit vectors has a direction: it is longer than 16 u. A shorter one
+/// belongs to edges that are parallel but for the rounding of their stored numbers. Leaving it out
+/// adds to the depth at most 16 u of an edge's length: the strip between the faces beside it is as
+/// narrow as that.
+template <std::floating_point S>
+bool has_direction(const Vector3<S>& cross) {
+  return length<S>(cross) > S(8) * std::numeric_limits<S>::epsilon();
+}
+
+}  // namespace detail
+
+// [gap-capsule-box]
+namespace detail {
+
+/// The direction that leaves the most room between a segment and a box: of the box's three face
+/// normals and the three directions across the segment and an edge.
+template <std::floating_point S>
+AxisRoom<S> widest_room(const Segment<S>& a, const OrientedBox<S>& b) {
+  AxisRoom<S> best;
+  const Vector3<S> start = a.start - b.centre;
+  const Vector3<S> end = a.end - b.centre;
+  const Vector3<S> d = a.end - a.start;
+  const Vector3<S> along = d == Vector3<S>::Zero() ? d : normalised<S>(d);
+  for (int k = 0; k < 6; ++k) {
+    Vector3<S> n = b.axes.col(k % 3);
+    if (k >= 3) {
+      n = careful_cross<S>(along, n);
+      if (along == Vector3<S>::Zero() || !has_direction<S>(n)) continue;
+      n = normalised<S>(n);
+    }
+    const S reach = box_reach(b, n);
+    const S from = n.dot(start);
+    const S to = n.dot(end);
+    // Seen along n and against it.
+    const S ahead = std::min(from, to) - reach;
+    const S behind = -std::max(from, to) - reach;
+    if (ahead > best.room) best = {ahead, n, k};
+    if (behind > best.room) best = {behind, -n, k};
+  }
+  return best;
+}
+
+}  // namespace detail
+
+/// The gap of a capsule and a box: that of its segment and the box, less the radius.
+///
+/// If the segment is outside, the closest points say how far and in which direction. If it meets
+/// the box, the shortest way out is along one of six directions.
+/// @return distance off by a few u of the coordinates, sizes and radius
+template <std::floating_point S>
+Gap<S> gap(const Capsule<S>& a, const OrientedBox<S>& b) {
+  if (a.core.start == a.core.end) return gap(Sphere<S>{a.core.start, a.radius}, b);
+  const detail::AxisRoom<S> widest = detail::widest_room<S>(a.core, b);
+  const ClosestPoints<S> near = closest_points<S>(a.core, b);
+  const Vector3<S> between = near.on_a - near.on_b;
+  const S distance = detail::length<S>(between);
+  const Vector3<S> far = b.axes.cwiseAbs() * b.half_lengths + b.centre.cwiseAbs();
+  if (distance > detail::no_direction_below<S>(near.on_a, far)) {
+    return detail::gap_of_cores<S>(near.on_a, a.radius, near.on_b, S(0), distance,
+                                   normalised<S>(between));
+  }
+  const Vector3<S>& n = widest.normal;
+  Vector3<S> deepest;
+  if (widest.axis < 3) {
+    // Of the part of the segment above the face, the lowest point.
+    const S from = n.dot(a.core.start);
+    const S to = n.dot(a.core.end);
+    const Segment<S> core = from <= to ? a.core : Segment<S>{a.core.end, a.core.start};
+    deepest = detail::lowest_over_face<S>(core, b, widest.axis);
+  } else {
+    const int along = widest.axis - 3;
+    int corner = 0;
+    for (int i = 0; i < 3; ++i) {
+      if (i != along && n.dot(Vector3<S>(b.axes.col(i))) > S(0)) corner |= 1 << i;
+    }
+    const Segment<S> edge{box_corner(b, corner), box_corner(b, corner | (1 << along))};
+    const Vector2<S> at = detail::crossing_fractions(a.core, edge);
+    deepest = at.x() >= S(0) ? detail::point_at<S>(a.core, at.x()) : near.on_a;
+  }
+  return detail::gap_of_cores<S>(deepest, a.radius, Vector3<S>(deepest - n * widest.room), S(0),
+                                 widest.room, n);
+}
+/// A box and a capsule.
+template <std::floating_point S>
+Gap<S> gap(const OrientedBox<S>& a, const Capsule<S>& b) {
+  return exchanged(gap(b, a));
+}
+// [/gap-capsule-box]
+
+// [gap-boxes]
+namespace detail {
+
+/// The direction that leaves the most room between two boxes, of the fifteen. Of equals it is the
+/// earlier one, and an edge pair must leave more than a face does, by 64 u of the sizes: faces make
+/// better contacts, and rounding shall not choose.
+template <std::floating_point S>
+AxisRoom<S> widest_room(const OrientedBox<S>& a, const OrientedBox<S>& b) {
+  AxisRoom<S> best;
+  const Vector3<S> between = a.centre - b.centre;
+  const S size = a.half_lengths.sum() + b.half_lengths.sum() + between.cwiseAbs().sum();
+  const S preference = S(32) * std::numeric_limits<S>::epsilon() * size;
+  for (int k = 0; k < box_axis_count; ++k) {
+    Vector3<S> n;
+    if (k < 6) {
+      n = (k < 3 ? a : b).axes.col(k % 3);
+    } else {
+      n = careful_cross<S>(a.axes.col((k - 6) / 3), b.axes.col((k - 6) % 3));
+      if (!has_direction<S>(n)) continue;
+      n = normalised<S>(n);
+    }
+    const S along = n.dot(between);
+    const S room = std::abs(along) - box_reach(a, n) - box_reach(b, n);
+    const S needed = k < 6 && k != 3 ? best.room : S(best.room + preference);
+    if (best.axis < 0 || room > needed) {
+      if (along < S(0)) n = -n;
+      best = {room, n, k};
+    }
+  }
+  return best;
+}
+
+}  // namespace detail
+
+/// The gap of two boxes.
+///
+/// Boxes that keep apart: the distance of their closest points. Boxes that overlap: of the fifteen
+/// directions the one with the least overlap. If that is a face's normal, the points are the
+/// deepest of the other box over that face; if it belongs to two edges, their closest points.
+/// @return distance off by a few u of the coordinates and sizes
+template <std::floating_point S>
+Gap<S> gap(const OrientedBox<S>& a, const OrientedBox<S>& b) {
+  const detail::AxisRoom<S> widest = detail::widest_room<S>(a, b);
+  const Vector3<S>& n = widest.normal;
+  const Vector3<S> far_a = a.axes.cwiseAbs() * a.half_lengths + a.centre.cwiseAbs();
+  const Vector3<S> far_b = b.axes.cwiseAbs() * b.half_lengths + b.centre.cwiseAbs();
+  if (widest.room > detail::no_direction_below<S>(far_a, far_b)) {
+    const ClosestPoints<S> near = closest_points<S>(a, b);
+    const Vector3<S> between = near.on_a - near.on_b;
+    return detail::gap_of_cores<S>(near.on_a, S(0), near.on_b, S(0), detail::length<S>(between),
+                                   normalised<S>(between));
+  }
+  if (widest.axis < 6) {
+    const bool face_of_a = widest.axis < 3;
+    const Vector3<S> outward = face_of_a ? Vector3<S>(-n) : n;
+    const Vector3<S> deepest = face_of_a
+                                   ? detail::deepest_over_face<S>(a, widest.axis, outward, b)
+                                   : detail::deepest_over_face<S>(b, widest.axis - 3, outward, a);
+    const Vector3<S> shift = n * widest.room;
+    if (face_of_a) return {widest.room, n, Vector3<S>(deepest + shift), deepest};
+    return {widest.room, n, deepest, Vector3<S>(deepest - shift)};
+  }
+  const Segment<S> edge_a = detail::support_edge<S>(a, (widest.axis - 6) / 3, Vector3<S>(-n));
+  const Segment<S> edge_b = detail::support_edge<S>(b, (widest.axis - 6) % 3, n);
+  const Vector2<S> at = detail::crossing_fractions(edge_a, edge_b);
+  if (at.x() >= S(0)) {
+    return {widest.room, n, detail::point_at<S>(edge_a, at.x()),
+            detail::point_at<S>(edge_b, at.y())};
+  }
+  const ClosestPoints<S> near = closest_points<S>(edge_a, edge_b);
+  return {widest.room, n, near.on_a, near.on_b};
+}
+// [/gap-boxes]
+
+// [gap-half-space]
+/// The gap of points and a half-space: that of the lowest point, the first of equals. The points of
+/// a convex hull stand for the hull. With a radius, each point is a ball.
+/// @param points at least one
+/// @param radius m, not negative
+/// @return distance off by a few u of the coordinates
+template <std::floating_point S>
+Gap<S> gap(const std::vector<Vector3<S>>& points, const S& radius, const HalfSpace<S>& b) {
+  std::size_t lowest = 0;
+  S least = signed_distance(b.boundary, points[0]);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const S other = signed_distance(b.boundary, points[i]);
+    if (other < least) {
+      least = other;
+      lowest = i;
+    }
+  }
+  const Vector3<S>& n = b.boundary.normal;
+  return detail::gap_of_cores<S>(points[lowest], radius, Vector3<S>(points[lowest] - n * least),
+                                 S(0), least, n);
+}
+/// A sphere and a half-space.
+template <std::floating_point S>
+Gap<S> gap(const Sphere<S>& a, const HalfSpace<S>& b) {
+  return gap<S>(std::vector<Vector3<S>>{a.centre}, a.radius, b);
+}
+/// A capsule and a half-space: the lower end of its segment.
+template <std::floating_point S>
+Gap<S> gap(const Capsule<S>& a, const HalfSpace<S>& b) {
+  return gap<S>(std::vector<Vector3<S>>{a.core.start, a.core.end}, a.radius, b);
+}
+/// A box and a half-space: the lowest corner.
+template <std::floating_point S>
+Gap<S> gap(const OrientedBox<S>& a, const HalfSpace<S>& b) {
+  std::vector<Vector3<S>> corners;
+  corners.reserve(8);
+  for (int k = 0; k < 8; ++k) corners.push_back(box_corner(a, k));
+  return gap<S>(corners, S(0), b);
+}
+/// A half-space and any of these.
+template <std::floating_point S, template <class> class Shape>
+Gap<S> gap(const HalfSpace<S>& a, const Shape<S>& b) {
+  return exchanged(gap(b, a));
+}
+// [/gap-half-space]
+
+}  // namespace contact
