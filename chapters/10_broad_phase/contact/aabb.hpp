@@ -1,0 +1,203 @@
+/// @file
+/// Boxes along the axes: made so that they are certain to hold what they stand for, and compared
+/// without rounding.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <span>
+
+#include <contact/frame.hpp>
+#include <contact/invalid_argument.hpp>
+#include <contact/outward.hpp>
+#include <contact/shapes.hpp>
+#include <contact/tolerance.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+// [aabb]
+/// An axis-aligned bounding box: all x with low ≤ x ≤ high in each coordinate, faces included.
+///
+/// A box may be flat or a point. A wrong program, not a wrong input, makes one with low > high or
+/// with an entry that is not finite: make boxes with the functions below, which check.
+template <Ring S>
+struct Aabb {
+  Vector3<S> low = Vector3<S>::Zero();   ///< the corner with the least coordinates, m
+  Vector3<S> high = Vector3<S>::Zero();  ///< the corner with the greatest coordinates, m
+};
+
+/// Whether two boxes have a point in common. Touching counts. Nothing is rounded: the answer is
+/// right for the numbers that are stored.
+template <Ring S>
+bool boxes_touch(const Aabb<S>& a, const Aabb<S>& b) {
+  for (int k = 0; k < 3; ++k) {
+    if (a.high(k) < b.low(k) || b.high(k) < a.low(k)) return false;
+  }
+  return true;
+}
+// [/aabb]
+
+/// The smallest box that holds both boxes. Nothing is rounded.
+template <Ring S>
+Aabb<S> enclosing_box(const Aabb<S>& a, const Aabb<S>& b) {
+  Aabb<S> both = a;
+  for (int k = 0; k < 3; ++k) {
+    if (b.low(k) < a.low(k)) both.low(k) = b.low(k);
+    if (a.high(k) < b.high(k)) both.high(k) = b.high(k);
+  }
+  return both;
+}
+
+/// The box with the given corners.
+/// @param low, high m, finite
+/// @throws std::invalid_argument if an entry is not finite, or if low > high in a coordinate
+template <std::floating_point S>
+Aabb<S> aabb_from_corners(const Vector3<S>& low, const Vector3<S>& high) {
+  require_finite("low", low);
+  require_finite("high", high);
+  for (int k = 0; k < 3; ++k) {
+    if (low(k) > high(k)) {
+      throw_invalid_argument("low", vector_text(low),
+                             "no coordinate may exceed that of high = " + vector_text(high));
+    }
+  }
+  return {low, high};
+}
+
+/// The smallest box that holds all points. Nothing is rounded.
+/// @param points n of them, m, finite; n ≥ 1
+/// @throws std::invalid_argument if there is no point, or an entry is not finite
+template <std::floating_point S>
+Aabb<S> aabb_of_points(std::span<const Vector3<S>> points) {
+  if (points.empty()) throw_invalid_argument("points", "{}", "a box needs at least one point");
+  Aabb<S> box{points.front(), points.front()};
+  for (const Vector3<S>& point : points) {
+    require_finite("points", point);
+    box = enclosing_box(box, Aabb<S>{point, point});
+  }
+  return box;
+}
+
+namespace detail {
+
+/// Throws unless the sphere has a finite centre and a finite radius that is not negative.
+template <std::floating_point S>
+void require_sphere(const Sphere<S>& sphere) {
+  require_finite("centre", sphere.centre);
+  require_finite("radius", sphere.radius);
+  if (sphere.radius < S(0)) {
+    throw_invalid_argument("radius", number_text(sphere.radius), "must not be negative");
+  }
+}
+
+/// Throws if a box that was rounded outwards has left the range of numbers.
+template <std::floating_point S>
+Aabb<S> require_in_range(const char* argument, const Vector3<S>& value, const Aabb<S>& box) {
+  if (!all_finite(box.low) || !all_finite(box.high)) {
+    throw_invalid_argument(argument, vector_text(value), "its box overflows");
+  }
+  return box;
+}
+
+/// Every place of a box whose corners move by the displacement, with margin on all sides; each sum
+/// rounded outwards.
+template <std::floating_point S>
+Aabb<S> swept_outwards(const Aabb<S>& box, const Vector3<S>& displacement, S margin) {
+  Aabb<S> swept;
+  for (int k = 0; k < 3; ++k) {
+    const S back = std::min(displacement(k), S(0));
+    const S forth = std::max(displacement(k), S(0));
+    const S low = sum_down(box.low(k), back);
+    const S high = sum_up(box.high(k), forth);
+    swept.low(k) = std::isfinite(low) ? sum_down(low, -margin) : low;
+    swept.high(k) = std::isfinite(high) ? sum_up(high, margin) : high;
+  }
+  return swept;
+}
+
+}  // namespace detail
+
+// [aabb-of-sphere]
+/// The smallest box of representable numbers that holds a sphere: centre ± radius, each rounded
+/// outwards.
+///
+/// Rounded to nearest, a face may lie inside the sphere, and a touch is lost.
+/// @param sphere m, finite, with a radius that is not negative
+/// @throws std::invalid_argument if the sphere is not such a one, or its box overflows
+template <std::floating_point S>
+Aabb<S> aabb_of_sphere(const Sphere<S>& sphere) {
+  detail::require_sphere(sphere);
+  const Aabb<S> centre{sphere.centre, sphere.centre};
+  return detail::require_in_range(
+      "centre", sphere.centre,
+      detail::swept_outwards<S>(centre, Vector3<S>::Zero(), sphere.radius));
+}
+
+/// A box that holds a sphere at every moment of a straight way.
+///
+/// In each coordinate the extremes are at an end of the way. Two sums are rounded outwards, so a
+/// face is at most two steps of the type away from the tightest one: the first of the two at the
+/// size of centre + displacement.
+/// @param sphere where it starts, m, finite, with a radius that is not negative
+/// @param displacement of its centre, m, finite
+/// @throws std::invalid_argument if an argument is not as said, or the box overflows
+template <std::floating_point S>
+Aabb<S> aabb_of_swept_sphere(const Sphere<S>& sphere, const Vector3<S>& displacement) {
+  detail::require_sphere(sphere);
+  require_finite("displacement", displacement);
+  const Aabb<S> centre{sphere.centre, sphere.centre};
+  return detail::require_in_range("displacement", displacement,
+                                  detail::swept_outwards<S>(centre, displacement, sphere.radius));
+}
+
+/// A box that holds another at every moment of a straight way, with a margin all round.
+/// @param box m, as the functions of this file make it
+/// @param displacement m, finite
+/// @param margin m, not negative: how far anything in the box may stray from that way
+/// @throws std::invalid_argument if an argument is not as said, or the result overflows
+template <std::floating_point S>
+Aabb<S> aabb_of_swept_box(const Aabb<S>& box, const Vector3<S>& displacement, S margin = S(0)) {
+  require_finite("displacement", displacement);
+  require_finite("margin", margin);
+  if (margin < S(0)) throw_invalid_argument("margin", number_text(margin), "must not be negative");
+  return detail::require_in_range("displacement", displacement,
+                                  detail::swept_outwards<S>(box, displacement, margin));
+}
+// [/aabb-of-sphere]
+
+// [aabb-of-turned-box]
+/// A box along the axes that holds a box that is turned: centre ± Σ |axisⱼ| hⱼ.
+///
+/// The computed sum s is off by at most γ(3) s, and by 3 η / 2 where products underflow; s + γ(8) s
+/// + 2 η is above the true sum, its own three roundings included.
+/// @param frame its centre and axes; the axes are taken as they are stored
+/// @param half_lengths along its own axes, m, finite and not negative
+/// @throws std::invalid_argument if an argument is not as said, or the result overflows
+template <std::floating_point S>
+Aabb<S> aabb_of_turned_box(const CoordinateFrame<S>& frame, const Vector3<S>& half_lengths) {
+  require_finite("frame.origin", frame.origin);
+  require_finite("half_lengths", half_lengths);
+  for (int k = 0; k < 3; ++k) {
+    if (half_lengths(k) < S(0)) {
+      throw_invalid_argument("half_lengths", vector_text(half_lengths), "must not be negative");
+    }
+  }
+  Aabb<S> box;
+  for (int k = 0; k < 3; ++k) {
+    S reach(0);
+    for (int j = 0; j < 3; ++j) reach += std::abs(frame.axes(k, j)) * half_lengths(j);
+    reach += tolerance::gamma<S>(8) * reach + S(2) * tolerance::underflow_unit<S>;
+    if (!std::isfinite(reach)) {
+      throw_invalid_argument("half_lengths", vector_text(half_lengths), "its box overflows");
+    }
+    box.low(k) = sum_down(frame.origin(k), -reach);
+    box.high(k) = sum_up(frame.origin(k), reach);
+  }
+  return detail::require_in_range("frame.origin", frame.origin, box);
+}
+// [/aabb-of-turned-box]
+
+}  // namespace contact

@@ -1,0 +1,238 @@
+/// @file
+/// What each broad phase costs, known before it runs: exactly where that is possible, else as an
+/// expectation or a bound, and each function says which.
+///
+/// The unit of all costs is one comparison of two boxes.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <contact/grid_pairs.hpp>
+#include <contact/sweep_pairs.hpp>
+#include <contact/tree_pairs.hpp>
+
+namespace contact {
+
+/// The ways to find pairs of boxes.
+enum class BroadPhase { all_pairs, sweep, grid, tree };
+
+// [box-profile]
+/// What the cost model knows of boxes: how many, how large, and over what length they are spread.
+struct BoxProfile {
+  std::uint64_t count = 0;  ///< n
+  /// On each axis, the length of the range in which the boxes' lower ends lie, m.
+  Vector3<double> spread = Vector3<double>::Zero();
+  Vector3<double> mean_extent = Vector3<double>::Zero();         ///< of high − low, m
+  Vector3<double> mean_square_extent = Vector3<double>::Zero();  ///< of (high − low)², m²
+  Vector3<double> largest_extent = Vector3<double>::Zero();      ///< of high − low, m
+};
+
+/// The profile of boxes that are there. Sums run in the order of the list.
+/// @param boxes n of them, of a size whose square does not overflow; n = 0 gives zeros
+template <std::floating_point S>
+BoxProfile profile_of(std::span<const Aabb<S>> boxes) {
+  BoxProfile profile;
+  profile.count = boxes.size();
+  if (boxes.empty()) return profile;
+  Vector3<double> least = boxes.front().low.template cast<double>();
+  Vector3<double> most = least;
+  for (const Aabb<S>& box : boxes) {
+    const Vector3<double> low = box.low.template cast<double>();
+    const Vector3<double> extent = box.high.template cast<double>() - low;
+    least = least.cwiseMin(low);
+    most = most.cwiseMax(low);
+    profile.mean_extent += extent;
+    profile.mean_square_extent += extent.cwiseProduct(extent);
+    profile.largest_extent = profile.largest_extent.cwiseMax(extent);
+  }
+  profile.mean_extent /= double(boxes.size());
+  profile.mean_square_extent /= double(boxes.size());
+  profile.spread = most - least;
+  return profile;
+}
+// [/box-profile]
+
+/// How many pairs n things have: n (n − 1) / 2, exactly what all_pairs() compares.
+/// @param n at most 2^32
+inline std::uint64_t pair_count(std::uint64_t n) {
+  return n % 2 == 0 ? n / 2 * (n - std::uint64_t{n > 0}) : (n - 1) / 2 * n;
+}
+
+// [axis-share]
+/// The expected share of pairs that overlap on an axis, if the lower ends lie anywhere in the
+/// spread with even chance, each on its own.
+///
+/// With extents a and b and spread L, the ends x and y overlap if −b ≤ x − y ≤ a. For a ≤ L the
+/// part with x ≥ y has the probability q(a) = a/L − a²/(2 L²), for a greater a it is 1/2. The mean
+/// over all pairs of q(a) + q(b) is twice the mean of q: 2 m₁/L − m₂/L², with m₁ and m₂ the mean
+/// extent and the mean square.
+/// @return from 0 to 1. The expectation itself if no extent exceeds L. If one does, 2 q(m₁), which
+/// is not less, since q is concave (Jensen's inequality); then at most the share if all overlapped
+inline double expected_axis_share(const BoxProfile& profile, int axis) {
+  const double length = profile.spread(axis);
+  if (!(length > 0)) return 1;
+  const double mean = profile.mean_extent(axis) / length;
+  if (profile.largest_extent(axis) <= length)
+    return std::min(1.0, 2 * mean - profile.mean_square_extent(axis) / length / length);
+  return mean >= 1 ? 1 : mean * (2 - mean);
+}
+
+/// How many comparisons a sweep along the axis is expected to take; expected_axis_share() says what
+/// of, and when it is the expectation itself. For boxes that are there, overlaps_on_axis() is
+/// exact.
+inline double expected_sweep_tests(const BoxProfile& profile, int axis) {
+  return double(pair_count(profile.count)) * expected_axis_share(profile, axis);
+}
+
+/// How many pairs are expected to touch. The expectation itself if all boxes have one size that
+/// does not exceed the spread; else an estimate, since large boxes are large on all axes.
+inline double expected_touching_pairs(const BoxProfile& profile) {
+  double pairs = double(pair_count(profile.count));
+  for (int axis = 0; axis < 3; ++axis) pairs *= expected_axis_share(profile, axis);
+  return pairs;
+}
+// [/axis-share]
+
+// [grid-bound]
+/// At most so many comparisons does a grid take for these boxes: a bound, not an estimate.
+///
+/// Ranges of cells that meet on an axis come from boxes that are less than an edge apart on it, as
+/// the cells are; three roundings, of two differences and of the sum here, are off by less than a
+/// 32nd of the edge each. So the pairs are among those that overlap on the axis when each box is
+/// made 9/8 of an edge longer: on all three axes, so the least of the three counts bounds them.
+/// Boxes of many cells are compared with all.
+/// @param boxes n of them, with coordinates of less than 2^48 edges (2^19 in float), and less than
+/// 2^20 edges from the grid's origin, none below it
+/// @param grid whose edge is a power of two, as grid_for() makes it
+template <std::floating_point S>
+std::uint64_t most_grid_tests(std::span<const Aabb<S>> boxes, const PairGrid<S>& grid) {
+  std::vector<Aabb<S>> longer(boxes.begin(), boxes.end());
+  std::uint64_t large = 0;
+  for (Aabb<S>& box : longer) {
+    if (detail::cells_of(box, grid).cells() > most_cells_of_a_box) ++large;
+    for (int k = 0; k < 3; ++k) box.high(k) += grid.cell_edge * S(9) / S(8);
+  }
+  std::uint64_t fewest = pair_count(boxes.size());
+  for (int axis = 0; axis < 3; ++axis) fewest = std::min(fewest, overlaps_on_axis<S>(longer, axis));
+  return std::min(pair_count(boxes.size()), fewest + large * boxes.size());
+}
+
+/// How many comparisons a grid is expected to take at most, if the lower ends lie anywhere in the
+/// spread with even chance, each on its own and on each axis, and no box covers many cells: the
+/// pairs that are less than an edge apart on all axes. A bound on the expectation if all boxes have
+/// one size; else an estimate.
+/// @param cell_edge m, greater than 0
+inline double expected_grid_tests(const BoxProfile& profile, double cell_edge) {
+  BoxProfile longer = profile;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double mean = profile.mean_extent(axis);
+    longer.mean_extent(axis) = mean + cell_edge;
+    longer.mean_square_extent(axis) += cell_edge * (2 * mean + cell_edge);
+    longer.largest_extent(axis) += cell_edge;
+  }
+  return expected_touching_pairs(longer);
+}
+
+/// In how many cells a box of the mean extents is expected to be entered: Π (1 + extent / edge).
+/// The expectation itself if all boxes have one size and lie anywhere on the grid with even chance.
+inline double expected_grid_entries(const BoxProfile& profile, double cell_edge) {
+  double cells = double(profile.count);
+  for (int axis = 0; axis < 3; ++axis) cells *= 1 + profile.mean_extent(axis) / cell_edge;
+  return cells;
+}
+// [/grid-bound]
+
+// [sampled-pairs]
+/// An estimate of how many pairs are at most `margin` apart on all axes: up to 32 boxes, evenly
+/// chosen from the list, are compared with all. Crowds, which an expectation over the spread does
+/// not see, are seen. It is the count itself if there are at most 32 boxes.
+/// @param boxes n of them
+/// @param margin m, not negative
+template <std::floating_point S>
+double sampled_pairs(std::span<const Aabb<S>> boxes, S margin) {
+  const std::size_t n = boxes.size();
+  const std::size_t samples = std::min<std::size_t>(n, 32);
+  std::uint64_t met = 0;
+  for (std::size_t k = 0; k < samples; ++k) {
+    const std::size_t i = k * n / samples;
+    Aabb<S> wide = boxes[i];
+    for (int axis = 0; axis < 3; ++axis) {
+      wide.low(axis) -= margin;
+      wide.high(axis) += margin;
+    }
+    for (std::size_t j = 0; j < n; ++j) {
+      if (j != i && boxes_touch(wide, boxes[j])) ++met;
+    }
+  }
+  return samples == 0 ? 0 : double(met) * double(n) / double(2 * samples);
+}
+// [/sampled-pairs]
+
+// [broad-phase-cost]
+/// The cost of each method for boxes that are there, in comparisons of two boxes.
+struct BroadPhaseCost {
+  double all_pairs = 0;  ///< exact: n (n − 1) / 2
+  double sweep = 0;      ///< exact in comparisons; plus sorting, n log₂ n
+  double grid = 0;       ///< an estimate: comparisons, and entries with their sorting
+  double tree = 0;       ///< an estimate: a path to a leaf and back for each box and each pair
+
+  /// The method that costs least; the first in the order of BroadPhase if several do.
+  BroadPhase cheapest() const {
+    const std::array<double, 4> all{all_pairs, sweep, grid, tree};
+    const auto least = std::min_element(all.begin(), all.end());
+    return static_cast<BroadPhase>(least - all.begin());
+  }
+};
+
+/// The whole logarithm that counts the steps of sorting n things: the least k with n < 2^k.
+inline double sorting_depth(std::uint64_t n) { return double(std::bit_width(n)); }
+
+/// The cost of each method, to choose by.
+///
+/// Comparisons of the sweep are counted, not guessed: O(n log n), as the sweep itself. Those of the
+/// grid and the tree are estimated by sampled_pairs(). A step of sorting is taken as half a
+/// comparison.
+/// @param boxes n of them
+template <std::floating_point S>
+BroadPhaseCost broad_phase_cost(std::span<const Aabb<S>> boxes) {
+  const BoxProfile profile = profile_of(boxes);
+  const double n = double(profile.count);
+  const double depth = sorting_depth(profile.count);
+  const double edge = double(grid_for(boxes).cell_edge);
+  BroadPhaseCost cost;
+  cost.all_pairs = double(pair_count(profile.count));
+  // The best axis is found by sorting both ends on three axes.
+  cost.sweep = double(overlaps_on_axis(boxes, best_sweep_axis(boxes))) + 3.5 * n * depth;
+  const double entries =
+      std::min(expected_grid_entries(profile, edge), n * double(most_cells_of_a_box));
+  cost.grid = sampled_pairs(boxes, static_cast<S>(edge)) +
+              entries * (1 + sorting_depth(static_cast<std::uint64_t>(entries)) / 2);
+  cost.tree = 3 * n * depth + 2 * sampled_pairs(boxes, S(0));
+  return cost;
+}
+
+/// The pairs of boxes that touch, by the method that is asked for.
+/// @param boxes n of them, at most 2^32 − 1
+template <std::floating_point S>
+PairSearch touching_pairs(std::span<const Aabb<S>> boxes, BroadPhase method) {
+  switch (method) {
+    case BroadPhase::sweep:
+      return sweep_pairs(boxes);
+    case BroadPhase::grid:
+      return grid_pairs(boxes);
+    case BroadPhase::tree:
+      return tree_pairs(boxes);
+    case BroadPhase::all_pairs:
+      break;
+  }
+  return all_pairs(boxes);
+}
+// [/broad-phase-cost]
+
+}  // namespace contact

@@ -1,0 +1,198 @@
+/// @file
+/// A uniform grid: only boxes that share a cell can touch.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <contact/box_pairs.hpp>
+
+namespace contact {
+
+// [pair-grid]
+/// Cubes of one size that fill space from an origin on. What lies outside the 2^21 cells of an axis
+/// belongs to the first or to the last.
+template <std::floating_point S>
+struct PairGrid {
+  Vector3<S> origin = Vector3<S>::Zero();  ///< a corner of the first cell, m
+  S cell_edge = S(1);                      ///< m, finite and greater than 0
+};
+
+/// The last cell along an axis.
+inline constexpr std::uint32_t last_grid_cell = (1u << 21) - 1;
+
+/// A box that covers more cells than this is not entered in them, but compared with every box.
+inline constexpr std::uint64_t most_cells_of_a_box = 64;
+
+/// In which cell along an axis the coordinate x lies.
+///
+/// Difference, quotient and floor are rounded, but each keeps order: from x ≤ y follows cell(x) ≤
+/// cell(y). That is all that the grid relies on. So rounding moves a cell's border and loses no
+/// pair.
+template <std::floating_point S>
+std::uint32_t grid_cell(S x, S origin, S cell_edge) {
+  const S cell = std::floor((x - origin) / cell_edge);
+  if (!(cell > S(0))) return 0;
+  if (!(cell < S(last_grid_cell))) return last_grid_cell;
+  return static_cast<std::uint32_t>(cell);
+}
+// [/pair-grid]
+
+namespace detail {
+
+/// The cells that a box covers: from low to high in each of three axes.
+struct CellRange {
+  std::array<std::uint32_t, 3> low;
+  std::array<std::uint32_t, 3> high;
+
+  std::uint64_t cells() const {
+    std::uint64_t product = 1;
+    for (std::size_t k = 0; k < 3; ++k) product *= std::uint64_t{high[k]} - low[k] + 1;
+    return product;
+  }
+};
+
+inline std::uint64_t cell_key(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+  return (std::uint64_t{x} << 42) | (std::uint64_t{y} << 21) | z;
+}
+
+/// The first cell in which two ranges that share one both are.
+inline std::uint64_t first_common_cell(const CellRange& a, const CellRange& b) {
+  return cell_key(std::max(a.low[0], b.low[0]), std::max(a.low[1], b.low[1]),
+                  std::max(a.low[2], b.low[2]));
+}
+
+template <std::floating_point S>
+CellRange cells_of(const Aabb<S>& box, const PairGrid<S>& grid) {
+  CellRange range{};
+  for (int k = 0; k < 3; ++k) {
+    const auto axis = static_cast<std::size_t>(k);
+    range.low[axis] = grid_cell(box.low(k), grid.origin(k), grid.cell_edge);
+    range.high[axis] = grid_cell(box.high(k), grid.origin(k), grid.cell_edge);
+  }
+  return range;
+}
+
+/// A box in a cell.
+struct CellEntry {
+  std::uint64_t cell;
+  std::uint32_t box;
+  friend auto operator<=>(const CellEntry&, const CellEntry&) = default;
+};
+
+}  // namespace detail
+
+// [grid-for]
+/// A grid that suits the boxes: cells at least twice as wide as the median box, and not more of
+/// them than boxes.
+///
+/// The median, since one huge body among small ones does not move it. The edge is a power of two.
+/// No boxes, or all of them points in one place, give cells of 1 m.
+/// @param boxes n of them
+template <std::floating_point S>
+PairGrid<S> grid_for(std::span<const Aabb<S>> boxes) {
+  PairGrid<S> grid;
+  if (boxes.empty()) return grid;
+  Aabb<S> all = boxes.front();
+  std::vector<S> halves;  // of each box's longest edge
+  halves.reserve(boxes.size());
+  for (const Aabb<S>& box : boxes) {
+    all = enclosing_box(all, box);
+    halves.push_back(Vector3<S>(box.high / S(2) - box.low / S(2)).maxCoeff());
+  }
+  grid.origin = all.low;
+  const auto middle = halves.begin() + static_cast<std::ptrdiff_t>(halves.size() / 2);
+  std::nth_element(halves.begin(), middle, halves.end());
+  const Vector3<S> half_spread = all.high / S(2) - all.low / S(2);
+  const S longest = half_spread.maxCoeff();
+  if (!(longest > S(0))) return grid;
+
+  constexpr int most = std::numeric_limits<S>::max_exponent - 2;
+  int power = std::max(std::ilogb(longest) - 32, std::numeric_limits<S>::min_exponent);
+  const auto too_many = [&] {
+    const S edge = std::ldexp(S(1), power);
+    double cells = 1;
+    for (int k = 0; k < 3; ++k) cells *= 2 * double(half_spread(k) / edge) + 1;
+    return cells > double(boxes.size()) + 1;
+  };
+  const auto too_narrow = [&] { return std::ldexp(S(1), power) / S(4) < *middle; };
+  while (power < most && (too_many() || too_narrow())) ++power;
+  grid.cell_edge = std::ldexp(S(1), power);
+  return grid;
+}
+// [/grid-for]
+
+// [grid-pairs]
+/// The pairs of boxes that touch, found cell by cell.
+///
+/// Boxes that touch have a point in common, and the cell of that point is in the range of both. A
+/// pair that shares several cells is tested in the first of them only, so at most once. The few
+/// boxes that cover more than `most_cells_of_a_box` cells are compared with all.
+/// @param boxes n of them, at most 2^32 − 1
+/// @param grid as grid_for() makes it, or any other with a finite edge greater than 0: the pairs
+/// are the same, the cost is not
+/// @return box_tests: the pairs whose ranges of cells meet, and those with a box of many cells;
+/// other_steps: entries in cells, and pairs met in a cell that is not their first
+template <std::floating_point S>
+PairSearch grid_pairs(std::span<const Aabb<S>> boxes, const PairGrid<S>& grid) {
+  PairSearch search;
+  const std::uint32_t n = detail::box_count(boxes);
+  std::vector<detail::CellRange> ranges;
+  ranges.reserve(n);
+  std::vector<detail::CellEntry> entries;
+  std::vector<std::uint32_t> large;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    ranges.push_back(detail::cells_of(boxes[i], grid));
+    const auto& [low, high] = ranges.back();
+    if (ranges.back().cells() > most_cells_of_a_box) {
+      large.push_back(i);
+      continue;
+    }
+    for (std::uint32_t x = low[0]; x <= high[0]; ++x) {
+      for (std::uint32_t y = low[1]; y <= high[1]; ++y) {
+        for (std::uint32_t z = low[2]; z <= high[2]; ++z)
+          entries.push_back({detail::cell_key(x, y, z), i});
+      }
+    }
+  }
+  search.other_steps = entries.size();
+  std::sort(entries.begin(), entries.end());
+  for (std::size_t first = 0; first < entries.size(); ++first) {
+    const auto [cell, i] = entries[first];
+    for (std::size_t next = first + 1; next < entries.size() && entries[next].cell == cell;
+         ++next) {
+      const std::uint32_t j = entries[next].box;
+      if (detail::first_common_cell(ranges[i], ranges[j]) == cell) {
+        detail::test_pair(boxes, i, j, search);
+      } else {
+        ++search.other_steps;
+      }
+    }
+  }
+  for (std::size_t k = 0; k < large.size(); ++k) {
+    for (std::uint32_t j = 0; j < n; ++j) {
+      // Two large boxes meet once: when the first of them has its turn.
+      const auto seen = large.begin() + static_cast<std::ptrdiff_t>(k) + 1;
+      if (!std::binary_search(large.begin(), seen, j))
+        detail::test_pair(boxes, large[k], j, search);
+    }
+  }
+  std::sort(search.pairs.begin(), search.pairs.end());
+  return search;
+}
+
+/// The same with the grid of grid_for().
+template <std::floating_point S>
+PairSearch grid_pairs(std::span<const Aabb<S>> boxes) {
+  return grid_pairs(boxes, grid_for(boxes));
+}
+// [/grid-pairs]
+
+}  // namespace contact
