@@ -79,9 +79,9 @@ struct SceneQuantity {
 };
 
 /// Every quantity that a scene may expect. The energy is ½ m v² + ½ ω · I ω − m g · x, of all that
-/// moves if no body is named; angular momentum is about the world's origin; events are the hits from
-/// the beginning to the time; the gap is the least distance from the body (or any that moves) to any
-/// other, and less than 0 where they overlap.
+/// moves if no body is named; angular momentum is about the world's origin; events are the hits
+/// from the beginning to the time; the gap is the least distance from the body (or any that moves)
+/// to any other, and less than 0 where they overlap.
 inline constexpr std::array<SceneQuantity, 19> scene_quantities{{
     {"position.x", QuantityOf::body, "m"},
     {"position.y", QuantityOf::body, "m"},
@@ -238,8 +238,8 @@ inline std::optional<double> starting_gap(const SceneBody& a, const SceneBody& b
   const auto* ball_b = std::get_if<BallShape>(&b.shape);
   const auto* ball = ball_a ? ball_a : ball_b;
   if (!ball) return std::nullopt;
-  const auto gap = ball_a ? detail::scene_point_gap(a.position, b)
-                          : detail::scene_point_gap(b.position, a);
+  const auto gap =
+      ball_a ? detail::scene_point_gap(a.position, b) : detail::scene_point_gap(b.position, a);
   if (!gap) return std::nullopt;
   return *gap - ball->radius;
 }
@@ -265,8 +265,7 @@ namespace detail {
 /// Looks at a scene from top to bottom and writes down what is wrong.
 class SceneChecker {
  public:
-  explicit SceneChecker(const Scene& scene)
-      : scene_(scene), placed_(scene.bodies.size(), false) {}
+  explicit SceneChecker(const Scene& scene) : scene_(scene), placed_(scene.bodies.size(), false) {}
 
   std::vector<SceneFault> run() {
     name("name", scene_.name);
@@ -379,10 +378,10 @@ class SceneChecker {
     bool good = vector(path + ".normal", ground.normal, "(no unit)");
     if (good && !(std::abs(ground.normal.squaredNorm() - 1) <= scene_unit_slack)) {
       const double length = ground.normal.norm();
-      std::string allowed =
-          "must have length 1 (to 12 digits), and has " + shortest_text(length);
+      std::string allowed = "must have length 1 (to 12 digits), and has " + shortest_text(length);
       if (length > 0)
-        allowed += "; " + list_text(Vector3<double>(ground.normal / length)) + " points the same way";
+        allowed +=
+            "; " + list_text(Vector3<double>(ground.normal / length)) + " points the same way";
       fault(path + ".normal", list_text(ground.normal), allowed);
       good = false;
     }
@@ -449,8 +448,8 @@ class SceneChecker {
       const char* why = "must be absent: a half-space lies where its normal and offset say";
       if (placed) zero(path + ".position", body.position, why);
       if (placed && v != Vector3<double>::Zero())
-        fault(path + ".orientation.quaternion", '[' + shortest_text(w) + ", " + list_text(v).substr(1),
-              why);
+        fault(path + ".orientation.quaternion",
+              '[' + shortest_text(w) + ", " + list_text(v).substr(1), why);
       if (body.moves) fault(path + ".moves", "true", "must be false: a half-space never moves");
     }
     if (body.moves) {
@@ -545,14 +544,16 @@ class SceneChecker {
     std::vector<std::array<std::size_t, 2>> near;
     for (std::size_t at_i = 0; at_i < order.size(); ++at_i) {
       const std::size_t i = order[at_i];
-      for (const std::size_t ground : grounds) near.push_back({std::min(i, ground), std::max(i, ground)});
+      for (const std::size_t ground : grounds)
+        near.push_back({std::min(i, ground), std::max(i, ground)});
       const Vector3<double>& x = scene_.bodies[i].position;
       for (std::size_t at_k = at_i + 1; at_k < order.size(); ++at_k) {
         const std::size_t k = order[at_k];
         if (begin(k) > x.x() + radius[i]) break;
         const Vector3<double> away = (scene_.bodies[k].position - x).cwiseAbs();
         const double reach = radius[i] + radius[k];
-        if (away.y() <= reach && away.z() <= reach) near.push_back({std::min(i, k), std::max(i, k)});
+        if (away.y() <= reach && away.z() <= reach)
+          near.push_back({std::min(i, k), std::max(i, k)});
       }
     }
     std::sort(near.begin(), near.end());
