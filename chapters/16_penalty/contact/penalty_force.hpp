@@ -1,0 +1,108 @@
+/// @file
+/// Penalty forces on balls: from a half-space, and from each other.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+
+#include <contact/exact.hpp>
+#include <contact/shapes.hpp>
+#include <contact/spring_damper.hpp>
+#include <contact/tolerance.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+/// A ball that moves, as far as a penalty force needs to know it.
+template <Ring S>
+struct PenaltyBall {
+  Sphere<S> sphere;                          ///< m
+  Vector3<S> velocity = Vector3<S>::Zero();  ///< of its centre, m/s
+};
+
+/// A contact with its force.
+template <Ring S>
+struct PenaltyForce {
+  bool touching = false;                  ///< whether there is a contact; touching counts
+  S penetration = S(0);                   ///< m, 0 without contact
+  Vector3<S> force = Vector3<S>::Zero();  ///< on the first ball, N; the other gets the opposite
+};
+
+// [half-space-force]
+/// The penalty force of a half-space on a ball: contact_push() along the plane's normal, with the
+/// penetration r − (n · c − k).
+/// @param plane front: outside; with a unit normal
+/// @return no force without contact; the penetration is off by at most 8 u (r + |n · c| + |k|)
+template <Ring S>
+PenaltyForce<S> half_space_force(const PenaltyBall<S>& ball, const Plane<S>& plane,
+                                 const SpringDamper<S>& spring, LetGo rule = LetGo::at_zero_force) {
+  const S distance = plane.normal.dot(ball.sphere.centre) - plane.offset;
+  const S penetration = ball.sphere.radius - distance;
+  if (penetration < S(0)) return {};
+  const S approach = -plane.normal.dot(ball.velocity);
+  const S push = contact_push(spring, penetration, approach, rule);
+  return {true, penetration, plane.normal * push};
+}
+// [/half-space-force]
+
+// [balls-overlap]
+/// How far two balls are from touching: (r₁ + r₂)² − |c₁ − c₂|² is negative for a gap, 0 for a
+/// touch.
+/// @return its sign, −1, 0 or 1. Exact for the stored numbers: where rounding could change it, it
+/// is computed again without rounding
+template <Ring S>
+int overlap_sign(const Sphere<S>& first, const Sphere<S>& second) {
+  if constexpr (std::floating_point<S>) {
+    const Vector3<S> apart = first.centre - second.centre;
+    const S reach = first.radius + second.radius;
+    const S square = apart.dot(apart);
+    const S value = reach * reach - square;
+    // Each term goes through at most five roundings; a square that underflows loses η each.
+    const S bound = S(16) * tolerance::unit_roundoff<S> * (reach * reach + square) +
+                    S(8) * tolerance::underflow_unit<S>;
+    if (value > bound) return 1;
+    if (value < -bound) return -1;
+    const Exact sum = Exact(double(first.radius)) + Exact(double(second.radius));
+    Exact exact = sum * sum;
+    for (int i = 0; i < 3; ++i) {
+      const Exact d = Exact(double(first.centre(i))) - Exact(double(second.centre(i)));
+      exact -= d * d;
+    }
+    return exact.sign();
+  } else {
+    const Vector3<S> apart = first.centre - second.centre;
+    const S reach = first.radius + second.radius;
+    const S value = reach * reach - apart.dot(apart);
+    return value > S(0) ? 1 : (value < S(0) ? -1 : 0);
+  }
+}
+// [/balls-overlap]
+
+// [ball-ball-force]
+/// The penalty force of the second ball on the first, along the line of centres, from the second to
+/// the first. What the second gets is the opposite, exactly: the sum of the two momenta stays.
+///
+/// Whether they touch is decided exactly. Concentric balls have no line of centres: they touch, the
+/// penetration is r₁ + r₂, and there is no force.
+/// @param spring of the pair
+/// @return no force without contact; the penetration is off by at most 8 u (r₁ + r₂), plus the
+/// rounding of the difference of the centres, and is not negative
+template <std::floating_point S>
+PenaltyForce<S> ball_ball_force(const PenaltyBall<S>& first, const PenaltyBall<S>& second,
+                                const SpringDamper<S>& spring, LetGo rule = LetGo::at_zero_force) {
+  if (overlap_sign(first.sphere, second.sphere) < 0) return {};
+  const Vector3<S> apart = first.sphere.centre - second.sphere.centre;
+  const S reach = first.sphere.radius + second.sphere.radius;
+  const S scale = apart.cwiseAbs().maxCoeff();
+  if (!(scale > S(0))) return {true, reach, Vector3<S>::Zero()};
+  const Vector3<S> shrunk = apart / scale;
+  const S length = std::sqrt(shrunk.dot(shrunk));
+  const Vector3<S> normal = shrunk / length;
+  const S penetration = std::max(S(0), S(reach - scale * length));
+  const S approach = -normal.dot(Vector3<S>(first.velocity - second.velocity));
+  return {true, penetration, normal * contact_push(spring, penetration, approach, rule)};
+}
+// [/ball-ball-force]
+
+}  // namespace contact

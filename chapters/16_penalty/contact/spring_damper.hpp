@@ -1,0 +1,143 @@
+/// @file
+/// A contact that gives way: a spring and a damper between two surfaces, its force and its energy.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <limits>
+
+#include <contact/exact.hpp>
+#include <contact/invalid_argument.hpp>
+#include <contact/momentum.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+/// A spring and a damper side by side, which push two surfaces apart while they overlap. Make it
+/// with spring_damper(), which checks what it is given.
+template <Ring S>
+struct SpringDamper {
+  S stiffness = S(1);  ///< force per penetration, N/m, greater than 0
+  S damping = S(0);    ///< force per speed of approach, N·s/m, not negative
+};
+
+/// A spring and a damper.
+/// @param stiffness N/m, greater than 0
+/// @param damping N·s/m, 0 or more
+/// @throws std::invalid_argument if a number is out of its range or not finite
+template <Ring S>
+SpringDamper<S> spring_damper(const S& stiffness, const S& damping) {
+  require_finite("stiffness", stiffness);
+  require_finite("damping", damping);
+  if (!(stiffness > S(0))) {
+    throw_invalid_argument("stiffness", number_text(stiffness), "must be greater than 0");
+  }
+  if (damping < S(0)) {
+    throw_invalid_argument("damping", number_text(damping), "must not be negative");
+  }
+  return {stiffness, damping};
+}
+
+// [let-go]
+/// When a contact ends. The damper slows the surfaces' parting as well as their meeting, so near
+/// the end spring and damper together would pull.
+enum class LetGo {
+  /// At the first moment at which the force would pull. Some overlap is left, which goes by itself.
+  at_zero_force,
+  /// When the surfaces no longer overlap. Until then the contact may pull, as glue does.
+  at_zero_penetration
+};
+// [/let-go]
+
+// [contact-push]
+/// The force of a contact along its normal, k d + c ḋ while the surfaces overlap, else 0.
+///
+/// Touching counts as contact: at penetration 0 the damper alone pushes, c ḋ. So with damping the
+/// force jumps at the first touch.
+/// @param penetration d, how deep the surfaces overlap, m; negative: a gap
+/// @param approach ḋ, how fast it grows, m/s; negative: they part
+/// @param rule with LetGo::at_zero_force the result is never negative
+/// @return N, positive if it pushes the surfaces apart; off by at most 3 u (k |d| + c |ḋ|)
+/// @see *Interaction and Normals*, slide "Collision response – penalty method"
+template <Ring S>
+S contact_push(const SpringDamper<S>& spring, const S& penetration, const S& approach,
+               LetGo rule = LetGo::at_zero_force) {
+  if (penetration < S(0)) return S(0);
+  const S force = spring.stiffness * penetration + spring.damping * approach;
+  return force < S(0) && rule == LetGo::at_zero_force ? S(0) : force;
+}
+// [/contact-push]
+
+// [spring-energy]
+/// What the spring holds: k d² / 2 while the surfaces overlap, else 0. With the energy of motion it
+/// stays the same in a contact without damping; a damper takes c ḋ² each second.
+/// @param penetration m; negative: a gap
+/// @return J; off by at most 3 u of itself
+template <Scalar S>
+S contact_spring_energy(const SpringDamper<S>& spring, const S& penetration) {
+  if (penetration < S(0)) return S(0);
+  return spring.stiffness * penetration * penetration / S(2);
+}
+// [/spring-energy]
+
+/// How a damper compares with the spring and the mass beside it.
+enum class DampingRegime {
+  underdamped,  ///< c² < 4 k m: pushed in and left alone, it swings back through 0
+  critical,     ///< c² = 4 k m: it comes back as fast as it can without swinging through 0
+  overdamped    ///< c² > 4 k m: it creeps back
+};
+
+namespace detail {
+
+/// A number as one that products and sums do not round: an Exact for a float or double, any other
+/// unchanged.
+template <Ring S>
+auto unrounded(const S& x) {
+  if constexpr (std::floating_point<S>) {
+    return Exact(static_cast<double>(x));
+  } else {
+    return x;
+  }
+}
+
+/// c² − 4 k m without rounding.
+template <Ring S>
+auto damping_discriminant(const SpringDamper<S>& spring, const S& mass) {
+  using T = decltype(unrounded(mass));
+  const T c = unrounded(spring.damping);
+  return T(c * c - T(4) * unrounded(spring.stiffness) * unrounded(mass));
+}
+
+}  // namespace detail
+
+// [damping-regime]
+/// Which side of c² = 4 k m a contact is on. Exact for the stored numbers.
+/// @param mass m of the body on a fixed surface, or reduced_mass() of two, kg, greater than 0
+template <Ring S>
+DampingRegime damping_regime(const SpringDamper<S>& spring, const S& mass) {
+  const auto discriminant = detail::damping_discriminant(spring, mass);
+  const auto zero = decltype(discriminant)(0);
+  if (discriminant < zero) return DampingRegime::underdamped;
+  return discriminant == zero ? DampingRegime::critical : DampingRegime::overdamped;
+}
+
+/// The damping ratio ζ = c / (2 √k √m): 0 without damper, 1 at DampingRegime::critical.
+/// @param mass kg, greater than 0
+/// @return no unit; off by at most 5 u of itself; the largest number in place of ∞
+template <std::floating_point S>
+S damping_ratio(const SpringDamper<S>& spring, const S& mass) {
+  const S halves = spring.damping / S(2) / std::sqrt(spring.stiffness);
+  const S ratio = halves / std::sqrt(mass);
+  return std::isfinite(ratio) ? ratio : std::numeric_limits<S>::max();
+}
+
+/// The rate ω₀ = √(k / m) at which mass and spring would swing without damper.
+/// @param mass kg, greater than 0
+/// @return rad/s; off by at most 3 u of itself
+template <std::floating_point S>
+S natural_rate(const SpringDamper<S>& spring, const S& mass) {
+  return std::sqrt(spring.stiffness) / std::sqrt(mass);
+}
+// [/damping-regime]
+
+}  // namespace contact

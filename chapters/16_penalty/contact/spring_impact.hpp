@@ -1,0 +1,231 @@
+/// @file
+/// One impact on a spring and a damper, from the first touch to the last, in closed form: how fast
+/// it ends, how long it takes, how deep it goes; and the damper that a restitution asks for.
+///
+/// No other force acts meanwhile. With the damping ratio ζ = cos θ everything is said with one
+/// function, θ / sin θ. It goes on beyond ζ = 1, where θ is imaginary and the quotient is not.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <limits>
+
+#include <contact/collision_1d.hpp>
+#include <contact/invalid_argument.hpp>
+#include <contact/spring_damper.hpp>
+
+namespace contact {
+
+// [arc-over-sine]
+/// θ / sin θ for ζ = cos θ: arccos ζ / √(1 − ζ²) below 1, arcosh ζ / √(ζ² − 1) above it, 1 at it.
+///
+/// With w = 2 / (1 + ζ), which is 1 + tan²(θ/2), it is w times the series of atan(t)/t at
+/// t² = w − 1. Halving the angle, w → 2 √w / (1 + √w), brings w near 1 first (Borchardt's mean).
+/// Only + − × ÷ √, so its bits are the same everywhere; nothing cancels at ζ = 1.
+/// @param ratio ζ, 0 or more
+/// @return off by at most 80 u of double of itself, and by the last rounding to S
+template <std::floating_point S>
+S arc_over_sine(const S& ratio) {
+  double w = 2 / (1 + std::min(static_cast<double>(ratio), std::numeric_limits<double>::max()));
+  double factor = w;
+  while (std::abs(1 - w) > 0.0625) {
+    const double root = std::sqrt(w);
+    factor *= 2 / (1 + root);
+    w = 2 * root / (1 + root);
+  }
+  const double y = 1 - w;
+  double sum = 0;
+  for (int k = 14; k >= 0; --k) sum = sum * y + 1.0 / (2 * k + 1);
+  return S(factor * sum);
+}
+// [/arc-over-sine]
+
+namespace detail {
+
+inline constexpr double log_two_high = 6.93147180369123816490e-01;  // 33 bits
+inline constexpr double log_two_low = 1.90821492927058770002e-10;   // the rest
+inline constexpr double half_turn = 3.141592653589793;
+
+/// exp(−y) for y ≥ 0, from + − × ÷ alone; off by at most 4 u of itself while it is a normal number.
+inline double decay(double y) {
+  if (!(y < 800)) return 0;
+  const double n = std::nearbyint(y / log_two_high);
+  const double r = (y - n * log_two_high) - n * log_two_low;
+  double sum = 1;
+  for (int k = 17; k >= 1; --k) sum = 1 - r * sum / k;
+  return std::ldexp(sum, -static_cast<int>(n));
+}
+
+/// −ln x for 0 < x ≤ 1, from + − × ÷ alone; off by at most 10 u of itself.
+inline double log_of_inverse(double x) {
+  int power = 0;
+  double m = std::frexp(x, &power);
+  if (m < 0.7071067811865476) {
+    m *= 2;
+    --power;
+  }
+  const double z = (m - 1) / (m + 1);
+  double sum = 0;
+  for (int k = 13; k >= 0; --k) sum = sum * (z * z) + 1.0 / (2 * k + 1);
+  return -(power * log_two_high + (power * log_two_low + 2 * z * sum));
+}
+
+/// √(1 − ζ²), for ζ below 1.
+inline double sine_of_cosine(double ratio) { return std::sqrt((1 - ratio) * (1 + ratio)); }
+
+}  // namespace detail
+
+// [restitution-of-damping]
+/// The coefficient of restitution that a damping ratio makes, whatever the speed.
+///
+/// Let go at zero penetration: exp(−π ζ / √(1 − ζ²)); from ζ = 1 on the surfaces never part, and it
+/// is 0. Let go at zero force: exp(−2 ζ θ / sin θ); it is the larger one, and never 0.
+/// @param ratio ζ, 0 or more
+/// @return 0 to 1; with y the exponent, off by at most (8 + 90 y) u of double of itself while it is
+/// a normal number, and by the last rounding to S; at zero penetration the factor 90 grows to
+/// 6 / (1 − ζ) near ζ = 1
+template <std::floating_point S>
+S restitution_of_damping(const S& ratio, LetGo rule) {
+  const auto z = static_cast<double>(ratio);
+  if (rule == LetGo::at_zero_force) return S(detail::decay(2 * z * arc_over_sine(z)));
+  if (!(z < 1)) return S(0);
+  return S(detail::decay(detail::half_turn * z / detail::sine_of_cosine(z)));
+}
+// [/restitution-of-damping]
+
+/// What an impact on a spring and a damper comes to.
+template <std::floating_point S>
+struct SpringImpact {
+  S restitution = S(0);     ///< parting speed over meeting speed, 0 to 1
+  S duration = S(0);        ///< from the first touch until it lets go, s; ∞ if it never does
+  S greatest_depth = S(0);  ///< greatest penetration, m
+  S time_of_depth = S(0);   ///< when it is that deep, s after the first touch
+  S greatest_force = S(0);  ///< N
+  S left_overlap = S(0);    ///< penetration when it lets go, m; 0 at zero penetration
+};
+
+// [spring-impact]
+/// An impact on a spring and a damper, in closed form. With θ as above and ω₀ = √(k / m):
+///
+/// - It is deepest at time θ / (ω₀ sin θ), with d = (v / ω₀) √e, where e is the restitution of
+///   letting go at zero force. So k d² / (m v²) = e: the energy in the spring at its deepest is the
+///   share that comes back.
+/// - The force is 0 at twice that time. At zero penetration it lets go at π / ω_d = π / (ω₀ sin θ),
+///   or never if ζ ≥ 1.
+/// - The force is greatest at the first touch, c v, if ζ ≥ 1/2; else at (3 θ − π) / (ω₀ sin θ).
+/// - Overlap left at zero force: 2 ζ e v / ω₀, since there spring and damper cancel.
+/// @param mass of the body, the surface being fixed, or reduced_mass() of two bodies, kg, greater
+/// than 0
+/// @param speed at which they meet, m/s, 0 or more
+/// @return each off by at most (100 + 100 y) u of double of itself, y being the exponent of e, and
+/// by the last rounding to S, if k, m and c² are from 1e-120 to 1e120 (in double)
+template <std::floating_point S>
+SpringImpact<S> spring_impact(const SpringDamper<S>& spring, const S& mass, const S& speed,
+                              LetGo rule = LetGo::at_zero_force) {
+  const auto z = static_cast<double>(damping_ratio(spring, mass));
+  const auto rate = static_cast<double>(natural_rate(spring, mass));
+  const auto v = static_cast<double>(speed);
+  const double q = arc_over_sine(z);
+  SpringImpact<S> impact;
+  impact.restitution = restitution_of_damping(S(z), rule);
+  impact.time_of_depth = S(q / rate);
+  impact.greatest_depth = S(v / rate * detail::decay(z * q));
+  if (rule == LetGo::at_zero_force) {
+    impact.duration = S(2 * q / rate);
+    impact.left_overlap = S(v / rate * (2 * z * detail::decay(2 * z * q)));
+  } else if (damping_regime(spring, mass) != DampingRegime::underdamped) {
+    impact.duration = std::numeric_limits<S>::infinity();
+    impact.restitution = S(0);
+  } else if (spring.damping > S(0)) {
+    // 4 k m − c² without rounding before the root: ζ itself has lost what is left of 1 − ζ.
+    const double root = std::sqrt(rounded<double>(-detail::damping_discriminant(spring, mass)));
+    impact.duration = S(2 * detail::half_turn * static_cast<double>(mass) / root);
+    impact.restitution =
+        S(detail::decay(detail::half_turn * static_cast<double>(spring.damping) / root));
+  } else {
+    impact.duration = S(detail::half_turn / rate);
+  }
+  const double first = static_cast<double>(spring.damping) * v;
+  const double momentum = static_cast<double>(mass) * v;
+  if (z < 0.5) {
+    const double later = std::max(0.0, 3 * q - detail::half_turn / detail::sine_of_cosine(z));
+    impact.greatest_force = S(momentum * rate * detail::decay(z * later));
+  } else {
+    impact.greatest_force = S(first);
+  }
+  return impact;
+}
+// [/spring-impact]
+
+// [damping-for-restitution]
+/// The damping ratio that makes a coefficient of restitution: restitution_of_damping() the other
+/// way round.
+///
+/// At zero penetration ζ = L / √(π² + L²) with L = −ln e, and 1 for e = 0. At zero force there is
+/// no closed form: 2 ζ θ / sin θ grows with ζ, and is bisected until no number lies between.
+/// @param restitution e, 0 to 1; at zero force greater than 0, since no damper stops a body there
+/// @return no unit; off by at most 200 (1 + L) u of double of itself, and by the last rounding to S
+/// @throws std::invalid_argument if there is no such damping ratio
+template <std::floating_point S>
+S damping_ratio_for(const S& restitution, LetGo rule) {
+  require_restitution("restitution", restitution);
+  const auto e = static_cast<double>(restitution);
+  if (rule == LetGo::at_zero_penetration) {
+    if (e == 0) return S(1);
+    const double l = detail::log_of_inverse(e);
+    return S(l / std::sqrt(detail::half_turn * detail::half_turn + l * l));
+  }
+  if (e == 0) {
+    throw_invalid_argument("restitution", number_text(restitution),
+                           "must be greater than 0 if the contact lets go at zero force");
+  }
+  const double l = detail::log_of_inverse(e);
+  if (l == 0) return S(0);
+  double low = 0;
+  double high =
+      l;  // below ζ = 4, θ / sin θ is more than 1/2; above, high doubles until it is enough
+  while (2 * high * arc_over_sine(high) < l) {
+    low = high;
+    high *= 2;
+  }
+  for (;;) {
+    const double middle = low + (high - low) / 2;
+    if (!(middle > low && middle < high)) return S(high);
+    (2 * middle * arc_over_sine(middle) < l ? low : high) = middle;
+  }
+}
+
+/// The damper beside a spring that makes a coefficient of restitution, c = 2 ζ √k √m.
+/// @param stiffness N/m, greater than 0
+/// @param mass kg, greater than 0
+/// @param restitution as for damping_ratio_for()
+/// @throws std::invalid_argument if a number is out of its range or not finite
+template <std::floating_point S>
+SpringDamper<S> spring_for_restitution(const S& stiffness, const S& mass, const S& restitution,
+                                       LetGo rule = LetGo::at_zero_force) {
+  require_mass("mass", mass);
+  const SpringDamper<S> undamped = spring_damper(stiffness, S(0));
+  const S ratio = damping_ratio_for(restitution, rule);
+  return spring_damper(stiffness, S(2) * ratio * std::sqrt(undamped.stiffness) * std::sqrt(mass));
+}
+// [/damping-for-restitution]
+
+// [stiffness-for-depth]
+/// The stiffness that keeps an impact from going deeper than d: m (v² + 2 g d) / d², by energy,
+/// with equality without damping.
+///
+/// A contact on it takes about π d / v. So hard contact with steps costs what it would cost to move
+/// by a fraction of d in each: an impulse has no such price.
+/// @param mass kg, greater than 0
+/// @param speed v at the first touch, m/s, 0 or more
+/// @param gravity g into the surface, m/s², 0 or more
+/// @param depth d, m, greater than 0
+/// @return N/m
+template <Scalar S>
+S stiffness_for_depth(const S& mass, const S& speed, const S& gravity, const S& depth) {
+  return mass * (speed * speed / depth + S(2) * gravity) / depth;
+}
+// [/stiffness-for-depth]
+
+}  // namespace contact

@@ -1,0 +1,144 @@
+/// @file
+/// A simulation of hard balls as its user sees it, whatever it is composed of.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <contact/vector.hpp>
+
+namespace contact {
+
+// [effects]
+/// Of which effects a simulation of hard balls is composed. One that is off costs no byte of a
+/// ball's state and no instruction.
+struct HardSphereEffects {
+  int dimension = 3;        ///< how many coordinates move: 1, 2 or 3
+  bool gravity = true;      ///< paths bend, and balls may come to lie on a wall
+  bool radii = true;        ///< radii differ
+  bool masses = true;       ///< masses differ
+  bool restitution = true;  ///< not everything is elastic
+  bool grid = true;         ///< balls ask their neighbours; off: everybody asks everybody
+
+  /// Whether two compositions are the same.
+  friend constexpr bool operator==(const HardSphereEffects&, const HardSphereEffects&) = default;
+};
+// [/effects]
+
+/// How a run ended.
+enum class HardSphereEnd {
+  reached,        ///< the time that was asked for
+  out_of_events,  ///< the budget of hits is used up; the run can go on
+  stopped,        ///< the observer said so; the run can go on
+  endless_hits    ///< no bound on the number of hits was found; see HardSphereCounts
+};
+
+/// What a run has done so far.
+struct HardSphereCounts {
+  std::uint64_t hits = 0;        ///< of balls with balls and walls
+  std::uint64_t crossings = 0;   ///< from cell to cell
+  std::uint64_t stale = 0;       ///< predictions that another hit had made void
+  std::uint64_t rests = 0;       ///< how often a ball lay down on a wall
+  double largest_overlap = 0;    ///< of any two that hit, at the moment of a hit, m: rounding alone
+  double rest_error = 0;         ///< how far lying down has put a path off at most, m, in all
+  std::size_t endless_ball = 0;  ///< after endless_hits: who hit too often
+  std::int32_t endless_partner = -1;  ///< and whom it hit last
+};
+
+/// A hit, just after it.
+struct HardSphereHit {
+  double time = 0;          ///< s
+  std::size_t ball = 0;     ///< who
+  std::size_t partner = 0;  ///< whom: a ball, or the number of balls and the wall's number
+  Vector3<double> impulse = Vector3<double>::Zero();  ///< on the first, N·s
+};
+
+/// Is told of each hit.
+class HardSphereObserver {
+ public:
+  HardSphereObserver() = default;
+  HardSphereObserver(const HardSphereObserver&) = delete;
+  HardSphereObserver& operator=(const HardSphereObserver&) = delete;
+  virtual ~HardSphereObserver() = default;
+  /// @return whether to go on
+  virtual bool on_hit(const HardSphereHit& hit) = 0;
+};
+
+/// All that a run needs to go on with the same bits.
+struct HardSphereCheckpoint {
+  /// A ball at its last hit.
+  struct Ball {
+    Vector3<double> position = Vector3<double>::Zero();  ///< m; 0 along axes that do not count
+    Vector3<double> velocity = Vector3<double>::Zero();  ///< m/s
+    double time = 0;                                     ///< s
+    std::int32_t last = -1;                              ///< whom it hit last, or −1
+    std::int32_t lies_on = -1;                           ///< wall, or −1
+    std::int32_t short_flights = 0;                      ///< hits in a row within the cutoff
+  };
+  double now = 0;             ///< s
+  std::uint64_t at_once = 0;  ///< hits since time last went on
+  HardSphereCounts counts;    ///< so far
+  std::vector<Ball> balls;    ///< in order
+};
+
+/// A simulation of hard balls.
+class HardSphereRun {
+ public:
+  /// @param effects of which it is composed
+  /// @param axes which of the world's axes count, the first `effects.dimension` entries
+  HardSphereRun(const HardSphereEffects& effects, const std::array<int, 3>& axes)
+      : effects_(effects), axes_(axes) {}
+  HardSphereRun(const HardSphereRun&) = delete;
+  HardSphereRun& operator=(const HardSphereRun&) = delete;
+  virtual ~HardSphereRun() = default;
+
+  /// Of which effects it is composed.
+  const HardSphereEffects& effects() const { return effects_; }
+  /// Which of the world's axes count.
+  const std::array<int, 3>& axes() const { return axes_; }
+
+  /// Simulates until a time.
+  /// @param until s; nothing happens if it is past
+  /// @param budget of hits
+  /// @param observer told of each hit, or null
+  virtual HardSphereEnd advance(double until, std::uint64_t budget,
+                                HardSphereObserver* observer) = 0;
+  /// The same without a limit, and nobody is told.
+  HardSphereEnd advance(double until) {
+    return advance(until, std::numeric_limits<std::uint64_t>::max(), nullptr);
+  }
+
+  /// The time that was reached, s.
+  virtual double now() const = 0;
+  /// How many balls move; they are the first.
+  virtual std::size_t moving() const = 0;
+  /// Where a ball's centre is now, m.
+  virtual Vector3<double> position(std::size_t ball) const = 0;
+  /// How a ball moves now, m/s.
+  virtual Vector3<double> velocity(std::size_t ball) const = 0;
+  /// The wall on which a ball lies, or −1.
+  virtual std::int32_t lies_on(std::size_t ball) const = 0;
+  /// Kinetic energy and that in gravity (0 at the origin) of all balls, J, in order.
+  virtual double energy() const = 0;
+  /// What it has done so far.
+  virtual HardSphereCounts counts() const = 0;
+  /// Bytes that it holds.
+  virtual std::size_t bytes() const = 0;
+  /// Bytes of one ball's state.
+  virtual std::size_t bytes_per_state() const = 0;
+  /// The present state.
+  virtual HardSphereCheckpoint checkpoint() const = 0;
+  /// Goes back, or on, to a state of the same setup.
+  /// @throws std::invalid_argument if it has another number of balls
+  virtual void restore(const HardSphereCheckpoint& from) = 0;
+
+ private:
+  HardSphereEffects effects_;
+  std::array<int, 3> axes_;
+};
+
+}  // namespace contact

@@ -1,0 +1,665 @@
+/// @file
+/// Hard, smooth balls from event to event: no step, no penetration, no energy gained.
+///
+/// Between two hits a ball's path is known, so nothing is computed there. Each ball keeps the time
+/// of its own last hit and its state then; an event touches only those that take part. What an
+/// effect needs that a scene does not call for is neither stored nor computed: see
+/// HardSphereEffects.
+///
+/// What happens, and when, depends on the balls' states alone, and never on the grid or on when
+/// something was asked. So grid and all pairs, a run in one go and one that is resumed, give the
+/// same bits.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <contact/earliest_queue.hpp>
+#include <contact/hard_sphere_cells.hpp>
+#include <contact/hard_sphere_run.hpp>
+#include <contact/hard_sphere_setup.hpp>
+#include <contact/hard_sphere_times.hpp>
+
+namespace contact {
+
+namespace detail {
+
+/// In place of what no effect needs. Numbered, since two empty members of one type have two
+/// addresses.
+template <int Number>
+struct NotKept {};
+
+template <bool Needed, class T, int Number>
+using KeptIf = std::conditional_t<Needed, T, NotKept<Number>>;
+
+}  // namespace detail
+
+// [state]
+/// A ball as it was at its last hit, with only the members that some effect needs.
+template <HardSphereEffects E>
+struct HardSphereState {
+  Column<E.dimension> position = Column<E.dimension>::Zero();  ///< m
+  Column<E.dimension> velocity = Column<E.dimension>::Zero();  ///< m/s
+  double time = 0;                                             ///< of its last hit, s
+  std::int32_t last = -1;                                      ///< whom it hit last, or −1
+  /// The wall on which it lies, or −1.
+  [[no_unique_address]] detail::KeptIf<E.gravity, std::int32_t, 0> lies_on;
+  /// How many of its last hits followed each other sooner than the cutoff.
+  [[no_unique_address]] detail::KeptIf<E.restitution, std::int32_t, 1> short_flights;
+  [[no_unique_address]] detail::KeptIf<E.restitution, std::uint32_t, 2> material;  ///< row
+  [[no_unique_address]] detail::KeptIf<E.radii, double, 3> radius;                 ///< m
+  [[no_unique_address]] detail::KeptIf<E.masses, double, 4> mass;                  ///< kg
+};
+// [/state]
+
+/// Balls, simulated with the effects E and no others. Make one with the least effects that a setup
+/// calls for by make_hard_spheres().
+template <HardSphereEffects E>
+class HardSpheres final : public HardSphereRun {
+ public:
+  static constexpr int dimension = E.dimension;  ///< of the motion
+  using Point = Column<dimension>;               ///< m
+
+  /// @param setup checked by require_hard_sphere_setup()
+  /// @param axes which of the world's axes are kept; `dimension` of them count
+  /// @throws std::invalid_argument if the setup is none, or calls for an effect that E has not
+  explicit HardSpheres(const HardSphereSetup& setup,
+                       const std::array<int, 3>& axes = std::array<int, 3>{0, 1, 2})
+      : HardSphereRun(E, axes), moving_(moving_balls(setup)), queue_(moving_) {
+    require_hard_sphere_setup(setup);
+    require_effects(setup);
+    gravity_ = kept(setup.gravity);
+    cutoff_ = setup.cutoff;
+    if constexpr (E.restitution) {
+      restitution_ = setup.restitution;
+      while (materials_ * materials_ < restitution_.size()) ++materials_;
+    }
+    radius_ = setup.balls.front().radius;
+    mass_ = setup.balls.front().mass;
+    aside_ = setup.balls.front().position;
+    balls_.reserve(setup.balls.size());
+    hits_.assign(setup.balls.size(), 0);
+    for (const HardBall& ball : setup.balls) add(ball);
+    for (const HardWall& wall : setup.walls) {
+      const Point normal = kept(wall.normal);
+      const double pull = normal.dot(gravity_);
+      walls_.push_back({normal, gravity_ - normal * pull, wall.offset, wall.material});
+    }
+    predict_all();
+  }
+
+  /// Goes back, or on, to the states that checkpoint() gave.
+  void restore(const HardSphereCheckpoint& from) override {
+    if (from.balls.size() != balls_.size()) {
+      throw_invalid_argument("checkpoint", std::to_string(from.balls.size()) + " balls",
+                             "this run has " + std::to_string(balls_.size()));
+    }
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+      const HardSphereCheckpoint::Ball& was = from.balls[i];
+      State& ball = balls_[i];
+      ball.position = kept(was.position);
+      ball.velocity = kept(was.velocity);
+      ball.time = was.time;
+      ball.last = was.last;
+      if constexpr (E.gravity) ball.lies_on = was.lies_on;
+      if constexpr (E.restitution) ball.short_flights = was.short_flights;
+    }
+    now_ = from.now;
+    at_once_ = from.at_once;
+    counts_ = from.counts;
+    predict_all();
+  }
+
+  /// @name See HardSphereRun
+  /// @{
+  HardSphereCheckpoint checkpoint() const override {
+    HardSphereCheckpoint to;
+    to.now = now_;
+    to.at_once = at_once_;
+    to.counts = counts_;
+    for (const State& ball : balls_) {
+      HardSphereCheckpoint::Ball is;
+      is.position = spread(ball.position);
+      is.velocity = spread(ball.velocity);
+      is.time = ball.time;
+      is.last = ball.last;
+      if constexpr (E.gravity) is.lies_on = ball.lies_on;
+      if constexpr (E.restitution) is.short_flights = ball.short_flights;
+      to.balls.push_back(is);
+    }
+    return to;
+  }
+
+  HardSphereEnd advance(double until, std::uint64_t budget, HardSphereObserver* observer) override {
+    return observer == nullptr
+               ? run(
+                     until, budget, [](const HardSphereHit&) { return true; }, std::false_type())
+               : run(
+                     until, budget, [&](const HardSphereHit& hit) { return observer->on_hit(hit); },
+                     std::true_type());
+  }
+  using HardSphereRun::advance;
+
+  double now() const override { return now_; }
+  std::size_t moving() const override { return moving_; }
+
+  Vector3<double> position(std::size_t ball) const override {
+    const State& b = balls_[ball];
+    Vector3<double> x = aside_;
+    const Point here = position_at(b, now_ - b.time, acceleration(ball));
+    for (int k = 0; k < dimension; ++k) x(axes()[index(k)]) = here(k) + 0.0;  // no −0
+    return x;
+  }
+  Vector3<double> velocity(std::size_t ball) const override {
+    const State& b = balls_[ball];
+    return spread(velocity_at(b, now_ - b.time, acceleration(ball)));
+  }
+
+  std::int32_t lies_on(std::size_t ball) const override {
+    if constexpr (E.gravity) return balls_[ball].lies_on;
+    (void)ball;
+    return -1;
+  }
+
+  double energy() const override {
+    double sum = 0;
+    for (std::size_t i = 0; i < moving_; ++i) {
+      const State& ball = balls_[i];
+      const double after = now_ - ball.time;
+      const Point x = position_at(ball, after, acceleration(i));
+      const Point v = velocity_at(ball, after, acceleration(i));
+      sum += mass(ball) * (v.dot(v) / 2 - gravity_.dot(x));
+    }
+    return sum;
+  }
+
+  HardSphereCounts counts() const override { return counts_; }
+
+  std::size_t bytes() const override {
+    std::size_t all = balls_.capacity() * sizeof(State) + plans_.capacity() * sizeof(Plan) +
+                      walls_.capacity() * sizeof(Wall) + queue_.bytes();
+    all += hits_.capacity() * sizeof(std::uint32_t) + restitution_.capacity() * sizeof(double);
+    if constexpr (E.grid) all += cells_.bytes();
+    return all;
+  }
+  std::size_t bytes_per_state() const override { return sizeof(State); }
+  /// @}
+
+ private:
+  using State = HardSphereState<E>;
+
+  /// What a ball will do next, as far as is known. If whom it meets was hit since, it is void.
+  struct HitPlan {
+    double hit_time = never;         // s
+    std::int32_t partner = -1;       // whom it hits
+    std::uint32_t partner_hits = 0;  // how often that one had been hit when this was predicted
+  };
+  struct CellPlan : HitPlan {
+    Crossing crossing;
+  };
+  using Plan = std::conditional_t<E.grid, CellPlan, HitPlan>;
+
+  struct Wall {
+    Point normal;
+    Point slide;  // what is left of gravity for a ball that lies on it, m/s²
+    double offset;
+    std::size_t material;
+  };
+
+  static constexpr std::size_t index(int k) { return static_cast<std::size_t>(k); }
+
+  Point kept(const Vector3<double>& v) const {
+    Point p;
+    for (int k = 0; k < dimension; ++k) p(k) = v(axes()[index(k)]);
+    return p;
+  }
+  Vector3<double> spread(const Point& p) const {
+    Vector3<double> v = Vector3<double>::Zero();
+    for (int k = 0; k < dimension; ++k) v(axes()[index(k)]) = p(k) + 0.0;
+    return v;
+  }
+
+  void add(const HardBall& from) {
+    State ball;
+    ball.position = kept(from.position);
+    ball.velocity = kept(from.velocity);
+    if constexpr (E.gravity) ball.lies_on = -1;
+    if constexpr (E.restitution) {
+      ball.short_flights = 0;
+      ball.material = static_cast<std::uint32_t>(from.material);
+    }
+    if constexpr (E.radii) ball.radius = from.radius;
+    if constexpr (E.masses) ball.mass = from.mass;
+    balls_.push_back(ball);
+  }
+
+  // What an effect that is on keeps for each ball, and one that is off keeps once.
+  double radius(const State& ball) const {
+    if constexpr (E.radii) return ball.radius;
+    return radius_;
+  }
+  double mass(const State& ball) const {
+    if constexpr (E.masses) return ball.mass;
+    return mass_;
+  }
+  double restitution(const State& ball, std::size_t material) const {
+    if constexpr (E.restitution) return restitution_[ball.material * materials_ + material];
+    return 1;
+  }
+  std::size_t material(const State& ball) const {
+    if constexpr (E.restitution) return ball.material;
+    return 0;
+  }
+  Point acceleration(std::size_t i) const {
+    if constexpr (E.gravity) {
+      if (i >= moving_) return Point::Zero();
+      const std::int32_t wall = balls_[i].lies_on;
+      return wall < 0 ? gravity_ : walls_[static_cast<std::size_t>(wall)].slide;
+    } else {
+      return Point::Zero();
+    }
+  }
+
+  // [flight]
+  static Point position_at(const State& ball, double after, const Point& acceleration) {
+    if constexpr (E.gravity)
+      return ball.position + (ball.velocity * after + acceleration * (after * after / 2));
+    else
+      return ball.position + ball.velocity * after;
+  }
+  static Point velocity_at(const State& ball, double after, const Point& acceleration) {
+    if constexpr (E.gravity)
+      return ball.velocity + acceleration * after;
+    else
+      return ball.velocity;
+  }
+  /// A ball's state at a later time.
+  static void fly(State& ball, double to, const Point& acceleration) {
+    const double after = to - ball.time;
+    ball.position = position_at(ball, after, acceleration);
+    ball.velocity = velocity_at(ball, after, acceleration);
+    ball.time = to;
+  }
+  // [/flight]
+
+  // [predict]
+  /// When two balls meet: a function of their two states alone, the same for (i, k) and (k, i). The
+  /// one that was hit earlier is brought to the time of the other. Asked more often than anything
+  /// else, so it is inlined.
+  [[gnu::always_inline]] double meeting_time(const State& a, std::size_t i, const State& b,
+                                             std::size_t k) const {
+    const bool just_hit =
+        a.last == static_cast<std::int32_t>(k) && b.last == static_cast<std::int32_t>(i);
+    if constexpr (E.gravity)
+      if (bend_differently(i, k)) return bent_meeting_time(i, k, just_hit);
+    // Their paths bend alike, so seen from each other they fly straight, and have parted for good.
+    if (just_hit) return never;
+    const Point pull = acceleration(i);
+    const double after = a.time - b.time;
+    const double reach = radius(a) + radius(b);
+    if (after >= 0) {
+      const Point w = velocity_at(b, after, pull) - a.velocity;
+      const Point d = position_at(b, after, pull) - a.position;
+      return a.time + meeting<dimension>(d, w, reach);
+    }
+    const Point w = b.velocity - velocity_at(a, -after, pull);
+    const Point d = b.position - position_at(a, -after, pull);
+    return b.time + meeting<dimension>(d, w, reach);
+  }
+
+  /// The same where gravity bends one of the paths only.
+  double bent_meeting_time(std::size_t i, std::size_t k, bool just_hit) const {
+    const bool first_is_later = balls_[i].time >= balls_[k].time;
+    const State& late = balls_[first_is_later ? i : k];
+    const State& early = balls_[first_is_later ? k : i];
+    const Point of_late = acceleration(first_is_later ? i : k);
+    const Point of_early = acceleration(first_is_later ? k : i);
+    const double after = late.time - early.time;
+    const Point d = late.position - position_at(early, after, of_early);
+    const Point w = late.velocity - velocity_at(early, after, of_early);
+    return late.time + bent_meeting<dimension>(d, w, of_late - of_early,
+                                               radius(late) + radius(early), just_hit);
+  }
+
+  /// @param i one that moves
+  bool bend_differently(std::size_t i, std::size_t k) const {
+    if (k < moving_ && balls_[i].lies_on == balls_[k].lies_on) return false;
+    return acceleration(i) != acceleration(k);
+  }
+
+  Arrival wall_arrival(std::size_t i, std::size_t w) const {
+    const State& ball = balls_[i];
+    if constexpr (E.gravity)
+      if (ball.lies_on == static_cast<std::int32_t>(w)) return {};
+    const Wall& wall = walls_[w];
+    double gap = wall.normal.dot(ball.position) - wall.offset - radius(ball);
+    double velocity = wall.normal.dot(ball.velocity);
+    if (ball.last == wall_id(w)) {  // it has just been there: rounding must not send it back
+      gap = 0;
+      velocity = std::max(velocity, 0.0);
+    }
+    return arrival_at_plane(gap, velocity, wall.normal.dot(acceleration(i)));
+  }
+
+  /// Keeps the earlier of what a ball has planned and a hit at `time`; of two at once, the one with
+  /// the lower numbers.
+  void offer(std::size_t i, double time, std::int32_t partner) {
+    HitPlan& plan = plans_[i];
+    if (time > plan.hit_time || time == never) return;
+    const auto self = static_cast<std::int32_t>(i);
+    if (time == plan.hit_time && std::minmax(self, plan.partner) <= std::minmax(self, partner))
+      return;
+    const bool is_ball = partner < static_cast<std::int32_t>(balls_.size());
+    plan.hit_time = time;
+    plan.partner = partner;
+    plan.partner_hits = is_ball ? hits_[static_cast<std::size_t>(partner)] : 0;
+  }
+
+  [[gnu::always_inline]] void meet(const State& ball, std::size_t i, std::size_t other) {
+    if (i == other) return;
+    const double time = meeting_time(ball, i, balls_[other], other);
+    if (time <= plans_[i].hit_time) offer(i, time, static_cast<std::int32_t>(other));
+  }
+
+  /// All that a ball may hit, and when it leaves its cell.
+  void predict(std::size_t i) {
+    plans_[i].hit_time = never;
+    for (std::size_t w = 0; w < walls_.size(); ++w)
+      offer(i, balls_[i].time + wall_arrival(i, w).after, wall_id(w));
+    const State ball = balls_[i];
+    if constexpr (E.grid) {
+      // First who, then when: so that the memory of one is on its way while another is computed.
+      neighbours_.clear();
+      cells_.near(i, [&](std::size_t other) {
+        __builtin_prefetch(&balls_[other]);
+        neighbours_.push_back(static_cast<std::int32_t>(other));
+      });
+      for (const std::int32_t other : neighbours_) meet(ball, i, static_cast<std::size_t>(other));
+    } else {
+      for (std::size_t other = 0; other < balls_.size(); ++other) meet(ball, i, other);
+    }
+  }
+  void predict_crossing(std::size_t i) {
+    if constexpr (E.grid) {
+      const State& ball = balls_[i];
+      plans_[i].crossing =
+          cells_.next_crossing(i, ball.position, ball.velocity, acceleration(i), ball.time, now_);
+    }
+  }
+  // [/predict]
+
+  void predict_all() {
+    plans_.assign(moving_, Plan());
+    if constexpr (E.grid) {
+      make_cells();
+      for (std::size_t i = 0; i < balls_.size(); ++i)
+        cells_.insert(i, position_at(balls_[i], now_ - balls_[i].time, acceleration(i)));
+    }
+    for (std::size_t i = 0; i < moving_; ++i) {
+      predict(i);
+      predict_crossing(i);
+    }
+    queue_.play_all(comes_first());
+  }
+
+  /// The grid over the walls' box, or where there is none over what the balls' energy lets them
+  /// reach at once.
+  void make_cells() {
+    constexpr double wide = std::numeric_limits<double>::max();
+    Point low = Point::Constant(wide);
+    Point high = Point::Constant(-wide);
+    double widest = 0;
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+      const State& ball = balls_[i];
+      widest = std::max(widest, 2 * radius(ball));
+      for (int k = 0; k < dimension; ++k) {
+        const double x = ball.position(k);
+        const double v = ball.velocity(k);
+        const double g = gravity_(k);
+        const double rise = g == 0 ? 0 : v * v / (2 * g);  // the way to its top, against gravity
+        low(k) = std::min({low(k), x, x - rise});
+        high(k) = std::max({high(k), x, x - rise});
+      }
+    }
+    for (const Wall& wall : walls_) {
+      for (int k = 0; k < dimension; ++k) {
+        if (wall.normal(k) == 1) low(k) = std::min(high(k), wall.offset);
+        if (wall.normal(k) == -1) high(k) = std::max(low(k), -wall.offset);
+      }
+    }
+    cells_ = HardSphereCells<dimension>(low, high, widest, balls_.size());
+  }
+
+  /// The order of events: by time, then by who takes part.
+  auto comes_first() const {
+    return [this](std::size_t i, std::size_t k) {
+      const double time_i = plan_time(i);
+      const double time_k = plan_time(k);
+      if (time_i != time_k) return time_i < time_k;
+      const auto who_i = participants(i);
+      const auto who_k = participants(k);
+      return who_i != who_k ? who_i < who_k : i < k;
+    };
+  }
+  double plan_time(std::size_t i) const {
+    if constexpr (E.grid) return std::min(plans_[i].hit_time, plans_[i].crossing.time);
+    return plans_[i].hit_time;
+  }
+  bool crosses_first(std::size_t i) const {
+    if constexpr (E.grid) return plans_[i].crossing.time <= plans_[i].hit_time;
+    return i >= moving_;
+  }
+  std::pair<std::int32_t, std::int32_t> participants(std::size_t i) const {
+    const auto self = static_cast<std::int32_t>(i);
+    if (crosses_first(i)) return {-1, self};
+    return std::minmax(self, std::int32_t{plans_[i].partner});
+  }
+  std::int32_t wall_id(std::size_t w) const { return static_cast<std::int32_t>(balls_.size() + w); }
+
+  // [run]
+  /// From event to event.
+  /// @param on_hit called after each hit if `Watched`; the run ends if it returns false
+  template <class OnHit, class Watched>
+  HardSphereEnd run(double until, std::uint64_t budget, const OnHit& on_hit, Watched) {
+    for (;;) {
+      const std::size_t i = queue_.first();
+      const double time = plan_time(i);
+      if (!(time <= until)) {
+        now_ = std::max(now_, until);
+        return HardSphereEnd::reached;
+      }
+      if (crosses_first(i)) {
+        cross(i, time);
+        continue;
+      }
+      const std::int32_t partner = plans_[i].partner;
+      const bool is_ball = partner < static_cast<std::int32_t>(balls_.size());
+      const auto other = static_cast<std::size_t>(partner);
+      if (is_ball && hits_[other] != plans_[i].partner_hits) {
+        ++counts_.stale;
+        predict(i);
+        queue_.update(i, comes_first());
+        continue;
+      }
+      if (budget-- == 0) return HardSphereEnd::out_of_events;
+      const bool new_time = time > now_;
+      at_once_ = new_time ? 0 : at_once_ + 1;
+      now_ = std::max(now_, time);
+      const Point change =
+          is_ball ? hit_ball(i, other, time) : hit_wall(i, other - balls_.size(), time);
+      after_hit(i);
+      if (is_ball && other < moving_) after_hit(other);
+      ++counts_.hits;
+      if (endless(i) || (is_ball && other < moving_ && endless(other))) {
+        counts_.endless_ball = i;
+        counts_.endless_partner = partner;
+        return HardSphereEnd::endless_hits;
+      }
+      if constexpr (Watched::value) {
+        if (!on_hit({time, i, other, spread(change * mass(balls_[i]))}))
+          return HardSphereEnd::stopped;
+      }
+    }
+  }
+  // [/run]
+
+  void cross(std::size_t i, double time) {
+    if constexpr (E.grid) {
+      now_ = std::max(now_, time);
+      ++counts_.crossings;
+      const Crossing crossing = plans_[i].crossing;
+      cells_.cross(i, crossing);
+      cells_.newly_near(i, crossing, [&](std::size_t other) { meet(balls_[i], i, other); });
+      predict_crossing(i);
+      queue_.update(i, comes_first());
+    }
+  }
+
+  // [hits]
+  /// Two balls hit: along the line of their centres the velocity at which they close turns round,
+  /// and becomes e times as large. The push is along the stored line, so that momentum and, for
+  /// e = 1, energy change by rounding only, wherever they are.
+  /// @return the change of the first one's velocity
+  Point hit_ball(std::size_t i, std::size_t k, double time) {
+    State& a = balls_[i];
+    State& b = balls_[k];
+    note_flight(i, time);
+    fly(a, time, acceleration(i));
+    if (k < moving_) {
+      note_flight(k, time);
+      fly(b, time, acceleration(k));
+    } else {
+      b.time = time;
+    }
+    const Point d = b.position - a.position;
+    const Point w = b.velocity - a.velocity;
+    const double square = d.dot(d);
+    const double reach = radius(a) + radius(b);
+    counts_.largest_overlap =
+        std::max(counts_.largest_overlap, (reach * reach - square) / (2 * reach));
+    const double closing = d.dot(w);
+    Point change = Point::Zero();
+    if (closing < 0) {
+      const double both = 1 + restitution(a, material(b));
+      const double push = closing / square;
+      const double share = k < moving_ ? mass(b) / (mass(a) + mass(b)) : 1;
+      change = d * (both * share * push);
+      a.velocity += change;
+      if (k < moving_) b.velocity -= d * (both * (mass(a) / (mass(a) + mass(b))) * push);
+    }
+    a.last = static_cast<std::int32_t>(k);
+    b.last = static_cast<std::int32_t>(i);
+    get_up(a);
+    if (k < moving_) get_up(b);
+    return change;
+  }
+
+  /// A ball hits a wall. What it comes with along the normal is a root of its energy.
+  /// @return the change of its velocity
+  Point hit_wall(std::size_t i, std::size_t w, double time) {
+    State& ball = balls_[i];
+    const Wall& wall = walls_[w];
+    const double speed = wall_arrival(i, w).speed;
+    note_flight(i, time);
+    const Point pull = acceleration(i);
+    fly(ball, time, pull);
+    const double gap = wall.normal.dot(ball.position) - wall.offset - radius(ball);
+    counts_.largest_overlap = std::max(counts_.largest_overlap, -gap);
+    ball.position -= wall.normal * gap;
+    const Point before = ball.velocity;
+    const Point along = before - wall.normal * wall.normal.dot(before);
+    const double leaving = restitution(ball, wall.material) * speed;
+    ball.last = wall_id(w);
+    if constexpr (E.gravity) {
+      const double pressed = -wall.normal.dot(pull);
+      if (pressed > 0 && 2 * leaving <= pressed * shortest_hop(time)) {
+        ball.velocity = along;
+        ball.lies_on = static_cast<std::int32_t>(w);
+        ++counts_.rests;
+        counts_.rest_error += leaving * leaving / (2 * pressed);
+        return ball.velocity - before;
+      }
+    }
+    ball.velocity = along + wall.normal * leaving;
+    get_up(ball);
+    return ball.velocity - before;
+  }
+  // [/hits]
+
+  /// A hop is over at once if it is shorter than the cutoff, or than what time can resolve.
+  double shortest_hop(double time) const {
+    return std::max(cutoff_, 4 * std::numeric_limits<double>::epsilon() * time);
+  }
+
+  /// A ball that was pushed off its wall, or into it, flies again; one that was pushed along stays.
+  void get_up(State& ball) {
+    if constexpr (E.gravity) {
+      if (ball.lies_on < 0) return;
+      if (walls_[static_cast<std::size_t>(ball.lies_on)].normal.dot(ball.velocity) != 0)
+        ball.lies_on = -1;
+    }
+  }
+
+  void note_flight(std::size_t i, double time) {
+    if constexpr (E.restitution) {
+      State& ball = balls_[i];
+      ball.short_flights = time - ball.time < cutoff_ ? ball.short_flights + 1 : 0;
+    }
+    ++hits_[i];
+  }
+
+  void after_hit(std::size_t i) {
+    predict(i);
+    predict_crossing(i);
+    queue_.update(i, comes_first());
+  }
+
+  /// Whether a ball hits too often: more than 1,000 short flights in a row, or a million hits of
+  /// all balls (and a thousand for each) without time going on.
+  bool endless(std::size_t i) const {
+    if constexpr (E.restitution)
+      if (balls_[i].short_flights > 1000) return true;
+    return at_once_ > 1000000 + 1000 * moving_;
+  }
+
+  void require_effects(const HardSphereSetup& setup) const {
+    const auto refuse = [](const char* effect) {
+      throw_invalid_argument(effect, "off", "this setup calls for it");
+    };
+    if (!E.gravity && !setup.gravity.isZero(0)) refuse("gravity");
+    for (const double e : setup.restitution)
+      if (!E.restitution && e != 1) refuse("restitution");
+    for (std::size_t i = 0; i < setup.balls.size(); ++i) {
+      if (!E.radii && setup.balls[i].radius != setup.balls.front().radius) refuse("radii");
+      if (!E.masses && i < moving_ && setup.balls[i].mass != setup.balls.front().mass)
+        refuse("masses");
+    }
+  }
+
+  std::size_t moving_ = 0;
+  double now_ = 0;             // s
+  std::uint64_t at_once_ = 0;  // hits since time last went on
+  double cutoff_ = 0;          // s
+  double radius_ = 0;          // of every ball, if radii are all the same, m
+  double mass_ = 0;            // the same of masses, kg
+  Point gravity_ = Point::Zero();
+  Vector3<double> aside_ = Vector3<double>::Zero();  // where all are along axes that do not count
+  std::size_t materials_ = 0;
+  std::vector<double> restitution_;
+  std::vector<State> balls_;
+  std::vector<std::uint32_t> hits_;  // of each ball: what was predicted before the last is void
+  std::vector<std::int32_t> neighbours_;
+  std::vector<Wall> walls_;
+  std::vector<Plan> plans_;
+  EarliestQueue queue_;
+  detail::KeptIf<E.grid, HardSphereCells<dimension>, 5> cells_;
+  HardSphereCounts counts_;
+};
+
+}  // namespace contact

@@ -1,0 +1,361 @@
+// Recomputes the answers of hard_cases.json and says which method gets which case right.
+//
+// What steps come to, the regime of a damper, whether balls touch and whether a contact pulls are
+// signs of polynomials of the stored numbers (class (a)); a longest step and a depth under gravity
+// have one square root in them (class (b)); restitution, duration and depth of an impact are
+// transcendental (class (c)). Decisions must be right. A number is right if it is off by at most
+// 2^-40 of itself.
+#include "support/hard_cases.hpp"
+
+#include <cmath>
+#include <contact/penalty_force.hpp>
+#include <contact/penalty_step.hpp>
+#include <contact/spring_impact.hpp>
+#include <contact/trampoline.hpp>
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+using contact::LetGo;
+using contact::PenaltyScheme;
+using contact::StepBehaviour;
+using hard_cases::Case;
+using hard_cases::Json;
+using oracle::Interval;
+using oracle::Rational;
+using oracle::Surd;
+
+namespace {
+
+constexpr double kTurn = 3.141592653589793;
+
+contact::SpringDamper<double> spring(const Case& c) {
+  return contact::spring_damper(c.number("stiffness"), c.number("damping"));
+}
+
+/// A field that is a flag: 0 or 1.
+bool flag(const Case& c, const char* field) { return c.number(field) != 0; }
+
+PenaltyScheme scheme(const Case& c) {
+  return static_cast<PenaltyScheme>(static_cast<int>(c.number("scheme")));
+}
+LetGo rule(const Case& c) {
+  return flag(c, "glued") ? LetGo::at_zero_penetration : LetGo::at_zero_force;
+}
+
+bool same(double got, const Json& answer, const char* field) {
+  const double right = std::strtod(answer.at(field).get<std::string>().c_str(), nullptr);
+  if (std::isinf(right)) return got == right;
+  return std::isfinite(got) && std::abs(got - right) <= std::ldexp(std::abs(right), -40);
+}
+
+std::string text(StepBehaviour behaviour) {
+  switch (behaviour) {
+    case StepBehaviour::decays:
+      return "decays";
+    case StepBehaviour::bounded:
+      return "bounded";
+    default:
+      return "grows";
+  }
+}
+
+/// From the roots of x² − T x + D of the step's matrix.
+std::string exact_steps(const Case& c) {
+  const contact::SpringDamper<Rational> s{oracle::exact(c.number("stiffness")),
+                                          oracle::exact(c.number("damping"))};
+  const Rational m = oracle::exact(c.number("mass"));
+  const Rational h = oracle::exact(c.number("step"));
+  const auto first = contact::spring_step<Rational>(scheme(c), {1, 0}, s, m, h, 0);
+  const auto second = contact::spring_step<Rational>(scheme(c), {0, 1}, s, m, h, 0);
+  const Rational trace = first.penetration + second.approach;
+  const Rational product =
+      first.penetration * second.approach - first.approach * second.penetration;
+  const Rational discriminant = trace * trace - 4 * product;
+  if (discriminant < 0) {
+    return product == 1 ? "bounded" : (product < 1 ? "decays" : "grows");
+  }
+  const int top = oracle::compare(Surd{trace / 2, Rational(1, 2), discriminant}, {1, 0, 0});
+  const int bottom = oracle::compare(Surd{trace / 2, Rational(-1, 2), discriminant}, {-1, 0, 0});
+  if (top > 0 || bottom < 0) return "grows";
+  if (top < 0 && bottom > 0) return "decays";
+  return discriminant == 0 ? "grows" : "bounded";
+}
+
+void add_steps(hard_cases::Runner& runner) {
+  runner.question("steps", [](const Case& c) {
+    return Json{{"class", "a"}, {"steps", exact_steps(c)}};
+  });
+  const auto method = [&runner](const char* name, auto behaviour) {
+    runner.method("steps", name, [behaviour](const Case& c, const Json& answer) {
+      return behaviour(c) == answer.at("steps").get<std::string>();
+    });
+  };
+  method("h < 2/ω₀", [](const Case& c) {
+    const double a = c.number("step") * c.number("step") * c.number("stiffness") / c.number("mass");
+    return std::string(a < 4 ? "decays" : "grows");
+  });
+  method("a and b rounded", [](const Case& c) {
+    const double h = c.number("step");
+    const double a = h * h * c.number("stiffness") / c.number("mass");
+    const double b = h * c.number("damping") / c.number("mass");
+    double p = b;
+    double r = 4 - a - 2 * b;
+    if (scheme(c) == PenaltyScheme::explicit_euler) {
+      p = b - a;
+      r = 4 + a - 2 * b;
+    } else if (scheme(c) == PenaltyScheme::implicit_damper) {
+      r = 4 + 2 * b - a;
+    } else if (scheme(c) == PenaltyScheme::implicit_euler) {
+      p = 1;
+      r = 1;
+    }
+    if (p < 0 || r < 0 || (p == 0 && r == 0)) return std::string("grows");
+    return std::string(p > 0 && r > 0 ? "decays" : "bounded");
+  });
+  method("spectral radius, rounded", [](const Case& c) {
+    const auto first = contact::spring_step<double>(scheme(c), {1, 0}, spring(c), c.number("mass"),
+                                                    c.number("step"), 0);
+    const auto second = contact::spring_step<double>(scheme(c), {0, 1}, spring(c), c.number("mass"),
+                                                     c.number("step"), 0);
+    const double t = first.penetration + second.approach;
+    const double d = first.penetration * second.approach - first.approach * second.penetration;
+    const double discriminant = t * t - 4 * d;
+    const double radius =
+        discriminant < 0 ? std::sqrt(std::abs(d)) : (std::abs(t) + std::sqrt(discriminant)) / 2;
+    return std::string(radius < 1 ? "decays" : (radius == 1 ? "bounded" : "grows"));
+  });
+  method("book", [](const Case& c) {
+    return text(contact::step_behaviour(scheme(c), spring(c), c.number("mass"), c.number("step")));
+  });
+}
+
+void add_regime(hard_cases::Runner& runner) {
+  runner.question("regime", [](const Case& c) {
+    const Rational d = oracle::exact(c.number("damping"));
+    const Rational rest =
+        d * d - 4 * oracle::exact(c.number("stiffness")) * oracle::exact(c.number("mass"));
+    return Json{{"class", "a"}, {"regime", rest < 0 ? "under" : (rest > 0 ? "over" : "critical")}};
+  });
+  const auto method = [&runner](const char* name, auto excess) {
+    runner.method("regime", name, [excess](const Case& c, const Json& answer) {
+      const double x = excess(c.number("stiffness"), c.number("damping"), c.number("mass"));
+      const std::string got = x < 0 ? "under" : (x > 0 ? "over" : "critical");
+      return got == answer.at("regime").get<std::string>();
+    });
+  };
+  method("ζ − 1", [](double k, double c, double m) { return c / (2 * std::sqrt(k * m)) - 1; });
+  method("c² − 4km", [](double k, double c, double m) { return c * c - 4 * k * m; });
+  runner.method("regime", "book", [](const Case& c, const Json& answer) {
+    switch (contact::damping_regime(spring(c), c.number("mass"))) {
+      case contact::DampingRegime::underdamped:
+        return answer.at("regime") == "under";
+      case contact::DampingRegime::critical:
+        return answer.at("regime") == "critical";
+      default:
+        return answer.at("regime") == "over";
+    }
+  });
+}
+
+void add_limit(hard_cases::Runner& runner) {
+  runner.question("longest step", [](const Case& c) {
+    const Rational k = oracle::exact(c.number("stiffness"));
+    const Rational d = oracle::exact(c.number("damping"));
+    const Rational m = oracle::exact(c.number("mass"));
+    Surd limit{-d / k, 1 / k, d * d + 4 * k * m};
+    if (scheme(c) == PenaltyScheme::explicit_euler) {
+      const Rational rest = d * d - 4 * k * m;
+      limit = rest > 0 ? Surd{d / k, -1 / k, rest} : Surd{d / k, 0, 0};
+    } else if (scheme(c) == PenaltyScheme::implicit_damper) {
+      limit.a = d / k;
+    }
+    return Json{{"class", "b"}, {"h", hard_cases::hex(oracle::nearest(limit))}};
+  });
+  const auto method = [&runner](const char* name, auto limit) {
+    runner.method("longest step", name, [limit](const Case& c, const Json& answer) {
+      return same(limit(c), answer, "h");
+    });
+  };
+  method("2/ω₀",
+         [](const Case& c) { return 2 * std::sqrt(c.number("mass") / c.number("stiffness")); });
+  method("the root as it stands", [](const Case& c) {
+    const double k = c.number("stiffness");
+    const double d = c.number("damping");
+    const double m = c.number("mass");
+    if (scheme(c) == PenaltyScheme::implicit_damper) return (d + std::sqrt(d * d + 4 * k * m)) / k;
+    if (scheme(c) == PenaltyScheme::semi_implicit_euler)
+      return (-d + std::sqrt(d * d + 4 * k * m)) / k;
+    const double rest = d * d - 4 * k * m;
+    return rest > 0 ? (d - std::sqrt(rest)) / k : d / k;
+  });
+  method("book",
+         [](const Case& c) { return contact::step_limit(scheme(c), spring(c), c.number("mass")); });
+}
+
+/// Restitution, duration and depth of an impact in intervals.
+struct ExactImpact {
+  Rational k, c, m;
+
+  explicit ExactImpact(const Case& x)
+      : k(oracle::exact(x.number("stiffness"))),
+        c(oracle::exact(x.number("damping"))),
+        m(oracle::exact(x.number("mass"))) {}
+
+  Rational rest() const { return c * c - 4 * k * m; }
+  Interval ratio(unsigned bits) const { return sqrt(Interval(c * c / (4 * k * m), bits)); }
+  /// θ / sin θ.
+  Interval arc(unsigned bits) const {
+    const Interval one(Rational(1), bits);
+    if (rest() == 0) return one;
+    const Interval z = ratio(bits);
+    const Interval root = sqrt(Interval(Rational(abs(rest()) / (4 * k * m)), bits));
+    return rest() < 0 ? acos(z) / root : log(z + root) / root;
+  }
+  Interval rate(unsigned bits) const { return sqrt(Interval(k / m, bits)); }
+};
+
+Json nearest_text(const oracle::Expression& value) {
+  const std::optional<double> nearest = oracle::nearest_value(value);
+  return Json(nearest ? hard_cases::hex(*nearest) : std::string("undecided"));
+}
+
+void add_restitution(hard_cases::Runner& runner) {
+  runner.question("restitution", [](const Case& c) {
+    const ExactImpact x(c);
+    if (flag(c, "glued")) {
+      if (x.rest() >= 0) return Json{{"class", "c"}, {"e", hard_cases::hex(0.0)}};
+      if (x.c == 0) return Json{{"class", "c"}, {"e", hard_cases::hex(1.0)}};
+      return Json{{"class", "c"},
+                  {"e", nearest_text([&x](unsigned bits) {
+                     return exp(-(Interval::pi(bits) *
+                                  sqrt(Interval(Rational(x.c * x.c / -x.rest()), bits))));
+                   })}};
+    }
+    if (x.c == 0) return Json{{"class", "c"}, {"e", hard_cases::hex(1.0)}};
+    return Json{{"class", "c"},
+                {"e", nearest_text([&x](unsigned bits) {
+                   return exp(-(Interval(Rational(2), bits) * x.ratio(bits) * x.arc(bits)));
+                 })}};
+  });
+  const auto method = [&runner](const char* name, auto restitution) {
+    runner.method("restitution", name, [restitution](const Case& c, const Json& answer) {
+      return same(restitution(c), answer, "e");
+    });
+  };
+  const auto ratio = [](const Case& c) {
+    return c.number("damping") / (2 * std::sqrt(c.number("stiffness") * c.number("mass")));
+  };
+  method("exp(−πζ)", [ratio](const Case& c) { return std::exp(-kTurn * ratio(c)); });
+  method("exp(−πζ/√(1−ζ²))", [ratio](const Case& c) {
+    const double z = ratio(c);
+    return z < 1 ? std::exp(-kTurn * z / std::sqrt(1 - z * z)) : 0.0;
+  });
+  method("exp(−2ζ arccos ζ/√(1−ζ²))", [ratio](const Case& c) {
+    const double z = ratio(c);
+    return std::exp(-2 * z * std::acos(z) / std::sqrt(1 - z * z));
+  });
+  method("book", [](const Case& c) {
+    return contact::spring_impact(spring(c), c.number("mass"), 1.0, rule(c)).restitution;
+  });
+}
+
+void add_duration(hard_cases::Runner& runner) {
+  runner.question("duration", [](const Case& c) {
+    const ExactImpact x(c);
+    if (flag(c, "glued")) {
+      if (x.rest() >= 0) return Json{{"class", "c"}, {"t", "inf"}};
+      return Json{{"class", "c"}, {"t", nearest_text([&x](unsigned bits) {
+                                     return Interval::pi(bits) * Interval(Rational(2 * x.m), bits) /
+                                            sqrt(Interval(-x.rest(), bits));
+                                   })}};
+    }
+    return Json{{"class", "c"}, {"t", nearest_text([&x](unsigned bits) {
+                                   return Interval(Rational(2), bits) * x.arc(bits) / x.rate(bits);
+                                 })}};
+  });
+  const auto method = [&runner](const char* name, auto duration) {
+    runner.method("duration", name, [duration](const Case& c, const Json& answer) {
+      return same(duration(c), answer, "t");
+    });
+  };
+  method("π/ω₀",
+         [](const Case& c) { return kTurn * std::sqrt(c.number("mass") / c.number("stiffness")); });
+  method("π/√(k/m − c²/4m²)", [](const Case& c) {
+    const double half = c.number("damping") / (2 * c.number("mass"));
+    const double square = c.number("stiffness") / c.number("mass") - half * half;
+    return square > 0 ? kTurn / std::sqrt(square) : std::numeric_limits<double>::infinity();
+  });
+  method("book", [](const Case& c) {
+    return contact::spring_impact(spring(c), c.number("mass"), 1.0, rule(c)).duration;
+  });
+}
+
+void add_touch(hard_cases::Runner& runner) {
+  runner.question("touch", [](const Case& c) {
+    const auto a = oracle::exact(c.sphere("first"));
+    const auto b = oracle::exact(c.sphere("second"));
+    const oracle::Vector apart = a.centre - b.centre;
+    const Rational reach = a.radius + b.radius;
+    return Json{{"class", "a"}, {"touching", reach * reach >= apart.dot(apart)}};
+  });
+  const auto method = [&runner](const char* name, auto touching) {
+    runner.method("touch", name, [touching](const Case& c, const Json& answer) {
+      return touching(c.sphere("first"), c.sphere("second")) == answer.at("touching").get<bool>();
+    });
+  };
+  using Ball = contact::Sphere<double>;
+  method("float", [](const Ball& a, const Ball& b) {
+    const contact::Vector3<float> apart = (a.centre - b.centre).cast<float>();
+    return apart.norm() <= static_cast<float>(a.radius + b.radius);
+  });
+  method("|x| ≤ r₁ + r₂", [](const Ball& a, const Ball& b) {
+    return (a.centre - b.centre).norm() <= a.radius + b.radius;
+  });
+  method("|x| < r₁ + r₂", [](const Ball& a, const Ball& b) {
+    return (a.centre - b.centre).norm() < a.radius + b.radius;
+  });
+  method("book", [](const Ball& a, const Ball& b) {
+    const auto still = contact::Vector3<double>(0, 0, 0);
+    return contact::ball_ball_force<double>({a, still}, {b, still}, {1, 0}).touching;
+  });
+}
+
+void add_jump(hard_cases::Runner& runner) {
+  runner.question("jump", [](const Case& c) {
+    const Rational sag = oracle::exact(c.number("mass")) * oracle::exact(c.number("gravity")) /
+                         oracle::exact(c.number("stiffness"));
+    const Rational h = oracle::exact(c.number("height"));
+    return Json{{"class", "b"},
+                {"depth", hard_cases::hex(oracle::nearest(Surd{sag, 1, sag * sag + 2 * sag * h}))}};
+  });
+  const auto method = [&runner](const char* name, auto depth) {
+    runner.method("jump", name, [depth](const Case& c, const Json& answer) {
+      return same(
+          depth(c.number("mass"), c.number("stiffness"), c.number("gravity"), c.number("height")),
+          answer, "depth");
+    });
+  };
+  method("without weight on the mat",
+         [](double m, double k, double g, double h) { return std::sqrt(2 * m * g * h / k); });
+  method("as one writes it first", [](double m, double k, double g, double h) {
+    return (m * g + std::sqrt(m * g * m * g + 2 * k * m * g * h)) / k;
+  });
+  method("book", [](double m, double k, double g, double h) {
+    return contact::trampoline_jump(contact::trampoline(m, k, g, h)).greatest_depth;
+  });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  hard_cases::Runner runner("16_penalty");
+  add_steps(runner);
+  add_regime(runner);
+  add_limit(runner);
+  add_restitution(runner);
+  add_duration(runner);
+  add_touch(runner);
+  add_jump(runner);
+  return runner.run(argc, argv);
+}
