@@ -4,6 +4,7 @@
 #include <array>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <cmath>
 #include <contact/billiard_table.hpp>
 #include <contact/disc_collision.hpp>
@@ -433,6 +434,23 @@ TEMPLATE_TEST_CASE("the time to the touch is decided right and rounded little", 
   }
   CHECK(met > 300);
   CHECK(missed > 300);
+}
+
+TEST_CASE("far apart and very slow, or very near and fast, two discs touch as they do at hand") {
+  // The square of 2^-541 is 0; times the square of 2^480 it would be 2^-122.
+  const int length = GENERATE(480, -541);
+  const int speed = -61 - length;
+  const auto scaled = [&](double x, double y, double vx) {
+    contact::Disc<double> disc{1, 1, {x, y}, {vx, 0}};
+    disc.radius = std::ldexp(disc.radius, length);
+    disc.centre *= std::ldexp(1.0, length);
+    disc.velocity *= std::ldexp(1.0, speed);
+    return disc;
+  };
+  const auto time = contact::time_to_touch(scaled(-3, 0.5, 1), scaled(0, 0, 0));
+  REQUIRE(time);
+  const double right = 3 - std::sqrt(3.75);  // of |(−3 + t, 0.5)| = 2
+  CHECK(std::abs(std::ldexp(*time, speed - length) - right) <= 512 * u<double>() * right);
 }
 
 TEST_CASE("on a table each event is a true touch, and energy and order are kept") {

@@ -46,12 +46,16 @@ std::optional<TouchTerms<S>> sure_touch_terms(const Disc<S>& a, const Disc<S>& b
   const S squares = d.x() * d.x() + d.y() * d.y() + reach * reach;
   const S products = std::abs(d.x() * w.x()) + std::abs(d.y() * w.y());
   const S crosses = std::abs(d.x() * w.y()) + std::abs(d.y() * w.x());
-  const S fourth = reach * reach * (w.x() * w.x() + w.y() * w.y()) + crosses * crosses;
+  const S reach_squared = reach * reach;
+  const S speed_squared = w.x() * w.x() + w.y() * w.y();
+  const S fourth = reach_squared * speed_squared + crosses * crosses;
   const S small =
       std::ldexp(S(1), std::numeric_limits<S>::min_exponent + 3 * std::numeric_limits<S>::digits);
   const auto sure = [small](const S& x, const S& size) {
     return std::isfinite(size) && size >= small && S(16) * std::abs(x) >= size;
   };
+  // A square that underflows may be a factor of what does not.
+  if (!(speed_squared >= small) || !(reach_squared >= small || reach == S(0))) return std::nullopt;
   if (sure(t.gap, squares) && sure(t.approach, products) && sure(t.depth, fourth)) return t;
   return std::nullopt;
 }

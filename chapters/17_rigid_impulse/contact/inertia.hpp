@@ -259,7 +259,7 @@ std::optional<MassProperties<S>> mesh_mass(const S& density,
     }
   }
   if (triangles.empty()) return std::nullopt;
-  const Vector3<S> start = vertices[triangles.front()[0]];
+  const Vector3<S>& start = vertices[triangles.front()[0]];
   const auto rough = detail::moments_about(start, vertices, triangles);
   if (!(S(0) < rough.volume)) return std::nullopt;
   const Vector3<S> near = start + Vector3<S>(rough.first / rough.volume);
