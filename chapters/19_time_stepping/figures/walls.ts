@@ -22,7 +22,6 @@ interface Output {
   time_left: number;
   last: Vec2;
   velocity: Vec2;
-  naive_impacts: number;
   naive: Vec2;
 }
 
