@@ -69,7 +69,16 @@ export default defineFigure<Input, Output>({
     },
   ],
   controls: [
-    { kind: "slider", field: "step", label: "Δt", min: 0.05, max: 4, step: 0.05, unit: "s", play: 4 },
+    {
+      kind: "slider",
+      field: "step",
+      label: "Δt",
+      min: 0.05,
+      max: 4,
+      step: 0.05,
+      unit: "s",
+      play: 4,
+    },
     { kind: "slider", field: "k", label: "k", min: 0, max: 1, step: 0.01 },
     { kind: "slider", field: "most", label: "at most", min: 1, max: 16, step: 1 },
     {
