@@ -456,6 +456,15 @@ TEST_CASE("a number of impacts that is spent is said, with the time that is left
   CHECK(got.time_left == Rational(13) / 2);
   CHECK(got.state.position.x() == 0);
   CHECK(got.state.velocity.x() == -1);
+  // With none allowed it stops at the first wall, which it still approaches.
+  const auto none = contact::advance_straight<Rational>(
+      {oracle::Vector(Rational(1) / 2, 0, 0), oracle::Vector(1, 0, 0)}, 0, 10, gap,
+      contact::impact_rules<Rational>(1, 0, 0));
+  CHECK(none.end == contact::AdvanceEnd::out_of_impacts);
+  CHECK(none.impacts == 0);
+  CHECK(none.wall == 1);
+  CHECK(none.time_left == Rational(19) / 2);
+  CHECK(none.state.velocity.x() == 1);
 }
 
 TEST_CASE("a ball on a level floor does what the formula of the bounces says") {
@@ -631,6 +640,6 @@ TEST_CASE("what cannot be is refused by name") {
   CHECK(contains(refusal([&] { contact::linear_spring(infinite); }), "angular_frequency"));
   CHECK(contains(refusal([] { contact::impact_rules(1.5, 0.0, 1); }), "restitution"));
   CHECK(contains(refusal([] { contact::impact_rules(1.0, -1.0, 1); }), "rest_speed"));
-  CHECK(contains(refusal([] { contact::impact_rules(1.0, 0.0, 0); }), "most_impacts = 0"));
+  CHECK(contains(refusal([] { contact::impact_rules(1.0, 0.0, -1); }), "most_impacts = -1"));
   CHECK(contains(refusal([] { contact::impact_rules(std::nan(""), 0.0, 1); }), "restitution"));
 }

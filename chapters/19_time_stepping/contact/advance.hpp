@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <contact/ballistic.hpp>
@@ -28,7 +29,7 @@ struct ImpactRules {
 /// Rules for the impacts of a step.
 /// @param restitution 0 to 1
 /// @param rest_speed m/s, 0 or more
-/// @param most_impacts in one step, 1 or more
+/// @param most_impacts in one step, 0 or more; with 0 an advance stops at the first wall
 /// @throws std::invalid_argument if a number is out of its range or not finite
 template <Scalar S>
 ImpactRules<S> impact_rules(const S& restitution, const S& rest_speed, int most_impacts) {
@@ -37,8 +38,8 @@ ImpactRules<S> impact_rules(const S& restitution, const S& rest_speed, int most_
   if (rest_speed < S(0)) {
     throw_invalid_argument("rest_speed", number_text(rest_speed), "must not be negative");
   }
-  if (most_impacts < 1) {
-    throw_invalid_argument("most_impacts", std::to_string(most_impacts), "must be at least 1");
+  if (most_impacts < 0) {
+    throw_invalid_argument("most_impacts", std::to_string(most_impacts), "must not be negative");
   }
   return {restitution, rest_speed, most_impacts};
 }

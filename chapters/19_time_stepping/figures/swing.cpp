@@ -18,7 +18,7 @@ constexpr double two_swings = 12.566370614359172;  // 4π
 struct Output {
   double problem;
   std::array<double, points> place, speed;  // after each step; the last is repeated
-  double radius;                            // of the true circle, m
+  std::array<double, 97> round_x, round_y;  // the true motion, once round
   double steps;                             // in two swings
   double kept;                              // of the energy, after these
   double largest;                           // share of the energy on the way
@@ -43,7 +43,12 @@ Output compute(const Input& in) {
   const int steps = static_cast<int>(std::min(double{points - 1}, two_swings / in.step));
   contact::MotionState<double> now{in.start.x(), in.start.y()};
   const double energy = contact::spring_energy(spring, now);
-  out.radius = in.start.norm();
+  for (std::size_t i = 0; i < out.round_x.size(); ++i) {
+    const double t = two_swings / 2 * static_cast<double>(i) / 96;
+    const auto there = contact::spring_motion(spring, now, t);
+    out.round_x[i] = there.position;
+    out.round_y[i] = there.velocity;
+  }
   for (int i = 0; i < points; ++i) {
     if (i > 0 && i <= steps) now = contact::motion_step(integrator, now, in.step, spring);
     out.place[static_cast<std::size_t>(i)] = now.position;
@@ -61,4 +66,5 @@ Output compute(const Input& in) {
 }
 
 FIGURE(Input, FIELDS(start, step, integrator), Output,
-       FIELDS(problem, place, speed, radius, steps, kept, largest, last, truth, off, flies_away))
+       FIELDS(problem, place, speed, round_x, round_y, steps, kept, largest, last, truth, off,
+              flies_away))

@@ -12,7 +12,8 @@ interface Input {
 interface Output {
   place: readonly number[];
   speed: readonly number[];
-  radius: number;
+  round_x: readonly number[];
+  round_y: readonly number[];
   steps: number;
   kept: number;
   largest: number;
@@ -62,19 +63,17 @@ export default defineFigure<Input, Output>({
     },
     { kind: "slider", field: "step", label: "ωh", min: 0.05, max: 3, step: 0.05 },
   ],
-  draw(scene, input, output) {
+  draw(scene, _input, output) {
     const axis = { role: "muted", width: 1 } as const;
     scene.arrow([-2.7, 0], [2.7, 0], axis);
     scene.arrow([0, -1.95], [0, 1.95], axis);
     scene.label([2.7, 0], "x", { role: "muted", offset: [-4, 20] });
     scene.label([0, 1.95], "v/ω", { role: "muted", offset: [10, 8] });
     if (output.problem) return;
-    const circle: Vec2[] = [];
-    for (let i = 0; i <= 96; ++i) {
-      const angle = (i / 96) * 2 * Math.PI;
-      circle.push([output.radius * Math.cos(angle), output.radius * Math.sin(angle)]);
-    }
-    scene.path(circle, { role: "normal", width: 2, dashed: true });
+    scene.path(
+      output.round_x.map((x, i): Vec2 => [x, output.round_y[i] ?? 0]),
+      { role: "normal", width: 2, dashed: true },
+    );
     const path = output.place
       .slice(0, output.steps + 1)
       .map((x, i): Vec2 => [cut(x), cut(output.speed[i] ?? 0)]);
@@ -85,7 +84,6 @@ export default defineFigure<Input, Output>({
     const last: Vec2 = [cut(output.last[0]), cut(output.last[1])];
     scene.dot(last, "hit", 5);
     scene.label(last, "last step", { role: "hit", offset: [9, 14], size: "small" });
-    void input;
   },
   values: (_input, output) => [
     { name: "n", meaning: "steps in two swings", value: output.steps },

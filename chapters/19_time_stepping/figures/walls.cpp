@@ -29,9 +29,8 @@ struct Output {
   double end;        // 0 used up, 1 rests, 2 out of impacts
   double time_left;  // s
   Vector2 last, velocity;
-  double naive_impacts;  // one impact a step
-  Vector2 naive;         // where that leaves it
-  double five;           // goal: five impacts in this step, and the step used up
+  Vector2 naive;  // where a program ends that tests once a step
+  double five;    // goal: five impacts in this step, and the step used up
 };
 
 Output compute(const Input& in) {
@@ -72,20 +71,14 @@ Output compute(const Input& in) {
 
   const auto end = after(in.step, most);
   const double moved = in.step - end.time_left;
-  // When and where the impacts were: a run that may have one less stops at the next.
+  // When and where the impacts were: with one less allowed, an advance stops there.
   std::array<double, most_shown + 2> times{};
-  for (int i = 1; i < end.impacts; ++i) {
+  for (int i = 0; i < end.impacts; ++i) {
     const auto there = after(in.step, i);
-    times[static_cast<std::size_t>(i) + 1] = in.step - there.time_left;
-    out.hit_x[static_cast<std::size_t>(i)] = there.state.position.x();
-    out.hit_y[static_cast<std::size_t>(i)] = there.state.position.y();
-  }
-  if (end.impacts > 0) {
-    const auto first = contact::advance_ballistic<double>(start, pull, radius, in.step, walls,
-                                                          contact::impact_rules(0.0, 1e9, 1));
-    times[1] = in.step - first.time_left;
-    out.hit_x[0] = first.state.position.x();
-    out.hit_y[0] = first.state.position.y();
+    const auto n = static_cast<std::size_t>(i);
+    times[n + 1] = in.step - there.time_left;
+    out.hit_x[n] = there.state.position.x();
+    out.hit_y[n] = there.state.position.y();
   }
   times[static_cast<std::size_t>(end.impacts) + 1] = moved;
 
@@ -116,15 +109,16 @@ Output compute(const Input& in) {
   out.last = {end.state.position.x(), end.state.position.y()};
   out.velocity = {end.state.velocity.x(), end.state.velocity.y()};
   // The same step by a program that reflects once and then goes on without a test.
-  const double once = end.impacts > 0 ? times[1] : in.step;
-  const auto turned = after(once, 1);
-  const auto free = contact::ballistic_motion<V, double>(turned.state, pull, in.step - once);
-  out.naive_impacts = turned.impacts;
-  out.naive = {free.position.x(), free.position.y()};
+  auto once = after(in.step, 0);
+  if (end.impacts > 0) {
+    const V normal = walls[static_cast<std::size_t>(once.wall)].normal;
+    once.state.velocity = contact::after_bounce<double>(once.state.velocity, normal, in.k);
+    once.state = contact::ballistic_motion<V, double>(once.state, pull, once.time_left);
+  }
+  out.naive = {once.state.position.x(), once.state.position.y()};
   out.five = end.impacts == 5 && end.end == contact::AdvanceEnd::used_up ? 1 : 0;
   return out;
 }
 
 FIGURE(Input, FIELDS(from, to, lean, step, k, most, gravity), Output,
-       FIELDS(problem, x, y, hit_x, hit_y, impacts, end, time_left, last, velocity, naive_impacts,
-              naive, five))
+       FIELDS(problem, x, y, hit_x, hit_y, impacts, end, time_left, last, velocity, naive, five))

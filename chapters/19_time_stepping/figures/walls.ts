@@ -22,7 +22,6 @@ interface Output {
   time_left: number;
   last: Vec2;
   velocity: Vec2;
-  naive_impacts: number;
   naive: Vec2;
 }
 
@@ -35,10 +34,10 @@ export default defineFigure<Input, Output>({
   view: { kind: "2d", x: [-1.2, 5.6], y: [-0.6, 3.6] },
   aspect: 1.62,
   initial: {
-    from: [3.6, 1.7],
-    to: [0.6, 0.9],
-    lean: [1.6, 2],
-    step: 1.6,
+    from: [4.2, 1.1],
+    to: [0.8, 0.9],
+    lean: [2.2, 1.8],
+    step: 2,
     k: 1,
     most: 12,
     gravity: 0,
@@ -70,7 +69,16 @@ export default defineFigure<Input, Output>({
     },
   ],
   controls: [
-    { kind: "slider", field: "step", label: "Δt", min: 0.05, max: 4, step: 0.05, unit: "s", play: 4 },
+    {
+      kind: "slider",
+      field: "step",
+      label: "Δt",
+      min: 0.05,
+      max: 4,
+      step: 0.05,
+      unit: "s",
+      play: 4,
+    },
     { kind: "slider", field: "k", label: "k", min: 0, max: 1, step: 0.01 },
     { kind: "slider", field: "most", label: "at most", min: 1, max: 16, step: 1 },
     {
