@@ -280,16 +280,18 @@ Gap<S> gap(const OrientedBox<S>& a, const Capsule<S>& b) {
 // [gap-boxes]
 namespace detail {
 
-/// The direction that leaves the most room between two boxes, of the fifteen. Of equals it is the
+/// The direction that leaves the most room between two boxes, of the fifteen or of some of them.
+/// axis is −1 if none of them is a direction. Of equals it is the
 /// earlier one, and an edge pair must leave more than a face does, by 64 u of the sizes: faces make
 /// better contacts, and rounding shall not choose.
 template <std::floating_point S>
-AxisRoom<S> widest_room(const OrientedBox<S>& a, const OrientedBox<S>& b) {
+AxisRoom<S> widest_room(const OrientedBox<S>& a, const OrientedBox<S>& b, int first = 0,
+                        int last = box_axis_count - 1) {
   AxisRoom<S> best;
   const Vector3<S> between = a.centre - b.centre;
   const S size = a.half_lengths.sum() + b.half_lengths.sum() + between.cwiseAbs().sum();
   const S preference = S(32) * std::numeric_limits<S>::epsilon() * size;
-  for (int k = 0; k < box_axis_count; ++k) {
+  for (int k = first; k <= last; ++k) {
     Vector3<S> n;
     if (k < 6) {
       n = (k < 3 ? a : b).axes.col(k % 3);

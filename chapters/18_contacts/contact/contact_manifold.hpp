@@ -1,0 +1,258 @@
+/// @file
+/// Where two bodies touch: one normal, and as many points as it takes to hold one on the other.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <vector>
+
+#include <contact/convex_shapes.hpp>
+#include <contact/face_clipping.hpp>
+#include <contact/gap.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+// [manifold]
+/// A point of a contact.
+template <Ring S>
+struct ManifoldPoint {
+  Vector3<S> point = Vector3<S>::Zero();  ///< midway between the two surfaces, m
+  S distance = S(0);  ///< of the surfaces along the normal there, m; negative: depth
+};
+
+/// The contact of two bodies A and B. Without points they do not touch.
+template <Ring S>
+struct ContactManifold {
+  Vector3<S> normal = Vector3<S>::Zero();  ///< unit vector, from B to A
+  std::vector<ManifoldPoint<S>> points;    ///< in an order that depends on the bodies alone
+};
+// [/manifold]
+
+/// The same seen from the other body.
+template <Ring S>
+ContactManifold<S> exchanged(ContactManifold<S> manifold) {
+  manifold.normal = -manifold.normal;
+  return manifold;
+}
+
+namespace detail {
+
+/// Adds a point of A's surface that is so far from B's, unless that is beyond the margin.
+template <std::floating_point S>
+void add_manifold_point(ContactManifold<S>& manifold, const Vector3<S>& on_a, const S& distance,
+                        const S& margin) {
+  if (!(distance <= margin)) return;
+  manifold.points.push_back({Vector3<S>(on_a - manifold.normal * (distance / S(2))), distance});
+}
+
+template <std::floating_point S>
+ContactManifold<S> single_point(const Gap<S>& gap, const S& margin) {
+  ContactManifold<S> manifold{gap.normal, {}};
+  add_manifold_point<S>(manifold, gap.on_a, gap.distance, margin);
+  return manifold;
+}
+
+}  // namespace detail
+
+// [single]
+/// Two spheres: one point.
+/// @param margin bodies that are at most so far apart count as touching, m; not negative. With 0,
+/// touching and overlapping bodies have points, as far as rounding tells
+template <std::floating_point S>
+ContactManifold<S> contact_manifold(const Sphere<S>& a, const Sphere<S>& b, const S& margin) {
+  return detail::single_point(gap(a, b), margin);
+}
+/// A sphere and a capsule: one point.
+template <std::floating_point S>
+ContactManifold<S> contact_manifold(const Sphere<S>& a, const Capsule<S>& b, const S& margin) {
+  return detail::single_point(gap(a, b), margin);
+}
+/// A sphere and a box: one point.
+template <std::floating_point S>
+ContactManifold<S> contact_manifold(const Sphere<S>& a, const OrientedBox<S>& b, const S& margin) {
+  return detail::single_point(gap(a, b), margin);
+}
+/// A sphere and a half-space: one point.
+template <std::floating_point S>
+ContactManifold<S> contact_manifold(const Sphere<S>& a, const HalfSpace<S>& b, const S& margin) {
+  return detail::single_point(gap(a, b), margin);
+}
+// [/single]
+
+// [capsules]
+/// The sine of the angle below which a capsule counts as lying along another body: 1/64. It only
+/// says whether one point or two hold it; each point has its own distance.
+template <std::floating_point S>
+inline constexpr S lying_sine = S(0x1p-6);
+
+/// Two capsules: one point, or two if they lie along each other. Then these are where the shorter
+/// overlap of the two begins and ends.
+template <std::floating_point S>
+ContactManifold<S> contact_manifold(const Capsule<S>& a, const Capsule<S>& b, const S& margin) {
+  const Gap<S> near = gap(a, b);
+  const Vector3<S> d = a.core.end - a.core.start;
+  const Vector3<S> e = b.core.end - b.core.start;
+  const S whole = d.dot(d);
+  const S sine = detail::length<S>(d.cross(e));
+  if (!(sine <= lying_sine<S> * detail::length<S>(d) * detail::length<S>(e)) || !(whole > S(0)) ||
+      !(e.dot(e) > S(0))) {
+    return detail::single_point(near, margin);
+  }
+  const S one = d.dot(Vector3<S>(b.core.start - a.core.start)) / whole;
+  const S other = d.dot(Vector3<S>(b.core.end - a.core.start)) / whole;
+  const S first = std::max(S(0), std::min(one, other));
+  const S last = std::min(S(1), std::max(one, other));
+  if (!(first < last)) return detail::single_point(near, margin);
+  ContactManifold<S> manifold{near.normal, {}};
+  for (const S& t : {first, last}) {
+    const Vector3<S> on_a = detail::point_at<S>(a.core, t);
+    const Vector3<S> on_b = closest_point<S>(on_a, b.core);
+    const S distance = near.normal.dot(Vector3<S>(on_a - on_b)) - (a.radius + b.radius);
+    detail::add_manifold_point<S>(manifold, Vector3<S>(on_a - near.normal * a.radius), distance,
+                                  margin);
+  }
+  return manifold;
+}
+
+/// A capsule and a half-space: each end of the core that is near enough.
+template <std::floating_point S>
+ContactManifold<S> contact_manifold(const Capsule<S>& a, const HalfSpace<S>& b, const S& margin) {
+  ContactManifold<S> manifold{b.boundary.normal, {}};
+  const auto add = [&](const Vector3<S>& end) {
+    detail::add_manifold_point<S>(manifold, Vector3<S>(end - b.boundary.normal * a.radius),
+                                  S(signed_distance(b.boundary, end) - a.radius), margin);
+  };
+  add(a.core.start);
+  if (a.core.end != a.core.start) add(a.core.end);
+  return manifold;
+}
+
+/// A capsule and a box: one point, or two if the capsule lies along a face. Then these are where
+/// the part of its core over the face begins and ends.
+template <std::floating_point S>
+ContactManifold<S> contact_manifold(const Capsule<S>& a, const OrientedBox<S>& b, const S& margin) {
+  const Gap<S> near = gap(a, b);
+  const Vector3<S>& n = near.normal;
+  const Vector3<S> d = a.core.end - a.core.start;
+  int axis = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (std::abs(n.dot(Vector3<S>(b.axes.col(i)))) >
+        std::abs(n.dot(Vector3<S>(b.axes.col(axis))))) {
+      axis = i;
+    }
+  }
+  const S facing = n.dot(Vector3<S>(b.axes.col(axis)));
+  const bool on_face = std::abs(facing) >= S(1) - lying_sine<S> * lying_sine<S>;
+  const bool lies = std::abs(n.dot(d)) <= lying_sine<S> * detail::length<S>(d);
+  if (d == Vector3<S>::Zero() || !on_face || !lies) return detail::single_point(near, margin);
+  const Vector3<S> first = detail::lowest_over_face<S>(a.core, b, axis);
+  const Vector3<S> last =
+      detail::lowest_over_face<S>(Segment<S>{a.core.end, a.core.start}, b, axis);
+  ContactManifold<S> manifold{n, {}};
+  const S top = n.dot(b.centre) + box_reach(b, n);
+  for (const Vector3<S>& p : {first, last}) {
+    detail::add_manifold_point<S>(manifold, Vector3<S>(p - n * a.radius),
+                                  S(n.dot(p) - top - a.radius), margin);
+    if (first == last) break;
+  }
+  if (manifold.points.empty()) return detail::single_point(near, margin);
+  return manifold;
+}
+// [/capsules]
+
+// [box-half-space]
+/// A box and a half-space: the corners that are near enough, at most the four lowest, in the order
+/// of box_corner(). Of equally low ones the earlier.
+template <std::floating_point S>
+ContactManifold<S> contact_manifold(const OrientedBox<S>& a, const HalfSpace<S>& b,
+                                    const S& margin) {
+  std::vector<int> order{0, 1, 2, 3, 4, 5, 6, 7};
+  std::vector<S> distance;
+  distance.reserve(8);
+  for (const int k : order) distance.push_back(signed_distance(b.boundary, box_corner(a, k)));
+  const auto at = [&distance](int k) { return distance[static_cast<std::size_t>(k)]; };
+  std::stable_sort(order.begin(), order.end(), [&at](int i, int k) { return at(i) < at(k); });
+  order.resize(4);
+  std::sort(order.begin(), order.end());
+  ContactManifold<S> manifold{b.boundary.normal, {}};
+  for (const int k : order) {
+    detail::add_manifold_point<S>(manifold, box_corner(a, k), at(k), margin);
+  }
+  return manifold;
+}
+// [/box-half-space]
+
+// [boxes]
+/// How much deeper two edges must lie than the faces before they make the contact, as a share of
+/// the smallest half length: 2^-10. A box that rests on another tilts by rounding, and one point
+/// for its four would let it rock.
+template <std::floating_point S>
+inline constexpr S face_preference = S(0x1p-10);
+
+/// Two boxes.
+///
+/// If a face's normal leaves the most room, that face is the reference, and the other box's face
+/// that looks at it is cut off at its sides: what is left, near enough, are the points, eight at
+/// most, in the order of box_face(). If two edges leave more room, clearly, the contact is the one
+/// point between them.
+///
+/// Where corners meet, many directions are normals. The first of the fifteen with the most room is
+/// taken, so the choice is the same in every run; where the closest points are a corner and
+/// something that no face overlaps, they are the contact.
+template <std::floating_point S>
+ContactManifold<S> contact_manifold(const OrientedBox<S>& a, const OrientedBox<S>& b,
+                                    const S& margin) {
+  const detail::AxisRoom<S> face = detail::widest_room<S>(a, b, 0, 5);
+  if (face.room > margin) return {face.normal, {}};
+  const detail::AxisRoom<S> edges = detail::widest_room<S>(a, b, 6, box_axis_count - 1);
+  if (edges.axis >= 0 && edges.room > margin) return {edges.normal, {}};
+  const S slack =
+      face_preference<S> * std::min(a.half_lengths.minCoeff(), b.half_lengths.minCoeff());
+  if (edges.axis >= 0 && edges.room > face.room + slack) {
+    return detail::single_point(gap(a, b), margin);
+  }
+  const bool of_a = face.axis < 3;
+  const int axis = face.axis % 3;
+  const OrientedBox<S>& reference = of_a ? a : b;
+  const OrientedBox<S>& incident = of_a ? b : a;
+  const Vector3<S> outward = of_a ? Vector3<S>(-face.normal) : face.normal;
+  const BoxFace<S> looking = face_towards<S>(incident, Vector3<S>(-outward));
+  const std::vector<Vector3<S>> polygon = polygon_over_face<S>(
+      std::vector<Vector3<S>>(looking.corners.begin(), looking.corners.end()), reference, axis);
+  const Vector3<S> top = reference.centre + outward * reference.half_lengths(axis);
+  ContactManifold<S> manifold{face.normal, {}};
+  for (const Vector3<S>& p : polygon) {
+    const S distance = outward.dot(Vector3<S>(p - top));
+    const Vector3<S> on_a = of_a ? Vector3<S>(p - outward * distance) : p;
+    detail::add_manifold_point<S>(manifold, on_a, distance, margin);
+  }
+  if (manifold.points.empty()) return detail::single_point(gap(a, b), margin);
+  return manifold;
+}
+// [/boxes]
+
+/// A capsule and a sphere: one point.
+template <std::floating_point S>
+ContactManifold<S> contact_manifold(const Capsule<S>& a, const Sphere<S>& b, const S& margin) {
+  return exchanged(contact_manifold(b, a, margin));
+}
+/// A box and a sphere: one point.
+template <std::floating_point S>
+ContactManifold<S> contact_manifold(const OrientedBox<S>& a, const Sphere<S>& b, const S& margin) {
+  return exchanged(contact_manifold(b, a, margin));
+}
+/// A box and a capsule.
+template <std::floating_point S>
+ContactManifold<S> contact_manifold(const OrientedBox<S>& a, const Capsule<S>& b, const S& margin) {
+  return exchanged(contact_manifold(b, a, margin));
+}
+/// A half-space and a sphere, a capsule or a box.
+template <std::floating_point S, template <class> class Shape>
+ContactManifold<S> contact_manifold(const HalfSpace<S>& a, const Shape<S>& b, const S& margin) {
+  return exchanged(contact_manifold(b, a, margin));
+}
+
+}  // namespace contact

@@ -1,0 +1,305 @@
+/// @file
+/// Many contacts at once, with friction: impulses found one after the other, sweep after sweep.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include <contact/contact_lcp.hpp>
+#include <contact/frame.hpp>
+#include <contact/inertia.hpp>
+#include <contact/invalid_argument.hpp>
+#include <contact/rigid_body.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+/// The impulse at a contact: on A, and the opposite on B.
+template <Ring S>
+struct ContactImpulse {
+  S normal = S(0);                             ///< along the normal, never negative, N·s
+  Vector3<S> tangential = Vector3<S>::Zero();  ///< across it, at most μ times as long, N·s
+};
+
+/// When the sweeps end.
+template <Ring S>
+struct SweepLimits {
+  int sweeps = 10000;      ///< at most so many, at least 1
+  S tolerance = S(1e-12);  ///< or when no contact's velocity was changed by more in one, m/s
+  /// How much of the way to its own answer, and beyond, a contact goes: greater than 0, below 2.
+  S relaxation = S(1);
+};
+
+/// How the sweeps ended.
+template <Ring S>
+struct SweepReport {
+  int sweeps = 0;        ///< how many there were
+  S last_change = S(0);  ///< the largest change of a contact's velocity in the last, m/s
+  bool blended = false;  ///< restitution was taken back, in part, to keep the energy
+};
+
+namespace detail {
+
+/// A contact with what does not change during the sweeps.
+template <std::floating_point S>
+struct PreparedContact {
+  BodyContact<S> contact;
+  std::array<Vector3<S>, 3> direction;  // normal and two tangents
+  std::array<Vector3<S>, 3> turn_a;     // change of A's spin for a unit impulse along each
+  std::array<Vector3<S>, 3> turn_b;
+  S normal_response = S(0);
+  S tangent_response = S(0);  // at least the largest, over all tangents
+};
+
+template <std::floating_point S>
+PreparedContact<S> prepared(const std::vector<RigidBody<S>>& bodies,
+                            const BodyContact<S>& contact) {
+  const RigidBody<S>& a = bodies[index(contact.a)];
+  const RigidBody<S>& b = bodies[index(contact.b)];
+  PreparedContact<S> p{contact, {}, {}, {}, S(0), S(0)};
+  p.direction[0] = contact.normal;
+  p.direction[1] = across<S>(contact.normal);
+  p.direction[2] = contact.normal.cross(p.direction[1]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector3<S> arm_a = contact.point - a.position;
+    const Vector3<S> arm_b = contact.point - b.position;
+    p.turn_a[k] = a.inverse_inertia * Vector3<S>(arm_a.cross(p.direction[k]));
+    p.turn_b[k] = b.inverse_inertia * Vector3<S>(arm_b.cross(p.direction[k]));
+  }
+  p.normal_response = response<S>(a, b, contact.point, p.direction[0], p.direction[0]);
+  const S one = response<S>(a, b, contact.point, p.direction[1], p.direction[1]);
+  const S mixed = response<S>(a, b, contact.point, p.direction[1], p.direction[2]);
+  const S two = response<S>(a, b, contact.point, p.direction[2], p.direction[2]);
+  // The larger eigenvalue of the 2 × 2 matrix.
+  p.tangent_response =
+      (one + two + std::sqrt((one - two) * (one - two) + S(4) * mixed * mixed)) / S(2);
+  return p;
+}
+
+/// Adds an impulse along direction k of a contact.
+template <std::floating_point S>
+void push(std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& p, std::size_t k,
+          const S& impulse) {
+  RigidBody<S>& a = bodies[index(p.contact.a)];
+  RigidBody<S>& b = bodies[index(p.contact.b)];
+  a.velocity += p.direction[k] * (impulse * a.inverse_mass);
+  a.spin += p.turn_a[k] * impulse;
+  b.velocity -= p.direction[k] * (impulse * b.inverse_mass);
+  b.spin -= p.turn_b[k] * impulse;
+}
+
+template <std::floating_point S>
+Vector3<S> relative_velocity(const std::vector<RigidBody<S>>& bodies,
+                             const BodyContact<S>& contact) {
+  return velocity_at(bodies[index(contact.a)], contact.point) -
+         velocity_at(bodies[index(contact.b)], contact.point);
+}
+
+/// Impulses as normal, first tangent and second tangent.
+template <std::floating_point S>
+using Parts = std::array<S, 3>;
+
+// [sweep]
+/// One sweep over all contacts, in the order of the list. Returns the largest change of a velocity.
+///
+/// Friction first, with the normal impulse of the sweep before: a step against the slip, as long as
+/// the stiffest tangent allows, and cut off at μ times the normal impulse. The disc of allowed
+/// impulses is convex and the step is not too long, so the step never raises the kinetic energy.
+/// Then the normal: as much as brings the normal velocity to its least value, but never a pull in
+/// all; and the friction is cut off again if there is less to rub against.
+template <std::floating_point S>
+S sweep(std::vector<RigidBody<S>>& bodies, const std::vector<PreparedContact<S>>& contacts,
+        std::vector<Parts<S>>& impulses, const S& relaxation) {
+  S largest(0);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const PreparedContact<S>& p = contacts[i];
+    Parts<S>& x = impulses[i];
+    if (!(p.normal_response > S(0))) continue;  // two immovable bodies
+    const auto rub = [&](const S& one, const S& two) {
+      const S most = p.contact.friction * x[0];
+      const S length = std::sqrt(one * one + two * two);
+      const S share = length > most ? most / length : S(1);
+      const Parts<S> next{x[0], one * share, two * share};
+      for (std::size_t k = 1; k < 3; ++k) {
+        const S change = next[k] - x[k];
+        if (change == S(0)) continue;
+        push(bodies, p, k, change);
+        largest = std::max(largest, std::abs(change) * p.tangent_response);
+      }
+      x = next;
+    };
+    if (p.contact.friction > S(0) && p.tangent_response > S(0)) {
+      const Vector3<S> slip = relative_velocity(bodies, p.contact);
+      rub(x[1] - relaxation * slip.dot(p.direction[1]) / p.tangent_response,
+          x[2] - relaxation * slip.dot(p.direction[2]) / p.tangent_response);
+    }
+    const S velocity = p.direction[0].dot(relative_velocity(bodies, p.contact));
+    const S next = std::max(
+        S(0), x[0] + relaxation * (p.contact.least_velocity - velocity) / p.normal_response);
+    const S change = next - x[0];
+    if (change != S(0)) {
+      push(bodies, p, 0, change);
+      x[0] = next;
+      largest = std::max(largest, std::abs(change) * p.normal_response);
+      if (change < S(0)) rub(x[1], x[2]);
+    }
+  }
+  return largest;
+}
+// [/sweep]
+
+template <std::floating_point S>
+SweepReport<S> sweep_until(std::vector<RigidBody<S>> bodies,
+                           const std::vector<PreparedContact<S>>& contacts,
+                           std::vector<Parts<S>>& impulses, const SweepLimits<S>& limits) {
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) push(bodies, contacts[i], k, impulses[i][k]);
+  }
+  SweepReport<S> report;
+  do {
+    report.last_change = sweep(bodies, contacts, impulses, limits.relaxation);
+    ++report.sweeps;
+  } while (report.sweeps < limits.sweeps && report.last_change > limits.tolerance);
+  return report;
+}
+
+template <std::floating_point S>
+std::vector<RigidBody<S>> after_parts(std::vector<RigidBody<S>> bodies,
+                                      const std::vector<PreparedContact<S>>& contacts,
+                                      const std::vector<Parts<S>>& impulses) {
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const PreparedContact<S>& p = contacts[i];
+    const Vector3<S> impulse = p.direction[0] * impulses[i][0] + p.direction[1] * impulses[i][1] +
+                               p.direction[2] * impulses[i][2];
+    RigidBody<S>& a = bodies[index(p.contact.a)];
+    RigidBody<S>& b = bodies[index(p.contact.b)];
+    a = after_impulse<S>(a, impulse, p.contact.point);
+    b = after_impulse<S>(b, Vector3<S>(-impulse), p.contact.point);
+  }
+  return bodies;
+}
+
+template <std::floating_point S>
+S total_kinetic_energy(const std::vector<RigidBody<S>>& bodies) {
+  S sum(0);
+  for (const RigidBody<S>& body : bodies) sum += kinetic_energy(body);
+  return sum;
+}
+
+}  // namespace detail
+
+/// Bodies after contacts, and the impulses that made them so.
+template <Ring S>
+struct SolvedContacts {
+  std::vector<RigidBody<S>> bodies;         ///< in the order in which they came
+  std::vector<ContactImpulse<S>> impulses;  ///< one a contact
+  SweepReport<S> report;                    ///< of the sweeps
+};
+
+// [solve]
+/// The impulses at all contacts, with friction, by sequential impulses (projected Gauss and
+/// Seidel).
+///
+/// However many sweeps there are: no normal impulse pulls; the friction at each contact is within
+/// its own cone, |tangential| ≤ μ normal; and momentum and angular momentum are kept but for the
+/// rounding of the velocities, because each impulse is given to A and taken from B at one point.
+/// The velocities are made from the impulses at the end, once, in the order of the list.
+///
+/// When the sweeps have converged, no contact is slower than its least velocity but for the
+/// tolerance, and contacts that push are as fast as that. If all least velocities are 0 or less the
+/// kinetic energy has not grown. Restitution together with friction may make it grow, by Newton's
+/// law itself; then part of the restitution is taken back: between the impulses without it and
+/// those with it, those with the most restitution that keeps the energy. (Not where an immovable
+/// body moves: it may do work.)
+/// @param contacts between different bodies of the list, with unit normals
+/// @param start impulses to begin with, those of the step before, say: they save sweeps. Empty, or
+/// one a contact; a pull, or too much friction, is cut off
+/// @throws std::invalid_argument if a contact names a body that is not there or the same body
+/// twice, has a negative friction, or a number that is not finite; or if `start` has another length
+template <std::floating_point S>
+SolvedContacts<S> solve_contacts(const std::vector<RigidBody<S>>& bodies,
+                                 const std::vector<BodyContact<S>>& contacts,
+                                 const std::vector<ContactImpulse<S>>& start = {},
+                                 const SweepLimits<S>& limits = {}) {
+  if (!start.empty() && start.size() != contacts.size()) {
+    throw_invalid_argument("start", std::to_string(start.size()) + " impulses",
+                           "must be one a contact");
+  }
+  std::vector<detail::PreparedContact<S>> prepared;
+  for (const BodyContact<S>& c : contacts) {
+    const int count = static_cast<int>(bodies.size());
+    if (c.a < 0 || c.a >= count || c.b < 0 || c.b >= count || c.a == c.b) {
+      throw_invalid_argument("contacts",
+                             "bodies " + std::to_string(c.a) + " and " + std::to_string(c.b),
+                             "must be two of the list");
+    }
+    require_finite("point", c.point);
+    require_finite("normal", c.normal);
+    require_finite("least_velocity", c.least_velocity);
+    if (!(c.friction >= S(0)) || !is_finite(c.friction)) {
+      throw_invalid_argument("friction", number_text(c.friction), "must not be negative");
+    }
+    prepared.push_back(detail::prepared(bodies, c));
+  }
+  std::vector<detail::Parts<S>> impulses(contacts.size(), detail::Parts<S>{S(0), S(0), S(0)});
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    const S normal = std::max(S(0), start[i].normal);
+    const S one = start[i].tangential.dot(prepared[i].direction[1]);
+    const S two = start[i].tangential.dot(prepared[i].direction[2]);
+    const S length = std::sqrt(one * one + two * two);
+    const S most = contacts[i].friction * normal;
+    const S share = length > most ? most / length : S(1);
+    impulses[i] = {normal, one * share, two * share};
+  }
+  SolvedContacts<S> solved;
+  solved.report = detail::sweep_until(bodies, prepared, impulses, limits);
+  solved.bodies = detail::after_parts(bodies, prepared, impulses);
+
+  bool still = true;
+  bool bounces = false;
+  for (const RigidBody<S>& body : bodies) {
+    const bool moves = body.velocity != Vector3<S>::Zero() || body.spin != Vector3<S>::Zero();
+    if (body.inverse_mass == S(0) && moves) still = false;
+  }
+  for (const BodyContact<S>& c : contacts) bounces = bounces || c.least_velocity > S(0);
+  const S before = detail::total_kinetic_energy(bodies);
+  if (still && bounces && detail::total_kinetic_energy(solved.bodies) > before) {
+    // Along the way from the impulses without restitution to those with it the energy is a
+    // parabola that opens upwards. Where it comes back to what it was is found by halving.
+    std::vector<detail::PreparedContact<S>> soft = prepared;
+    for (auto& p : soft) p.contact.least_velocity = std::min(p.contact.least_velocity, S(0));
+    std::vector<detail::Parts<S>> stop(contacts.size(), detail::Parts<S>{S(0), S(0), S(0)});
+    detail::sweep_until(bodies, soft, stop, limits);
+    const auto blend = [&](const S& share) {
+      std::vector<detail::Parts<S>> mixed = stop;
+      for (std::size_t i = 0; i < mixed.size(); ++i) {
+        for (std::size_t k = 0; k < 3; ++k) mixed[i][k] += share * (impulses[i][k] - stop[i][k]);
+      }
+      return mixed;
+    };
+    S low(0);
+    S high(1);
+    for (int i = 0; i < 60; ++i) {
+      const S middle = (low + high) / S(2);
+      const auto bodies_then = detail::after_parts(bodies, prepared, blend(middle));
+      (detail::total_kinetic_energy(bodies_then) > before ? high : low) = middle;
+    }
+    impulses = blend(low);
+    solved.bodies = detail::after_parts(bodies, prepared, impulses);
+    solved.report.blended = true;
+  }
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    solved.impulses.push_back(
+        {impulses[i][0], Vector3<S>(prepared[i].direction[1] * impulses[i][1] +
+                                    prepared[i].direction[2] * impulses[i][2])});
+  }
+  return solved;
+}
+// [/solve]
+
+}  // namespace contact

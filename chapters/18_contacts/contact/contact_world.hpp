@@ -1,0 +1,243 @@
+/// @file
+/// Bodies with shapes, and a step of time: find the contacts, solve them, move.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <variant>
+#include <vector>
+
+#include <contact/contact_manifold.hpp>
+#include <contact/contact_solver.hpp>
+#include <contact/convex_shapes.hpp>
+#include <contact/inertia.hpp>
+#include <contact/invalid_argument.hpp>
+#include <contact/rigid_body.hpp>
+#include <contact/rotation.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+/// A shape in its body's own axes, its centre of mass at the origin; a half-space in the world's.
+template <Ring S>
+using BodyShape = std::variant<Sphere<S>, Capsule<S>, OrientedBox<S>, HalfSpace<S>>;
+
+// [shaped-body]
+/// A rigid body with a shape.
+template <Ring S>
+struct ShapedBody {
+  BodyShape<S> shape;    ///< in the body's axes, m
+  RigidBody<S> motion;   ///< in the world; its tensors follow the orientation
+  Rotor<S> orientation;  ///< from body to world
+  /// About the body's own axes, which are its principal ones, kg·m²; not read for an immovable
+  /// body.
+  Vector3<S> moments = Vector3<S>::Zero();
+  S friction = S(0);     ///< μ; that of a pair is the square root of the product
+  S restitution = S(0);  ///< e, from 0 to 1; that of a pair is the larger
+};
+// [/shaped-body]
+
+/// A solid box of one density.
+/// @param size whole lengths of the edges, m
+/// @throws std::invalid_argument naming the argument and its value
+template <std::floating_point S>
+ShapedBody<S> solid_box(const S& mass, const Vector3<S>& size, const Vector3<S>& position) {
+  const Matrix3<S> tensor = box_inertia<S>(mass, size);
+  const Vector3<S> zero = Vector3<S>::Zero();
+  ShapedBody<S> body;
+  body.shape = oriented_box_from_axes<S>(zero, Matrix3<S>::Identity(), Vector3<S>(size / S(2)));
+  body.moments = tensor.diagonal();
+  body.motion =
+      rigid_body_from_axes<S>(mass, body.moments, Matrix3<S>::Identity(), position, zero, zero);
+  return body;
+}
+
+/// A solid ball of one density.
+/// @throws std::invalid_argument naming the argument and its value
+template <std::floating_point S>
+ShapedBody<S> solid_ball(const S& mass, const S& radius, const Vector3<S>& position) {
+  const Matrix3<S> tensor = sphere_inertia<S>(mass, radius);
+  const Vector3<S> zero = Vector3<S>::Zero();
+  ShapedBody<S> body;
+  body.shape = sphere_from_radius<S>(zero, radius);
+  body.moments = tensor.diagonal();
+  body.motion =
+      rigid_body_from_axes<S>(mass, body.moments, Matrix3<S>::Identity(), position, zero, zero);
+  return body;
+}
+
+/// A half-space that nothing moves.
+/// @throws std::invalid_argument naming the argument and its value
+template <std::floating_point S>
+ShapedBody<S> ground(const Plane<S>& boundary) {
+  ShapedBody<S> body;
+  body.shape = half_space_behind<S>(boundary);
+  return body;
+}
+
+// [in-world]
+/// A sphere where its body is.
+template <std::floating_point S>
+Sphere<S> placed(const Sphere<S>& shape, const Vector3<S>& position, const Matrix3<S>& rotation) {
+  return {Vector3<S>(position + rotation * shape.centre), shape.radius};
+}
+/// A capsule where its body is.
+template <std::floating_point S>
+Capsule<S> placed(const Capsule<S>& shape, const Vector3<S>& position, const Matrix3<S>& rotation) {
+  return {{Vector3<S>(position + rotation * shape.core.start),
+           Vector3<S>(position + rotation * shape.core.end)},
+          shape.radius};
+}
+/// A box where its body is.
+template <std::floating_point S>
+OrientedBox<S> placed(const OrientedBox<S>& shape, const Vector3<S>& position,
+                      const Matrix3<S>& rotation) {
+  return {Vector3<S>(position + rotation * shape.centre), Matrix3<S>(rotation * shape.axes),
+          shape.half_lengths};
+}
+/// A half-space stays where it is.
+template <std::floating_point S>
+HalfSpace<S> placed(const HalfSpace<S>& shape, const Vector3<S>&, const Matrix3<S>&) {
+  return shape;
+}
+// [/in-world]
+
+/// How a step is made.
+template <Ring S>
+struct StepSettings {
+  Vector3<S> gravity{S(0), S(0), S(-9.80665)};  ///< m/s²
+  S step = S(1) / S(60);                        ///< h, s, greater than 0
+  S margin = S(0.02);     ///< surfaces at most so far apart are contacts already, m
+  S rest_speed = S(0.5);  ///< slower impacts do not bounce, m/s
+  SweepLimits<S> sweeps{20000, S(1e-11), S(1.8)};  ///< of the solver
+};
+
+/// What a step leaves for the next: where contacts were, and how hard they pushed.
+template <Ring S>
+struct StepMemory {
+  std::vector<BodyContact<S>> contacts;     ///< in the order of the step
+  std::vector<ContactImpulse<S>> impulses;  ///< one a contact
+};
+
+// [find-contacts]
+/// All contacts of bodies nearer than the margin: pair after pair, in the order of the list, and
+/// the points of each in the order of its manifold. All pairs are looked at.
+///
+/// A gap may close within the step, and no more. An impact faster than the rest speed must leave
+/// with e times the speed with which it came.
+template <std::floating_point S>
+std::vector<BodyContact<S>> find_contacts(const std::vector<ShapedBody<S>>& bodies,
+                                          const StepSettings<S>& settings) {
+  std::vector<BodyContact<S>> contacts;
+  std::vector<BodyShape<S>> shapes;
+  for (const ShapedBody<S>& body : bodies) {
+    const Matrix3<S> rotation = matrix_of(body.orientation);
+    shapes.push_back(std::visit(
+        [&](const auto& shape) {
+          return BodyShape<S>(placed(shape, body.motion.position, rotation));
+        },
+        body.shape));
+  }
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    for (std::size_t k = i + 1; k < bodies.size(); ++k) {
+      const RigidBody<S>& a = bodies[i].motion;
+      const RigidBody<S>& b = bodies[k].motion;
+      if (a.inverse_mass == S(0) && b.inverse_mass == S(0)) continue;
+      const ContactManifold<S> manifold = std::visit(
+          [&](const auto& one, const auto& other) -> ContactManifold<S> {
+            using A = std::decay_t<decltype(one)>;
+            using B = std::decay_t<decltype(other)>;
+            if constexpr (std::same_as<A, HalfSpace<S>> && std::same_as<B, HalfSpace<S>>) {
+              return {};
+            } else {
+              return contact_manifold(one, other, settings.margin);
+            }
+          },
+          shapes[i], shapes[k]);
+      for (const ManifoldPoint<S>& p : manifold.points) {
+        BodyContact<S> contact{static_cast<int>(i),
+                               static_cast<int>(k),
+                               p.point,
+                               manifold.normal,
+                               std::sqrt(bodies[i].friction * bodies[k].friction),
+                               S(0)};
+        const S velocity = manifold.normal.dot(velocity_at(a, p.point) - velocity_at(b, p.point));
+        const S e = std::max(bodies[i].restitution, bodies[k].restitution);
+        const S room = -std::max(p.distance, S(0)) / settings.step;
+        const bool hits = velocity < room && velocity < -settings.rest_speed && e > S(0);
+        contact.least_velocity = hits ? -(e * velocity) : room;
+        contacts.push_back(contact);
+      }
+    }
+  }
+  return contacts;
+}
+// [/find-contacts]
+
+namespace detail {
+
+/// The impulses of the step before, each for the contact of the same pair nearest to where it was,
+/// within the margin.
+template <std::floating_point S>
+std::vector<ContactImpulse<S>> remembered(const std::vector<BodyContact<S>>& contacts,
+                                          const StepMemory<S>& memory, const S& margin) {
+  std::vector<ContactImpulse<S>> start(contacts.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    S nearest = margin * margin;
+    for (std::size_t k = 0; k < memory.contacts.size(); ++k) {
+      const BodyContact<S>& then = memory.contacts[k];
+      if (then.a != contacts[i].a || then.b != contacts[i].b) continue;
+      const Vector3<S> between = then.point - contacts[i].point;
+      if (between.dot(between) < nearest) {
+        nearest = between.dot(between);
+        start[i] = memory.impulses[k];
+      }
+    }
+  }
+  return start;
+}
+
+}  // namespace detail
+
+// [step]
+/// A step of time: gravity changes the velocities, contacts correct them, and with these the bodies
+/// move.
+///
+/// The angular momentum of a body that nothing touches stays as it is: its spin follows its
+/// orientation. Depth that is there, from the start or by rounding, is neither undone nor does it
+/// grow.
+/// @param memory what the last step left, and is given what this one leaves; empty at first
+/// @return how the solver ended
+template <std::floating_point S>
+SweepReport<S> step_contacts(std::vector<ShapedBody<S>>& bodies, StepMemory<S>& memory,
+                             const StepSettings<S>& settings = {}) {
+  std::vector<RigidBody<S>> motions;
+  for (ShapedBody<S>& body : bodies) {
+    if (body.motion.inverse_mass > S(0)) {
+      body.motion.velocity += settings.gravity * settings.step;
+    }
+    motions.push_back(body.motion);
+  }
+  const std::vector<BodyContact<S>> contacts = find_contacts(bodies, settings);
+  const auto start = detail::remembered(contacts, memory, settings.margin);
+  const SolvedContacts<S> solved = solve_contacts(motions, contacts, start, settings.sweeps);
+  memory = {contacts, solved.impulses};
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    ShapedBody<S>& body = bodies[i];
+    body.motion = solved.bodies[i];
+    body.motion.position += body.motion.velocity * settings.step;
+    const Vector3<S> spin = body.motion.spin;
+    if (body.motion.inverse_mass == S(0) || spin == Vector3<S>::Zero()) continue;
+    const Vector3<S> momentum = body.motion.inertia * spin;
+    body.orientation = normalised(exponential_step(body.orientation, spin, settings.step));
+    body.motion =
+        rigid_body_from_axes<S>(body.motion.mass, body.moments, matrix_of(body.orientation),
+                                body.motion.position, body.motion.velocity, spin);
+    body.motion.spin = body.motion.inverse_inertia * momentum;
+  }
+  return solved.report;
+}
+// [/step]
+
+}  // namespace contact

@@ -1,0 +1,609 @@
+// Contacts: their points against fractions and closed forms, several at once against the exact
+// solution of the complementarity problem, and what must hold after any number of sweeps.
+#include <algorithm>
+#include <array>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <contact/contact_lcp.hpp>
+#include <contact/contact_manifold.hpp>
+#include <contact/contact_solver.hpp>
+#include <contact/contact_world.hpp>
+#include <contact/exact_distance.hpp>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "09_separating_planes/shape_oracle.hpp"
+#include "support/generators.hpp"
+#include "support/oracle.hpp"
+
+using contact::BodyContact;
+using contact::Capsule;
+using contact::ContactImpulse;
+using contact::HalfSpace;
+using contact::Matrix3;
+using contact::OrientedBox;
+using contact::RigidBody;
+using contact::Sphere;
+using contact::Vector3;
+using generators::Random;
+using generators::tried;
+using oracle::Rational;
+using oracle::Vector;
+
+namespace {
+
+using V = Vector3<double>;
+using Box = OrientedBox<double>;
+using Body = RigidBody<double>;
+using Exactly = RigidBody<Rational>;
+constexpr double u = 0x1p-53;
+
+V any_point(Random& random, double most) {
+  const double x = random.uniform(-most, most);
+  const double y = random.uniform(-most, most);
+  return {x, y, random.uniform(-most, most)};
+}
+V direction(Random& random) {
+  for (;;) {
+    const V v = any_point(random, 1);
+    if (v.norm() > 0.1 && v.norm() <= 1) return v.normalized();
+  }
+}
+Matrix3<double> turn(Random& random) {
+  return contact::matrix_of(
+      contact::exponential<double>(V(direction(random) * random.uniform(0, 3))));
+}
+Box box(Random& random) {
+  const V place = any_point(random, 1.5);
+  const Matrix3<double> axes = turn(random);
+  const double x = random.uniform(0.2, 2);
+  const double y = random.uniform(0.2, 2);
+  return {place, axes, V(x, y, random.uniform(0.2, 2))};
+}
+double size_of(const Box& b) { return b.centre.cwiseAbs().sum() + b.half_lengths.sum(); }
+
+/// Whether a point is in the box, or at most `room` away: exactly.
+bool near_box(const V& p, const Box& b, double room) {
+  return contact::exact_squared_distance<Rational>(oracle::exact(p), shape_oracle::exact(b)) <=
+         oracle::exact(room) * oracle::exact(room);
+}
+
+Rational fraction(Random& random) { return Rational(random.integer(-9, 9)) / random.integer(1, 4); }
+Vector vector(Random& random) {
+  const Rational x = fraction(random);
+  const Rational y = fraction(random);
+  return {x, y, fraction(random)};
+}
+
+/// Some bodies, the first immovable and at rest, and contacts between any two of them.
+template <class S>
+struct Problem {
+  std::vector<RigidBody<S>> bodies;
+  std::vector<BodyContact<S>> contacts;
+};
+Problem<Rational> problem(Random& random, int count, int contacts) {
+  Problem<Rational> p;
+  p.bodies.push_back(contact::immovable<Rational>(vector(random), {0, 0, 0}, {0, 0, 0}));
+  for (int i = 1; i < count; ++i) {
+    const Rational mass = Rational(random.integer(1, 8)) / 2;
+    const Vector size{Rational(random.integer(1, 4)), Rational(random.integer(1, 4)),
+                      Rational(random.integer(1, 4))};
+    const Vector x = vector(random);
+    const Vector v = vector(random);
+    p.bodies.push_back(contact::rigid_body<Rational>(
+        mass, contact::box_inertia<Rational>(mass, size), x, v, vector(random)));
+  }
+  for (int i = 0; i < contacts; ++i) {
+    BodyContact<Rational> c;
+    c.a = random.integer(1, count - 1);
+    c.b = (c.a + random.integer(1, count - 1)) % count;
+    c.point = vector(random);
+    c.normal = shape_oracle::rotation(random, false).col(0);
+    p.contacts.push_back(c);
+  }
+  return p;
+}
+double down(const Rational& x) { return oracle::nearest(x); }
+V down(const Vector& v) { return oracle::nearest(v); }
+Matrix3<double> down(const Matrix3<Rational>& m) { return shape_oracle::rounded(m); }
+Problem<double> down(const Problem<Rational>& p) {
+  Problem<double> d;
+  for (const Exactly& b : p.bodies) {
+    d.bodies.push_back({down(b.mass), down(b.inertia), down(b.inverse_mass),
+                        down(b.inverse_inertia), down(b.position), down(b.velocity), down(b.spin)});
+  }
+  for (const auto& c : p.contacts) {
+    d.contacts.push_back(
+        {c.a, c.b, down(c.point), down(c.normal), down(c.friction), down(c.least_velocity)});
+  }
+  return d;
+}
+
+template <class S>
+S energy(const std::vector<RigidBody<S>>& bodies) {
+  S sum(0);
+  for (const auto& b : bodies) sum = sum + contact::kinetic_energy(b);
+  return sum;
+}
+template <class S>
+Vector3<S> momentum(const std::vector<RigidBody<S>>& bodies) {
+  Vector3<S> sum = Vector3<S>::Zero();
+  for (const auto& b : bodies) sum = sum + Vector3<S>(b.velocity * b.mass);
+  return sum;
+}
+template <class S>
+Vector3<S> turning(const std::vector<RigidBody<S>>& bodies) {
+  Vector3<S> sum = Vector3<S>::Zero();
+  for (const auto& b : bodies) sum = sum + contact::angular_momentum<S>(b, Vector3<S>::Zero());
+  return sum;
+}
+
+std::string refusal(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+const HalfSpace<double> floor_at_zero{{V(0, 0, 1), 0}};
+
+}  // namespace
+
+TEST_CASE("a box on a floor: the corners within the margin, at most the four lowest") {
+  const Box flat{V(1, 2, 1), Matrix3<double>::Identity(), V(3, 2, 1)};
+  const auto rest = contact::contact_manifold(flat, floor_at_zero, 0.0);
+  REQUIRE(rest.points.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(rest.points[i].point == contact::box_corner(flat, static_cast<int>(i)));
+    CHECK(rest.points[i].distance == 0);
+  }
+  Random random(1801);
+  for (int i = 0; i < tried(500); ++i) {
+    const Box b = box(random);
+    const HalfSpace<double> h{{direction(random), random.uniform(-1, 1)}};
+    const double margin = random.uniform(0, 0.5);
+    const double room = 32 * u * (size_of(b) + 1);
+    const auto manifold = contact::contact_manifold(b, h, margin);
+    const Vector n = oracle::exact(h.boundary.normal);
+    std::vector<Rational> height;
+    for (int k = 0; k < 8; ++k) {
+      height.push_back(n.dot(contact::box_corner<Rational>(shape_oracle::exact(b), k)) -
+                       oracle::exact(h.boundary.offset));
+    }
+    std::sort(height.begin(), height.end());
+    std::size_t right = 0;
+    while (right < 4 && height[right] <= oracle::exact(margin)) ++right;
+    REQUIRE(manifold.points.size() == right);
+    std::vector<double> got;
+    for (const auto& p : manifold.points) {
+      got.push_back(p.distance);
+      // Midway: as far from the box's corner as from the floor.
+      CHECK(near_box(V(p.point + manifold.normal * (p.distance / 2)), b, room));
+      CHECK(std::abs(contact::signed_distance(h.boundary, p.point) - p.distance / 2) <= room);
+    }
+    std::sort(got.begin(), got.end());
+    for (std::size_t k = 0; k < got.size(); ++k) CHECK(oracle::error(got[k], height[k]) <= room);
+  }
+}
+
+TEST_CASE("a box on a box: the corners of the overlap of two rectangles, in closed form") {
+  Random random(1802);
+  for (int i = 0; i < tried(2000); ++i) {
+    const V half(random.integer(1, 4), random.integer(1, 4), 2);
+    const V other(random.integer(1, 4), random.integer(1, 4), 2);
+    const double x = random.integer(-3, 3);
+    const double y = random.integer(-3, 3);
+    const double depth = random.integer(0, 1) / 16.0;
+    const Box a{V(x, y, 4 - depth), Matrix3<double>::Identity(), half};
+    const Box b{V(0, 0, 0), Matrix3<double>::Identity(), other};
+    const double left = std::max(x - half.x(), -other.x());
+    const double right = std::min(x + half.x(), other.x());
+    const double front = std::max(y - half.y(), -other.y());
+    const double back = std::min(y + half.y(), other.y());
+    if (right - left <= 1 || back - front <= 1) continue;  // then a side may be the way out
+    const auto manifold = contact::contact_manifold(a, b, 0.0);
+    CHECK(manifold.normal == V(0, 0, 1));
+    REQUIRE(manifold.points.size() == 4);
+    std::vector<std::array<double, 2>> got;
+    for (const auto& p : manifold.points) {
+      CHECK(p.distance == -depth);
+      CHECK(p.point.z() == 2 - depth / 2);
+      got.push_back({p.point.x(), p.point.y()});
+    }
+    std::sort(got.begin(), got.end());
+    const std::vector<std::array<double, 2>> wanted{
+        {left, front}, {left, back}, {right, front}, {right, back}};
+    CHECK(got == wanted);
+  }
+}
+
+TEST_CASE("the points of two boxes lie midway between both surfaces, whatever the pose") {
+  Random random(1803);
+  int faces = 0;
+  int edges = 0;
+  for (int i = 0; i < tried(600); ++i) {
+    const Box a = box(random);
+    const Box b = box(random);
+    const double room = 128 * u * (size_of(a) + size_of(b));
+    const auto manifold = contact::contact_manifold(a, b, 0.0);
+    const auto gap = contact::gap(a, b);
+    if (gap.distance > room) CHECK(manifold.points.empty());
+    if (gap.distance < -room) CHECK_FALSE(manifold.points.empty());
+    CHECK(manifold.points.size() <= 8);
+    faces += manifold.points.size() > 1 ? 1 : 0;
+    edges += manifold.points.size() == 1 ? 1 : 0;
+    for (const auto& p : manifold.points) {
+      CHECK(p.distance <= room);
+      const V half = manifold.normal * (p.distance / 2);
+      CHECK(near_box(V(p.point + half), a, room));
+      CHECK(near_box(V(p.point - half), b, room));
+    }
+    const auto back = contact::contact_manifold(b, a, 0.0);
+    CHECK(back.points.empty() == manifold.points.empty());
+  }
+  CHECK(faces > tried(60));
+  CHECK(edges > tried(8));
+}
+
+TEST_CASE("where corners meet the normal is always the same") {
+  const Box a{V(2, 2, 2), Matrix3<double>::Identity(), V(1, 1, 1)};
+  const Box b{V(0, 0, 0), Matrix3<double>::Identity(), V(1, 1, 1)};
+  const auto corner = contact::contact_manifold(a, b, 0.0);
+  REQUIRE(corner.points.size() == 1);
+  CHECK(corner.normal == V(1, 0, 0));
+  CHECK(corner.points[0].point == V(1, 1, 1));
+  CHECK(corner.points[0].distance == 0);
+  const auto back = contact::contact_manifold(b, a, 0.0);
+  CHECK(back.normal == V(-1, 0, 0));
+  CHECK(back.points.size() == 1);
+  // A gap on the diagonal: no face shows how far it is, and the margin counts the true distance.
+  const Box off{V(2.01, 2.01, 2.01), Matrix3<double>::Identity(), V(1, 1, 1)};
+  CHECK(contact::contact_manifold(off, b, 0.015).points.empty());
+  const auto near = contact::contact_manifold(off, b, 0.02);
+  REQUIRE(near.points.size() == 1);
+  CHECK(std::abs(near.points[0].distance - 0.01 * std::sqrt(3.0)) <= 1e-15);
+  CHECK((near.normal - V(1, 1, 1).normalized()).norm() <= 1e-13);
+}
+
+TEST_CASE("capsules lie on two points and stand on one") {
+  const Capsule<double> lying{{V(-3, 0, 1), V(3, 0, 1)}, 1};
+  const Box table{V(0, 0, -1), Matrix3<double>::Identity(), V(2, 2, 1)};
+  const auto on_table = contact::contact_manifold(lying, table, 0.01);
+  REQUIRE(on_table.points.size() == 2);
+  CHECK(on_table.points[0].point == V(-2, 0, 0));
+  CHECK(on_table.points[1].point == V(2, 0, 0));
+  CHECK(on_table.normal == V(0, 0, 1));
+  const auto on_floor = contact::contact_manifold(lying, floor_at_zero, 0.01);
+  REQUIRE(on_floor.points.size() == 2);
+  CHECK(on_floor.points[1].point == V(3, 0, 0));
+  const Capsule<double> standing{{V(0, 0, 1), V(0.1, 0, 5)}, 1};
+  CHECK(contact::contact_manifold(standing, floor_at_zero, 0.01).points.size() == 1);
+  CHECK(contact::contact_manifold(standing, table, 0.01).points.size() == 1);
+  const Capsule<double> above{{V(-1, 0, 3), V(9, 0, 3)}, 1};
+  const auto pair = contact::contact_manifold(above, lying, 0.0);
+  REQUIRE(pair.points.size() == 2);
+  CHECK(pair.points[0].point == V(-1, 0, 2));
+  CHECK(pair.points[1].point == V(3, 0, 2));
+  CHECK(pair.normal == V(0, 0, 1));
+  const Capsule<double> crossing{{V(0, -4, 3), V(0, 4, 3)}, 1};
+  CHECK(contact::contact_manifold(crossing, lying, 0.0).points.size() == 1);
+  const Sphere<double> ball{V(0, 0, 3), 1};
+  for (const auto& manifold :
+       {contact::contact_manifold(ball, lying, 0.0), contact::contact_manifold(ball, table, 2.0),
+        contact::contact_manifold(ball, floor_at_zero, 2.0),
+        contact::contact_manifold(ball, Sphere<double>{V(0, 0, 0), 2}, 0.0)}) {
+    REQUIRE(manifold.points.size() == 1);
+    CHECK(manifold.normal == V(0, 0, 1));
+  }
+  CHECK(contact::contact_manifold(floor_at_zero, ball, 2.0).normal == V(0, 0, -1));
+  CHECK(contact::contact_manifold(ball, floor_at_zero, 1.0).points.empty());
+}
+
+TEST_CASE("the direct solution is one, in fractions: complementarity, momentum, least energy") {
+  Random random(1804);
+  int pushes = 0;
+  for (int i = 0; i < tried(120); ++i) {
+    auto p = problem(random, random.integer(3, 5), random.integer(1, 6));
+    const auto impulses = contact::complementary_impulses(p.bodies, p.contacts);
+    REQUIRE(impulses.has_value());
+    const auto after = contact::after_normal_impulses(p.bodies, p.contacts, *impulses);
+    for (std::size_t k = 0; k < p.contacts.size(); ++k) {
+      const Rational velocity = contact::contact_velocity(after, p.contacts[k]);
+      CHECK((*impulses)[k] >= 0);
+      CHECK(velocity >= 0);
+      CHECK((*impulses)[k] * velocity == 0);
+      pushes += (*impulses)[k] > 0 ? 1 : 0;
+    }
+    CHECK(energy(after) <= energy(p.bodies));
+    // No other pushes leave less.
+    for (int other = 0; other < 5; ++other) {
+      std::vector<Rational> changed = *impulses;
+      for (Rational& x : changed) {
+        x += Rational(random.integer(-3, 3)) / 16;
+        if (x < 0) x = 0;
+      }
+      CHECK(energy(after) <= energy(contact::after_normal_impulses(p.bodies, p.contacts, changed)));
+    }
+    // Between movable bodies, momentum and angular momentum stay.
+    bool movable = true;
+    for (const auto& c : p.contacts) movable = movable && c.a != 0 && c.b != 0;
+    if (movable) {
+      CHECK(momentum(after) == momentum(p.bodies));
+      CHECK(turning(after) == turning(p.bodies));
+    }
+    // In any order of the contacts, the same velocities.
+    auto turned = p;
+    std::rotate(turned.contacts.begin(), turned.contacts.begin() + 1, turned.contacts.end());
+    const auto again = contact::complementary_impulses(turned.bodies, turned.contacts);
+    REQUIRE(again.has_value());
+    const auto also = contact::after_normal_impulses(turned.bodies, turned.contacts, *again);
+    for (std::size_t k = 0; k < after.size(); ++k) {
+      CHECK(also[k].velocity == after[k].velocity);
+      CHECK(also[k].spin == after[k].spin);
+    }
+  }
+  CHECK(pushes > tried(100));
+}
+
+TEST_CASE("restitution at all contacts at once keeps or loses energy, in fractions") {
+  Random random(1805);
+  for (int i = 0; i < tried(100); ++i) {
+    auto p = problem(random, 4, random.integer(1, 5));
+    const Rational e = Rational(random.integer(0, 4)) / 4;
+    for (auto& c : p.contacts) c.least_velocity = -e * contact::contact_velocity(p.bodies, c);
+    const auto impulses = contact::complementary_impulses(p.bodies, p.contacts);
+    REQUIRE(impulses.has_value());
+    const auto after = contact::after_normal_impulses(p.bodies, p.contacts, *impulses);
+    CHECK(energy(after) <= energy(p.bodies));
+    if (e == 1) CHECK(energy(after) == energy(p.bodies));
+  }
+}
+
+TEST_CASE("a table on four legs, and what has no answer") {
+  std::vector<Exactly> bodies;
+  bodies.push_back(contact::immovable<Rational>({0, 0, 0}, {0, 0, 0}, {0, 0, 0}));
+  bodies.push_back(contact::rigid_body<Rational>(4, contact::box_inertia<Rational>(4, {2, 2, 1}),
+                                                 {0, 0, 1}, {0, 0, -1}, {0, 0, 0}));
+  std::vector<BodyContact<Rational>> legs;
+  for (const int x : {-1, 1}) {
+    for (const int y : {-1, 1}) legs.push_back({1, 0, {x, y, 0}, {0, 0, 1}, 0, 0});
+  }
+  const auto impulses = contact::complementary_impulses(bodies, legs);
+  REQUIRE(impulses.has_value());
+  Rational sum = 0;
+  for (const Rational& x : *impulses) sum += x;
+  CHECK(sum == 4);
+  const auto after = contact::after_normal_impulses(bodies, legs, *impulses);
+  CHECK(after[1].velocity == Vector(0, 0, 0));
+  CHECK(after[1].spin == Vector(0, 0, 0));
+  bodies[1] = contact::immovable<Rational>({0, 0, 1}, {0, 0, -1}, {0, 0, 0});
+  CHECK_FALSE(contact::complementary_impulses(bodies, legs).has_value());
+  const std::vector<BodyContact<Rational>> many(13, legs[0]);
+  CHECK(contains(refusal([&] { contact::complementary_impulses(bodies, many); }), "13 rows"));
+}
+
+TEST_CASE("without friction the sweeps end where the direct solution is") {
+  // A sweep changes no velocity by more than 1e-13 at the end. How far that is from the answer
+  // depends on how fast the sweeps converge: each takes out at least a ten thousandth of the error
+  // in all of these problems, so 1e-9 and a little.
+  Random random(1806);
+  for (int i = 0; i < tried(150); ++i) {
+    const auto p = problem(random, random.integer(2, 5), random.integer(1, 5));
+    const auto d = down(p);
+    Problem<Rational> stored;
+    for (const Body& b : d.bodies) {
+      stored.bodies.push_back({oracle::exact(b.mass), shape_oracle::exact(b.inertia),
+                               oracle::exact(b.inverse_mass),
+                               shape_oracle::exact(b.inverse_inertia), oracle::exact(b.position),
+                               oracle::exact(b.velocity), oracle::exact(b.spin)});
+    }
+    for (const auto& c : d.contacts) {
+      stored.contacts.push_back({c.a, c.b, oracle::exact(c.point), oracle::exact(c.normal),
+                                 oracle::exact(c.friction), oracle::exact(c.least_velocity)});
+    }
+    const auto impulses = contact::complementary_impulses(stored.bodies, stored.contacts);
+    REQUIRE(impulses.has_value());
+    const auto right = contact::after_normal_impulses(stored.bodies, stored.contacts, *impulses);
+    const auto got =
+        contact::solve_contacts<double>(d.bodies, d.contacts, {}, {200000, 1e-13, 1.0});
+    CHECK(got.report.last_change <= 1e-13);
+    for (std::size_t k = 0; k < right.size(); ++k) {
+      CHECK(oracle::error(got.bodies[k].velocity, right[k].velocity) <= 2e-9);
+      CHECK(oracle::error(got.bodies[k].spin, right[k].spin) <= 2e-9);
+    }
+  }
+}
+
+TEST_CASE("after any number of sweeps nothing pulls, friction is in its cone, momentum stays") {
+  Random random(1807);
+  for (int i = 0; i < tried(600); ++i) {
+    auto p = down(problem(random, random.integer(3, 6), random.integer(1, 8)));
+    double friction = 0;
+    for (auto& c : p.contacts) {
+      c.friction = random.uniform(0, 1.5);
+      c.least_velocity = random.uniform(-0.5, 2);
+      friction = std::max(friction, c.friction);
+    }
+    const std::array<int, 4> counts{1, 2, 7, 300};
+    const int sweeps = counts[static_cast<std::size_t>(i % 4)];
+    const double relaxation = i % 3 == 0 ? 1.8 : 1.0;
+    const auto got =
+        contact::solve_contacts<double>(p.bodies, p.contacts, {}, {sweeps, 0.0, relaxation});
+    double pushed = 0;
+    for (std::size_t k = 0; k < p.contacts.size(); ++k) {
+      const auto& x = got.impulses[k];
+      CHECK(x.normal >= 0);
+      CHECK(x.tangential.norm() <= p.contacts[k].friction * x.normal * (1 + 32 * u));
+      CHECK(std::abs(x.tangential.dot(p.contacts[k].normal)) <= 32 * u * x.tangential.norm());
+      pushed += x.normal * (1 + p.contacts[k].friction);
+    }
+    // Each impulse is divided by both masses and added to both velocities: a few roundings each, of
+    // what was pushed and of what was there. Arms and coordinates are below 16 m here, and the
+    // tensor and its inverse are not exactly inverse, by 1e2 u.
+    double scale = pushed * 16;
+    for (const Body& b : p.bodies) {
+      scale += b.mass * b.velocity.norm() * 16 + (b.inertia * b.spin).norm();
+    }
+    const double room = 400 * u * double(p.contacts.size() + 1) * scale;
+    bool movable = true;
+    for (const auto& c : p.contacts) movable = movable && c.a != 0 && c.b != 0;
+    if (movable) {
+      CHECK((momentum(got.bodies) - momentum(p.bodies)).norm() <= room);
+      CHECK((turning(got.bodies) - turning(p.bodies)).norm() <= room);
+    }
+    CHECK(got.bodies[0].velocity == V(0, 0, 0));
+  }
+}
+
+TEST_CASE("contacts do not bring energy, with friction and restitution") {
+  Random random(1808);
+  int blended = 0;
+  for (int i = 0; i < tried(400); ++i) {
+    auto p = down(problem(random, random.integer(2, 5), random.integer(1, 6)));
+    const double e = i % 2 == 0 ? 0.0 : random.uniform(0, 1);
+    for (auto& c : p.contacts) {
+      c.friction = random.uniform(0, 1.5);
+      c.least_velocity = std::max(0.0, -e * contact::contact_velocity(p.bodies, c));
+    }
+    const auto got = contact::solve_contacts<double>(p.bodies, p.contacts, {}, {20000, 1e-12, 1.0});
+    blended += got.report.blended ? 1 : 0;
+    // What the velocities are off by, times the momenta.
+    CHECK(energy(got.bodies) <= energy(p.bodies) * (1 + 1e-9));
+  }
+  CHECK(blended > tried(4));
+}
+
+TEST_CASE("one contact without friction is the collision of rigid bodies") {
+  Random random(1809);
+  for (int i = 0; i < tried(300); ++i) {
+    auto p = down(problem(random, 3, 1));
+    const double e = random.uniform(0, 1);
+    const auto& c = p.contacts[0];
+    const Body& a = p.bodies[static_cast<std::size_t>(c.a)];
+    const Body& b = p.bodies[static_cast<std::size_t>(c.b)];
+    const auto right = contact::collide<double>(a, b, {c.point, c.normal}, e);
+    const double velocity = contact::contact_velocity(p.bodies, c);
+    if (velocity >= 0) continue;
+    p.contacts[0].least_velocity = -e * velocity;
+    const auto got = contact::solve_contacts(p.bodies, p.contacts);
+    CHECK((got.bodies[static_cast<std::size_t>(c.a)].velocity - right.a.velocity).norm() <= 1e-12);
+    CHECK((got.bodies[static_cast<std::size_t>(c.b)].spin - right.b.spin).norm() <= 1e-12);
+  }
+}
+
+TEST_CASE("ten boxes on a floor stay where they are for ten seconds") {
+  std::vector<contact::ShapedBody<double>> bodies{contact::ground<double>({V(0, 0, 1), 0})};
+  for (int i = 0; i < 10; ++i) {
+    bodies.push_back(contact::solid_box<double>(1, V(1, 1, 1), V(0, 0, 0.5 + i)));
+  }
+  for (auto& body : bodies) body.friction = 0.5;
+  const auto first = bodies;
+  contact::StepMemory<double> memory;
+  double moved = 0;
+  double lowest = 0;
+  for (int step = 0; step < tried(600); ++step) {
+    contact::step_contacts(bodies, memory);
+    for (std::size_t i = 1; i < bodies.size(); ++i) {
+      moved = std::max(moved, (bodies[i].motion.position - first[i].motion.position).norm());
+      moved = std::max(moved, bodies[i].orientation.v.norm());
+    }
+    for (const auto& impulse : memory.impulses) lowest = std::min(lowest, impulse.normal);
+  }
+  CAPTURE(moved);
+  CHECK(moved < 1e-8);
+  CHECK(lowest == 0);
+  // The floor carries all of them: ten kilograms for a sixtieth of a second.
+  double carried = 0;
+  for (std::size_t i = 0; i < memory.contacts.size(); ++i) {
+    if (memory.contacts[i].a == 0) carried += memory.impulses[i].normal;
+  }
+  CHECK(std::abs(carried - 10 * 9.80665 / 60) < 1e-8);
+}
+
+TEST_CASE("a box on a slope rests or slides as the angle says") {
+  // tan of the angle is 3/4: it rests for μ = 0.8, and slides for 0.5 with g (0.6 − 0.5·0.8).
+  const V up(-0.6, 0, 0.8);
+  const Matrix3<double> axes = (Matrix3<double>() << 0.8, 0, -0.6, 0, 1, 0, 0.6, 0, 0.8).finished();
+  // The sweeps of a step end at changes of 1e-11; with at least a ten thousandth of the error taken
+  // out in each, sixty steps are off by less than 60 · 1e-7.
+  for (const double friction : {0.8, 0.5}) {
+    std::vector<contact::ShapedBody<double>> bodies{contact::ground<double>({up, 0})};
+    bodies.push_back(contact::solid_box<double>(2, V(2, 2, 1), V(up * 0.5)));
+    // A half turn of the slope's angle: its cosine is 3/√10.
+    bodies[1].orientation = contact::normalised(contact::Rotor<double>{3, V(0, -1, 0)});
+    bodies[1].motion = contact::rigid_body_from_axes<double>(
+        2, bodies[1].moments, contact::matrix_of(bodies[1].orientation), V(up * 0.5), V(0, 0, 0),
+        V(0, 0, 0));
+    CHECK((contact::matrix_of(bodies[1].orientation) - axes).cwiseAbs().maxCoeff() < 8 * u);
+    for (auto& body : bodies) body.friction = friction;
+    contact::StepMemory<double> memory;
+    for (int step = 0; step < 60; ++step) contact::step_contacts(bodies, memory);
+    const double speed = friction == 0.8 ? 0.0 : 9.80665 * (0.6 - 0.5 * 0.8);
+    CHECK((bodies[1].motion.velocity - V(-0.8, 0, -0.6) * speed).norm() < 6e-6);
+    CHECK(bodies[1].motion.spin.norm() < 6e-6);
+  }
+}
+
+TEST_CASE("the same start gives the same bits, and a ball rolls, bounces and comes to rest") {
+  const auto run = [] {
+    std::vector<contact::ShapedBody<double>> bodies{contact::ground<double>({V(0, 0, 1), 0})};
+    bodies.push_back(contact::solid_box<double>(3, V(2, 2, 2), V(0.1, 0, 2)));
+    bodies.push_back(contact::solid_ball<double>(1, 0.5, V(0.5, 0.2, 4)));
+    bodies.push_back(contact::solid_ball<double>(1, 0.5, V(5, 0, 1)));
+    bodies[3].motion.velocity = V(1, 0, 0);
+    for (auto& body : bodies) {
+      body.friction = 0.6;
+      body.restitution = 0.4;
+    }
+    contact::StepMemory<double> memory;
+    for (int step = 0; step < 240; ++step) contact::step_contacts(bodies, memory);
+    return bodies;
+  };
+  const auto one = run();
+  const auto two = run();
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    CHECK(one[i].motion.position == two[i].motion.position);
+    CHECK(one[i].motion.velocity == two[i].motion.velocity);
+    CHECK(one[i].orientation.v == two[i].orientation.v);
+  }
+  CHECK(std::abs(one[1].motion.position.z() - 1) < 1e-3);
+  // Rolling without slip: v = ω × r.
+  const V contact_speed = one[3].motion.velocity + one[3].motion.spin.cross(V(0, 0, -0.5));
+  CHECK(contact_speed.norm() < 1e-6);
+  CHECK(std::abs(one[3].motion.position.z() - 0.5) < 1e-3);
+}
+
+TEST_CASE("contacts that are none are refused, with the argument's name and value") {
+  std::vector<Body> bodies(2);
+  bodies[1] = contact::rigid_body<double>(1, Matrix3<double>::Identity(), V(0, 0, 0), V(0, 0, 0),
+                                          V(0, 0, 0));
+  BodyContact<double> good{1, 0, V(0, 0, 0), V(0, 0, 1), 0, 0};
+  const auto refused = [&](const BodyContact<double>& c) {
+    return refusal([&] { contact::solve_contacts<double>(bodies, {c}); });
+  };
+  CHECK(refused(good).empty());
+  auto bad = good;
+  bad.b = 1;
+  CHECK(contains(refused(bad), "bodies 1 and 1"));
+  bad.b = 2;
+  CHECK(contains(refused(bad), "bodies 1 and 2"));
+  bad = good;
+  bad.friction = -1;
+  CHECK(contains(refused(bad), "friction = -1"));
+  bad = good;
+  bad.normal.x() = std::numeric_limits<double>::quiet_NaN();
+  CHECK(contains(refused(bad), "normal"));
+  CHECK(contains(refusal([&] {
+                   contact::solve_contacts<double>(bodies, {good},
+                                                   std::vector<ContactImpulse<double>>(3));
+                 }),
+                 "3 impulses"));
+}
