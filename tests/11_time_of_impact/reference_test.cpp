@@ -9,6 +9,7 @@
 #include <contact/quadratic_roots.hpp>
 #include <contact/sphere_capsule_impact.hpp>
 #include <contact/sphere_sphere_impact.hpp>
+#include <contact/swept_volumes.hpp>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -451,4 +452,31 @@ TEMPLATE_TEST_CASE("a moving ball against a capsule: the decision is right, and 
       contact::sphere_segment_impact<S>({{0, 0, 5}, 1}, {0, 0, -8}, {{-1, 0, 0}, {1, 0, 0}});
   REQUIRE(met.has_value());
   CHECK(*met == S(0.5));
+}
+
+TEST_CASE(
+    "swept volumes: decided exactly, never apart where the balls touch, and often met in vain") {
+  Random random(6);
+  int met = 0;
+  int apart = 0;
+  int in_vain = 0;
+  for (int i = 0; i < generators::tried(3000); ++i) {
+    Pair<double> p = pair_of<double>(random, i % 4);
+    if (i % 8 == 4) p.vb = p.va * 2;  // parallel ways
+    if (i % 8 == 5) p.va = Vector3<double>::Zero();
+    const bool got = contact::swept_spheres_meet(p.a, p.va, p.b, p.vb);
+    const oracle::Vector d = oracle::exact(p.a.centre) - oracle::exact(p.b.centre);
+    const Rational reach = oracle::exact(p.a.radius) + oracle::exact(p.b.radius);
+    const bool right =
+        least_square(d, oracle::exact(p.va), oracle::exact(p.vb), 1) <= reach * reach;
+    REQUIRE(got == right);
+    CHECK(contact::swept_spheres_meet(p.b, p.vb, p.a, p.va) == right);
+    (right ? met : apart) += 1;
+    const bool touch = contact::spheres_touch_by(p.a, p.va, p.b, p.vb, 1.0);
+    if (touch) CHECK(right);
+    if (right && !touch) ++in_vain;
+  }
+  CHECK(met > generators::tried(500));
+  CHECK(apart > generators::tried(500));
+  CHECK(in_vain > generators::tried(100));
 }

@@ -14,7 +14,7 @@
 #include "boxes.hpp"
 
 using boxes::V;
-using contact::AdvanceEnd;
+using contact::ConservativeEnd;
 using contact::ImpactBracket;
 using generators::Random;
 using oracle::Interval;
@@ -278,7 +278,7 @@ TEST_CASE("a rod that turns over a floor: advanced to just before its end touche
     const double quarter = 1.6 / w;
     const auto end = contact::turning_box_plane_impact(rod, floor, quarter, tolerance, 10000);
     INFO("l = " << l << ", s = " << s << ", ω = " << w << ", h = " << h);
-    REQUIRE(end.end == AdvanceEnd::impact);
+    REQUIRE(end.end == ConservativeEnd::impact);
     const Interval angle = Interval(oracle::exact(w) * oracle::exact(end.t), 128);
     const Interval gap = Interval(oracle::exact(h), 128) -
                          Interval(oracle::exact(l), 128) * sin(angle) -
@@ -312,7 +312,7 @@ TEST_CASE(
     const auto end = contact::turning_boxes_impact(a, b, 1.0, tolerance, 2000);
     ++ends[static_cast<std::size_t>(end.end)];
     INFO("pair " << i);
-    REQUIRE(end.end != AdvanceEnd::gave_up);
+    REQUIRE(end.end != ConservativeEnd::gave_up);
     // Decided exactly for the boxes as they lie at many times before: they are apart.
     const auto touch_at = [&](double t) {
       boxes::Box at_a{contact::frame_at(a, t), a.half_lengths, V(0, 0, 0)};
@@ -322,7 +322,7 @@ TEST_CASE(
     if (end.t > 0) {
       for (int k = 0; k < 60; ++k) CHECK_FALSE(touch_at(end.t * k / 60));
     }
-    if (end.end == AdvanceEnd::impact) {
+    if (end.end == ConservativeEnd::impact) {
       CHECK(end.distance <= tolerance);
     } else {
       CHECK(end.t == 1);
@@ -333,13 +333,13 @@ TEST_CASE(
       boxes::Box at_b{contact::frame_at(b, 0.0), b.half_lengths, b.velocity};
       const auto swept = contact::box_sweep(at_a, at_b);
       if (swept) {
-        REQUIRE(end.end == AdvanceEnd::impact);
+        REQUIRE(end.end == ConservativeEnd::impact);
         CHECK(end.t <= swept->t + 0x1p-40);
       }
     }
   }
-  CHECK(ends[static_cast<std::size_t>(AdvanceEnd::impact)] > generators::tried(40));
-  CHECK(ends[static_cast<std::size_t>(AdvanceEnd::clear)] > generators::tried(20));
+  CHECK(ends[static_cast<std::size_t>(ConservativeEnd::impact)] > generators::tried(40));
+  CHECK(ends[static_cast<std::size_t>(ConservativeEnd::clear)] > generators::tried(20));
 }
 
 TEST_CASE("the bound on the approach is no less than any two points' approach") {
@@ -368,14 +368,14 @@ TEST_CASE("an advance that cannot come to an end says so, and bad numbers are re
   // The lower bound never reaches 0 and the bound on the approach is far too large.
   const auto slow = [](double t) { return 1 - t / 2; };
   const auto end = contact::conservative_advancement<double>(slow, 1e6, 1.0, 1e-3, 50);
-  CHECK(end.end == AdvanceEnd::gave_up);
+  CHECK(end.end == ConservativeEnd::gave_up);
   CHECK(end.advances == 50);
   CHECK(end.t > 0);
   CHECK(end.t < 1e-4);
   const auto clear = contact::conservative_advancement<double>(slow, 0.5, 1.0, 1e-3, 50);
-  CHECK(clear.end == AdvanceEnd::clear);
+  CHECK(clear.end == ConservativeEnd::clear);
   const auto rest = contact::conservative_advancement<double>(slow, 0.0, 1.0, 1e-3, 50);
-  CHECK(rest.end == AdvanceEnd::clear);
+  CHECK(rest.end == ConservativeEnd::clear);
   CHECK(rest.advances == 1);
   says([&] { contact::conservative_advancement<double>(slow, -1.0, 1.0, 1e-3, 5); },
        "approach = -1");

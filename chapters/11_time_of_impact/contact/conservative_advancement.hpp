@@ -20,7 +20,7 @@
 namespace contact {
 
 /// How an advance ended.
-enum class AdvanceEnd {
+enum class ConservativeEnd {
   impact,  ///< the bodies are apart, and no further than the tolerance
   clear,   ///< the step is over, and they never touched
   gave_up  ///< too many advances: they are apart until t, and what comes after is not known
@@ -28,11 +28,11 @@ enum class AdvanceEnd {
 
 /// Where an advance ended.
 template <std::floating_point S>
-struct Advance {
-  AdvanceEnd end = AdvanceEnd::clear;  ///< why
-  S t = S(0);                          ///< s; the bodies do not touch before it
-  S distance = S(0);                   ///< the lower bound on their distance at t, m
-  int advances = 0;                    ///< how often the distance was asked for
+struct ConservativeAdvance {
+  ConservativeEnd end = ConservativeEnd::clear;  ///< why
+  S t = S(0);                                    ///< s; the bodies do not touch before it
+  S distance = S(0);                             ///< the lower bound on their distance at t, m
+  int advances = 0;                              ///< how often the distance was asked for
 };
 
 // [conservative-advancement]
@@ -58,8 +58,8 @@ struct Advance {
 /// Source: Mirtich, *Impulse-based Dynamic Simulation of Rigid Body Systems*, PhD thesis,
 /// University of California, Berkeley (1996), section 2.3.
 template <std::floating_point S, std::invocable<S> Distance>
-Advance<S> conservative_advancement(const Distance& distance, S approach, S duration, S tolerance,
-                                    int most_advances) {
+ConservativeAdvance<S> conservative_advancement(const Distance& distance, S approach, S duration,
+                                                S tolerance, int most_advances) {
   require_finite("approach", approach);
   require_finite("duration", duration);
   require_finite("tolerance", tolerance);
@@ -68,23 +68,23 @@ Advance<S> conservative_advancement(const Distance& distance, S approach, S dura
   if (!(tolerance > S(0))) {
     throw_invalid_argument("tolerance", number_text(tolerance), "must exceed 0");
   }
-  Advance<S> advance;
+  ConservativeAdvance<S> advance;
   while (advance.advances < most_advances) {
     advance.distance = distance(advance.t);
     ++advance.advances;
     if (advance.distance <= tolerance) {
-      advance.end = AdvanceEnd::impact;
+      advance.end = ConservativeEnd::impact;
       return advance;
     }
     const S sure = advance.distance * (S(1) - S(4) * tolerance::unit_roundoff<S>);
     if (!(sure < approach * (duration - advance.t))) {
       advance.t = duration;
-      advance.end = AdvanceEnd::clear;
+      advance.end = ConservativeEnd::clear;
       return advance;
     }
     advance.t = std::nextafter(advance.t + sure / approach, S(0));
   }
-  advance.end = AdvanceEnd::gave_up;
+  advance.end = ConservativeEnd::gave_up;
   return advance;
 }
 // [/conservative-advancement]
@@ -167,11 +167,11 @@ S axis_distance(const CoordinateFrame<S>& a, const Vector3<S>& half_a, const Coo
 /// @param duration of the step, s
 /// @param tolerance m, well above 2^-45 of the boxes' sizes and distance
 /// @param most_advances at least 1
-/// @return see Advance. If two edges stay parallel to 2^-10 while their axis is the only one that
-/// separates the boxes, the impact may be reported too early, never too late
+/// @return see ConservativeAdvance. If two edges stay parallel to 2^-10 while their axis is the
+/// only one that separates the boxes, the impact may be reported too early, never too late
 template <std::floating_point S>
-Advance<S> turning_boxes_impact(const TurningBox<S>& a, const TurningBox<S>& b, S duration,
-                                S tolerance, int most_advances) {
+ConservativeAdvance<S> turning_boxes_impact(const TurningBox<S>& a, const TurningBox<S>& b,
+                                            S duration, S tolerance, int most_advances) {
   const auto distance = [&](S t) {
     return axis_distance<S>(frame_at(a, t), a.half_lengths, frame_at(b, t), b.half_lengths);
   };
@@ -190,8 +190,8 @@ Advance<S> turning_boxes_impact(const TurningBox<S>& a, const TurningBox<S>& b, 
 /// @param tolerance m
 /// @param most_advances at least 1
 template <std::floating_point S>
-Advance<S> turning_box_plane_impact(const TurningBox<S>& box, const Plane<S>& plane, S duration,
-                                    S tolerance, int most_advances) {
+ConservativeAdvance<S> turning_box_plane_impact(const TurningBox<S>& box, const Plane<S>& plane,
+                                                S duration, S tolerance, int most_advances) {
   const auto distance = [&](S t) {
     const CoordinateFrame<S> frame = frame_at(box, t);
     S gap = signed_distance(plane, frame.origin);
