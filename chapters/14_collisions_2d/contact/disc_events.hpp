@@ -52,7 +52,9 @@ std::optional<TouchTerms<S>> sure_touch_terms(const Disc<S>& a, const Disc<S>& b
   const auto sure = [small](const S& x, const S& size) {
     return std::isfinite(size) && size >= small && S(16) * std::abs(x) >= size;
   };
-  if (sure(t.gap, squares) && sure(t.approach, products) && sure(t.depth, fourth)) return t;
+  // A square that underflows is lost, however large what it is multiplied with.
+  const bool kept = w.dot(w) >= small && (reach == S(0) || reach * reach >= small);
+  if (kept && sure(t.gap, squares) && sure(t.approach, products) && sure(t.depth, fourth)) return t;
   return std::nullopt;
 }
 // [/touch-filter]
