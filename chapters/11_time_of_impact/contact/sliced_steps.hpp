@@ -1,0 +1,92 @@
+/// @file
+/// Impacts found by looking: a step cut into slices, bisection, and going back to the last free
+/// state.
+#pragma once
+
+#include <concepts>
+#include <optional>
+#include <string>
+
+#include <contact/invalid_argument.hpp>
+
+namespace contact {
+
+/// Two times with an impact between them.
+template <std::floating_point S>
+struct ImpactBracket {
+  S free = S(0);  ///< s; the bodies were apart: the last free state that was seen
+  S hit = S(0);   ///< s; they touch or overlap. The same as free if they did so at the start
+};
+
+// [sliced-step]
+/// The first of equal slices of a step at whose end bodies touch or overlap.
+///
+/// @warning What begins and ends between two looks is not seen: a bullet that is behind the wall
+/// at the next look, and a graze. contact/tunnelling.hpp says when that cannot be, and how short a
+/// chord is that can be missed.
+/// @param overlap overlap(t): whether the bodies touch or overlap at the time t, s; total
+/// @param duration of the step, s, finite and not negative
+/// @param slices at least 1
+/// @return nothing if no look saw an overlap. Looks are at duration · k / slices, rounded twice
+/// @throws std::invalid_argument if duration or slices is not as said
+/// @see *Fundamentals of Computer Animation*, slide "How About 2 MOVING spheres?"
+template <std::floating_point S, std::predicate<S> Overlap>
+std::optional<ImpactBracket<S>> sliced_step(const Overlap& overlap, S duration, int slices) {
+  require_finite("duration", duration);
+  if (duration < S(0)) {
+    throw_invalid_argument("duration", number_text(duration), "must not be negative");
+  }
+  if (slices < 1) throw_invalid_argument("slices", std::to_string(slices), "must be at least 1");
+  if (overlap(S(0))) return ImpactBracket<S>{S(0), S(0)};
+  ImpactBracket<S> bracket;
+  for (int k = 1; k <= slices; ++k) {
+    bracket.hit = k == slices ? duration : duration * S(k) / S(slices);
+    if (overlap(bracket.hit)) return bracket;
+    bracket.free = bracket.hit;
+  }
+  return std::nullopt;
+}
+// [/sliced-step]
+
+// [bisection]
+/// Halves the bracket: rolling back by half, forth by half.
+///
+/// Each halving makes the bracket half as wide, so after k of them an impact is known to
+/// (hit − free) / 2^k, and `free` is the state to go back to: the bodies are apart there, to within
+/// the approach of that time. If bodies touch more than once in the bracket, it ends round one of
+/// the times at which they go from apart to touching, not always the first.
+/// @param overlap as for sliced_step()
+/// @param bracket with overlap(hit), and without overlap(free) unless both are the same
+/// @param halvings how often; it stops early when no number is left in between
+/// @return free ≤ hit, with the same two properties
+template <std::floating_point S, std::predicate<S> Overlap>
+ImpactBracket<S> bisect_impact(const Overlap& overlap, ImpactBracket<S> bracket, int halvings) {
+  for (int k = 0; k < halvings; ++k) {
+    const S middle = bracket.free + (bracket.hit - bracket.free) / S(2);
+    if (!(bracket.free < middle && middle < bracket.hit)) break;
+    (overlap(middle) ? bracket.hit : bracket.free) = middle;
+  }
+  return bracket;
+}
+// [/bisection]
+
+// [interpolation]
+/// The time in the bracket at which the gap would be closed if it shrank evenly: one step of the
+/// rule of false position.
+///
+/// For a gap that is twice differentiable in time, with |gap''| ≤ M and closing no slower than c >
+/// 0 all through the bracket, it is off by at most M (hit − free)² / (8 c).
+/// @param bracket of times, s
+/// @param gap_free at bracket.free, m, greater than 0
+/// @param gap_hit at bracket.hit, m, not greater than 0
+/// @return s, in the bracket
+template <std::floating_point S>
+S interpolated_impact(const ImpactBracket<S>& bracket, S gap_free, S gap_hit) {
+  if (!(gap_free > S(0))) return bracket.free;
+  const S share = gap_free / (gap_free - gap_hit);
+  const S t = bracket.free + (bracket.hit - bracket.free) * share;
+  return t < bracket.hit ? t : bracket.hit;
+}
+// [/interpolation]
+
+}  // namespace contact

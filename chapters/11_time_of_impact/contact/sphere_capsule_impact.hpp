@@ -1,0 +1,117 @@
+/// @file
+/// A moving sphere against a segment or a capsule that does not move.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <optional>
+
+#include <contact/entry_time.hpp>
+#include <contact/exact.hpp>
+#include <contact/plane.hpp>
+#include <contact/shapes.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+namespace detail {
+
+/// The sign of a + b √d, for d ≥ 0: by squaring.
+inline int sign_with_root(const Exact& a, const Exact& b, const Exact& d) {
+  const int of_a = a.sign();
+  const int of_b = d.sign() == 0 ? 0 : b.sign();
+  if (of_a * of_b >= 0) return of_a != 0 ? of_a : of_b;
+  const int larger = (a * a - b * b * d).sign();
+  return larger >= 0 ? (larger == 0 ? 0 : of_a) : of_b;
+}
+
+/// What is asked: a point that moves from m (seen from the segment's start) by w, against all that
+/// is at most R from the segment from 0 to e.
+struct CapsuleQuestion {
+  Vector3<Exact> m;
+  Vector3<Exact> w;
+  Vector3<Exact> e;
+  Exact reach;
+
+  bool meets_at_start() const {
+    const Exact along = m.dot(e);
+    const Exact length = e.dot(e);
+    if (along.sign() <= 0) return (m.dot(m) - reach * reach).sign() <= 0;
+    const Vector3<Exact> from_end = m - e;
+    if (length <= along) return (from_end.dot(from_end) - reach * reach).sign() <= 0;
+    const Vector3<Exact> across = m.cross(e);
+    return (across.dot(across) - reach * reach * length).sign() <= 0;
+  }
+
+  /// The terms of the cylinder without ends: those of what moves across the axis, times |e|².
+  EntryTerms<Exact> side() const {
+    const Vector3<Exact> across = m.cross(e);
+    const Vector3<Exact> moved = w.cross(e);
+    const Exact square = moved.dot(moved);
+    const Exact approach = -across.dot(moved);
+    const Exact gap = across.dot(across) - reach * reach * e.dot(e);
+    return {square, approach, gap, approach * approach - square * gap};
+  }
+
+  /// Whether the point enters the side between both ends: 0 ≤ (m + w t) · e ≤ e · e at that t.
+  bool enters_between_ends(const EntryTerms<Exact>& side) const {
+    const Exact along = w.dot(e);
+    const Exact at = side.square * m.dot(e) + side.approach * along;
+    const Exact past = at - side.square * e.dot(e);
+    return sign_with_root(at, -along, side.depth) >= 0 &&
+           sign_with_root(past, -along, side.depth) <= 0;
+  }
+};
+
+}  // namespace detail
+
+// [sphere-capsule-impact]
+/// When a moving sphere first touches a capsule; with a radius of 0 it is a segment, and with both
+/// ends in one point a sphere.
+///
+/// The centre alone, a particle, meets the capsule whose radius is both together. That is a
+/// cylinder's side and a ball at each end; flat ends of the cylinder lie inside the balls. The
+/// balls are inside the cylinder without ends, so if the side is entered between the ends, it is
+/// entered first. Signs are found without rounding, also that of where along the axis it enters,
+/// which has one square root.
+/// @param sphere where it starts, m, finite, with a radius that is not negative
+/// @param displacement of its centre in the step, m, finite
+/// @param axis of the capsule, which stays where it is, m, finite; both ends may be one point
+/// @param radius of the capsule, m, finite and not negative
+/// @return t, the part of the displacement that is covered, from 0 to 1: 0 if they meet at the
+/// start, wherever the sphere is going; nothing if they do not touch. The decision is right for
+/// every finite input; t is off by at most 5 u of itself, if it does not underflow
+/// @see *Fundamentals of Computer Animation*, slide "Sphere-Plane Collision", for a plane
+template <std::floating_point S>
+std::optional<S> sphere_capsule_impact(const Sphere<S>& sphere, const Vector3<S>& displacement,
+                                       const Segment<S>& axis, S radius) {
+  const detail::CapsuleQuestion question{exact_vector_difference(sphere.centre, axis.start),
+                                         exact_vector(displacement),
+                                         exact_vector_difference(axis.end, axis.start),
+                                         Exact(double(sphere.radius)) + Exact(double(radius))};
+  if (question.meets_at_start()) return S(0);
+  const Exact last(1.0);
+  const EntryTerms<Exact> side = question.side();
+  if (side.enters() && question.enters_between_ends(side)) {
+    if (!side.enters_by(last)) return std::nullopt;
+    return std::min(S(1), entry_time<S>(side));
+  }
+  std::optional<S> first;
+  for (const Vector3<Exact>& from : {question.m, Vector3<Exact>(question.m - question.e)}) {
+    const EntryTerms<Exact> ball = entry_terms<Exact>(from, question.w, question.reach);
+    if (!ball.enters_by(last)) continue;
+    const S t = std::min(S(1), entry_time<S>(ball));
+    if (!first || t < *first) first = t;
+  }
+  return first;
+}
+
+/// The same for a segment.
+template <std::floating_point S>
+std::optional<S> sphere_segment_impact(const Sphere<S>& sphere, const Vector3<S>& displacement,
+                                       const Segment<S>& segment) {
+  return sphere_capsule_impact(sphere, displacement, segment, S(0));
+}
+// [/sphere-capsule-impact]
+
+}  // namespace contact
