@@ -31,7 +31,7 @@ using oracle::Rational;
 namespace {
 
 constexpr double u = 0x1p-53;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 SceneBody body_of(const std::string& name, const contact::SceneShape& shape,
@@ -146,7 +146,7 @@ TEST_CASE("A scene without a fault has none") {
 
 TEST_CASE("Every number of a scene is refused where it is none, by its path") {
   for (const Place& place : places()) {
-    for (const double bad : {nan, infinity, -infinity, 1.5e30, -1.5e30}) {
+    for (const double bad : {no_number, infinity, -infinity, 1.5e30, -1.5e30}) {
       Scene scene = sound();
       place.number(scene) = bad;
       const auto faults = contact::check_scene(scene);
@@ -155,8 +155,7 @@ TEST_CASE("Every number of a scene is refused where it is none, by its path") {
       bool told = false;
       for (const SceneFault& fault : faults) told = told || fault.path == place.path;
       CHECK(told);
-      // A duration that is none makes every time one that is too late; nothing else follows.
-      if (place.path != "duration") CHECK(faults.size() == 1);
+      CHECK(faults.size() == 1);
     }
   }
 }
@@ -331,7 +330,7 @@ TEST_CASE("A ball at a box: before a face, an edge and a corner, and inside") {
   CHECK(gap(11.5, 0, 0) == 0);
   CHECK(gap(10, 0, -4) == 0.5);
   CHECK(gap(14, 6, 0) == 4.5);       // 3 and 4 beyond an edge
-  CHECK(gap(13, -4, 9) == 6.5);      // 2, 2 and 6 beyond a corner: 7
+  CHECK(gap(13, -5, 9) == 6.5);      // 2, 3 and 6 beyond a corner: 7
   CHECK(gap(10.5, 0, 0) == -1);      // 0.5 below a face, and the radius
   CHECK(gap(10, 0, 2.75) == -0.75);  // 0.25 below the nearest face
   SceneBody turned = box;            // a quarter turn about z: x and y change places
@@ -421,7 +420,7 @@ TEST_CASE("A number's shortest text gives the same bits back") {
     CHECK(std::stod(contact::shortest_text(x)) == x);
   }
   CHECK(contact::shortest_text(0.1) == "0.1");
-  CHECK(contact::shortest_text(nan) == "NaN");
+  CHECK(contact::shortest_text(no_number) == "NaN");
   CHECK(contact::shortest_text(-infinity) == "-Infinity");
 }
 
@@ -448,6 +447,6 @@ TEST_CASE("The material of a pair: lesser restitution and friction, springs in a
     CHECK(one.restitution == other.restitution);
     CHECK(one.friction == other.friction);
     CHECK(one.stiffness == other.stiffness);
-    CHECK(*one.stiffness <= *x.stiffness);
+    CHECK(*one.stiffness <= *x.stiffness * (1 + 8 * u));  // three roundings
   }
 }

@@ -361,7 +361,7 @@ TEST_CASE("A text cut off anywhere is no scene, and says so without a crash") {
 
 TEST_CASE("Any scene comes back from its text bit for bit") {
   Random random(20);
-  for (int i = 0; i < generators::tried(2000); ++i) {
+  for (int i = 0; i < generators::tried(800); ++i) {
     const Scene scene = any_scene(random);
     INFO(i);
     const auto faults = contact::check_scene(scene);
@@ -407,7 +407,7 @@ TEST_CASE("Axis and angle: multiples of 90 degrees exactly, others as sine and c
     CHECK(q.v.y() == 0);
   }
   Random random(23);
-  for (int i = 0; i < generators::tried(400); ++i) {
+  for (int i = 0; i < generators::tried(100); ++i) {
     const double angle = random.uniform(-600, 600);
     const Vector3<double> axis = any_vector(random);
     const nlohmann::json list{axis.x(), axis.y(), axis.z()};
