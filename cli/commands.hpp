@@ -42,6 +42,7 @@ void add_progress(CLI::App& app, Action& action);
 void add_export(CLI::App& app, Action& action);
 void add_import(CLI::App& app, Action& action);
 void add_ladder(CLI::App& app, Action& action);
+void add_scene(CLI::App& app, Action& action);
 void add_new(CLI::App& app, Action& action);
 void add_grade(CLI::App& app, Action& action);
 void add_grade_worker(CLI::App& app, Action& action);
@@ -53,6 +54,10 @@ void add_dev_grade(CLI::App& dev, Action& action);
 /// Copies the pristine stub to the student's folder unless a copy is there. Returns whether it made
 /// one.
 bool start_exercise(const grading::Book& book, const grading::Exercise& exercise);
+
+/// The file of a scene: `word` is its path, or the name of a scene of the book.
+/// @throws grading::UnknownName, with the nearest names, if it is neither.
+std::filesystem::path scene_path(const std::string& word);
 
 /// Keeps a text that is about to give way in work/.kept, under a name that nothing has yet.
 /// Returns where.

@@ -80,7 +80,7 @@ struct SceneTolerance {
 
 /// What is written while a scene runs.
 struct SceneOutput {
-  double every = 0;        ///< s between two frames; 0: only the last
+  double every = 0;         ///< s between two frames; 0: only the last
   bool velocities = false;  ///< beside places
   bool events = false;      ///< each hit: time, bodies, point, impulse
 };
