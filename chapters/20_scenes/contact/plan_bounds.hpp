@@ -139,7 +139,7 @@ inline double twice_fall(const Scene& scene, const SceneBody& body, double gravi
   if (axis < 0) return infinite;
   for (const SceneBody& floor : scene.bodies) {
     const auto* half_space = std::get_if<HalfSpaceShape>(&floor.shape);
-    if (half_space == nullptr || only_axis(half_space->normal) != axis) continue;
+    if (half_space == nullptr || level_axis(half_space->normal) != axis) continue;
     if (half_space->normal(axis) * scene.gravity(axis) > 0) continue;  // a ceiling
     const double size = coordinate_size(body.position) + std::abs(half_space->offset);
     double fall = half_space->normal.dot(body.position) - half_space->offset -
@@ -309,7 +309,7 @@ inline bool begins_apart(const SceneBody& body, const SceneBody& other) {
     if (second == nullptr) return false;
     return distance_at_least(other, body.position) > rounded_up(ball->radius);
   }
-  const int axis = only_axis(wall->normal);
+  const int axis = level_axis(wall->normal);
   if (axis < 0) return distance_at_least(other, body.position) > rounded_up(ball->radius);
   const double side = wall->normal(axis);
   const int gap = sign_of_rest(side * body.position(axis), wall->offset, ball->radius);

@@ -115,13 +115,13 @@ inline BounceRange bounce_range(const PlanQuestion& q, const PairBound& pair) {
   const double g = -wall->normal.dot(scene.gravity) + doubt;
   const double e = pair.restitution_most;
   if (g <= 2 * doubt) {  // nothing pulls it back
-    if (q.bounds.gravity > 0 && g > 0 && detail::only_axis(wall->normal) < 0) return unknown;
+    if (q.bounds.gravity > 0 && g > 0 && detail::level_axis(wall->normal) < 0) return unknown;
     return {infinite, 1, rounded_up((1 + e) * pair.closing)};
   }
   const double height = std::max(
       0.0, distance_at_least(scene.bodies[pair.b], body.position) - rounded_up(ball->radius));
   double away = wall->normal.dot(body.velocity);
-  if (detail::only_axis(wall->normal) < 0) {
+  if (detail::level_axis(wall->normal) < 0) {
     const double off = 16 * detail::plan_u * detail::length_of(body.velocity);
     away = away > 0 ? std::max(0.0, away - off) : std::min(0.0, away + off);
   }
@@ -355,7 +355,7 @@ inline Room room_of(const Scene& scene) {
   std::vector<double> diameters;
   for (const SceneBody& body : scene.bodies) {
     if (const auto* wall = std::get_if<HalfSpaceShape>(&body.shape)) {
-      const int axis = only_axis(wall->normal);
+      const int axis = level_axis(wall->normal);
       if (axis < 0) continue;
       if (wall->normal(axis) > 0) floor(axis) = std::max(floor(axis), wall->offset);
       if (wall->normal(axis) < 0) ceiling(axis) = std::min(ceiling(axis), -wall->offset);

@@ -197,7 +197,8 @@ inline std::vector<Inequality> table_conditions(const PlanQuestion& q, int axis)
     for (const SceneBody& floor : scene.bodies) {
       const auto* plane = std::get_if<HalfSpaceShape>(&floor.shape);
       const auto* ball = std::get_if<BallShape>(&body.shape);
-      if (plane == nullptr || ball == nullptr || detail::only_axis(plane->normal) != axis) continue;
+      if (plane == nullptr || ball == nullptr || detail::level_axis(plane->normal) != axis)
+        continue;
       if (!(plane->normal(axis) * scene.gravity(axis) < 0)) continue;
       const double height = plane->normal(axis) * body.position(axis);
       if (detail::sign_of_rest(height, plane->offset, ball->radius) != 0) continue;
@@ -223,7 +224,7 @@ inline std::vector<PairBound> pairs_off_table(const Scene& scene,
   std::vector<PairBound> rest;
   for (const PairBound& pair : pairs) {
     const auto* plane = std::get_if<HalfSpaceShape>(&scene.bodies[pair.b].shape);
-    const bool table = plane != nullptr && only_axis(plane->normal) == axis &&
+    const bool table = plane != nullptr && level_axis(plane->normal) == axis &&
                        plane->normal(axis) * scene.gravity(axis) < 0;
     if (!table) rest.push_back(pair);
   }

@@ -51,6 +51,16 @@ inline int only_axis(const Vector3<double>& v) {
   return axis;
 }
 
+/// The axis along which a half-space's normal points, if it is exactly an axis of the world.
+inline int level_axis(const Vector3<double>& normal) {
+  const int axis = only_axis(normal);
+  return axis >= 0 && std::abs(normal(axis)) == 1 ? axis : -1;
+}
+
+/// How far a normal's or a quaternion's rounding can misplace a point, as a share of its distance:
+/// a scene's need only be as long as 1 to 1e-12.
+inline constexpr double pose_slack = 4e-12;
+
 }  // namespace detail
 
 /// Whether a body is a ball.
@@ -101,13 +111,16 @@ inline double spin_arm(const SceneShape& shape) {
 /// At most the distance of a point from a body as it lies when the scene begins; less than 0 only
 /// inside a half-space or by rounding.
 /// @param p in the world, m
-/// @return m, rounded down by 64 u of the coordinates' sizes
+/// @return m, rounded down by 128 u of the coordinates' sizes, and by pose_slack of the distance
+/// where a direction is rounded
 inline double distance_at_least(const SceneBody& body, const Vector3<double>& p) {
   const Vector3<double> d = p - body.position;
   double size = detail::coordinate_size(p) + detail::coordinate_size(body.position);
   double distance = 0;
   if (const auto* half_space = std::get_if<HalfSpaceShape>(&body.shape)) {
     distance = half_space->normal.dot(p) - half_space->offset;
+    if (detail::level_axis(half_space->normal) < 0)
+      distance -= detail::pose_slack * std::abs(distance);
     size = detail::coordinate_size(p) + std::abs(half_space->offset);
   } else if (const auto* box = std::get_if<BoxShape>(&body.shape)) {
     const Vector3<double> seen = matrix_of(body.orientation).transpose() * d;
@@ -115,11 +128,13 @@ inline double distance_at_least(const SceneBody& body, const Vector3<double>& p)
         (seen.cwiseAbs() - box->half_lengths).cwiseMax(Vector3<double>::Zero());
     distance = detail::length_of(outside);
     size += detail::coordinate_size(box->half_lengths);
+    if (!body.orientation.v.isZero(0)) distance -= detail::pose_slack * detail::length_of(d);
   } else if (const auto* capsule = std::get_if<CapsuleShape>(&body.shape)) {
     const Vector3<double> axis = matrix_of(body.orientation).col(2);
     const double along = std::clamp(d.dot(axis), -capsule->half_length, capsule->half_length);
     distance = detail::length_of(d - axis * along) - capsule->radius;
     size += capsule->radius + capsule->half_length;
+    if (!body.orientation.v.isZero(0)) distance -= detail::pose_slack * detail::length_of(d);
   } else {
     const double radius = outer_radius(body.shape);
     distance = detail::length_of(d) - radius;

@@ -149,7 +149,7 @@ inline double step_from_tolerance(const PlanQuestion& q) {
   if (spring > 0) h = std::min(h, 1 / (10 * spring));
   const BounceRange bounces = worst_bounces(q);
   if (!(q.tolerance > 0) || !std::isfinite(bounces.late) || bounces.late == 0) return h;
-  double shorter = std::min(h, detail::rounded_down(q.tolerance / bounces.late));
+  double shorter = std::min(h, detail::rounded_down(q.tolerance / bounces.late, 256));
   for (int k = 0; k < 40; ++k, shorter /= 2) {
     bool all = true;
     for (const Inequality& condition : tunnelling_conditions(q, shorter))
@@ -241,7 +241,6 @@ inline FreePath free_path(const PlanQuestion& q) {
   FreePath path;
   const Room room = room_of(*q.scene);
   double balls = 0;
-  double mass = 0;
   double twice = 0;
   double still = infinite;
   bool among = false;
@@ -255,7 +254,6 @@ inline FreePath free_path(const PlanQuestion& q) {
     if (share.mass == 0) continue;
     const double with_time =
         std::sqrt(share.twice_kinetic / share.mass) + gravity_felt(q) * q.scene->duration;
-    mass += share.mass;
     twice = std::max(twice, std::min(share.twice_floor / share.mass, with_time * with_time));
   }
   for (const BodyBound& body : q.bounds.bodies) balls += body.disturbed ? 1 : 0;
@@ -277,14 +275,15 @@ inline double expected_hits(const PlanQuestion& q) {
   double balls = 0;
   for (const BodyBound& body : q.bounds.bodies) balls += body.disturbed ? 1 : 0;
   double hits = path.length > 0 ? balls * t * path.speed / (2 * path.length) : 0;
-  double walls = 0;
+  std::vector<double> walls;
   for (const PairBound& pair : q.pairs) {
     if (!pair.half_space) continue;
     const double g = gravity_felt(q);
     const double flight = pair.closing > 0 ? 2 * pair.closing / g : 0;
-    walls += flight > 0 && std::isfinite(flight) ? pair.count * (1 + t / flight) : pair.count;
+    walls.push_back(flight > 0 && std::isfinite(flight) ? pair.count * (1 + t / flight)
+                                                        : pair.count);
   }
-  hits += walls;
+  hits += detail::sum_in_order(std::move(walls));
   return std::isfinite(hits) ? hits : 0;
 }
 
