@@ -50,6 +50,11 @@ inline void add_notices(const PlanQuestion& q, Plan& plan) {
     plan.notices.push_back("Not proven that a step of " + short_number(q.step) +
                            " s keeps the tolerance; impacts are found between steps.");
   }
+  if (q.events && decision_on(plan, Effect::several_contacts).on) {
+    plan.notices.push_back(
+        "Hits that fall on one instant are taken one after the other; which comes first then "
+        "decides.");
+  }
   for (const Decision& decision : plan.decisions) {
     if (!decision.overridden || decision.on == decision.planned || decision.on) continue;
     if (decision.effect == Effect::sleeping || decision.effect == Effect::broad_phase) continue;

@@ -74,7 +74,7 @@ struct SceneBounds {
 };
 
 /// Beyond this number of moving bodies pairs are not asked one by one: all are taken to meet.
-inline constexpr std::size_t crowd_size = 1000;
+inline constexpr std::size_t crowd_size = 256;
 
 namespace detail {
 
@@ -90,9 +90,10 @@ inline double sum_in_order(std::vector<double> terms) {
 /// How fast something of a group can get: no faster than √(2K w) with w = 1/m for a centre of mass.
 ///
 /// Contacts only take energy: a hard one returns at most what it got (e ≤ 1), friction and damping
-/// lose, a spring returns what it took, and what stands still does no work. So a group's energy
-/// grows by gravity's work alone, at the rate Σ m g·v ≤ |g| √(M 2K): √(2K) grows by at most
-/// |g| √M in a second. Over a level floor, gravity can give no more than down to the floor.
+/// lose, a spring returns what it took, and what stands still does no work. (A law of impact that
+/// can give energy, as Newton's can to rough bodies that are no balls, is none of these.) So a
+/// group's energy grows by gravity's work alone, at the rate Σ m g·v ≤ |g| √(M 2K): √(2K) grows by
+/// at most |g| √M in a second. Over a level floor, gravity can give no more than down to the floor.
 /// @param w squared speed for each joule of 2K, 1/kg; for two bodies the sum of both: by Cauchy and
 /// Schwarz |v| + |v'| ≤ √((m v² + m' v'²)(1/m + 1/m'))
 /// @param gravity |g|, m/s²

@@ -58,26 +58,37 @@ inline Decision plan_event_driven(const PlanQuestion& q) {
     proof.conditions.insert(proof.conditions.end(), more.begin(), more.end());
     return proof;
   };
+  const bool lonely = most_partners(q) <= 1;
   double lossy = 0;
-  for (const PairBound& pair : q.pairs)
+  double touching = 0;
+  for (const PairBound& pair : q.pairs) {
     lossy = std::max(lossy, pair.hard ? 1 - pair.restitution_least : 0.0);
+    touching += pair.apart || lonely ? 0 : 1;
+  }
   const Inequality elastic{"largest share of speed lost, 1 − e, between bodies that may meet",
                            lossy,
                            Relation::equal,
                            0,
                            "elastic",
                            ""};
+  // Bodies that touch hand a hit on at the same instant, and events come one after the other.
+  const Inequality clear{"kinds of pairs that touch at the beginning beside others",
+                         touching,
+                         Relation::equal,
+                         0,
+                         "none",
+                         ""};
   std::vector<Proof> proofs;
   for (const Proof& rest : resting_proofs(q)) {
     if (!is_proven(rest)) continue;
-    std::vector<Inequality> more{elastic};
+    std::vector<Inequality> more{elastic, clear};
     more.insert(more.end(), rest.conditions.begin(), rest.conditions.end());
     proofs.push_back(
         with("Elastic balls that never rest hit finitely often in a finite time.", more));
     break;
   }
   if (proofs.empty()) {
-    std::vector<Inequality> more{elastic};
+    std::vector<Inequality> more{elastic, clear};
     const std::vector<Proof> rest = resting_proofs(q);
     more.insert(more.end(), rest[2].conditions.begin(), rest[2].conditions.end());
     proofs.push_back(
