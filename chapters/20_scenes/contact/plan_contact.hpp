@@ -1,0 +1,416 @@
+/// @file
+/// The planner's rules on contacts: friction, restitution, what gives way, several at once, rest,
+/// sleep, what passes between two steps, and which pairs are worth sorting out beforehand.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <contact/plan_bounds.hpp>
+#include <contact/plan_motion.hpp>
+#include <contact/plan_types.hpp>
+#include <contact/scene.hpp>
+
+namespace contact {
+
+// [friction-rule]
+/// Friction is off if no two bodies that may meet rub, or if all motion is along one line, where
+/// surfaces that touch never slide along each other.
+inline Decision plan_friction(const PlanQuestion& q) {
+  std::vector<Proof> proofs{
+      {"An impulse along a surface is at most μ times the normal one; with μ = 0 there is none.",
+       {{"largest friction between bodies that may meet", most_friction(q.pairs), Relation::equal,
+         0, "smooth", ""}}}};
+  if (const auto line = proven_line(q)) proofs.push_back(*line);
+  return decide(Effect::friction, std::move(proofs), {q.hits * 45, "45 for each contact"},
+                "Not proven that nothing slides along what it touches.");
+}
+// [/friction-rule]
+
+/// Restitution is off if every hard contact that may happen returns nothing (e = 0): the impulse
+/// only stops the approach.
+inline Decision plan_restitution(const PlanQuestion& q) {
+  double most = 0;
+  double hard = 0;
+  for (const PairBound& pair : q.pairs) {
+    if (!pair.hard) continue;
+    hard += pair.count;
+    most = std::max(most, pair.restitution_most);
+  }
+  return decide(Effect::restitution,
+                {{hard == 0 ? "Without hard impacts nothing bounces."
+                            : "With e = 0 the term −e v of the speed after an impact adds a zero.",
+                  {{"largest restitution of hard contacts that may happen", most, Relation::equal,
+                    0, "nothing comes back", ""}}}},
+                {q.hits * 2, "2 for each contact"}, "What comes back of an impact is not 0.");
+}
+
+/// Penalty contact is off if nothing that may be touched gives way.
+inline Decision plan_penalty_contact(const PlanQuestion& q) {
+  double soft = 0;
+  for (const PairBound& pair : q.pairs) soft += pair.soft ? pair.count : 0;
+  return decide(Effect::penalty_contact,
+                {{"A spring that nothing touches pushes nothing.",
+                  {{"pairs that may meet and give way", soft, Relation::equal, 0, "none", ""}}}},
+                {q.hits * 20, "20 for each contact"}, "Some contacts give way like springs.");
+}
+
+/// The most bodies that one moving body may touch, without a table that cancels gravity.
+inline double most_partners(const PlanQuestion& q) {
+  std::vector<double> partners(q.scene->bodies.size(), 0.0);
+  double most = 0;
+  for (const PairBound& pair : q.pairs) {
+    if (pair.crowd) return static_cast<double>(q.bounds.movers) - 1;
+    if (q.bounds.crowded) {
+      most += 1;  // any body of the crowd may touch this one
+      continue;
+    }
+    most = std::max(most, partners[pair.a] += 1);
+    if (pair.both_move) most = std::max(most, partners[pair.b] += 1);
+  }
+  return most;
+}
+
+// [several-contacts-rule]
+/// Several contacts at a time need two partners, or a shape that can touch at more than one point.
+inline Decision plan_several_contacts(const PlanQuestion& q) {
+  return decide(Effect::several_contacts,
+                {{"A ball touches another body at one point; with one partner it has one contact.",
+                  {{"most bodies that one moving body may touch", most_partners(q),
+                    Relation::at_most, 1, "one contact", ""},
+                   {"moving bodies other than balls that may touch something",
+                    rough_shapes_that_touch(q), Relation::equal, 0, "none", ""}}}},
+                {q.hits * 200, "200 for each contact, to solve for all impulses together"},
+                "Not proven that no body has two contacts at a time.");
+}
+// [/several-contacts-rule]
+
+/// How a ball over one half-space bounces, at the least and at the most.
+struct BounceRange {
+  double rest = detail::infinite;  ///< it does not come to rest before this, s, rounded down
+  double hits = 0;                 ///< no more impacts in the whole duration, rounded up
+  double late = 0;  ///< Σ (1 + e) vₖ over all impacts, m/s: times the step, what lateness costs
+};
+
+// [bounce-range]
+/// The bounces of a ball whose only partner is a half-space, by its normal motion alone: friction
+/// and spin do not change that. Flight k takes 2 eᵏ w/g, so all end at t₁ + 2 e w/(g (1 − e)).
+/// @return nothing proven (rest 0, hits and late ∞) for a ball that begins on the half-space, for
+/// contacts that give way, or beyond a million impacts
+inline BounceRange bounce_range(const PlanQuestion& q, const PairBound& pair) {
+  using detail::infinite;
+  using detail::rounded_down;
+  using detail::rounded_up;
+  constexpr double most_counted = 1e6;
+  const BounceRange unknown{0, infinite, infinite};
+  const Scene& scene = *q.scene;
+  const SceneBody& body = scene.bodies[pair.a];
+  const auto* wall = std::get_if<HalfSpaceShape>(&scene.bodies[pair.b].shape);
+  const auto* ball = std::get_if<BallShape>(&body.shape);
+  if (wall == nullptr || ball == nullptr || pair.soft || !pair.apart) return unknown;
+  const double doubt = 16 * detail::plan_u * q.bounds.gravity;
+  const double g = -wall->normal.dot(scene.gravity) + doubt;
+  const double e = pair.restitution_most;
+  if (g <= 2 * doubt) {  // nothing pulls it back
+    if (q.bounds.gravity > 0 && g > 0 && detail::level_axis(wall->normal) < 0) return unknown;
+    return {infinite, 1, rounded_up((1 + e) * pair.closing)};
+  }
+  const double height = std::max(
+      0.0, distance_at_least(scene.bodies[pair.b], body.position) - rounded_up(ball->radius));
+  double away = wall->normal.dot(body.velocity);
+  if (detail::level_axis(wall->normal) < 0) {
+    const double off = 16 * detail::plan_u * detail::length_of(body.velocity);
+    away = away > 0 ? std::max(0.0, away - off) : std::min(0.0, away + off);
+  }
+  const double w = rounded_down(std::sqrt(away * away + 2 * g * height), 256);
+  const double most =
+      speed_at_most(q.bounds.groups[q.bounds.bodies[pair.a].group],
+                    q.bounds.bodies[pair.a].slowness, q.bounds.gravity, scene.duration);
+  const double first = away > 0 ? (away + w) / g : (w - away > 0 ? 2 * height / (w - away) : 0.0);
+  BounceRange range;
+  const double flight = rounded_down(2 * e * w / g, 256);
+  range.rest = e < 1 ? rounded_down(first + flight / (1 - e), 512) : infinite;
+  if (w == 0) return unknown;
+  double time = rounded_down(first, 512);
+  double length = flight;
+  double share = 1;
+  for (; time <= scene.duration; time += length, length *= e, share *= e) {
+    if (++range.hits > most_counted || !(range.rest > scene.duration)) {
+      range.hits = infinite;
+      break;
+    }
+    range.late += (1 + e) * most * share;
+  }
+  if (e < 1) range.late = rounded_up((1 + e) * most / (1 - e));
+  if (e == 1 && range.hits == infinite) range.late = infinite;
+  range.late = rounded_up(range.late);
+  return range;
+}
+// [/bounce-range]
+
+/// The worst of all bounces, if each moving body has one half-space as its only partner; nothing
+/// proven otherwise.
+inline BounceRange worst_bounces(const PlanQuestion& q) {
+  BounceRange worst;
+  if (most_partners(q) > 1) return {0, detail::infinite, detail::infinite};
+  for (const PairBound& pair : q.pairs) {
+    BounceRange range;
+    if (pair.half_space) {
+      range = bounce_range(q, pair);
+    } else if (pair.both_move && pair.round && !pair.soft && q.bounds.gravity >= 0) {
+      // Both fly alike: they meet once, on a straight line seen from each other.
+      range = {detail::infinite, 1, detail::rounded_up((1 + pair.restitution_most) * pair.closing)};
+    } else {
+      range = {0, detail::infinite, detail::infinite};
+    }
+    worst.rest = std::min(worst.rest, range.rest);
+    worst.hits = std::max(worst.hits, range.hits);
+    worst.late = std::max(worst.late, range.late);
+  }
+  return worst;
+}
+
+// [resting-rule]
+/// The ways to show that no contact lasts and carries a force.
+///
+/// Nothing presses without gravity. Elastic balls leave at the speed at which they came, which is
+/// never 0: a flight that only grazes what gravity presses it on would have come from inside. (Hits
+/// that fall on one instant are the business of the rule on several contacts.) And a ball that
+/// bounces on one half-space does not rest before its last bounce.
+inline std::vector<Proof> resting_proofs(const PlanQuestion& q) {
+  double hard = 0;
+  double lossy = 0;
+  double uneven = 0;
+  double touching = 0;
+  for (const PairBound& pair : q.pairs) {
+    if (!pair.hard) continue;
+    hard += pair.count;
+    lossy = std::max(lossy, 1 - pair.restitution_least);
+    uneven += pair.round ? 0 : pair.count;
+    touching += pair.apart ? 0 : 1;
+  }
+  const BounceRange bounces = worst_bounces(q);
+  return {
+      {"Nothing presses bodies together, so a contact that lasts carries no force.",
+       {{"gravity that no table cancels", gravity_felt(q), Relation::equal, 0, "none", "m/s²"}}},
+      {"What never touches, or gives way like a spring, never rests on anything hard.",
+       {{"hard contacts that may happen", hard, Relation::equal, 0, "none", ""}}},
+      {"Elastic balls leave at the speed at which they came, and that is never 0: a flight that "
+       "only grazes what gravity presses it on would have come from inside.",
+       {{"largest share of speed lost, 1 − e, between bodies that may meet", lossy, Relation::equal,
+         0, "elastic", ""},
+        {"pairs that may meet other than balls and half-spaces", uneven, Relation::equal, 0, "none",
+         ""},
+        {"kinds of pairs that touch at the beginning and do not part", touching, Relation::equal, 0,
+         "none", ""}}},
+      {"The bounces on a half-space end at t₁ + 2 e w/(g (1 − e)), and the scene ends before.",
+       {{"duration", q.scene->duration, Relation::less, bounces.rest,
+         "earliest that a ball can rest", "s"}}}};
+}
+
+/// Resting contact is off if one of resting_proofs() holds.
+inline Decision plan_resting(const PlanQuestion& q) {
+  return decide(Effect::resting, resting_proofs(q),
+                {q.moves * 30, "30 for each time that a body is moved"},
+                "Not proven that nothing comes to rest.");
+}
+// [/resting-rule]
+
+/// Sleeping is off where nothing rests. Leaving it off is never wrong; it only costs time.
+inline Decision plan_sleeping(const PlanQuestion& q) {
+  std::vector<Proof> proofs;
+  for (Proof& proof : resting_proofs(q)) {
+    if (!is_proven(proof)) continue;
+    proof.why = "What never rests never sleeps. " + proof.why;
+    proofs.push_back(std::move(proof));
+    break;
+  }
+  if (proofs.empty()) proofs = resting_proofs(q);
+  return decide(Effect::sleeping, std::move(proofs),
+                {q.moves * 4, "4 for each time that a body is asked whether it moves"},
+                "Bodies may come to rest; one in balance at speed 0 stays there exactly.");
+}
+
+namespace detail {
+
+inline std::string pair_name(const Scene& scene, const PairBound& pair) {
+  if (pair.crowd) return "any two moving bodies";
+  const std::string& a = scene.bodies[pair.a].name;
+  const std::string& b = scene.bodies[pair.b].name;
+  return a < b || !pair.both_move ? a + " and " + b : b + " and " + a;
+}
+
+}  // namespace detail
+
+// [tunnelling]
+/// What can go unseen between two steps of length h, if contacts are looked for at steps only.
+///
+/// *Passing through.* Each body holds a core and all points within its thickness of it. While the
+/// bodies do not touch, their cores are farther apart than both thicknesses together, R. For the
+/// cores to meet in between and part again, the surfaces must move by R and by R again: more than
+/// 2 R in one step. Spin and acceleration are in the speed that energy allows.
+///
+/// *Late.* A hit is noticed up to a step late, and each misplaces a body by (1 + e) v h at most.
+///
+/// *Grazing.* A chord of length d through a round of radius R meets it at v d/(2 R) at most along
+/// the normal; missed, it leaves the body off by (1 + e) v d/(2 R) · T. A path that gravity bends
+/// away from a wall dips into it with g h/2 at most.
+/// @param h s
+inline std::vector<Inequality> tunnelling_conditions(const PlanQuestion& q, double h) {
+  using detail::rounded_up;
+  const Scene& scene = *q.scene;
+  std::vector<Inequality> conditions;
+  double edged = 0;
+  double grazing = 0;
+  double worst = -1;
+  Inequality passing;
+  for (const PairBound& pair : q.pairs) {
+    edged += pair.half_space ? (pair.round ? 0 : pair.count) : (pair.graze > 0 ? 0 : pair.count);
+    const double moved = rounded_up(pair.closing * h);
+    const double thrown = (1 + pair.restitution_most) * scene.duration;
+    if (pair.half_space) {
+      const SceneBody& wall = scene.bodies[pair.b];
+      const Vector3<double> normal = std::get<HalfSpaceShape>(wall.shape).normal;
+      const bool pressed = q.table < 0 && normal.dot(scene.gravity) <= 0;
+      if (!pressed && gravity_felt(q) > 0)
+        grazing = std::max(grazing, rounded_up(thrown * q.bounds.gravity * h / 2));
+      continue;
+    }
+    if (pair.graze > 0)
+      grazing = std::max(grazing, rounded_up(thrown * pair.closing * (moved / (2 * pair.graze))));
+    const double ratio = pair.core > 0 ? moved / (2 * pair.core) : detail::infinite;
+    const std::string name = detail::pair_name(scene, pair);
+    const std::string words = name + " towards each other in a step";
+    if (ratio < worst || (ratio == worst && passing.left_is < words)) continue;
+    worst = ratio;
+    passing = {words, moved, Relation::less, 2 * pair.core, "twice the thickness of both together",
+               "m"};
+  }
+  if (worst >= 0) {
+    conditions.push_back(passing);
+  } else {
+    conditions.push_back({"pairs that may meet and of which none is a half-space", 0,
+                          Relation::equal, 0, "nothing has another side to come out on", ""});
+  }
+  const double late = q.pairs.empty() ? 0.0 : rounded_up(worst_bounces(q).late * h);
+  conditions.push_back({"all of a body's hits together, each a step late", late, Relation::at_most,
+                        q.tolerance, "tolerance of a place", "m"});
+  conditions.push_back({"off at the end by a grazing hit that is missed", grazing,
+                        Relation::at_most, q.tolerance, "tolerance of a place", "m"});
+  conditions.push_back(
+      {"pairs with corners or edges that may meet, whose missed grazes have no bound", edged,
+       Relation::equal, 0, "none", ""});
+  return conditions;
+}
+
+/// Continuous detection is off if nothing can pass through anything between two steps, and what
+/// comes late or is missed stays within the tolerance. From event to event it is on: an event is
+/// an impact at its time.
+inline Decision plan_continuous_detection(const PlanQuestion& q, double h) {
+  const double pairs = pairs_that_may_meet(q.bounds);
+  const Saving saving{q.moves * 30, "30 for each body and step, more for boxes"};
+  Proof free{"Nothing touches anything, whatever the step.", {nothing_meets(q)}};
+  if (q.events && pairs > 0) {
+    Decision decision = decide(Effect::continuous_detection, {free}, saving,
+                               "From event to event each impact is found at its time; there is no "
+                               "step in which it could pass unseen.");
+    decision.because.clear();
+    return decision;
+  }
+  Proof steps{
+      "To pass through, two bodies must come towards each other by twice the thickness of "
+      "their cores in one step.",
+      tunnelling_conditions(q, h)};
+  for (const Inequality& condition : steps.conditions) {
+    if (condition.relation == Relation::at_most)
+      steps.error = std::max(steps.error, condition.left);
+  }
+  steps.error_is = "hits up to a step late, and grazing ones that are missed";
+  const std::vector<Inequality> all = steps.conditions;
+  Decision decision = decide(Effect::continuous_detection, {free, steps}, saving,
+                             "Not proven that what goes unseen between two steps is small.");
+  if (decision.on) decision.because = all;
+  return decision;
+}
+// [/tunnelling]
+
+namespace detail {
+
+/// The space that moving bodies have: between level walls where there are any, else round them.
+struct Room {
+  Vector3<double> size = Vector3<double>::Zero();  ///< m
+  double widest = 0;                               ///< largest diameter of a moving body, m
+  double mean = 0;                                 ///< mean diameter, m
+};
+
+inline Room room_of(const Scene& scene) {
+  Room room;
+  Vector3<double> low = Vector3<double>::Constant(infinite);
+  Vector3<double> high = Vector3<double>::Constant(-infinite);
+  Vector3<double> floor = Vector3<double>::Constant(-infinite);
+  Vector3<double> ceiling = Vector3<double>::Constant(infinite);
+  std::vector<double> diameters;
+  for (const SceneBody& body : scene.bodies) {
+    if (const auto* wall = std::get_if<HalfSpaceShape>(&body.shape)) {
+      const int axis = level_axis(wall->normal);
+      if (axis < 0) continue;
+      if (wall->normal(axis) > 0) floor(axis) = std::max(floor(axis), wall->offset);
+      if (wall->normal(axis) < 0) ceiling(axis) = std::min(ceiling(axis), -wall->offset);
+    }
+    if (!body.moves) continue;
+    const double reach = outer_radius(body.shape);
+    diameters.push_back(2 * reach);
+    room.widest = std::max(room.widest, 2 * reach);
+    low = low.cwiseMin(body.position - Vector3<double>::Constant(reach));
+    high = high.cwiseMax(body.position + Vector3<double>::Constant(reach));
+  }
+  if (diameters.empty()) return room;
+  const auto n = static_cast<double>(diameters.size());
+  room.mean = sum_in_order(std::move(diameters)) / n;
+  for (int k = 0; k < 3; ++k) {
+    const bool walled = std::isfinite(floor(k)) && std::isfinite(ceiling(k));
+    room.size(k) = std::max(walled ? ceiling(k) - floor(k) : high(k) - low(k), room.widest);
+  }
+  return room;
+}
+
+inline double halvings(double n) {
+  double count = 0;
+  for (; n > 1; n /= 2) ++count;
+  return count;
+}
+
+}  // namespace detail
+
+// [broad-phase-rule]
+/// A broad phase never changes what happens, so this is a question of cost alone. Testing all pairs
+/// takes 11 operations a pair; a grid takes 60 a body and 11 for each pair in neighbouring cells,
+/// of which there are 13½ times the bodies in a cell for each body if they are spread evenly.
+inline Decision plan_broad_phase(const PlanQuestion& q) {
+  const auto n = static_cast<double>(q.bounds.movers);
+  double still = 0;
+  for (const SceneBody& body : q.scene->bodies) still += body.moves || is_half_space(body) ? 0 : 1;
+  const detail::Room room = detail::room_of(*q.scene);
+  double in_cell = 0;
+  if (n > 0)
+    in_cell = n * (room.widest / room.size.x()) * (room.widest / room.size.y()) *
+              (room.widest / room.size.z());
+  const double all = 11 * (n * (n - 1) / 2 + n * still);
+  const double near = std::min(13.5 * in_cell, (n - 1) / 2);
+  const double grid =
+      60 * (n + still) + 4 * n * detail::halvings(n) + 11 * n * std::max(0.0, near + still / 2);
+  return decide(
+      Effect::broad_phase,
+      {{"A broad phase changes no result; it is left out where it costs more than it saves.",
+        {{"operations to test every pair", all, Relation::at_most, grid,
+          "operations to sort bodies into cells and test neighbours", ""}}}},
+      {n > 0 ? (grid - all) * q.moves / n : 0,
+       "cells against all pairs, for each time that all bodies are moved"},
+      "Sorting bodies into cells costs less than testing every pair.");
+}
+// [/broad-phase-rule]
+
+}  // namespace contact

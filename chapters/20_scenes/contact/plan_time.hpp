@@ -1,0 +1,348 @@
+/// @file
+/// The planner's rules on time and digits: from event to event or step by step, how long a step is,
+/// float or double, and until when places can be predicted.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <contact/plan_bounds.hpp>
+#include <contact/plan_contact.hpp>
+#include <contact/plan_motion.hpp>
+#include <contact/plan_types.hpp>
+#include <contact/scene.hpp>
+
+namespace contact {
+
+/// What an event-driven run can hold: smooth hard balls, and half-spaces and balls that stand
+/// still.
+inline std::vector<Inequality> event_conditions(const PlanQuestion& q) {
+  double still = 0;
+  double soft = 0;
+  for (const PairBound& pair : q.pairs) {
+    soft += pair.soft ? pair.count : 0;
+    still += !pair.both_move && !pair.half_space && !is_ball(q.scene->bodies[pair.b]) ? 1 : 0;
+  }
+  return {{"moving bodies other than balls that may touch something", rough_shapes_that_touch(q),
+           Relation::equal, 0, "none", ""},
+          {"bodies that stand still and may be touched, other than half-spaces and balls", still,
+           Relation::equal, 0, "none", ""},
+          {"pairs that may meet and give way", soft, Relation::equal, 0, "none", ""},
+          {"largest friction between bodies that may meet",
+           proven_line(q) ? 0.0 : most_friction(q.pairs), Relation::equal, 0, "smooth", ""}};
+}
+
+/// The shortest flight that an event-driven run follows, if places may be off by the tolerance: a
+/// hop of a ball under g that takes t rises by g t²/8.
+/// @return s; half of the tolerance is used
+inline double contact_time_cutoff(double tolerance, double gravity) {
+  return std::sqrt(4 * tolerance / gravity);
+}
+
+// [event-rule]
+/// From event to event only where the number of events is bounded.
+///
+/// Finitely many elastic balls hit each other finitely often (Burago, Ferleger and Kononenko 1998),
+/// and with walls and gravity finitely often in a finite time (Galperin 1981), as long as nothing
+/// rests. A ball on one half-space has a budget of bounces. A pair that flies freely meets once.
+/// A ball that comes to rest on one half-space is followed until its hops are shorter than a
+/// cutoff; their height is the error. Everything else goes step by step: that is the safe side.
+inline Decision plan_event_driven(const PlanQuestion& q) {
+  const std::vector<Inequality> common = event_conditions(q);
+  const auto with = [&](std::string why, const std::vector<Inequality>& more) {
+    Proof proof{std::move(why), common};
+    proof.conditions.insert(proof.conditions.end(), more.begin(), more.end());
+    return proof;
+  };
+  const bool lonely = most_partners(q) <= 1;
+  double lossy = 0;
+  double touching = 0;
+  for (const PairBound& pair : q.pairs) {
+    lossy = std::max(lossy, pair.hard ? 1 - pair.restitution_least : 0.0);
+    touching += pair.apart || lonely ? 0 : 1;
+  }
+  const Inequality elastic{"largest share of speed lost, 1 − e, between bodies that may meet",
+                           lossy,
+                           Relation::equal,
+                           0,
+                           "elastic",
+                           ""};
+  // Bodies that touch hand a hit on at the same instant, and events come one after the other.
+  const Inequality clear{"kinds of pairs that touch at the beginning beside others",
+                         touching,
+                         Relation::equal,
+                         0,
+                         "none",
+                         ""};
+  std::vector<Proof> proofs;
+  for (const Proof& rest : resting_proofs(q)) {
+    if (!is_proven(rest)) continue;
+    std::vector<Inequality> more{elastic, clear};
+    more.insert(more.end(), rest.conditions.begin(), rest.conditions.end());
+    proofs.push_back(
+        with("Elastic balls that never rest hit finitely often in a finite time.", more));
+    break;
+  }
+  if (proofs.empty()) {
+    std::vector<Inequality> more{elastic, clear};
+    const std::vector<Proof> rest = resting_proofs(q);
+    more.insert(more.end(), rest[2].conditions.begin(), rest[2].conditions.end());
+    proofs.push_back(
+        with("Elastic balls that never rest hit finitely often in a finite time.", more));
+  }
+  const BounceRange bounces = worst_bounces(q);
+  proofs.push_back(with("Every ball has a budget of impacts.",
+                        {{"most impacts of one ball", bounces.hits, Relation::less, 1e6,
+                          "as many as a run may take for one ball", ""}}));
+  // A hop that is left out: one half-space each, hard, pressed on by gravity.
+  double other = 0;
+  for (const PairBound& pair : q.pairs) other += pair.half_space && !pair.soft ? 0 : pair.count;
+  const double cutoff =
+      gravity_felt(q) > 0 ? contact_time_cutoff(q.tolerance, q.bounds.gravity) : 0;
+  const double hop = detail::rounded_up(q.bounds.gravity * cutoff * cutoff / 8);
+  Proof hops = with(
+      "A ball on one half-space is followed until its hops are shorter than " +
+          number_text(static_cast<double>(static_cast<float>(cutoff))) + " s; after that it rests.",
+      {{"most bodies that one moving body may touch", most_partners(q), Relation::at_most, 1,
+        "one half-space", ""},
+       {"pairs that may meet other than a ball and a hard half-space", other, Relation::equal, 0,
+        "none", ""},
+       {"a hop of no height", 0, Relation::less, hop, "height of a hop that is left out", "m"},
+       {"height of a hop that is left out, g t²/8", hop, Relation::at_most, q.tolerance,
+        "tolerance of a place", "m"}});
+  hops.error = hop;
+  hops.error_is = "height of the hops that are left out, g t²/8";
+  proofs.push_back(std::move(hops));
+
+  Decision decision = decide(Effect::event_driven, std::move(proofs),
+                             {0, "a run from event to event computes nothing between impacts"},
+                             "Not proven that the number of events is bounded: step by step.");
+  // Here a proof switches on.
+  decision.on = decision.planned = decision.proven;
+  return decision;
+}
+// [/event-rule]
+
+namespace detail {
+
+/// The stiffest spring's ω = √(k (1/m + 1/m')), rad/s.
+inline double fastest_spring(const PlanQuestion& q) {
+  double most = 0;
+  for (const PairBound& pair : q.pairs) {
+    if (pair.soft) most = std::max(most, pair.stiffness * pair.slowness);
+  }
+  return std::sqrt(most);
+}
+
+/// How long a step is if nothing else decides: a frame.
+inline double frame_step(const Scene& scene) {
+  double h = std::min(1.0 / 60, scene.duration);
+  if (scene.output.every > 0) h = std::min(h, scene.output.every);
+  return h;
+}
+
+}  // namespace detail
+
+// [step-rule]
+/// The largest step with which the tolerance holds though contacts are looked for at steps only; a
+/// frame where no step proves that, because then impacts are found between steps. A spring of
+/// angular frequency ω takes at least 20 steps for each radian·π: h ≤ 1/(10 ω), far inside the
+/// limit h ω < 2 of Euler's velocity-first step.
+/// @return s
+inline double step_from_tolerance(const PlanQuestion& q) {
+  double h = detail::frame_step(*q.scene);
+  if (pairs_that_may_meet(q.bounds) == 0) return h;
+  const double spring = detail::fastest_spring(q);
+  if (spring > 0) h = std::min(h, 1 / (10 * spring));
+  const BounceRange bounces = worst_bounces(q);
+  if (!(q.tolerance > 0) || !std::isfinite(bounces.late) || bounces.late == 0) return h;
+  double shorter = std::min(h, detail::rounded_down(q.tolerance / bounces.late, 256));
+  for (int k = 0; k < 40; ++k, shorter /= 2) {
+    bool all = true;
+    for (const Inequality& condition : tunnelling_conditions(q, shorter))
+      all = all && holds(condition);
+    if (all) return shorter;
+  }
+  return h;
+}
+
+/// The step size as a decision: on with its value, or off from event to event.
+inline Decision plan_step_size(const PlanQuestion& q, const PlanOptions& options) {
+  Decision decision;
+  decision.effect = Effect::step_size;
+  if (q.events) {
+    decision.on = decision.planned = false;
+    decision.proven = true;
+    decision.why = "From event to event there are no steps.";
+    decision.because = {{"steps between two impacts", 0, Relation::equal, 0, "none", ""}};
+    return decision;
+  }
+  decision.value = q.step;
+  const double late = worst_bounces(q).late;
+  const double spring = detail::fastest_spring(q);
+  decision.why =
+      options.step ? "The step is as asked for." : "The step follows from the tolerance.";
+  if (!q.pairs.empty())
+    decision.because.push_back({"all of a body's hits together, each a step late",
+                                detail::rounded_up(late * q.step), Relation::at_most, q.tolerance,
+                                "tolerance of a place", "m"});
+  if (spring > 0)
+    decision.because.push_back({"step times the stiffest spring's angular frequency",
+                                q.step * spring, Relation::less, 2,
+                                "limit of Euler's velocity-first step", ""});
+  decision.proven = !decision.because.empty();
+  for (const Inequality& condition : decision.because)
+    decision.proven = decision.proven && holds(condition);
+  if (q.pairs.empty()) {
+    decision.proven = true;
+    decision.why = "Nothing touches anything and flights are exact, so any step does.";
+  }
+  if (!decision.proven && !options.step)
+    decision.why =
+        "Not proven that a step keeps the tolerance: a frame, with impacts found between "
+        "steps.";
+  return decision;
+}
+// [/step-rule]
+
+// [precision-rule]
+/// Float is enough if nothing touches anything and a flight's rounding stays within the tolerance:
+/// x + t (v + t g/2) takes 5 roundings, each off by at most u of the sum of the terms' sizes. After
+/// a hit rounding may grow, and nothing is proven.
+inline Decision plan_double_precision(const PlanQuestion& q) {
+  const Scene& scene = *q.scene;
+  const double t = scene.duration;
+  double size = 0;
+  for (const SceneBody& body : scene.bodies) {
+    if (!body.moves) continue;
+    for (int k = 0; k < 3; ++k) {
+      // The input is rounded too, so each factor is off by u before anything is computed.
+      size = std::max(size, std::abs(body.position(k)) + std::abs(body.velocity(k)) * t +
+                                std::abs(scene.gravity(k)) * t * t / 2);
+    }
+  }
+  const double rounding = detail::rounded_up(16 * tolerance::unit_roundoff<float> * size);
+  return decide(Effect::double_precision,
+                {{"A free flight in float is off by its roundings alone.",
+                  {nothing_meets(q),
+                   {"rounding of a flight in float", rounding, Relation::at_most, q.tolerance,
+                    "tolerance of a place", "m"}},
+                  rounding,
+                  "rounding in float"}},
+                {0, "half the memory of every number"},
+                "Not proven that float keeps the tolerance: a hit may make rounding grow.");
+}
+// [/precision-rule]
+
+namespace detail {
+
+/// What a body meets on its way: how fast it goes, how far from hit to hit.
+struct FreePath {
+  double speed = 0;   ///< root mean square that energy allows, m/s
+  double length = 0;  ///< mean free path, m
+  double radius = 0;  ///< of the round that hits spread on, m
+};
+
+/// The mean free path of a gas, V/(√2 π D² N), but no longer than the room is wide.
+inline FreePath free_path(const PlanQuestion& q) {
+  FreePath path;
+  const Room room = room_of(*q.scene);
+  double balls = 0;
+  double twice = 0;
+  double still = infinite;
+  bool among = false;
+  for (const PairBound& pair : q.pairs) {
+    if (pair.half_space) continue;
+    among = true;
+    if (!pair.both_move) still = std::min(still, outer_radius(q.scene->bodies[pair.b].shape));
+  }
+  if (!among) return path;
+  for (const EnergyShare& share : q.bounds.groups) {
+    if (share.mass == 0) continue;
+    const double with_time =
+        std::sqrt(share.twice_kinetic / share.mass) + gravity_felt(q) * q.scene->duration;
+    twice = std::max(twice, std::min(share.twice_floor / share.mass, with_time * with_time));
+  }
+  for (const BodyBound& body : q.bounds.bodies) balls += body.disturbed ? 1 : 0;
+  path.speed = std::sqrt(twice);
+  path.radius = std::min(room.mean / 2, still);
+  const double widest = room.size.maxCoeff();
+  const double volume = room.size.x() * room.size.y() * room.size.z();
+  const double area = 4.442882938158366 * room.mean * room.mean;  // √2 π D²
+  path.length = std::min(volume / (area * std::max(1.0, balls)), widest);
+  return path;
+}
+
+}  // namespace detail
+
+/// Impacts to expect in the whole scene: for the cost, not for a proof.
+inline double expected_hits(const PlanQuestion& q) {
+  const detail::FreePath path = detail::free_path(q);
+  const double t = q.scene->duration;
+  double balls = 0;
+  for (const BodyBound& body : q.bounds.bodies) balls += body.disturbed ? 1 : 0;
+  double hits = path.length > 0 ? balls * t * path.speed / (2 * path.length) : 0;
+  std::vector<double> walls;
+  for (const PairBound& pair : q.pairs) {
+    if (!pair.half_space) continue;
+    const double g = gravity_felt(q);
+    const double flight = pair.closing > 0 ? 2 * pair.closing / g : 0;
+    walls.push_back(flight > 0 && std::isfinite(flight) ? pair.count * (1 + t / flight)
+                                                        : pair.count);
+  }
+  hits += detail::sum_in_order(std::move(walls));
+  return std::isfinite(hits) ? hits : 0;
+}
+
+// [horizon-rule]
+/// Until when places can be predicted: an estimate, not a proof.
+///
+/// Two balls spread what is uncertain as a lens does: an error across the path grows by about
+/// 1 + 2 λ/R from hit to hit, with the mean free path λ and the radius R. One ulp of the largest
+/// coordinate grows to the tolerance in so many hits, and λ/v passes from one to the next. Flat
+/// walls do not spread, and on a line nothing does: there rounding only adds up.
+inline Decision plan_horizon(const PlanQuestion& q) {
+  double lenses = 0;
+  for (const PairBound& pair : q.pairs) lenses += pair.half_space ? 0 : pair.count;
+  std::vector<Proof> proofs{
+      {"Flat walls do not spread paths that lie close together; rounding only adds up.",
+       {{"pairs that may meet and of which none is a half-space", lenses, Relation::equal, 0,
+         "none", ""}}}};
+  if (const auto line = proven_line(q)) {
+    proofs.push_back(*line);
+    proofs.back().why = "On a line no hit spreads paths; rounding only adds up.";
+  }
+  Decision decision = decide(Effect::horizon, std::move(proofs), {0, "no statistics needed"},
+                             "Estimated: an ulp grows by 1 + 2 λ/R from hit to hit.");
+  if (!decision.on) return decision;
+  const detail::FreePath path = detail::free_path(q);
+  double size = 0;
+  for (const SceneBody& body : q.scene->bodies)
+    size = std::max(size, body.moves ? body.position.cwiseAbs().maxCoeff() : 0.0);
+  size = std::max(size, path.length);
+  double error = size * std::numeric_limits<double>::epsilon();
+  const double growth = 1 + 2 * path.length / path.radius;
+  const double aim = q.tolerance > 0 ? q.tolerance : path.radius;
+  double hits = 0;
+  while (error < aim && hits < 100000) {
+    error *= growth;
+    ++hits;
+  }
+  if (!(path.speed > 0) || !std::isfinite(path.speed)) {
+    decision.why = "Not proven: nothing moves at first, so no pace of hits is known.";
+    return decision;
+  }
+  decision.value = hits * path.length / path.speed;
+  decision.because = {
+      {"hits until an ulp has grown to " +
+           std::string(q.tolerance > 0 ? "the tolerance" : "a radius") + ", each by 1 + 2 λ/R",
+       hits * path.length / path.speed, Relation::at_most, q.scene->duration, "duration", "s"}};
+  return decision;
+}
+// [/horizon-rule]
+
+}  // namespace contact

@@ -1,0 +1,203 @@
+/// @file
+/// What a plan is made of: effects, inequalities, proofs and decisions. Plain data, so that a page,
+/// a program and a test read the same.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace contact {
+
+/// What a simulation of a scene may need. Each can be left out, or is a value that must be chosen.
+enum class Effect {
+  gravity,               ///< the acceleration of free flight
+  rotation,              ///< orientations and spins as state
+  gyroscopic_term,       ///< ω × I ω in the change of a spin
+  friction,              ///< impulses along a surface
+  restitution,           ///< bouncing: what comes back of an approach
+  continuous_detection,  ///< looking for impacts between two steps
+  broad_phase,           ///< sorting out pairs before they are tested
+  several_contacts,      ///< a body with more than one contact at a time
+  resting,               ///< contacts that last and carry a force
+  sleeping,              ///< bodies at rest that are left alone
+  penalty_contact,       ///< contacts that give way like springs
+  third_dimension,       ///< motion out of a plane
+  second_dimension,      ///< motion off a line
+  double_precision,      ///< double in place of float
+  event_driven,          ///< from impact to impact in place of step by step
+  step_size,             ///< how long a step is
+  horizon                ///< until when places can be predicted
+};
+
+/// Every effect, in the order of a plan.
+inline constexpr std::array<Effect, 17> all_effects{
+    Effect::gravity,          Effect::rotation,         Effect::gyroscopic_term,
+    Effect::friction,         Effect::restitution,      Effect::continuous_detection,
+    Effect::broad_phase,      Effect::several_contacts, Effect::resting,
+    Effect::sleeping,         Effect::penalty_contact,  Effect::third_dimension,
+    Effect::second_dimension, Effect::double_precision, Effect::event_driven,
+    Effect::step_size,        Effect::horizon};
+
+/// The name by which an effect is asked for: "gyroscopic-term".
+inline std::string_view effect_name(Effect effect) {
+  constexpr std::array<std::string_view, 17> names{
+      "gravity",          "rotation",         "gyroscopic-term",
+      "friction",         "restitution",      "continuous-detection",
+      "broad-phase",      "several-contacts", "resting",
+      "sleeping",         "penalty-contact",  "third-dimension",
+      "second-dimension", "double-precision", "event-driven",
+      "step-size",        "horizon"};
+  return names[static_cast<std::size_t>(effect)];
+}
+
+/// The effect of that name; nothing if there is none.
+inline std::optional<Effect> effect_named(std::string_view name) {
+  for (const Effect effect : all_effects) {
+    if (effect_name(effect) == name) return effect;
+  }
+  return std::nullopt;
+}
+
+/// Whether an effect is switched on or off. The other two are values: step size and horizon.
+inline bool can_be_switched(Effect effect) {
+  return effect != Effect::step_size && effect != Effect::horizon;
+}
+
+/// How the two sides of an inequality are compared.
+enum class Relation {
+  less,     ///< left < right
+  at_most,  ///< left ≤ right
+  equal     ///< left = right
+};
+
+/// One condition of a proof: two numbers, what each of them is, and how they are compared. A bound
+/// is rounded away from the comparison's holding, so that what holds here holds without rounding.
+struct Inequality {
+  std::string left_is;                    ///< what the left side is, in words
+  double left = 0;                        ///< in `unit`
+  Relation relation = Relation::at_most;  ///< how the sides are compared
+  double right = 0;                       ///< in `unit`
+  std::string right_is;                   ///< what the right side is, in words
+  std::string unit;                       ///< of both sides; empty for counts and ratios
+};
+
+// [holds]
+/// Whether the condition holds. A side that is not a number proves nothing.
+inline bool holds(const Inequality& condition) {
+  switch (condition.relation) {
+    case Relation::less:
+      return condition.left < condition.right;
+    case Relation::at_most:
+      return condition.left <= condition.right;
+    default:
+      return condition.left == condition.right;
+  }
+}
+// [/holds]
+
+/// One way to show that an effect cannot matter, or matters less than the tolerance.
+struct Proof {
+  std::string why;                     ///< the theorem, one sentence
+  std::vector<Inequality> conditions;  ///< all must hold
+  double error = 0;                    ///< position error accepted, m; 0: none
+  std::string error_is = "none";       ///< the same in words
+};
+
+/// Whether every condition holds. A proof without conditions proves nothing.
+inline bool is_proven(const Proof& proof) {
+  if (proof.conditions.empty()) return false;
+  for (const Inequality& condition : proof.conditions) {
+    if (!holds(condition)) return false;
+  }
+  return true;
+}
+
+/// What a decision saves, counted in additions, products, comparisons and the like.
+struct Saving {
+  double operations = 0;  ///< over the whole run, if the effect is off
+  std::string is;         ///< how they were counted
+};
+
+/// What a plan says of one effect.
+struct Decision {
+  Effect effect = Effect::gravity;  ///< which effect
+  bool on = true;                   ///< whether the simulation has it
+  bool planned = true;              ///< the same before anybody overrode it
+  bool overridden = false;          ///< whether somebody did
+  bool proven = false;              ///< by `because`; else "not proven": the safe choice
+  std::string why;                  ///< the theorem that decided, or why none did
+  std::vector<Inequality> because;  ///< with what numbers; failed ones if nothing is proven
+  double error = 0;                 ///< position error accepted, m
+  std::string error_is = "none";    ///< the same in words
+  Saving saving;                    ///< if the effect is off
+  std::optional<double> value;      ///< of a step size (s) or a horizon (s)
+  std::vector<Proof> tried;         ///< every proof that the rule tried, in order
+};
+
+// [decide]
+/// The decision that a rule's proofs make: the first proof that holds switches the effect off.
+///
+/// If none holds the effect stays on, and the decision says of each proof which condition failed
+/// first. So a rule that can prove nothing is never wrong; it only costs time.
+/// @param not_proven what to say then
+inline Decision decide(Effect effect, std::vector<Proof> proofs, Saving saving,
+                       const std::string& not_proven) {
+  Decision decision;
+  decision.effect = effect;
+  decision.saving = std::move(saving);
+  decision.tried = std::move(proofs);
+  for (const Proof& proof : decision.tried) {
+    if (!is_proven(proof)) continue;
+    decision.on = decision.planned = false;
+    decision.proven = true;
+    decision.why = proof.why;
+    decision.because = proof.conditions;
+    decision.error = proof.error;
+    decision.error_is = proof.error_is;
+    return decision;
+  }
+  decision.why = not_proven;
+  for (const Proof& proof : decision.tried) {
+    for (const Inequality& condition : proof.conditions) {
+      if (holds(condition)) continue;
+      decision.because.push_back(condition);
+      break;
+    }
+  }
+  return decision;
+}
+// [/decide]
+
+/// Effects that somebody forces on or off, whatever the plan says.
+struct Overrides {
+  std::vector<Effect> with;     ///< forced on
+  std::vector<Effect> without;  ///< forced off
+};
+
+/// What a plan is asked with.
+struct PlanOptions {
+  std::optional<double> step;  ///< s, greater than 0; without it the tolerance chooses
+  Overrides overrides;         ///< last word on what is on
+};
+
+/// The decisions on a scene, one for each effect in the order of all_effects, and what a reader
+/// must know beside them.
+struct Plan {
+  std::vector<Decision> decisions;   ///< as many as there are effects
+  std::vector<std::string> notices;  ///< sentences, such as that the tolerance outlives the horizon
+  double speed = 0;                  ///< no centre of mass is ever faster, m/s
+  double step = 0;                   ///< s; 0: no steps, from event to event
+  std::size_t pairs = 0;             ///< of bodies that may meet; a crowd counts all its pairs
+};
+
+/// The decision on an effect.
+inline const Decision& decision_on(const Plan& plan, Effect effect) {
+  return plan.decisions[static_cast<std::size_t>(effect)];
+}
+
+}  // namespace contact

@@ -1,0 +1,67 @@
+// A plan as JSON.
+
+#include <cmath>
+
+#include "plan_report.hpp"
+
+namespace contact::cli {
+
+namespace {
+
+nlohmann::json number_or_null(double x) {
+  return std::isfinite(x) ? nlohmann::json(x) : nlohmann::json(nullptr);
+}
+
+const char* relation_name(Relation relation) {
+  switch (relation) {
+    case Relation::less:
+      return "<";
+    case Relation::at_most:
+      return "<=";
+    default:
+      return "=";
+  }
+}
+
+nlohmann::json json_of(const Inequality& condition) {
+  return {{"left", number_or_null(condition.left)},
+          {"left_is", condition.left_is},
+          {"relation", relation_name(condition.relation)},
+          {"right", number_or_null(condition.right)},
+          {"right_is", condition.right_is},
+          {"unit", condition.unit},
+          {"holds", holds(condition)}};
+}
+
+nlohmann::json json_of(const Decision& decision) {
+  nlohmann::json conditions = nlohmann::json::array();
+  for (const Inequality& condition : decision.because) conditions.push_back(json_of(condition));
+  return {{"effect", effect_name(decision.effect)},
+          {"on", decision.on},
+          {"planned", decision.planned},
+          {"overridden", decision.overridden},
+          {"proven", decision.proven},
+          {"why", decision.why},
+          {"because", conditions},
+          {"error", number_or_null(decision.error)},
+          {"error_is", decision.error_is},
+          {"operations", number_or_null(decision.saving.operations)},
+          {"operations_are", decision.saving.is},
+          {"value", decision.value ? number_or_null(*decision.value) : nlohmann::json(nullptr)}};
+}
+
+}  // namespace
+
+nlohmann::json plan_json(const Scene& scene, const Plan& plan) {
+  nlohmann::json decisions = nlohmann::json::array();
+  for (const Decision& decision : plan.decisions) decisions.push_back(json_of(decision));
+  return {{"format", "contact-plan/1"},
+          {"scene", scene.name},
+          {"pairs", plan.pairs},
+          {"speed", number_or_null(plan.speed)},
+          {"step", number_or_null(plan.step)},
+          {"decisions", decisions},
+          {"notices", plan.notices}};
+}
+
+}  // namespace contact::cli

@@ -1,0 +1,687 @@
+// Every rule at its edge: a scene in which one condition of a proof fails, and no other. The plan
+// must keep the effect; the rule with that one condition weakened would leave it out; and an exact
+// argument or a plain simulation shows that the answer would be wrong then. Beside each stands a
+// scene on the other side of the edge, where the effect is off by proof.
+#include <algorithm>
+#include <array>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <contact/bouncing.hpp>
+#include <contact/plan.hpp>
+#include <contact/rotation.hpp>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "plan_scenes.hpp"
+#include "support/oracle.hpp"
+
+using contact::Decision;
+using contact::Effect;
+using contact::Proof;
+using contact::Relation;
+using contact::Scene;
+using oracle::exact;
+using oracle::Rational;
+using oracle::Vector;
+using plan_scenes::ball;
+using plan_scenes::box;
+using plan_scenes::empty;
+using plan_scenes::Point;
+using plan_scenes::wall;
+
+namespace {
+
+constexpr double least = std::numeric_limits<double>::denorm_min();
+
+contact::PlanOptions stepped(double h) {
+  contact::PlanOptions options;
+  options.step = h;
+  return options;
+}
+
+/// Where a free ball of a scene is after a time, exactly.
+Vector flight(const Scene& scene, std::size_t i, const Rational& t) {
+  const auto& body = scene.bodies[i];
+  return oracle::ballistic(exact(body.position), exact(body.velocity), exact(scene.gravity), t);
+}
+
+/// Whether the proof of a rule holds but for one condition, and so would hold if that one were
+/// weakened.
+bool only_lacks(const Decision& decision, std::size_t proof, std::size_t condition) {
+  const Proof& tried = decision.tried.at(proof);
+  for (std::size_t k = 0; k < tried.conditions.size(); ++k) {
+    const auto& one = tried.conditions[k];
+    INFO(one.left_is << ": " << one.left << " against " << one.right << ", " << one.right_is);
+    CHECK(contact::holds(one) == (k != condition));
+    if (contact::holds(one) != (k != condition)) return false;
+  }
+  return condition < tried.conditions.size();
+}
+
+/// The decision of the rule with one condition left out of one proof.
+Decision weakened(const Decision& decision, std::size_t proof, std::size_t condition) {
+  std::vector<Proof> proofs = decision.tried;
+  auto& conditions = proofs.at(proof).conditions;
+  conditions[condition].relation = Relation::at_most;
+  conditions[condition].right = std::numeric_limits<double>::infinity();
+  return contact::decide(decision.effect, proofs, {}, "");
+}
+
+/// Holds a scene at an edge: the effect stays, and would go if the condition were weaker.
+void at_edge(const Scene& scene, Effect effect, std::size_t proof, std::size_t condition,
+             const contact::PlanOptions& options = {}) {
+  INFO("effect " << contact::effect_name(effect) << ", proof " << proof << ", condition "
+                 << condition);
+  const Decision decision = plan_scenes::decision(scene, effect, options);
+  const bool safe = effect != Effect::event_driven;
+  CHECK(decision.on == safe);
+  CHECK_FALSE(decision.proven);
+  REQUIRE(proof < decision.tried.size());
+  CHECK(only_lacks(decision, proof, condition));
+  CHECK(weakened(decision, proof, condition).proven);
+}
+
+void off(const Scene& scene, Effect effect, const contact::PlanOptions& options = {}) {
+  INFO("effect " << contact::effect_name(effect));
+  const Decision decision = plan_scenes::decision(scene, effect, options);
+  CHECK(decision.proven);
+  CHECK(decision.on == (effect == Effect::event_driven));
+  for (const auto& condition : decision.because) CHECK(contact::holds(condition));
+}
+
+Scene free_ball(double g, double duration, double tolerance) {
+  Scene scene = empty(1, 0, duration, tolerance);
+  scene.gravity = {0, 0, -g};
+  ball(scene, 0.5, 1, Point::Zero(), {1, 2, 0});
+  return scene;
+}
+
+/// Balls of radius ½ on a level table, side by side and on their way.
+Scene table(double friction = 0) {
+  Scene scene = empty(1, friction, 2, 1e-6);
+  scene.gravity = {0, 0, -8};
+  wall(scene, Point::UnitZ(), 0);
+  ball(scene, 0.5, 1, {0, 0, 0.5}, {1, 0.25, 0});
+  ball(scene, 0.5, 1, {2, 0, 0.5});
+  return scene;
+}
+
+Scene dropped(double e, double height, double duration, double tolerance = 1e-6) {
+  Scene scene = empty(e, 0, duration, tolerance);
+  scene.gravity = {0, 0, -8};
+  wall(scene, Point::UnitZ(), 0);
+  ball(scene, 0.5, 1, {0, 0, 0.5 + height});
+  return scene;
+}
+
+}  // namespace
+
+// ---------------------------------------------------------------- how bodies move
+
+TEST_CASE("gravity: a fall within the tolerance is left out, and not one ulp more") {
+  // ½ · 8 · ½² = 1 m.
+  const double under = std::nextafter(1.0, 0);
+  const Scene edge = free_ball(8, 0.5, under);
+  at_edge(edge, Effect::gravity, 3, 1);
+  const Rational fall = -flight(edge, 0, Rational(1) / 2).z();
+  CHECK(fall > exact(under));
+  const Scene within = free_ball(8, 0.5, 1 + 1e-9);
+  off(within, Effect::gravity);
+  CHECK(exact(plan_scenes::decision(within, Effect::gravity).error) >= fall);
+  off(free_ball(0, 1000, 1e-9), Effect::gravity);
+  // However weak, it moves a ball by half a metre in a thousand seconds.
+  at_edge(free_ball(1e-6, 1000, 1e-3), Effect::gravity, 0, 0);
+}
+
+TEST_CASE("gravity: a fall within the tolerance still decides whether two balls meet") {
+  Scene scene = empty(1, 0, 0.01, 1e-3);
+  scene.gravity = {0, 0, -10};
+  ball(scene, 1, 1, {-5, 0, 2 + 1e-4}, {1000, 0, 0});
+  ball(scene, 1, 0, Point::Zero());
+  at_edge(scene, Effect::gravity, 3, 0);
+  const Vector with = flight(scene, 0, Rational(1) / 200);
+  CHECK(with.dot(with) < 4);  // it touches the ball that it would miss
+  CHECK(exact(scene.bodies[0].position.z()) > 2);
+}
+
+TEST_CASE("gravity: a level table cancels it for smooth balls that lie on it exactly") {
+  off(table(), Effect::gravity);
+  off(table(), Effect::third_dimension);
+  off(table(), Effect::resting);
+
+  const Scene rough = table(0x1p-40);
+  at_edge(rough, Effect::gravity, 2, 2);
+  CHECK(exact(0x1p-40) * exact(8.0) > 0);  // μ g slows a ball
+
+  Scene above = table();
+  above.bodies[1].position.z() = std::nextafter(0.5, 1);
+  CHECK(plan_scenes::is_on(above, Effect::gravity));
+  const Decision decision = plan_scenes::decision(above, Effect::gravity);
+  CHECK_FALSE(contact::holds(decision.tried.at(2).conditions.at(0)));
+  CHECK(exact(above.bodies[1].position.z()) - exact(0.5) > 0);  // there is room to fall
+
+  Scene rising = table();
+  rising.bodies[1].velocity.z() = least;
+  at_edge(rising, Effect::gravity, 2, 4);
+
+  Scene uneven = table();
+  uneven.bodies[2].shape = contact::BallShape{0.75};
+  uneven.bodies[2].position.z() = 0.75;
+  at_edge(uneven, Effect::gravity, 2, 7);
+  // The line of centres rises when they touch: the hit lifts the larger ball.
+  CHECK(exact(0.75) - exact(0.5) != 0);
+
+  Scene soft = table();
+  soft.materials[0].stiffness = 1000;
+  at_edge(soft, Effect::gravity, 2, 1);
+}
+
+TEST_CASE("rotation: one ulp of friction turns a ball, and a corner turns a box") {
+  Scene smooth = dropped(0.5, 1, 5);
+  smooth.bodies[1].velocity.x() = 3;
+  off(smooth, Effect::rotation);
+
+  Scene rough = smooth;
+  rough.materials[0].friction = 0x1p-60;
+  at_edge(rough, Effect::rotation, 0, 2);
+  // It slides when it hits at 4 m/s: the impulse μ (1 + e) m v turns it by 5 μ (1 + e) v/(2 r).
+  CHECK(exact(0x1p-60) * 5 * Rational(3) / 2 * 4 / (2 * Rational(1) / 2) > 0);
+
+  Scene corner = empty(0.5, 0, 5, 1e-6);
+  corner.gravity = {0, 0, -8};
+  wall(corner, Point::UnitZ(), 0);
+  box(corner, {1, 2, 3}, 1, {0, 0, 6}).orientation = contact::exponential<double>({0.3, 0, 0});
+  at_edge(corner, Effect::rotation, 0, 0);
+  // The lowest corner is not below the centre: r × n is not 0.
+  const auto turn = contact::matrix_of(corner.bodies[1].orientation);
+  const Point low = turn * Point(1, -2, -3);
+  CHECK(std::abs(low.y()) > 0.1);
+
+  Scene tumbling = empty(1, 0, 5, 1e-6);
+  box(tumbling, {1, 2, 3}, 1, Point::Zero()).spin = {0, 0, least};
+  at_edge(tumbling, Effect::rotation, 0, 1);
+  tumbling.bodies[0].spin = Point::Zero();
+  off(tumbling, Effect::rotation);
+
+  // Flat on the floor two mirrors leave no room for spin.
+  Scene flat = empty(0.5, 0.5, 5, 1e-6);
+  flat.gravity = {0, 0, -8};
+  wall(flat, Point::UnitZ(), 0);
+  box(flat, {1, 2, 3}, 1, {0, 0, 6});
+  off(flat, Effect::rotation);
+  off(flat, Effect::friction);
+}
+
+TEST_CASE("the gyroscopic term: a box that is no cube tumbles, and within bounds does not") {
+  const auto spinning = [](const Point& half, const Point& spin, double duration,
+                           double tolerance) {
+    Scene scene = empty(1, 0, duration, tolerance);
+    box(scene, half, 1, Point::Zero()).spin = spin;
+    return scene;
+  };
+  off(spinning({1, 1, 1}, {1, 2, 3}, 100, 1e-9), Effect::gyroscopic_term);
+  off(spinning({1, 2, 3}, {0, 0, 3}, 100, 1e-9), Effect::gyroscopic_term);
+
+  const Scene nearly = spinning({1, 1, 1 + 1e-12}, {1, 2, 3}, 1e9, 1e-3);
+  at_edge(nearly, Effect::gyroscopic_term, 0, 0);
+  const auto& inertia = nearly.bodies[0].inertia;
+  CHECK((exact(inertia(2, 2)) - exact(inertia(1, 1))) * 2 * 3 != 0);  // of ω × I ω, about x
+
+  // A tolerance below what the term does to a corner in 2 s, found by small steps.
+  const Scene tumbling = spinning({1, 2, 3}, {1, 2, 3}, 2, 1e-3);
+  at_edge(tumbling, Effect::gyroscopic_term, 2, 1);
+  const auto& body = tumbling.bodies[0];
+  const Point momentum = body.inertia * body.spin;
+  contact::Rotor<double> turned;
+  for (int k = 0; k < 2000; ++k)
+    turned = contact::midpoint_step<double>(turned, momentum, body.inertia.diagonal(), 1e-3);
+  const auto steady = contact::exponential<double>(body.spin * 2);
+  const Point corner(1, 2, 3);
+  const Point aside = contact::matrix_of(turned) * corner - contact::matrix_of(steady) * corner;
+  const double off_by = std::sqrt(aside.dot(aside));
+  CHECK(off_by > 1e-3);
+  // Its bound holds, and with a tolerance above it the term is left out.
+  const double bound =
+      plan_scenes::decision(tumbling, Effect::gyroscopic_term).tried.at(2).conditions.at(1).left;
+  CHECK(off_by <= bound);
+  off(spinning({1, 2, 3}, {1, 2, 3}, 2, bound), Effect::gyroscopic_term);
+}
+
+TEST_CASE("the third dimension: one ulp of motion, of spin or of place leaves the plane") {
+  Scene flat = empty(1, 0.5, 2, 1e-6);
+  box(flat, {1, 2, 3}, 1, Point::Zero(), {1, 0.25, 0}).spin = {0, 0, 2};
+  ball(flat, 0.5, 1, {5, 0, 0});
+  off(flat, Effect::third_dimension);
+  CHECK(plan_scenes::is_on(flat, Effect::second_dimension));
+
+  Scene pulled = flat;
+  pulled.gravity.z() = least;
+  at_edge(pulled, Effect::third_dimension, 0, 0);
+  Scene moving = flat;
+  moving.bodies[1].velocity.z() = -least;
+  at_edge(moving, Effect::third_dimension, 0, 1);
+  Scene spinning = flat;
+  spinning.bodies[0].spin.x() = least;
+  at_edge(spinning, Effect::third_dimension, 0, 2);
+  Scene askew = flat;
+  askew.bodies[0].orientation = contact::exponential<double>({1e-9, 0, 0});
+  at_edge(askew, Effect::third_dimension, 0, 3);
+  CHECK(contact::matrix_of(askew.bodies[0].orientation)(2, 1) != 0);
+  Scene above = flat;
+  above.bodies[1].position.z() = least;
+  at_edge(above, Effect::third_dimension, 0, 4);
+  // Touching, the line of centres has a component along z: no rounding hides it.
+  CHECK(exact(above.bodies[1].position.z()) != 0);
+  Scene tilted = flat;
+  const double slope = 0x1p-30;
+  wall(tilted, {std::sqrt(1 - slope * slope), 0, slope}, -4);
+  at_edge(tilted, Effect::third_dimension, 0, 3);
+}
+
+TEST_CASE("the second dimension: a ball that drops straight, and one that drifts by one ulp") {
+  Scene straight = dropped(0.5, 2, 3);
+  straight.materials[0].friction = 0.5;
+  off(straight, Effect::second_dimension);
+  off(straight, Effect::third_dimension);
+  off(straight, Effect::friction);
+  off(straight, Effect::rotation);
+
+  Scene drifting = straight;
+  drifting.bodies[1].velocity.x() = least;
+  at_edge(drifting, Effect::second_dimension, 0, 1);
+  off(drifting, Effect::third_dimension);
+  // It slides when it touches, so friction acts, and turns it.
+  CHECK(plan_scenes::is_on(drifting, Effect::friction));
+  CHECK(plan_scenes::is_on(drifting, Effect::rotation));
+}
+
+// ---------------------------------------------------------------- contacts
+
+TEST_CASE("friction: however small, it takes speed from what slides") {
+  Scene sliding = dropped(0.5, 2, 3);
+  sliding.bodies[1].velocity.x() = 1;
+  off(sliding, Effect::friction);
+  sliding.materials[0].friction = least;
+  at_edge(sliding, Effect::friction, 0, 0);
+  CHECK(exact(least) > 0);  // times (1 + e) v of the hit: not 0 without rounding
+}
+
+TEST_CASE("restitution: off only if nothing comes back") {
+  off(dropped(0, 2, 3), Effect::restitution);
+  at_edge(dropped(0x1p-60, 2, 3), Effect::restitution, 0, 0);
+  CHECK(exact(0x1p-60) * 4 > 0);  // the speed after a hit at 4 m/s
+  off(free_ball(8, 1, 1e-9), Effect::restitution);
+}
+
+TEST_CASE("penalty contact: off if nothing gives way that may be touched") {
+  off(dropped(0.5, 2, 3), Effect::penalty_contact);
+  Scene soft = dropped(0.5, 2, 3);
+  soft.materials.push_back({"felt", 0.5, 0, 1e4, 1});
+  off(soft, Effect::penalty_contact);  // nobody is made of it
+  soft.bodies[1].material = 1;
+  at_edge(soft, Effect::penalty_contact, 0, 0);
+  soft.duration = 0.001;  // the floor is out of reach
+  off(soft, Effect::penalty_contact);
+}
+
+TEST_CASE("several contacts: two partners, or a face") {
+  off(dropped(0.5, 2, 3), Effect::several_contacts);
+  Scene row = empty(0.5, 0, 3, 1e-6);
+  ball(row, 0.5, 1, {-2, 0, 0}, {1, 0, 0});
+  ball(row, 0.5, 2, Point::Zero());
+  ball(row, 0.5, 4, {2, 0, 0}, {-1, 0, 0});
+  at_edge(row, Effect::several_contacts, 0, 0);
+  // Both hit at t = 1. One after the other, the order decides who leaves how: exactly.
+  const auto hit = [](Rational& u, Rational& v, const Rational& m, const Rational& n) {
+    const Rational impulse = Rational(3) / 2 * (u - v) / (1 / m + 1 / n);
+    u -= impulse / m;
+    v += impulse / n;
+  };
+  std::array<Rational, 3> first{1, 0, -1};
+  hit(first[0], first[1], 1, 2);
+  hit(first[1], first[2], 2, 4);
+  std::array<Rational, 3> second{1, 0, -1};
+  hit(second[1], second[2], 2, 4);
+  hit(second[0], second[1], 1, 2);
+  CHECK(first[0] != second[0]);
+  CHECK(first[2] != second[2]);
+
+  Scene face = empty(0.5, 0, 3, 1e-6);
+  face.gravity = {0, 0, -8};
+  wall(face, Point::UnitZ(), 0);
+  box(face, {1, 1, 1}, 1, {0, 0, 3});
+  at_edge(face, Effect::several_contacts, 0, 1);  // four corners come down at once
+}
+
+TEST_CASE("resting: a ball that begins on the floor, and one that begins one ulp above it") {
+  // With friction, or the floor would be a level table that cancels gravity.
+  Scene lying = dropped(1, 0, 3);
+  lying.materials[0].friction = 0.25;
+  at_edge(lying, Effect::resting, 2, 2);
+  Scene above = lying;
+  above.bodies[1].position.z() = std::nextafter(0.5, 1);
+  off(above, Effect::resting);
+  Scene thrown = lying;
+  thrown.bodies[1].velocity.z() = 1;
+  off(thrown, Effect::resting);
+  // The same without a force that presses.
+  Scene weightless = lying;
+  weightless.gravity = Point::Zero();
+  off(weightless, Effect::resting);
+  Scene hardly = dropped(0.5, 0, 3);
+  hardly.gravity.z() = -least;
+  hardly.materials[0].friction = 0.25;
+  at_edge(hardly, Effect::resting, 0, 0);
+}
+
+TEST_CASE("resting: until the last bounce of a ball, by its closed form") {
+  for (const double e : {0.25, 0.5, 0.9, 0.99}) {
+    const auto closed = contact::bouncing_ball<double>(2, 0, 8, e);
+    const double rest = contact::rest_time(closed);
+    const Scene after = dropped(e, 2, rest);
+    at_edge(after, Effect::resting, 3, 0);
+    off(dropped(e, 2, rest * (1 - 1e-9)), Effect::resting);
+    CHECK(contact::bounce_at(closed, rest * (1 + 1e-9)).resting);
+  }
+  // With a second ball in reach nothing is proven; alone the lower one rests well within 100 s.
+  Scene two = dropped(0.5, 2, 100);
+  ball(two, 0.5, 1, {0, 0, 50});
+  at_edge(two, Effect::resting, 2, 0);
+  CHECK(contact::rest_time(contact::bouncing_ball<double>(2, 0, 8, 0.5)) < 3);
+  off(dropped(1, 2, 1e6), Effect::resting);
+}
+
+TEST_CASE("sleeping: what never rests never sleeps") {
+  off(dropped(1, 2, 100), Effect::sleeping);
+  Scene lying = dropped(1, 0, 100);
+  off(lying, Effect::sleeping);  // a level table: gravity is cancelled, nothing presses
+  lying.materials[0].friction = 0.25;
+  CHECK(plan_scenes::is_on(lying, Effect::sleeping));
+  CHECK(plan_scenes::is_on(dropped(0.5, 2, 100), Effect::sleeping));
+  off(dropped(0.5, 2, 1), Effect::sleeping);
+}
+
+// ---------------------------------------------------------------- between two steps
+
+namespace {
+
+/// A ball that flies at a ball that stands still, head on; a step's end falls on both sides of it
+/// alike. Both have radius ¼: passing takes more than twice ½ m in a step.
+Scene shot(double speed, double h) {
+  Scene scene = empty(0.5, 0, 4 * h, 1e9);
+  ball(scene, 0.25, 1, {-1.5 * speed * h, 0, 0}, {speed, 0, 0});
+  ball(scene, 0.25, 0, Point::Zero());
+  return scene;
+}
+
+/// Whether two balls of a scene touch at the end of any step, exactly.
+bool seen_at_steps(const Scene& scene, const Rational& h, int steps, const Rational& reach) {
+  for (int k = 0; k <= steps; ++k) {
+    const Vector d =
+        flight(scene, 0, k * h) -
+        (scene.bodies[1].moves ? flight(scene, 1, k * h) : exact(scene.bodies[1].position));
+    if (d.dot(d) <= reach * reach) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("passing through: a step of twice the thickness is too long, a little less is not") {
+  const double h = 0.25;
+  const Rational reach = Rational(1) / 2;
+  // Its late hits have no bound in this scene (nobody counts how often it hits what stands still),
+  // so the first condition is looked at by itself.
+  const auto passing = [&](double speed) {
+    const Decision decision =
+        plan_scenes::decision(shot(speed, h), Effect::continuous_detection, stepped(h));
+    return decision.tried.at(1).conditions.at(0);
+  };
+  const double fast = 4 * (1 + 1e-6);
+  CHECK_FALSE(contact::holds(passing(fast)));
+  CHECK_FALSE(seen_at_steps(shot(fast, h), exact(h), 4, reach));
+  CHECK(contact::holds(passing(4 * (1 - 1e-6))));
+  CHECK(seen_at_steps(shot(4 * (1 - 1e-6), h), exact(h), 4, reach));
+  CHECK(passing(4).right == 1 * (1 - 128 * 0x1p-53));
+  CHECK(passing(3).left >= 0.75);
+}
+
+TEST_CASE("passing through: both movers count") {
+  const double h = 0.25;
+  Scene scene = empty(0.5, 0, 1, 1e9);
+  ball(scene, 0.25, 1, {-1.125, 0, 0}, {3, 0, 0});
+  ball(scene, 0.25, 1, {1.125, 0, 0}, {-3, 0, 0});
+  // Each moves by 0.75 < 1, and both together by 1.5.
+  at_edge(scene, Effect::continuous_detection, 1, 0, stepped(h));
+  CHECK_FALSE(seen_at_steps(scene, exact(h), 4, Rational(1) / 2));
+}
+
+TEST_CASE("passing through: acceleration counts") {
+  const double h = 0.25;
+  Scene scene = empty(0.5, 0, 1.25, 1e9);
+  scene.gravity = {0, 0, -8};
+  ball(scene, 0.25, 1, {0, 0, 0.375 * 8 * 0.375}, {0, 0, 0});
+  ball(scene, 0.25, 0, {0, 0, -4});
+  // It falls from 1.125 with no speed at first; between t = 0.75 and 1.25 it passes what it meets.
+  const Decision decision = plan_scenes::decision(scene, Effect::continuous_detection, stepped(h));
+  CHECK(decision.on);
+  CHECK_FALSE(contact::holds(decision.tried.at(1).conditions.at(0)));
+  const double at_rest = std::sqrt(scene.bodies[0].velocity.squaredNorm()) * h;
+  CHECK(at_rest < 1);  // what the speed at the beginning alone says
+  CHECK_FALSE(seen_at_steps(scene, exact(h), 5, Rational(1) / 2));
+  const Vector end = flight(scene, 0, exact(1.25));
+  CHECK(end.z() < exact(-4.0) - Rational(1) / 2);  // it came out below
+}
+
+TEST_CASE("passing through: spin counts") {
+  const double h = 0.25;
+  Scene scene = empty(0.5, 0, 1, 1e9);
+  plan_scenes::add(scene, contact::CapsuleShape{0.05, 1}, 1, Point::Zero()).spin = {4, 0, 0};
+  ball(scene, 0.05, 1e6, {0, -0.479425538604203, 0.8775825618903728});  // at the angle ½ rad
+  const Decision decision = plan_scenes::decision(scene, Effect::continuous_detection, stepped(h));
+  CHECK(decision.on);
+  CHECK_FALSE(contact::holds(decision.tried.at(1).conditions.at(0)));
+  // The rod's tip turns by 1 rad a step: it is ½ rad before the ball, then ½ rad beyond.
+  const auto distance = [&](double angle) {
+    const Point axis = contact::matrix_of(contact::exponential<double>({angle, 0, 0})).col(2);
+    const Point d = scene.bodies[1].position;
+    const double along = std::clamp(d.dot(axis), -1.0, 1.0);
+    const Point rest = d - axis * along;
+    return std::sqrt(rest.dot(rest));
+  };
+  CHECK(distance(0) > 0.4);
+  CHECK(distance(1) > 0.4);
+  CHECK(distance(0.5) < 1e-12);
+}
+
+TEST_CASE("late hits: what one step of lateness costs is the tolerance's business") {
+  // 3 m/s without gravity, e = 1, h = ¼: up to 2 · 3 · ¼ = 1.5 m. The hit is 1 ms after a step.
+  Scene scene = empty(1, 0, 1, 1.4);
+  wall(scene, Point::UnitZ(), 0);
+  ball(scene, 0.5, 1, {0, 0, 0.5 + 3 * 0.251}, {0, 0, -3});
+  at_edge(scene, Effect::continuous_detection, 1, 1, stepped(0.25));
+  const double noticed = 0.5;
+  const double turned_at = 3 * 0.251 - 3 * noticed;  // below the floor, turned back there
+  const double right = 3 * (1 - 0.251);
+  CHECK(std::abs(turned_at + 3 * (1 - noticed) - right) > 1.4);
+  scene.tolerance.position = 1.5 * (1 + 1e-9);
+  off(scene, Effect::continuous_detection, stepped(0.25));
+}
+
+TEST_CASE("grazing hits: a chord shorter than a step is missed, and throws a ball off") {
+  const double h = 0.25;
+  const double chord = 0.99;
+  const double aside = std::sqrt(1 - chord * chord / 4);
+  Scene scene = empty(1, 0, 1, 2.5);
+  // From one end of a step just before the chord to the next just after.
+  ball(scene, 0.5, 1, {-0.5, aside, 0}, {4, 0, 0});
+  ball(scene, 0.5, 1e6, Point::Zero());
+  at_edge(scene, Effect::continuous_detection, 1, 2, stepped(h));
+  CHECK_FALSE(seen_at_steps(scene, exact(h), 4, Rational(1)));
+  const double along_normal = 4 * chord / 2;
+  const double thrown = 2 * along_normal * (1 - (0.5 - chord / 2) / 4) * (1 - 1e-6);
+  CHECK(thrown > 2.5);
+}
+
+TEST_CASE("a floor has no other side, and boxes have edges") {
+  const Decision floor =
+      plan_scenes::decision(dropped(0.5, 2, 3, 1), Effect::continuous_detection, stepped(0.01));
+  CHECK_FALSE(floor.on);
+  CHECK(floor.because.at(0).left == 0);
+  Scene boxes = empty(0.5, 0, 1, 1e9);
+  box(boxes, {1, 1, 1}, 1, {-4, 0.1, 0}, {4, 0, 0});
+  box(boxes, {1, 1, 1}, 1, Point::Zero());
+  const Decision edges = plan_scenes::decision(boxes, Effect::continuous_detection, stepped(0.001));
+  CHECK(edges.on);
+  CHECK(contact::holds(edges.tried.at(1).conditions.at(0)));
+  CHECK_FALSE(contact::holds(edges.tried.at(1).conditions.at(3)));
+}
+
+// ---------------------------------------------------------------- cost, digits and time
+
+TEST_CASE("the broad phase is a question of cost: few bodies do without, many do not") {
+  const auto spread = [](int n) {
+    Scene scene = empty(1, 0, 1, 1e-6);
+    for (int i = 0; i < n; ++i)
+      ball(scene, 0.5, 1, {2.0 * (i % 8), 2.0 * (i / 8 % 8), 2.0 * (i / 64)}, {0.1, 0.2, 0.3});
+    return scene;
+  };
+  off(spread(1), Effect::broad_phase);
+  off(spread(4), Effect::broad_phase);
+  at_edge(spread(200), Effect::broad_phase, 0, 0);
+  const Decision four = plan_scenes::decision(spread(4), Effect::broad_phase);
+  CHECK(four.because.at(0).left == 11 * 6);
+}
+
+TEST_CASE("float: enough for a short flight, not for a place that it cannot hold") {
+  const Scene near = free_ball(8, 1, 1e-3);
+  off(near, Effect::double_precision);
+  const auto& body = near.bodies[0];
+  const float z = static_cast<float>(body.position.z()) +
+                  1.0F * (static_cast<float>(body.velocity.z()) + 1.0F * -8.0F / 2);
+  CHECK(std::abs(static_cast<double>(z) + 4) <= 1e-3);
+
+  Scene far = free_ball(0, 1, 0.5);
+  far.bodies[0].position.x() = 16777217;
+  at_edge(far, Effect::double_precision, 0, 1);
+  CHECK(exact(static_cast<double>(static_cast<float>(16777217.0))) - exact(16777217.0) == -1);
+  at_edge(dropped(1, 2, 3, 1), Effect::double_precision, 0, 0);
+}
+
+TEST_CASE("from event to event: only if the events are bounded") {
+  off(dropped(1, 2, 60), Effect::event_driven);  // proven, and so on
+  const auto bounces = contact::bouncing_ball<double>(2, 0, 8, 0.5);
+  const double rest = contact::rest_time(bounces);
+  off(dropped(0.5, 2, 0.9 * rest, 0), Effect::event_driven);
+  // Beyond the last bounce there are infinitely many; only hops below a tolerance may be left out.
+  const Scene zeno = dropped(0.5, 2, 10, 0);
+  at_edge(zeno, Effect::event_driven, 1, 4);
+  CHECK(std::isinf(contact::bounce_at<double>(bounces, 10).bounces));
+  const Decision hops = plan_scenes::decision(dropped(0.5, 2, 10, 1e-6), Effect::event_driven);
+  CHECK(hops.on);
+  CHECK(hops.error > 0);
+  CHECK(hops.error <= 1e-6);
+
+  Scene rough = dropped(1, 2, 60);
+  rough.bodies[1].velocity.x() = 1;
+  rough.materials[0].friction = least;
+  at_edge(rough, Effect::event_driven, 0, 3);
+  Scene soft = dropped(1, 2, 60);
+  soft.materials[0].stiffness = 1e6;
+  CHECK_FALSE(plan_scenes::is_on(soft, Effect::event_driven));
+  Scene gas = empty(0.9, 0, 10, 1e-6);
+  plan_scenes::walls(gas, {4, 4, 4});
+  ball(gas, 0.5, 1, {1, 1, 1}, {1, 2, 3});
+  ball(gas, 0.5, 1, {3, 3, 3});
+  CHECK_FALSE(plan_scenes::is_on(gas, Effect::event_driven));
+  gas.materials[0].restitution = 1;
+  off(gas, Effect::event_driven);
+}
+
+TEST_CASE("the step follows from the tolerance, and a hit that is late by it stays inside") {
+  Scene scene = dropped(0.5, 2, 10, 1e-3);
+  scene.materials[0].friction = 0.5;
+  scene.bodies[1].velocity.x() = 1;  // friction: step by step
+  const contact::Plan plan = contact::plan_scene(scene);
+  CHECK_FALSE(contact::decision_on(plan, Effect::event_driven).on);
+  const Decision& step = contact::decision_on(plan, Effect::step_size);
+  REQUIRE(step.value);
+  CHECK(step.proven);
+  // (1 + e) v (1 + e + e² + …) h = 1.5/0.5 · v · h, with v at least √(2 g h) = √32.
+  CHECK(3 * std::sqrt(32.0) * *step.value <= 1e-3);
+  CHECK(3 * std::sqrt(34.0) * *step.value >= 1e-3 / 2);
+  CHECK_FALSE(contact::decision_on(plan, Effect::continuous_detection).on);
+}
+
+TEST_CASE("the horizon: flat walls have none, balls have one that a tolerance can outlive") {
+  off(dropped(1, 2, 1e6), Effect::horizon);
+  Scene gas = empty(1, 0, 1000, 1e-3);
+  plan_scenes::walls(gas, {8, 8, 8});
+  for (int i = 0; i < 10; ++i)
+    ball(gas, 0.5, 1, {1.0 + 1.5 * (i % 3), 1.0 + 1.5 * (i / 3), 4}, {1, 0.5 * i, 0.25});
+  const contact::Plan plan = contact::plan_scene(gas);
+  const Decision& horizon = contact::decision_on(plan, Effect::horizon);
+  REQUIRE(horizon.value);
+  CHECK(*horizon.value > 0);
+  CHECK(*horizon.value < 1000);
+  REQUIRE_FALSE(plan.notices.empty());
+  CHECK(plan.notices[0].find("only conserved quantities and statistics") != std::string::npos);
+  gas.duration = *horizon.value / 2;
+  CHECK(contact::plan_scene(gas).notices.empty());
+}
+
+// ---------------------------------------------------------------- overriding
+
+TEST_CASE("an override has the last word, and both are kept") {
+  contact::PlanOptions options;
+  options.overrides.with = {Effect::rotation};
+  options.overrides.without = {Effect::gravity};
+  const contact::Plan plan = contact::plan_scene(dropped(0.5, 2, 3), options);
+  const Decision& rotation = contact::decision_on(plan, Effect::rotation);
+  CHECK(rotation.on);
+  CHECK_FALSE(rotation.planned);
+  CHECK(rotation.overridden);
+  const Decision& gravity = contact::decision_on(plan, Effect::gravity);
+  CHECK_FALSE(gravity.on);
+  CHECK(gravity.planned);
+  bool said = false;
+  for (const std::string& notice : plan.notices)
+    said = said || notice.find("Without gravity") != std::string::npos;
+  CHECK(said);
+  CHECK_FALSE(contact::decision_on(plan, Effect::friction).overridden);
+
+  options.overrides.with = {Effect::horizon};
+  CHECK_THROWS_AS(contact::plan_scene(dropped(0.5, 2, 3), options), std::invalid_argument);
+  for (const double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
+    CHECK_THROWS_AS(contact::plan_scene(dropped(0.5, 2, 3), stepped(bad)), std::invalid_argument);
+}
+
+TEST_CASE("every effect has a decision in its place, and a name that leads back to it") {
+  const contact::Plan plan = contact::plan_scene(table());
+  REQUIRE(plan.decisions.size() == contact::all_effects.size());
+  for (std::size_t i = 0; i < plan.decisions.size(); ++i) {
+    CHECK(plan.decisions[i].effect == contact::all_effects[i]);
+    CHECK(contact::effect_named(contact::effect_name(plan.decisions[i].effect)) ==
+          plan.decisions[i].effect);
+    CHECK_FALSE(plan.decisions[i].why.empty());
+    for (const auto& condition : plan.decisions[i].because) {
+      CHECK_FALSE(condition.left_is.empty());
+      CHECK_FALSE(condition.right_is.empty());
+    }
+  }
+  CHECK_FALSE(contact::effect_named("gravitas"));
+}
+
+TEST_CASE("a scene in which nothing moves needs nothing") {
+  Scene scene = empty(0.5, 0.5, 1, 1e-6);
+  scene.gravity = {0, 0, -8};
+  wall(scene, Point::UnitZ(), 0);
+  const contact::Plan plan = contact::plan_scene(scene);
+  for (const Decision& decision : plan.decisions) {
+    if (decision.effect == Effect::event_driven) continue;
+    INFO(contact::effect_name(decision.effect));
+    CHECK_FALSE(decision.on);
+  }
+}

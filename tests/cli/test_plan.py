@@ -1,0 +1,152 @@
+"""plan: what the table says of scenes, by meaning, and how it is overridden."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+Run = Callable[..., subprocess.CompletedProcess[str]]
+
+EFFECTS = (
+    "gravity",
+    "rotation",
+    "gyroscopic-term",
+    "friction",
+    "restitution",
+    "continuous-detection",
+    "broad-phase",
+    "several-contacts",
+    "resting",
+    "sleeping",
+    "penalty-contact",
+    "third-dimension",
+    "second-dimension",
+    "double-precision",
+    "event-driven",
+    "step-size",
+    "horizon",
+)
+
+
+def decisions(contact: Run, *words: str) -> dict[str, dict[str, Any]]:
+    done = contact("plan", *words, "--json")
+    assert done.returncode == 0, done.stderr
+    plan = json.loads(done.stdout)
+    assert plan["format"] == "contact-plan/1"
+    found = {one["effect"]: one for one in plan["decisions"]}
+    assert tuple(found) == EFFECTS
+    return found
+
+
+@pytest.mark.parametrize(
+    ("scene", "on", "off"),
+    [
+        (
+            "bouncing_ball",  # straight down; it rests only after the scene's end
+            "gravity restitution event-driven",
+            "rotation friction resting third-dimension second-dimension horizon",
+        ),
+        (
+            "billiards_break",  # flat, smooth, elastic
+            "restitution event-driven horizon second-dimension",
+            "gravity rotation friction resting third-dimension",
+        ),
+        (
+            "bullet_and_wall",  # too fast for its steps, on a line
+            "continuous-detection restitution step-size",
+            "gravity rotation friction second-dimension event-driven",
+        ),
+        (
+            "stack_of_ten",  # exactly on top of each other
+            "gravity resting sleeping several-contacts",
+            "rotation friction restitution second-dimension event-driven",
+        ),
+        (
+            "tennis_racket",  # touches nothing, turns over
+            "rotation gyroscopic-term",
+            "gravity friction restitution continuous-detection resting",
+        ),
+        (
+            "penalty_trampoline",  # gives way
+            "gravity penalty-contact step-size",
+            "restitution resting rotation event-driven",
+        ),
+    ],
+)
+def test_a_scene_calls_for_what_is_known_of_it(contact: Run, scene: str, on: str, off: str) -> None:
+    found = decisions(contact, scene)
+    assert [name for name in on.split() if not found[name]["on"]] == []
+    assert [name for name in off.split() if found[name]["on"]] == []
+    for one in found.values():
+        assert one["why"]
+        assert one["planned"] == one["on"]
+        if one["proven"]:
+            assert all(condition["holds"] for condition in one["because"])
+    table = contact("plan", scene).stdout
+    for name, one in found.items():
+        (line,) = (line for line in table.splitlines() if line.startswith(name + " "))
+        if one["value"] is None:
+            assert line.split()[1] == ("on" if one["on"] else "off")
+    # Both sides of what decided stand in the table, in words.
+    joined = " ".join(table.split())
+    for one in found.values():
+        for condition in one["because"]:
+            assert condition["left_is"] in joined
+            assert condition["right_is"] in joined
+
+
+def test_a_step_shows_what_passes_through(contact: Run) -> None:
+    found = decisions(contact, "bullet_and_wall", "--step", "0.0166")
+    (first, *_) = found["continuous-detection"]["because"]
+    assert found["continuous-detection"]["on"]
+    assert not first["holds"]
+    assert first["left"] == pytest.approx(900 * 0.0166)
+    assert first["right"] == pytest.approx(2 * (0.005 + 0.004))
+    assert not found["event-driven"]["on"]
+    assert found["step-size"]["value"] == 0.0166
+
+
+def test_an_override_stands_beside_what_the_plan_says(contact: Run) -> None:
+    words = ("bouncing_ball", "--with", "rotation", "--without", "gravity")
+    found = decisions(contact, *words)
+    assert found["rotation"]["on"]
+    assert not found["rotation"]["planned"]
+    assert found["rotation"]["overridden"]
+    assert not found["gravity"]["on"]
+    assert found["gravity"]["planned"]
+    table = contact("plan", *words).stdout
+    assert "forced; the plan says off" in table
+    assert "forced; the plan says on" in table
+    assert "Without gravity" in table
+
+
+@pytest.mark.parametrize(
+    ("words", "named"),
+    [
+        (("bouncing_ball", "--with", "gravitas"), "gravitas"),
+        (("bouncing_ball", "--without", "horizon"), "horizon"),
+        (("bouncing_ball", "--with", "gravity", "--without", "gravity"), "gravity"),
+        (("bouncing_ball", "--step", "0"), "--step 0"),
+        (("bouncing_ball", "--step", "-1"), "--step -1"),
+        (("bouncing_bal",), "bouncing_bal"),
+    ],
+)
+def test_what_is_not_understood_is_named(contact: Run, words: tuple[str, ...], named: str) -> None:
+    done = contact("plan", *words)
+    assert done.returncode == 2
+    assert named in done.stderr
+    assert done.stdout == ""
+
+
+def test_a_scene_with_a_fault_has_no_plan(contact: Run, tmp_path: Path) -> None:
+    file = tmp_path / "broken.json"
+    file.write_text('{"format": "contact-scene/1"}')
+    done = contact("plan", str(file))
+    assert done.returncode == 1
+    assert "broken.json" in done.stderr
+    assert done.stdout == ""
