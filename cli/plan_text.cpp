@@ -1,8 +1,10 @@
 // A plan as a table.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 #include "plan_report.hpp"
 
@@ -93,8 +95,13 @@ std::string plan_text(const Scene& scene, const Plan& plan, const Style& style) 
       head += std::string("  forced; the plan says ") + (decision.planned ? "on" : "off");
     text += head + "\n";
     add_lines(text, decision.why);
-    for (const Inequality& condition : decision.because)
-      add_lines(text, inequality_text(condition));
+    std::vector<std::string> said;  // two proofs may fail for the same reason
+    for (const Inequality& condition : decision.because) {
+      const std::string line = inequality_text(condition);
+      if (std::find(said.begin(), said.end(), line) != said.end()) continue;
+      add_lines(text, line);
+      said.push_back(line);
+    }
     if (!decision.overridden && decision.error > 0)
       add_lines(text, "Error accepted: " + plan_number(decision.error) + " m, " +
                           decision.error_is + ".");

@@ -629,7 +629,8 @@ TEST_CASE("the horizon: flat walls have none, balls have one that a tolerance ca
   REQUIRE_FALSE(plan.notices.empty());
   CHECK(plan.notices[0].find("only conserved quantities and statistics") != std::string::npos);
   gas.duration = *horizon.value / 2;
-  CHECK(contact::plan_scene(gas).notices.empty());
+  for (const std::string& notice : contact::plan_scene(gas).notices)
+    CHECK(notice.find("only conserved quantities and statistics") == std::string::npos);
 }
 
 // ---------------------------------------------------------------- overriding
