@@ -112,7 +112,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     std::string why = error.what();
     const std::size_t colon = why.find(": ");
     if (why.rfind('[', 0) == 0 && colon != std::string::npos) why = why.substr(colon + 2);
-    return stop(path(), "", "is no JSON: " + excerpt(why, 200));
+    const bool ended = why.find("unexpected end of input") != std::string::npos;
+    return stop(ended ? "" : path(), "", "is no JSON: " + excerpt(why, 200));
   }
 
   JsonNode take() { return std::move(root_); }

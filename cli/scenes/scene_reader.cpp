@@ -1,6 +1,7 @@
 // A scene from its file: first every value's kind and every key, then the scene that comes of it.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
@@ -516,9 +517,11 @@ class Reader {
           body.inertia = solid_inertia(body.shape, body.mass);
       } else {
         absent(node, path, {"mass", "density", "velocity", "spin"}, "the body does not move");
-        if (repeated && repeated->speed != 0)
+        if (repeated && repeated->speed != 0) {
           fault(path + ".repeat.speed", shortest_text(repeated->speed),
                 "must be 0 or absent: the body does not move");
+          repeated->speed = 0;
+        }
       }
     }
     if (!read) wrong_.insert(path + ".shape");
@@ -640,15 +643,24 @@ class Reader {
         return within(found.path, path) || within(path, found.path);
       });
       if (told || (!sound && found.allowed.rfind("must not overlap", 0) == 0)) continue;
-      if (!sound && is_reference(found)) continue;
       fault(found.path, found.value, found.allowed + which);
     }
+    forgive_references("materials", "must be the name of a material");
+    forgive_references("bodies", "must be the name of a body");
   }
 
-  /// Whether a fault is of a name that stands for nothing: in a scene of which parts could not be
-  /// read it may be the name of one of those.
-  static bool is_reference(const SceneFault& fault) {
-    return fault.allowed.rfind("must be the name of", 0) == 0;
+  /// Where a list, or a name in it, could not be read, a name that is not found may be that one.
+  void forgive_references(const std::string& list, const std::string& words) {
+    const bool torn = std::any_of(faults_.begin(), faults_.end(), [&](const FileFault& found) {
+      const std::string& path = found.fault.path;
+      if (!within(path, list)) return false;
+      const std::size_t end = path.find(']');
+      return end == std::string::npos || end + 1 == path.size() || path.substr(end + 1) == ".name";
+    });
+    if (!torn) return;
+    std::erase_if(faults_, [&](const FileFault& found) {
+      return found.fault.allowed.find(words) != std::string::npos;
+    });
   }
 
   const JsonNode& root_;
