@@ -115,9 +115,9 @@ void check_same_hits(const Log& a, const Log& b) {
   REQUIRE(a.hits.size() == b.hits.size());
   for (std::size_t i = 0; i < a.hits.size(); ++i) {
     REQUIRE(a.hits[i].time == b.hits[i].time);
-    // Which of two balls is named first is bookkeeping.
-    REQUIRE(std::minmax(a.hits[i].ball, a.hits[i].partner) ==
-            std::minmax(b.hits[i].ball, b.hits[i].partner));
+    REQUIRE(a.hits[i].ball == b.hits[i].ball);
+    REQUIRE(a.hits[i].partner == b.hits[i].partner);
+    REQUIRE(a.hits[i].impulse == b.hits[i].impulse);
   }
 }
 
@@ -842,6 +842,7 @@ TEST_CASE("a setup that is none is refused with what is wrong") {
   CHECK(has(refusal([](auto& s) { s.balls[0].position.x() = std::nan(""); }), "balls[0].position"));
   CHECK(has(refusal([](auto& s) { s.restitution = {1.5}; }), "restitution = 1.5"));
   CHECK(has(refusal([](auto& s) { s.restitution = {1, 1}; }), "2 entries"));
+  CHECK(has(refusal([](auto& s) { s.restitution = {1, 0.5, 0.25, 1}; }), "either order"));
   CHECK(has(refusal([](auto& s) { s.walls[0].normal *= 2; }), "walls[0].normal"));
   CHECK(has(refusal([](auto& s) { s.walls[0].material = 3; }), "walls[0].material = 3"));
   CHECK(has(refusal([](auto& s) { s.cutoff = -1; }), "cutoff = -1"));
