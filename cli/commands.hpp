@@ -44,6 +44,7 @@ void add_import(CLI::App& app, Action& action);
 void add_ladder(CLI::App& app, Action& action);
 void add_scene(CLI::App& app, Action& action);
 void add_plan(CLI::App& app, Action& action);
+void add_simulate(CLI::App& app, Action& action);
 void add_new(CLI::App& app, Action& action);
 void add_grade(CLI::App& app, Action& action);
 void add_grade_worker(CLI::App& app, Action& action);

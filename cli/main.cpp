@@ -56,7 +56,7 @@ int run(int argc, char** argv) {
 #ifdef CONTACT_GRADE
                           add_grade, add_grade_worker,
 #endif
-                          add_ladder, add_scene, add_plan, add_new, add_doctor, add_dev})
+                          add_ladder, add_scene, add_plan, add_simulate, add_new, add_doctor, add_dev})
     add(app, action);
   try {
     app.parse(argc, argv);

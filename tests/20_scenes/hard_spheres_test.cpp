@@ -115,9 +115,9 @@ void check_same_hits(const Log& a, const Log& b) {
   REQUIRE(a.hits.size() == b.hits.size());
   for (std::size_t i = 0; i < a.hits.size(); ++i) {
     REQUIRE(a.hits[i].time == b.hits[i].time);
-    // Which of two balls is named first is bookkeeping.
-    REQUIRE(std::minmax(a.hits[i].ball, a.hits[i].partner) ==
-            std::minmax(b.hits[i].ball, b.hits[i].partner));
+    REQUIRE(a.hits[i].ball == b.hits[i].ball);
+    REQUIRE(a.hits[i].partner == b.hits[i].partner);
+    REQUIRE(a.hits[i].impulse == b.hits[i].impulse);
   }
 }
 
@@ -127,7 +127,7 @@ TEST_CASE("two balls meet when the exact roots say, far from grazing") {
   Random random(1);
   int met = 0;
   for (int n = 0; n < tried(20000); ++n) {
-    const Vector3<double> d = in_cube(random, 5);
+    const Vector3<double> d = in_cube(random, 3);
     const Vector3<double> w = in_cube(random, 5);
     const double reach = random.uniform(0.1, 2);
     const oracle::Vector de = oracle::exact(d);
@@ -243,7 +243,7 @@ TEST_CASE("where one path bends, the meeting is the first zero at which the gap 
     ++met;
     REQUIRE(std::abs(oracle::nearest(f(oracle::exact(got)))) <= 64 * u * size);
   }
-  CHECK(met > tried(300));
+  CHECK(met > tried(3000) / 30);
   // Thrown straight up beside it, and back onto it: closed form 2 v / g.
   const double back = contact::bent_meeting<3>({0, 0, 1}, {0, 0, 5}, {0, 0, -10}, 1, true);
   CHECK(std::abs(back - 1) <= 4 * u);
@@ -371,7 +371,9 @@ TEST_CASE("unequal balls on a line hit in the order of the fractions") {
     run.advance(100, 60, &log);
     for (std::size_t k = 0; k < log.hits.size(); ++k) {
       REQUIRE(exact.step(1000));
-      REQUIRE(exact.hits[k] == std::pair(log.hits[k].ball, log.hits[k].partner));
+      const std::pair<std::size_t, std::size_t> who =
+          std::minmax(log.hits[k].ball, log.hits[k].partner);
+      REQUIRE(exact.hits[k] == who);
       // On a line nothing grows faster than with the number of hits: each adds some u of a place
       // (20 m) over a speed; 0.01 m/s is slow here.
       REQUIRE(oracle::error(log.hits[k].time, exact.now) <= 1e-10);
@@ -452,16 +454,22 @@ struct CertainBilliards {
   }
 };
 
+/// @param moved by how much coordinates are moved, each by another multiple from −4 to 4
 CertainBilliards certain(const HardSphereSetup& setup, unsigned bits, const Rational& moved) {
   CertainBilliards all{bits, {}, {}, {}, {}, 6};
+  int turn = 0;
   for (const HardBall& b : setup.balls) {
-    const auto three = [&](const Vector3<double>& v, const Rational& by) {
-      return CertainBilliards::V{Interval(Rational(oracle::exact(v.x()) + by), bits),
-                                 Interval(oracle::exact(v.y()), bits),
-                                 Interval(oracle::exact(v.z()), bits)};
+    const auto three = [&](const Vector3<double>& v) {
+      CertainBilliards::V made;
+      for (int k = 0; k < 3; ++k) {
+        turn = (turn + 4) % 9;
+        made[static_cast<std::size_t>(k)] =
+            Interval(Rational(oracle::exact(v(k)) + moved * (turn - 4)), bits);
+      }
+      return made;
     };
-    all.x.push_back(three(b.position, all.x.empty() ? moved : Rational(0)));
-    all.v.push_back(three(b.velocity, 0));
+    all.x.push_back(three(b.position));
+    all.v.push_back(three(b.velocity));
     all.r.emplace_back(oracle::exact(b.radius), bits);
     all.m.emplace_back(oracle::exact(b.mass), bits);
   }
@@ -528,7 +536,7 @@ TEST_CASE("elastic runs keep their energy, and nothing overlaps but for rounding
     }
     REQUIRE(std::abs(run.energy() - before) <= 1e-13 * before);
     REQUIRE(run.counts().largest_overlap <= 1e-13);
-    REQUIRE(run.counts().hits > 10);
+    REQUIRE(run.counts().hits > 3);
   }
 }
 
@@ -651,11 +659,19 @@ TEST_CASE("a ball dropped from 10 m comes back to 10 m after a minute, to the la
   const double v = run.velocity(0).z();
   // Height and v² / 2 g round a few times each.
   CHECK(std::abs(z + v * v / 20 - 10) <= 64 * u * 10);
-  // After an hour of it the speed at the floor is still the first one.
-  Log log;
-  run.advance(3600, no_limit, &log);
-  for (const HardSphereHit& hit : log.hits)
-    REQUIRE(hit.impulse.z() == log.hits.front().impulse.z());
+  // After an hour of it a hit still sends it up as fast as the first one did.
+  struct Rebounds final : HardSphereObserver {
+    explicit Rebounds(const contact::HardSphereRun& watched) : run(watched) {}
+    const contact::HardSphereRun& run;
+    std::vector<double> speeds;
+    bool on_hit(const HardSphereHit&) override {
+      speeds.push_back(run.velocity(0).z());
+      return true;
+    }
+  } rebounds(run);
+  run.advance(3600, no_limit, &rebounds);
+  REQUIRE(rebounds.speeds.size() > 1000);
+  for (const double speed : rebounds.speeds) REQUIRE(speed == std::sqrt(200.0));
 }
 
 TEST_CASE("two balls: the closed form of an oblique hit") {
@@ -826,6 +842,7 @@ TEST_CASE("a setup that is none is refused with what is wrong") {
   CHECK(has(refusal([](auto& s) { s.balls[0].position.x() = std::nan(""); }), "balls[0].position"));
   CHECK(has(refusal([](auto& s) { s.restitution = {1.5}; }), "restitution = 1.5"));
   CHECK(has(refusal([](auto& s) { s.restitution = {1, 1}; }), "2 entries"));
+  CHECK(has(refusal([](auto& s) { s.restitution = {1, 0.5, 0.25, 1}; }), "either order"));
   CHECK(has(refusal([](auto& s) { s.walls[0].normal *= 2; }), "walls[0].normal"));
   CHECK(has(refusal([](auto& s) { s.walls[0].material = 3; }), "walls[0].material = 3"));
   CHECK(has(refusal([](auto& s) { s.cutoff = -1; }), "cutoff = -1"));

@@ -52,7 +52,7 @@ struct HardSphereCounts {
 /// A hit, just after it.
 struct HardSphereHit {
   double time = 0;          ///< s
-  std::size_t ball = 0;     ///< who
+  std::size_t ball = 0;     ///< who; of two balls that with the lower number
   std::size_t partner = 0;  ///< whom: a ball, or the number of balls and the wall's number
   Vector3<double> impulse = Vector3<double>::Zero();  ///< on the first, N·s
 };

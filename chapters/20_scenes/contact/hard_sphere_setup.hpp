@@ -35,7 +35,8 @@ struct HardSphereSetup {
   Vector3<double> gravity = Vector3<double>::Zero();  ///< m/s²
   std::vector<HardBall> balls;                        ///< those that move first, then the others
   std::vector<HardWall> walls;
-  /// Coefficients of restitution, from 0 to 1, a square table: row and column by material.
+  /// Coefficients of restitution, from 0 to 1, a symmetric square table: row and column by
+  /// material.
   std::vector<double> restitution{1.0};
   /// s. A ball whose next hop on a wall would be shorter lies down on it: its path is then off by
   /// at most (pull towards the wall) cutoff² / 8. A ball that without that hits more often than
@@ -67,6 +68,14 @@ inline void require_hard_sphere_setup(const HardSphereSetup& setup) {
   }
   if (!(setup.cutoff >= 0) || !is_finite(setup.cutoff))
     throw_invalid_argument("cutoff", number_text(setup.cutoff), "must be finite and not negative");
+  for (std::size_t i = 0; i < materials; ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (setup.restitution[i * materials + k] != setup.restitution[k * materials + i]) {
+        throw_invalid_argument("restitution", number_text(setup.restitution[i * materials + k]),
+                               "must be the same for two materials in either order");
+      }
+    }
+  }
   const auto name = [](const char* list, std::size_t i, const char* member) {
     return std::string(list) + "[" + std::to_string(i) + "]." + member;
   };

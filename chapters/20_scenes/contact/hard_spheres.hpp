@@ -491,18 +491,22 @@ class HardSpheres final : public HardSphereRun {
       const bool new_time = time > now_;
       at_once_ = new_time ? 0 : at_once_ + 1;
       now_ = std::max(now_, time);
+      // Of two balls the one with the lower number is the first, whoever had planned the hit.
+      const std::size_t first = is_ball ? std::min(i, other) : i;
+      const std::size_t second = is_ball ? std::max(i, other) : other;
       const Point change =
-          is_ball ? hit_ball(i, other, time) : hit_wall(i, other - balls_.size(), time);
-      after_hit(i);
-      if (is_ball && other < moving_) after_hit(other);
+          is_ball ? hit_ball(first, second, time) : hit_wall(first, second - balls_.size(), time);
+      after_hit(first);
+      if (is_ball && second < moving_) after_hit(second);
       ++counts_.hits;
-      if (endless(i) || (is_ball && other < moving_ && endless(other))) {
-        counts_.endless_ball = i;
-        counts_.endless_partner = partner;
+      const bool second_too = is_ball && second < moving_ && endless(second);
+      if (endless(first) || second_too) {
+        counts_.endless_ball = endless(first) ? first : second;
+        counts_.endless_partner = static_cast<std::int32_t>(endless(first) ? second : first);
         return HardSphereEnd::endless_hits;
       }
       if constexpr (Watched::value) {
-        if (!on_hit({time, i, other, spread(change * mass(balls_[i]))}))
+        if (!on_hit({time, first, second, spread(change * mass(balls_[first]))}))
           return HardSphereEnd::stopped;
       }
     }

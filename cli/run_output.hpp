@@ -1,0 +1,71 @@
+#pragma once
+
+// What a run writes: trajectories, hits, and the checkpoint from which it goes on.
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+
+#include <contact/hard_sphere_run.hpp>
+#include <contact/hard_sphere_scene.hpp>
+#include <contact/scene.hpp>
+
+namespace contact::cli {
+
+/// A file that a run adds to. A run that goes on cuts off what came after its checkpoint.
+class GrowingFile {
+ public:
+  /// @param keep how many bytes of what is there stay; nothing: begin anew
+  GrowingFile(std::filesystem::path path, std::optional<std::uintmax_t> keep);
+  /// @throws std::runtime_error if it cannot be written, as when a disk is full
+  void add(const std::string& text);
+  void flush();
+  [[nodiscard]] std::uintmax_t size() const { return size_; }
+
+ private:
+  std::filesystem::path path_;
+  std::ofstream stream_;
+  std::uintmax_t size_ = 0;
+};
+
+/// The state of a run of a scene as it is now: all of it is read through these.
+struct RunView {
+  const Scene& scene;
+  const HardSphereScene& balls;
+  const HardSphereRun& run;
+};
+
+/// Whether a trajectory's name ends in .xyz or .csv.
+bool is_trajectory_name(const std::filesystem::path& path);
+/// What a trajectory begins with: a CSV file has a line of headings, an extended XYZ file nothing.
+std::string trajectory_heading(const std::filesystem::path& path, const SceneOutput& output);
+/// All balls, now.
+std::string trajectory_frame(const std::filesystem::path& path, const RunView& view);
+
+/// The headings of a file of hits.
+std::string hits_heading();
+/// A hit, at its moment.
+std::string hit_line(const RunView& view, const HardSphereHit& hit);
+
+/// A quantity that a scene expects, now. Names and units as in scene_quantities.
+double quantity_now(const RunView& view, const SceneExpectation& wanted);
+
+/// Where a run was, and how long its files were then.
+struct RunCheckpoint {
+  HardSphereCheckpoint state;
+  std::string scene;               ///< which scene: a number made of all that it says
+  std::uint64_t frames = 0;        ///< how many of the frames that are due have been written
+  std::uintmax_t output_size = 0;  ///< bytes
+  std::uintmax_t events_size = 0;  ///< bytes
+};
+
+/// A number made of all that a scene says but for what it expects: two scenes with the same move
+/// alike.
+std::string scene_number(const Scene& scene);
+void write_checkpoint(const std::filesystem::path& file, const RunCheckpoint& checkpoint);
+/// @throws std::runtime_error if it is no checkpoint
+RunCheckpoint read_checkpoint(const std::filesystem::path& file);
+
+}  // namespace contact::cli

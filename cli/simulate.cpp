@@ -1,0 +1,368 @@
+// contact simulate: a scene of hard, smooth balls, from event to event.
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <unistd.h>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "run_hard_spheres.hpp"
+#include "run_output.hpp"
+#include "scenes/scene_file.hpp"
+#include "terminal.hpp"
+
+namespace fs = std::filesystem;
+
+namespace contact::cli {
+
+namespace {
+
+struct Options {
+  std::string scene;
+  std::string output;
+  std::string events;
+  std::string checkpoint;
+  std::string resume;
+  double until = -1;
+  double every = -1;
+  std::uint64_t max_events = std::numeric_limits<std::uint64_t>::max();
+  bool expect = false;
+  bool json = false;
+};
+
+volatile std::sig_atomic_t interruption = 0;
+extern "C" void interrupt_run(int /*signal*/) { interruption = 1; }
+
+/// How a simulation ended, and what it found.
+enum class Ending { complete, out_of_events, endless_hits, interrupted };
+
+struct Checked {
+  const SceneExpectation* wanted;
+  std::optional<double> got;  // nothing: its time was before the run was resumed, or never came
+
+  [[nodiscard]] bool met() const { return got && std::abs(*got - wanted->value) <= wanted->within; }
+};
+
+/// One run of the command.
+class Simulation {
+ public:
+  Simulation(Options options, Scene scene)
+      : options_(std::move(options)),
+        scene_(std::move(scene)),
+        balls_(hard_sphere_setup(scene_)),
+        run_(compose_run(balls_.setup)) {
+    if (options_.every >= 0) scene_.output.every = options_.every;
+    until_ = options_.until >= 0 ? options_.until : scene_.duration;
+    first_energy_ = run_->energy();
+    open_files();
+    for (const SceneExpectation& wanted : scene_.expect) checked_.push_back({&wanted, {}});
+  }
+
+  int go() {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, interrupt_run);
+    const Ending ending = advance_to_end();
+    clear_progress();
+    // What is due once only comes after what a resumed run keeps.
+    if (!options_.checkpoint.empty()) keep();
+    if (ending != Ending::interrupted && output_ && last_frame_ != run_->now()) add_frame();
+    if (output_) output_->flush();
+    if (events_) events_->flush();
+    report(ending);
+    if (ending == Ending::interrupted) return exit_interrupted;
+    if (ending != Ending::complete) return exit_trouble;
+    const bool failed = std::any_of(checked_.begin(), checked_.end(), [](const Checked& checked) {
+      return checked.got && !checked.met();
+    });
+    return options_.expect && failed ? exit_not_passed : exit_passed;
+  }
+
+ private:
+  /// Writes hits as they come.
+  struct Writer final : HardSphereObserver {
+    explicit Writer(Simulation& of) : simulation(of) {}
+    Simulation& simulation;
+    bool on_hit(const HardSphereHit& hit) override {
+      simulation.events_->add(hit_line(simulation.view(), hit));
+      return true;
+    }
+  };
+
+  [[nodiscard]] RunView view() const { return {scene_, balls_, *run_}; }
+
+  void open_files() {
+    std::optional<RunCheckpoint> from;
+    if (!options_.resume.empty()) {
+      from = read_checkpoint(options_.resume);
+      if (from->scene != scene_number(scene_)) {
+        throw std::runtime_error(options_.resume + " was kept by a run of another scene than " +
+                                 options_.scene);
+      }
+      run_->restore(from->state);
+      frames_ = from->frames;
+      resumed_at_ = from->state.now;
+      if (frames_ > 0) last_frame_ = static_cast<double>(frames_ - 1) * scene_.output.every;
+    }
+    if (!options_.output.empty()) {
+      output_.emplace(options_.output, from ? std::optional(from->output_size) : std::nullopt);
+      if (output_->size() == 0) output_->add(trajectory_heading(options_.output, scene_.output));
+    }
+    if (!options_.events.empty()) {
+      events_.emplace(options_.events, from ? std::optional(from->events_size) : std::nullopt);
+      if (events_->size() == 0) events_->add(hits_heading());
+    }
+  }
+
+  /// The time of the next frame that is due.
+  [[nodiscard]] double next_frame() const {
+    if (!(scene_.output.every > 0)) return std::numeric_limits<double>::infinity();
+    return static_cast<double>(frames_) * scene_.output.every;
+  }
+
+  [[nodiscard]] double next_expectation() const {
+    double next = std::numeric_limits<double>::infinity();
+    for (const Checked& checked : checked_) {
+      const double time = checked.wanted->time;
+      if (!checked.got && time >= run_->now() && !(resumed_at_ && time < *resumed_at_))
+        next = std::min(next, time);
+    }
+    return next;
+  }
+
+  Ending advance_to_end() {
+    Writer writer(*this);
+    HardSphereObserver* const observer = events_ ? &writer : nullptr;
+    std::uint64_t left = options_.max_events;
+    for (;;) {
+      const double target = std::min({until_, next_frame(), next_expectation()});
+      for (;;) {
+        if (interruption != 0) return Ending::interrupted;
+        const std::uint64_t slice = std::min<std::uint64_t>(left, 4096);
+        const std::uint64_t before = run_->counts().hits;
+        const HardSphereEnd end = run_->advance(target, slice, observer);
+        left -= std::min(left, run_->counts().hits - before);
+        if (end == HardSphereEnd::endless_hits) return Ending::endless_hits;
+        if (end == HardSphereEnd::reached) break;
+        if (left == 0) return Ending::out_of_events;
+        progress();
+      }
+      progress();
+      for (Checked& checked : checked_)
+        if (checked.wanted->time == target && !checked.got)
+          checked.got = quantity_now(view(), *checked.wanted);
+      if (target == next_frame()) {
+        ++frames_;
+        if (output_) add_frame();
+        last_frame_ = target;
+      }
+      if (target >= until_) return Ending::complete;
+      if (!options_.checkpoint.empty() && seconds_since(kept_) > 30) keep();
+    }
+  }
+
+  void add_frame() { output_->add(trajectory_frame(options_.output, view())); }
+
+  void keep() {
+    if (output_) output_->flush();
+    if (events_) events_->flush();
+    write_checkpoint(options_.checkpoint,
+                     {run_->checkpoint(), scene_number(scene_), frames_,
+                      output_ ? output_->size() : 0, events_ ? events_->size() : 0});
+    kept_ = std::chrono::steady_clock::now();
+  }
+
+  using Clock = std::chrono::steady_clock;
+  static double seconds_since(Clock::time_point then) {
+    return std::chrono::duration<double>(Clock::now() - then).count();
+  }
+
+  void progress() {
+    static const bool terminal = ::isatty(STDERR_FILENO) != 0;
+    if (!terminal || seconds_since(shown_) < 0.25) return;
+    shown_ = Clock::now();
+    std::fprintf(stderr, "\r%.4g of %.4g s, %llu hits ", run_->now(), until_,
+                 static_cast<unsigned long long>(run_->counts().hits));
+    std::fflush(stderr);
+    progress_shown_ = true;
+  }
+  void clear_progress() const {
+    if (progress_shown_) std::fprintf(stderr, "\r%60s\r", "");
+  }
+
+  [[nodiscard]] std::string name_of(std::size_t participant) const {
+    const std::size_t count = balls_.ball_body.size();
+    return scene_
+        .bodies[participant < count ? balls_.ball_body[participant]
+                                    : balls_.wall_body[participant - count]]
+        .name;
+  }
+
+  [[nodiscard]] std::string trouble(Ending ending) const {
+    const HardSphereCounts counts = run_->counts();
+    const std::string at = " at " + shortest_text(run_->now()) + " s of " + shortest_text(until_);
+    if (ending == Ending::out_of_events)
+      return "the budget of " + std::to_string(options_.max_events) + " hits ran out" + at +
+             " s: what comes later is not simulated";
+    if (ending == Ending::endless_hits)
+      return "no bound on the number of hits: " + name_of(counts.endless_ball) + " hits " +
+             name_of(static_cast<std::size_t>(counts.endless_partner)) +
+             " again and again without time going on" + at +
+             " s. Hard balls from event to event cannot lie on each other";
+    return "";
+  }
+
+  [[nodiscard]] nlohmann::json effects_json() const {
+    const HardSphereEffects& on = run_->effects();
+    return {{"dimension", on.dimension}, {"gravity", on.gravity},         {"radii", on.radii},
+            {"masses", on.masses},       {"restitution", on.restitution}, {"grid", on.grid}};
+  }
+
+  void report(Ending ending) const {
+    const HardSphereCounts counts = run_->counts();
+    const double energy = run_->energy();
+    const Style style(stdout);
+    if (options_.json) {
+      nlohmann::json expectations = nlohmann::json::array();
+      for (const Checked& checked : checked_) {
+        const SceneExpectation& wanted = *checked.wanted;
+        nlohmann::json entry{{"quantity", wanted.quantity},
+                             {"body", wanted.body},
+                             {"time", wanted.time},
+                             {"value", wanted.value},
+                             {"within", wanted.within},
+                             {"met", nullptr},
+                             {"got", nullptr}};
+        if (checked.got) {
+          entry["met"] = checked.met();
+          entry["got"] = *checked.got;
+        }
+        expectations.push_back(entry);
+      }
+      constexpr const char* endings[] = {"complete", "out_of_events", "endless_hits",
+                                         "interrupted"};
+      nlohmann::json json{{"format", "contact-simulate/1"},
+                          {"scene", scene_.name},
+                          {"end", endings[static_cast<int>(ending)]},
+                          {"time", run_->now()},
+                          {"until", until_},
+                          {"effects", effects_json()},
+                          {"balls", balls_.ball_body.size()},
+                          {"hits", counts.hits},
+                          {"crossings", counts.crossings},
+                          {"largest_overlap", counts.largest_overlap},
+                          {"rests", counts.rests},
+                          {"rest_error", counts.rest_error},
+                          {"energy", {{"first", first_energy_}, {"last", energy}}},
+                          {"frames", frames_},
+                          {"bytes", run_->bytes()},
+                          {"bytes_per_state", run_->bytes_per_state()},
+                          {"seconds", seconds_since(began_)},
+                          {"expectations", expectations}};
+      if (const std::string what = trouble(ending); !what.empty()) json["trouble"] = what;
+      say(json.dump(1));
+    } else {
+      const HardSphereEffects& on = run_->effects();
+      std::string effects =
+          std::to_string(on.dimension) + (on.dimension == 1 ? " dimension" : " dimensions");
+      for (const auto& [is_on, name] :
+           {std::pair{on.gravity, "gravity"}, std::pair{on.radii, "radii"},
+            std::pair{on.masses, "masses"}, std::pair{on.restitution, "restitution"},
+            std::pair{on.grid, "grid"}})
+        if (is_on) effects += std::string(", ") + name;
+      say(style.bold(scene_.name) + ": hard, smooth balls from event to event (" + effects + ")");
+      say("  " + shortest_text(run_->now()) + " s, " + std::to_string(counts.hits) + " hits, " +
+          std::to_string(run_->bytes_per_state()) + " bytes a ball's state");
+      say("  energy " + shortest_text(first_energy_) + " J, then " + shortest_text(energy) +
+          " J; largest overlap at a hit " + shortest_text(counts.largest_overlap) + " m");
+      if (counts.rests > 0)
+        say("  lay down " + std::to_string(counts.rests) + " times, which puts paths off by " +
+            shortest_text(counts.rest_error) + " m at most");
+      if (options_.expect) {
+        for (const Checked& checked : checked_) {
+          const SceneExpectation& wanted = *checked.wanted;
+          const std::string what = wanted.quantity +
+                                   (wanted.body.empty() ? "" : " of " + wanted.body) + " at " +
+                                   shortest_text(wanted.time) + " s: ";
+          const std::string right =
+              shortest_text(wanted.value) + " within " + shortest_text(wanted.within);
+          if (!checked.got)
+            say("  " + style.warn("not looked at") + "  " + what + right);
+          else
+            say("  " + (checked.met() ? style.good("as expected  ") : style.bad("not expected ")) +
+                "  " + what + shortest_text(*checked.got) + ", expected " + right);
+        }
+      }
+    }
+    const Style errors(stderr);
+    if (ending == Ending::interrupted)
+      note("Stopped at " + shortest_text(run_->now()) + " s" +
+           (options_.checkpoint.empty() ? "" : "; --resume " + options_.checkpoint + " goes on"));
+    else if (const std::string what = trouble(ending); !what.empty())
+      note(errors.bad("contact: ") + what);
+  }
+
+  Options options_;
+  Scene scene_;
+  HardSphereScene balls_;
+  std::unique_ptr<HardSphereRun> run_;
+  double until_ = 0;
+  double first_energy_ = 0;
+  std::uint64_t frames_ = 0;  // of those that are due
+  double last_frame_ = -1;    // when, s
+  std::optional<double> resumed_at_;
+  std::vector<Checked> checked_;
+  std::optional<GrowingFile> output_;
+  std::optional<GrowingFile> events_;
+  Clock::time_point began_ = Clock::now();
+  Clock::time_point kept_ = began_;
+  Clock::time_point shown_ = began_;
+  bool progress_shown_ = false;
+};
+
+int run(const Options& options) {
+  if (!options.output.empty() && !is_trajectory_name(options.output))
+    throw grading::UnknownName("--output " + options.output + " must end in .xyz or .csv");
+  Scene scene = scenes::read_scene(scene_path(options.scene));
+  if (const auto refusal = hard_sphere_refusal(scene)) {
+    const Style style(stderr);
+    note(style.bad("contact: ") + scene.name + " is no scene of hard, smooth balls, and no other " +
+         "simulator is there yet: " + *refusal);
+    return exit_trouble;
+  }
+  return Simulation(options, std::move(scene)).go();
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, Action& action) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("simulate", "Runs a scene of hard, smooth balls, from event to event");
+  command->add_option("SCENE", options->scene, "A scene file, or the name of a scene of the book")
+      ->required();
+  command->add_option("--output", options->output,
+                      "Trajectories: extended XYZ (.xyz) or a table (.csv)");
+  command
+      ->add_option("--every", options->every, "Seconds between two frames (default: the scene's)")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--events", options->events, "A table of all hits (.csv)");
+  command->add_option("--until", options->until, "Stop at this time, s (default: the scene's end)")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--max-events", options->max_events, "Stop with an error after so many hits");
+  command->add_option("--checkpoint", options->checkpoint,
+                      "Keep the state here at the end, on Ctrl-C and now and then");
+  command->add_option("--resume", options->resume,
+                      "Go on from a checkpoint; --output and --events go on with their files");
+  command->add_flag("--expect", options->expect,
+                    "Say of everything that the scene expects whether it came out");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->callback([&action, options] { action = [options](Context&) { return run(*options); }; });
+}
+
+}  // namespace contact::cli

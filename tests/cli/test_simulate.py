@@ -1,0 +1,225 @@
+"""contact simulate: what it runs, what it writes, and what it refuses."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+import os
+import signal
+import subprocess
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+Run = Callable[..., subprocess.CompletedProcess[str]]
+Json = dict[str, Any]
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
+
+
+def of_book(name: str) -> Json:
+    scene: Json = json.loads((ROOT / f"chapters/20_scenes/scenes/{name}.json").read_text())
+    return scene
+
+
+@pytest.fixture
+def gas(tmp_path: Path) -> Path:
+    """The book's gas, shorter."""
+    file = tmp_path / "gas.json"
+    scene = of_book("gas_in_a_box")
+    scene["expect"] = []
+    file.write_text(json.dumps(scene))
+    return file
+
+
+def test_the_books_scenes_of_hard_balls_come_out_as_expected(contact: Run) -> None:
+    for name in ("newtons_cradle", "high_drop", "head_on", "gas_in_a_box"):
+        done = contact("simulate", name, "--expect", "--json")
+        assert done.returncode == 0, (name, done.stdout, done.stderr)
+        result = json.loads(done.stdout)
+        assert result["format"] == "contact-simulate/1"
+        assert result["end"] == "complete"
+        assert result["expectations"]
+        assert all(entry["met"] for entry in result["expectations"]), (name, result)
+
+
+def test_energy_stays_and_nothing_overlaps(contact: Run) -> None:
+    result = json.loads(contact("simulate", "gas_in_a_box", "--json").stdout)
+    first, last = result["energy"]["first"], result["energy"]["last"]
+    assert abs(last - first) <= 1e-12 * abs(first)
+    assert result["largest_overlap"] <= 1e-12
+    assert result["hits"] > 0
+
+
+def test_what_did_not_come_out_is_said(contact: Run, tmp_path: Path) -> None:
+    scene = of_book("newtons_cradle")
+    scene["expect"][0]["value"] = 7
+    file = tmp_path / "wrong.json"
+    file.write_text(json.dumps(scene))
+    done = contact("simulate", str(file), "--expect")
+    assert done.returncode == 1
+    assert "not expected" in done.stdout
+    assert "expected 7" in done.stdout
+    # Without --expect it is nobody's question.
+    assert contact("simulate", str(file)).returncode == 0
+
+
+def test_other_scenes_are_refused_with_the_reason(contact: Run) -> None:
+    for name, reason in (
+        ("stack_of_ten", "neither a ball nor a half-space"),
+        ("penalty_trampoline", "give way"),
+    ):
+        done = contact("simulate", name)
+        assert done.returncode == 3, name
+        assert reason in done.stderr, (name, done.stderr)
+
+
+def test_names_and_options_that_are_none(contact: Run) -> None:
+    assert contact("simulate").returncode == 2
+    assert contact("simulate", "no_such_scene").returncode == 2
+    done = contact("simulate", "head_on", "--output", "out.dat")
+    assert done.returncode == 2
+    assert ".xyz or .csv" in done.stderr
+
+
+def test_an_extended_xyz_file_says_where_everything_is(
+    contact: Run, gas: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "gas.xyz"
+    done = contact(
+        "simulate", str(gas), "--output", str(out), "--every", "0.25", "--until", "1.1", "--json"
+    )
+    assert done.returncode == 0, done.stderr
+    lines = out.read_text().splitlines()
+    count = json.loads(done.stdout)["balls"]
+    times = []
+    while lines:
+        assert int(lines[0]) == count
+        assert lines[1].startswith("Properties=species:S:1:pos:R:3:radius:R:1:id:I:1")
+        times.append(float(lines[1].split("Time=")[1].split()[0]))
+        for line in lines[2 : 2 + count]:
+            words = line.split()
+            assert words[0] == "X"
+            assert all(math.isfinite(float(word)) for word in words[1:])
+        lines = lines[2 + count :]
+    # Those that are due, and the last.
+    assert times == [0, 0.25, 0.5, 0.75, 1, 1.1]
+
+
+def test_tables_of_places_and_hits(contact: Run, tmp_path: Path) -> None:
+    out, hits = tmp_path / "cradle.csv", tmp_path / "hits.csv"
+    done = contact(
+        "simulate", "newtons_cradle", "--output", str(out), "--events", str(hits), "--json"
+    )
+    assert done.returncode == 0, done.stderr
+    with out.open() as file:
+        rows = list(csv.DictReader(file))
+    assert {"time", "body", "x", "y", "z"} <= set(rows[0])
+    with hits.open() as file:
+        events = list(csv.DictReader(file))
+    assert len(events) == json.loads(done.stdout)["hits"]
+    times = [float(event["time"]) for event in events]
+    assert times == sorted(times)
+    assert {(event["first"], event["second"]) for event in events} >= {("ball_0", "ball_1")}
+
+
+def test_a_run_that_was_kept_goes_on_to_the_same_bytes(
+    contact: Run, gas: Path, tmp_path: Path
+) -> None:
+    def files(name: str) -> tuple[Path, Path]:
+        return tmp_path / f"{name}.xyz", tmp_path / f"{name}.csv"
+
+    def run(name: str, *words: str) -> Json:
+        out, hits = files(name)
+        done = contact(
+            "simulate",
+            *(str(gas), "--output", str(out), "--events", str(hits), "--every", "0.1", "--json"),
+            *words,
+        )
+        result: Json = json.loads(done.stdout)
+        return result
+
+    kept = str(tmp_path / "kept.json")
+    whole = run("whole", "--until", "2")
+    # In pieces: to a time between two frames, until a budget of hits runs out, and to the end.
+    run("pieces", "--until", "0.55", "--checkpoint", kept)
+    cut = run(
+        "pieces", "--resume", kept, "--checkpoint", kept, "--max-events", "50", "--until", "2"
+    )
+    assert cut["end"] == "out_of_events"
+    # What a killed run had written after its checkpoint does not stay.
+    with files("pieces")[0].open("a") as file:
+        file.write("half a li")
+    pieces = run("pieces", "--resume", kept, "--until", "2")
+    assert pieces["end"] == whole["end"] == "complete"
+    assert pieces["hits"] == whole["hits"]
+    for one, other in zip(files("whole"), files("pieces"), strict=True):
+        assert one.read_bytes() == other.read_bytes()
+    # And again: the same bytes each time.
+    run("again", "--until", "2")
+    assert files("again")[0].read_bytes() == files("whole")[0].read_bytes()
+
+
+def test_a_checkpoint_of_another_scene_or_of_nothing_is_refused(
+    contact: Run, gas: Path, tmp_path: Path
+) -> None:
+    kept = tmp_path / "kept.json"
+    assert contact("simulate", "head_on", "--checkpoint", str(kept)).returncode == 0
+    done = contact("simulate", str(gas), "--resume", str(kept))
+    assert done.returncode == 3
+    assert "another scene" in done.stderr
+    kept.write_text("{}")
+    done = contact("simulate", str(gas), "--resume", str(kept))
+    assert done.returncode == 3
+    assert "no checkpoint" in done.stderr
+
+
+def test_a_budget_that_runs_out_is_said(contact: Run, gas: Path) -> None:
+    done = contact("simulate", str(gas), "--max-events", "3")
+    assert done.returncode == 3
+    assert "the budget of 3 hits ran out" in done.stderr
+
+
+def test_hits_without_bound_are_refused(contact: Run, tmp_path: Path) -> None:
+    scene = of_book("high_drop")
+    scene["expect"] = []
+    for material in scene["materials"]:
+        material["restitution"] = 0.5
+    balls = [body for body in scene["bodies"] if body["shape"].get("type") == "sphere"]
+    upper = json.loads(json.dumps(balls[0]))
+    upper["name"] = "upper"
+    upper["position"][2] += 3
+    scene["bodies"].append(upper)
+    file = tmp_path / "pile.json"
+    file.write_text(json.dumps(scene))
+    done = contact("simulate", str(file))
+    assert done.returncode == 3, done.stdout + done.stderr
+    assert "no bound on the number of hits" in done.stderr
+
+
+def test_ctrl_c_keeps_what_is_done(
+    gas: Path, tmp_path: Path, environment: dict[str, str], contact: Run
+) -> None:
+    scene = json.loads(gas.read_text())
+    scene["duration"] = 1e6
+    gas.write_text(json.dumps(scene))
+    kept, hits = tmp_path / "kept.json", tmp_path / "hits.csv"
+    words = [str(PROGRAM), "simulate", str(gas), "--events", str(hits), "--checkpoint", str(kept)]
+    with subprocess.Popen(
+        words, env={**os.environ, **environment}, stderr=subprocess.PIPE, text=True
+    ) as process:
+        for _ in range(600):
+            if hits.exists() and hits.stat().st_size > 100000:
+                break
+            time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=60)
+    assert process.returncode == 130, errors
+    assert "Stopped at" in errors
+    done = contact("simulate", str(gas), "--resume", str(kept), "--max-events", "10", "--json")
+    assert json.loads(done.stdout)["hits"] == len(hits.read_text().splitlines()) - 1 + 10
