@@ -51,12 +51,13 @@ int run(int argc, char** argv) {
   app.get_formatter()->column_width(30);
   app.set_version_flag("--version", CONTACT_VERSION);
   Action action;
-  for (const auto& add : {add_list, add_start, add_watch, add_check, add_hint, add_solution,
-                          add_reset, add_progress, add_export, add_import,
+  for (const auto& add :
+       {add_list, add_start, add_watch, add_check, add_hint, add_solution, add_reset, add_progress,
+        add_export, add_import,
 #ifdef CONTACT_GRADE
-                          add_grade, add_grade_worker,
+        add_grade, add_grade_worker,
 #endif
-                          add_ladder, add_scene, add_plan, add_simulate, add_new, add_doctor, add_dev})
+        add_ladder, add_scene, add_plan, add_simulate, add_new, add_doctor, add_dev})
     add(app, action);
   try {
     app.parse(argc, argv);

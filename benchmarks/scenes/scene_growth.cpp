@@ -1,9 +1,7 @@
-// How hard balls grow: a dilute gas of n balls for some seconds, in events, bytes and time.
+// A dilute gas of N hard balls for some seconds: its events, bytes and times, as JSON.
 // usage: scene_growth N [seconds]
 //
-// Instructions are counted by valgrind, of the run alone and not of what sets it up:
-//   valgrind --tool=callgrind --callgrind-out-file=/dev/null --collect-atstart=no
-//            --toggle-collect=run_gas build/release/bin/scene_growth 1000
+// benchmarks/scene_growth.py runs it for growing N and counts the instructions of run_gas().
 #include <chrono>
 #include <contact/hard_spheres.hpp>
 #include <cstdio>
@@ -44,8 +42,8 @@ int main(int argc, char** argv) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   const contact::HardSphereCounts counts = gas.counts();
   std::printf(
-      "%ld balls, %g s: %llu hits, %llu cells crossed, %zu bytes, %.3f s of processor, "
-      "%.3f s on the clock, energy change %+.1e, largest overlap %.1e m\n",
+      "{\"balls\": %ld, \"seconds\": %g, \"hits\": %llu, \"cells_crossed\": %llu, \"bytes\": %zu, "
+      "\"processor_s\": %.4f, \"clock_s\": %.4f, \"energy_change\": %.1e, \"overlap_m\": %.1e}\n",
       n, seconds, static_cast<unsigned long long>(counts.hits),
       static_cast<unsigned long long>(counts.crossings), gas.bytes(), busy, elapsed.count(),
       gas.energy() / energy - 1, counts.largest_overlap);

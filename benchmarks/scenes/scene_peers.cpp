@@ -167,8 +167,9 @@ double largest_overlap(const Balls& scene, const std::vector<Motion>& balls) {
 
 // ---------------------------------------------------------------- elastic balls in a box
 
-void elastic(const std::vector<Program>& all, std::size_t n, int dimension, int runs) {
+void elastic(const std::vector<Program>& all, std::size_t n, int dimension, int wanted_runs) {
   constexpr std::size_t steps = 100;
+  const int runs = n < 10000 ? wanted_runs : (wanted_runs + 1) / 2;  // a run is long enough there
   const Balls scene = lattice(n, dimension);
   std::vector<Program> able;
   for (const Program& program : all)
@@ -319,6 +320,7 @@ void stack(const std::vector<Program>& all, int runs) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // each table as soon as it is there
   const std::string_view part = argc > 1 ? argv[1] : "all";
   const int runs = argc > 2 ? std::max(1, std::atoi(argv[2])) : 5;
   const std::vector<Program> all = programs();

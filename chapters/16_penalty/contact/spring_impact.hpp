@@ -123,12 +123,14 @@ struct SpringImpact {
 template <std::floating_point S>
 SpringImpact<S> spring_impact(const SpringDamper<S>& spring, const S& mass, const S& speed,
                               LetGo rule = LetGo::at_zero_force) {
-  const auto z = static_cast<double>(damping_ratio(spring, mass));
-  const auto rate = static_cast<double>(natural_rate(spring, mass));
+  const SpringDamper<double> wide{static_cast<double>(spring.stiffness),
+                                  static_cast<double>(spring.damping)};
+  const double z = damping_ratio(wide, static_cast<double>(mass));
+  const double rate = natural_rate(wide, static_cast<double>(mass));
   const auto v = static_cast<double>(speed);
   const double q = arc_over_sine(z);
   SpringImpact<S> impact;
-  impact.restitution = restitution_of_damping(S(z), rule);
+  impact.restitution = S(restitution_of_damping(z, rule));
   impact.time_of_depth = S(q / rate);
   impact.greatest_depth = S(v / rate * detail::decay(z * q));
   if (rule == LetGo::at_zero_force) {
@@ -141,18 +143,16 @@ SpringImpact<S> spring_impact(const SpringDamper<S>& spring, const S& mass, cons
     // 4 k m − c² without rounding before the root: ζ itself has lost what is left of 1 − ζ.
     const double root = std::sqrt(rounded<double>(-detail::damping_discriminant(spring, mass)));
     impact.duration = S(2 * detail::half_turn * static_cast<double>(mass) / root);
-    impact.restitution =
-        S(detail::decay(detail::half_turn * static_cast<double>(spring.damping) / root));
+    impact.restitution = S(detail::decay(detail::half_turn * wide.damping / root));
   } else {
     impact.duration = S(detail::half_turn / rate);
   }
-  const double first = static_cast<double>(spring.damping) * v;
   const double momentum = static_cast<double>(mass) * v;
   if (z < 0.5) {
     const double later = std::max(0.0, 3 * q - detail::half_turn / detail::sine_of_cosine(z));
     impact.greatest_force = S(momentum * rate * detail::decay(z * later));
   } else {
-    impact.greatest_force = S(first);
+    impact.greatest_force = S(wide.damping * v);
   }
   return impact;
 }
