@@ -338,8 +338,8 @@ inline Decision plan_horizon(const PlanQuestion& q) {
   }
   decision.value = hits * path.length / path.speed;
   decision.because = {
-      {"hits until an ulp has grown to " +
-           std::string(q.tolerance > 0 ? "the tolerance" : "a radius") + ", each by 1 + 2 λ/R",
+      {"time until an ulp has grown to " +
+           std::string(q.tolerance > 0 ? "the tolerance" : "a radius") + ", by 1 + 2 λ/R a hit",
        hits * path.length / path.speed, Relation::at_most, q.scene->duration, "duration", "s"}};
   return decision;
 }
