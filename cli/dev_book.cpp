@@ -199,8 +199,9 @@ DevResult check_chapter(const Book& book, const Chapter& chapter,
   const Questions questions = read_questions(chapter);
   problems.insert(problems.end(), questions.problems.begin(), questions.problems.end());
   check_includes(book, chapter, home, problems);
-  static const std::set<std::string> known{"chapter.toml", "lesson.md",  "contact",       "figures",
-                                           "examples",     "ladder.cpp", "questions.toml"};
+  static const std::set<std::string> known{"chapter.toml",   "lesson.md", "contact",
+                                           "figures",        "examples",  "ladder.cpp",
+                                           "questions.toml", "scenes",    "scene.schema.json"};
   check_written(chapter.folder, problems);
   for (const fs::path& file : entries_of(book.root() / "tests" / chapter.slug)) {
     if (text_or_empty(file).find("TO WRITE") != std::string::npos)
@@ -210,11 +211,14 @@ DevResult check_chapter(const Book& book, const Chapter& chapter,
       chapter.folder,
       [](const fs::path& entry) { return known.count(entry.filename().string()) != 0; }, problems);
   require_only(
+      chapter.folder / "scenes", [](const fs::path& entry) { return entry.extension() == ".json"; },
+      problems);
+  require_only(
       book.root() / "tests" / chapter.slug,
       [](const fs::path& entry) {
         const std::string name = entry.filename().string();
         return name.ends_with("_test.cpp") || name.ends_with(".hpp") || name == "hard_cases.cpp" ||
-               name == "hard_cases.json";
+               name.ends_with(".json");
       },
       problems);
   return result;
