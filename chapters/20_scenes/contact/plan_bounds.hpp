@@ -373,8 +373,10 @@ inline bool crowd_begins_apart(const Scene& scene) {
   std::sort(placed.begin(), placed.end(), before);
   for (const Placed& one : placed) {
     for (int near = 0; near < 27; ++near) {
-      const std::array<double, 3> cell{one.cell[0] + near % 3 - 1, one.cell[1] + near / 3 % 3 - 1,
-                                       one.cell[2] + near / 9 - 1};
+      const int right = near % 3 - 1;
+      const int ahead = near / 3 % 3 - 1;
+      const int up = near / 9 - 1;
+      const std::array<double, 3> cell{one.cell[0] + right, one.cell[1] + ahead, one.cell[2] + up};
       auto other = std::lower_bound(placed.begin(), placed.end(), Placed{cell, 0}, before);
       for (; other != placed.end() && other->cell == cell; ++other) {
         if (other->body <= one.body) continue;
