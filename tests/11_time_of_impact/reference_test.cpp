@@ -145,6 +145,16 @@ Quadratic distance_polynomial(const Pair<S>& p) {
 
 }  // namespace
 
+TEST_CASE("a coefficient that is not finite has no root") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double wild : {infinity, -infinity, nan}) {
+    CHECK(contact::quadratic_roots(wild, 1.0, nan).count == 0);
+    CHECK(contact::quadratic_roots(1.0, wild, -1.0).count == 0);
+    CHECK(contact::quadratic_roots(1.0, 1.0, wild).count == 0);
+  }
+}
+
 TEMPLATE_TEST_CASE("roots of quadratics: how many, and each to 8 u", "", float, double) {
   using S = TestType;
   Random random(1);

@@ -53,11 +53,13 @@ QuadraticRoots<S> scaled_roots(S a, S b, S c) {
 /// @param a, b, c finite, as stored
 /// @return how many there are is right for all finite input, and each root is off by at most 8 u
 /// of itself, or by the smallest positive number. A root beyond the largest number is ±∞. a = 0
-/// makes it linear; a = b = 0 has no root that could be named, also if c = 0.
+/// makes it linear; a = b = 0 has no root that could be named, also if c = 0. Nor has a coefficient
+/// that is not finite.
 ///
 /// Source: Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd edition, section 1.8.
 template <std::floating_point S>
 QuadraticRoots<S> quadratic_roots(const S& a, const S& b, const S& c) {
+  if (!is_finite(a) || !is_finite(b) || !is_finite(c)) return {};
   if (a == S(0)) {
     if (b == S(0)) return {};
     const S root = c == S(0) ? S(0) : -c / b;
