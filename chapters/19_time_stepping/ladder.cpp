@@ -55,8 +55,8 @@ TwoBallsAndWall<To> as(const TwoBallsAndWall<From>& b) {
           0};
 }
 
-/// Rounded to floats, so that both types are asked the same.
-double short_number(double x) { return static_cast<double>(static_cast<float>(x)); }
+/// Rounded to a 65,536th, so that a float holds it and both types are asked the same.
+double short_number(double x) { return std::nearbyint(x * 0x1p16) * 0x1p-16; }
 
 Input complete(Motion motion, const Scene<double>& wide, double size) {
   const auto narrow = [](double x) { return static_cast<float>(x); };

@@ -144,7 +144,9 @@ class HardSpheres final : public HardSphereRun {
                      until, budget, [&](const HardSphereHit& hit) { return observer->on_hit(hit); },
                      std::true_type());
   }
+  /// @cond
   using HardSphereRun::advance;
+  /// @endcond
 
   double now() const override { return now_; }
   std::size_t moving() const override { return moving_; }
