@@ -171,7 +171,7 @@ export async function loadFigures(page) {
  * release, and figures, faces and answers of the judge arrive late. @param {import("playwright-core").Page} page
  */
 export async function settle(page) {
-  await loadFigures(page);
+  if ((await page.locator("contact-figure").count()) > 0) await loadFigures(page);
   await page.evaluate(async () => {
     await document.fonts.ready;
     for (let still = 0, height = -1; still < 5; ) {
