@@ -16,7 +16,7 @@ namespace contact {
 
 /// Hard, smooth balls, and which body of the scene each is.
 struct HardSphereScene {
-  HardSphereSetup setup;
+  HardSphereSetup setup;               ///< what runs
   std::vector<std::size_t> ball_body;  ///< index into Scene::bodies of each ball
   std::vector<std::size_t> wall_body;  ///< the same of each wall
 };

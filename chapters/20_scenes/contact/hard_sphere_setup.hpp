@@ -34,7 +34,7 @@ struct HardWall {
 struct HardSphereSetup {
   Vector3<double> gravity = Vector3<double>::Zero();  ///< m/s²
   std::vector<HardBall> balls;                        ///< those that move first, then the others
-  std::vector<HardWall> walls;
+  std::vector<HardWall> walls;                        ///< half-spaces that do not move
   /// Coefficients of restitution, from 0 to 1, a symmetric square table: row and column by
   /// material.
   std::vector<double> restitution{1.0};

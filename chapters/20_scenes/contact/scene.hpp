@@ -44,11 +44,12 @@ struct HalfSpaceShape {
   double offset = 0;                                  ///< m
 };
 
+/// What a body's shape may be.
 using SceneShape = std::variant<BallShape, BoxShape, CapsuleShape, HullShape, HalfSpaceShape>;
 
 /// What a surface is made of.
 struct SceneMaterial {
-  std::string name;
+  std::string name;        ///< by which bodies name it
   double restitution = 0;  ///< from 0 to 1, no unit
   double friction = 0;     ///< Coulomb's coefficient, not negative, no unit
   /// Of a contact that gives way, N/m and greater than 0; without it the contact is hard.
@@ -58,8 +59,8 @@ struct SceneMaterial {
 
 /// A body: what it is, and how it lies and moves when the scene begins.
 struct SceneBody {
-  std::string name;
-  SceneShape shape;
+  std::string name;          ///< no other body has it
+  SceneShape shape;          ///< about its origin; a half-space in the world
   std::size_t material = 0;  ///< index into Scene::materials
   bool moves = true;         ///< false: nothing moves it, and it does not move
   double mass = 0;           ///< kg, greater than 0 if it moves; else 0
@@ -98,15 +99,15 @@ struct SceneExpectation {
 
 /// A scene.
 struct Scene {
-  std::string name;
+  std::string name;                                   ///< that of its file, without the ending
   std::string about;                                  ///< one sentence for a reader
   Vector3<double> gravity = Vector3<double>::Zero();  ///< m/s²
-  std::vector<SceneMaterial> materials;
-  std::vector<SceneBody> bodies;
-  double duration = 0;  ///< s, greater than 0
-  SceneTolerance tolerance;
-  SceneOutput output;
-  std::vector<SceneExpectation> expect;
+  std::vector<SceneMaterial> materials;               ///< at least one if there are bodies
+  std::vector<SceneBody> bodies;                      ///< in the order of the file
+  double duration = 0;                                ///< s, greater than 0
+  SceneTolerance tolerance;                           ///< what the answer must keep
+  SceneOutput output;                                 ///< what is written
+  std::vector<SceneExpectation> expect;               ///< what comes out, if it is known
 };
 
 /// What two materials make of a contact: the less elastic and the smoother decide, and two springs
