@@ -334,7 +334,7 @@ void add_collapse(hard_cases::Runner& runner) {
   method("double, (1 − e)² M ≥ 4em",
          [](double m, double n, double e) { return (1 - e) * (1 - e) * n >= 4 * e * m; });
   method("double, by the trace", [](double m, double n, double e) {
-    return 1 - 3 * e + (1 + e) * (e * n - m) / (n + m) >= 2 * e;
+    return 1 - e + (1 + e) * (e * n - m) / (n + m) >= 2 * e;
   });
   method("a hundred collisions", [](double m, double n, double e) {
     double time = 1e30;

@@ -145,7 +145,7 @@ TwoBallsAndWall<S> two_balls_in_steps(TwoBallsAndWall<S> now, const S& dt, long 
 /// infinitely many collisions in a finite time: (1 − e)² M ≥ 4 e m.
 ///
 /// One round, wall and then each other, turns the pair of velocities by a matrix whose determinant
-/// is e² and whose trace is 1 − 3 e + (1 + e)(e M − m)/(M + m). While its eigenvalues are complex
+/// is e² and whose trace is 1 − e + (1 + e)(e M − m)/(M + m). While its eigenvalues are complex
 /// the pair turns and soon flies apart; if they are real, that is if the trace is at least 2 e, it
 /// never does.
 /// @param inner_mass, outer_mass m and M, kg, greater than 0
