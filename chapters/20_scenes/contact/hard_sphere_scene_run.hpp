@@ -54,6 +54,7 @@ class HardSphereSceneRun final : public SceneRun {
     return stages;
   }
 
+  using SceneRun::advance;
   SceneRunEnd advance(double until, std::uint64_t budget, SceneObserver* observer) override {
     Teller teller(*this, observer);
     switch (run_->advance(until, budget, observer == nullptr ? nullptr : &teller)) {
