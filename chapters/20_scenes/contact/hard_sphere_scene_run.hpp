@@ -20,7 +20,7 @@
 
 namespace contact {
 
-/// Makes the run of a setup: make_hard_spheres() of contact/hard_sphere_compose.hpp, or another
+/// Makes the run of a setup: make_hard_spheres() of contact/hard_sphere_make.hpp, or another
 /// that somebody has compiled already.
 using ComposeHardSpheres = std::unique_ptr<HardSphereRun> (*)(const HardSphereSetup&);
 
@@ -48,8 +48,7 @@ class HardSphereSceneRun final : public SceneRun {
     if (on.gravity) stages.push_back({"gravity", "exact, with rest on walls"});
     if (on.grid) stages.push_back({"broad phase", "cells"});
     stages.push_back({"event queue", "the earliest hit first"});
-    stages.push_back({"impulse", std::string(on.masses ? "by mass" : "of equal masses") +
-                                     (on.radii ? "" : ", of equal radii")});
+    stages.push_back({"impulse", on.sizes ? "by mass and radius" : "of equal balls"});
     if (on.restitution) stages.push_back({"restitution", "of each pair of materials"});
     return stages;
   }
