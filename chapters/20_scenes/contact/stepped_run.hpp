@@ -93,7 +93,8 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
     if (kind == 0) setup.movers = setup.bodies.size();
     if (kind == 1) setup.bounded = setup.bodies.size();
   }
-  setup.rotation = is_on(plan, Effect::rotation);
+  // The gyroscopic term changes spins: it brings them along.
+  setup.rotation = is_on(plan, Effect::rotation) || is_on(plan, Effect::gyroscopic_term);
   setup.continuous = is_on(plan, Effect::continuous_detection);
   setup.one_by_one = setup.movers <= most_one_by_one;
   setup.together = is_on(plan, Effect::several_contacts);
