@@ -83,6 +83,10 @@ inline void count_sweeps(SteppedState& state, std::size_t contacts, int sweeps) 
   state.counts.sweeps += static_cast<std::uint64_t>(sweeps);
 }
 
+/// Sweeps are as many as this many contacts may take together, but not fewer than a few.
+inline constexpr std::size_t sweep_work = 40000;
+inline constexpr int least_sweeps = 50;
+
 /// Solves contacts that are named by the bodies' numbers. Where no body has two contacts each is on
 /// its own, and a sweep goes all the way to its answer.
 inline SolvedContacts<double> solve_numbered(const SteppedSetup& setup, SteppedState& state,
@@ -99,6 +103,8 @@ inline SolvedContacts<double> solve_numbered(const SteppedSetup& setup, SteppedS
     }
   }
   if (alone) limits.relaxation = 1;
+  const auto many = static_cast<int>(sweep_work / (contacts.size() + 1));
+  limits.sweeps = std::min(limits.sweeps, std::max(many, least_sweeps));
   SolvedContacts<double> solved = solve_contacts<double>(bodies, contacts, start, limits);
   count_sweeps(state, contacts.size(), solved.report.sweeps);
   return solved;
