@@ -13,8 +13,8 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "run_hard_spheres.hpp"
 #include "run_output.hpp"
+#include "scenes/run_hard_spheres.hpp"
 #include "scenes/scene_file.hpp"
 #include "terminal.hpp"
 
@@ -57,7 +57,7 @@ class Simulation {
       : options_(std::move(options)),
         scene_(std::move(scene)),
         balls_(hard_sphere_setup(scene_)),
-        run_(compose_run(balls_.setup)) {
+        run_(scenes::compose_run(balls_.setup)) {
     if (options_.every >= 0) scene_.output.every = options_.every;
     until_ = options_.until >= 0 ? options_.until : scene_.duration;
     first_energy_ = run_->energy();
@@ -219,8 +219,11 @@ class Simulation {
 
   [[nodiscard]] nlohmann::json effects_json() const {
     const HardSphereEffects& on = run_->effects();
-    return {{"dimension", on.dimension}, {"gravity", on.gravity},         {"radii", on.radii},
-            {"masses", on.masses},       {"restitution", on.restitution}, {"grid", on.grid}};
+    return {{"dimension", on.dimension},
+            {"gravity", on.gravity},
+            {"sizes", on.sizes},
+            {"restitution", on.restitution},
+            {"grid", on.grid}};
   }
 
   void report(Ending ending) const {
@@ -271,9 +274,8 @@ class Simulation {
       std::string effects =
           std::to_string(on.dimension) + (on.dimension == 1 ? " dimension" : " dimensions");
       for (const auto& [is_on, name] :
-           {std::pair{on.gravity, "gravity"}, std::pair{on.radii, "radii"},
-            std::pair{on.masses, "masses"}, std::pair{on.restitution, "restitution"},
-            std::pair{on.grid, "grid"}})
+           {std::pair{on.gravity, "gravity"}, std::pair{on.sizes, "sizes"},
+            std::pair{on.restitution, "restitution"}, std::pair{on.grid, "grid"}})
         if (is_on) effects += std::string(", ") + name;
       say(style.bold(scene_.name) + ": hard, smooth balls from event to event (" + effects + ")");
       say("  " + shortest_text(run_->now()) + " s, " + std::to_string(counts.hits) + " hits, " +

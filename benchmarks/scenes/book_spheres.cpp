@@ -57,7 +57,7 @@ class BookRun final : public scene_programs::Run {
 };
 
 constexpr contact::HardSphereEffects effects(int dimension, bool grid) {
-  return {dimension, true, false, false, false, grid};
+  return {dimension, true, false, false, grid};
 }
 
 }  // namespace

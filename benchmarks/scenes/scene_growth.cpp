@@ -10,7 +10,7 @@
 
 namespace {
 
-using Gas = contact::HardSpheres<contact::HardSphereEffects{3, false, false, false, false, true}>;
+using Gas = contact::HardSpheres<contact::HardSphereEffects{3, false, false, false, true}>;
 
 double processor_seconds() {
   timespec now{};

@@ -218,12 +218,11 @@ void add_lines(hard_cases::Runner& runner) {
            right_places(x, answer);
   };
   runner.method("line", "book, all effects", [book](const Case& c, const Json& answer) {
-    contact::HardSpheres<contact::HardSphereEffects{3, true, true, true, true, true}> run(
-        line_setup(c));
+    contact::HardSpheres<contact::HardSphereEffects{3, true, true, true, true}> run(line_setup(c));
     return book(c, answer, run);
   });
   runner.method("line", "book", [book](const Case& c, const Json& answer) {
-    contact::HardSpheres<contact::HardSphereEffects{1, false, true, true, true, false}> run(
+    contact::HardSpheres<contact::HardSphereEffects{1, false, true, true, false}> run(
         line_setup(c));
     return book(c, answer, run);
   });

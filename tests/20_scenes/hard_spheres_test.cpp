@@ -33,7 +33,7 @@ using oracle::Rational;
 namespace {
 
 constexpr double u = 0x1p-53;
-constexpr HardSphereEffects everything{3, true, true, true, true, true};
+constexpr HardSphereEffects everything{3, true, true, true, true};
 constexpr auto no_limit = std::numeric_limits<std::uint64_t>::max();
 
 /// Writes down who hit whom, and when.
@@ -330,7 +330,7 @@ TEST_CASE("equal balls on a line with whole numbers are exact to the last bit") 
       exact.m.emplace_back(1);
       exact.r.push_back(Rational(1) / 2);
     }
-    HardSpheres<HardSphereEffects{1, false, false, false, false, false}> run(setup);
+    HardSpheres<HardSphereEffects{1, false, false, false, false}> run(setup);
     Log log;
     REQUIRE(run.advance(1000, no_limit, &log) == HardSphereEnd::reached);
     while (exact.step(1000)) {
@@ -366,7 +366,7 @@ TEST_CASE("unequal balls on a line hit in the order of the fractions") {
       exact.m.push_back(oracle::exact(m));
       exact.r.push_back(oracle::exact(r));
     }
-    HardSpheres<HardSphereEffects{1, false, true, true, false, false}> run(setup);
+    HardSpheres<HardSphereEffects{1, false, true, false, false}> run(setup);
     Log log;
     run.advance(100, 60, &log);
     for (std::size_t k = 0; k < log.hits.size(); ++k) {
@@ -483,7 +483,7 @@ TEST_CASE("billiards follow the intervals, hit for hit, until rounding has grown
   int followed = 0;
   for (int n = 0; n < tried(16); ++n) {
     const HardSphereSetup setup = random_setup(random, random.integer(3, 6), n % 2 == 0, 0);
-    HardSpheres<HardSphereEffects{3, false, true, true, false, true}> run(setup);
+    HardSpheres<HardSphereEffects{3, false, true, false, true}> run(setup);
     Log log;
     run.advance(1000, 120, &log);
     // Beside the truth, the truth of a start that is moved by 2^-50: how far those two are apart
@@ -527,7 +527,7 @@ TEST_CASE("elastic runs keep their energy, and nothing overlaps but for rounding
     const bool alike = n % 2 == 0;
     const double gravity = n % 4 < 2 ? 0 : 10;
     const HardSphereSetup setup = random_setup(random, random.integer(2, 30), alike, gravity);
-    HardSpheres<HardSphereEffects{3, true, true, true, false, true}> run(setup);
+    HardSpheres<HardSphereEffects{3, true, true, false, true}> run(setup);
     const double before = run.energy();
     for (int frame = 1; frame <= 20; ++frame) {
       REQUIRE(run.advance(frame * 0.1) == HardSphereEnd::reached);
@@ -570,8 +570,8 @@ TEST_CASE("a composition without an effect that does nothing gives the same bits
   for (int n = 0; n < tried(12); ++n) {
     const HardSphereSetup setup = random_setup(random, 24, true, n % 2 == 0 ? 10 : 0);
     HardSpheres<everything> full(setup);
-    HardSpheres<HardSphereEffects{3, true, true, true, true, false}> all_pairs(setup);
-    HardSpheres<HardSphereEffects{3, true, false, false, false, true}> least(setup);
+    HardSpheres<HardSphereEffects{3, true, true, true, false}> all_pairs(setup);
+    HardSpheres<HardSphereEffects{3, true, false, false, true}> least(setup);
     Log of_full;
     Log of_pairs;
     Log of_least;
@@ -584,7 +584,7 @@ TEST_CASE("a composition without an effect that does nothing gives the same bits
     check_same_bits(full, all_pairs, setup.balls.size());
     check_same_bits(full, least, setup.balls.size());
     if (n % 2 == 1) {
-      HardSpheres<HardSphereEffects{3, false, false, false, false, true}> floating(setup);
+      HardSpheres<HardSphereEffects{3, false, false, false, true}> floating(setup);
       floating.advance(3);
       check_same_bits(full, floating, setup.balls.size());
     }
@@ -610,8 +610,8 @@ TEST_CASE("a motion in a plane, or on a line, is the same without the other coor
     }
     const std::array<int, 3> axes{flat == 0 ? 1 : 0, flat == 2 ? 1 : 2, flat};
     setup.gravity(axes[0]) = -10;
-    HardSpheres<HardSphereEffects{3, true, false, false, false, true}> space(setup);
-    HardSpheres<HardSphereEffects{2, true, false, false, false, true}> plane(setup, axes);
+    HardSpheres<HardSphereEffects{3, true, false, false, true}> space(setup);
+    HardSpheres<HardSphereEffects{2, true, false, false, true}> plane(setup, axes);
     space.advance(4);
     plane.advance(4);
     REQUIRE(space.counts().hits > 100);
@@ -652,7 +652,7 @@ TEST_CASE("a ball dropped from 10 m comes back to 10 m after a minute, to the la
   setup.cutoff = 0x1p-30;
   setup.walls = {{Vector3<double>(0, 0, 1), 0, 0}};
   setup.balls = {ball({0, 0, 10.5}, {0, 0, 0})};
-  HardSpheres<HardSphereEffects{1, true, false, false, false, false}> run(setup, {2, 0, 1});
+  HardSpheres<HardSphereEffects{1, true, false, false, false}> run(setup, {2, 0, 1});
   REQUIRE(run.advance(60) == HardSphereEnd::reached);
   CHECK(run.counts().hits == 21);
   const double z = run.position(0).z() - 0.5;
@@ -678,7 +678,7 @@ TEST_CASE("two balls: the closed form of an oblique hit") {
   // Unit balls, one at rest; the other comes along x with an offset of 1.2: sin = 0.6 at contact.
   HardSphereSetup setup;
   setup.balls = {ball({0, 0, 0}, {0, 0, 0}, 1), ball({-5, 1.2, 0}, {1, 0, 0}, 1)};
-  HardSpheres<HardSphereEffects{2, false, false, false, false, false}> run(setup);
+  HardSpheres<HardSphereEffects{2, false, false, false, false}> run(setup);
   Log log;
   run.advance(10, no_limit, &log);
   REQUIRE(log.hits.size() == 1);
@@ -697,7 +697,7 @@ TEST_CASE("a bouncing ball with e < 1 follows the closed form and then lies stil
     setup.restitution = {e};
     setup.walls = {{Vector3<double>(0, 0, 1), 0, 0}};
     setup.balls = {ball({0, 0, height + 0.5}, {1, 0, 0})};
-    HardSpheres<HardSphereEffects{3, true, false, false, true, false}> run(setup);
+    HardSpheres<HardSphereEffects{3, true, false, true, false}> run(setup);
     const contact::BouncingBall<double> law{height, 0, 9.81, e};
     for (int k = 1; k <= 60; ++k) {
       const double t = k * 0.15;
@@ -760,8 +760,8 @@ TEST_CASE("balls that never move push back, with gravity and without") {
                   [&](const HardBall& b) { return (b.position - peg).norm() < b.radius + 1.001; });
     if (setup.balls.empty()) continue;
     setup.balls.push_back(fixed_ball(peg, 1));
-    HardSpheres<HardSphereEffects{3, true, true, true, false, true}> run(setup);
-    HardSpheres<HardSphereEffects{3, true, true, true, false, false}> pairs(setup);
+    HardSpheres<HardSphereEffects{3, true, true, false, true}> run(setup);
+    HardSpheres<HardSphereEffects{3, true, true, false, false}> pairs(setup);
     const double before = run.energy();
     Log log;
     REQUIRE(run.advance(4, no_limit, &log) == HardSphereEnd::reached);
@@ -779,7 +779,7 @@ TEST_CASE("what has no bound on its hits is refused, and never hangs") {
   line.restitution = {0.01};
   line.balls = {ball({0, 0, 0}, {1, 0, 0}), ball({1.5, 0, 0}, {0, 0, 0}),
                 ball({3, 0, 0}, {-1, 0, 0})};
-  HardSpheres<HardSphereEffects{1, false, false, false, true, false}> collapse(line);
+  HardSpheres<HardSphereEffects{1, false, false, true, false}> collapse(line);
   CHECK(collapse.advance(10) == HardSphereEnd::endless_hits);
   CHECK(collapse.counts().endless_ball == 1);
   // A ball that would lie on another.
@@ -802,10 +802,10 @@ TEST_CASE("what has no bound on its hits is refused, and never hangs") {
 }
 
 TEST_CASE("what no effect needs is not kept") {
-  using D3 = HardSpheres<HardSphereEffects{3, false, false, false, false, true}>;
-  using G3 = HardSpheres<HardSphereEffects{3, true, false, false, false, true}>;
+  using D3 = HardSpheres<HardSphereEffects{3, false, false, false, true}>;
+  using G3 = HardSpheres<HardSphereEffects{3, true, false, false, true}>;
   using F3 = HardSpheres<everything>;
-  using D1 = HardSpheres<HardSphereEffects{1, false, false, false, false, false}>;
+  using D1 = HardSpheres<HardSphereEffects{1, false, false, false, false}>;
   HardSphereSetup setup;
   setup.balls = {ball({0, 0, 0}, {0, 0, 0})};
   // Place, velocity, time and the last partner; lying down takes what alignment left over.
@@ -850,6 +850,6 @@ TEST_CASE("a setup that is none is refused with what is wrong") {
   HardSphereSetup heavy;
   heavy.gravity = {0, 0, -1};
   heavy.balls = {ball({0, 0, 0}, {0, 0, 0})};
-  CHECK_THROWS_AS((HardSpheres<HardSphereEffects{3, false, true, true, true, true}>(heavy)),
+  CHECK_THROWS_AS((HardSpheres<HardSphereEffects{3, false, true, true, true}>(heavy)),
                   std::invalid_argument);
 }

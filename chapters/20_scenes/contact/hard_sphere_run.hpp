@@ -19,8 +19,7 @@ namespace contact {
 struct HardSphereEffects {
   int dimension = 3;        ///< how many coordinates move: 1, 2 or 3
   bool gravity = true;      ///< paths bend, and balls may come to lie on a wall
-  bool radii = true;        ///< radii differ
-  bool masses = true;       ///< masses differ
+  bool sizes = true;        ///< radii or masses differ
   bool restitution = true;  ///< not everything is elastic
   bool grid = true;         ///< balls ask their neighbours; off: everybody asks everybody
 

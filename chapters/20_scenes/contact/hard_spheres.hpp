@@ -53,8 +53,8 @@ struct HardSphereState {
   /// How many of its last hits followed each other sooner than the cutoff.
   [[no_unique_address]] detail::KeptIf<E.restitution, std::int32_t, 1> short_flights;
   [[no_unique_address]] detail::KeptIf<E.restitution, std::uint32_t, 2> material;  ///< row
-  [[no_unique_address]] detail::KeptIf<E.radii, double, 3> radius;                 ///< m
-  [[no_unique_address]] detail::KeptIf<E.masses, double, 4> mass;                  ///< kg
+  [[no_unique_address]] detail::KeptIf<E.sizes, double, 3> radius;                 ///< m
+  [[no_unique_address]] detail::KeptIf<E.sizes, double, 4> mass;                   ///< kg
 };
 // [/state]
 
@@ -136,14 +136,52 @@ class HardSpheres final : public HardSphereRun {
     return to;
   }
 
+  // [run]
   HardSphereEnd advance(double until, std::uint64_t budget, HardSphereObserver* observer) override {
-    return observer == nullptr
-               ? run(
-                     until, budget, [](const HardSphereHit&) { return true; }, std::false_type())
-               : run(
-                     until, budget, [&](const HardSphereHit& hit) { return observer->on_hit(hit); },
-                     std::true_type());
+    for (;;) {
+      const std::size_t i = queue_.first();
+      const double time = plan_time(i);
+      if (!(time <= until)) {
+        now_ = std::max(now_, until);
+        return HardSphereEnd::reached;
+      }
+      if (crosses_first(i)) {
+        cross(i, time);
+        continue;
+      }
+      const std::int32_t partner = plans_[i].partner;
+      const bool is_ball = partner < static_cast<std::int32_t>(balls_.size());
+      const auto other = static_cast<std::size_t>(partner);
+      if (is_ball && hits_[other] != plans_[i].partner_hits) {
+        ++counts_.stale;
+        predict(i);
+        queue_.update(i, comes_first());
+        continue;
+      }
+      if (budget-- == 0) return HardSphereEnd::out_of_events;
+      const bool new_time = time > now_;
+      at_once_ = new_time ? 0 : at_once_ + 1;
+      now_ = std::max(now_, time);
+      // Of two balls the one with the lower number is the first, whoever had planned the hit.
+      const std::size_t first = is_ball ? std::min(i, other) : i;
+      const std::size_t second = is_ball ? std::max(i, other) : other;
+      const Point change =
+          is_ball ? hit_ball(first, second, time) : hit_wall(first, second - balls_.size(), time);
+      after_hit(first);
+      if (is_ball && second < moving_) after_hit(second);
+      ++counts_.hits;
+      const bool second_too = is_ball && second < moving_ && endless(second);
+      if (endless(first) || second_too) {
+        counts_.endless_ball = endless(first) ? first : second;
+        counts_.endless_partner = static_cast<std::int32_t>(endless(first) ? second : first);
+        return HardSphereEnd::endless_hits;
+      }
+      if (observer == nullptr) continue;
+      if (!observer->on_hit({time, first, second, spread(change * mass(balls_[first]))}))
+        return HardSphereEnd::stopped;
+    }
   }
+  // [/run]
   /// @cond
   using HardSphereRun::advance;
   /// @endcond
@@ -236,18 +274,20 @@ class HardSpheres final : public HardSphereRun {
       ball.short_flights = 0;
       ball.material = static_cast<std::uint32_t>(from.material);
     }
-    if constexpr (E.radii) ball.radius = from.radius;
-    if constexpr (E.masses) ball.mass = from.mass;
+    if constexpr (E.sizes) {
+      ball.radius = from.radius;
+      ball.mass = from.mass;
+    }
     balls_.push_back(ball);
   }
 
   // What an effect that is on keeps for each ball, and one that is off keeps once.
   double radius(const State& ball) const {
-    if constexpr (E.radii) return ball.radius;
+    if constexpr (E.sizes) return ball.radius;
     return radius_;
   }
   double mass(const State& ball) const {
-    if constexpr (E.masses) return ball.mass;
+    if constexpr (E.sizes) return ball.mass;
     return mass_;
   }
   double restitution(const State& ball, std::size_t material) const {
@@ -464,57 +504,6 @@ class HardSpheres final : public HardSphereRun {
   }
   std::int32_t wall_id(std::size_t w) const { return static_cast<std::int32_t>(balls_.size() + w); }
 
-  // [run]
-  /// From event to event.
-  /// @param on_hit called after each hit if `Watched`; the run ends if it returns false
-  template <class OnHit, class Watched>
-  HardSphereEnd run(double until, std::uint64_t budget, const OnHit& on_hit, Watched) {
-    for (;;) {
-      const std::size_t i = queue_.first();
-      const double time = plan_time(i);
-      if (!(time <= until)) {
-        now_ = std::max(now_, until);
-        return HardSphereEnd::reached;
-      }
-      if (crosses_first(i)) {
-        cross(i, time);
-        continue;
-      }
-      const std::int32_t partner = plans_[i].partner;
-      const bool is_ball = partner < static_cast<std::int32_t>(balls_.size());
-      const auto other = static_cast<std::size_t>(partner);
-      if (is_ball && hits_[other] != plans_[i].partner_hits) {
-        ++counts_.stale;
-        predict(i);
-        queue_.update(i, comes_first());
-        continue;
-      }
-      if (budget-- == 0) return HardSphereEnd::out_of_events;
-      const bool new_time = time > now_;
-      at_once_ = new_time ? 0 : at_once_ + 1;
-      now_ = std::max(now_, time);
-      // Of two balls the one with the lower number is the first, whoever had planned the hit.
-      const std::size_t first = is_ball ? std::min(i, other) : i;
-      const std::size_t second = is_ball ? std::max(i, other) : other;
-      const Point change =
-          is_ball ? hit_ball(first, second, time) : hit_wall(first, second - balls_.size(), time);
-      after_hit(first);
-      if (is_ball && second < moving_) after_hit(second);
-      ++counts_.hits;
-      const bool second_too = is_ball && second < moving_ && endless(second);
-      if (endless(first) || second_too) {
-        counts_.endless_ball = endless(first) ? first : second;
-        counts_.endless_partner = static_cast<std::int32_t>(endless(first) ? second : first);
-        return HardSphereEnd::endless_hits;
-      }
-      if constexpr (Watched::value) {
-        if (!on_hit({time, first, second, spread(change * mass(balls_[first]))}))
-          return HardSphereEnd::stopped;
-      }
-    }
-  }
-  // [/run]
-
   void cross(std::size_t i, double time) {
     if constexpr (E.grid) {
       now_ = std::max(now_, time);
@@ -642,9 +631,9 @@ class HardSpheres final : public HardSphereRun {
     for (const double e : setup.restitution)
       if (!E.restitution && e != 1) refuse("restitution");
     for (std::size_t i = 0; i < setup.balls.size(); ++i) {
-      if (!E.radii && setup.balls[i].radius != setup.balls.front().radius) refuse("radii");
-      if (!E.masses && i < moving_ && setup.balls[i].mass != setup.balls.front().mass)
-        refuse("masses");
+      const bool differs = setup.balls[i].radius != setup.balls.front().radius ||
+                           (i < moving_ && setup.balls[i].mass != setup.balls.front().mass);
+      if (!E.sizes && differs) refuse("sizes");
     }
   }
 
@@ -652,7 +641,7 @@ class HardSpheres final : public HardSphereRun {
   double now_ = 0;             // s
   std::uint64_t at_once_ = 0;  // hits since time last went on
   double cutoff_ = 0;          // s
-  double radius_ = 0;          // of every ball, if radii are all the same, m
+  double radius_ = 0;          // of every ball, if all are the same, m
   double mass_ = 0;            // the same of masses, kg
   Point gravity_ = Point::Zero();
   Vector3<double> aside_ = Vector3<double>::Zero();  // where all are along axes that do not count
