@@ -311,8 +311,7 @@ Answer composed(const Input& input) {
 constexpr HardSphereEffects elastic(int dimension, bool pulled) {
   return {.dimension = dimension,
           .gravity = pulled,
-          .radii = false,
-          .masses = false,
+          .sizes = false,
           .restitution = false,
           .grid = false};
 }

@@ -184,12 +184,8 @@ KEY("who-must-be-asked") {
   add(0, 0, 1, 0);
   add(2, 0, 0, 0);
   add(2, 4, 0, -1);
-  constexpr contact::HardSphereEffects plane{.dimension = 2,
-                                             .gravity = false,
-                                             .radii = false,
-                                             .masses = false,
-                                             .restitution = false,
-                                             .grid = false};
+  constexpr contact::HardSphereEffects plane{
+      .dimension = 2, .gravity = false, .sizes = false, .restitution = false, .grid = false};
   contact::HardSpheres<plane> run(setup);
   run.advance(2);
   const auto early = run.counts();

@@ -6,8 +6,7 @@
 namespace {
 
 constexpr contact::HardSphereEffects all;
-constexpr contact::HardSphereEffects needed{
-    .gravity = false, .radii = false, .masses = false, .restitution = false};
+constexpr contact::HardSphereEffects needed{.gravity = false, .sizes = false, .restitution = false};
 
 template <contact::HardSphereEffects E>
 contact::HardSphereCheckpoint run(const char* name, const contact::HardSphereSetup& setup) {

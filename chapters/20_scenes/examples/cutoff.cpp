@@ -16,8 +16,7 @@ int main() {
     const contact::Decision& events = contact::decision_on(plan, contact::Effect::event_driven);
     contact::HardSphereSetup setup = contact::hard_sphere_setup(scene).setup;
     setup.cutoff = contact::contact_time_cutoff(tolerance, 10);
-    constexpr contact::HardSphereEffects on_a_line{
-        .dimension = 1, .radii = false, .masses = false, .grid = false};
+    constexpr contact::HardSphereEffects on_a_line{.dimension = 1, .sizes = false, .grid = false};
     contact::HardSpheres<on_a_line> run(setup, {2, 0, 1});
     run.advance(scene.duration);
     std::printf("tolerance %.0e m: events %s, hops from %.1e s on followed, %2d hits\n", tolerance,

@@ -27,12 +27,8 @@ contact::HardSphereSetup ten_discs() {
 }  // namespace
 
 int main() {
-  constexpr contact::HardSphereEffects plane{.dimension = 2,
-                                             .gravity = false,
-                                             .radii = false,
-                                             .masses = false,
-                                             .restitution = false,
-                                             .grid = false};
+  constexpr contact::HardSphereEffects plane{
+      .dimension = 2, .gravity = false, .sizes = false, .restitution = false, .grid = false};
   contact::HardSphereSetup setup = ten_discs();
   contact::HardSpheres<plane> one(setup);
   setup.balls[0].position.x() = std::nextafter(setup.balls[0].position.x(), 2.0);

@@ -44,7 +44,14 @@ export default defineFigure<Input, Output>({
   aspect: 0.82,
   initial: { from: [0.5, 1.6], to: [2.4, 2.6], digits: 9, post: 0.3, shown: 24 },
   handles: [
-    { kind: "point", field: "from", label: "the ball", role: "ball", step: 0.05, limit: [0.15, 3.85] },
+    {
+      kind: "point",
+      field: "from",
+      label: "the ball",
+      role: "ball",
+      step: 0.05,
+      limit: [0.15, 3.85],
+    },
     { kind: "point", field: "to", label: "its aim", role: "ray", step: 0.05, limit: [0.1, 3.9] },
   ],
   controls: [

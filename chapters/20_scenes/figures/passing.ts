@@ -93,7 +93,11 @@ export default defineFigure<Input, Output>({
       const y = output.y[k] ?? 0;
       if (y < -1.4) continue;
       const role = k === output.seen ? "hit" : output.passes && y < 0 ? "miss" : "ball";
-      const style = { role, fill: k === 0 || k === output.seen ? 0.5 : 0.12, outline: true } as const;
+      const style = {
+        role,
+        fill: k === 0 || k === output.seen ? 0.5 : 0.12,
+        outline: true,
+      } as const;
       if (input.shape === 0) {
         scene.ball([0, y], RADIUS, style);
         continue;
@@ -102,10 +106,7 @@ export default defineFigure<Input, Output>({
       const c = output.cosine[k] ?? 1;
       scene.face(
         CORNERS.map(
-          ([a, b]): Vec2 => [
-            a * LENGTH * c - b * RADIUS * s,
-            y + a * LENGTH * s + b * RADIUS * c,
-          ],
+          ([a, b]): Vec2 => [a * LENGTH * c - b * RADIUS * s, y + a * LENGTH * s + b * RADIUS * c],
         ),
         style,
       );
@@ -132,7 +133,13 @@ export default defineFigure<Input, Output>({
       value: output.plain,
       unit: "m/s",
     },
-    { name: "u h", meaning: "closed in a step, at most", value: output.moved, unit: "m", role: "ball" },
+    {
+      name: "u h",
+      meaning: "closed in a step, at most",
+      value: output.moved,
+      unit: "m",
+      role: "ball",
+    },
     {
       name: "2 R",
       meaning: "twice the thickness of both",
