@@ -8,6 +8,7 @@
 find_package(Catch2 3 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
+include(ContactTargets)
 
 # The student's flags. One list, for the precompiled header, for solutions and for exercises.json: a precompiled header
 # is used only if they are the same.
@@ -85,6 +86,9 @@ function(contact_add_exercise_host)
       contact_00_vectors nlohmann_json::nlohmann_json contact_warnings)
   endforeach()
 
+  contact_add_precompiled(contact_remote_precompiled <Eigen/Core> <Eigen/Geometry> <contact/remote.hpp>)
+  target_include_directories(contact_remote_precompiled PRIVATE "${source}/grading")
+
   # The prelude stands alone in a folder, so that a student's file cannot include anything else of grading/.
   set(student "${CMAKE_BINARY_DIR}/student/contact")
   add_custom_command(OUTPUT "${student}/prelude.hpp.gch" "${student}/prelude.hpp"
@@ -152,6 +156,7 @@ function(contact_add_exercise chapter name)
     add_library(${target}_${side} OBJECT "${out}/${name}.${side}.cpp")
     target_include_directories(${target}_${side} PRIVATE "${contract_dir}" "${source}/grading")
     target_link_libraries(${target}_${side} PRIVATE contact_00_vectors contact_warnings)
+    target_precompile_headers(${target}_${side} REUSE_FROM contact_remote_precompiled)
   endforeach()
 
   # What a student's object is linked with: to be tested in one process, and to answer from another.

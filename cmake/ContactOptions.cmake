@@ -18,7 +18,10 @@ target_compile_options(contact_warnings INTERFACE
   $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion>)
 
 if(CONTACT_SANITIZE)
-  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  # Without what AddressSanitizer finds itself (a null pointer, the end of an object) and what only a cast of pointers
+  # could break: a fifth of the time to compile.
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize=null,object-size,vptr,alignment
+    -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
 endif()
 if(CONTACT_COVERAGE)

@@ -433,7 +433,7 @@ WHOLE_MINUTES = 40
 # The minutes are where a stage is stopped on a busy machine; all of them together take far less.
 STAGES = (
     Stage("style", "format, linters and types of C++, Python, TypeScript and shell", 4, style),
-    Stage("native", "configure and build everything; each header alone", 20, native),
+    Stage("native", "configure and build everything; each header alone", 30, native),
     Stage(
         "ctest",
         "references against the oracle, hard cases, examples, questions",
@@ -455,7 +455,7 @@ STAGES = (
         tidy,
         ("native",),
     ),
-    Stage("sanitize", "the reference tests under sanitizers", 20, sanitize),
+    Stage("sanitize", "the reference tests under sanitizers", 25, sanitize),
     Stage("page", "the page's scripts, figures and ladders in WebAssembly", 15, page, ("native",)),
     Stage("wasm", "the compiler in the page, and the exercises for it", 20, wasm, ("native",)),
     Stage("book", "the book without a warning, and served", 8, book, ("page", "wasm")),

@@ -12,6 +12,7 @@
 
 #include <contact/contact_lcp.hpp>
 #include <contact/frame.hpp>
+#include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/invalid_argument.hpp>
 #include <contact/rigid_body.hpp>

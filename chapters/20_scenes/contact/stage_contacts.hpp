@@ -1,0 +1,198 @@
+/// @file
+/// A stage: which of the near pairs touch, and where.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <variant>
+
+#include <contact/contact_manifold.hpp>
+#include <contact/contact_world.hpp>
+#include <contact/gap.hpp>
+#include <contact/stage_broad_phase.hpp>
+#include <contact/stepped_state.hpp>
+
+namespace contact {
+
+/// A hull where its body is.
+inline HullCorners placed(const HullCorners& shape, const Vector3<double>& position,
+                          const Matrix3<double>& rotation) {
+  HullCorners moved;
+  moved.points.reserve(shape.points.size());
+  for (const Vector3<double>& point : shape.points)
+    moved.points.push_back(position + rotation * point);
+  return moved;
+}
+
+/// Whether there is a narrow phase for two shapes: for all but a hull with anything else than a
+/// half-space, and two half-spaces.
+template <class A, class B>
+inline constexpr bool has_narrow_phase =
+    std::same_as<A, HullCorners>
+        ? std::same_as<B, HalfSpace<double>>
+        : !std::same_as<B, HullCorners> &&
+              !(std::same_as<A, HalfSpace<double>> && std::same_as<B, HalfSpace<double>>);
+
+/// The gap of two shapes in the world; endlessly far apart if there is no narrow phase for them.
+inline Gap<double> gap_of_shapes(const StepShape& a, const StepShape& b) {
+  return std::visit(
+      [](const auto& one, const auto& other) -> Gap<double> {
+        using A = std::decay_t<decltype(one)>;
+        using B = std::decay_t<decltype(other)>;
+        if constexpr (!has_narrow_phase<A, B>) {
+          Gap<double> none;
+          none.distance = std::numeric_limits<double>::infinity();
+          return none;
+        } else if constexpr (std::same_as<A, HullCorners>) {
+          return gap<double>(one.points, 0.0, other);
+        } else {
+          return gap(one, other);
+        }
+      },
+      a, b);
+}
+
+/// The points at which two shapes are at most the margin apart.
+inline ContactManifold<double> manifold_of_shapes(const StepShape& a, const StepShape& b,
+                                                  double margin) {
+  return std::visit(
+      [&](const auto& one, const auto& other) -> ContactManifold<double> {
+        using A = std::decay_t<decltype(one)>;
+        using B = std::decay_t<decltype(other)>;
+        ContactManifold<double> manifold;
+        if constexpr (!has_narrow_phase<A, B>) {
+          return manifold;
+        } else if constexpr (std::same_as<A, HullCorners>) {
+          manifold.normal = other.boundary.normal;
+          for (const Vector3<double>& point : one.points) {
+            const double distance = signed_distance(other.boundary, point);
+            if (distance <= margin)
+              manifold.points.push_back(
+                  {Vector3<double>(point - manifold.normal * (distance / 2)), distance});
+          }
+          return manifold;
+        } else {
+          return contact_manifold(one, other, margin);
+        }
+      },
+      a, b);
+}
+
+/// A body's shape where it is now.
+inline StepShape shape_in_world(const SteppedBody& body, const Vector3<double>& position,
+                                const Rotor<double>& orientation) {
+  const Matrix3<double> turn = matrix_of(orientation);
+  return std::visit([&](const auto& shape) { return StepShape(placed(shape, position, turn)); },
+                    body.shape);
+}
+
+/// The velocity of a body's point, m/s.
+inline Vector3<double> point_velocity(const SteppedSetup& setup, const SteppedState& state,
+                                      std::size_t place, const Vector3<double>& point) {
+  const Vector3<double> v = velocity_of(setup, state, place);
+  if (place >= state.spin.size()) return v;
+  const Vector3<double> arm = point - state.position[place];
+  return v + Vector3<double>(state.spin[place].cross(arm));
+}
+
+/// How fast two bodies come apart at a point, along the normal from b to a, m/s.
+inline double parting_speed(const SteppedSetup& setup, const SteppedState& state,
+                            const NearPair& pair, const Vector3<double>& point) {
+  return pair.manifold.normal.dot(Vector3<double>(point_velocity(setup, state, pair.a, point) -
+                                                  point_velocity(setup, state, pair.b, point)));
+}
+
+namespace detail {
+
+inline void place_shapes(const SteppedSetup& setup, const SteppedState& state, StepPart& part) {
+  part.shapes.resize(setup.bodies.size());
+  std::vector<bool> done(setup.bodies.size(), false);
+  for (const NearPair& pair : part.pairs) {
+    for (const std::size_t i : {pair.a, pair.b}) {
+      if (done[i]) continue;
+      done[i] = true;
+      part.shapes[i] = shape_in_world(setup.bodies[i], position_of(setup, state, i),
+                                      orientation_of(setup, state, i));
+    }
+  }
+}
+
+/// The points of a pair that touches; at least the one at which its gap is.
+inline ContactManifold<double> manifold_with_gap(const StepShape& a, const StepShape& b,
+                                                 const Gap<double>& gap, const NearPair& pair) {
+  ContactManifold<double> manifold = manifold_of_shapes(a, b, std::max(pair.touch, pair.reach));
+  for (const auto& point : manifold.points)
+    if (point.distance <= pair.touch) return manifold;
+  manifold.normal = gap.normal;
+  manifold.points = {{Vector3<double>((gap.on_a + gap.on_b) / 2), gap.distance}};
+  return manifold;
+}
+
+/// How far two bodies may come towards each other in what is left of the step.
+inline double pair_reach(const SteppedSetup& setup, const SteppedState& state, const StepPart& part,
+                         const NearPair& pair) {
+  const Vector3<double> relative =
+      velocity_of(setup, state, pair.a) - velocity_of(setup, state, pair.b);
+  double reach = size_of(relative) * part.left + room_of_sweep(setup, state, part, pair.a);
+  if (pair.b < setup.movers) reach += room_of_sweep(setup, state, part, pair.b);
+  return reach;
+}
+
+/// A distance that rounding cannot tell from touching.
+inline double touching_distance(const SteppedSetup& setup, const SteppedState& state,
+                                const NearPair& pair) {
+  double size = state.position[pair.a].cwiseAbs().maxCoeff() + setup.bodies[pair.a].reach;
+  if (pair.b < setup.bounded)
+    size += position_of(setup, state, pair.b).cwiseAbs().maxCoeff() + setup.bodies[pair.b].reach;
+  return 0x1p-40 * size;
+}
+
+}  // namespace detail
+
+// [contacts-stage]
+/// The narrow phase: how far each pair is apart, whether it touches, and at which points.
+///
+/// Of a pair that touches, points that may come to touch in this part belong to it too. A pair that
+/// parts at every point where it touches is on its way out. A body that turns while it touches
+/// something is looked at again before it has turned by a sixteenth of a radian.
+inline void find_touching_pairs(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
+  detail::place_shapes(setup, state, part);
+  for (NearPair& pair : part.pairs) {
+    const StepShape& a = part.shapes[pair.a];
+    const StepShape& b = part.shapes[pair.b];
+    pair.touch = detail::touching_distance(setup, state, pair);
+    pair.reach = setup.continuous ? detail::pair_reach(setup, state, part, pair) : pair.touch;
+    if (part.at_once) {
+      pair.manifold = manifold_of_shapes(a, b, std::max(pair.touch, pair.reach));
+      pair.distance = std::numeric_limits<double>::infinity();
+      for (const auto& point : pair.manifold.points)
+        pair.distance = std::min(pair.distance, point.distance);
+    } else {
+      const Gap<double> gap = gap_of_shapes(a, b);
+      pair.distance = gap.distance;
+      if (pair.distance <= pair.touch) pair.manifold = detail::manifold_with_gap(a, b, gap, pair);
+    }
+    pair.touching = pair.distance <= pair.touch;
+    if (!pair.touching) continue;
+    if (!pair.material.stiffness)
+      state.counts.largest_overlap = std::max(state.counts.largest_overlap, -pair.distance);
+    pair.leaving = true;
+    for (const auto& point : pair.manifold.points) {
+      if (point.distance <= pair.touch &&
+          !(parting_speed(setup, state, pair, point.point) > setup.slow_speed))
+        pair.leaving = false;
+    }
+    for (const std::size_t i : {pair.a, pair.b}) {
+      const double turns = size_of(spin_of(state, i));
+      if (i < setup.movers && setup.bodies[i].spin_arm > 0 && turns * part.length > 0x1p-4)
+        part.planned = part.length = 0x1p-4 / turns;
+    }
+  }
+}
+// [/contacts-stage]
+
+}  // namespace contact

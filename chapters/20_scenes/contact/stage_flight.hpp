@@ -1,0 +1,143 @@
+/// @file
+/// Stages: gravity, moving and turning. What nothing touches flies exactly.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include <contact/ballistic.hpp>
+#include <contact/rotation.hpp>
+#include <contact/stepped_state.hpp>
+
+namespace contact {
+
+// [gravity-stage]
+/// Gravity changes the velocity that each mover has at the end of the part.
+inline void add_gravity(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
+  const Vector3<double> change = setup.scene.gravity * part.planned;
+  for (std::size_t i = 0; i < setup.movers; ++i) {
+    if (!sleeps(state, i)) part.end_velocity[i] += change;
+  }
+}
+// [/gravity-stage]
+
+// [moving-stage]
+/// Every mover goes on to the end of the part, with an even acceleration: exact for a flight, and
+/// for a block that slides. A part that an impact cuts short ends with the velocity of that moment.
+inline void move_bodies(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
+  const double share = part.length / part.planned;
+  for (std::size_t i = 0; i < setup.movers; ++i) {
+    if (sleeps(state, i)) continue;
+    const Vector3<double> change = part.end_velocity[i] - state.velocity[i];
+    if (part.at_start[i] || part.length == part.planned) {
+      const Vector3<double> mean =
+          part.at_start[i] ? part.end_velocity[i] : Vector3<double>(state.velocity[i] + change / 2);
+      state.position[i] += mean * part.length;
+      state.velocity[i] = part.end_velocity[i];
+    } else {
+      const Vector3<double> mean = state.velocity[i] + change * (share / 2);
+      state.position[i] += mean * part.length;
+      state.velocity[i] += change * share;
+    }
+  }
+}
+// [/moving-stage]
+
+namespace detail {
+
+/// How a mover turns through a part: evenly, with the mean of its spins at both ends.
+inline Vector3<double> mean_spin(const SteppedState& state, const StepPart& part, std::size_t i,
+                                 double length) {
+  if (part.at_start[i]) return part.end_spin[i];
+  const Vector3<double> change = part.end_spin[i] - state.spin[i];
+  return state.spin[i] + change * (length / part.planned / 2);
+}
+
+/// The spin at the end of the part, as forces alone make it.
+inline Vector3<double> pushed_spin(const SteppedState& state, const StepPart& part, std::size_t i) {
+  if (part.at_start[i] || part.length == part.planned) return part.end_spin[i];
+  const Vector3<double> change = part.end_spin[i] - state.spin[i];
+  return state.spin[i] + change * (part.length / part.planned);
+}
+
+}  // namespace detail
+
+// [turning-stage]
+/// Every mover turns with an even spin. Right where its spin stays as it is if nothing pushes: for
+/// a body whose moments are equal, or that turns about a principal axis.
+inline void turn_bodies(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
+  for (std::size_t i = 0; i < setup.movers; ++i) {
+    if (sleeps(state, i)) continue;
+    const Vector3<double> mean = detail::mean_spin(state, part, i, part.length);
+    state.orientation[i] = normalised(exponential_step(state.orientation[i], mean, part.length));
+    state.spin[i] = detail::pushed_spin(state, part, i);
+  }
+}
+// [/turning-stage]
+
+// [gyroscopic-stage]
+/// The largest angle that a body turns by between two looks at its spin: 2^-7 rad. A free body's
+/// turn is then off by less than 2^-28/120 of itself: the fifth-order term of an exponential.
+inline constexpr double gyroscopic_angle = 0x1p-7;
+
+namespace detail {
+
+/// How a body lies that nothing pushes, a time later, by four exponentials of spins on the way: of
+/// order 4, and its angular momentum stays as it is.
+///
+/// Source: Celledoni, Marthinsen and Owren, *Commutator-free Lie group methods*, Future Generation
+/// Computer Systems 19 (2003).
+inline Rotor<double> free_turn(const Rotor<double>& q, const Vector3<double>& momentum,
+                               const SteppedBody& body, double h) {
+  const auto spin_at = [&](const Rotor<double>& r) {
+    return free_spin<double>(momentum, body.moments, Matrix3<double>(matrix_of(r) * body.axes));
+  };
+  const Vector3<double> k1 = spin_at(q);
+  const Rotor<double> half = exponential<double>(k1 * (h / 2)) * q;
+  const Vector3<double> k2 = spin_at(half);
+  const Vector3<double> k3 = spin_at(exponential<double>(k2 * (h / 2)) * q);
+  const Vector3<double> k4 = spin_at(exponential<double>(k3 * h - k1 * (h / 2)) * half);
+  const Vector3<double> both = (k2 + k3) * 2;
+  const Vector3<double> first = (k1 * 3 + both - k4) * (h / 12);
+  const Vector3<double> second = (k4 * 3 + both - k1) * (h / 12);
+  return normalised(exponential<double>(second) * (exponential<double>(first) * q));
+}
+
+}  // namespace detail
+
+/// Turning with the gyroscopic term: of a body that nothing pushes the angular momentum stays, and
+/// the spin follows from how it lies. A body on which contacts push keeps the angular momentum that
+/// they leave it.
+inline void turn_with_gyroscopic_term(const SteppedSetup& setup, SteppedState& state,
+                                      StepPart& part) {
+  for (std::size_t i = 0; i < setup.movers; ++i) {
+    if (sleeps(state, i)) continue;
+    const SteppedBody& body = setup.bodies[i];
+    if (body.round || part.end_spin[i] == Vector3<double>::Zero()) {
+      const Vector3<double> mean = detail::mean_spin(state, part, i, part.length);
+      state.orientation[i] = normalised(exponential_step(state.orientation[i], mean, part.length));
+      state.spin[i] = detail::pushed_spin(state, part, i);
+      continue;
+    }
+    Rotor<double>& q = state.orientation[i];
+    const auto principal = [&] { return Matrix3<double>(matrix_of(q) * body.axes); };
+    const Vector3<double> spin = detail::pushed_spin(state, part, i);
+    const Vector3<double> seen = principal().transpose() * spin;
+    const Vector3<double> momentum = principal() * Vector3<double>(seen.cwiseProduct(body.moments));
+    if (part.pushed[i]) {
+      const Vector3<double> mean = detail::mean_spin(state, part, i, part.length);
+      q = normalised(exponential_step(q, mean, part.length));
+    } else {
+      const double fastest = size_of(momentum) / body.moments.minCoeff();
+      const double looks = std::ceil(fastest * part.length / gyroscopic_angle);
+      const auto count = static_cast<std::uint64_t>(std::min(std::max(looks, 1.0), 4096.0));
+      const double h = part.length / static_cast<double>(count);
+      for (std::uint64_t k = 0; k < count; ++k) q = detail::free_turn(q, momentum, body, h);
+    }
+    state.spin[i] = free_spin<double>(momentum, body.moments, principal());
+  }
+}
+// [/gyroscopic-stage]
+
+}  // namespace contact

@@ -1,0 +1,404 @@
+/// @file
+/// A scene step by step: a pipeline of stages, put together from a plan. What is off is not in it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <contact/invalid_argument.hpp>
+#include <contact/plan_types.hpp>
+#include <contact/scene.hpp>
+#include <contact/scene_run.hpp>
+#include <contact/stage_broad_phase.hpp>
+#include <contact/stage_contacts.hpp>
+#include <contact/stage_flight.hpp>
+#include <contact/stage_rest.hpp>
+#include <contact/stage_solve.hpp>
+#include <contact/stage_springs.hpp>
+#include <contact/stage_time_of_impact.hpp>
+#include <contact/stepped_state.hpp>
+
+namespace contact {
+
+// [stepped-refusal]
+/// Why a scene cannot be run step by step, or nothing if it can: of convex hulls only those that
+/// meet nothing but half-spaces.
+/// @param plan of the scene; where nothing may meet anything, every shape flies
+inline std::optional<std::string> stepped_refusal(const Scene& scene, const Plan& plan) {
+  if (plan.pairs == 0) return std::nullopt;
+  std::size_t hull = scene.bodies.size();
+  std::size_t bounded = 0;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const SceneShape& shape = scene.bodies[i].shape;
+    if (std::holds_alternative<HalfSpaceShape>(shape)) continue;
+    ++bounded;
+    if (std::holds_alternative<HullShape>(shape) && hull == scene.bodies.size()) hull = i;
+  }
+  if (hull == scene.bodies.size() || bounded < 2) return std::nullopt;
+  return "bodies[" + std::to_string(hull) + "].shape (" + scene.bodies[hull].name +
+         ") is a convex hull and may meet other bodies: hulls meet half-spaces only; spheres, "
+         "boxes and capsules meet all but hulls";
+}
+// [/stepped-refusal]
+
+namespace detail {
+
+/// A stage, and what it is called.
+struct NamedStage {
+  SceneStage is;
+  StepStage run = nullptr;
+};
+
+/// The stages of each part of a step, in their order, and those after a step.
+struct StepPipeline {
+  std::vector<NamedStage> part;
+  std::vector<NamedStage> after;
+};
+
+inline bool is_on(const Plan& plan, Effect effect) { return decision_on(plan, effect).on; }
+
+/// How long a step is: the plan's, or a frame where the plan goes from event to event.
+inline double step_of(const Scene& scene, const Plan& plan) {
+  if (plan.step > 0) return plan.step;
+  double h = std::min(1.0 / 60, scene.duration);
+  if (scene.output.every > 0) h = std::min(h, scene.output.every);
+  return h;
+}
+
+// [stepped-setup]
+/// What a plan makes of a scene. An effect that is off is taken out of the materials too: without
+/// friction all are smooth, without restitution nothing bounces, without penalty contact all are
+/// hard.
+inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
+  SteppedSetup setup;
+  setup.scene = scene;
+  setup.place.resize(scene.bodies.size());
+  for (const int kind : {0, 1, 2}) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+      const SceneBody& body = scene.bodies[i];
+      const bool plane = std::holds_alternative<HalfSpaceShape>(body.shape);
+      if ((plane ? 2 : body.moves ? 0 : 1) != kind) continue;
+      setup.place[i] = setup.bodies.size();
+      setup.bodies.push_back(stepped_body(body, i));
+    }
+    if (kind == 0) setup.movers = setup.bodies.size();
+    if (kind == 1) setup.bounded = setup.bodies.size();
+  }
+  setup.rotation = is_on(plan, Effect::rotation);
+  setup.continuous = is_on(plan, Effect::continuous_detection);
+  setup.one_by_one = setup.movers <= most_one_by_one;
+  setup.together = is_on(plan, Effect::several_contacts);
+  if (!is_on(plan, Effect::gravity)) setup.scene.gravity.setZero();
+  setup.step = step_of(scene, plan);
+
+  double lightness = 0;
+  for (std::size_t i = 0; i < setup.movers; ++i)
+    lightness = std::max(lightness, 1 / setup.bodies[i].mass);
+  double stiffest = 0;
+  for (const SceneMaterial& a : scene.materials) {
+    for (const SceneMaterial& b : scene.materials) {
+      PairMaterial pair = pair_material(a, b);
+      if (!is_on(plan, Effect::friction)) pair.friction = 0;
+      if (!is_on(plan, Effect::restitution)) pair.restitution = 0;
+      if (!is_on(plan, Effect::penalty_contact)) pair.stiffness.reset();
+      if (pair.stiffness) stiffest = std::max(stiffest, *pair.stiffness);
+      setup.material.push_back(pair);
+    }
+  }
+  setup.spring_part = setup.step;
+  if (stiffest > 0)
+    setup.spring_part = std::min(setup.step, 1 / (128 * std::sqrt(stiffest * 2 * lightness)));
+
+  // A hop that starts at the speed v rises v²/(2 g) and is left out: less than half the tolerance,
+  // and shorter than a step.
+  const double g = size_of(setup.scene.gravity);
+  setup.rest_speed = g * setup.step / 2;
+  if (const auto tolerance = scene.tolerance.position)
+    setup.rest_speed = std::min(setup.rest_speed, std::sqrt(g * *tolerance));
+  setup.slow_speed = std::max(setup.rest_speed * 0x1p-20, 1e-11);
+  setup.sleep_speed = scene.tolerance.position.value_or(1e-6) / scene.duration;
+  // What the sweeps leave is a millionth of what would come to the tolerance in the whole time.
+  const double left = std::clamp(setup.sleep_speed * 1e-6, 1e-13, 1e-9);
+  setup.sweeps =
+      setup.one_by_one ? SweepLimits<double>{400, left, 1.5} : SweepLimits<double>{40, 1e-6, 1.0};
+  return setup;
+}
+// [/stepped-setup]
+
+// [pipeline]
+/// The stages that a plan calls for. Without a pair that may meet there are no contacts at all.
+inline StepPipeline step_pipeline(const Plan& plan, const SteppedSetup& setup) {
+  StepPipeline line;
+  const auto add = [&](std::vector<NamedStage>& to, std::string name, std::string detail,
+                       StepStage run) {
+    to.push_back({{std::move(name), std::move(detail)}, run});
+  };
+  const bool meet = plan.pairs > 0;
+  const bool cells = is_on(plan, Effect::broad_phase);
+  const bool springs = is_on(plan, Effect::penalty_contact);
+  const bool sleep = is_on(plan, Effect::sleeping);
+  const bool forces = is_on(plan, Effect::resting) || !setup.one_by_one;
+  const std::string sweeps = setup.together ? "a body's all together" : "each on its own";
+  if (meet) {
+    if (cells)
+      add(line.part, "broad phase", "cells", sort_into_cells);
+    else
+      add(line.part, "pairs", "each with each", compare_all_pairs);
+    add(line.part, "contacts", "gaps and the points that touch", find_touching_pairs);
+    if (sleep) add(line.part, "waking", "what something fast touches", wake_bodies);
+    if (setup.one_by_one) add(line.part, "impacts", sweeps, solve_impacts);
+    if (springs) add(line.part, "springs", "leapfrog, dampers implicit", push_springs);
+  }
+  if (is_on(plan, Effect::gravity)) add(line.part, "gravity", "even", add_gravity);
+  if (meet) {
+    add(line.part, forces ? "contact forces" : "impacts left over",
+        forces ? sweeps : "if a step has too many to take one by one", solve_forces);
+    if (setup.continuous && setup.one_by_one)
+      add(line.part, "time of impact", "by the gap's closing time", find_first_impact);
+  }
+  add(line.part, "motion", "exact for even accelerations", move_bodies);
+  if (is_on(plan, Effect::gyroscopic_term))
+    add(line.part, "rotation", "with the gyroscopic term", turn_with_gyroscopic_term);
+  else if (setup.rotation)
+    add(line.part, "rotation", "even spins", turn_bodies);
+  if (meet) {
+    if (is_on(plan, Effect::restitution))
+      add(line.part, "bounces", "of impacts that were taken at once", solve_bounces);
+    if (setup.rotation || !setup.one_by_one)
+      add(line.part, "pushing out", "a fifth of each overlap", push_out);
+    if (sleep) add(line.after, "sleep", "groups that are slow", put_to_sleep);
+  }
+  return line;
+}
+// [/pipeline]
+
+}  // namespace detail
+
+// [stepped-run]
+/// A scene, step by step.
+class SteppedRun final : public SceneRun {
+ public:
+  /// @throws std::invalid_argument with what stepped_refusal() says
+  SteppedRun(const Scene& scene, const Plan& plan) {
+    if (const auto refusal = stepped_refusal(scene, plan))
+      throw_invalid_argument("scene", scene.name, *refusal);
+    setup_ = detail::stepped_setup(scene, plan);
+    line_ = detail::step_pipeline(plan, setup_);
+    for (std::size_t i = 0; i < setup_.movers; ++i) {
+      const SceneBody& body = scene.bodies[setup_.bodies[i].body];
+      state_.position.push_back(body.position);
+      state_.velocity.push_back(body.velocity);
+      if (!setup_.rotation) continue;
+      state_.orientation.push_back(body.orientation);
+      state_.spin.push_back(body.spin);
+    }
+    if (plan.pairs > 0 && detail::is_on(plan, Effect::sleeping)) {
+      state_.slow_since.assign(setup_.movers, 0);
+      state_.sleeps_with.assign(setup_.movers, -1);
+    }
+  }
+
+  using SceneRun::advance;
+  bool event_driven() const override { return false; }
+  double step() const override { return setup_.step; }
+  std::vector<SceneStage> stages() const override {
+    std::vector<SceneStage> stages;
+    for (const auto* list : {&line_.part, &line_.after})
+      for (const detail::NamedStage& stage : *list) stages.push_back(stage.is);
+    return stages;
+  }
+
+  // [advance-steps]
+  /// Whole steps as long as they fit; then, on a copy, the part of a step that is left. So where a
+  /// caller looks changes nothing.
+  SceneRunEnd advance(double until, std::uint64_t budget, SceneObserver* observer) override {
+    if (!(until > now_)) return SceneRunEnd::reached;
+    shown_.reset();
+    now_ = time_of(state_.step);
+    while (time_of(state_.step + 1) <= until) {
+      if (budget == 0) return SceneRunEnd::out_of_budget;
+      --budget;
+      step_once(state_, setup_.step);
+      now_ = time_of(state_.step);
+      bool go_on = true;
+      if (observer != nullptr)
+        for (const SceneHit& hit : part_.hits) go_on = observer->on_hit(hit) && go_on;
+      if (!go_on) return SceneRunEnd::stopped;
+    }
+    if (now_ < until) {
+      shown_ = state_;
+      step_once(*shown_, until - now_);
+      now_ = until;
+    }
+    return SceneRunEnd::reached;
+  }
+  // [/advance-steps]
+
+  double now() const override { return now_; }
+  Vector3<double> position(std::size_t body) const override {
+    return position_of(setup_, seen(), setup_.place[body]);
+  }
+  Rotor<double> orientation(std::size_t body) const override {
+    return orientation_of(setup_, seen(), setup_.place[body]);
+  }
+  Vector3<double> velocity(std::size_t body) const override {
+    return velocity_of(setup_, seen(), setup_.place[body]);
+  }
+  Vector3<double> spin(std::size_t body) const override {
+    const std::size_t place = setup_.place[body];
+    return setup_.rotation ? spin_of(seen(), place) : setup_.scene.bodies[body].spin;
+  }
+  double energy() const override { return detail::energy_of_run(setup_.scene, *this); }
+  SceneRunCounts counts() const override { return seen().counts; }
+
+  std::size_t bytes() const override {
+    const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
+    const auto state = [&](const SteppedState& s) {
+      return of(s.position) + of(s.velocity) + of(s.orientation) + of(s.spin) + of(s.slow_since) +
+             of(s.sleeps_with) + of(s.touched) + of(s.pushed);
+    };
+    return state(state_) + (shown_ ? state(*shown_) : 0) + of(setup_.bodies) + of(setup_.place) +
+           of(setup_.material) + of(part_.pairs) + of(part_.shapes) + of(part_.end_velocity) +
+           of(part_.end_spin) + of(part_.bounces) + of(part_.hits);
+  }
+  std::size_t bytes_per_body() const override {
+    std::size_t bytes = 2 * sizeof(Vector3<double>);
+    if (!state_.orientation.empty()) bytes += sizeof(Rotor<double>) + sizeof(Vector3<double>);
+    if (!state_.slow_since.empty()) bytes += sizeof(double) + sizeof(std::int32_t);
+    return bytes;
+  }
+
+  SceneCheckpoint checkpoint() const override;
+  void restore(const SceneCheckpoint& from) override;
+
+ private:
+  const SteppedState& seen() const { return shown_ ? *shown_ : state_; }
+  double time_of(std::uint64_t step) const { return static_cast<double>(step) * setup_.step; }
+
+  // [use-up-the-step]
+  /// A step, or a part of one: stages work on what is left of it until nothing is left. An impact
+  /// ends a part; after too many of them what is left is solved at once.
+  void step_once(SteppedState& state, double length) {
+    part_.left = length;
+    part_.cuts = 0;
+    part_.hits.clear();
+    while (part_.left > 0) {
+      part_.planned = part_.length = part_.left;
+      part_.at_once = !setup_.one_by_one || part_.cuts > most_cuts;
+      part_.pairs.clear();
+      part_.bounces.clear();
+      part_.end_velocity = state.velocity;
+      part_.end_spin = state.spin;
+      part_.at_start.assign(setup_.movers, false);
+      part_.pushed.assign(setup_.movers, false);
+      ++state.counts.parts;
+      for (const detail::NamedStage& stage : line_.part) {
+        stage.run(setup_, state, part_);
+        if (!(part_.length > 0)) break;
+      }
+      part_.left -= part_.length;
+    }
+    part_.planned = part_.length = length;
+    for (const detail::NamedStage& stage : line_.after) stage.run(setup_, state, part_);
+    ++state.step;
+    ++state.counts.steps;
+  }
+  // [/use-up-the-step]
+
+  SteppedSetup setup_;
+  detail::StepPipeline line_;
+  SteppedState state_;                 // after whole steps
+  std::optional<SteppedState> shown_;  // at a time between two of them
+  StepPart part_;
+  double now_ = 0;
+};
+// [/stepped-run]
+
+inline SceneCheckpoint SteppedRun::checkpoint() const {
+  SceneCheckpoint to;
+  to.kind = "stepped";
+  to.now = now_;
+  to.counts = state_.counts;
+  const auto add = [&](const Vector3<double>& v) {
+    for (int k = 0; k < 3; ++k) to.numbers.push_back(v(k));
+  };
+  for (const auto& x : state_.position) add(x);
+  for (const auto& v : state_.velocity) add(v);
+  for (const auto& q : state_.orientation) {
+    to.numbers.push_back(q.w);
+    add(q.v);
+  }
+  for (const auto& w : state_.spin) add(w);
+  for (const double t : state_.slow_since) to.numbers.push_back(t);
+  to.integers.push_back(static_cast<std::int64_t>(state_.step));
+  for (const std::int32_t group : state_.sleeps_with) to.integers.push_back(group);
+  for (std::size_t i = 0; i < state_.touched.size(); ++i) {
+    to.integers.push_back(state_.touched[i].a);
+    to.integers.push_back(state_.touched[i].b);
+    add(state_.touched[i].point);
+    to.numbers.push_back(state_.pushed[i].normal);
+    add(state_.pushed[i].tangential);
+  }
+  return to;
+}
+
+inline void SteppedRun::restore(const SceneCheckpoint& from) {
+  const std::size_t movers = setup_.movers;
+  const std::size_t numbers = 6 * movers + 7 * state_.orientation.size() + state_.slow_since.size();
+  const std::size_t whole = 1 + state_.sleeps_with.size();
+  const std::size_t contacts =
+      from.integers.size() < whole ? 0 : (from.integers.size() - whole) / 2;
+  if (from.kind != "stepped" || from.integers.size() != whole + 2 * contacts ||
+      from.numbers.size() != numbers + 7 * contacts) {
+    throw_invalid_argument("from", "a checkpoint of kind " + from.kind,
+                           "must be one of this run step by step");
+  }
+  std::size_t at = 0;
+  const auto vector = [&] {
+    const Vector3<double> v(from.numbers[at], from.numbers[at + 1], from.numbers[at + 2]);
+    at += 3;
+    return v;
+  };
+  for (auto& x : state_.position) x = vector();
+  for (auto& v : state_.velocity) v = vector();
+  for (auto& q : state_.orientation) {
+    q.w = from.numbers[at++];
+    q.v = vector();
+  }
+  for (auto& w : state_.spin) w = vector();
+  for (double& t : state_.slow_since) t = from.numbers[at++];
+  state_.step = static_cast<std::uint64_t>(from.integers[0]);
+  for (std::size_t i = 0; i < state_.sleeps_with.size(); ++i)
+    state_.sleeps_with[i] = static_cast<std::int32_t>(from.integers[1 + i]);
+  state_.touched.assign(contacts, {});
+  state_.pushed.assign(contacts, {});
+  for (std::size_t i = 0; i < contacts; ++i) {
+    state_.touched[i].a = static_cast<int>(from.integers[whole + 2 * i]);
+    state_.touched[i].b = static_cast<int>(from.integers[whole + 2 * i + 1]);
+    state_.touched[i].point = vector();
+    state_.pushed[i].normal = from.numbers[at++];
+    state_.pushed[i].tangential = vector();
+  }
+  state_.counts = from.counts;
+  shown_.reset();
+  now_ = time_of(state_.step);
+  advance(from.now);
+}
+
+/// The stepped run of a scene.
+/// @param plan of the scene; where it goes from event to event, a step is a frame
+/// @throws std::invalid_argument with what stepped_refusal() says
+inline std::unique_ptr<SceneRun> make_stepped_run(const Scene& scene, const Plan& plan) {
+  return std::make_unique<SteppedRun>(scene, plan);
+}
+
+}  // namespace contact

@@ -1,0 +1,197 @@
+/// @file
+/// What a stepped run knows of a scene: what never changes, what changes from step to step, and
+/// what one part of a step hands from stage to stage.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <contact/contact_manifold.hpp>
+#include <contact/contact_solver.hpp>
+#include <contact/convex_shapes.hpp>
+#include <contact/gap.hpp>
+#include <contact/inertia.hpp>
+#include <contact/plan_shapes.hpp>
+#include <contact/plan_types.hpp>
+#include <contact/rotation.hpp>
+#include <contact/scene.hpp>
+#include <contact/scene_run.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+/// The corners of a convex hull.
+struct HullCorners {
+  std::vector<Vector3<double>> points;  ///< m
+};
+
+/// A shape, in its body's axes or in the world.
+using StepShape = std::variant<Sphere<double>, Capsule<double>, OrientedBox<double>,
+                               HalfSpace<double>, HullCorners>;
+
+// [stepped-body]
+/// What never changes of a body.
+struct SteppedBody {
+  std::size_t body = 0;      ///< index into Scene::bodies
+  StepShape shape;           ///< in the body's axes; a half-space in the world
+  std::size_t material = 0;  ///< index into Scene::materials
+  double mass = 0;           ///< kg; 0: nothing moves it
+  double reach = 0;          ///< no point of it is farther from its origin, m
+  double spin_arm = 0;       ///< how far turning can take a point of it, m; 0 for a ball
+  Vector3<double> moments = Vector3<double>::Zero();   ///< about its principal axes, kg·m²
+  Matrix3<double> axes = Matrix3<double>::Identity();  ///< columns: its principal axes
+  bool round = false;                                  ///< all its moments are equal
+};
+// [/stepped-body]
+
+// [stepped-state]
+/// What changes, each in an array of its own: only the movers have it. Without rotation there are
+/// no orientations and no spins, without sleep no time of rest: the arrays are empty.
+struct SteppedState {
+  std::uint64_t step = 0;                      ///< how many are done
+  std::vector<Vector3<double>> position;       ///< of each mover's origin, m
+  std::vector<Vector3<double>> velocity;       ///< m/s
+  std::vector<Rotor<double>> orientation;      ///< turns a body's axes into the world's
+  std::vector<Vector3<double>> spin;           ///< in the world, rad/s
+  std::vector<double> slow_since;              ///< how long it has been as slow as rest, s
+  std::vector<std::int32_t> sleeps_with;       ///< the sleepers' group; −1: awake
+  std::vector<BodyContact<double>> touched;    ///< contacts that carried a force in the last part
+  std::vector<ContactImpulse<double>> pushed;  ///< and the force of each, N
+  SceneRunCounts counts;                       ///< so far
+};
+// [/stepped-state]
+
+/// All that never changes of a stepped run.
+struct SteppedSetup {
+  Scene scene;                         ///< with its names and materials
+  std::vector<SteppedBody> bodies;     ///< movers, then what stands still, half-spaces last
+  std::vector<std::size_t> place;      ///< of each of the scene's bodies in that list
+  std::size_t movers = 0;              ///< how many move
+  std::size_t bounded = 0;             ///< how many are no half-spaces
+  std::vector<PairMaterial> material;  ///< of each pair of materials, row after row
+  double step = 0;                     ///< s
+  double rest_speed = 0;               ///< slower impacts do not bounce, m/s
+  double slow_speed = 0;               ///< slower approaches are rounding, m/s
+  double sleep_speed = 0;              ///< slower bodies may sleep, m/s
+  double spring_part = 0;              ///< s; no part is longer while a spring may push
+  bool rotation = false;               ///< bodies turn
+  bool continuous = false;             ///< nothing passes through anything between two looks
+  bool one_by_one = false;             ///< impacts each at its own time; else all of a step at once
+  bool together = false;               ///< a body's contacts are solved together, in many sweeps
+  SweepLimits<double> sweeps;          ///< of the solver
+};
+
+/// Two bodies that may touch in a part of a step, and where.
+struct NearPair {
+  std::size_t a = 0;                 ///< place of the one; always a mover
+  std::size_t b = 0;                 ///< place of the other
+  PairMaterial material;             ///< of both
+  double touch = 0;                  ///< they touch if they are no farther apart, m
+  double reach = 0;                  ///< how far they may come towards each other in this part, m
+  double distance = 0;               ///< now, m
+  bool touching = false;             ///< now
+  bool leaving = false;              ///< touching, and every point of it parts
+  ContactManifold<double> manifold;  ///< of those that touch; of all, if all are solved at once
+};
+
+/// What the stages of one part of a step hand on. Its arrays keep their room from part to part.
+struct StepPart {
+  double left = 0;       ///< of the step, s
+  double planned = 0;    ///< how long this part is without impacts, s; the end velocities are then
+  double length = 0;     ///< how long it is, s
+  int cuts = 0;          ///< how many parts of this step an impact has ended
+  bool at_once = false;  ///< all impacts of what is left of the step at once
+  std::vector<NearPair> pairs;                ///< in increasing order
+  std::vector<StepShape> shapes;              ///< of each body in a pair, in the world
+  std::vector<Vector3<double>> end_velocity;  ///< of each mover, m/s
+  std::vector<Vector3<double>> end_spin;      ///< of each mover, rad/s; empty without rotation
+  std::vector<bool> at_start;                ///< movers that have their end velocity from the start
+  std::vector<bool> pushed;                  ///< movers on which a contact acts in this part
+  std::vector<BodyContact<double>> bounces;  ///< of hits at once: they bounce when they have come
+  std::vector<SceneHit> hits;                ///< of this step
+};
+
+// [stage]
+/// What every stage is: a function of what never changes, what changes, and the part at hand.
+using StepStage = void (*)(const SteppedSetup&, SteppedState&, StepPart&);
+// [/stage]
+
+/// How many impacts may cut a step; what is left of it then is solved at once.
+inline constexpr int most_cuts = 16;
+/// How many bodies may move for impacts to be taken one by one, each at its own time.
+inline constexpr std::size_t most_one_by_one = 64;
+
+namespace detail {
+
+inline StepShape step_shape(const SceneShape& shape) {
+  const Vector3<double> zero = Vector3<double>::Zero();
+  if (const auto* ball = std::get_if<BallShape>(&shape)) return Sphere<double>{zero, ball->radius};
+  if (const auto* box = std::get_if<BoxShape>(&shape))
+    return OrientedBox<double>{zero, Matrix3<double>::Identity(), box->half_lengths};
+  if (const auto* capsule = std::get_if<CapsuleShape>(&shape)) {
+    const Vector3<double> end(0, 0, capsule->half_length);
+    return Capsule<double>{{Vector3<double>(-end), end}, capsule->radius};
+  }
+  if (const auto* hull = std::get_if<HullShape>(&shape)) return HullCorners{hull->points};
+  const auto& half_space = std::get<HalfSpaceShape>(shape);
+  return HalfSpace<double>{{half_space.normal, half_space.offset}};
+}
+
+inline SteppedBody stepped_body(const SceneBody& from, std::size_t index) {
+  SteppedBody body;
+  body.body = index;
+  body.shape = step_shape(from.shape);
+  body.material = from.material;
+  body.reach = outer_radius(from.shape);
+  body.spin_arm = spin_arm(from.shape);
+  if (!from.moves) return body;
+  body.mass = from.mass;
+  const bool diagonal = from.inertia.isDiagonal(0);
+  if (diagonal) {
+    body.moments = from.inertia.diagonal();
+  } else {
+    const auto principal = principal_axes<double>(from.inertia);
+    body.moments = principal.moments;
+    body.axes = principal.rotation;
+  }
+  body.round = body.moments.x() == body.moments.y() && body.moments.y() == body.moments.z();
+  return body;
+}
+
+}  // namespace detail
+
+/// Whether a body, by its place, sleeps.
+inline bool sleeps(const SteppedState& state, std::size_t place) {
+  return place < state.sleeps_with.size() && state.sleeps_with[place] >= 0;
+}
+/// Where a body's origin is, m.
+inline Vector3<double> position_of(const SteppedSetup& setup, const SteppedState& state,
+                                   std::size_t place) {
+  if (place < setup.movers) return state.position[place];
+  return setup.scene.bodies[setup.bodies[place].body].position;
+}
+/// How a body lies.
+inline Rotor<double> orientation_of(const SteppedSetup& setup, const SteppedState& state,
+                                    std::size_t place) {
+  if (place < state.orientation.size()) return state.orientation[place];
+  return setup.scene.bodies[setup.bodies[place].body].orientation;
+}
+/// How fast a body is, m/s.
+inline Vector3<double> velocity_of(const SteppedSetup& setup, const SteppedState& state,
+                                   std::size_t place) {
+  return place < setup.movers ? state.velocity[place] : Vector3<double>::Zero();
+}
+/// How a body turns, rad/s; 0 without rotation.
+inline Vector3<double> spin_of(const SteppedState& state, std::size_t place) {
+  return place < state.spin.size() ? state.spin[place] : Vector3<double>::Zero();
+}
+/// The size of a vector, m or m/s.
+inline double size_of(const Vector3<double>& v) { return std::sqrt(v.dot(v)); }
+
+}  // namespace contact
