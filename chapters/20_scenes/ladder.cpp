@@ -361,7 +361,7 @@ ladder::Ladder<Input, Answer> experiment() {
   family("box", "eight in a box, with gravity: places, m", Motion::box, Asked::places);
   family("box-energy", "eight in a box: change of energy, a share", Motion::box, Asked::energy);
 
-  for (const int rate : {60, 480}) {
+  for (const int rate : {60, 240}) {
     const std::string text = std::to_string(rate);
     ladder.method({.id = "steps-" + text,
                    .title = "looks at the end of steps of 1/" + text + " s",
