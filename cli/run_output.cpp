@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
 #include <stdexcept>
 #include <variant>
+#include <vector>
 
 #include <nlohmann/json.hpp>
+
+#include <contact/plan_shapes.hpp>
 
 #include "../grading/book.hpp"
 #include "scenes/scene_file.hpp"
@@ -26,14 +27,15 @@ std::string three(const Vector3<double>& v, const char* between) {
 
 bool is_xyz(const fs::path& path) { return path.extension() == ".xyz"; }
 
-const BallShape& shape_of(const RunView& view, std::size_t ball) {
-  return std::get<BallShape>(view.scene.bodies[view.balls.ball_body[ball]].shape);
+bool is_listed(const SceneBody& body) {
+  return !std::holds_alternative<HalfSpaceShape>(body.shape);
 }
 
-const SceneBody& partner_body(const RunView& view, std::size_t partner) {
-  const std::size_t count = view.balls.ball_body.size();
-  return view.scene.bodies[partner < count ? view.balls.ball_body[partner]
-                                           : view.balls.wall_body[partner - count]];
+/// Whether it must be told how bodies lie: some of them are no balls.
+bool has_poses(const Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const SceneBody& body) {
+    return is_listed(body) && !std::holds_alternative<BallShape>(body.shape);
+  });
 }
 
 /// A number as its bits, so that what is read is what was written.
@@ -48,12 +50,6 @@ double from_bits(const nlohmann::json& json) {
   const double x = std::strtod(text.c_str(), &end);
   if (text.empty() || *end != '\0') throw std::runtime_error("\"" + text + "\" is no number");
   return x;
-}
-nlohmann::json vector_json(const Vector3<double>& v) {
-  return {bits_text(v.x()), bits_text(v.y()), bits_text(v.z())};
-}
-Vector3<double> vector_from(const nlohmann::json& json) {
-  return {from_bits(json.at(0)), from_bits(json.at(1)), from_bits(json.at(2))};
 }
 
 }  // namespace
@@ -91,30 +87,38 @@ bool is_trajectory_name(const fs::path& path) {
   return path.extension() == ".xyz" || path.extension() == ".csv";
 }
 
-std::string trajectory_heading(const fs::path& path, const SceneOutput& output) {
+std::string trajectory_heading(const fs::path& path, const Scene& scene) {
   if (is_xyz(path)) return "";
-  return std::string("time,body,x,y,z") + (output.velocities ? ",vx,vy,vz" : "") + "\n";
+  return std::string("time,body,x,y,z") + (has_poses(scene) ? ",qx,qy,qz,qw" : "") +
+         (scene.output.velocities ? ",vx,vy,vz" : "") + "\n";
 }
 
 std::string trajectory_frame(const fs::path& path, const RunView& view) {
-  const std::size_t count = view.balls.ball_body.size();
+  const std::vector<SceneBody>& bodies = view.scene.bodies;
+  const auto count = std::count_if(bodies.begin(), bodies.end(), is_listed);
   const bool velocities = view.scene.output.velocities;
+  const bool poses = has_poses(view.scene);
   const std::string time = shortest_text(view.run.now());
+  const bool xyz = is_xyz(path);
+  const char* const between = xyz ? " " : ",";
   std::string text;
-  if (is_xyz(path)) {
+  if (xyz) {
     text += std::to_string(count) + "\nProperties=species:S:1:pos:R:3:radius:R:1:id:I:1";
-    text += std::string(velocities ? ":velo:R:3" : "") + " Time=" + time + " pbc=\"F F F\"\n";
+    text += std::string(poses ? ":orientation:R:4" : "") + (velocities ? ":velo:R:3" : "");
+    text += " Time=" + time + " pbc=\"F F F\"\n";
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t body = view.balls.ball_body[i];
-    if (is_xyz(path)) {
-      text += "X " + three(view.run.position(i), " ") + " ";
-      text += shortest_text(shape_of(view, i).radius) + " " + std::to_string(body);
-      if (velocities) text += " " + three(view.run.velocity(i), " ");
-    } else {
-      text += time + "," + view.scene.bodies[body].name + "," + three(view.run.position(i), ",");
-      if (velocities) text += "," + three(view.run.velocity(i), ",");
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!is_listed(bodies[i])) continue;
+    if (xyz)
+      text += "X " + three(view.run.position(i), between) + between +
+              shortest_text(outer_radius(bodies[i].shape)) + between + std::to_string(i);
+    else
+      text += time + between + bodies[i].name + between + three(view.run.position(i), between);
+    if (poses) {
+      const Rotor<double> lies = view.run.orientation(i);
+      text += between + three(lies.v, between) + between + shortest_text(lies.w);
     }
+    if (velocities) text += between + three(view.run.velocity(i), between);
     text += "\n";
   }
   return text;
@@ -122,82 +126,10 @@ std::string trajectory_frame(const fs::path& path, const RunView& view) {
 
 std::string hits_heading() { return "time,first,second,x,y,z,impulse_x,impulse_y,impulse_z\n"; }
 
-std::string hit_line(const RunView& view, const HardSphereHit& hit) {
-  const Vector3<double> centre = view.run.position(hit.ball);
-  const double radius = shape_of(view, hit.ball).radius;
-  const SceneBody& partner = partner_body(view, hit.partner);
-  Vector3<double> point;
-  if (const auto* wall = std::get_if<HalfSpaceShape>(&partner.shape)) {
-    point = centre - wall->normal * radius;
-  } else {
-    const double other = std::get<BallShape>(partner.shape).radius;
-    point = centre + (view.run.position(hit.partner) - centre) * (radius / (radius + other));
-  }
-  return shortest_text(hit.time) + "," + partner_body(view, hit.ball).name + "," + partner.name +
-         "," + three(point, ",") + "," + three(hit.impulse, ",") + "\n";
-}
-
-namespace {
-
-/// Energy, momentum or angular momentum of a ball; what makes a ball's spin is never changed.
-double moving_quantity(const RunView& view, std::size_t ball, const std::string& quantity) {
-  const SceneBody& body = view.scene.bodies[view.balls.ball_body[ball]];
-  const Vector3<double> x = view.run.position(ball);
-  const Vector3<double> v = view.run.velocity(ball);
-  const Vector3<double> turning = body.inertia * body.spin;
-  if (quantity == "energy")
-    return body.mass * v.dot(v) / 2 + body.spin.dot(turning) / 2 -
-           body.mass * view.scene.gravity.dot(x);
-  const int axis = quantity.back() - 'x';
-  if (quantity.starts_with("momentum")) return body.mass * v(axis);
-  return Vector3<double>(x.cross(v) * body.mass + turning)(axis);
-}
-
-double gap_of(const RunView& view, std::size_t ball) {
-  double least = std::numeric_limits<double>::infinity();
-  const Vector3<double> x = view.run.position(ball);
-  const double radius = shape_of(view, ball).radius;
-  for (std::size_t k = 0; k < view.balls.ball_body.size(); ++k) {
-    if (k == ball) continue;
-    least = std::min(least, (view.run.position(k) - x).norm() - radius - shape_of(view, k).radius);
-  }
-  for (const HardWall& wall : view.balls.setup.walls)
-    least = std::min(least, wall.normal.dot(x) - wall.offset - radius);
-  return least;
-}
-
-}  // namespace
-
-double quantity_now(const RunView& view, const SceneExpectation& wanted) {
-  if (wanted.quantity == "events") return static_cast<double>(view.run.counts().hits);
-  const std::vector<std::size_t>& bodies = view.balls.ball_body;
-  const auto of_all = [&](auto start, auto join) {
-    double result = start;
-    for (std::size_t i = 0; i < view.run.moving(); ++i) {
-      if (!wanted.body.empty() && view.scene.bodies[bodies[i]].name != wanted.body) continue;
-      result = join(result, i);
-    }
-    return result;
-  };
-  if (wanted.quantity == "gap") {
-    return of_all(std::numeric_limits<double>::infinity(),
-                  [&](double least, std::size_t i) { return std::min(least, gap_of(view, i)); });
-  }
-  if (wanted.quantity == "energy" || wanted.quantity.find("momentum") != std::string::npos) {
-    return of_all(0.0, [&](double sum, std::size_t i) {
-      return sum + moving_quantity(view, i, wanted.quantity);
-    });
-  }
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const SceneBody& body = view.scene.bodies[bodies[i]];
-    if (body.name != wanted.body) continue;
-    if (wanted.quantity == "speed") return view.run.velocity(i).norm();
-    const int axis = wanted.quantity.back() - 'x';
-    if (wanted.quantity.starts_with("position")) return view.run.position(i)(axis);
-    if (wanted.quantity.starts_with("velocity")) return view.run.velocity(i)(axis);
-    return body.spin(axis);
-  }
-  return std::numeric_limits<double>::quiet_NaN();
+std::string hit_line(const Scene& scene, const SceneHit& hit) {
+  return shortest_text(hit.time) + "," + scene.bodies[hit.first].name + "," +
+         scene.bodies[hit.second].name + "," + three(hit.point, ",") + "," +
+         three(hit.impulse, ",") + "\n";
 }
 
 std::string scene_number(const Scene& scene) {
@@ -215,52 +147,57 @@ std::string scene_number(const Scene& scene) {
 }
 
 void write_checkpoint(const fs::path& file, const RunCheckpoint& checkpoint) {
-  const HardSphereCheckpoint& state = checkpoint.state;
-  nlohmann::json balls = nlohmann::json::array();
-  for (const HardSphereCheckpoint::Ball& ball : state.balls) {
-    balls.push_back({vector_json(ball.position), vector_json(ball.velocity), bits_text(ball.time),
-                     ball.last, ball.lies_on, ball.short_flights});
-  }
-  const nlohmann::json json{{"format", "contact-checkpoint/1"},
-                            {"scene", checkpoint.scene},
-                            {"time", bits_text(state.now)},
-                            {"at_once", state.at_once},
-                            {"frames", checkpoint.frames},
-                            {"output_size", checkpoint.output_size},
-                            {"events_size", checkpoint.events_size},
-                            {"hits", state.counts.hits},
-                            {"crossings", state.counts.crossings},
-                            {"stale", state.counts.stale},
-                            {"rests", state.counts.rests},
-                            {"largest_overlap", bits_text(state.counts.largest_overlap)},
-                            {"rest_error", bits_text(state.counts.rest_error)},
-                            {"balls", balls}};
+  const SceneCheckpoint& state = checkpoint.state;
+  nlohmann::json numbers = nlohmann::json::array();
+  for (const double number : state.numbers) numbers.push_back(bits_text(number));
+  const SceneRunCounts& counts = state.counts;
+  nlohmann::json json{{"format", "contact-checkpoint/2"},
+                      {"scene", checkpoint.scene},
+                      {"plan", checkpoint.plan},
+                      {"kind", state.kind},
+                      {"time", bits_text(state.now)},
+                      {"frames", checkpoint.frames},
+                      {"output_size", checkpoint.output_size},
+                      {"events_size", checkpoint.events_size},
+                      {"counts",
+                       {counts.steps, counts.parts, counts.hits, counts.pairs, counts.contacts,
+                        counts.sweeps, counts.crossings, counts.rests}},
+                      {"largest_overlap", bits_text(counts.largest_overlap)},
+                      {"rest_error", bits_text(counts.rest_error)},
+                      {"numbers", numbers},
+                      {"integers", state.integers}};
+  if (state.fallback)
+    json["fallback"] = {{"time", bits_text(state.fallback->time)}, {"why", state.fallback->why}};
   grading::write_text(file, json.dump() + "\n");
 }
 
 RunCheckpoint read_checkpoint(const fs::path& file) {
   try {
     const nlohmann::json json = nlohmann::json::parse(grading::read_text(file));
-    if (json.at("format") != "contact-checkpoint/1") throw std::runtime_error("unknown format");
+    if (json.at("format") != "contact-checkpoint/2") throw std::runtime_error("unknown format");
     RunCheckpoint checkpoint;
     checkpoint.scene = json.at("scene").get<std::string>();
+    checkpoint.plan = json.at("plan").get<std::string>();
     checkpoint.frames = json.at("frames").get<std::uint64_t>();
     checkpoint.output_size = json.at("output_size").get<std::uintmax_t>();
     checkpoint.events_size = json.at("events_size").get<std::uintmax_t>();
-    HardSphereCheckpoint& state = checkpoint.state;
+    SceneCheckpoint& state = checkpoint.state;
+    state.kind = json.at("kind").get<std::string>();
     state.now = from_bits(json.at("time"));
-    state.at_once = json.at("at_once").get<std::uint64_t>();
-    state.counts.hits = json.at("hits").get<std::uint64_t>();
-    state.counts.crossings = json.at("crossings").get<std::uint64_t>();
-    state.counts.stale = json.at("stale").get<std::uint64_t>();
-    state.counts.rests = json.at("rests").get<std::uint64_t>();
-    state.counts.largest_overlap = from_bits(json.at("largest_overlap"));
-    state.counts.rest_error = from_bits(json.at("rest_error"));
-    for (const nlohmann::json& ball : json.at("balls")) {
-      state.balls.push_back({vector_from(ball.at(0)), vector_from(ball.at(1)),
-                             from_bits(ball.at(2)), ball.at(3).get<std::int32_t>(),
-                             ball.at(4).get<std::int32_t>(), ball.at(5).get<std::int32_t>()});
-    }
+    SceneRunCounts& counts = state.counts;
+    std::size_t at = 0;
+    for (std::uint64_t* const count :
+         {&counts.steps, &counts.parts, &counts.hits, &counts.pairs, &counts.contacts,
+          &counts.sweeps, &counts.crossings, &counts.rests})
+      *count = json.at("counts").at(at++).get<std::uint64_t>();
+    counts.largest_overlap = from_bits(json.at("largest_overlap"));
+    counts.rest_error = from_bits(json.at("rest_error"));
+    for (const nlohmann::json& number : json.at("numbers"))
+      state.numbers.push_back(from_bits(number));
+    state.integers = json.at("integers").get<std::vector<std::int64_t>>();
+    if (json.contains("fallback"))
+      state.fallback = SceneFallback{from_bits(json.at("fallback").at("time")),
+                                     json.at("fallback").at("why").get<std::string>()};
     return checkpoint;
   } catch (const std::exception& error) {
     throw std::runtime_error(file.string() +

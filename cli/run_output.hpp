@@ -8,9 +8,8 @@
 #include <optional>
 #include <string>
 
-#include <contact/hard_sphere_run.hpp>
-#include <contact/hard_sphere_scene.hpp>
 #include <contact/scene.hpp>
+#include <contact/scene_run.hpp>
 
 namespace contact::cli {
 
@@ -33,29 +32,26 @@ class GrowingFile {
 /// The state of a run of a scene as it is now: all of it is read through these.
 struct RunView {
   const Scene& scene;
-  const HardSphereScene& balls;
-  const HardSphereRun& run;
+  const SceneRun& run;
 };
 
 /// Whether a trajectory's name ends in .xyz or .csv.
 bool is_trajectory_name(const std::filesystem::path& path);
 /// What a trajectory begins with: a CSV file has a line of headings, an extended XYZ file nothing.
-std::string trajectory_heading(const std::filesystem::path& path, const SceneOutput& output);
-/// All balls, now.
+std::string trajectory_heading(const std::filesystem::path& path, const Scene& scene);
+/// All bodies but half-spaces, now. How they lie is told where not all of them are balls.
 std::string trajectory_frame(const std::filesystem::path& path, const RunView& view);
 
 /// The headings of a file of hits.
 std::string hits_heading();
 /// A hit, at its moment.
-std::string hit_line(const RunView& view, const HardSphereHit& hit);
-
-/// A quantity that a scene expects, now. Names and units as in scene_quantities.
-double quantity_now(const RunView& view, const SceneExpectation& wanted);
+std::string hit_line(const Scene& scene, const SceneHit& hit);
 
 /// Where a run was, and how long its files were then.
 struct RunCheckpoint {
-  HardSphereCheckpoint state;
+  SceneCheckpoint state;
   std::string scene;               ///< which scene: a number made of all that it says
+  std::string plan;                ///< which effects were on, and the step
   std::uint64_t frames = 0;        ///< how many of the frames that are due have been written
   std::uintmax_t output_size = 0;  ///< bytes
   std::uintmax_t events_size = 0;  ///< bytes

@@ -1,4 +1,4 @@
-// contact simulate: a scene of hard, smooth balls, from event to event.
+// contact simulate: a scene as its plan decides, from event to event or step by step.
 
 #include <algorithm>
 #include <chrono>
@@ -12,10 +12,13 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
+#include <contact/plan.hpp>
+
 #include "commands.hpp"
+#include "plan_words.hpp"
 #include "run_output.hpp"
-#include "scenes/run_hard_spheres.hpp"
 #include "scenes/scene_file.hpp"
+#include "scenes/scene_runs.hpp"
 #include "terminal.hpp"
 
 namespace fs = std::filesystem;
@@ -30,12 +33,17 @@ struct Options {
   std::string events;
   std::string checkpoint;
   std::string resume;
-  double until = -1;
-  double every = -1;
+  PlanWords plan;
+  std::string until;
+  std::string every;
   std::uint64_t max_events = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t event_budget = std::numeric_limits<std::uint64_t>::max();
   bool expect = false;
   bool json = false;
 };
+
+/// How many steps between two looks for Ctrl-C.
+constexpr std::uint64_t steps_at_a_time = 1;
 
 volatile std::sig_atomic_t interruption = 0;
 extern "C" void interrupt_run(int /*signal*/) { interruption = 1; }
@@ -53,13 +61,13 @@ struct Checked {
 /// One run of the command.
 class Simulation {
  public:
-  Simulation(Options options, Scene scene)
+  Simulation(Options options, Scene scene, const Plan& plan)
       : options_(std::move(options)),
         scene_(std::move(scene)),
-        balls_(hard_sphere_setup(scene_)),
-        run_(scenes::compose_run(balls_.setup)) {
-    if (options_.every >= 0) scene_.output.every = options_.every;
-    until_ = options_.until >= 0 ? options_.until : scene_.duration;
+        run_(scenes::make_run(scene_, plan, options_.event_budget)),
+        plan_number_(plan_number(plan)) {
+    if (!options_.every.empty()) scene_.output.every = seconds_of("--every", options_.every, true);
+    until_ = options_.until.empty() ? scene_.duration : seconds_of("--until", options_.until, true);
     first_energy_ = run_->energy();
     open_files();
     for (const SceneExpectation& wanted : scene_.expect) checked_.push_back({&wanted, {}});
@@ -85,16 +93,26 @@ class Simulation {
 
  private:
   /// Writes hits as they come.
-  struct Writer final : HardSphereObserver {
+  struct Writer final : SceneObserver {
     explicit Writer(Simulation& of) : simulation(of) {}
     Simulation& simulation;
-    bool on_hit(const HardSphereHit& hit) override {
-      simulation.events_->add(hit_line(simulation.view(), hit));
+    bool on_hit(const SceneHit& hit) override {
+      simulation.events_->add(hit_line(simulation.scene_, hit));
       return true;
     }
   };
 
-  [[nodiscard]] RunView view() const { return {scene_, balls_, *run_}; }
+  /// What is on, and the step: two runs of a scene with the same move alike.
+  static std::string plan_number(const Plan& plan) {
+    std::string number = shortest_text(plan.step);
+    for (const Decision& decision : plan.decisions) {
+      number += decision.on ? "1" : "0";
+      if (decision.overridden) number += "!";
+    }
+    return number;
+  }
+
+  [[nodiscard]] RunView view() const { return {scene_, *run_}; }
 
   void open_files() {
     std::optional<RunCheckpoint> from;
@@ -104,6 +122,10 @@ class Simulation {
         throw std::runtime_error(options_.resume + " was kept by a run of another scene than " +
                                  options_.scene);
       }
+      if (from->plan != plan_number_)
+        throw std::runtime_error(options_.resume +
+                                 " was kept by a run with another plan: the same " +
+                                 "--with, --without and --step go on with it");
       run_->restore(from->state);
       frames_ = from->frames;
       resumed_at_ = from->state.now;
@@ -111,7 +133,7 @@ class Simulation {
     }
     if (!options_.output.empty()) {
       output_.emplace(options_.output, from ? std::optional(from->output_size) : std::nullopt);
-      if (output_->size() == 0) output_->add(trajectory_heading(options_.output, scene_.output));
+      if (output_->size() == 0) output_->add(trajectory_heading(options_.output, scene_));
     }
     if (!options_.events.empty()) {
       events_.emplace(options_.events, from ? std::optional(from->events_size) : std::nullopt);
@@ -137,25 +159,26 @@ class Simulation {
 
   Ending advance_to_end() {
     Writer writer(*this);
-    HardSphereObserver* const observer = events_ ? &writer : nullptr;
+    SceneObserver* const observer = events_ ? &writer : nullptr;
     std::uint64_t left = options_.max_events;
     for (;;) {
       const double target = std::min({until_, next_frame(), next_expectation()});
       for (;;) {
         if (interruption != 0) return Ending::interrupted;
-        const std::uint64_t slice = std::min<std::uint64_t>(left, 4096);
+        const std::uint64_t slice =
+            run_->event_driven() ? std::min<std::uint64_t>(left, 4096) : steps_at_a_time;
         const std::uint64_t before = run_->counts().hits;
-        const HardSphereEnd end = run_->advance(target, slice, observer);
+        const SceneRunEnd end = run_->advance(target, slice, observer);
         left -= std::min(left, run_->counts().hits - before);
-        if (end == HardSphereEnd::endless_hits) return Ending::endless_hits;
-        if (end == HardSphereEnd::reached) break;
+        if (end == SceneRunEnd::endless_hits) return Ending::endless_hits;
+        if (end == SceneRunEnd::reached) break;
         if (left == 0) return Ending::out_of_events;
         progress();
       }
       progress();
       for (Checked& checked : checked_)
         if (checked.wanted->time == target && !checked.got)
-          checked.got = quantity_now(view(), *checked.wanted);
+          checked.got = scenes::quantity_of_run(scene_, *run_, *checked.wanted);
       if (target == next_frame()) {
         ++frames_;
         if (output_) add_frame();
@@ -172,7 +195,7 @@ class Simulation {
     if (output_) output_->flush();
     if (events_) events_->flush();
     write_checkpoint(options_.checkpoint,
-                     {run_->checkpoint(), scene_number(scene_), frames_,
+                     {run_->checkpoint(), scene_number(scene_), plan_number_, frames_,
                       output_ ? output_->size() : 0, events_ ? events_->size() : 0});
     kept_ = std::chrono::steady_clock::now();
   }
@@ -195,39 +218,50 @@ class Simulation {
     if (progress_shown_) std::fprintf(stderr, "\r%60s\r", "");
   }
 
-  [[nodiscard]] std::string name_of(std::size_t participant) const {
-    const std::size_t count = balls_.ball_body.size();
-    return scene_
-        .bodies[participant < count ? balls_.ball_body[participant]
-                                    : balls_.wall_body[participant - count]]
-        .name;
-  }
-
   [[nodiscard]] std::string trouble(Ending ending) const {
-    const HardSphereCounts counts = run_->counts();
+    const SceneRunCounts counts = run_->counts();
     const std::string at = " at " + shortest_text(run_->now()) + " s of " + shortest_text(until_);
     if (ending == Ending::out_of_events)
       return "the budget of " + std::to_string(options_.max_events) + " hits ran out" + at +
              " s: what comes later is not simulated";
     if (ending == Ending::endless_hits)
-      return "no bound on the number of hits: " + name_of(counts.endless_ball) + " hits " +
-             name_of(static_cast<std::size_t>(counts.endless_partner)) +
-             " again and again without time going on" + at +
-             " s. Hard balls from event to event cannot lie on each other";
+      return "no bound on the number of hits: " + scene_.bodies[counts.endless_first].name +
+             " hits " + scene_.bodies[counts.endless_second].name +
+             " again and again without time going on" + at + " s";
     return "";
   }
 
   [[nodiscard]] nlohmann::json effects_json() const {
-    const HardSphereEffects& on = run_->effects();
-    return {{"dimension", on.dimension},
-            {"gravity", on.gravity},
-            {"sizes", on.sizes},
-            {"restitution", on.restitution},
-            {"grid", on.grid}};
+    const auto on = scenes::hard_sphere_effects(*run_);
+    if (!on) return nullptr;
+    return {{"dimension", on->dimension},
+            {"gravity", on->gravity},
+            {"sizes", on->sizes},
+            {"restitution", on->restitution},
+            {"grid", on->grid}};
+  }
+
+  [[nodiscard]] nlohmann::json stages_json() const {
+    nlohmann::json stages = nlohmann::json::array();
+    for (const SceneStage& stage : run_->stages())
+      stages.push_back({{"name", stage.name}, {"detail", stage.detail}});
+    return stages;
+  }
+
+  [[nodiscard]] auto count_bodies(bool balls_only) const {
+    return std::count_if(scene_.bodies.begin(), scene_.bodies.end(), [&](const SceneBody& body) {
+      return balls_only ? std::holds_alternative<BallShape>(body.shape) : body.moves;
+    });
+  }
+
+  [[nodiscard]] nlohmann::json fallback_json() const {
+    const auto fallback = run_->fallback();
+    if (!fallback) return nullptr;
+    return {{"time", fallback->time}, {"why", fallback->why}};
   }
 
   void report(Ending ending) const {
-    const HardSphereCounts counts = run_->counts();
+    const SceneRunCounts counts = run_->counts();
     const double energy = run_->energy();
     const Style style(stdout);
     if (options_.json) {
@@ -255,7 +289,18 @@ class Simulation {
                           {"time", run_->now()},
                           {"until", until_},
                           {"effects", effects_json()},
-                          {"balls", balls_.ball_body.size()},
+                          {"event_driven", run_->event_driven()},
+                          {"step", run_->step()},
+                          {"stages", stages_json()},
+                          {"fallback", fallback_json()},
+                          {"balls", count_bodies(true)},
+                          {"bodies", scene_.bodies.size()},
+                          {"moving", count_bodies(false)},
+                          {"steps", counts.steps},
+                          {"parts", counts.parts},
+                          {"pairs", counts.pairs},
+                          {"contacts", counts.contacts},
+                          {"sweeps", counts.sweeps},
                           {"hits", counts.hits},
                           {"crossings", counts.crossings},
                           {"largest_overlap", counts.largest_overlap},
@@ -264,27 +309,36 @@ class Simulation {
                           {"energy", {{"first", first_energy_}, {"last", energy}}},
                           {"frames", frames_},
                           {"bytes", run_->bytes()},
-                          {"bytes_per_state", run_->bytes_per_state()},
+                          {"bytes_per_state", run_->bytes_per_body()},
                           {"seconds", seconds_since(began_)},
                           {"expectations", expectations}};
       if (const std::string what = trouble(ending); !what.empty()) json["trouble"] = what;
       say(json.dump(1));
     } else {
-      const HardSphereEffects& on = run_->effects();
-      std::string effects =
-          std::to_string(on.dimension) + (on.dimension == 1 ? " dimension" : " dimensions");
-      for (const auto& [is_on, name] :
-           {std::pair{on.gravity, "gravity"}, std::pair{on.sizes, "sizes"},
-            std::pair{on.restitution, "restitution"}, std::pair{on.grid, "grid"}})
-        if (is_on) effects += std::string(", ") + name;
-      say(style.bold(scene_.name) + ": hard, smooth balls from event to event (" + effects + ")");
+      std::string stages;
+      for (const SceneStage& stage : run_->stages())
+        stages += (stages.empty() ? "" : ", ") + stage.name;
+      say(style.bold(scene_.name) + ": " +
+          (run_->event_driven() ? "hard, smooth balls from event to event"
+                                : "step by step, " + shortest_text(run_->step()) + " s each") +
+          " (" + stages + ")");
       say("  " + shortest_text(run_->now()) + " s, " + std::to_string(counts.hits) + " hits, " +
-          std::to_string(run_->bytes_per_state()) + " bytes a ball's state");
+          std::to_string(run_->bytes_per_body()) + " bytes a body's state");
+      if (!run_->event_driven())
+        say("  " + std::to_string(counts.steps) + " steps in " + std::to_string(counts.parts) +
+            " parts, " + std::to_string(counts.pairs) + " pairs looked at, " +
+            std::to_string(counts.contacts) + " contacts solved in " +
+            std::to_string(counts.sweeps) + " sweeps");
       say("  energy " + shortest_text(first_energy_) + " J, then " + shortest_text(energy) +
-          " J; largest overlap at a hit " + shortest_text(counts.largest_overlap) + " m");
+          " J; largest overlap " + shortest_text(counts.largest_overlap) + " m");
       if (counts.rests > 0)
-        say("  lay down " + std::to_string(counts.rests) + " times, which puts paths off by " +
-            shortest_text(counts.rest_error) + " m at most");
+        say("  lay down " + std::to_string(counts.rests) + " times" +
+            (run_->event_driven()
+                 ? ", which puts paths off by " + shortest_text(counts.rest_error) + " m at most"
+                 : ""));
+      if (const auto fallback = run_->fallback())
+        say("  " + style.warn("step by step") + " from " + shortest_text(fallback->time) +
+            " s on: " + fallback->why);
       if (options_.expect) {
         for (const Checked& checked : checked_) {
           const SceneExpectation& wanted = *checked.wanted;
@@ -311,8 +365,8 @@ class Simulation {
 
   Options options_;
   Scene scene_;
-  HardSphereScene balls_;
-  std::unique_ptr<HardSphereRun> run_;
+  std::unique_ptr<SceneRun> run_;
+  std::string plan_number_;
   double until_ = 0;
   double first_energy_ = 0;
   std::uint64_t frames_ = 0;  // of those that are due
@@ -330,33 +384,40 @@ class Simulation {
 int run(const Options& options) {
   if (!options.output.empty() && !is_trajectory_name(options.output))
     throw grading::UnknownName("--output " + options.output + " must end in .xyz or .csv");
+  for (const auto& [option, text] :
+       {std::pair("--until", &options.until), std::pair("--every", &options.every)})
+    if (!text->empty()) seconds_of(option, *text, true);
+  const PlanOptions wanted = plan_options(options.plan);
   Scene scene = scenes::read_scene(scene_path(options.scene));
-  if (const auto refusal = hard_sphere_refusal(scene)) {
+  const Plan plan = plan_scene(scene, wanted);
+  if (const auto refusal = scenes::run_refusal(scene, plan)) {
     const Style style(stderr);
-    note(style.bad("contact: ") + scene.name + " is no scene of hard, smooth balls, and no other " +
-         "simulator is there yet: " + *refusal);
+    note(style.bad("contact: ") + scene.name + " cannot be simulated: " + *refusal);
     return exit_trouble;
   }
-  return Simulation(options, std::move(scene)).go();
+  return Simulation(options, std::move(scene), plan).go();
 }
 
 }  // namespace
 
 void add_simulate(CLI::App& app, Action& action) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("simulate", "Runs a scene of hard, smooth balls, from event to event");
+  CLI::App* command = app.add_subcommand(
+      "simulate", "Runs a scene as its plan decides: from event to event, or step by step");
   command->add_option("SCENE", options->scene, "A scene file, or the name of a scene of the book")
       ->required();
   command->add_option("--output", options->output,
                       "Trajectories: extended XYZ (.xyz) or a table (.csv)");
   command
       ->add_option("--every", options->every, "Seconds between two frames (default: the scene's)")
-      ->check(CLI::NonNegativeNumber);
+      ->type_name("SECONDS");
   command->add_option("--events", options->events, "A table of all hits (.csv)");
-  command->add_option("--until", options->until, "Stop at this time, s (default: the scene's end)")
-      ->check(CLI::NonNegativeNumber);
+  command->add_option("--until", options->until, "Stop at this time (default: the scene's end)")
+      ->type_name("SECONDS");
   command->add_option("--max-events", options->max_events, "Stop with an error after so many hits");
+  command->add_option("--event-budget", options->event_budget,
+                      "From event to event: go on step by step after so many hits");
+  add_plan_words(*command, options->plan);
   command->add_option("--checkpoint", options->checkpoint,
                       "Keep the state here at the end, on Ctrl-C and now and then");
   command->add_option("--resume", options->resume,

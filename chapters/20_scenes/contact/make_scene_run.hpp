@@ -107,6 +107,8 @@ class FallbackRun final : public SceneRun {
     counts.largest_overlap = std::max(counts.largest_overlap, more.largest_overlap);
     return counts;
   }
+  /// Of which effects of hard balls it is composed until it goes over.
+  const HardSphereEffects& effects() const { return events_->effects(); }
   std::size_t bytes() const override { return seen().bytes(); }
   std::size_t bytes_per_body() const override { return seen().bytes_per_body(); }
 
@@ -178,7 +180,7 @@ class FallbackRun final : public SceneRun {
     SceneObserver* to_;
   };
 
-  const SceneRun& seen() const { return steps_ ? *steps_ : *events_; }
+  const SceneRun& seen() const { return steps_ ? *steps_ : static_cast<const SceneRun&>(*events_); }
 
   void go_over(SceneFallback fallback, Scene from) {
     before_ = events_->counts();
@@ -193,7 +195,7 @@ class FallbackRun final : public SceneRun {
   Scene scene_;
   Overrides overrides_;
   std::uint64_t event_budget_;
-  std::unique_ptr<SceneRun> events_;
+  std::unique_ptr<HardSphereSceneRun> events_;
   std::unique_ptr<SceneRun> steps_;  // from when on it goes step by step
   std::optional<SceneFallback> fallback_;
   SceneRunCounts before_;  // until then

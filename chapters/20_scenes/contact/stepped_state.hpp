@@ -123,7 +123,7 @@ using StepStage = void (*)(const SteppedSetup&, SteppedState&, StepPart&);
 // [/stage]
 
 /// How many impacts may cut a step; what is left of it then is solved at once.
-inline constexpr int most_cuts = 16;
+inline constexpr int most_cuts = 8;
 /// How many bodies may move for impacts to be taken one by one, each at its own time.
 inline constexpr std::size_t most_one_by_one = 64;
 

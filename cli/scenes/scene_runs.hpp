@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <contact/hard_sphere_run.hpp>
+#include <contact/plan_types.hpp>
+#include <contact/scene.hpp>
+#include <contact/scene_run.hpp>
+
+namespace contact::scenes {
+
+/// make_scene_run() of contact/make_scene_run.hpp: here every stage is compiled, once.
+std::unique_ptr<SceneRun> make_run(
+    const Scene& scene, const Plan& plan,
+    std::uint64_t event_budget = std::numeric_limits<std::uint64_t>::max());
+
+/// Why a scene can be run neither from event to event nor step by step; nothing if it can.
+std::optional<std::string> run_refusal(const Scene& scene, const Plan& plan);
+
+/// scene_quantity() of contact/scene_quantity.hpp.
+double quantity_of_run(const Scene& scene, const SceneRun& run, const SceneExpectation& wanted);
+
+/// Of which effects a run of hard balls is composed; nothing if it goes step by step.
+std::optional<HardSphereEffects> hard_sphere_effects(const SceneRun& run);
+
+}  // namespace contact::scenes
