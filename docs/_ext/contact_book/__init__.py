@@ -35,11 +35,13 @@ from contact_book.locations import name_authors_files
 from contact_book.maths import visit_block, visit_inline
 from contact_book.nodes import component, slot
 from contact_book.offline import write_offline
+from contact_book.scene_player import ScenePlayer
 from contact_book.your_work import YourWork
 from contact_book.your_work import read_again as read_your_work_again
 
 DIRECTIVES = {
     "live-figure": LiveFigure,
+    "scene-player": ScenePlayer,
     "exercise": Exercise,
     "your-work": YourWork,
     "question": Question,
