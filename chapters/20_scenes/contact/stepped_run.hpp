@@ -208,7 +208,9 @@ class SteppedRun final : public SceneRun {
     }
   }
 
+  /// @cond
   using SceneRun::advance;
+  /// @endcond
   bool event_driven() const override { return false; }
   double step() const override { return setup_.step; }
   std::vector<SceneStage> stages() const override {
