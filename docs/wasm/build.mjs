@@ -7,6 +7,7 @@ import path from "node:path";
 import { parseArgs } from "node:util";
 import { gzipSync } from "node:zlib";
 import { inRoot, root, shown } from "./paths.mjs";
+import { playerProduct } from "./player.mjs";
 import { makeAll } from "./pool.mjs";
 import { figures, ladders } from "./products.mjs";
 import { key, made, prune, writeWhole } from "./recipes.mjs";
@@ -16,7 +17,11 @@ import { ship, toolchainRecipes } from "./toolchain.mjs";
 /** @typedef {import('./recipes.mjs').Recipe} Recipe */
 
 /** @type {Record<string, () => Product[]>} what becomes one file each */
-const kinds = { figures, ladders, toolchain: () => [] };
+const kinds = {
+  figures: () => [...figures(), ...playerProduct()],
+  ladders,
+  toolchain: () => [],
+};
 const usage =
   "usage: node docs/wasm/build.mjs figures|ladders|toolchain|all [--only NAME] [--out FOLDER] " +
   "[--workers N] [--quiet]";

@@ -137,6 +137,19 @@ function notices() {
   return texts.join(`\n${"-".repeat(78)}\n\n`);
 }
 
+/** The scenes that the page's player offers, as they are. */
+function scenes() {
+  const folder = path.join(root, "chapters", SCENES, "scenes");
+  const files = fs.existsSync(folder) ? fs.readdirSync(folder) : [];
+  const kept = files.filter((name) => name.endsWith(".json"));
+  const target = path.join(out, "scenes", SCENES);
+  for (const name of fs.existsSync(target) ? fs.readdirSync(target) : [])
+    if (!kept.includes(name)) fs.rmSync(path.join(target, name));
+  return kept.filter((name) =>
+    write(path.join(target, name), fs.readFileSync(path.join(folder, name))),
+  ).length;
+}
+
 /** One file by itself; the pages' build puts it at the site's root, so that all of the site is its own. */
 async function serviceWorker() {
   const { outputFiles = [] } = await build({
@@ -150,6 +163,10 @@ async function serviceWorker() {
   return outputFiles.filter(({ path: file, contents }) => write(file, contents)).length > 0;
 }
 
+/** The chapter of the scenes, and the one of them that the player begins with. */
+const SCENES = "20_scenes";
+const FIRST_SCENE = "billiards_break";
+
 /** Names of packages whose code is in the bundle. @type {Set<string>} */
 const used = new Set();
 
@@ -157,6 +174,7 @@ async function scripts() {
   const entries = [
     { in: path.join(here, "src", "contact.ts"), out: "contact" },
     { in: path.join(here, "src", "ladder-worker.ts"), out: "ladder-worker" },
+    { in: path.join(here, "src", "scenes-worker.ts"), out: "scenes-worker" },
     { in: path.join(here, "src", "contact-work.ts"), out: "contact-work" },
     // By a name of its own, so that a test or a benchmark can check an answer as the page does.
     { in: path.join(here, "src", "cpp", "checker.ts"), out: "checker" },
@@ -187,6 +205,7 @@ async function scripts() {
     plugins: [collect],
   });
   if (await serviceWorker()) written += 1;
+  written += scenes();
   const { code } = await transform(styles(), {
     loader: "css",
     minify: true,
@@ -204,6 +223,7 @@ async function pictures() {
   await bundle({
     entryPoints: [
       { in: path.join(here, "src", "node", "picture.ts"), out: "picture" },
+      { in: path.join(here, "src", "node", "scene-picture.ts"), out: "scene-picture" },
       ...list.map(({ name, source }) => ({ in: source, out: `figures/${name}` })),
     ],
     outdir: cache,
@@ -244,8 +264,36 @@ async function pictures() {
       wrong.push(`${name}: ${error instanceof Error ? error.message : error}`);
     }
   }
+  try {
+    if (await scenePicture(module("scene-picture"), drawn)) count += 1;
+  } catch (error) {
+    wrong.push(`the scene player: ${error instanceof Error ? error.message : error}`);
+  }
   write(record, JSON.stringify(drawn));
   return { wrong, count };
+}
+
+/** The picture of the scene player, if it is another one now.
+ * @param {string} drawer @param {Record<string, string>} drawn what the pictures were drawn from */
+async function scenePicture(drawer, drawn) {
+  const text = path.join(root, "chapters", SCENES, "scenes", `${FIRST_SCENE}.json`);
+  if (!fs.existsSync(text)) return false;
+  const folder = path.join(out, "scenes");
+  const module = path.join(folder, "player.wasm");
+  if (!fs.existsSync(module))
+    throw new Error("no player.wasm yet (node docs/wasm/build.mjs figures makes it)");
+  const wasm = fs.readFileSync(module);
+  const hash = createHash("sha256").update(wasm);
+  for (const part of [drawer, text]) hash.update(fs.readFileSync(part));
+  const now = hash.digest("hex");
+  const there = ["first.svg", "first.json"].every((name) => fs.existsSync(path.join(folder, name)));
+  if (there && drawn["the scene player"] === now) return false;
+  const { drawScene } = await import(pathToFileURL(drawer).href);
+  const { svg, facts } = await drawScene(wasm, FIRST_SCENE, fs.readFileSync(text, "utf8"));
+  write(path.join(folder, "first.svg"), svg);
+  write(path.join(folder, "first.json"), `${JSON.stringify(facts, null, 1)}\n`);
+  drawn["the scene player"] = now;
+  return true;
 }
 
 function checkAll() {
@@ -267,7 +315,7 @@ async function main() {
   say(`${written} scripts and styles written`);
   if (!scriptsOnly) {
     const { wrong, count } = await pictures();
-    say(`${count} of ${figures().length} pictures drawn`);
+    say(`${count} of ${figures().length + 1} pictures drawn`);
     for (const line of wrong) console.error(line);
     if (wrong.length > 0) return 1;
   }

@@ -48,6 +48,26 @@ def test_a_figure_has_a_picture_with_words_inside_the_element(lesson: BeautifulS
     assert "Drag the point" in one(lesson, "figure.live > figcaption").get_text()
 
 
+def test_a_scene_player_names_the_scenes_over_a_picture(lesson: BeautifulSoup) -> None:
+    element = one(lesson, "figure.live > contact-player")
+    assert element["name"] == "01_lines"
+    assert element["base"] == "../_static/contact/"
+    assert data(element) == {
+        "first": "two_balls",
+        "scenes": [
+            {"name": "one_ball", "about": "A ball & nothing <else>."},
+            {"name": "two_balls", "about": "Two balls."},
+        ],
+    }
+    picture = one(element, "img")
+    assert picture["src"] == "../_static/contact/scenes/first.svg"
+    assert picture["alt"] == "Two balls, after 3 hits."
+    assert (picture["width"], picture["height"]) == ("600", "400")
+    words = one(element, "noscript").get_text()
+    assert "2 scenes" in words
+    assert "./contact simulate two_balls" in words
+
+
 def test_the_picture_and_the_script_are_where_the_page_looks(built: Sample) -> None:
     static = built.site / "_static" / "contact"
     assert (static / "figures" / "01_lines" / "point_line.svg").is_file()
@@ -140,6 +160,14 @@ def test_code_comes_from_its_region_and_examples_show_their_output(lesson: Beaut
     example = one(lesson, "div.example").get_text()
     assert "printf" in example
     assert "prints" in example
+
+
+def test_a_measurement_shows_where_it_is_from_and_what_is_asked_for(lesson: BeautifulSoup) -> None:
+    measured = lesson.select(".literal-block-wrapper")[-1].get_text()
+    assert "benchmarks/results/peers.small.txt" in measured
+    assert "one core, 2026-01-02" in measured
+    assert "9.00" in measured
+    assert "far lines" not in measured
 
 
 def test_the_head_says_time_what_it_builds_on_and_objectives(lesson: BeautifulSoup) -> None:

@@ -494,10 +494,11 @@ class SceneChecker {
     for (std::size_t i = 0; i < scene_.expect.size(); ++i) {
       const SceneExpectation& wanted = scene_.expect[i];
       const std::string path = at("expect", i);
-      const auto* known = std::find_if(
-          scene_quantities.begin(), scene_quantities.end(),
-          [&](const SceneQuantity& quantity) { return quantity.name == wanted.quantity; });
-      if (known == scene_quantities.end()) {
+      const SceneQuantity* known = nullptr;
+      for (const SceneQuantity& quantity : scene_quantities) {
+        if (quantity.name == wanted.quantity) known = &quantity;
+      }
+      if (known == nullptr) {
         std::string names;
         for (const SceneQuantity& quantity : scene_quantities)
           names += (names.empty() ? "" : ", ") + std::string(quantity.name);

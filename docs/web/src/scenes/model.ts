@@ -1,0 +1,217 @@
+// What the player shows, without the page: which effects are switched, what the plan says in words,
+// what the numbers beside the picture are, and how fast its clock runs.
+
+import { pretty } from "../numbers.ts";
+import type { Composition, Decision, Frame, Opened, Overrides, Plan, Side } from "./messages.ts";
+
+/** An effect as a row of the table. */
+export interface Row {
+  readonly effect: string;
+  /** "on", "off", or a value: "0.004 s". */
+  readonly planned: string;
+  /** The same in the second run; as planned if there is none. */
+  readonly beside: string;
+  /** The state of the switch; nothing where there is none. */
+  readonly on: boolean | undefined;
+  readonly overridden: boolean;
+  readonly why: string;
+  readonly says: readonly string[];
+  /** The error accepted and the cost, in words. */
+  readonly account: string;
+}
+
+/** A quantity of both runs. */
+export interface Quantity {
+  readonly name: string;
+  readonly values: readonly string[];
+}
+
+const seconds = (value: number): string => `${pretty(value)} s`;
+
+function stateOf(decision: Decision, on: boolean): string {
+  return decision.value !== null && on ? seconds(decision.value) : on ? "on" : "off";
+}
+
+function errorOf({ error, error_is }: Decision): string {
+  if (error === null) return `Error accepted: no bound, ${error_is}.`;
+  return error > 0
+    ? `Error accepted: ${pretty(error, 3)} m, ${error_is}.`
+    : "Error accepted: none.";
+}
+
+function costOf({ operations, operations_are, planned }: Decision): string {
+  if (operations_are === "") return "";
+  if (!operations || operations <= 0) return planned ? "" : `Saved: ${operations_are}.`;
+  const count = `about ${pretty(operations, 3)} operations`;
+  return `${planned ? "Costs" : "Saves"} ${count}: ${operations_are}.`;
+}
+
+export function isMade(side: Side | undefined): side is Composition & { readonly plan?: Plan } {
+  return side !== undefined && !("refused" in side);
+}
+
+export class PlayerModel {
+  opened: Opened | undefined;
+  sides: readonly Side[] = [];
+  frames: readonly Frame[] = [];
+  /** ms of computing by each run since its beginning. */
+  took: readonly number[] = [];
+  step: number | undefined;
+  readonly #switched = new Map<string, boolean>();
+
+  /** Another scene, or the same from the beginning. */
+  open(opened: Opened): void {
+    this.opened = opened;
+    this.sides = opened.sides;
+    this.took = [];
+  }
+
+  /** Nothing is switched any more. */
+  forget(): void {
+    this.#switched.clear();
+    this.step = undefined;
+  }
+
+  get isOverridden(): boolean {
+    return this.#switched.size > 0 || this.step !== undefined;
+  }
+
+  get overrides(): Overrides {
+    const names = (on: boolean): string[] =>
+      [...this.#switched].filter(([, is]) => is === on).map(([name]) => name);
+    const step = this.step === undefined ? {} : { step: this.step };
+    return { with: names(true), without: names(false), ...step };
+  }
+
+  /** Switches an effect; back to what the plan says is no override. */
+  set(effect: string, on: boolean): void {
+    const planned = this.opened?.plan.decisions.find((each) => each.effect === effect)?.planned;
+    if (on === planned) this.#switched.delete(effect);
+    else this.#switched.set(effect, on);
+  }
+
+  /** The plan of the second run, if there is one, else the first's. */
+  get plan(): Plan | undefined {
+    return this.sides[1]?.plan ?? this.opened?.plan;
+  }
+
+  rows(): Row[] {
+    const beside = this.plan?.decisions ?? [];
+    return (this.opened?.plan.decisions ?? []).map((decision, i) => ({
+      effect: decision.effect,
+      planned: stateOf(decision, decision.planned),
+      beside: stateOf(beside[i] ?? decision, (beside[i] ?? decision).on),
+      on: decision.switched
+        ? (this.#switched.get(decision.effect) ?? beside[i]?.on ?? decision.on)
+        : undefined,
+      overridden: this.#switched.has(decision.effect),
+      why: decision.why,
+      says: decision.says,
+      account: `${errorOf(decision)} ${costOf(decision)}`.trim(),
+    }));
+  }
+
+  /** A run is composed of something else now. */
+  composed(side: number, composition: Composition): void {
+    const { plan } = this.sides[side] ?? {};
+    this.sides = this.sides.map((each, i) =>
+      i !== side ? each : plan ? { ...composition, plan } : composition,
+    );
+  }
+
+  /** Of what the runs are composed, a sentence each. */
+  compositions(): string[] {
+    return this.sides.flatMap((side, i): string[] => {
+      if (!isMade(side)) return [];
+      const stages = side.stages.map(({ name, detail }) => (detail ? `${name} (${detail})` : name));
+      const name = i === 0 ? "As planned" : "As switched";
+      const { fallback } = side;
+      const why = fallback
+        ? ` From t = ${seconds(fallback.time)} on it goes step by step: ${fallback.why}.`
+        : "";
+      return [`${name}: ${stages.join(", ")}.${why}`];
+    });
+  }
+
+  get time(): number {
+    return Math.min(...this.frames.map(({ time }) => time), this.opened?.scene.duration ?? 0);
+  }
+
+  /** The quantities beside the picture, for each run. */
+  quantities(): Quantity[] {
+    const { frames } = this;
+    const row = (name: string, value: (frame: Frame) => string): Quantity => ({
+      name,
+      values: frames.map(value),
+    });
+    const whole = (value: number): string => value.toLocaleString("en");
+    const all = [
+      row("goes", ({ eventDriven, side }) => {
+        const run = this.sides[side];
+        return eventDriven || !isMade(run)
+          ? "from event to event"
+          : `in steps of ${seconds(run.step)}`;
+      }),
+      row("hits", ({ hits }) => whole(hits)),
+    ];
+    if (frames.some(({ steps }) => steps > 0)) {
+      all.push(row("steps", ({ steps }) => whole(steps)));
+      all.push(row("contacts solved", ({ contacts }) => whole(contacts)));
+    }
+    all.push(
+      row("computing for one second of the scene", ({ time, side }) =>
+        time > 0 && this.took[side] !== undefined
+          ? `${pretty(this.took[side]! / time, 3)} ms`
+          : "–",
+      ),
+      row("state of a body", ({ bytesPerBody }) => `${whole(bytesPerBody)} bytes`),
+      row("energy", ({ energy }) => `${pretty(energy)} J`),
+      row("energy change", (frame) => energyChange(frame)),
+    );
+    return all;
+  }
+
+  /** How far the runs are apart: the error, if one of them is right. */
+  apart(): string {
+    const frame = this.frames.find(({ side }) => side === 1);
+    if (!frame || this.frames.length < 2) return "";
+    const name = this.opened?.scene.bodies[frame.farthest]?.name;
+    const { tolerance = null } = this.opened?.scene ?? {};
+    if (frame.apart === 0 || name === undefined)
+      return "The two runs are the same so far, bit for bit where bodies are.";
+    const than =
+      tolerance === null
+        ? ""
+        : frame.apart <= tolerance
+          ? `, within the tolerance of ${pretty(tolerance)} m`
+          : `, more than the tolerance of ${pretty(tolerance)} m`;
+    return `The two runs are ${pretty(frame.apart, 3)} m apart at most (${name})${than}.`;
+  }
+}
+
+export function energyChange({ energy, firstEnergy }: Frame): string {
+  const change = energy - firstEnergy;
+  const share =
+    firstEnergy === 0 ? "" : ` (${pretty((100 * change) / Math.abs(firstEnergy), 3)} %)`;
+  return `${pretty(change, 3)} J${share}`;
+}
+
+/** Seconds of the scene in one second of the page's clock. */
+export const PACES = [1e-4, 1e-3, 0.01, 0.1, 0.25, 0.5, 1, 2, 5, 10, 60, 600] as const;
+
+/** The pace at which a scene takes some seconds to watch: the real one if that is so. */
+export function paceFor(duration: number): number {
+  if (duration >= 1 && duration <= 20) return 1;
+  const wanted = duration / 8;
+  return PACES.reduce((best, pace) =>
+    Math.abs(Math.log(pace / wanted)) < Math.abs(Math.log(best / wanted)) ? pace : best,
+  );
+}
+
+/** The longest time between two pictures that the clock makes up for: then it is slower instead. */
+const LONGEST = 1 / 30;
+
+/** Until when to run for the next picture. */
+export function nextTime(now: number, elapsed: number, pace: number, duration: number): number {
+  return Math.min(duration, now + Math.min(Math.max(elapsed, 0), LONGEST) * pace);
+}
