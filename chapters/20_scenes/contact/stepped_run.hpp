@@ -130,7 +130,7 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
   // What the sweeps leave is a millionth of what would come to the tolerance in the whole time.
   const double left = std::clamp(setup.sleep_speed * 1e-6, 1e-13, 1e-9);
   setup.sweeps =
-      setup.one_by_one ? SweepLimits<double>{200, left, 1.5} : SweepLimits<double>{16, 1e-6, 1.0};
+      setup.one_by_one ? SweepLimits<double>{400, left, 1.5} : SweepLimits<double>{16, 1e-6, 1.0};
   return setup;
 }
 // [/stepped-setup]
