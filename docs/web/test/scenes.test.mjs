@@ -176,7 +176,9 @@ test("an effect that is a value is not switched, and says so", () => {
 
 test("the switches: back to the plan is no override", () => {
   const model = new models.PlayerModel();
-  model.open(opened("high_drop"));
+  const high = opened("high_drop");
+  model.open(high);
+  model.begin(high.sides, []);
   const gravity = () => model.rows().find(({ effect }) => effect === "gravity");
   assert.deepEqual([gravity()?.planned, gravity()?.on], ["on", true]);
   model.set("gravity", false);
@@ -194,6 +196,21 @@ test("the switches: back to the plan is no override", () => {
     values.map(({ effect }) => effect),
     ["step-size", "horizon"],
   );
+});
+
+test("the cost is that of the last pictures, of each run by itself", () => {
+  const model = new models.PlayerModel();
+  const { sides } = opened("high_drop", { with: [], without: ["gravity"] });
+  const at = (/** @type {number} */ time) =>
+    sides.map((_, side) => ({ .../** @type {any} */ (simulation.frame(side)), time }));
+  model.begin(sides, at(0));
+  assert.equal(model.cost(0), undefined);
+  // The first picture takes a second of computing, all later ones 2 ms and 1 ms.
+  for (let i = 1; i <= 100; ++i) model.show(at(i / 4), [1000 + 2 * i, i]);
+  assert.equal(model.cost(0), 8);
+  assert.equal(model.cost(1), 4);
+  const row = model.quantities().find(({ name }) => name.startsWith("computing"));
+  assert.deepEqual(row?.values, ["8 ms", "4 ms"]);
 });
 
 test("the clock: at most one picture's time is made up for, and the end is the end", () => {
