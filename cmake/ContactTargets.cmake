@@ -43,14 +43,20 @@ function(contact_add_precompiled name)
   target_precompile_headers(${name} PRIVATE ${ARGN})
 endfunction()
 
-# chapters/NN_slug/examples/NAME.cpp must print exactly NAME.out.
+# chapters/NN_slug/examples/NAME.cpp must print exactly NAME.out. A chapter that has scenes shows them: its examples read
+# them from CONTACT_SCENES.
 function(contact_add_examples chapter)
+  set(scenes "${PROJECT_SOURCE_DIR}/chapters/${chapter}/scenes")
   file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/chapters/${chapter}/examples/*.cpp")
   foreach(source IN LISTS sources)
     get_filename_component(stem "${source}" NAME_WE)
     set(target example_${chapter}_${stem})
     add_executable(${target} "${source}")
     target_link_libraries(${target} PRIVATE contact_${chapter} contact_warnings)
+    if(IS_DIRECTORY "${scenes}")
+      target_link_libraries(${target} PRIVATE contact_scenes)
+      target_compile_definitions(${target} PRIVATE "CONTACT_SCENES=\"${scenes}/\"")
+    endif()
     target_precompile_headers(${target} REUSE_FROM contact_examples_precompiled)
     add_test(NAME "${target}" COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:${target}>"
       "-DEXPECTED=${PROJECT_SOURCE_DIR}/chapters/${chapter}/examples/${stem}.out"

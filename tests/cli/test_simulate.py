@@ -69,14 +69,62 @@ def test_what_did_not_come_out_is_said(contact: Run, tmp_path: Path) -> None:
     assert contact("simulate", str(file)).returncode == 0
 
 
-def test_other_scenes_are_refused_with_the_reason(contact: Run) -> None:
-    for name, reason in (
-        ("stack_of_ten", "neither a ball nor a half-space"),
-        ("penalty_trampoline", "give way"),
+def test_scenes_that_call_for_steps_come_out_as_expected(contact: Run) -> None:
+    for name, stage in (
+        ("stack_of_ten", "contact forces"),
+        ("penalty_trampoline", "springs"),
+        ("sliding_then_rolling", "rotation"),
+        ("bullet_and_wall", "time of impact"),
+        ("three_at_once", "impacts"),
+        ("tennis_racket", "rotation"),
     ):
-        done = contact("simulate", name)
-        assert done.returncode == 3, name
-        assert reason in done.stderr, (name, done.stderr)
+        done = contact("simulate", name, "--expect", "--json")
+        assert done.returncode == 0, (name, done.stdout, done.stderr)
+        result = json.loads(done.stdout)
+        assert result["end"] == "complete"
+        assert not result["event_driven"]
+        assert result["step"] > 0
+        assert result["effects"] is None
+        assert stage in {entry["name"] for entry in result["stages"]}, (name, result)
+        assert all(entry["met"] for entry in result["expectations"]), (name, result)
+
+
+def test_a_stage_that_is_off_is_not_there_and_not_stored(contact: Run) -> None:
+    def run(*words: str) -> Json:
+        result: Json = json.loads(contact("simulate", "stack_of_ten", "--json", *words).stdout)
+        return result
+
+    plain = run("--until", "0.1")
+    bare = run("--until", "0.1", "--without", "sleeping", "--without", "gravity")
+    turning = run("--until", "0.1", "--with", "rotation")
+    names = {entry["name"] for entry in bare["stages"]}
+    assert not names & {"sleep", "waking", "gravity", "rotation"}
+    assert bare["bytes_per_state"] < plain["bytes_per_state"] < turning["bytes_per_state"]
+    finer = run("--until", "0.1", "--step", "0.001")
+    assert finer["steps"] == 100
+    done = contact("simulate", "stack_of_ten", "--without", "horizon")
+    assert done.returncode == 2
+    assert "is a value" in done.stderr
+
+
+def test_what_no_simulator_knows_is_refused_with_its_path(contact: Run, tmp_path: Path) -> None:
+    scene = of_book("thrown_stone")
+    scene["expect"] = []
+    scene["duration"] = 5
+    ball = {
+        "name": "ball",
+        "shape": {"type": "sphere", "radius": 0.1},
+        "material": "rock",
+        "mass": 1,
+        "position": [3, 0, 1],
+    }
+    scene["bodies"].append(ball)
+    file = tmp_path / "stones.json"
+    file.write_text(json.dumps(scene))
+    done = contact("simulate", str(file))
+    assert done.returncode == 3
+    assert "bodies[1].shape (stone)" in done.stderr
+    assert "half-spaces only" in done.stderr
 
 
 def test_names_and_options_that_are_none(contact: Run) -> None:
@@ -85,6 +133,12 @@ def test_names_and_options_that_are_none(contact: Run) -> None:
     done = contact("simulate", "head_on", "--output", "out.dat")
     assert done.returncode == 2
     assert ".xyz or .csv" in done.stderr
+    for option in ("--until", "--every"):
+        for value in ("-3", "nan", "soon", "inf"):
+            done = contact("simulate", "head_on", f"{option}={value}")
+            assert done.returncode == 2, (option, value)
+            words = f"{option} {value}: must be finite and not negative, in seconds"
+            assert words in done.stderr, done.stderr
 
 
 def test_an_extended_xyz_file_says_where_everything_is(
@@ -185,9 +239,10 @@ def test_a_budget_that_runs_out_is_said(contact: Run, gas: Path) -> None:
     assert "the budget of 3 hits ran out" in done.stderr
 
 
-def test_hits_without_bound_are_refused(contact: Run, tmp_path: Path) -> None:
+def test_where_hits_do_not_end_steps_take_over(contact: Run, tmp_path: Path) -> None:
     scene = of_book("high_drop")
     scene["expect"] = []
+    scene["duration"] = 10
     for material in scene["materials"]:
         material["restitution"] = 0.5
     balls = [body for body in scene["bodies"] if body["shape"].get("type") == "sphere"]
@@ -197,9 +252,47 @@ def test_hits_without_bound_are_refused(contact: Run, tmp_path: Path) -> None:
     scene["bodies"].append(upper)
     file = tmp_path / "pile.json"
     file.write_text(json.dumps(scene))
-    done = contact("simulate", str(file))
-    assert done.returncode == 3, done.stdout + done.stderr
-    assert "no bound on the number of hits" in done.stderr
+    # The planner proves no end of hits, so it steps; who insists on events is told when they end.
+    planned = json.loads(contact("simulate", str(file), "--json").stdout)
+    assert not planned["event_driven"]
+    assert planned["fallback"] is None
+    for words in ((), ("--event-budget", "2")):
+        done = contact("simulate", str(file), "--with", "event-driven", "--json", *words)
+        assert done.returncode == 0, done.stdout + done.stderr
+        forced = json.loads(done.stdout)
+        assert forced["end"] == "complete"
+        assert not forced["event_driven"]
+        assert 0 < forced["fallback"]["time"] < 10
+        assert ("budget of 2 hits" if words else "again and again") in forced["fallback"]["why"]
+    told = contact("simulate", str(file), "--with", "event-driven")
+    assert "step by step from" in told.stdout
+
+
+def test_a_stepped_run_that_was_kept_goes_on_to_the_same_bytes(
+    contact: Run, tmp_path: Path
+) -> None:
+    kept = str(tmp_path / "kept.json")
+
+    def run(name: str, *words: str) -> subprocess.CompletedProcess[str]:
+        out, hits = tmp_path / f"{name}.csv", tmp_path / f"{name}_hits.csv"
+        return contact(
+            "simulate",
+            *("bowling", "--output", str(out), "--events", str(hits), "--every", "0.07"),
+            *words,
+        )
+
+    assert run("whole", "--until", "3.6").returncode == 0
+    assert run("pieces", "--until", "3.45", "--checkpoint", kept).returncode == 0
+    # The end of a run is a frame that is not due: it is cut off again.
+    assert run("pieces", "--resume", kept, "--until", "3.6").returncode == 0
+    for name in ("", "_hits"):
+        one, other = tmp_path / f"whole{name}.csv", tmp_path / f"pieces{name}.csv"
+        assert one.read_bytes() == other.read_bytes()
+    heading = (tmp_path / "whole.csv").read_text().splitlines()[0]
+    assert heading == "time,body,x,y,z,qx,qy,qz,qw"
+    done = run("pieces", "--resume", kept, "--without", "friction")
+    assert done.returncode == 3
+    assert "another plan" in done.stderr
 
 
 def test_ctrl_c_keeps_what_is_done(

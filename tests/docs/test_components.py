@@ -162,6 +162,14 @@ def test_code_comes_from_its_region_and_examples_show_their_output(lesson: Beaut
     assert "prints" in example
 
 
+def test_a_measurement_shows_where_it_is_from_and_what_is_asked_for(lesson: BeautifulSoup) -> None:
+    measured = lesson.select(".literal-block-wrapper")[-1].get_text()
+    assert "benchmarks/results/peers.small.txt" in measured
+    assert "one core, 2026-01-02" in measured
+    assert "9.00" in measured
+    assert "far lines" not in measured
+
+
 def test_the_head_says_time_what_it_builds_on_and_objectives(lesson: BeautifulSoup) -> None:
     head = one(lesson, ".chapter-head")
     assert head.find_previous_sibling().name == "h1"  # type: ignore[union-attr]

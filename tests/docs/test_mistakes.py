@@ -42,6 +42,13 @@ MISTAKES = [
         43,
         "unknown exercise 'area' in exercises/01_lines; there is: distance",
     ),
+    (
+        ":::{measured} peers\nnear",
+        ":::{measured} peers\nafar",
+        46,
+        "unknown paragraph 'afar' in benchmarks/results/peers.small.txt; "
+        "there is: far lines: ms each, near lines: ms each",
+    ),
     ("\\norm{n}", "\\nrm{n}", 12, "mathematics: KaTeX parse error"),
 ]
 

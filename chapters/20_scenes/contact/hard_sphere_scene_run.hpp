@@ -53,7 +53,9 @@ class HardSphereSceneRun final : public SceneRun {
     return stages;
   }
 
+  /// @cond
   using SceneRun::advance;
+  /// @endcond
   SceneRunEnd advance(double until, std::uint64_t budget, SceneObserver* observer) override {
     Teller teller(*this, observer);
     switch (run_->advance(until, budget, observer == nullptr ? nullptr : &teller)) {

@@ -56,7 +56,9 @@ class FallbackRun final : public SceneRun {
         event_budget_(event_budget),
         events_(std::make_unique<HardSphereSceneRun>(scene_, compose)) {}
 
+  /// @cond
   using SceneRun::advance;
+  /// @endcond
   bool event_driven() const override { return !steps_; }
   double step() const override { return steps_ ? steps_->step() : 0; }
   std::vector<SceneStage> stages() const override { return seen().stages(); }

@@ -126,7 +126,7 @@ inline ContactManifold<double> manifold_with_gap(const StepShape& a, const StepS
                                                  const Gap<double>& gap, const NearPair& pair) {
   ContactManifold<double> manifold = manifold_of_shapes(a, b, std::max(pair.touch, pair.reach));
   for (const auto& point : manifold.points)
-    if (point.distance <= pair.touch) return manifold;
+    if (point.distance <= std::max(gap.distance, pair.touch)) return manifold;
   manifold.normal = gap.normal;
   manifold.points = {{Vector3<double>((gap.on_a + gap.on_b) / 2), gap.distance}};
   return manifold;
@@ -165,7 +165,10 @@ inline void find_touching_pairs(const SteppedSetup& setup, SteppedState& state, 
     const StepShape& a = part.shapes[pair.a];
     const StepShape& b = part.shapes[pair.b];
     pair.touch = detail::touching_distance(setup, state, pair);
-    pair.reach = setup.continuous ? detail::pair_reach(setup, state, part, pair) : pair.touch;
+    // Without continuous detection only what gravity brings together in a step: so what rests stays
+    // in contact.
+    pair.reach = setup.continuous ? detail::pair_reach(setup, state, part, pair)
+                                  : size_of(setup.scene.gravity) * part.left * part.left;
     if (part.at_once) {
       pair.manifold = manifold_of_shapes(a, b, std::max(pair.touch, pair.reach));
       pair.distance = std::numeric_limits<double>::infinity();

@@ -2,6 +2,7 @@
 /// Stages: gravity, moving and turning. What nothing touches flies exactly.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -106,36 +107,36 @@ inline Rotor<double> free_turn(const Rotor<double>& q, const Vector3<double>& mo
 
 }  // namespace detail
 
-/// Turning with the gyroscopic term: of a body that nothing pushes the angular momentum stays, and
-/// the spin follows from how it lies. A body on which contacts push keeps the angular momentum that
-/// they leave it.
+/// Turning with the gyroscopic term: the angular momentum is what contacts leave of it, and the
+/// spin follows from how the body lies. While contacts push it turns as with the mean of its
+/// momenta.
 inline void turn_with_gyroscopic_term(const SteppedSetup& setup, SteppedState& state,
                                       StepPart& part) {
   for (std::size_t i = 0; i < setup.movers; ++i) {
     if (sleeps(state, i)) continue;
     const SteppedBody& body = setup.bodies[i];
-    if (body.round || part.end_spin[i] == Vector3<double>::Zero()) {
-      const Vector3<double> mean = detail::mean_spin(state, part, i, part.length);
-      state.orientation[i] = normalised(exponential_step(state.orientation[i], mean, part.length));
-      state.spin[i] = detail::pushed_spin(state, part, i);
+    const Vector3<double> mean = detail::mean_spin(state, part, i, part.length);
+    const Vector3<double> spin = detail::pushed_spin(state, part, i);
+    Rotor<double>& q = state.orientation[i];
+    if (body.round || (mean == Vector3<double>::Zero() && spin == Vector3<double>::Zero())) {
+      q = normalised(exponential_step(q, mean, part.length));
+      state.spin[i] = spin;
       continue;
     }
-    Rotor<double>& q = state.orientation[i];
-    const auto principal = [&] { return Matrix3<double>(matrix_of(q) * body.axes); };
-    const Vector3<double> spin = detail::pushed_spin(state, part, i);
-    const Vector3<double> seen = principal().transpose() * spin;
-    const Vector3<double> momentum = principal() * Vector3<double>(seen.cwiseProduct(body.moments));
-    if (part.pushed[i]) {
-      const Vector3<double> mean = detail::mean_spin(state, part, i, part.length);
-      q = normalised(exponential_step(q, mean, part.length));
-    } else {
-      const double fastest = size_of(momentum) / body.moments.minCoeff();
-      const double looks = std::ceil(fastest * part.length / gyroscopic_angle);
-      const auto count = static_cast<std::uint64_t>(std::min(std::max(looks, 1.0), 4096.0));
-      const double h = part.length / static_cast<double>(count);
-      for (std::uint64_t k = 0; k < count; ++k) q = detail::free_turn(q, momentum, body, h);
-    }
-    state.spin[i] = free_spin<double>(momentum, body.moments, principal());
+    const Matrix3<double> principal = matrix_of(q) * body.axes;
+    const auto momentum_of = [&](const Vector3<double>& w) {
+      const Vector3<double> seen = principal.transpose() * w;
+      return Vector3<double>(principal * Vector3<double>(seen.cwiseProduct(body.moments)));
+    };
+    const Vector3<double> on_the_way = momentum_of(mean);
+    const Vector3<double> momentum = momentum_of(spin);
+    const double fastest = size_of(on_the_way) / body.moments.minCoeff();
+    const double looks = std::ceil(fastest * part.length / gyroscopic_angle);
+    const auto count = static_cast<std::uint64_t>(std::min(std::max(looks, 1.0), 4096.0));
+    const double h = part.length / static_cast<double>(count);
+    for (std::uint64_t k = 0; k < count; ++k) q = detail::free_turn(q, on_the_way, body, h);
+    state.spin[i] =
+        free_spin<double>(momentum, body.moments, Matrix3<double>(matrix_of(q) * body.axes));
   }
 }
 // [/gyroscopic-stage]

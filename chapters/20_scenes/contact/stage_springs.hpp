@@ -61,13 +61,17 @@ inline void push_springs(const SteppedSetup& setup, SteppedState& state, StepPar
     const double share = 1 / static_cast<double>(pair.manifold.points.size());
     const SpringDamper<double> spring{*pair.material.stiffness * share,
                                       pair.material.damping * share};
+    // How gravity alone changes the speed of approach, m/s².
+    const double pull =
+        -n.dot(setup.scene.gravity) * ((a.inverse_mass > 0 ? 1 : 0) - (b.inverse_mass > 0 ? 1 : 0));
     for (const auto& point : pair.manifold.points) {
       const Vector3<double> slide = point_velocity(setup, state, pair.a, point.point) -
                                     point_velocity(setup, state, pair.b, point.point);
       const double approach = -n.dot(slide);
       const double depth = approach * (h / 2) - point.distance;
       const double give = response<double>(a, b, point.point, n, n);
-      const double push = contact_push(spring, depth, approach) / (1 + h * spring.damping * give);
+      const double push =
+          contact_push(spring, depth, approach + h * pull) / (1 + h * spring.damping * give);
       if (!(push > 0)) continue;
       Vector3<double> impulse = n * (push * h);
       const Vector3<double> along = slide + n * approach;

@@ -93,7 +93,8 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
     if (kind == 0) setup.movers = setup.bodies.size();
     if (kind == 1) setup.bounded = setup.bodies.size();
   }
-  setup.rotation = is_on(plan, Effect::rotation);
+  // The gyroscopic term changes spins: it brings them along.
+  setup.rotation = is_on(plan, Effect::rotation) || is_on(plan, Effect::gyroscopic_term);
   setup.continuous = is_on(plan, Effect::continuous_detection);
   setup.one_by_one = setup.movers <= most_one_by_one;
   setup.together = is_on(plan, Effect::several_contacts);
@@ -129,7 +130,7 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
   // What the sweeps leave is a millionth of what would come to the tolerance in the whole time.
   const double left = std::clamp(setup.sleep_speed * 1e-6, 1e-13, 1e-9);
   setup.sweeps =
-      setup.one_by_one ? SweepLimits<double>{200, left, 1.5} : SweepLimits<double>{16, 1e-6, 1.0};
+      setup.one_by_one ? SweepLimits<double>{400, left, 1.5} : SweepLimits<double>{16, 1e-6, 1.0};
   return setup;
 }
 // [/stepped-setup]
@@ -207,7 +208,9 @@ class SteppedRun final : public SceneRun {
     }
   }
 
+  /// @cond
   using SceneRun::advance;
+  /// @endcond
   bool event_driven() const override { return false; }
   double step() const override { return setup_.step; }
   std::vector<SceneStage> stages() const override {

@@ -29,7 +29,7 @@ from contact_book.home import BookContents, ChapterCards, EBookLink, read_again
 from contact_book.html import depart_through, visit_component, visit_through
 from contact_book.ladder import Ladder
 from contact_book.landmarks import name_columns, plain_captions
-from contact_book.listing import Code, Example
+from contact_book.listing import Code, Example, Measured
 from contact_book.live_figure import LiveFigure
 from contact_book.locations import name_authors_files
 from contact_book.maths import visit_block, visit_inline
@@ -50,6 +50,7 @@ DIRECTIVES = {
     "hard-cases": HardCases,
     "example": Example,
     "code": Code,
+    "measured": Measured,
     "objectives": Objectives,
     "chapter-head": ChapterHead,
     "chapter-foot": ChapterFoot,

@@ -1,4 +1,5 @@
-"""`{code} FILE REGION` and `{example} NAME`: listings taken from files that are compiled."""
+"""`{code} FILE REGION`, `{example} NAME`, `{measured} NAME`: listings taken from files that are
+compiled, compared, or written by a measurement."""
 
 from __future__ import annotations
 
@@ -92,3 +93,40 @@ class Example(BookDirective):
         printed = output.read_text(encoding="utf-8")
         box += listing(printed, "text", [nodes.Text("prints")])
         return [box]
+
+
+def paragraphs(text: str) -> list[str]:
+    """What empty lines part."""
+    return [part.strip("\n") for part in text.split("\n\n") if part.strip()]
+
+
+class Measured(BookDirective):
+    """What was measured beside other programs, as `benchmarks/results/NAME.*.txt` holds it.
+
+    Each line of the content is the beginning of a paragraph of the file; those are shown, under the
+    file's first, which says on what machine and how.
+    """
+
+    required_arguments = 1
+    has_content = True
+
+    def build(self) -> list[nodes.Node]:
+        name = self.arguments[0].strip()
+        results = self.book.root / "benchmarks" / "results"
+        found = sorted(results.glob(f"{name}.*.txt"))
+        if not found:
+            known = {path.name.partition(".")[0] for path in results.glob("*.txt")}
+            raise unknown("measurement", name, sorted(known), "benchmarks/results")
+        path = found[-1]
+        self.depends(path)
+        where = self.book.relative(path)
+        head, *rest = paragraphs(path.read_text(encoding="utf-8"))
+        shown = [head]
+        for wanted in self.content:
+            matching = [part for part in rest if part.startswith(wanted)]
+            if not matching:
+                firsts = [part.partition("\n")[0] for part in rest]
+                raise unknown("paragraph", wanted, firsts, where)
+            shown += matching
+        text = "\n\n".join(shown) + "\n"
+        return [listing(text, "text", [nodes.literal(where, where)])]

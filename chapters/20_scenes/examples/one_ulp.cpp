@@ -1,0 +1,31 @@
+// Billiards on a level table, and the same with one ball a single ulp too high: what can no longer
+// be proven is on.
+#include <cmath>
+#include <contact/plan.hpp>
+#include <cstdio>
+#include <scenes/scene_file.hpp>
+
+int main() {
+  contact::Scene scene =
+      contact::scenes::read_scene(std::string(CONTACT_SCENES) + "billiards_break.json");
+  const contact::Plan level = contact::plan_scene(scene);
+  contact::SceneBody* ball = nullptr;
+  for (contact::SceneBody& body : scene.bodies) {
+    if (body.moves) ball = &body;
+  }
+  ball->position.z() = std::nextafter(ball->position.z(), 1.0);
+  const contact::Plan raised = contact::plan_scene(scene);
+
+  for (const contact::Effect effect : contact::all_effects) {
+    const contact::Decision& before = contact::decision_on(level, effect);
+    const contact::Decision& after = contact::decision_on(raised, effect);
+    if (before.on == after.on) continue;
+    std::printf("%s: %s, then %s\n", std::string(contact::effect_name(effect)).c_str(),
+                before.on ? "on" : "off", after.on ? "on" : "off");
+    for (const contact::Inequality& failed : after.because) {
+      std::printf("    %s: %.3g, not %s %.3g%s%s\n", failed.left_is.c_str(), failed.left,
+                  failed.relation == contact::Relation::equal ? "=" : "at most", failed.right,
+                  failed.unit.empty() ? "" : " ", failed.unit.c_str());
+    }
+  }
+}

@@ -1,0 +1,22 @@
+// misconception: angle-of-one-hit-alone
+// caught by: from pillar to pillar
+#include "horizon.hpp"
+
+namespace exercise {
+
+double horizon(const std::vector<Hit>& hits, double speed, double error, double tolerance) {
+  double apart = error;
+  double angle = 0;  // between the two paths, rad
+  double time = 0;
+  for (const Hit& hit : hits) {
+    const double next = apart + angle * hit.flight;
+    if (next >= tolerance) break;
+    apart = next;
+    time += hit.flight / speed;
+    angle = 2 * apart / (hit.radius * hit.cosine);
+  }
+  if (!(angle > 0)) return std::numeric_limits<double>::infinity();
+  return time + (tolerance - apart) / angle / speed;
+}
+
+}  // namespace exercise

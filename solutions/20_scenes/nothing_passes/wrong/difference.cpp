@@ -1,0 +1,15 @@
+// misconception: speeds-subtracted
+// caught by: both move
+#include "nothing_passes.hpp"
+
+namespace exercise {
+
+Proof prove(const Mover& a, const Mover& b, double step, double thickness) {
+  const double speed = std::abs(a.speed - b.speed);
+  const double acceleration = a.acceleration + b.acceleration;
+  const double turning = a.spin * a.reach + b.spin * b.reach;
+  const double displacement = (speed + acceleration * step / 2 + turning) * step;
+  return {displacement, displacement <= thickness};
+}
+
+}  // namespace exercise

@@ -1,0 +1,21 @@
+// misconception: acceleration-left-out
+// caught by: what gets faster within the step
+#include "nothing_passes.hpp"
+
+namespace exercise {
+
+namespace {
+
+/// The longest path of a point of one body in a step, m.
+double longest_path(const Mover& mover, double step) {
+  return (mover.speed + mover.spin * mover.reach) * step;
+}
+
+}  // namespace
+
+Proof prove(const Mover& a, const Mover& b, double step, double thickness) {
+  const double displacement = longest_path(a, step) + longest_path(b, step);
+  return {displacement, displacement <= thickness};
+}
+
+}  // namespace exercise

@@ -1,0 +1,21 @@
+// misconception: spin-left-out
+// caught by: what spins
+#include "nothing_passes.hpp"
+
+namespace exercise {
+
+namespace {
+
+/// The longest path of a point of one body in a step, m.
+double longest_path(const Mover& mover, double step) {
+  return (mover.speed + mover.acceleration * step / 2) * step;
+}
+
+}  // namespace
+
+Proof prove(const Mover& a, const Mover& b, double step, double thickness) {
+  const double displacement = longest_path(a, step) + longest_path(b, step);
+  return {displacement, displacement <= thickness};
+}
+
+}  // namespace exercise

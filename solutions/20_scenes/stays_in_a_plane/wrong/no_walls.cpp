@@ -1,0 +1,19 @@
+// misconception: walls-left-out
+// caught by: walls push along their normals
+#include "stays_in_a_plane.hpp"
+
+namespace exercise {
+
+std::array<bool, 3> still_axes(const Scene& scene) {
+  std::array<bool, 3> still{};
+  for (int k = 0; k < 3; ++k) {
+    bool holds = scene.gravity(k) == 0;
+    for (const Ball& ball : scene.balls) {
+      holds = holds && ball.velocity(k) == 0 && ball.centre(k) == scene.balls[0].centre(k);
+    }
+    still[static_cast<std::size_t>(k)] = holds;
+  }
+  return still;
+}
+
+}  // namespace exercise

@@ -1,0 +1,254 @@
+#include "support/questions.hpp"
+
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include <contact/hard_spheres.hpp>
+#include <contact/plan.hpp>
+
+#include "scenes/scene_file.hpp"
+
+#define CONTACT_FIGURE_NO_MAIN
+#include <contact/figure.hpp>
+#include <contact/rotation.hpp>
+namespace passing {
+#include "figures/passing.cpp"
+}
+namespace parting {
+#include "figures/parting.cpp"
+}
+
+using contact::Effect;
+using contact::Scene;
+using Vector = contact::Vector3<double>;
+
+namespace {
+
+contact::SceneBody ball(const char* name, const Vector& position, const Vector& velocity,
+                        double radius) {
+  contact::SceneBody body;
+  body.name = name;
+  body.shape = contact::BallShape{radius};
+  body.mass = 1;
+  body.inertia = Vector::Constant(0.4 * radius * radius).asDiagonal();
+  body.position = position;
+  body.velocity = velocity;
+  return body;
+}
+
+Scene scene_of(std::vector<contact::SceneBody> bodies, double duration, double friction = 0) {
+  Scene scene;
+  scene.materials.resize(1);
+  scene.materials[0].restitution = 1;
+  scene.materials[0].friction = friction;
+  scene.bodies = std::move(bodies);
+  scene.duration = duration;
+  return scene;
+}
+
+Scene two_balls() {
+  return scene_of({ball("a", {-1, 0, 0}, {3, 0, 0}, 0.1), ball("b", {1, 0, 0}, {-4, 0, 0}, 0.1)},
+                  10);
+}
+
+Scene book_scene(const std::string& name) {
+  return contact::scenes::read_scene(CONTACT_SOURCE_DIR "/chapters/20_scenes/scenes/" + name +
+                                     ".json");
+}
+
+bool is_on(const Scene& scene, Effect effect) {
+  return contact::decision_on(contact::plan_scene(scene), effect).on;
+}
+
+/// The largest number for which a condition holds that holds below it and not above.
+template <class Holds>
+double largest(double low, double high, const Holds& holds_at) {
+  for (int i = 0; i < 200; ++i) {
+    const double middle = (low + high) / 2;
+    (holds_at(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+KEY("what-a-reader-refuses") {
+  const char* const text = R"({"format": "contact-scene/1", "units": "SI", "name": "x",
+    "about": "x.", "gravity": [0, 0, 0],
+    "materials": [{"name": "m", "restitution": 1, "friction": 0}],
+    "bodies": [{"name": "a", "shape": {"type": "sphere", "radius": 1}, "material": "m", "mass": 1,
+      "frcition": 0.5, "position": [0, 0, 0]}],
+    "duration": 1, "tolerance": {"position": 1}})";
+  try {
+    contact::scenes::scene_from_text(text, "x.json");
+  } catch (const contact::scenes::SceneFileError& error) {
+    const std::string said = error.what();
+    return said.find("bodies[0].frcition") != std::string::npos &&
+                   said.find("known are") != std::string::npos
+               ? 2
+               : 3;
+  }
+  return 0;
+}
+
+KEY("no-faster-than") { return contact::scene_bounds(two_balls()).speed; }
+
+KEY("closing-at-most") { return contact::scene_bounds(two_balls()).pairs.at(0).closing; }
+
+KEY("bullet-step") {
+  const Scene scene = book_scene("bullet_and_wall");
+  const contact::PlanQuestion q = contact::plan_question(scene);
+  return 1e6 * largest(0, 1, [&q](double h) {
+           return contact::holds(contact::tunnelling_conditions(q, h).front());
+         });
+}
+
+KEY("gravity-off") {
+  Scene scene = scene_of({ball("a", {0, 0, 0}, {1, 0, 0}, 0.1)}, 1);
+  scene.gravity = {0, 0, -10};
+  scene.tolerance.position = 0.001;
+  return 1000 * largest(0, 1, [&scene](double duration) {
+           scene.duration = duration;
+           return !is_on(scene, Effect::gravity);
+         });
+}
+
+KEY("rough-head-on") {
+  Scene scene = two_balls();
+  scene.materials[0].friction = 0.5;
+  if (is_on(scene, Effect::friction)) return 0;
+  scene.materials[0].restitution = 0.5;
+  return is_on(scene, Effect::friction) ? 2 : 1;
+}
+
+KEY("smallest-number") {
+  Scene scene = book_scene("billiards_break");
+  if (is_on(scene, Effect::third_dimension)) return -1;
+  scene.bodies.back().position.z() = 5e-324;
+  return is_on(scene, Effect::third_dimension) ? 2 : 0;
+}
+
+KEY("not-proven") {
+  // Of no decision of any scene of the book is something off without a proof that holds.
+  for (const auto& file :
+       contact::scenes::scenes_in(CONTACT_SOURCE_DIR "/chapters/20_scenes/scenes")) {
+    const contact::Plan plan = contact::plan_scene(contact::scenes::read_scene(file));
+    const contact::Decision& resting = contact::decision_on(plan, Effect::resting);
+    if (!resting.on && !resting.proven) return 1;
+    for (const contact::Proof& proof : resting.tried) {
+      if (resting.on && contact::is_proven(proof)) return -1;
+    }
+  }
+  return 0;
+}
+
+KEY("shortest-hop") {
+  // The cutoff leaves out hops of half of the tolerance.
+  return 1000 * contact::contact_time_cutoff(0.001, 10);
+}
+
+KEY("comparisons") {
+  constexpr std::size_t slots = 1024;
+  std::vector<double> time(slots);
+  for (std::size_t i = 0; i < slots; ++i) time[i] = 10 + static_cast<double>(i);
+  contact::EarliestQueue queue(slots);
+  int count = 0;
+  const auto before = [&](std::size_t i, std::size_t k) {
+    ++count;
+    return time[i] < time[k];
+  };
+  queue.play_all(before);
+  int most = 0;
+  for (std::size_t i = 0; i < slots; ++i) {
+    count = 0;
+    time[i] = -static_cast<double>(i) - 1;  // a new winner goes all the way up
+    queue.update(i, before);
+    most = std::max(most, count);
+  }
+  return static_cast<double>(most);
+}
+
+KEY("who-must-be-asked") {
+  // A third ball had planned to meet one of the two. If it were asked at once, no plan would ever
+  // be found stale.
+  contact::HardSphereSetup setup;
+  const auto add = [&setup](double x, double y, double vx, double vy) {
+    contact::HardBall one;
+    one.radius = 0.5;
+    one.mass = 1;
+    one.position = {x, y, 0};
+    one.velocity = {vx, vy, 0};
+    setup.balls.push_back(one);
+  };
+  add(0, 0, 1, 0);
+  add(2, 0, 0, 0);
+  add(2, 4, 0, -1);
+  constexpr contact::HardSphereEffects plane{
+      .dimension = 2, .gravity = false, .sizes = false, .restitution = false, .grid = false};
+  contact::HardSpheres<plane> run(setup);
+  run.advance(2);
+  const auto early = run.counts();
+  run.advance(4);
+  const auto late = run.counts();
+  return early.hits == 1 && early.stale == 0 && late.stale > 0 ? 1 : 2;
+}
+
+KEY("from-scene-to-run") {
+  // What each piece of work needs to have been done before it.
+  const std::vector<std::set<int>> needs{{4}, {}, {1}, {0}, {2}};
+  std::vector<int> order;
+  std::set<int> done;
+  while (order.size() < needs.size()) {
+    std::vector<int> possible;
+    for (int i = 0; i < static_cast<int>(needs.size()); ++i) {
+      const auto& before = needs[static_cast<std::size_t>(i)];
+      if (done.count(i) == 0 &&
+          std::includes(done.begin(), done.end(), before.begin(), before.end()))
+        possible.push_back(i);
+    }
+    if (possible.size() != 1) return std::vector<int>{};  // two right orders would be no question
+    order.push_back(possible.front());
+    done.insert(possible.front());
+  }
+  return order;
+}
+
+KEY("hits-to-the-horizon") {
+  double error = 1e-16;
+  int hits = 0;
+  for (; error <= 1e-3; ++hits) error *= 1 + 2 * 1.0 / 0.1;
+  return static_cast<double>(hits);
+}
+
+KEY("one-more-digit") {
+  const auto hits_from = [](double digits) {
+    double hits = 0;
+    for (double lost = 0; lost < digits; lost += std::log10(21.0)) ++hits;
+    return hits;
+  };
+  const double factor = hits_from(100) / hits_from(16);
+  return factor > 5 && factor < 9 ? 0 : factor < 1.1 ? 2 : 1;
+}
+
+KEY("tight-step") {
+  passing::Input in{1.6, 20, 0, 0.0145, 0.1, 0, 0};
+  const double winning = passing::compute(in).tight;
+  in.step = 0.025;
+  return questions::Construct{winning, passing::compute(in).tight};
+}
+
+KEY("part-quickly") {
+  const auto with_aim = [](double x, double y) {
+    parting::Input in;
+    in.from = {0.5, 1.6};
+    in.to = {x, y};
+    in.digits = 15;
+    in.post = 0.3;
+    in.shown = 40;
+    return parting::compute(in).quick;
+  };
+  double winning = 0;
+  for (int k = 0; k < 40 && winning == 0; ++k) winning = with_aim(0.6 + 0.08 * k, 2.2);
+  return questions::Construct{winning, with_aim(2.4, 2.6)};
+}
