@@ -7,7 +7,6 @@ import os
 import shutil
 import subprocess
 import sys
-import time
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -78,11 +77,9 @@ def set_up(folder: Path, what: str) -> None:
 @pytest.mark.parametrize("shell", SHELLS)
 @pytest.mark.parametrize("words", [(), ("--help",), ("-h",), ("help",)])
 def test_help_needs_no_build(clone: Path, shell: str, words: tuple[str, ...]) -> None:
-    began = time.monotonic()
     done = contact(clone, *words, shell="busybox sh" if shell == "busybox" else shell)
     assert done.returncode == 0
     assert "./contact COMMAND" in done.stdout
-    assert time.monotonic() - began < 1
     assert not (clone / "build").exists()
 
 
@@ -238,19 +235,16 @@ def test_npm_packages_out_of_reach(clone: Path) -> None:
     assert "./contact setup again" in last
 
 
-def test_a_second_setup_is_quick_and_installs_nothing() -> None:
+def test_a_second_setup_installs_nothing() -> None:
     if not (ROOT / "build/venv/contact-requirements.txt").exists():
         pytest.skip("this tree was not set up by ./contact setup")
     first = contact(ROOT, "setup", "--for", "book")
     assert first.returncode == 0, first.stderr
     venv = (ROOT / "build/venv/contact-requirements.txt").stat().st_mtime_ns
-    began = time.monotonic()
     second = contact(ROOT, "setup", "--for", "book")
-    took = time.monotonic() - began
     assert second.returncode == 0, second.stderr
     assert "Installing" not in second.stderr
     assert (ROOT / "build/venv/contact-requirements.txt").stat().st_mtime_ns == venv
-    assert took < 2
 
 
 def test_the_npm_lock_serves_every_system() -> None:
