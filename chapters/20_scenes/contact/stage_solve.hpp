@@ -259,8 +259,12 @@ inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPar
     part.end_velocity[place] = solved.bodies[i].velocity;
     if (setup.rotation) part.end_spin[place] = solved.bodies[i].spin;
   }
-  state.touched.clear();
-  state.pushed.clear();
+  // What a very short part needed to stop an approach is no force that lasts.
+  const bool lasts = part.planned * 64 >= setup.step;
+  if (lasts) {
+    state.touched.clear();
+    state.pushed.clear();
+  }
   std::vector<std::size_t> hit_pairs;  // their contacts
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const ContactImpulse<double>& impulse = solved.impulses[i];
@@ -272,9 +276,11 @@ inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPar
       part.pushed[place] = true;
       if (gaps[i] > 0 || hits) part.at_start[place] = true;
     }
-    state.touched.push_back(contacts[i]);
-    state.pushed.push_back(
-        {impulse.normal / part.planned, Vector3<double>(impulse.tangential / part.planned)});
+    if (lasts) {
+      state.touched.push_back(contacts[i]);
+      state.pushed.push_back(
+          {impulse.normal / part.planned, Vector3<double>(impulse.tangential / part.planned)});
+    }
     if (!part.at_once) continue;
     const double e = setup
                          .material[setup.bodies[detail::index(contacts[i].a)].material *

@@ -96,7 +96,7 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
   // The gyroscopic term changes spins: it brings them along.
   setup.rotation = is_on(plan, Effect::rotation) || is_on(plan, Effect::gyroscopic_term);
   setup.continuous = is_on(plan, Effect::continuous_detection);
-  setup.one_by_one = setup.movers <= most_one_by_one;
+  setup.one_by_one = setup.movers <= most_one_by_one || plan.pairs == 0;
   setup.together = is_on(plan, Effect::several_contacts);
   if (!is_on(plan, Effect::gravity)) setup.scene.gravity.setZero();
   setup.step = step_of(scene, plan);
@@ -130,7 +130,7 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
   // What the sweeps leave is a millionth of what would come to the tolerance in the whole time.
   const double left = std::clamp(setup.sleep_speed * 1e-6, 1e-13, 1e-9);
   setup.sweeps =
-      setup.one_by_one ? SweepLimits<double>{400, left, 1.5} : SweepLimits<double>{16, 1e-6, 1.0};
+      setup.one_by_one ? SweepLimits<double>{400, left, 1.5} : SweepLimits<double>{4, 1e-6, 1.0};
   return setup;
 }
 // [/stepped-setup]
@@ -289,13 +289,16 @@ class SteppedRun final : public SceneRun {
 
   // [use-up-the-step]
   /// A step, or a part of one: stages work on what is left of it until nothing is left. An impact
-  /// ends a part; after too many of them what is left is solved at once.
+  /// ends a part; after too many of them what is left is solved at once. A crowd's step has four
+  /// parts of few sweeps each: shorter parts help a heap more than more sweeps.
   void step_once(SteppedState& state, double length) {
     part_.left = length;
     part_.cuts = 0;
     part_.hits.clear();
     while (part_.left > 0) {
       part_.planned = part_.length = part_.left;
+      const double piece = length / crowd_parts;
+      if (!setup_.one_by_one && part_.left > 1.5 * piece) part_.planned = part_.length = piece;
       part_.at_once = !setup_.one_by_one || part_.cuts > most_cuts;
       part_.pairs.clear();
       part_.bounces.clear();

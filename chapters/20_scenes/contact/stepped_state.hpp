@@ -126,6 +126,8 @@ using StepStage = void (*)(const SteppedSetup&, SteppedState&, StepPart&);
 inline constexpr int most_cuts = 8;
 /// How many bodies may move for impacts to be taken one by one, each at its own time.
 inline constexpr std::size_t most_one_by_one = 64;
+/// In how many parts a step is taken in which more bodies move; a power of two.
+inline constexpr int crowd_parts = 4;
 
 namespace detail {
 
