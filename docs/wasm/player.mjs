@@ -38,7 +38,7 @@ const prelude = () => ({
   source: inRoot("cli", "scenes", "page", "player_prelude.hpp"),
 });
 
-/** @returns {import('./recipes.mjs').Shrink} */
+/** @returns {import('./recipes.mjs').Link} */
 export function playerRecipe() {
   const part = (/** @type {string} */ file, /** @type {string} */ level) => {
     const source = inRoot("cli", file);
@@ -58,8 +58,9 @@ export function playerRecipe() {
     ...quick.map((file) => part(file, "-O2")),
     exceptionRuntime,
   ];
-  const what = "the scene player";
-  return { tool: "shrink", what, part: { tool: "link", what, ...moduleLink, parts } };
+  // Binaryen would take as long as half of the compiling, and save a thirtieth of what is sent.
+  const before = [...moduleLink.before, "--compress-relocations"];
+  return { tool: "link", what: "the scene player", before, after: moduleLink.after, parts };
 }
 
 /** The player, if there are scenes to play. @returns {import('./products.mjs').Product[]} */

@@ -177,6 +177,29 @@ describe("the scene player", { skip }, () => {
     await close();
   });
 
+  test("more bodies than a page draws are refused, and what was there goes on", async () => {
+    const { page, trouble, close } = await shown();
+    const player = await started(page);
+    await pick(player, "head_on");
+    const before = await step(player);
+    await press(player.locator(".own > summary"));
+    const field = player.getByLabel("Scene, as JSON");
+    const scene = JSON.parse(await field.inputValue());
+    const [body] = scene.bodies;
+    const standing = { name: "b", shape: body.shape, material: body.material, moves: false };
+    const repeat = { count: [20_001, 1, 1], spacing: [100, 0, 0] };
+    const many = { ...scene, expect: [], bodies: [{ ...standing, position: [0, 0, 0], repeat }] };
+    await field.fill(JSON.stringify(many));
+    await press(player.getByRole("button", { name: "Run this text" }));
+    await player
+      .getByRole("alert")
+      .filter({ hasText: /your scene: bodies: there are 20001, and the page draws at most/ })
+      .waitFor({ timeout: 60_000 });
+    assert.ok((await step(player)) > before);
+    assert.deepEqual(trouble, []);
+    await close();
+  });
+
   test("it plays by itself and the page stays usable", async () => {
     const { page, trouble, close } = await shown();
     const player = await started(page);

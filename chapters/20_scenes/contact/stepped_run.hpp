@@ -97,6 +97,8 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
   setup.rotation = is_on(plan, Effect::rotation) || is_on(plan, Effect::gyroscopic_term);
   setup.continuous = is_on(plan, Effect::continuous_detection);
   setup.one_by_one = setup.movers <= most_one_by_one || plan.pairs == 0;
+  for (std::size_t i = 0; i < setup.movers; ++i)
+    setup.edges = setup.edges || setup.bodies[i].spin_arm > 0;
   setup.together = is_on(plan, Effect::several_contacts);
   if (!is_on(plan, Effect::gravity)) setup.scene.gravity.setZero();
   setup.step = step_of(scene, plan);
@@ -174,7 +176,8 @@ inline StepPipeline step_pipeline(const Plan& plan, const SteppedSetup& setup) {
   if (meet) {
     if (is_on(plan, Effect::restitution))
       add(line.part, "bounces", "of impacts that were taken at once", solve_bounces);
-    if (setup.rotation || !setup.one_by_one)
+    // A ball's impacts are found to the last bit however it turns; an edge's are not.
+    if ((setup.rotation && setup.edges) || !setup.one_by_one)
       add(line.part, "pushing out", "overlaps, half by half", push_out);
     if (sleep) add(line.after, "sleep", "groups that are slow", put_to_sleep);
   }

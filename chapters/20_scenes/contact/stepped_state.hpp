@@ -82,6 +82,7 @@ struct SteppedSetup {
   double spring_part = 0;              ///< s; no part is longer while a spring may push
   bool rotation = false;               ///< bodies turn
   bool continuous = false;             ///< nothing passes through anything between two looks
+  bool edges = false;                  ///< a mover's turning takes points of it along: no ball
   bool one_by_one = false;             ///< impacts each at its own time; else all of a step at once
   bool together = false;               ///< a body's contacts are solved together, in many sweeps
   SweepLimits<double> sweeps;          ///< of the solver

@@ -16,6 +16,7 @@ const contact = path.join(bin, "contact");
 const text = (/** @type {string} */ name) =>
   fs.readFileSync(path.join(folder, `${name}.json`), "utf8");
 const nothing = { with: [], without: [] };
+const names = fs.readdirSync(folder).map((file) => path.basename(file, ".json"));
 
 /** @type {typeof import("../src/scenes/simulation.ts")} */
 let library;
@@ -67,39 +68,30 @@ function native(name, until, words) {
   return fs.readFileSync(file, "utf8");
 }
 
+/** How much of a scene is run, s, where all of it would take long. @type {Record<string, number>} */
+const SHORTER = { ball_pit: 0.05, bowling: 1, dominoes: 0.3, stack_of_ten: 1 };
+
+/** Runs with something switched. @type {[string, import("../src/scenes/messages.ts").Overrides][]} */
+const SWITCHED = [
+  ["high_drop", { with: [], without: ["gravity"] }],
+  ["high_drop", { with: [], without: [], step: 0.01 }],
+  ["bouncing_ball", { with: [], without: ["restitution"] }],
+  ["billiards_break", { with: [], without: ["event-driven"] }],
+  ["sliding_block", { with: [], without: ["friction"] }],
+  ["dominoes", { with: [], without: ["rotation"] }],
+];
+
 describe("same scene, same bytes, natively and in the page", () => {
-  const without = (/** @type {string} */ effect) => ({ with: [], without: [effect] });
-  for (const [name, until, overrides = nothing] of /** @type {const} */ ([
-    ["square_billiard", 10],
-    ["head_on", 2],
-    ["high_drop", 20],
-    ["high_drop", 3, without("gravity")],
-    ["high_drop", 3, { ...nothing, step: 0.01 }],
-    ["billiards_break", 2],
-    ["billiards_break", 0.5, without("event-driven")],
-    ["bouncing_ball", 3],
-    ["bouncing_ball", 1, without("restitution")],
-    ["elastic_spheres", 1],
-    ["gas_in_a_box", 1],
-    ["sliding_block", 1],
-    ["sliding_block", 1, without("friction")],
-    ["stack_of_ten", 0.1],
-    ["dominoes", 0.3],
-    ["penalty_trampoline", 1],
-    ["tennis_racket", 1],
-    ["thrown_stone", 1],
-    ["three_at_once", 1],
-    ["bowling", 0.2],
-  ])) {
-    test(`${name} ${JSON.stringify(overrides)}`, () => {
+  for (const [name, overrides] of [...names.map((name) => [name, nothing]), ...SWITCHED]) {
+    const words = overrides.without.flatMap((effect) => ["--without", effect]);
+    if ("step" in overrides) words.push("--step", String(overrides.step));
+    test([name, ...words].join(" "), () => {
       const { scene, sides } = opened(name, overrides);
       const side = sides.length - 1;
-      const end = Math.min(until, scene.duration);
+      const end = SHORTER[name] ?? scene.duration;
       // Where it stops on the way must change nothing.
       runTo(side, end / 3, 7);
       const frame = runTo(side, end, 1000);
-      const words = overrides.without.flatMap((effect) => ["--without", effect]);
-      if ("step" in overrides) words.push("--step", String(overrides.step));
       const rows = native(name, end, words).trim().split("\n");
       const heads = (rows[0] ?? "").split(",");
       assert.deepEqual(heads.slice(0, 5), ["time", "body", "x", "y", "z"]);
@@ -122,11 +114,10 @@ describe("same scene, same bytes, natively and in the page", () => {
 });
 
 test("every scene of the book is read and planned, with the numbers of `contact plan`", () => {
-  for (const file of fs.readdirSync(folder)) {
-    const name = path.basename(file, ".json");
+  for (const name of names) {
     const { plan } = opened(name);
     const said = JSON.parse(
-      execFileSync(contact, ["plan", path.join(folder, file), "--json"], {
+      execFileSync(contact, ["plan", path.join(folder, `${name}.json`), "--json"], {
         env: { ...process.env, CONTACT_ROOT: root },
         maxBuffer: 1 << 26,
       }).toString(),
@@ -185,7 +176,9 @@ test("an effect that is a value is not switched, and says so", () => {
 
 test("the switches: back to the plan is no override", () => {
   const model = new models.PlayerModel();
-  model.open(opened("high_drop"));
+  const high = opened("high_drop");
+  model.open(high);
+  model.begin(high.sides, []);
   const gravity = () => model.rows().find(({ effect }) => effect === "gravity");
   assert.deepEqual([gravity()?.planned, gravity()?.on], ["on", true]);
   model.set("gravity", false);
@@ -203,6 +196,21 @@ test("the switches: back to the plan is no override", () => {
     values.map(({ effect }) => effect),
     ["step-size", "horizon"],
   );
+});
+
+test("the cost is that of the last pictures, of each run by itself", () => {
+  const model = new models.PlayerModel();
+  const { sides } = opened("high_drop", { with: [], without: ["gravity"] });
+  const at = (/** @type {number} */ time) =>
+    sides.map((_, side) => ({ .../** @type {any} */ (simulation.frame(side)), time }));
+  model.begin(sides, at(0));
+  assert.equal(model.cost(0), undefined);
+  // The first picture takes a second of computing, all later ones 2 ms and 1 ms.
+  for (let i = 1; i <= 100; ++i) model.show(at(i / 4), [1000 + 2 * i, i]);
+  assert.equal(model.cost(0), 8);
+  assert.equal(model.cost(1), 4);
+  const row = model.quantities().find(({ name }) => name.startsWith("computing"));
+  assert.deepEqual(row?.values, ["8 ms", "4 ms"]);
 });
 
 test("the clock: at most one picture's time is made up for, and the end is the end", () => {

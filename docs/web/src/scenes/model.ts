@@ -26,6 +26,9 @@ export interface Quantity {
   readonly values: readonly string[];
 }
 
+/** Pictures over which the cost is averaged. */
+const WINDOW = 40;
+
 const seconds = (value: number): string => `${pretty(value)} s`;
 
 function stateOf(decision: Decision, on: boolean): string {
@@ -54,16 +57,39 @@ export class PlayerModel {
   opened: Opened | undefined;
   sides: readonly Side[] = [];
   frames: readonly Frame[] = [];
-  /** ms of computing by each run since its beginning. */
-  took: readonly number[] = [];
+  /** Of the last pictures: the time of each run, and its computing since its beginning in ms. */
+  #past: { readonly times: readonly number[]; readonly took: readonly number[] }[] = [];
   step: number | undefined;
   readonly #switched = new Map<string, boolean>();
 
   /** Another scene, or the same from the beginning. */
   open(opened: Opened): void {
     this.opened = opened;
-    this.sides = opened.sides;
-    this.took = [];
+  }
+
+  /** Both runs are at their beginning. */
+  begin(sides: readonly Side[], frames: readonly Frame[]): void {
+    this.sides = sides;
+    this.#past = [];
+    this.show(
+      frames,
+      sides.map(() => 0),
+    );
+  }
+
+  /** Both runs have come to a moment. @param took ms of computing by each since its beginning */
+  show(frames: readonly Frame[], took: readonly number[]): void {
+    this.frames = frames;
+    const times: number[] = [];
+    for (const { side, time } of frames) times[side] = time;
+    this.#past = [...this.#past, { times, took }].slice(-WINDOW);
+  }
+
+  /** ms of computing for one second of the scene, lately: a browser's code is slow at first. */
+  cost(side: number): number | undefined {
+    const [from, to] = [this.#past[0], this.#past.at(-1)];
+    const time = (to?.times[side] ?? 0) - (from?.times[side] ?? 0);
+    return time > 0 ? (to!.took[side]! - from!.took[side]!) / time : undefined;
   }
 
   /** Nothing is switched any more. */
@@ -159,11 +185,10 @@ export class PlayerModel {
       all.push(row("contacts solved", ({ contacts }) => whole(contacts)));
     }
     all.push(
-      row("computing for one second of the scene", ({ time, side }) =>
-        time > 0 && this.took[side] !== undefined
-          ? `${pretty(this.took[side]! / time, 3)} ms`
-          : "–",
-      ),
+      row("computing for one second of the scene", ({ side }) => {
+        const cost = this.cost(side);
+        return cost === undefined ? "–" : `${pretty(cost, 3)} ms`;
+      }),
       row("state of a body", ({ bytesPerBody }) => `${whole(bytesPerBody)} bytes`),
       row("energy", ({ energy }) => `${pretty(energy)} J`),
       row("energy change", (frame) => energyChange(frame)),

@@ -31,6 +31,10 @@ export class Player {
   /** Since when. */
   #since = 0;
   #ended = "";
+  /** What stopped the C++, until something else is asked for. */
+  #note = "";
+  /** Name and text of what was opened last. */
+  #opening: [name: string, text: string] = ["", ""];
   #pace = 1;
   #last = 0;
   readonly #cleanUp: (() => void)[] = [];
@@ -81,7 +85,10 @@ export class Player {
       html(
         "div",
         { class: "buttons" },
-        button("Run this text", () => void this.#open(OWN, this.#text.value)),
+        button("Run this text", () => {
+          this.#note = "";
+          void this.#open(OWN, this.#text.value);
+        }),
       ),
     );
 
@@ -230,8 +237,8 @@ export class Player {
         break;
       case "frame":
         this.#busy = false;
-        this.model.took = message.took;
-        this.#shown(message.frames);
+        this.model.show(message.frames, message.took);
+        this.#shown();
         break;
       case "composed":
         this.model.composed(message.side, message.composition);
@@ -241,7 +248,8 @@ export class Player {
         this.#busy = false;
         this.#ended = message.words;
         this.#pause();
-        this.#shown(message.frames);
+        this.model.frames = message.frames;
+        this.#shown();
         break;
       case "broken":
         this.#broken(message.words);
@@ -249,14 +257,22 @@ export class Player {
     }
   }
 
+  /** The C++ stopped. It starts anew, with what was there before and nothing switched. */
   #broken(words: string): void {
     this.#busy = false;
     this.#pause();
-    const error = new Error(words);
-    if (this.#awaited) this.#awaited.reject(error);
-    this.#awaited = undefined;
-    this.#status.textContent = `The simulation stopped: ${words}. Pick a scene to go on.`;
-    this.#startWorker().catch(() => {});
+    if (this.#awaited) {
+      this.#awaited.reject(new Error(words));
+      this.#awaited = undefined;
+      return;
+    }
+    const again = this.model.isOverridden ? this.#opening : undefined;
+    const started = this.#startWorker().then(() => (again ? this.#open(...again) : undefined));
+    started.catch((error: unknown) => console.warn("scene player:", error));
+    this.#note = again
+      ? `The second run stopped: ${words}. Everything is as planned again.`
+      : `The simulation stopped: ${words}. Pick a scene to go on.`;
+    this.#status.textContent = this.#note;
   }
 
   // The scene.
@@ -268,6 +284,7 @@ export class Player {
       this.#text.focus();
       return;
     }
+    this.#note = "";
     const response = await fetch(`${this.#scenes}${name}.json`);
     if (!response.ok) {
       this.#sayWrong(`${name}.json: ${response.status} ${response.statusText}`);
@@ -281,11 +298,12 @@ export class Player {
 
   async #open(name: string, text: string): Promise<void> {
     this.#pause();
+    this.#opening = [name, text];
     this.#pick.value = name;
     this.model.forget();
     this.#stepSize.value = "";
     this.#wrong.hidden = true;
-    this.#status.textContent = "Planning …";
+    this.#status.textContent = this.#note || "Planning …";
     const file = name === OWN ? "your scene" : `${name}.json`;
     // A scene before this one may be too much for any patience.
     if (this.#busy && performance.now() - this.#since > PATIENCE) await this.#startWorker();
@@ -315,8 +333,7 @@ export class Player {
   #begin(sides: readonly Side[], frames: readonly Frame[]): void {
     this.#busy = false;
     this.#ended = "";
-    this.model.sides = sides;
-    this.model.took = [];
+    this.model.begin(sides, frames);
     this.#tellPlan();
     this.#tellCompositions();
     this.#legend.replaceChildren(
@@ -325,10 +342,11 @@ export class Player {
         ? [" · ", html("span", { class: "second" }, "dashed: as you switch it")]
         : []),
     );
-    this.#shown(frames);
+    this.#shown();
   }
 
   #again(): void {
+    this.#note = "";
     this.#send({ do: "switch", overrides: this.model.overrides });
   }
 
@@ -390,9 +408,9 @@ export class Player {
     });
   }
 
-  #shown(frames: readonly Frame[]): void {
-    this.model.frames = frames;
-    if (frames[0]) this.#picture?.follow(frames[0]);
+  #shown(): void {
+    const [first] = this.model.frames;
+    if (first) this.#picture?.follow(first);
     if (this.#playing && this.#atEnd) this.#pause();
     this.#tellNumbers();
     this.#tellClock();
@@ -445,7 +463,7 @@ export class Player {
         ? []
         : `${i === 0 ? "As planned" : "As switched"} it cannot be run: ${side.refused}.`,
     );
-    const words = [...refused, this.#ended].filter(Boolean).join(" ");
+    const words = [...refused, this.#ended, this.#note].filter(Boolean).join(" ");
     if (this.#status.textContent !== words) this.#status.textContent = words;
   }
 
