@@ -474,6 +474,7 @@ TEST_CASE("what is proved inactive gives the same bits when it is forced on") {
     same(gas, Effect::gravity, 0.02);
     same(gas, Effect::friction, 0.02);
     same(gas, Effect::broad_phase, 0.02);
+    same(gas, Effect::rotation, 0.02);
     same(gas, Effect::penalty_contact, 0.02);
     if (gas.materials[0].restitution == 0) same(gas, Effect::restitution, 0.02);
     // With friction balls turn, but need no gyroscopic term.

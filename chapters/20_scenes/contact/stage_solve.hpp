@@ -29,7 +29,7 @@ inline RigidBody<double> solver_body(const SteppedSetup& setup, const SteppedSta
   solid.mass = body.mass;
   solid.inverse_mass = 1 / body.mass;
   solid.velocity = velocity;
-  if (!setup.rotation) return solid;
+  if (!turned_by_contacts(setup, place)) return solid;
   const Vector3<double> inverse = body.moments.cwiseInverse();
   const auto& m = body.moments;
   solid.spin = spin;
@@ -171,7 +171,7 @@ inline void solve_impacts(const SteppedSetup& setup, SteppedState& state, StepPa
     const std::size_t place = bodies.places[i];
     if (place >= setup.movers || sleeps(state, place)) continue;
     state.velocity[place] = solved.bodies[i].velocity;
-    if (setup.rotation) state.spin[place] = solved.bodies[i].spin;
+    if (turned_by_contacts(setup, place)) state.spin[place] = solved.bodies[i].spin;
   }
   for (const auto& [first, last] : hits)
     detail::note_hit(setup, state, part, contacts, solved.impulses, first, last);
@@ -257,7 +257,7 @@ inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPar
     const std::size_t place = bodies.places[i];
     if (place >= setup.movers || sleeps(state, place)) continue;
     part.end_velocity[place] = solved.bodies[i].velocity;
-    if (setup.rotation) part.end_spin[place] = solved.bodies[i].spin;
+    if (turned_by_contacts(setup, place)) part.end_spin[place] = solved.bodies[i].spin;
   }
   // What a very short part needed to stop an approach is no force that lasts.
   const bool lasts = part.planned * 64 >= setup.step;
@@ -321,7 +321,7 @@ inline void solve_bounces(const SteppedSetup& setup, SteppedState& state, StepPa
     const std::size_t place = bodies.places[i];
     if (place >= setup.movers || sleeps(state, place)) continue;
     state.velocity[place] = solved.bodies[i].velocity;
-    if (setup.rotation) state.spin[place] = solved.bodies[i].spin;
+    if (turned_by_contacts(setup, place)) state.spin[place] = solved.bodies[i].spin;
   }
 }
 // [/bounces-stage]

@@ -107,6 +107,7 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
   for (std::size_t i = 0; i < setup.movers; ++i)
     lightness = std::max(lightness, 1 / setup.bodies[i].mass);
   double stiffest = 0;
+  setup.smooth = true;
   for (const SceneMaterial& a : scene.materials) {
     for (const SceneMaterial& b : scene.materials) {
       PairMaterial pair = pair_material(a, b);
@@ -114,6 +115,7 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
       if (!is_on(plan, Effect::restitution)) pair.restitution = 0;
       if (!is_on(plan, Effect::penalty_contact)) pair.stiffness.reset();
       if (pair.stiffness) stiffest = std::max(stiffest, *pair.stiffness);
+      setup.smooth = setup.smooth && pair.friction == 0;
       setup.material.push_back(pair);
     }
   }
