@@ -160,19 +160,23 @@ class Simulation {
   Ending advance_to_end() {
     Writer writer(*this);
     SceneObserver* const observer = events_ ? &writer : nullptr;
-    std::uint64_t left = options_.max_events;
+    const std::uint64_t begun = run_->counts().hits;
+    // A look between two steps counts hits that the next look may not: count anew each time.
+    const auto left = [&] {
+      const std::uint64_t hits = run_->counts().hits;
+      const std::uint64_t done = hits > begun ? hits - begun : 0;
+      return options_.max_events - std::min(options_.max_events, done);
+    };
     for (;;) {
       const double target = std::min({until_, next_frame(), next_expectation()});
       for (;;) {
         if (interruption != 0) return Ending::interrupted;
         const std::uint64_t slice =
-            run_->event_driven() ? std::min<std::uint64_t>(left, 4096) : steps_at_a_time;
-        const std::uint64_t before = run_->counts().hits;
+            run_->event_driven() ? std::min<std::uint64_t>(left(), 4096) : steps_at_a_time;
         const SceneRunEnd end = run_->advance(target, slice, observer);
-        left -= std::min(left, run_->counts().hits - before);
         if (end == SceneRunEnd::endless_hits) return Ending::endless_hits;
         if (end == SceneRunEnd::reached) break;
-        if (left == 0) return Ending::out_of_events;
+        if (left() == 0) return Ending::out_of_events;
         progress();
       }
       progress();
@@ -185,6 +189,7 @@ class Simulation {
         last_frame_ = target;
       }
       if (target >= until_) return Ending::complete;
+      if (!run_->event_driven() && left() == 0) return Ending::out_of_events;
       if (!options_.checkpoint.empty() && seconds_since(kept_) > 30) keep();
     }
   }

@@ -431,6 +431,21 @@ TEST_CASE("what no effect needs is not stored, and what is off is no stage") {
   CHECK(run_of(smooth, bare)->bytes_per_body() == turning + resting);
 }
 
+TEST_CASE("the gyroscopic term brings spins along where rotation is off") {
+  Scene scene = with_gravity(0, 0.5, 1, 1e-6);
+  plan_scenes::wall(scene, Point::UnitZ(), 0);
+  plan_scenes::box(scene, {0.5, 0.4, 0.3}, 1, {0, 0, 0.3});
+  CHECK_FALSE(has_stage(*run_of(scene, without({Effect::rotation})), "rotation"));
+  PlanOptions options = with({Effect::gyroscopic_term});
+  options.overrides.without = {Effect::rotation, Effect::sleeping};
+  auto run = run_of(scene, options);
+  CHECK(has_stage(*run, "rotation"));
+  CHECK(run->bytes_per_body() == 3 * sizeof(Point) + sizeof(contact::Rotor<double>));
+  run->advance(1);
+  CHECK((run->position(1) - Point(0, 0, 0.3)).norm() <= 1e-9);
+  CHECK(run->spin(1).norm() <= 1e-9);
+}
+
 TEST_CASE("what is proved inactive gives the same bits when it is forced on") {
   const auto same = [](const Scene& scene, Effect effect, double step) {
     auto off = stepped(step);
@@ -459,6 +474,7 @@ TEST_CASE("what is proved inactive gives the same bits when it is forced on") {
     same(gas, Effect::gravity, 0.02);
     same(gas, Effect::friction, 0.02);
     same(gas, Effect::broad_phase, 0.02);
+    same(gas, Effect::rotation, 0.02);
     same(gas, Effect::penalty_contact, 0.02);
     if (gas.materials[0].restitution == 0) same(gas, Effect::restitution, 0.02);
     // With friction balls turn, but need no gyroscopic term.

@@ -239,6 +239,19 @@ def test_a_budget_that_runs_out_is_said(contact: Run, gas: Path) -> None:
     assert "the budget of 3 hits ran out" in done.stderr
 
 
+def test_looking_between_steps_spends_no_budget(contact: Run, tmp_path: Path) -> None:
+    # Frames fall between steps, also in the step of the first hits.
+    out = tmp_path / "frames.csv"
+    words = ("simulate", "bowling", "--until", "3.6", "--every", "0.01", "--output", str(out))
+    done = contact(*words, "--json")
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["end"] == "complete"
+    assert json.loads(done.stdout)["hits"] > 1
+    done = contact(*words, "--max-events", "1", "--json")
+    assert done.returncode == 3
+    assert json.loads(done.stdout)["end"] == "out_of_events"
+
+
 def test_where_hits_do_not_end_steps_take_over(contact: Run, tmp_path: Path) -> None:
     scene = of_book("high_drop")
     scene["expect"] = []

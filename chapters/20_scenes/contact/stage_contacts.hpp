@@ -94,7 +94,7 @@ inline StepShape shape_in_world(const SteppedBody& body, const Vector3<double>& 
 inline Vector3<double> point_velocity(const SteppedSetup& setup, const SteppedState& state,
                                       std::size_t place, const Vector3<double>& point) {
   const Vector3<double> v = velocity_of(setup, state, place);
-  if (place >= state.spin.size()) return v;
+  if (!turned_by_contacts(setup, place)) return v;
   const Vector3<double> arm = point - state.position[place];
   return v + Vector3<double>(state.spin[place].cross(arm));
 }

@@ -29,7 +29,7 @@ inline RigidBody<double> solver_body(const SteppedSetup& setup, const SteppedSta
   solid.mass = body.mass;
   solid.inverse_mass = 1 / body.mass;
   solid.velocity = velocity;
-  if (!setup.rotation) return solid;
+  if (!turned_by_contacts(setup, place)) return solid;
   const Vector3<double> inverse = body.moments.cwiseInverse();
   const auto& m = body.moments;
   solid.spin = spin;
@@ -171,7 +171,7 @@ inline void solve_impacts(const SteppedSetup& setup, SteppedState& state, StepPa
     const std::size_t place = bodies.places[i];
     if (place >= setup.movers || sleeps(state, place)) continue;
     state.velocity[place] = solved.bodies[i].velocity;
-    if (setup.rotation) state.spin[place] = solved.bodies[i].spin;
+    if (turned_by_contacts(setup, place)) state.spin[place] = solved.bodies[i].spin;
   }
   for (const auto& [first, last] : hits)
     detail::note_hit(setup, state, part, contacts, solved.impulses, first, last);
@@ -257,10 +257,14 @@ inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPar
     const std::size_t place = bodies.places[i];
     if (place >= setup.movers || sleeps(state, place)) continue;
     part.end_velocity[place] = solved.bodies[i].velocity;
-    if (setup.rotation) part.end_spin[place] = solved.bodies[i].spin;
+    if (turned_by_contacts(setup, place)) part.end_spin[place] = solved.bodies[i].spin;
   }
-  state.touched.clear();
-  state.pushed.clear();
+  // What a very short part needed to stop an approach is no force that lasts.
+  const bool lasts = part.planned * 64 >= setup.step;
+  if (lasts) {
+    state.touched.clear();
+    state.pushed.clear();
+  }
   std::vector<std::size_t> hit_pairs;  // their contacts
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const ContactImpulse<double>& impulse = solved.impulses[i];
@@ -272,9 +276,11 @@ inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPar
       part.pushed[place] = true;
       if (gaps[i] > 0 || hits) part.at_start[place] = true;
     }
-    state.touched.push_back(contacts[i]);
-    state.pushed.push_back(
-        {impulse.normal / part.planned, Vector3<double>(impulse.tangential / part.planned)});
+    if (lasts) {
+      state.touched.push_back(contacts[i]);
+      state.pushed.push_back(
+          {impulse.normal / part.planned, Vector3<double>(impulse.tangential / part.planned)});
+    }
     if (!part.at_once) continue;
     const double e = setup
                          .material[setup.bodies[detail::index(contacts[i].a)].material *
@@ -315,7 +321,7 @@ inline void solve_bounces(const SteppedSetup& setup, SteppedState& state, StepPa
     const std::size_t place = bodies.places[i];
     if (place >= setup.movers || sleeps(state, place)) continue;
     state.velocity[place] = solved.bodies[i].velocity;
-    if (setup.rotation) state.spin[place] = solved.bodies[i].spin;
+    if (turned_by_contacts(setup, place)) state.spin[place] = solved.bodies[i].spin;
   }
 }
 // [/bounces-stage]

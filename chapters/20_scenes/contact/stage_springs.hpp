@@ -24,7 +24,7 @@ inline void push_apart(const SteppedSetup& setup, const SteppedState& state, Ste
     if (place >= setup.movers || sleeps(state, place)) return;
     part.end_velocity[place] += push * body.inverse_mass;
     part.pushed[place] = true;
-    if (!setup.rotation) return;
+    if (!turned_by_contacts(setup, place)) return;
     const Vector3<double> arm = point - body.position;
     part.end_spin[place] += body.inverse_inertia * Vector3<double>(arm.cross(push));
   };

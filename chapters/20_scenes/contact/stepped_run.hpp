@@ -96,7 +96,7 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
   // The gyroscopic term changes spins: it brings them along.
   setup.rotation = is_on(plan, Effect::rotation) || is_on(plan, Effect::gyroscopic_term);
   setup.continuous = is_on(plan, Effect::continuous_detection);
-  setup.one_by_one = setup.movers <= most_one_by_one;
+  setup.one_by_one = setup.movers <= most_one_by_one || plan.pairs == 0;
   for (std::size_t i = 0; i < setup.movers; ++i)
     setup.edges = setup.edges || setup.bodies[i].spin_arm > 0;
   setup.together = is_on(plan, Effect::several_contacts);
@@ -107,6 +107,7 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
   for (std::size_t i = 0; i < setup.movers; ++i)
     lightness = std::max(lightness, 1 / setup.bodies[i].mass);
   double stiffest = 0;
+  setup.smooth = true;
   for (const SceneMaterial& a : scene.materials) {
     for (const SceneMaterial& b : scene.materials) {
       PairMaterial pair = pair_material(a, b);
@@ -114,6 +115,7 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
       if (!is_on(plan, Effect::restitution)) pair.restitution = 0;
       if (!is_on(plan, Effect::penalty_contact)) pair.stiffness.reset();
       if (pair.stiffness) stiffest = std::max(stiffest, *pair.stiffness);
+      setup.smooth = setup.smooth && pair.friction == 0;
       setup.material.push_back(pair);
     }
   }
@@ -132,7 +134,7 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
   // What the sweeps leave is a millionth of what would come to the tolerance in the whole time.
   const double left = std::clamp(setup.sleep_speed * 1e-6, 1e-13, 1e-9);
   setup.sweeps =
-      setup.one_by_one ? SweepLimits<double>{400, left, 1.5} : SweepLimits<double>{16, 1e-6, 1.0};
+      setup.one_by_one ? SweepLimits<double>{400, left, 1.5} : SweepLimits<double>{4, 1e-6, 1.0};
   return setup;
 }
 // [/stepped-setup]
@@ -292,13 +294,16 @@ class SteppedRun final : public SceneRun {
 
   // [use-up-the-step]
   /// A step, or a part of one: stages work on what is left of it until nothing is left. An impact
-  /// ends a part; after too many of them what is left is solved at once.
+  /// ends a part; after too many of them what is left is solved at once. A crowd's step has four
+  /// parts of few sweeps each: shorter parts help a heap more than more sweeps.
   void step_once(SteppedState& state, double length) {
     part_.left = length;
     part_.cuts = 0;
     part_.hits.clear();
     while (part_.left > 0) {
       part_.planned = part_.length = part_.left;
+      const double piece = length / crowd_parts;
+      if (!setup_.one_by_one && part_.left > 1.5 * piece) part_.planned = part_.length = piece;
       part_.at_once = !setup_.one_by_one || part_.cuts > most_cuts;
       part_.pairs.clear();
       part_.bounces.clear();

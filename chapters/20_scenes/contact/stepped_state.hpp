@@ -81,6 +81,7 @@ struct SteppedSetup {
   double sleep_speed = 0;              ///< slower bodies may sleep, m/s
   double spring_part = 0;              ///< s; no part is longer while a spring may push
   bool rotation = false;               ///< bodies turn
+  bool smooth = false;                 ///< no two materials rub
   bool continuous = false;             ///< nothing passes through anything between two looks
   bool edges = false;                  ///< a mover's turning takes points of it along: no ball
   bool one_by_one = false;             ///< impacts each at its own time; else all of a step at once
@@ -127,6 +128,8 @@ using StepStage = void (*)(const SteppedSetup&, SteppedState&, StepPart&);
 inline constexpr int most_cuts = 8;
 /// How many bodies may move for impacts to be taken one by one, each at its own time.
 inline constexpr std::size_t most_one_by_one = 64;
+/// In how many parts a step is taken in which more bodies move; a power of two.
+inline constexpr int crowd_parts = 4;
 
 namespace detail {
 
@@ -191,6 +194,12 @@ inline Vector3<double> velocity_of(const SteppedSetup& setup, const SteppedState
 /// How a body turns, rad/s; 0 without rotation.
 inline Vector3<double> spin_of(const SteppedState& state, std::size_t place) {
   return place < state.spin.size() ? state.spin[place] : Vector3<double>::Zero();
+}
+/// Whether contacts change a mover's spin, or ask it: not of a smooth ball, of which every
+/// contact's force runs through the middle.
+inline bool turned_by_contacts(const SteppedSetup& setup, std::size_t place) {
+  return setup.rotation && place < setup.movers &&
+         !(setup.smooth && setup.bodies[place].spin_arm == 0);
 }
 /// The size of a vector, m or m/s.
 inline double size_of(const Vector3<double>& v) { return std::sqrt(v.dot(v)); }
