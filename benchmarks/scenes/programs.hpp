@@ -63,5 +63,9 @@ std::unique_ptr<Run> box2d(const Stack& scene);
 /// The book's balls from event to event. A plate is two walls that only one side meets: the book
 /// has no plates here, so the ball must not come round it.
 std::unique_ptr<Run> book(const Balls& scene);
+/// The book's boxes as their plan says: without rotation and friction, which two mirrors rule out.
+std::unique_ptr<Run> book(const Stack& scene);
+/// The same with rotation and friction, and without sleep.
+std::unique_ptr<Run> book_with_everything(const Stack& scene);
 
 }  // namespace scene_programs

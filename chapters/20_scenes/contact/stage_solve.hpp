@@ -105,9 +105,10 @@ inline SolvedContacts<double> solve_numbered(const SteppedSetup& setup, SteppedS
     }
   }
   if (alone) limits.relaxation = 1;
-  const std::size_t most = calm ? 20 * sweep_work : sweep_work;
+  const std::size_t most = calm ? 100 * sweep_work : sweep_work;
   const auto many = static_cast<int>(most / (contacts.size() + 1));
-  limits.sweeps = std::min(calm ? 20 * limits.sweeps : limits.sweeps, std::max(many, least_sweeps));
+  limits.sweeps =
+      std::min(calm ? 100 * limits.sweeps : limits.sweeps, std::max(many, least_sweeps));
   SolvedContacts<double> solved = solve_contacts<double>(bodies, contacts, start, limits);
   count_sweeps(state, contacts.size(), solved.report.sweeps);
   return solved;
