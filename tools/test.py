@@ -451,7 +451,7 @@ STAGES = (
     Stage(
         "tidy",
         "clang-tidy over the reference headers and the library that judges",
-        8,
+        15,
         tidy,
         ("native",),
     ),
