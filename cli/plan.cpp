@@ -3,6 +3,7 @@
 #include <contact/plan.hpp>
 
 #include "commands.hpp"
+#include "plan_measure.hpp"
 #include "plan_report.hpp"
 #include "plan_words.hpp"
 #include "scenes/scene_file.hpp"
@@ -15,6 +16,7 @@ namespace {
 struct Words {
   std::string scene;
   PlanWords plan;
+  bool measure = false;
   bool json = false;
 };
 
@@ -29,10 +31,12 @@ int run(const Words& words) {
     return exit_not_passed;
   }
   const Plan plan = plan_scene(scene, options);
+  std::vector<MeasuredEffect> measured;
+  if (words.measure) measured = measure_effects(scene, plan, options);
   if (words.json)
-    say(plan_json(scene, plan).dump(1));
+    say(plan_json(scene, plan, measured).dump(1));
   else
-    say(plan_text(scene, plan, Style(stdout)));
+    say(plan_text(scene, plan, measured, Style(stdout)));
   return exit_passed;
 }
 
@@ -45,6 +49,8 @@ void add_plan(CLI::App& app, Action& action) {
   command->add_option("SCENE", words->scene, "A scene file, or the name of a scene of the book")
       ->required();
   add_plan_words(*command, words->plan);
+  command->add_flag("--measure", words->measure,
+                    "Run the scene with each effect the other way round, and say what that costs");
   command->add_flag("--json", words->json, "Print JSON");
   command->callback([&action, words] { action = [words](Context&) { return run(*words); }; });
 }

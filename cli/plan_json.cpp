@@ -50,11 +50,28 @@ nlohmann::json json_of(const Decision& decision) {
           {"value", decision.value ? number_or_null(*decision.value) : nlohmann::json(nullptr)}};
 }
 
+nlohmann::json json_of(const MeasuredEffect& measured) {
+  if (!measured.refused.empty()) return {{"refused", measured.refused}};
+  nlohmann::json json{{"same_stages", measured.same_stages},
+                      {"planned_bytes", measured.planned_bytes},
+                      {"other_bytes", measured.other_bytes}};
+  if (!measured.same_stages) {
+    json["planned_seconds"] = measured.planned_seconds;
+    json["other_seconds"] = measured.other_seconds;
+  }
+  return json;
+}
+
 }  // namespace
 
-nlohmann::json plan_json(const Scene& scene, const Plan& plan) {
+nlohmann::json plan_json(const Scene& scene, const Plan& plan,
+                         const std::vector<MeasuredEffect>& measured) {
   nlohmann::json decisions = nlohmann::json::array();
-  for (const Decision& decision : plan.decisions) decisions.push_back(json_of(decision));
+  for (const Decision& decision : plan.decisions) {
+    decisions.push_back(json_of(decision));
+    for (const MeasuredEffect& one : measured)
+      if (one.effect == decision.effect) decisions.back()["measured"] = json_of(one);
+  }
   return {{"format", "contact-plan/1"},
           {"scene", scene.name},
           {"pairs", plan.pairs},

@@ -3,12 +3,14 @@
 // How a plan is printed: as a table for readers, as JSON for programs.
 
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include <contact/plan.hpp>
 #include <contact/scene.hpp>
 
+#include "plan_measure.hpp"
 #include "terminal.hpp"
 
 namespace contact::cli {
@@ -21,9 +23,12 @@ std::string plan_number(double x);
 std::string inequality_text(const Inequality& condition);
 
 /// The table: effect, on or off, what decided, the error accepted, the cost saved.
-std::string plan_text(const Scene& scene, const Plan& plan, const Style& style);
+/// @param measured what effects cost; empty if nobody asked
+std::string plan_text(const Scene& scene, const Plan& plan,
+                      const std::vector<MeasuredEffect>& measured, const Style& style);
 
 /// The same as JSON, contact-plan/1. Numbers that are infinite are null.
-nlohmann::json plan_json(const Scene& scene, const Plan& plan);
+nlohmann::json plan_json(const Scene& scene, const Plan& plan,
+                         const std::vector<MeasuredEffect>& measured = {});
 
 }  // namespace contact::cli

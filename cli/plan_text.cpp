@@ -79,7 +79,8 @@ std::string inequality_text(const Inequality& condition) {
          condition.right_is + ")";
 }
 
-std::string plan_text(const Scene& scene, const Plan& plan, const Style& style) {
+std::string plan_text(const Scene& scene, const Plan& plan,
+                      const std::vector<MeasuredEffect>& measured, const Style& style) {
   std::string text = style.bold(scene.name) + ": " + scene.about + "\n";
   text += std::to_string(plan.pairs) + (plan.pairs == 1 ? " pair" : " pairs") +
           " of bodies may meet; nothing is faster than " + plan_number(plan.speed) + " m/s.\n\n";
@@ -106,6 +107,8 @@ std::string plan_text(const Scene& scene, const Plan& plan, const Style& style) 
       add_lines(text, "Error accepted: " + plan_number(decision.error) + " m, " +
                           decision.error_is + ".");
     add_lines(text, saving_text(decision));
+    for (const MeasuredEffect& one : measured)
+      if (one.effect == decision.effect) add_lines(text, measured_text(one, decision.on));
   }
   for (const std::string& notice : plan.notices) text += "\n" + style.warn(notice) + "\n";
   while (text.ends_with('\n')) text.pop_back();

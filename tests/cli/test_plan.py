@@ -150,3 +150,22 @@ def test_a_scene_with_a_fault_has_no_plan(contact: Run, tmp_path: Path) -> None:
     assert done.returncode == 1
     assert "broken.json" in done.stderr
     assert done.stdout == ""
+
+
+def test_each_effect_is_measured_the_other_way_round(contact: Run) -> None:
+    found = decisions(contact, "sliding_block", "--measure")
+    for effect, decision in found.items():
+        assert ("measured" in decision) == (effect not in ("step-size", "horizon"))
+    rotation = found["rotation"]["measured"]
+    assert rotation["planned_seconds"] > 0
+    assert rotation["other_seconds"] > 0
+    # An orientation and a spin are seven numbers.
+    assert rotation["planned_bytes"] - rotation["other_bytes"] == 7 * 8
+    assert found["third-dimension"]["measured"]["same_stages"]
+    assert "measured" not in decisions(contact, "sliding_block")["rotation"]
+
+
+def test_the_table_says_what_was_measured(contact: Run) -> None:
+    done = contact("plan", "thrown_stone", "--measure")
+    assert done.returncode == 0, done.stderr
+    assert "of the processor a second as planned" in done.stdout
