@@ -458,7 +458,7 @@ STAGES = (
     Stage("sanitize", "the reference tests under sanitizers", 25, sanitize),
     Stage("page", "the page's scripts, figures and ladders in WebAssembly", 15, page, ("native",)),
     Stage("wasm", "the compiler in the page, and the exercises for it", 20, wasm, ("native",)),
-    Stage("book", "the book without a warning, and served", 8, book, ("page", "wasm")),
+    Stage("book", "the book without a warning, and served", 15, book, ("page", "wasm")),
     Stage("browser", "the book in a real browser", 25, browser, ("book",)),
 )
 

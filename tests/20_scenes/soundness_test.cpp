@@ -154,7 +154,11 @@ TEST_CASE("hard balls of random scenes have the bits of all effects") {
 TEST_CASE(
     "each effect that a plan leaves out of the book's scenes makes no more error than it says") {
   int same_bits = 0;
-  for (const Scene& scene : scenes_of_the_book()) {
+  // Where less is tried, one scene of four.
+  const std::size_t every = tried(8) == 8 ? 1 : 4;
+  const std::vector<Scene> scenes = scenes_of_the_book();
+  for (std::size_t s = 0; s < scenes.size(); s += every) {
+    const Scene& scene = scenes[s];
     PlanOptions options;
     const Plan planned = contact::plan_scene(scene);
     // From event to event there is nothing to switch on: step by step there is.
@@ -181,7 +185,7 @@ TEST_CASE(
       CHECK(apart <= decision.error + rounding);
     }
   }
-  CHECK(same_bits > 120);
+  CHECK(same_bits > tried(120));
 }
 
 namespace {
@@ -277,6 +281,6 @@ TEST_CASE(
   const double error = std::sqrt((squares / runs - mean * mean) / (runs - 1));
   const double must_be = 5.0 / 3 * (3.0 * n) / (3.0 * n + 2);
   CAPTURE(mean, must_be, error);
-  CHECK(error < 0.03);
+  CHECK(error < 0.8 / std::sqrt(runs));
   CHECK(std::abs(mean - must_be) < 4.4 * error);
 }
