@@ -6,7 +6,8 @@ import path from "node:path";
 import { test } from "node:test";
 import { notRun, root, site } from "./browser.mjs";
 
-const LIMIT = 300;
+// With the ladder's chart, which loads if it comes into sight for long enough.
+const LIMIT = 310;
 
 test(`no lesson is over ${LIMIT} kB compressed`, { skip: notRun() }, () => {
   const weigh = path.join(root, "docs", "web", "weight.mjs");
