@@ -17,6 +17,12 @@ add_library(contact_warnings INTERFACE)
 target_compile_options(contact_warnings INTERFACE
   $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion>)
 
+# Where there is memory for it, the compiler need not collect its garbage: a tenth of the time.
+cmake_host_system_information(RESULT memory QUERY TOTAL_PHYSICAL_MEMORY)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND PROJECT_IS_TOP_LEVEL AND memory GREATER 7000)
+  add_compile_options(--param=ggc-min-expand=1000 --param=ggc-min-heapsize=1500000)
+endif()
+
 if(CONTACT_SANITIZE)
   # Without what AddressSanitizer finds itself (a null pointer, the end of an object) and what only a cast of pointers
   # could break: a fifth of the time to compile.
