@@ -224,18 +224,17 @@ int run(Context& context, const Options& options) {
 
 }  // namespace
 
-void add_check(CLI::App& app, Action& action) {
+void add_check(Command app, Action& action) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
+  const Command command =
       app.add_subcommand("check", "Check your copies; all that you have started if none is named");
-  command->add_option("exercise", options->names,
-                      "Exercises or chapters: ray_triangle, 02_triangles/ray_triangle, "
-                      "work/02_triangles/ray_triangle.cpp; or one archive, FILE.zip");
-  command->add_flag("--json", options->json, "Print JSON");
-  command->add_flag("--full", options->full,
-                    "On a compile error, print all that the compiler said");
-  command->add_flag("--all", options->all, "Show every failure whole, not only the first");
-  command->callback([&action, options] {
+  command.add_option("exercise", options->names,
+                     "Exercises or chapters: ray_triangle, 02_triangles/ray_triangle, "
+                     "work/02_triangles/ray_triangle.cpp; or one archive, FILE.zip");
+  command.add_flag("--json", options->json, "Print JSON");
+  command.add_flag("--full", options->full, "On a compile error, print all that the compiler said");
+  command.add_flag("--all", options->all, "Show every failure whole, not only the first");
+  command.callback([&action, options] {
     action = [options](Context& context) { return run(context, *options); };
   });
 }

@@ -7,10 +7,9 @@
 #include <memory>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include "../grading/book.hpp"
 #include "../grading/run_process.hpp"
+#include "command_line.hpp"
 #include "exit_codes.hpp"
 
 namespace contact::cli {
@@ -31,27 +30,27 @@ class Context {
 /// The command that was chosen; main() runs it after parsing.
 using Action = std::function<int(Context&)>;
 
-void add_list(CLI::App& app, Action& action);
-void add_start(CLI::App& app, Action& action);
-void add_check(CLI::App& app, Action& action);
-void add_watch(CLI::App& app, Action& action);
-void add_hint(CLI::App& app, Action& action);
-void add_solution(CLI::App& app, Action& action);
-void add_reset(CLI::App& app, Action& action);
-void add_progress(CLI::App& app, Action& action);
-void add_export(CLI::App& app, Action& action);
-void add_import(CLI::App& app, Action& action);
-void add_ladder(CLI::App& app, Action& action);
-void add_scene(CLI::App& app, Action& action);
-void add_plan(CLI::App& app, Action& action);
-void add_simulate(CLI::App& app, Action& action);
-void add_new(CLI::App& app, Action& action);
-void add_grade(CLI::App& app, Action& action);
-void add_grade_worker(CLI::App& app, Action& action);
-void add_doctor(CLI::App& app, Action& action);
-void add_dev(CLI::App& app, Action& action);
+void add_list(Command app, Action& action);
+void add_start(Command app, Action& action);
+void add_check(Command app, Action& action);
+void add_watch(Command app, Action& action);
+void add_hint(Command app, Action& action);
+void add_solution(Command app, Action& action);
+void add_reset(Command app, Action& action);
+void add_progress(Command app, Action& action);
+void add_export(Command app, Action& action);
+void add_import(Command app, Action& action);
+void add_ladder(Command app, Action& action);
+void add_scene(Command app, Action& action);
+void add_plan(Command app, Action& action);
+void add_simulate(Command app, Action& action);
+void add_new(Command app, Action& action);
+void add_grade(Command app, Action& action);
+void add_grade_worker(Command app, Action& action);
+void add_doctor(Command app, Action& action);
+void add_dev(Command app, Action& action);
 /// Under `dev`: grading, one unit at a time.
-void add_dev_grade(CLI::App& dev, Action& action);
+void add_dev_grade(Command dev, Action& action);
 
 /// Copies the pristine stub to the student's folder unless a copy is there. Returns whether it made
 /// one.

@@ -186,23 +186,23 @@ int run(Context& context, const Options& options) {
 
 }  // namespace
 
-void add_dev(CLI::App& app, Action& action) {
-  CLI::App* command =
+void add_dev(Command app, Action& action) {
+  const Command command =
       app.add_subcommand("dev", "For authors: prove that the whole tree does what it must");
-  command->require_subcommand(1);
+  command.require_subcommand();
   auto options = std::make_shared<Options>();
-  CLI::App* check = command->add_subcommand(
+  const Command check = command.add_subcommand(
       "check", "Prove that stubs, solutions, wrong answers and null answers get what they must");
-  check->add_option("exercise", options->names, "Only these exercises, or those of these chapters");
-  check->add_option("--jobs", options->jobs, "Answers checked at a time (default: one a core)");
-  check->add_flag("--files", options->files_only, "Look at the files only; build and run nothing");
-  check->add_flag("--json", options->json, "Print JSON");
-  check->callback([&action, options] {
+  check.add_option("exercise", options->names, "Only these exercises, or those of these chapters");
+  check.add_option("--jobs", options->jobs, "Answers checked at a time (default: one a core)");
+  check.add_flag("--files", options->files_only, "Look at the files only; build and run nothing");
+  check.add_flag("--json", options->json, "Print JSON");
+  check.callback([&action, options] {
     action = [options](Context& context) { return run(context, *options); };
   });
 #ifdef CONTACT_GRADE
-  add_dev_box(*command, action);
-  add_dev_grade(*command, action);
+  add_dev_box(command, action);
+  add_dev_grade(command, action);
 #endif
 }
 

@@ -123,26 +123,27 @@ int call_time(Context& context, bool json) {
 
 }  // namespace
 
-void add_dev_grade(CLI::App& dev, Action& action) {
+void add_dev_grade(Command dev, Action& action) {
   auto options = std::make_shared<Options>();
-  CLI::App* unit = dev.add_subcommand(
+  const Command unit = dev.add_subcommand(
       "grade-unit", "Grade files as `contact grade` does: compiled, run and judged in boxes");
-  unit->add_option("file", options->files, "Answers; a path that names its exercise says which")
-      ->required()
-      ->check(CLI::ExistingFile);
-  unit->add_option("--exercise", options->exercise, "The exercise that all of them answer");
-  unit->add_option("--seed", options->seed, "Seed of the random cases");
-  unit->add_option("--seconds", options->seconds, "Processor time of a test");
-  unit->add_option("--compile-seconds", options->compile_seconds,
-                   "Processor time of the compiler and of the linker");
-  unit->add_flag("--as-built", options->as_built, "Build nothing before");
-  unit->add_flag("--json", options->json, "Print JSON");
-  unit->callback([&action, options] {
+  unit.add_option("file", options->files, "Answers; a path that names its exercise says which")
+      .required()
+      .existing_file();
+  unit.add_option("--exercise", options->exercise, "The exercise that all of them answer");
+  unit.add_option("--seed", options->seed, "Seed of the random cases");
+  unit.add_option("--seconds", options->seconds, "Processor time of a test");
+  unit.add_option("--compile-seconds", options->compile_seconds,
+                  "Processor time of the compiler and of the linker");
+  unit.add_flag("--as-built", options->as_built, "Build nothing before");
+  unit.add_flag("--json", options->json, "Print JSON");
+  unit.callback([&action, options] {
     action = [options](Context& context) { return grade_units(context, *options); };
   });
-  CLI::App* call = dev.add_subcommand("call-time", "Measure a call from the tests to a submission");
-  call->add_flag("--json", options->json, "Print JSON");
-  call->callback([&action, options] {
+  const Command call =
+      dev.add_subcommand("call-time", "Measure a call from the tests to a submission");
+  call.add_flag("--json", options->json, "Print JSON");
+  call.callback([&action, options] {
     action = [options](Context& context) { return call_time(context, options->json); };
   });
 }

@@ -247,12 +247,12 @@ int run(Context& context, bool json) {
 
 }  // namespace
 
-void add_doctor(CLI::App& app, Action& action) {
+void add_doctor(Command app, Action& action) {
   auto json = std::make_shared<bool>(false);
-  CLI::App* command =
+  const Command command =
       app.add_subcommand("doctor", "What is installed, what is missing and what to do");
-  command->add_flag("--json", *json, "Print JSON");
-  command->callback(
+  command.add_flag("--json", *json, "Print JSON");
+  command.callback(
       [&action, json] { action = [json](Context& context) { return run(context, *json); }; });
 }
 

@@ -198,19 +198,19 @@ int run(Context& context, const Options& options) {
 
 }  // namespace
 
-void add_export(CLI::App& app, Action& action) {
+void add_export(Command app, Action& action) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
+  const Command command =
       app.add_subcommand("export", "Your copies and progress as one zip file (never overwrites)");
   command
-      ->add_option("file_and_exercises", options->words,
-                   "The file, ending in .zip (contact-work-DATE.zip if none is named), then "
-                   "exercises or chapters; all your copies if none is named")
-      ->option_text("[FILE.zip] [EXERCISE ...]");
-  command->add_flag("--force", options->force,
-                    "Take the name of a file that is there; it is kept as NAME.old-1.zip");
-  command->add_flag("--json", options->json, "Print JSON");
-  command->callback([&action, options] {
+      .add_option("file_and_exercises", options->words,
+                  "The file, ending in .zip (contact-work-DATE.zip if none is named), then "
+                  "exercises or chapters; all your copies if none is named")
+      .option_text("[FILE.zip] [EXERCISE ...]");
+  command.add_flag("--force", options->force,
+                   "Take the name of a file that is there; it is kept as NAME.old-1.zip");
+  command.add_flag("--json", options->json, "Print JSON");
+  command.callback([&action, options] {
     action = [options](Context& context) { return run(context, *options); };
   });
 }

@@ -659,56 +659,55 @@ int run(Context& context, const Options& options) {
 
 }  // namespace
 
-void add_grade(CLI::App& app, Action& action) {
+void add_grade(Command app, Action& action) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand(
+  const Command command = app.add_subcommand(
       "grade", "Grade a folder of submissions, each kept apart from everything else");
-  CLI::Option* const submissions =
-      command->add_option("submissions", options->submissions,
-                          "A folder; each entry is a student's folder, .zip, .tar.gz or .cpp");
-  CLI::Option* const output =
-      command->add_option("-o,--output", options->results,
-                          "Folder for the results; run again with the same to go on or to regrade");
+  const Option submissions =
+      command.add_option("submissions", options->submissions,
+                         "A folder; each entry is a student's folder, .zip, .tar.gz or .cpp");
+  const Option output =
+      command.add_option("-o,--output", options->results,
+                         "Folder for the results; run again with the same to go on or to regrade");
   command
-      ->add_option("--exercises", options->exercises,
-                   "Exercises or chapters, separated by commas; all of the book if not given")
-      ->delimiter(',');
-  command->add_option("--ids", options->ids,
-                      "CSV with columns entry and id, and name if you like: who handed in what");
-  command->add_option("--workers", options->workers, "Units at a time; one a core if not given")
-      ->check(CLI::Range(1, 1024));
-  command->add_option("--engine", options->engine, "local (this machine) or slurm (a cluster)")
-      ->check(CLI::IsMember({"local", "slurm"}));
-  command->add_option(
+      .add_option("--exercises", options->exercises,
+                  "Exercises or chapters, separated by commas; all of the book if not given")
+      .separated_by(',');
+  command.add_option("--ids", options->ids,
+                     "CSV with columns entry and id, and name if you like: who handed in what");
+  command.add_option("--workers", options->workers, "Units at a time; one a core if not given")
+      .between(1, 1024);
+  command.add_option("--engine", options->engine, "local (this machine) or slurm (a cluster)")
+      .one_of({"local", "slurm"});
+  command.add_option(
       "--seed", options->seed,
       "Seed of the random cases; the folder's own if not given, drawn the first time");
-  command->add_option("--private", options->private_tests,
-                      "Folder of tests that are not in the book");
-  command->add_option("--profile", options->profile, "TOML file that sets limits");
-  command->add_option("--due", options->due,
-                      "When work is due: what is shown after that stays hidden before");
-  command->add_option("--formats", options->formats, "Reports to write; all if not given")
-      ->delimiter(',');
+  command.add_option("--private", options->private_tests,
+                     "Folder of tests that are not in the book");
+  command.add_option("--profile", options->profile, "TOML file that sets limits");
+  command.add_option("--due", options->due,
+                     "When work is due: what is shown after that stays hidden before");
+  command.add_option("--formats", options->formats, "Reports to write; all if not given")
+      .separated_by(',');
   command
-      ->add_option("--autograder", options->autograder,
-                   "Grade nothing: write FILE.zip, an autograder for Gradescope or PrairieLearn")
-      ->excludes(submissions)
-      ->excludes(output);
-  command->add_flag("--accept-weak", options->accept_weak,
-                    "Grade although this machine cannot keep submissions apart");
-  command->add_flag("--recalibrate", options->recalibrate,
-                    "Measure the solutions' time anew, and with it the limits of time");
-  command->add_flag("--json", options->json, "Print JSON");
-  command->add_option("--partition", options->slurm.partition, "Slurm: the partition");
-  command->add_option("--account", options->slurm.account, "Slurm: the account");
-  command->add_option("--time", options->slurm.time, "Slurm: a task's time limit");
-  command->add_option("--units-a-task", options->slurm.units_a_task, "Slurm: units in one task");
-  command->add_option("--slurm-options", options->slurm.more, "Slurm: more options of sbatch");
-  command->callback([&action, options] {
+      .add_option("--autograder", options->autograder,
+                  "Grade nothing: write FILE.zip, an autograder for Gradescope or PrairieLearn")
+      .excludes(submissions)
+      .excludes(output);
+  command.add_flag("--accept-weak", options->accept_weak,
+                   "Grade although this machine cannot keep submissions apart");
+  command.add_flag("--recalibrate", options->recalibrate,
+                   "Measure the solutions' time anew, and with it the limits of time");
+  command.add_flag("--json", options->json, "Print JSON");
+  command.add_option("--partition", options->slurm.partition, "Slurm: the partition");
+  command.add_option("--account", options->slurm.account, "Slurm: the account");
+  command.add_option("--time", options->slurm.time, "Slurm: a task's time limit");
+  command.add_option("--units-a-task", options->slurm.units_a_task, "Slurm: units in one task");
+  command.add_option("--slurm-options", options->slurm.more, "Slurm: more options of sbatch");
+  command.callback([&action, options] {
     if (options->autograder.empty() && options->submissions.empty())
-      throw CLI::RequiredError("submissions");
-    if (options->autograder.empty() && options->results.empty())
-      throw CLI::RequiredError("--output");
+      throw MissingOption("submissions");
+    if (options->autograder.empty() && options->results.empty()) throw MissingOption("--output");
     action = [options](Context& context) { return run(context, *options); };
   });
 }

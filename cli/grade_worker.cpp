@@ -210,17 +210,17 @@ int run(Context& context, const Options& options) {
 
 }  // namespace
 
-void add_grade_worker(CLI::App& app, Action& action) {
+void add_grade_worker(Command app, Action& action) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("grade-worker", "Grade units as `contact grade` says");
-  command->group("");
-  command->add_option("run", options->run_file, "RUN.json")->required();
-  command->add_option("--temporary", options->temporary,
-                      "A folder for its boxes, which it removes at its end");
-  command->add_option("--machine", options->machine,
-                      "What the coordinator found out about this machine; tried if not given");
-  command->add_option("--parent", options->parent, "The process whose end is its end");
-  command->callback([&action, options] {
+  const Command command = app.add_subcommand("grade-worker", "Grade units as `contact grade` says");
+  command.hide();
+  command.add_option("run", options->run_file, "RUN.json").required();
+  command.add_option("--temporary", options->temporary,
+                     "A folder for its boxes, which it removes at its end");
+  command.add_option("--machine", options->machine,
+                     "What the coordinator found out about this machine; tried if not given");
+  command.add_option("--parent", options->parent, "The process whose end is its end");
+  command.callback([&action, options] {
     action = [options](Context& context) { return run(context, *options); };
   });
 }

@@ -35,13 +35,13 @@ int run(Context& context, const std::string& name, bool again) {
 
 }  // namespace
 
-void add_hint(CLI::App& app, Action& action) {
+void add_hint(Command app, Action& action) {
   auto name = std::make_shared<std::string>();
   auto again = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("hint", "One more hint for an exercise each time");
-  command->add_option("exercise", *name, "The exercise")->required();
-  command->add_flag("--again", *again, "Show again the hints shown so far");
-  command->callback([&action, name, again] {
+  const Command command = app.add_subcommand("hint", "One more hint for an exercise each time");
+  command.add_option("exercise", *name, "The exercise").required();
+  command.add_flag("--again", *again, "Show again the hints shown so far");
+  command.callback([&action, name, again] {
     action = [name, again](Context& context) { return run(context, *name, *again); };
   });
 }

@@ -212,16 +212,16 @@ int run(Context& context, const std::string& name, bool json) {
 
 }  // namespace
 
-void add_import(CLI::App& app, Action& action) {
+void add_import(Command app, Action& action) {
   auto file = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
-  CLI::App* command =
+  const Command command =
       app.add_subcommand("import", "Take in the work of an archive; what you have is kept");
-  command->add_option("file", *file, "A zip file that the page or `contact export` wrote")
-      ->option_text("FILE.zip")
-      ->required();
-  command->add_flag("--json", *json, "Print JSON");
-  command->callback([&action, file, json] {
+  command.add_option("file", *file, "A zip file that the page or `contact export` wrote")
+      .option_text("FILE.zip")
+      .required();
+  command.add_flag("--json", *json, "Print JSON");
+  command.callback([&action, file, json] {
     action = [file, json](Context& context) { return run(context, *file, *json); };
   });
 }

@@ -160,19 +160,18 @@ int run(Context& context, const Options& options) {
 
 }  // namespace
 
-void add_ladder(CLI::App& app, Action& action) {
+void add_ladder(Command app, Action& action) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
+  const Command command =
       app.add_subcommand("ladder", "Accuracy against time of a chapter's methods, measured here");
-  command->add_option("chapter", options->chapter, "The chapter: 02_triangles, triangles or 2")
-      ->required();
-  command->add_option("--size", options->size, "Inputs in each family")->check(CLI::PositiveNumber);
-  command->add_option("--repeats", options->repeats, "Timed runs of each method")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--output", options->output,
-                      "Where to write (default: benchmarks/results/CHAPTER.MACHINE.json)");
-  command->add_flag("--json", options->json, "Print the JSON instead of a table");
-  command->callback([&action, options] {
+  command.add_option("chapter", options->chapter, "The chapter: 02_triangles, triangles or 2")
+      .required();
+  command.add_option("--size", options->size, "Inputs in each family").positive();
+  command.add_option("--repeats", options->repeats, "Timed runs of each method").positive();
+  command.add_option("--output", options->output,
+                     "Where to write (default: benchmarks/results/CHAPTER.MACHINE.json)");
+  command.add_flag("--json", options->json, "Print the JSON instead of a table");
+  command.callback([&action, options] {
     action = [options](Context& context) { return run(context, *options); };
   });
 }

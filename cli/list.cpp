@@ -88,12 +88,12 @@ int run(Context& context, bool json) {
 
 }  // namespace
 
-void add_list(CLI::App& app, Action& action) {
+void add_list(Command app, Action& action) {
   auto json = std::make_shared<bool>(false);
-  CLI::App* command =
+  const Command command =
       app.add_subcommand("list", "The exercises by chapter, and how far each has come");
-  command->add_flag("--json", *json, "Print JSON");
-  command->callback(
+  command.add_flag("--json", *json, "Print JSON");
+  command.callback(
       [&action, json] { action = [json](Context& context) { return run(context, *json); }; });
 }
 

@@ -44,12 +44,9 @@ constexpr const char* footer =
     "(1024 if unset); NO_COLOR turns colour off.";
 
 int run(int argc, char** argv) {
-  CLI::App app("Contact Hours: exercises in collision detection and response, checked as you save.",
-               "contact");
-  app.require_subcommand(1);
-  app.footer(footer);
-  app.get_formatter()->column_width(30);
-  app.set_version_flag("--version", CONTACT_VERSION);
+  const CommandLine line(
+      "Contact Hours: exercises in collision detection and response, checked as you save.",
+      "contact", CONTACT_VERSION, footer);
   Action action;
   for (const auto& add :
        {add_list, add_start, add_watch, add_check, add_hint, add_solution, add_reset, add_progress,
@@ -58,12 +55,9 @@ int run(int argc, char** argv) {
         add_grade, add_grade_worker,
 #endif
         add_ladder, add_scene, add_plan, add_simulate, add_new, add_doctor, add_dev})
-    add(app, action);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_passed : exit_usage;
-  }
+    add(line.top(), action);
+  int exit_code = exit_passed;
+  if (!line.parse(argc, argv, exit_code)) return exit_code;
   Context context;
   const Style style(stderr);
   try {

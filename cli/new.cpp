@@ -139,22 +139,22 @@ int new_exercise(Context& context, const std::string& id) {
 
 }  // namespace
 
-void add_new(CLI::App& app, Action& action) {
-  CLI::App* command =
+void add_new(Command app, Action& action) {
+  const Command command =
       app.add_subcommand("new", "For authors: make the folders of a chapter or an exercise");
-  command->require_subcommand(1);
+  command.require_subcommand();
   auto slug = std::make_shared<std::string>();
-  CLI::App* chapter =
-      command->add_subcommand("chapter", "Make a chapter that builds and waits for its content");
-  chapter->add_option("slug", *slug, "Two digits and a name: 03_polygons")->required();
-  chapter->callback([&action, slug] {
+  const Command chapter =
+      command.add_subcommand("chapter", "Make a chapter that builds and waits for its content");
+  chapter.add_option("slug", *slug, "Two digits and a name: 03_polygons").required();
+  chapter.callback([&action, slug] {
     action = [slug](Context& context) { return new_chapter(context, *slug); };
   });
   auto id = std::make_shared<std::string>();
-  CLI::App* exercise =
-      command->add_subcommand("exercise", "Make an exercise that builds and waits for its content");
-  exercise->add_option("id", *id, "Chapter and name: 03_polygons/point_in_polygon")->required();
-  exercise->callback(
+  const Command exercise =
+      command.add_subcommand("exercise", "Make an exercise that builds and waits for its content");
+  exercise.add_option("id", *id, "Chapter and name: 03_polygons/point_in_polygon").required();
+  exercise.callback(
       [&action, id] { action = [id](Context& context) { return new_exercise(context, *id); }; });
 }
 

@@ -42,17 +42,17 @@ int run(const Words& words) {
 
 }  // namespace
 
-void add_plan(CLI::App& app, Action& action) {
+void add_plan(Command app, Action& action) {
   const auto words = std::make_shared<Words>();
-  CLI::App* command =
+  const Command command =
       app.add_subcommand("plan", "Which effects a scene calls for, with the numbers that decide");
-  command->add_option("SCENE", words->scene, "A scene file, or the name of a scene of the book")
-      ->required();
-  add_plan_words(*command, words->plan);
-  command->add_flag("--measure", words->measure,
-                    "Run the scene with each effect the other way round, and say what that costs");
-  command->add_flag("--json", words->json, "Print JSON");
-  command->callback([&action, words] { action = [words](Context&) { return run(*words); }; });
+  command.add_option("SCENE", words->scene, "A scene file, or the name of a scene of the book")
+      .required();
+  add_plan_words(command, words->plan);
+  command.add_flag("--measure", words->measure,
+                   "Run the scene with each effect the other way round, and say what that costs");
+  command.add_flag("--json", words->json, "Print JSON");
+  command.callback([&action, words] { action = [words](Context&) { return run(*words); }; });
 }
 
 }  // namespace contact::cli

@@ -33,15 +33,15 @@ std::vector<Effect> effects_of(const std::vector<std::string>& names) {
 
 }  // namespace
 
-void add_plan_words(CLI::App& command, PlanWords& words) {
+void add_plan_words(Command command, PlanWords& words) {
   command.add_option("--with", words.with, "Force an effect on; may be given again")
-      ->type_name("EFFECT")
-      ->allow_extra_args(false);
+      .type_name("EFFECT")
+      .one_value();
   command.add_option("--without", words.without, "Force an effect off; may be given again")
-      ->type_name("EFFECT")
-      ->allow_extra_args(false);
+      .type_name("EFFECT")
+      .one_value();
   command.add_option("--step", words.step, "Go step by step, in steps of so many seconds")
-      ->type_name("SECONDS");
+      .type_name("SECONDS");
 }
 
 double seconds_of(const std::string& option, const std::string& text, bool zero) {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include <contact/plan_types.hpp>
+
+#include "command_line.hpp"
 
 namespace contact::cli {
 
@@ -19,7 +19,7 @@ struct PlanWords {
 };
 
 /// Adds --with, --without and --step to a command.
-void add_plan_words(CLI::App& command, PlanWords& words);
+void add_plan_words(Command command, PlanWords& words);
 
 /// What they ask for.
 /// @throws grading::UnknownName for an effect that is none, or a step that is none

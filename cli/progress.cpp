@@ -55,11 +55,11 @@ int run(Context& context, bool json) {
 
 }  // namespace
 
-void add_progress(CLI::App& app, Action& action) {
+void add_progress(Command app, Action& action) {
   auto json = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("progress", "Your points by chapter and objective");
-  command->add_flag("--json", *json, "Print JSON");
-  command->callback(
+  const Command command = app.add_subcommand("progress", "Your points by chapter and objective");
+  command.add_flag("--json", *json, "Print JSON");
+  command.callback(
       [&action, json] { action = [json](Context& context) { return run(context, *json); }; });
 }
 

@@ -60,11 +60,12 @@ int run(Context& context, const std::string& name) {
 
 }  // namespace
 
-void add_reset(CLI::App& app, Action& action) {
+void add_reset(Command app, Action& action) {
   auto name = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("reset", "Begin an exercise again; your version is kept");
-  command->add_option("exercise", *name, "The exercise")->required();
-  command->callback(
+  const Command command =
+      app.add_subcommand("reset", "Begin an exercise again; your version is kept");
+  command.add_option("exercise", *name, "The exercise").required();
+  command.callback(
       [&action, name] { action = [name](Context& context) { return run(context, *name); }; });
 }
 

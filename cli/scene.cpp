@@ -125,24 +125,24 @@ fs::path scene_path(const std::string& word) {
   throw grading::UnknownName(word + ": neither a file nor a scene of the book" + near);
 }
 
-void add_scene(CLI::App& app, Action& action) {
-  CLI::App* command =
+void add_scene(Command app, Action& action) {
+  const Command command =
       app.add_subcommand("scene", "Scenes: whether a file is one, and which the book has");
-  command->require_subcommand(1);
+  command.require_subcommand();
   const auto json = std::make_shared<bool>(false);
   const auto files = std::make_shared<std::vector<std::string>>();
 
-  CLI::App* checking = command->add_subcommand(
+  const Command checking = command.add_subcommand(
       "check", "Says what a scene is, or everything that is wrong with it, each on its line");
-  checking->add_option("FILE", *files, "A scene file, or the name of a scene of the book")
-      ->required();
-  checking->add_flag("--json", *json, "Print JSON");
-  checking->callback(
+  checking.add_option("FILE", *files, "A scene file, or the name of a scene of the book")
+      .required();
+  checking.add_flag("--json", *json, "Print JSON");
+  checking.callback(
       [&action, json, files] { action = [=](Context&) { return check(*files, *json); }; });
 
-  CLI::App* listing = command->add_subcommand("list", "The scenes of the book");
-  listing->add_flag("--json", *json, "Print JSON");
-  listing->callback([&action, json] { action = [=](Context&) { return list(*json); }; });
+  const Command listing = command.add_subcommand("list", "The scenes of the book");
+  listing.add_flag("--json", *json, "Print JSON");
+  listing.callback([&action, json] { action = [=](Context&) { return list(*json); }; });
 }
 
 }  // namespace contact::cli

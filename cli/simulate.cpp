@@ -405,32 +405,31 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_simulate(CLI::App& app, Action& action) {
+void add_simulate(Command app, Action& action) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand(
+  const Command command = app.add_subcommand(
       "simulate", "Runs a scene as its plan decides: from event to event, or step by step");
-  command->add_option("SCENE", options->scene, "A scene file, or the name of a scene of the book")
-      ->required();
-  command->add_option("--output", options->output,
-                      "Trajectories: extended XYZ (.xyz) or a table (.csv)");
-  command
-      ->add_option("--every", options->every, "Seconds between two frames (default: the scene's)")
-      ->type_name("SECONDS");
-  command->add_option("--events", options->events, "A table of all hits (.csv)");
-  command->add_option("--until", options->until, "Stop at this time (default: the scene's end)")
-      ->type_name("SECONDS");
-  command->add_option("--max-events", options->max_events, "Stop with an error after so many hits");
-  command->add_option("--event-budget", options->event_budget,
-                      "From event to event: go on step by step after so many hits");
-  add_plan_words(*command, options->plan);
-  command->add_option("--checkpoint", options->checkpoint,
-                      "Keep the state here at the end, on Ctrl-C and now and then");
-  command->add_option("--resume", options->resume,
-                      "Go on from a checkpoint; --output and --events go on with their files");
-  command->add_flag("--expect", options->expect,
-                    "Say of everything that the scene expects whether it came out");
-  command->add_flag("--json", options->json, "Print JSON");
-  command->callback([&action, options] { action = [options](Context&) { return run(*options); }; });
+  command.add_option("SCENE", options->scene, "A scene file, or the name of a scene of the book")
+      .required();
+  command.add_option("--output", options->output,
+                     "Trajectories: extended XYZ (.xyz) or a table (.csv)");
+  command.add_option("--every", options->every, "Seconds between two frames (default: the scene's)")
+      .type_name("SECONDS");
+  command.add_option("--events", options->events, "A table of all hits (.csv)");
+  command.add_option("--until", options->until, "Stop at this time (default: the scene's end)")
+      .type_name("SECONDS");
+  command.add_option("--max-events", options->max_events, "Stop with an error after so many hits");
+  command.add_option("--event-budget", options->event_budget,
+                     "From event to event: go on step by step after so many hits");
+  add_plan_words(command, options->plan);
+  command.add_option("--checkpoint", options->checkpoint,
+                     "Keep the state here at the end, on Ctrl-C and now and then");
+  command.add_option("--resume", options->resume,
+                     "Go on from a checkpoint; --output and --events go on with their files");
+  command.add_flag("--expect", options->expect,
+                   "Say of everything that the scene expects whether it came out");
+  command.add_flag("--json", options->json, "Print JSON");
+  command.callback([&action, options] { action = [options](Context&) { return run(*options); }; });
 }
 
 }  // namespace contact::cli

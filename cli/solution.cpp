@@ -33,13 +33,14 @@ int run(Context& context, const std::string& name, bool give_up) {
 
 }  // namespace
 
-void add_solution(CLI::App& app, Action& action) {
+void add_solution(Command app, Action& action) {
   auto name = std::make_shared<std::string>();
   auto give_up = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("solution", "The book's solution, once you have passed");
-  command->add_option("exercise", *name, "The exercise")->required();
-  command->add_flag("--give-up", *give_up, "Show it before you have passed");
-  command->callback([&action, name, give_up] {
+  const Command command =
+      app.add_subcommand("solution", "The book's solution, once you have passed");
+  command.add_option("exercise", *name, "The exercise").required();
+  command.add_flag("--give-up", *give_up, "Show it before you have passed");
+  command.callback([&action, name, give_up] {
     action = [name, give_up](Context& context) { return run(context, *name, *give_up); };
   });
 }

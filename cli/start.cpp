@@ -36,15 +36,15 @@ int run(Context& context, const std::vector<std::string>& names) {
 
 }  // namespace
 
-void add_start(CLI::App& app, Action& action) {
+void add_start(Command app, Action& action) {
   auto names = std::make_shared<std::vector<std::string>>();
-  CLI::App* command =
+  const Command command =
       app.add_subcommand("start", "Copy an exercise's stub to your folder (never overwrites)");
   command
-      ->add_option("exercise", *names,
-                   "Exercises or chapters: ray_triangle, 02_triangles/ray_triangle, 02_triangles")
-      ->required();
-  command->callback(
+      .add_option("exercise", *names,
+                  "Exercises or chapters: ray_triangle, 02_triangles/ray_triangle, 02_triangles")
+      .required();
+  command.callback(
       [&action, names] { action = [names](Context& context) { return run(context, *names); }; });
 }
 

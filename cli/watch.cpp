@@ -167,16 +167,16 @@ class Watch {
 
 }  // namespace
 
-void add_watch(CLI::App& app, Action& action) {
+void add_watch(Command app, Action& action) {
   auto names = std::make_shared<std::vector<std::string>>();
   auto poll = std::make_shared<bool>(false);
-  CLI::App* command =
+  const Command command =
       app.add_subcommand("watch", "Check a copy each time you save it, until Ctrl-C");
-  command->add_option("exercise", *names,
-                      "Exercises or chapters; all if none is named. Missing copies are made");
-  command->add_flag("--poll", *poll,
-                    "Look for saves five times a second instead of waiting for events");
-  command->callback([&action, names, poll] {
+  command.add_option("exercise", *names,
+                     "Exercises or chapters; all if none is named. Missing copies are made");
+  command.add_flag("--poll", *poll,
+                   "Look for saves five times a second instead of waiting for events");
+  command.callback([&action, names, poll] {
     action = [names, poll](Context& context) {
       Watch(context, *names, *poll).run();
       return static_cast<int>(exit_passed);
