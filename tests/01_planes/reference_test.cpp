@@ -15,6 +15,7 @@
 
 #include "support/generators.hpp"
 #include "support/oracle_planes.hpp"
+#include "support/refusal.hpp"
 
 using contact::Plane;
 using contact::Segment;
@@ -29,6 +30,8 @@ using oracle::ExactPlane;
 using oracle::Rational;
 using oracle::Surd;
 using oracle::Vector;
+using support::contains;
+using support::refusal;
 
 namespace {
 
@@ -87,19 +90,6 @@ Rational distance_bound(const Plane<S>& plane, const Vector3<S>& x) {
   return gamma<S>(4) * (absolute_dot(oracle::exact(plane.normal), oracle::exact(x)) +
                         abs(oracle::exact(plane.offset))) +
          3 * eta<S>() / 2;
-}
-
-std::string refusal(const std::function<void()>& construct) {
-  try {
-    construct();
-  } catch (const std::invalid_argument& problem) {
-    return problem.what();
-  }
-  return "";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace

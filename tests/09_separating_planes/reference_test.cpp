@@ -9,15 +9,14 @@
 #include <contact/gap.hpp>
 #include <contact/rotation.hpp>
 #include <contact/separation.hpp>
-#include <functional>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "shape_oracle.hpp"
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
+#include "support/refusal.hpp"
 
 using contact::Capsule;
 using contact::Gap;
@@ -36,6 +35,8 @@ using shape_oracle::exact;
 using shape_oracle::ExactBox;
 using shape_oracle::least_squared;
 using shape_oracle::zonotope;
+using support::contains;
+using support::refusal;
 
 namespace {
 
@@ -192,18 +193,6 @@ auto out_of(const Core& core, double radius, double room) {
     const Rational reach = oracle::exact(radius) + oracle::exact(room);
     return Rational(contact::exact_squared_distance<Rational>(p, core) / (reach * reach));
   };
-}
-
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace

@@ -10,14 +10,13 @@
 #include <contact/momentum.hpp>
 #include <contact/variable_mass.hpp>
 #include <cstring>
-#include <functional>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
+#include "support/refusal.hpp"
 
 using contact::ForceCurve;
 using contact::PointMass;
@@ -25,6 +24,8 @@ using contact::Vector3;
 using generators::Random;
 using oracle::Rational;
 using oracle::Vector;
+using support::contains;
+using support::refusal;
 
 namespace {
 
@@ -147,18 +148,6 @@ ExactSums<S> exact_sums(const std::vector<PointMass<S>>& all) {
     }
   }
   return sums;
-}
-
-std::string refusal(const std::function<void()>& construct) {
-  try {
-    construct();
-  } catch (const std::invalid_argument& problem) {
-    return problem.what();
-  }
-  return "";
-}
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace

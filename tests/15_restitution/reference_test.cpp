@@ -10,14 +10,13 @@
 #include <contact/rebound_angle.hpp>
 #include <contact/restitution.hpp>
 #include <contact/stacked_drop.hpp>
-#include <functional>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
+#include "support/refusal.hpp"
 
 using contact::BouncingBall;
 using contact::StepRule;
@@ -25,6 +24,8 @@ using contact::Vector3;
 using generators::Random;
 using oracle::Rational;
 using oracle::Surd;
+using support::contains;
+using support::refusal;
 
 namespace {
 
@@ -104,18 +105,6 @@ BouncingBall<S> any_ball(Random& random, double least = 0.3) {
   const S h = S(random.chance(0.2) ? 0 : random.uniform(0.01, 5));
   const S v = S(random.chance(0.3) ? 0 : random.uniform(-8, 8));
   return contact::bouncing_ball<S>(h, h == S(0) && !(v > S(0)) ? S(1) : v, g, k);
-}
-
-std::string refusal(const std::function<void()>& construct) {
-  try {
-    construct();
-  } catch (const std::invalid_argument& problem) {
-    return problem.what();
-  }
-  return "";
-}
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace

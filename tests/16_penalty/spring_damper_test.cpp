@@ -5,13 +5,12 @@
 #include <cmath>
 #include <contact/spring_damper.hpp>
 #include <contact/tolerance.hpp>
-#include <functional>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
+#include "support/refusal.hpp"
 
 using contact::DampingRegime;
 using contact::LetGo;
@@ -19,6 +18,8 @@ using contact::SpringDamper;
 using generators::Random;
 using oracle::Rational;
 using oracle::Surd;
+using support::contains;
+using support::refusal;
 
 namespace {
 
@@ -32,18 +33,6 @@ SpringDamper<S> any_spring(Random& random, int range) {
   const S k = S(std::abs(random.magnitude(-range, range)));
   const S c = S(random.chance(0.2) ? 0 : std::abs(random.magnitude(-range, range)));
   return contact::spring_damper(k, c);
-}
-
-std::string refusal(const std::function<void()>& construct) {
-  try {
-    construct();
-  } catch (const std::invalid_argument& problem) {
-    return problem.what();
-  }
-  return "";
-}
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace

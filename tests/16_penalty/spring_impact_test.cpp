@@ -9,20 +9,20 @@
 #include <contact/spring_impact.hpp>
 #include <contact/tolerance.hpp>
 #include <contact/trampoline.hpp>
-#include <functional>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
+#include "support/refusal.hpp"
 
 using contact::LetGo;
 using contact::SpringDamper;
 using generators::Random;
 using oracle::Interval;
 using oracle::Rational;
+using support::refusal;
 
 namespace {
 
@@ -101,15 +101,6 @@ Motion motion(const Rational& square, const Rational& twice_gamma, const Rationa
 }
 
 double middle(const Interval& x) { return oracle::nearest(Rational((x.low() + x.high()) / 2)); }
-
-std::string refusal(const std::function<void()>& construct) {
-  try {
-    construct();
-  } catch (const std::invalid_argument& problem) {
-    return problem.what();
-  }
-  return "";
-}
 
 }  // namespace
 

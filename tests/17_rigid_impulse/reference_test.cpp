@@ -7,14 +7,13 @@
 #include <contact/rigid_body.hpp>
 #include <contact/rigid_impulse.hpp>
 #include <contact/rotation.hpp>
-#include <functional>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
+#include "support/refusal.hpp"
 
 using contact::Closing;
 using contact::ContactPoint;
@@ -25,6 +24,8 @@ using contact::Vector3;
 using generators::Random;
 using oracle::Rational;
 using oracle::Vector;
+using support::contains;
+using support::refusal;
 
 namespace {
 
@@ -117,18 +118,6 @@ Rational integral(const F& f, const Rational& a, const Rational& b) {
   return 2 * h / 45 *
          (7 * f(a) + 32 * f(Rational(a + h)) + 12 * f(Rational(a + 2 * h)) +
           32 * f(Rational(a + 3 * h)) + 7 * f(b));
-}
-
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 const std::vector<Corners> box_triangles{{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6},

@@ -9,15 +9,14 @@
 #include <contact/contact_solver.hpp>
 #include <contact/contact_world.hpp>
 #include <contact/exact_distance.hpp>
-#include <functional>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "09_separating_planes/shape_oracle.hpp"
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
+#include "support/refusal.hpp"
 
 using contact::BodyContact;
 using contact::Capsule;
@@ -32,6 +31,8 @@ using generators::Random;
 using generators::tried;
 using oracle::Rational;
 using oracle::Vector;
+using support::contains;
+using support::refusal;
 
 namespace {
 
@@ -139,18 +140,6 @@ Vector3<S> turning(const std::vector<RigidBody<S>>& bodies) {
   Vector3<S> sum = Vector3<S>::Zero();
   for (const auto& b : bodies) sum = sum + contact::angular_momentum<S>(b, Vector3<S>::Zero());
   return sum;
-}
-
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 const HalfSpace<double> floor_at_zero{{V(0, 0, 1), 0}};

@@ -7,9 +7,7 @@
 #include <contact/block_count.hpp>
 #include <contact/event_queue.hpp>
 #include <contact/two_balls_wall.hpp>
-#include <functional>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -17,12 +15,15 @@
 
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
+#include "support/refusal.hpp"
 
 using contact::EventQueue;
 using contact::QueuedEvent;
 using contact::TwoBallsAndWall;
 using generators::Random;
 using oracle::Rational;
+using support::contains;
+using support::refusal;
 
 namespace {
 
@@ -285,17 +286,6 @@ TEST_CASE("steps of two balls are right while nothing is met, and lose a pass be
 }
 
 TEST_CASE("balls that cannot be are refused by name") {
-  const auto refusal = [](const std::function<void()>& construct) {
-    try {
-      construct();
-    } catch (const std::invalid_argument& problem) {
-      return std::string(problem.what());
-    }
-    return std::string();
-  };
-  const auto contains = [](const std::string& text, const char* part) {
-    return text.find(part) != std::string::npos;
-  };
   const contact::LineBody<double> ball{1, 0};
   const contact::LineBody<double> wall{std::numeric_limits<double>::infinity(), 0};
   CHECK(contains(refusal([&] { contact::two_balls_and_wall(wall, ball, 0.0, 0.0, 1.0); }),

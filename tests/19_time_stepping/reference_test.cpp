@@ -11,14 +11,13 @@
 #include <contact/integrators.hpp>
 #include <contact/rollback.hpp>
 #include <contact/spring_motion.hpp>
-#include <functional>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
+#include "support/refusal.hpp"
 
 using contact::Integrator;
 using contact::MotionState;
@@ -27,6 +26,8 @@ using contact::Vector3;
 using generators::Random;
 using oracle::Rational;
 using oracle::Surd;
+using support::contains;
+using support::refusal;
 
 namespace {
 
@@ -51,15 +52,6 @@ oracle::Vector point(Random& random, int bound) {
   const Rational y = fraction(random, bound);
   const Rational z = fraction(random, bound);
   return {x, y, z};
-}
-
-std::string refusal(const std::function<void()>& construct) {
-  try {
-    construct();
-  } catch (const std::invalid_argument& problem) {
-    return problem.what();
-  }
-  return "";
 }
 
 constexpr std::array all_integrators{Integrator::position_first, Integrator::velocity_first,
