@@ -1,8 +1,15 @@
 # What a chapter's folders become. Everything is found by name; adding a chapter edits no list.
 
-# A Catch2 program; each of its test cases is one ctest test.
+# A Catch2 program; each of its test cases is one ctest test. Files whose names begin with the same word are compiled as
+# one: they use the same headers, whose inline functions would be compiled again for each.
 function(contact_add_catch_test name library)
   add_executable(${name} ${ARGN})
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  foreach(source IN LISTS ARGN)
+    get_filename_component(file "${source}" NAME)
+    string(REGEX MATCH "^[a-z0-9]+" word "${file}")
+    set_property(SOURCE "${source}" PROPERTY UNITY_GROUP ${word})
+  endforeach()
   target_link_libraries(${name} PRIVATE ${library} contact_support Catch2::Catch2WithMain contact_warnings)
   target_precompile_headers(${name} REUSE_FROM contact_support)
   catch_discover_tests(${name} TEST_PREFIX "${name}: " PROPERTIES TIMEOUT 300)

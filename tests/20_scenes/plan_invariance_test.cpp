@@ -25,7 +25,7 @@ Point random_point(Random& random, double size) {
 }
 
 /// Balls and boxes over a floor or in free space, apart from each other.
-Scene random_scene(Random& random) {
+Scene crowded_scene(Random& random) {
   const double e = random.chance(0.5) ? 1.0 : random.uniform();
   const double friction = random.chance(0.5) ? 0.0 : random.uniform();
   const double duration = random.uniform(0.5, 5);
@@ -93,7 +93,7 @@ void same(const Plan& a, const Plan& b, double length, double time) {
 TEST_CASE("a plan does not depend on the order of the bodies, to the last bit") {
   Random random(30);
   for (int trial = 0; trial < generators::tried(1000); ++trial) {
-    const Scene scene = random_scene(random);
+    const Scene scene = crowded_scene(random);
     Scene shuffled = scene;
     for (std::size_t k = shuffled.bodies.size(); k > 1; --k) {
       const int other = random.integer(0, static_cast<int>(k) - 1);
@@ -106,7 +106,7 @@ TEST_CASE("a plan does not depend on the order of the bodies, to the last bit") 
 TEST_CASE("a plan does not depend on the units, to the last bit for powers of two") {
   Random random(31);
   for (int trial = 0; trial < generators::tried(1000); ++trial) {
-    const Scene scene = random_scene(random);
+    const Scene scene = crowded_scene(random);
     const double length = std::ldexp(1.0, random.integer(-12, 12));
     const double time = std::ldexp(1.0, random.integer(-12, 12));
     const double mass = std::ldexp(1.0, random.integer(-12, 12));
@@ -139,7 +139,7 @@ TEST_CASE("a plan does not depend on the units, to the last bit for powers of tw
 TEST_CASE("a body that nothing can reach changes no decision on the others") {
   Random random(32);
   for (int trial = 0; trial < generators::tried(1000); ++trial) {
-    const Scene scene = random_scene(random);
+    const Scene scene = crowded_scene(random);
     Scene more = scene;
     // It flies as the others do, with its centre in the plane of those that stay in one.
     plan_scenes::ball(more, 0.5, 1, {1e7, 0, 1e7}, scene.bodies.back().velocity);

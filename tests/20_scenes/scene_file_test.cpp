@@ -35,7 +35,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double u = 0x1p-53;
+constexpr double unit_roundoff = 0x1p-53;
 const fs::path root = CONTACT_SOURCE_DIR;
 const fs::path folder = root / "chapters" / "20_scenes" / "scenes";
 
@@ -270,7 +270,7 @@ TEST_CASE("Where nothing is lost, a scene expects the energy that it begins with
       INFO(scene.name);
       // n numbers are added, each off by a few u.
       CHECK(std::abs(energy - wanted.value) <=
-            (static_cast<double>(scene.bodies.size()) + 8) * u * size);
+            (static_cast<double>(scene.bodies.size()) + 8) * unit_roundoff * size);
       ++asked;
     }
   }
@@ -400,7 +400,7 @@ TEST_CASE("Axis and angle: multiples of 90 degrees exactly, others as sine and c
   for (const auto& [degrees, cosine] : turns) {
     const Rotor<double> q = orientation_of({{"axis", {0, 0, 5}}, {"degrees", degrees}});
     INFO(degrees);
-    CHECK(std::abs(q.w - cosine) <= 2 * u);
+    CHECK(std::abs(q.w - cosine) <= 2 * unit_roundoff);
     if (cosine == 0) CHECK(std::abs(q.v.z()) == 1);
     if (std::abs(cosine) == 1) CHECK(q.v == Vector3<double>::Zero());
     CHECK(q.v.x() == 0);
@@ -416,7 +416,7 @@ TEST_CASE("Axis and angle: multiples of 90 degrees exactly, others as sine and c
         orientation_of({{"axis", list}, {"degrees", angle * 180 / 3.141592653589793}});
     const Vector3<double> wanted = axis / axis.norm() * std::sin(angle / 2);
     // The angle is known to u of itself, half of it counts, and a few more roundings follow.
-    const double off = u * (std::abs(angle) + 16);
+    const double off = unit_roundoff * (std::abs(angle) + 16);
     CHECK(std::abs(q.w - std::cos(angle / 2)) <= off);
     CHECK((q.v - wanted).cwiseAbs().maxCoeff() <= off);
     CHECK(std::abs(d.w - q.w) <= 2 * off);
@@ -464,7 +464,7 @@ TEST_CASE("A density gives the mass of the volume") {
   const Scene scene = contact::scenes::read_scene(root / "tests/20_scenes/specimen.json");
   CHECK(scene.bodies[2].mass == 7800.0);  // 1 m by 0.5 m by 2 m
   // A third of the cube with edges of 2 m; the hull's volume is off by a few u.
-  CHECK(std::abs(scene.bodies[4].mass - 2700 * 8.0 / 3) <= 64 * u * 7200);
+  CHECK(std::abs(scene.bodies[4].mass - 2700 * 8.0 / 3) <= 64 * unit_roundoff * 7200);
   CHECK(same(scene.bodies[2].inertia,
              contact::box_inertia<double>(7800, Vector3<double>(1, 0.5, 2))));
 }
