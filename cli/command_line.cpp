@@ -1,9 +1,5 @@
 #include "command_line.hpp"
 
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-
 #include <CLI/CLI.hpp>
 
 #include "exit_codes.hpp"
@@ -31,7 +27,13 @@ const Option& Option::existing_file() const {
 }
 
 const Option& Option::positive() const {
-  option_->check(CLI::PositiveNumber);
+  option_->check(CLI::Validator(
+      [](const std::string& text) {
+        long number = 0;
+        if (CLI::detail::lexical_cast(text, number) && number > 0) return std::string();
+        return text + " is not a whole number from 1";
+      },
+      "POSITIVE"));
   return *this;
 }
 
@@ -68,6 +70,17 @@ template <class T>
 Option Command::add_option(const std::string& names, T& value, const std::string& what) const {
   return Option(app_->add_option(names, value, what));
 }
+
+#define INSTANTIATED(T) \
+  template Option Command::add_option(const std::string&, T&, const std::string&) const
+INSTANTIATED(int);
+INSTANTIATED(long);
+INSTANTIATED(unsigned);
+INSTANTIATED(unsigned long);
+INSTANTIATED(double);
+INSTANTIATED(std::string);
+INSTANTIATED(std::vector<std::string>);
+#undef INSTANTIATED
 
 void Command::add_flag(const std::string& names, bool& value, const std::string& what) const {
   app_->add_flag(names, value, what);

@@ -159,6 +159,13 @@ def test_usage_errors(contact: Run, words: list[str]) -> None:
     assert contact(*words).returncode == 2
 
 
+@pytest.mark.parametrize("size", ["-3", "0", "many"])
+def test_a_number_that_cannot_be_is_named(contact: Run, size: str) -> None:
+    done = contact("ladder", "triangles", "--size", size)
+    assert done.returncode == 2
+    assert f"--size: {size} is not a whole number from 1" in done.stderr
+
+
 def test_outside_the_book_is_trouble(contact: Run, tmp_path: Path) -> None:
     assert contact("list", CONTACT_ROOT=str(tmp_path)).returncode == 3
 
