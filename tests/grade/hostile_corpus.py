@@ -20,7 +20,7 @@ only while the test runs.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -100,6 +100,15 @@ def read(file: Path) -> Specimen:
 
 def corpus() -> list[Specimen]:
     return [read(file) for file in sorted((HERE / "hostile").glob("*.cpp"))]
+
+
+def different_twins(specimens: Sequence[Specimen]) -> list[Specimen]:
+    """Of specimens whose twins are the same code under other comments, the first alone."""
+    first: dict[tuple[str, str], Specimen] = {}
+    for specimen in specimens:
+        code = re.sub(r"//.*", "", specimen.twin)
+        first.setdefault((specimen.exercise, " ".join(code.split())), specimen)
+    return list(first.values())
 
 
 def misses(specimen: Specimen, entry: Mapping[str, Any]) -> list[str]:

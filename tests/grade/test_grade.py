@@ -326,7 +326,7 @@ def test_the_same_bytes_with_any_number_of_workers_and_under_load(tmp_path: Path
         for student, text in texts.items():
             grader.hand_in(student, text)
         profile = grader.folder / "profile.toml"
-        profile.write_text("test_cpu_seconds = 1\nwall_extra = 60\n")
+        profile.write_text("test_cpu_seconds = 0.5\nwall_extra = 60\n")
         words = ["--workers", str(workers), "--seed", "same", "--profile", str(profile)]
         if busy:
             with load():
@@ -343,13 +343,13 @@ def test_near_a_limit_is_graded_once_more_alone_and_last(grader: Grader) -> None
         "#include <ctime>\n"
         + SOLUTION
         + "\nnamespace { const bool slow = [] {"
-        + " while (std::clock() < 8 * CLOCKS_PER_SEC / 10) {} return true; }(); }\n"
+        + " while (std::clock() < 4 * CLOCKS_PER_SEC / 10) {} return true; }(); }\n"
     )
     for student in ("ada", "bob", "cyd"):
         grader.hand_in(student)
     grader.hand_in("abe", slow)
     profile = grader.folder / "profile.toml"
-    profile.write_text("test_cpu_seconds = 1\nwall_extra = 60\n")
+    profile.write_text("test_cpu_seconds = 0.5\nwall_extra = 60\n")
     summary = grader.grade("--workers", "2", "--profile", str(profile))
     assert summary["units"] == {"graded": 4, "reused": 0, "alone": 1}
     lines = [(line[0], line[1], line[3]) for line in grader.log()]

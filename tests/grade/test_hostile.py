@@ -18,7 +18,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -31,8 +31,16 @@ sys.path.insert(0, str(HERE))
 import hull_book  # noqa: E402
 import recorded_answers  # noqa: E402
 from hostile_archives import ANSWER, PACKED, Packed  # noqa: E402
-from hostile_corpus import Specimen, corpus, filled, loot, misses  # noqa: E402
+from hostile_corpus import (  # noqa: E402
+    Specimen,
+    corpus,
+    different_twins,
+    filled,
+    loot,
+    misses,
+)
 from reach import PYTHON, skip_if_closed  # noqa: E402
+from sample import sample  # noqa: E402
 
 ROOT = HERE.parents[1]
 BUILD = ROOT / "build" / "dev"
@@ -43,6 +51,12 @@ BOOKS_OWN = [
     name for name, specimen in SPECIMENS.items() if specimen.exercise != hull_book.EXERCISE
 ]
 HULLS = [name for name in SPECIMENS if name not in BOOKS_OWN]
+# Without its attack nearly every one is the same answer, which need not be graded for each of them;
+# nor what is packed honestly in the same way.
+TWINS = [specimen.name for specimen in different_twins(list(SPECIMENS.values()))]
+PACKED_TWINS = list({packed.twin: packed for packed in PACKED}.values())
+# Attacks with an honest answer right behind them, which would be harmed first.
+HARMED = sample(BOOKS_OWN, 6)
 SEED = "hostile"
 
 # Of what is kept from them in another way where no user id can be changed.
@@ -66,11 +80,11 @@ FOR_PLAIN_USERS = (
 # Small, so that what is ended is ended soon.
 PROFILE = """\
 test_cpu_seconds = 0.5
-wall_factor = 1.0
+wall_factor = 2.0
 wall_extra = 1.0
 memory_mb = 256
 output_bytes = 65536
-compile_cpu_seconds = 3.0
+compile_cpu_seconds = 2.0
 compile_memory_mb = 768
 object_mb = 32
 """
@@ -190,11 +204,14 @@ class Run:
 
     def add_attack(self, specimen: Specimen) -> None:
         self.add(specimen.name, specimen.exercise, filled(specimen.text, self.words()))
-        self.add(f"{specimen.name}_twin", specimen.exercise, specimen.twin)
+        if specimen.name in TWINS:
+            self.add(f"{specimen.name}_twin", specimen.exercise, specimen.twin)
 
-    def add_neighbours(self) -> None:
-        """Honest answers in between: submissions are taken in the order of their names."""
-        for name in ("a_neighbour", "f_neighbour", "neighbour_1", "z_neighbour"):
+    def add_neighbours(self, beside: Sequence[str] = ()) -> None:
+        """Honest answers in between, some right after an attack: submissions are taken in the order
+        of their names."""
+        some = ("a_neighbour", "f_neighbour", "neighbour_1", "z_neighbour")
+        for name in (*some, *(f"{attack}_neighbour" for attack in beside)):
             self.add(name, PLANES, solution(PLANES).read_text())
 
     def grade(self, exercises: str, *options: str, workers: int = 2, seed: str = SEED) -> None:
@@ -337,12 +354,13 @@ def quiet(level: str, canaries: Outside, tmp_path_factory: pytest.TempPathFactor
 def run(quiet: Run, canaries: Outside, level: str, tmp_path_factory: pytest.TempPathFactory) -> Run:
     """Everybody together."""
     run = new_run(tmp_path_factory.mktemp(f"hostile-{level}"), canaries, level)
-    run.add_neighbours()
+    run.add_neighbours(beside=HARMED)
     for name in BOOKS_OWN:
         run.add_attack(SPECIMENS[name])
     answer = solution(PLANES).read_text()
     for packed in PACKED:
         packed.make(run.submissions, packed.name, answer, run.words())
+    for packed in PACKED_TWINS:
         packed.twin(run.submissions, f"{packed.name}_twin", answer)
     run.grade(",".join(sorted({SPECIMENS[name].exercise for name in BOOKS_OWN})))
     return run
@@ -393,13 +411,16 @@ def plain(quiet: Run, canaries: Outside, level: str) -> Iterator[Run]:
         folder = Path(made)
         run = new_run(folder, canaries, level)
         run.command = ("setpriv", f"--reuid={user}", f"--regid={user}", "--clear-groups")
-        run.add_neighbours()
+        run.add_neighbours(beside=FOR_PLAIN_USERS[::7])
         for name in FOR_PLAIN_USERS:
             run.add_attack(SPECIMENS[name])
         for file in (folder, run.temporary, *folder.rglob("*")):
             os.chown(file, user, user)
         run.environment["HOME"] = made
         run.grade(PLANES)
+        reached = run.document["machine"]["level"]
+        if reached != level:
+            pytest.skip(f"a plain user has the level {reached} here")
         yield run
 
 
@@ -427,7 +448,7 @@ def test_the_attack_gets_what_it_earned(
     assert loot(entry) == []
 
 
-@pytest.mark.parametrize("name", SPECIMENS)
+@pytest.mark.parametrize("name", TWINS)
 def test_its_honest_twin_passes(name: str, request: pytest.FixtureRequest, level: str) -> None:
     specimen = SPECIMENS[name]
     assert "attack" not in specimen.twin
@@ -447,7 +468,7 @@ def test_what_is_packed_in_bad_faith_gets_nothing(packed: Packed, run: Run) -> N
     assert packed.says in problem
 
 
-@pytest.mark.parametrize("packed", PACKED, ids=lambda packed: packed.name)
+@pytest.mark.parametrize("packed", PACKED_TWINS, ids=lambda packed: packed.name)
 def test_the_same_packed_honestly_passes(packed: Packed, run: Run) -> None:
     entry = run.entry(f"{packed.name}_twin", PLANES)
     assert entry["points"] == entry["max_points"]
@@ -456,23 +477,25 @@ def test_the_same_packed_honestly_passes(packed: Packed, run: Run) -> None:
 def test_everybody_honest_gets_the_verdict_that_they_get_alone(run: Run, quiet: Run) -> None:
     alone = same_for_all(quiet.entry("neighbour_1", PLANES))
     honest = [name for name in run.by_id if "neighbour" in name]
-    assert len(honest) == 4
-    honest += [f"{packed.name}_twin" for packed in PACKED]
+    assert len(honest) == 4 + len(HARMED)
+    honest += [f"{packed.name}_twin" for packed in PACKED_TWINS]
     for name in honest:
         assert same_for_all(run.entry(name, PLANES)) == alone, name
 
 
 @pytest.mark.parametrize("name", FOR_PLAIN_USERS)
 def test_who_has_no_rights_grades_as_well(name: str, plain: Run) -> None:
-    if plain.document["machine"]["level"] != plain.level:
-        pytest.skip(f"a plain user has the level {plain.document['machine']['level']} here")
     specimen = SPECIMENS[name]
     entry = plain.entry(name, PLANES)
     assert misses(specimen, entry) == []
     assert loot(entry) == []
-    twin = plain.entry(f"{name}_twin", PLANES)
-    assert twin["points"] == twin["max_points"]
     assert programs_with(plain.outside.token) == []
+
+
+def test_who_has_no_rights_gives_the_honest_their_points(plain: Run) -> None:
+    honest = [plain.entry(name, PLANES) for name in plain.by_id if "neighbour" in name]
+    assert [entry["points"] for entry in honest] == [entry["max_points"] for entry in honest]
+    assert len(honest) == 6
 
 
 def test_recorded_answers_are_worth_what_has_not_changed(

@@ -44,21 +44,20 @@ Grade = Callable[..., Result]
 
 @pytest.fixture
 def private(tmp_path: Path) -> Path:
-    folder = tmp_path / "private"
-    shutil.copytree(HERE, folder)
-    folder.chmod(0o700)
-    return folder
+    return private_in(tmp_path)
+
+
+def private_in(folder: Path) -> Path:
+    private = folder / "private"
+    shutil.copytree(HERE, private)
+    private.chmod(0o700)
+    return private
 
 
 @pytest.fixture
 def submissions(tmp_path: Path) -> Path:
     folder = tmp_path / "submissions"
-    for student, text in {
-        "careful": SOLUTION,
-        "short-sighted": SHORT_SIGHTED,
-        "mistaken": BETA_SIGN,
-    }.items():
-        hand_in(folder, student, text)
+    hand_in(folder, "careful", SOLUTION)
     return folder
 
 
@@ -70,22 +69,43 @@ def hand_in(folder: Path, student: str, text: str) -> None:
 
 @pytest.fixture
 def grade(tmp_path: Path, submissions: Path, private: Path) -> Grade:
+    return grade_in(tmp_path, submissions, private)
+
+
+def grade_in(folder: Path, submissions: Path, private: Path) -> Grade:
     def run(*words: str, **environment: str) -> Result:
         return subprocess.run(
             [
-                *[str(PROGRAM), "grade", str(submissions), "-o", str(tmp_path / "results")],
+                *[str(PROGRAM), "grade", str(submissions), "-o", str(folder / "results")],
                 *["--exercises", EXERCISE, "--private", str(private), *words],
             ],
             capture_output=True,
             text=True,
             env={**os.environ, "CONTACT_ROOT": str(ROOT), **environment},
-            cwd=tmp_path,
+            cwd=folder,
             stdin=subprocess.DEVNULL,
             timeout=600,
             check=False,
         )
 
     return run
+
+
+@pytest.fixture(scope="module")
+def three(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Grade]:
+    """Three who differ, graded: where, and how to have the reports written once more."""
+    folder = tmp_path_factory.mktemp("three")
+    submissions = folder / "submissions"
+    for student, text in {
+        "careful": SOLUTION,
+        "short-sighted": SHORT_SIGHTED,
+        "mistaken": BETA_SIGN,
+    }.items():
+        hand_in(submissions, student, text)
+    grade = grade_in(folder, submissions, private_in(folder))
+    result = grade()
+    assert result.returncode == 0, result.stdout + result.stderr
+    return folder, grade
 
 
 def results(folder: Path) -> dict[str, Any]:
@@ -118,10 +138,9 @@ def said(result: Result) -> str:
 # ---- What they are worth
 
 
-def test_private_tests_count_after_the_books_own(grade: Grade, tmp_path: Path) -> None:
-    result = grade()
-    assert result.returncode == 0, result.stdout + result.stderr
-    listed = results(tmp_path)["exercises"][0]
+def test_private_tests_count_after_the_books_own(three: tuple[Path, Grade]) -> None:
+    folder, _ = three
+    listed = results(folder)["exercises"][0]
     assert [test["name"] for test in listed["tests"]][-2:] == [THIN, FAR]
     assert [test["private"] for test in listed["tests"]].count(True) == 2
     by_name = {test["name"]: test for test in listed["tests"]}
@@ -131,28 +150,29 @@ def test_private_tests_count_after_the_books_own(grade: Grade, tmp_path: Path) -
     public = sum(test["points"] for test in listed["tests"] if not test["private"])
     assert listed["max_points"] == public + 5
 
-    careful = unit_of(tmp_path, "careful")
+    careful = unit_of(folder, "careful")
     assert careful["points"] == careful["max_points"] == public + 5
 
-    far = judged(tmp_path, "short-sighted")[FAR]
+    far = judged(folder, "short-sighted")[FAR]
     assert far["status"] == "failed"
-    assert unit_of(tmp_path, "short-sighted")["points"] == public + 2
+    assert unit_of(folder, "short-sighted")["points"] == public + 2
     # The instructor's record has everything.
     assert far["failure"]["inputs"]
     assert far["failure"]["right"]
 
     # What a private test requires may be the book's.
-    mistaken = judged(tmp_path, "mistaken")
+    mistaken = judged(folder, "mistaken")
     assert mistaken[FIRST]["status"] == "failed"
     assert mistaken[THIN]["status"] == "skipped"
     assert mistaken[THIN]["points"] == 0
 
 
-def test_no_student_reads_what_is_hidden(grade: Grade, tmp_path: Path) -> None:
+def test_no_student_reads_what_is_hidden(three: tuple[Path, Grade]) -> None:
+    folder, grade = three
     assert grade("--due", "2999-01-01T00:00").returncode == 0
-    failure = judged(tmp_path, "short-sighted")[FAR]["failure"]
+    failure = judged(folder, "short-sighted")[FAR]["failure"]
     secrets = [FAR, *(given["text"] for given in failure["inputs"]), failure["right"]]
-    files = [file for file in (tmp_path / "results" / "students").rglob("*") if file.is_file()]
+    files = [file for file in (folder / "results" / "students").rglob("*") if file.is_file()]
     assert len({file.parent.name for file in files}) == 3
     for file in files:
         text = file.read_text()
@@ -161,8 +181,9 @@ def test_no_student_reads_what_is_hidden(grade: Grade, tmp_path: Path) -> None:
             assert json.dumps(secret)[1:-1] not in text, f"{file}: {secret}"
 
 
-def test_what_is_shown_after_the_due_date(grade: Grade, tmp_path: Path) -> None:
-    report = tmp_path / "results" / "students" / "mistaken" / "report.html"
+def test_what_is_shown_after_the_due_date(three: tuple[Path, Grade]) -> None:
+    folder, grade = three
+    report = folder / "results" / "students" / "mistaken" / "report.html"
     why_skipped = f"it counts once this passes: {FIRST}"
     assert grade("--due", "2999-01-01T00:00").returncode == 0
     assert why_skipped not in report.read_text()
@@ -175,8 +196,9 @@ def test_what_is_shown_after_the_due_date(grade: Grade, tmp_path: Path) -> None:
 
 
 def test_what_has_not_changed_is_not_compiled_again(
-    grade: Grade, private: Path, tmp_path: Path
+    grade: Grade, private: Path, submissions: Path, tmp_path: Path
 ) -> None:
+    hand_in(submissions, "short-sighted", SHORT_SIGHTED)
     first = grade()
     assert first.returncode == 0
     assert "Compiling the private tests of 02_triangles/ray_triangle" in first.stderr

@@ -26,12 +26,23 @@ def changes(grader: Grader) -> list[Document]:
     return found
 
 
-@pytest.fixture
-def graded(grader: Grader) -> Grader:
+@pytest.fixture(scope="module")
+def first(tmp_path_factory: pytest.TempPathFactory) -> Grader:
+    """What every second grading here begins with: graded once, for all."""
+    grader = Grader(tmp_path_factory.mktemp("first") / "class")
     grader.hand_in("ada")
     grader.hand_in("bob", WRONG)
     grader.hand_in("cyd", WRONG)
     grader.grade("--seed", "s")
+    grader.clean()
+    return grader
+
+
+@pytest.fixture
+def graded(first: Grader, grader: Grader) -> Grader:
+    """A copy, to be graded again."""
+    shutil.copytree(first.submissions, grader.submissions, dirs_exist_ok=True)
+    shutil.copytree(first.results, grader.results)
     return grader
 
 
