@@ -13,6 +13,7 @@ import os
 import shutil
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 DOCS = Path(__file__).resolve().parent
@@ -73,10 +74,18 @@ def build(options: argparse.Namespace) -> int:
     book = Book(root, made / "docs-data")
     steps = Steps()
     steps.say("reading what the chapters' programs say")
-    for line in run_programs(book, (options.programs or made / "dev" / "bin").resolve()):
-        steps.say(f"  {line}")
-    if not options.skip_api:
-        steps.say("Doxygen: " + api(book, made / "doxygen", options.complete))
+    programs: Path = (options.programs or made / "dev" / "bin").resolve()
+    # Each has a core to itself.
+    with ThreadPoolExecutor(1) as beside:
+        documented = (
+            None
+            if options.skip_api
+            else beside.submit(api, book, made / "doxygen", options.complete)
+        )
+        for line in run_programs(book, programs):
+            steps.say(f"  {line}")
+    if documented:
+        steps.say("Doxygen: " + documented.result())
     before = page_names(made / "docs-src")
     written = stage(book, root / "docs", made / "docs-src", api=not options.skip_api)
     # Every page's sidebar names all pages.

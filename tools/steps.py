@@ -238,3 +238,8 @@ BEHIND = (
     Step("the e-book", build_ebook),
     Step("the program, for the exercises", lambda: build_native(["contact"], "book-program")),
 )
+# Where nobody waits to read, both at once, so that neither core rests.
+FIGURES_AND_LADDERS = Step(
+    "the figures' and the ladders' C++ for the page",
+    _node("book-figures", "wasm/build.mjs", "figures", "ladders"),
+)

@@ -189,15 +189,24 @@ def side_by_side(checks: Sequence[Check]) -> Check:
     return check
 
 
-def node_tests(what: str, files: Sequence[Path], cwd: Path) -> Iterator[Check]:
-    """Each file by itself, those with most in them first, so that the last to end ends soon."""
+def node_tests(
+    what: str, files: Sequence[Path], cwd: Path, *, first: Sequence[str] = (), flags: str = ""
+) -> Iterator[Check]:
+    """Each file by itself, those with most in them first, so that the last to end ends soon.
+
+    `first`: those that take long for their size.
+    """
+
+    def name(file: Path) -> str:
+        return file.name.removesuffix(".test.mjs")
 
     def one(file: Path) -> Check:
-        command: list[str | Path] = ["node", "--test", "--test-reporter=tap", file]
-        return counted(f"{what} {file.name.removesuffix('.test.mjs')}", command, count_tap, cwd)
+        command: list[str | Path] = ["node", *flags.split(), "--test", "--test-reporter=tap", file]
+        return counted(f"{what} {name(file)}", command, count_tap, cwd)
 
     if files:
-        yield side_by_side([one(file) for file in sorted(files, key=lambda f: -f.stat().st_size)])
+        longest = sorted(files, key=lambda file: (name(file) not in first, -file.stat().st_size))
+        yield side_by_side([one(file) for file in longest])
 
 
 def ctest(preset: str, *more: str) -> Check:
@@ -397,7 +406,7 @@ def step_checks(book_steps: Sequence[steps.Step]) -> Iterator[Check]:
 def page() -> Iterator[Check]:
     """Everything the book is made of, as ./contact serve makes it, and the tests of the scripts."""
     docs = ROOT / "docs"
-    yield from step_checks(steps.FIRST[1:3] + steps.BEHIND[:1])
+    yield from step_checks([steps.FIGURES_AND_LADDERS, *steps.FIRST[2:3]])
     yield from node_tests("test of docs/web:", sorted(docs.glob("web/test/*.test.mjs")), docs)
 
 
@@ -412,12 +421,15 @@ def wasm() -> Iterator[Check]:
         yield once("Catch2's source", [ROOT / "tools" / "fetch_catch2_source.sh"])
     yield from step_checks(steps.BEHIND[1:2])
     tests = [*sorted(docs.glob("wasm/*.test.mjs")), *sorted(docs.glob("web/test/cpp/*.test.mjs"))]
-    yield from node_tests("test of docs/wasm:", tests, docs)
+    # As docs/wasm/pool.mjs starts the compiler.
+    engine = "--single-threaded-gc --liftoff-only"
+    yield from node_tests("test of docs/wasm:", tests, docs, flags=engine)
 
 
 def book() -> Iterator[Check]:
     yield from step_checks(steps.FIRST[3:] + steps.BEHIND[3:4])
-    yield from pytest("tests/docs", "tests/serve")
+    yield from pytest("tests/docs", beside=TWO)
+    yield from pytest("tests/serve")
 
 
 def ladder() -> Iterator[Check]:
@@ -435,7 +447,8 @@ def ladder() -> Iterator[Check]:
 
 def browser() -> Iterator[Check]:
     files = sorted((ROOT / "tests" / "browser").glob("*.test.mjs"))
-    yield from node_tests("test in a browser:", files, ROOT / "docs")
+    first = ("exercises", "pages", "figures", "parity")
+    yield from node_tests("test in a browser:", files, ROOT / "docs", first=first)
 
 
 # --- The stages, in order -------------------------------------------------------------------------

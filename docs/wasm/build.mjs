@@ -1,4 +1,4 @@
-// node docs/wasm/build.mjs figures|ladders|toolchain|all [--only NAME] [--out build/web] [--workers N] [--quiet]
+// node docs/wasm/build.mjs figures|ladders|toolchain|all... [--only NAME] [--out build/web] [--workers N] [--quiet]
 //
 // Compiles what the page runs. What has not changed is taken from build/wasm-cache. Exit code 0: all there;
 // 1: something does not compile (the rest is built all the same); 2: wrong usage.
@@ -16,14 +16,17 @@ import { ship, toolchainRecipes } from "./toolchain.mjs";
 /** @typedef {import('./products.mjs').Product} Product */
 /** @typedef {import('./recipes.mjs').Recipe} Recipe */
 
-/** @type {Record<string, () => Product[]>} what becomes one file each */
+/**
+ * What becomes one file each: the longest of all comes first, so that no process waits for it at the end.
+ * @type {Record<string, () => Product[]>}
+ */
 const kinds = {
-  figures: () => [...figures(), ...playerProduct()],
+  figures: () => [...playerProduct(), ...figures()],
   ladders,
   toolchain: () => [],
 };
 const usage =
-  "usage: node docs/wasm/build.mjs figures|ladders|toolchain|all [--only NAME] [--out FOLDER] " +
+  "usage: node docs/wasm/build.mjs figures|ladders|toolchain|all... [--only NAME] [--out FOLDER] " +
   "[--workers N] [--quiet]";
 
 /** @param {string[]} args @returns {Promise<number>} the exit code */
@@ -36,24 +39,26 @@ async function main(args) {
     console.error(`${/** @type {Error} */ (error).message}\n${usage}`);
     return 2;
   }
-  const { kind, only, out, workers, quiet } = given;
+  const { kinds: asked, only, out, workers, quiet } = given;
+  const one = asked.length === 1 && asked[0] !== "all" ? asked[0] : undefined;
   const start = performance.now();
   /** @type {Product[]} */
   const all = Object.entries(kinds).flatMap(([name, list]) =>
-    kind === "all" || kind === name ? list() : [],
+    asked.includes("all") || asked.includes(name) ? list() : [],
   );
   const products = only
     ? all.filter(({ name }) => name === only || name.startsWith(`${only}/`))
     : all;
   if (only && products.length === 0) {
     console.error(
-      `There is no ${kind === "all" ? "product" : kind.slice(0, -1)} ${only}. There are:`,
+      `There is no ${one === undefined ? "product" : one.slice(0, -1)} ${only}. There are:`,
     );
     for (const { name } of all) console.error(`  ${name}`);
     return 2;
   }
 
-  const withToolchain = (kind === "toolchain" || kind === "all") && only === undefined;
+  const withToolchain =
+    (asked.includes("toolchain") || asked.includes("all")) && only === undefined;
   const { built, failed } = await makeAll(
     [...products.map(({ recipe }) => recipe), ...(withToolchain ? toolchainRecipes() : [])],
     {
@@ -113,7 +118,7 @@ async function main(args) {
   prune(14);
   const seconds = ((performance.now() - start) / 1000).toFixed(1);
   console.log(
-    `${written} of ${wanted} ${kind === "all" || kind === "toolchain" ? "products" : kind} in ${seconds} s ` +
+    `${written} of ${wanted} ${one === undefined || one === "toolchain" ? "products" : one} in ${seconds} s ` +
       `(${built} steps made, the rest from the cache)`,
   );
   return failed.size === 0 ? 0 : 1;
@@ -143,15 +148,13 @@ function read(args) {
       quiet: { type: "boolean", default: false },
     },
   });
-  const [kind, ...rest] = positionals;
-  if (kind === undefined || rest.length > 0 || !(kind in kinds || kind === "all"))
-    throw new Error(
-      kind === undefined ? "what shall be built?" : `${positionals.join(" ")}: not known`,
-    );
+  if (positionals.length === 0) throw new Error("what shall be built?");
+  for (const kind of positionals)
+    if (!Object.hasOwn(kinds, kind) && kind !== "all") throw new Error(`${kind}: not known`);
   const workers = Number(values.workers);
   if (!Number.isInteger(workers) || workers < 1) throw new Error("--workers takes a number from 1");
   return {
-    kind: /** @type {keyof typeof kinds | 'all'} */ (kind),
+    kinds: positionals,
     only: values.only,
     out: path.resolve(root, /** @type {string} */ (values.out)),
     workers,

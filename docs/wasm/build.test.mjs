@@ -97,6 +97,7 @@ test("the program's own words: an unknown name lists what there is; wrong usage 
   assert.equal(unknown.code, 2);
   assert.match(unknown.stderr, /There is no figure 99_nothing\/here.*01_planes\//s);
   assert.equal((await fails("houses")).code, 2);
+  assert.equal((await fails("figures", "houses")).code, 2);
   assert.equal((await fails()).code, 2);
   assert.equal((await fails("figures", "--workers", "none")).code, 2);
 });

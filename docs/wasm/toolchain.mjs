@@ -6,7 +6,8 @@ import { createHash } from "node:crypto";
 import fs from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";
-import { gzipSync } from "node:zlib";
+import { promisify } from "node:util";
+import { gzip } from "node:zlib";
 import { coreModule, coreNames, mendedProgram, resourceTree } from "./compiler.mjs";
 import { diagnosticFlags, programLink, studentFlags } from "./flags.mjs";
 import { closure, sourceFile, virtualPath } from "./headers.mjs";
@@ -121,9 +122,11 @@ async function compilerProgram() {
 /** @param {Uint8Array} bytes */
 const hash = (bytes) => createHash("sha256").update(bytes).digest("hex");
 
+const packed = promisify(gzip);
+
 /** Compressed as far as it goes, which takes ten seconds for the compiler: so kept by content.
- * @param {Uint8Array} bytes @returns {Uint8Array} */
-function zipped(bytes) {
+ * @param {Uint8Array} bytes @returns {Promise<Uint8Array>} */
+async function zipped(bytes) {
   const name = hash(bytes);
   const file = path.join(cacheDir, "made", "gz", name);
   if (fs.existsSync(file)) {
@@ -131,7 +134,7 @@ function zipped(bytes) {
     fs.utimesSync(file, now, now);
     return fs.readFileSync(file);
   }
-  const result = gzipSync(bytes, { level: 9 });
+  const result = await packed(bytes, { level: 9 });
   writeWhole(file, result);
   return result;
 }
@@ -145,9 +148,9 @@ export async function ship(out, isMade) {
   const folder = path.join(out, "cpp");
   /** @type {Set<string>} */
   const named = new Set(["manifest.json"]);
-  /** @param {string} name with its ending @param {Uint8Array} bytes @param {boolean} zip @returns {Shipped} */
-  const put = (name, bytes, zip = true) => {
-    const sent = zip ? zipped(bytes) : bytes;
+  /** @param {string} name with its ending @param {Uint8Array} bytes @param {boolean} zip @returns {Promise<Shipped>} */
+  const put = async (name, bytes, zip = true) => {
+    const sent = zip ? await zipped(bytes) : bytes;
     const { dir, name: stem, ext } = path.posix.parse(name);
     const tag = `${hash(sent).slice(0, 8)}${ext}${zip ? ".gz" : ""}`;
     const file = path.posix.join(dir, `${stem}.${tag}`);
@@ -156,25 +159,37 @@ export async function ship(out, isMade) {
     if (!fs.existsSync(target)) writeWhole(target, sent);
     return { file, bytes: bytes.length, transfer: sent.length };
   };
+  /** What is made of these, at the same time: to compress takes longest. @param {[string, Recipe][]} list */
+  const putMade = (list) =>
+    Promise.all(
+      list
+        .filter(([, recipe]) => isMade(recipe))
+        .map(async ([name, recipe]) => ({ name, shipped: await put(name, made(key(recipe))) })),
+    );
 
+  const parts = [
+    put("compiler.js", await compilerProgram(), false),
+    ...coreNames.map((name) => put(name, coreModule(name))),
+    put("system.tar", tar(await systemTree())),
+  ];
+  const own = putMade([
+    ["checks.o", checksObject()],
+    ["judge.wasm", judgeRecipe()],
+    ["prelude.pch", checkPrelude],
+  ]);
+  const names = ["compiler.js", ...coreNames, "system.tar"];
   /** @type {Manifest['files']} */
-  const files = { "compiler.js": put("compiler.js", await compilerProgram(), false) };
-  for (const name of coreNames) files[name] = put(name, coreModule(name));
-  files["system.tar"] = put("system.tar", tar(await systemTree()));
-  const add = (/** @type {string} */ name, /** @type {Recipe} */ recipe) => {
-    if (isMade(recipe)) files[name] = put(name, made(key(recipe)));
-  };
-  add("checks.o", checksObject());
-  add("judge.wasm", judgeRecipe());
-  const core = Object.keys(files);
-  add("prelude.pch", checkPrelude);
+  const files = {};
+  for (const [i, shipped] of (await Promise.all(parts)).entries())
+    files[String(names[i])] = shipped;
+  for (const { name, shipped } of await own) files[name] = shipped;
+  const core = Object.keys(files).filter((name) => name !== "prelude.pch");
+  const tests = await putMade(
+    exerciseList().map((exercise) => [`exercises/${exercise.name}.o`, testObject(exercise)]),
+  );
   /** @type {Manifest['exercises']} */
   const exercises = {};
-  for (const exercise of exerciseList()) {
-    const recipe = testObject(exercise);
-    if (isMade(recipe))
-      exercises[exercise.name] = put(`exercises/${exercise.name}.o`, made(key(recipe)));
-  }
+  for (const { name, shipped } of tests) exercises[name.slice("exercises/".length, -2)] = shipped;
 
   /** @type {Manifest} */
   const manifest = {
