@@ -165,6 +165,8 @@ def pytest(*folders: str, beside: Sequence[str] = ()) -> Iterator[Check]:
             yield counted(f"pytest {folder}", python, count_junit(file))
 
 
+# Files of pytest two at a time.
+TWO = ("-n", "2", "--dist", "loadfile")
 # Tests of pytest three at a time on two cores: much of what they do waits. Each goes to whoever is
 # free, or with its group where it belongs to one; they begin in the order that they are listed in.
 THREE = ("-n", "3", "--dist", "loadgroup", "--no-loadscope-reorder")
