@@ -4,6 +4,7 @@
 #include <bit>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
+#include <contact/stage_solve.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -591,4 +592,48 @@ TEST_CASE("forced off, gravity and restitution are gone from event to event too"
   auto dull = run_of(scene, without({Effect::restitution, Effect::gravity}));
   dull->advance(1);
   CHECK(std::abs(dull->position(1).z() - 0.5) <= 1e-9);
+}
+
+TEST_CASE("contacts are solved together exactly where bodies that move link them") {
+  Random random(31);
+  for (int round = 0; round < generators::tried(500); ++round) {
+    contact::SteppedSetup setup;
+    contact::SteppedState state;
+    const int count = random.integer(2, 12);
+    setup.bodies.resize(static_cast<std::size_t>(count));
+    setup.movers = static_cast<std::size_t>(random.integer(1, count));
+    state.sleeps_with.assign(setup.movers, -1);
+    for (int& with : state.sleeps_with) with = random.chance(0.1) ? 0 : -1;
+    std::vector<contact::BodyContact<double>> contacts(
+        static_cast<std::size_t>(random.integer(0, 14)));
+    for (auto& one : contacts) {
+      one.a = random.integer(0, count - 1);
+      one.b = random.integer(0, count - 1);
+    }
+    // Linked by one body, then by links of links until nothing changes.
+    const std::size_t n = contacts.size();
+    std::vector<std::vector<bool>> linked(n, std::vector<bool>(n));
+    const auto moves = [&](int body) {
+      const auto place = static_cast<std::size_t>(body);
+      return place < setup.movers && state.sleeps_with[place] < 0;
+    };
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        for (const int body : {contacts[i].a, contacts[i].b})
+          if (i == j || (moves(body) && (body == contacts[j].a || body == contacts[j].b)))
+            linked[i][j] = true;
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j)
+          if (linked[i][k] && linked[k][j]) linked[i][j] = true;
+    std::vector<int> island(n, -1);
+    const auto found = contact::detail::islands(setup, state, contacts);
+    for (std::size_t k = 0; k < found.size(); ++k)
+      for (const std::size_t i : found[k]) {
+        REQUIRE(island[i] == -1);
+        island[i] = static_cast<int>(k);
+      }
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) REQUIRE((island[i] == island[j]) == linked[i][j]);
+  }
 }

@@ -59,17 +59,47 @@ struct ContactedBodies {
     }
     return number[place];
   }
+
+  void clear() {
+    for (const std::size_t place : places) number[place] = -1;
+    bodies.clear();
+    places.clear();
+  }
 };
 
-/// The contacts with the bodies' numbers in place of their places.
-template <class Make>
-std::vector<BodyContact<double>> numbered(std::vector<BodyContact<double>> contacts,
-                                          ContactedBodies& bodies, const Make& make) {
-  for (BodyContact<double>& contact : contacts) {
-    contact.a = bodies.add(index(contact.a), make);
-    contact.b = bodies.add(index(contact.b), make);
+/// Contacts that hang together by bodies that move, each island by the contacts' indices. What
+/// happens in one has nothing to do with another.
+inline std::vector<std::vector<std::size_t>> islands(
+    const SteppedSetup& setup, const SteppedState& state,
+    const std::vector<BodyContact<double>>& contacts) {
+  const std::size_t none = contacts.size();
+  std::vector<std::size_t> towards(contacts.size());  // a contact of the same island, or itself
+  std::vector<std::size_t> first(setup.bodies.size(), none);  // of a body
+  const auto root = [&](std::size_t i) {
+    while (towards[i] != i) i = towards[i] = towards[towards[i]];
+    return i;
+  };
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    towards[i] = i;
+    for (const int body : {contacts[i].a, contacts[i].b}) {
+      const std::size_t place = index(body);
+      if (place >= setup.movers || sleeps(state, place)) continue;
+      if (first[place] == none) first[place] = i;
+      const auto [low, high] = std::minmax({root(first[place]), root(i)});
+      towards[high] = low;
+    }
   }
-  return contacts;
+  std::vector<std::vector<std::size_t>> found;
+  std::vector<std::size_t> number(contacts.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const std::size_t top = root(i);  // not after i
+    if (top == i) {
+      number[i] = found.size();
+      found.emplace_back();
+    }
+    found[number[top]].push_back(i);
+  }
+  return found;
 }
 
 inline BodyContact<double> contact_at(const NearPair& pair, const ManifoldPoint<double>& point,
@@ -112,6 +142,51 @@ inline SolvedContacts<double> solve_numbered(const SteppedSetup& setup, SteppedS
   SolvedContacts<double> solved = solve_contacts<double>(bodies, contacts, start, limits);
   count_sweeps(state, contacts.size(), solved.report.sweeps);
   return solved;
+}
+
+/// Solves contacts that are named by the bodies' places, island by island: a sweep over all would
+/// go on for those that have long been right. `make(place)` is a body before, `give(place, body)`
+/// takes one that moves after. Gives back the impulses.
+template <class Make, class Give>
+std::vector<ContactImpulse<double>> solve_islands(const SteppedSetup& setup, SteppedState& state,
+                                                  const std::vector<BodyContact<double>>& contacts,
+                                                  const std::vector<ContactImpulse<double>>& start,
+                                                  bool calm, const Make& make, const Give& give) {
+  std::vector<ContactImpulse<double>> impulses(contacts.size());
+  ContactedBodies bodies(setup.bodies.size());
+  for (const std::vector<std::size_t>& island : islands(setup, state, contacts)) {
+    bodies.clear();
+    std::vector<BodyContact<double>> named;
+    std::vector<ContactImpulse<double>> before;
+    for (const std::size_t i : island) {
+      named.push_back(contacts[i]);
+      named.back().a = bodies.add(index(contacts[i].a), make);
+      named.back().b = bodies.add(index(contacts[i].b), make);
+      if (!start.empty()) before.push_back(start[i]);
+    }
+    const auto solved = solve_numbered(setup, state, bodies.bodies, named, before, calm);
+    for (std::size_t k = 0; k < island.size(); ++k) impulses[island[k]] = solved.impulses[k];
+    for (std::size_t k = 0; k < bodies.places.size(); ++k) {
+      const std::size_t place = bodies.places[k];
+      if (place < setup.movers && !sleeps(state, place)) give(place, solved.bodies[k]);
+    }
+  }
+  return impulses;
+}
+
+/// The same from the velocities that bodies have now, and these are changed.
+inline std::vector<ContactImpulse<double>> solve_now(
+    const SteppedSetup& setup, SteppedState& state,
+    const std::vector<BodyContact<double>>& contacts) {
+  const auto make = [&](std::size_t place) {
+    return solver_body(setup, state, place, velocity_of(setup, state, place),
+                       spin_of(state, place));
+  };
+  const auto give = [&](std::size_t place, const RigidBody<double>& body) {
+    state.velocity[place] = body.velocity;
+    if (turned_by_contacts(setup, place)) state.spin[place] = body.spin;
+  };
+  return solve_islands(setup, state, contacts, {}, false, make, give);
 }
 
 /// Notes a hit: the impulses at all points of a pair together, at their middle.
@@ -161,21 +236,9 @@ inline void solve_impacts(const SteppedSetup& setup, SteppedState& state, StepPa
     if (lay_down && !hit) ++state.counts.rests;
   }
   if (!approaches) return;
-  const auto make = [&](std::size_t place) {
-    return detail::solver_body(setup, state, place, velocity_of(setup, state, place),
-                               spin_of(state, place));
-  };
-  detail::ContactedBodies bodies(setup.bodies.size());
-  const auto named = detail::numbered(contacts, bodies, make);
-  const auto solved = detail::solve_numbered(setup, state, bodies.bodies, named, {});
-  for (std::size_t i = 0; i < bodies.places.size(); ++i) {
-    const std::size_t place = bodies.places[i];
-    if (place >= setup.movers || sleeps(state, place)) continue;
-    state.velocity[place] = solved.bodies[i].velocity;
-    if (turned_by_contacts(setup, place)) state.spin[place] = solved.bodies[i].spin;
-  }
+  const auto impulses = detail::solve_now(setup, state, contacts);
   for (const auto& [first, last] : hits)
-    detail::note_hit(setup, state, part, contacts, solved.impulses, first, last);
+    detail::note_hit(setup, state, part, contacts, impulses, first, last);
   part.length = 0;
   ++part.cuts;
 }
@@ -245,21 +308,17 @@ inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPar
         mover ? part.end_velocity[place] : Vector3<double>(Vector3<double>::Zero()),
         turns ? part.end_spin[place] : Vector3<double>(Vector3<double>::Zero()));
   };
-  detail::ContactedBodies bodies(setup.bodies.size());
-  const auto named = detail::numbered(contacts, bodies, make);
+  const auto give = [&](std::size_t place, const RigidBody<double>& body) {
+    part.end_velocity[place] = body.velocity;
+    if (turned_by_contacts(setup, place)) part.end_spin[place] = body.spin;
+  };
   double margin = 0;
   for (const NearPair& pair : part.pairs) margin = std::max(margin, pair.reach);
   const auto start = detail::warm_start(state, contacts, part.planned, margin);
   // As long as no impact has cut this step, what rests is worth more sweeps: a stack stands on
   // forces that have settled.
   const bool calm = setup.together && setup.one_by_one && part.cuts == 0;
-  const auto solved = detail::solve_numbered(setup, state, bodies.bodies, named, start, calm);
-  for (std::size_t i = 0; i < bodies.places.size(); ++i) {
-    const std::size_t place = bodies.places[i];
-    if (place >= setup.movers || sleeps(state, place)) continue;
-    part.end_velocity[place] = solved.bodies[i].velocity;
-    if (turned_by_contacts(setup, place)) part.end_spin[place] = solved.bodies[i].spin;
-  }
+  const auto impulses = detail::solve_islands(setup, state, contacts, start, calm, make, give);
   // What a very short part needed to stop an approach is no force that lasts.
   const bool lasts = part.planned * 64 >= setup.step;
   if (lasts) {
@@ -268,7 +327,7 @@ inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPar
   }
   std::vector<std::size_t> hit_pairs;  // their contacts
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const ContactImpulse<double>& impulse = solved.impulses[i];
+    const ContactImpulse<double>& impulse = impulses[i];
     if (!(impulse.normal > 0)) continue;
     const bool hits = part.at_once && speeds[i] < -setup.rest_speed;
     for (const int body : {contacts[i].a, contacts[i].b}) {
@@ -298,8 +357,7 @@ inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPar
     while (next < hit_pairs.size() && contacts[hit_pairs[next]].a == contacts[hit_pairs[k]].a &&
            contacts[hit_pairs[next]].b == contacts[hit_pairs[k]].b)
       ++next;
-    detail::note_hit(setup, state, part, contacts, solved.impulses, hit_pairs[k],
-                     hit_pairs[next - 1] + 1);
+    detail::note_hit(setup, state, part, contacts, impulses, hit_pairs[k], hit_pairs[next - 1] + 1);
     k = next;
   }
 }
@@ -311,19 +369,7 @@ inline void solve_bounces(const SteppedSetup& setup, SteppedState& state, StepPa
   bool any = false;
   for (const BodyContact<double>& contact : part.bounces) any = any || contact.least_velocity > 0;
   if (!any) return;
-  const auto make = [&](std::size_t place) {
-    return detail::solver_body(setup, state, place, velocity_of(setup, state, place),
-                               spin_of(state, place));
-  };
-  detail::ContactedBodies bodies(setup.bodies.size());
-  const auto named = detail::numbered(part.bounces, bodies, make);
-  const auto solved = detail::solve_numbered(setup, state, bodies.bodies, named, {});
-  for (std::size_t i = 0; i < bodies.places.size(); ++i) {
-    const std::size_t place = bodies.places[i];
-    if (place >= setup.movers || sleeps(state, place)) continue;
-    state.velocity[place] = solved.bodies[i].velocity;
-    if (turned_by_contacts(setup, place)) state.spin[place] = solved.bodies[i].spin;
-  }
+  detail::solve_now(setup, state, part.bounces);
 }
 // [/bounces-stage]
 
