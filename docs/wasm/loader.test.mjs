@@ -74,7 +74,8 @@ function number(next) {
   return kind < 0.995 ? pick(special) : pick(unfinite);
 }
 
-/** The same bits; all NaN alike, since no answer may depend on which. @param {readonly number[]} a @param {readonly number[]} b */
+/** The same bits; all NaN alike, since no answer may depend on which.
+ * @param {readonly number[]} a @param {readonly number[]} b */
 const same = (a, b) => a.length === b.length && a.every((value, i) => Object.is(value, b[i]));
 
 /** JSON has no NaN and no infinity. @param {number} value */

@@ -1,5 +1,5 @@
-// "Run it here": the chapter's ladder, timed as WebAssembly in the reader's browser. Every second one is run, and another
-// third stopped, others with each commit. (What each computes: docs/wasm/loader.test.mjs.)
+// "Run it here": the chapter's ladder, timed as WebAssembly in the reader's browser. Every second one is run and
+// every third stopped, others with each commit. (What each computes: docs/wasm/loader.test.mjs.)
 
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
