@@ -164,8 +164,9 @@ def pytest(*folders: str, beside: Sequence[str] = ()) -> Iterator[Check]:
             yield counted(f"pytest {folder}", python, count_junit(file))
 
 
-# Files of pytest two at a time: much of what they do waits, or uses one core.
-TWO = ("-n", "2", "--dist", "loadfile")
+# Files of pytest three at a time on two cores: much of what they do waits. They begin in the order
+# in which their conftest.py puts them.
+THREE = ("-n", "3", "--dist", "loadfile", "--no-loadscope-reorder")
 
 
 def side_by_side(checks: Sequence[Check]) -> Check:
@@ -360,7 +361,7 @@ def outside() -> Iterator[Check]:
 
 
 def program() -> Iterator[Check]:
-    yield from pytest("tests/cli", beside=TWO)
+    yield from pytest("tests/cli", beside=THREE)
 
 
 def grade() -> Iterator[Check]:
@@ -368,7 +369,7 @@ def grade() -> Iterator[Check]:
     if sys.platform != "linux":
         yield lambda _: Tally(skipped=1, why=["not run: grading needs Linux"])
         return
-    yield from pytest("tests/grade", beside=TWO)
+    yield from pytest("tests/grade", beside=THREE)
 
 
 def step_checks(book_steps: Sequence[steps.Step]) -> Iterator[Check]:

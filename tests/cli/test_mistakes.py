@@ -13,6 +13,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 Run = Callable[..., subprocess.CompletedProcess[str]]
 Answer = Callable[[str], Path]
 ROOT = Path(__file__).resolve().parents[2]
@@ -25,6 +27,7 @@ def checked(contact: Run, *files: Path) -> dict[Path, dict[str, Any]]:
     return {Path(result["file"]): result for result in json.loads(done.stdout)["results"]}
 
 
+@pytest.mark.slow
 def test_every_mistake_is_recognised(contact: Run) -> None:
     assert len({path.name for path in MISTAKES}) >= 60
     verdicts = checked(contact, *MISTAKES)
