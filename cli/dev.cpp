@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cstdio>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <thread>
@@ -84,7 +85,7 @@ std::vector<DevResult> check_answers(const grading::Book& book,
                                      const std::vector<AnswerJob>& jobs, unsigned workers,
                                      ProgressLine& line) {
   const grading::Limits limits = grading::limits_from_environment();
-  std::vector<DevResult> results(jobs.size());
+  std::vector<std::vector<DevResult>> by_job(jobs.size());
   std::atomic<std::size_t> next{0};
   std::atomic<bool> interrupted{false};
   std::mutex mutex;
@@ -94,7 +95,7 @@ std::vector<DevResult> check_answers(const grading::Book& book,
     grading::Loop loop;
     try {
       for (std::size_t i = next++; i < jobs.size() && !interrupted; i = next++) {
-        results[i] = check_answer(loop, book, build, jobs[i], limits);
+        by_job[i] = check_answer(loop, book, build, jobs[i], limits);
         const std::lock_guard<std::mutex> lock(mutex);
         line.show(std::to_string(++done) + " of " + std::to_string(jobs.size()) +
                   " answers checked: " + jobs[i].name);
@@ -112,6 +113,9 @@ std::vector<DevResult> check_answers(const grading::Book& book,
   for (std::thread& thread : threads) thread.join();
   if (!failure.empty()) throw grading::BookError(failure);
   if (interrupted) throw grading::Interrupted{};
+  std::vector<DevResult> results;
+  for (std::vector<DevResult>& of_job : by_job)
+    std::move(of_job.begin(), of_job.end(), std::back_inserter(results));
   return results;
 }
 
@@ -173,9 +177,7 @@ int run(Context& context, const Options& options) {
     build_all(context.loop(), book, exercises, results);
     const grading::BuildDescription build = grading::read_build_description(book.build_dir());
     const grading::TemporaryFolder folder;
-    line.show("Writing null answers ...");
-    const std::vector<AnswerJob> jobs =
-        answer_jobs(context.loop(), book, exercises, folder.path(), results);
+    const std::vector<AnswerJob> jobs = answer_jobs(exercises, folder.path());
     const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
     for (DevResult& result :
          check_answers(book, build, jobs, options.jobs > 0 ? options.jobs : cores, line))

@@ -1,6 +1,7 @@
 // What stubs, solutions, wrong answers and null answers must get.
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 
 #include "dev_check.hpp"
@@ -16,6 +17,10 @@ using grading::Exercise;
 using grading::TestStatus;
 using grading::TestVerdict;
 using grading::Verdict;
+
+// As grading/build_null_answers.hpp knows them; an answer that is asked for another crashes.
+constexpr std::array null_kinds{"zeros", "nan",    "infinity", "minus_infinity",
+                                "huge",  "random", "echo"};
 
 std::string told(const TestVerdict& test) {
   std::string text = "'" + test.name + "' is " + std::string(grading::words(test.status));
@@ -88,6 +93,26 @@ void check_null(const Verdict& verdict, std::vector<std::string>& problems) {
   }
 }
 
+void check_verdict(const grading::Book& book, const AnswerJob& job, const Verdict& verdict,
+                   std::vector<std::string>& problems) {
+  if (verdict.compile_error) {
+    problems.push_back("it does not compile: " + verdict.compile_error->message + " (" +
+                       shown(verdict.compile_error->file) + ":" +
+                       std::to_string(verdict.compile_error->line) + ")");
+    return;
+  }
+  if (job.kind == "solution" || job.kind == "wrong answer") check_silence(verdict, problems);
+  if (job.kind == "stub") {
+    check_stub(verdict, problems);
+  } else if (job.kind == "solution") {
+    check_solution(verdict, problems);
+  } else if (job.kind == "wrong answer") {
+    check_wrong(book, job, verdict, problems);
+  } else {
+    check_null(verdict, problems);
+  }
+}
+
 bool same_text(const fs::path& a, const fs::path& b) {
   try {
     return grading::read_text(a) == grading::read_text(b);
@@ -96,8 +121,8 @@ bool same_text(const fs::path& a, const fs::path& b) {
   }
 }
 
-// Null answers, and the generated proxy and server once more, to hold against those that the build
-// has.
+// The null answer, and the generated proxy and server once more, to hold against those that the
+// build has.
 std::vector<std::string> generate(grading::Loop& loop, const grading::Book& book,
                                   const Exercise& exercise, const fs::path& folder) {
   fs::path python = book.root() / "build" / "venv" / "bin" / "python";
@@ -159,59 +184,54 @@ std::vector<fs::path> wrong_answer_files(const Exercise& exercise) {
   return files;
 }
 
-std::vector<AnswerJob> answer_jobs(grading::Loop& loop, const grading::Book& book,
-                                   const std::vector<const Exercise*>& exercises,
-                                   const fs::path& folder, std::vector<DevResult>& results) {
+std::vector<AnswerJob> answer_jobs(const std::vector<const Exercise*>& exercises,
+                                   const fs::path& folder) {
   std::vector<AnswerJob> jobs;
   for (const Exercise* exercise : exercises) {
     jobs.push_back({"stub", exercise->id(), exercise, exercise->stub});
     jobs.push_back({"solution", exercise->id(), exercise, exercise->solution});
     for (const fs::path& file : wrong_answer_files(*exercise))
       jobs.push_back({"wrong answer", exercise->id() + "/" + file.stem().string(), exercise, file});
-    const fs::path place = folder / exercise->chapter / exercise->name;
-    fs::create_directories(place);
-    results.push_back({"generated code", exercise->id(), generate(loop, book, *exercise, place)});
-    std::vector<fs::path> files;
-    for (const fs::directory_entry& entry : fs::directory_iterator(place)) {
-      if (entry.path().extension() == ".cpp") files.push_back(entry.path());
-    }
-    std::sort(files.begin(), files.end());
-    for (const fs::path& file : files)
-      jobs.push_back({"null answer", exercise->id() + "/" + file.stem().string(), exercise, file});
+    jobs.push_back({"null answer", exercise->id(), exercise,
+                    folder / exercise->chapter / exercise->name / "null.cpp"});
   }
   return jobs;
 }
 
-DevResult check_answer(grading::Loop& loop, const grading::Book& book,
-                       const grading::BuildDescription& build, const AnswerJob& job,
-                       const grading::Limits& limits) {
-  DevResult result{job.kind, job.name, {}};
+std::vector<DevResult> check_answer(grading::Loop& loop, const grading::Book& book,
+                                    const grading::BuildDescription& build, const AnswerJob& job,
+                                    const grading::Limits& limits) {
+  const bool null = job.kind == "null answer";
+  std::vector<DevResult> results;
   std::vector<std::string> more_include;
-  if (job.kind == "null answer") more_include.push_back((book.root() / "grading").string());
-  try {
-    const Verdict verdict =
-        grading::check_file(loop, book, build, *job.exercise, job.file, limits, more_include);
-    if (verdict.compile_error) {
-      result.problems.push_back("it does not compile: " + verdict.compile_error->message + " (" +
-                                shown(verdict.compile_error->file) + ":" +
-                                std::to_string(verdict.compile_error->line) + ")");
-      return result;
-    }
-    if (job.kind == "solution" || job.kind == "wrong answer")
-      check_silence(verdict, result.problems);
-    if (job.kind == "stub") {
-      check_stub(verdict, result.problems);
-    } else if (job.kind == "solution") {
-      check_solution(verdict, result.problems);
-    } else if (job.kind == "wrong answer") {
-      check_wrong(book, job, verdict, result.problems);
-    } else {
-      check_null(verdict, result.problems);
-    }
-  } catch (const grading::BookError& error) {
-    result.problems.push_back(error.what());
+  std::vector<grading::Environment> environments;
+  if (null) {
+    fs::create_directories(job.file.parent_path());
+    results.push_back(
+        {"generated code", job.name, generate(loop, book, *job.exercise, job.file.parent_path())});
+    more_include.push_back((book.root() / "grading").string());
+    for (const char* kind : null_kinds) environments.push_back({{"CONTACT_NULL_ANSWER", kind}});
+  } else {
+    environments.emplace_back();
   }
-  return result;
+  std::vector<Verdict> verdicts;
+  try {
+    verdicts = grading::check_file_in_each(loop, book, build, *job.exercise, job.file, limits,
+                                           more_include, environments);
+  } catch (const grading::BookError& error) {
+    results.push_back({job.kind, job.name, {error.what()}});
+  }
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    DevResult result{job.kind, job.name, {}};
+    if (null) result.name += std::string("/") + null_kinds.at(i);
+    try {
+      check_verdict(book, job, verdicts[i], result.problems);
+    } catch (const grading::BookError& error) {
+      result.problems.emplace_back(error.what());
+    }
+    results.push_back(std::move(result));
+  }
+  return results;
 }
 
 }  // namespace contact::cli

@@ -43,15 +43,15 @@ struct AnswerJob {
   std::filesystem::path file;
 };
 
-/// Every stub, solution, wrong answer and null answer; null answers are written into `folder`.
-std::vector<AnswerJob> answer_jobs(grading::Loop& loop, const grading::Book& book,
-                                   const std::vector<const grading::Exercise*>& exercises,
-                                   const std::filesystem::path& folder,
-                                   std::vector<DevResult>& results);
+/// Every stub, solution, wrong answer and null answer; null answers are to be written into
+/// `folder`.
+std::vector<AnswerJob> answer_jobs(const std::vector<const grading::Exercise*>& exercises,
+                                   const std::filesystem::path& folder);
 
-/// Checks one answer as a student's would be, and holds the verdict against what it must be.
-DevResult check_answer(grading::Loop& loop, const grading::Book& book,
-                       const grading::BuildDescription& build, const AnswerJob& job,
-                       const grading::Limits& limits);
+/// Checks one answer as a student's would be, and holds the verdict against what it must be. A null
+/// answer is written, with the rest of what is generated, and is then one for each kind of value.
+std::vector<DevResult> check_answer(grading::Loop& loop, const grading::Book& book,
+                                    const grading::BuildDescription& build, const AnswerJob& job,
+                                    const grading::Limits& limits);
 
 }  // namespace contact::cli

@@ -1,10 +1,9 @@
-"""Writes answers to a contract that know nothing: what they earn, everybody earns.
+"""Writes an answer to a contract that knows nothing: what it earns, everybody earns.
 
     build_null_answers.py CONTRACT.hpp --output FOLDER
 
-FOLDER gets one file a kind: zeros, nan, infinity, minus_infinity, huge, random, echo. In each,
-every function of the contract is defined and returns such a value of its result's type, made by
-grading/build_null_answers.hpp, or, for echo, the first argument that has that type.
+FOLDER gets null.cpp. In it every function of the contract is defined and returns a value of its
+result's type, made by grading/build_null_answers.hpp, which also says of what kinds.
 """
 
 from __future__ import annotations
@@ -14,18 +13,16 @@ from pathlib import Path
 
 from contract_generator import NAMESPACE, Function, read_contract
 
-KINDS = ("zeros", "nan", "infinity", "minus_infinity", "huge", "random", "echo")
 
-
-def body(function: Function, kind: str) -> str:
+def body(function: Function) -> str:
     names = "".join(f", {parameter.name}" for parameter in function.parameters)
-    return f"return contact::null_answer<{function.result}, contact::Null::{kind}>(0{names});"
+    return f"return contact::null_answer<{function.result}>(0{names});"
 
 
-def answer(contract: Path, kind: str) -> str:
+def answer(contract: Path) -> str:
     """The whole source file."""
     functions = "\n\n".join(
-        f"{function.declared()} {{\n  {body(function, kind)}\n}}"
+        f"{function.declared()} {{\n  {body(function)}\n}}"
         for function in read_contract(contract.read_bytes())
     )
     return (
@@ -37,12 +34,9 @@ def answer(contract: Path, kind: str) -> str:
 def main() -> None:
     options = argparse.ArgumentParser(description="Write an answer that knows nothing.")
     options.add_argument("contract", type=Path)
-    options.add_argument(
-        "--output", type=Path, required=True, help="folder for KIND.cpp of every kind"
-    )
+    options.add_argument("--output", type=Path, required=True, help="folder for null.cpp")
     arguments = options.parse_args()
-    for kind in KINDS:
-        (arguments.output / f"{kind}.cpp").write_text(answer(arguments.contract, kind))
+    (arguments.output / "null.cpp").write_text(answer(arguments.contract))
 
 
 if __name__ == "__main__":

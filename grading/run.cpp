@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <optional>
 
 #include "run_turns.hpp"
 #include "stop_words.hpp"
@@ -57,7 +58,8 @@ Limits limits_from_environment() {
 }
 
 std::vector<TestResult> run_tests(Loop& loop, const Exercise& exercise, const fs::path& program,
-                                  const Limits& limits, std::string& output) {
+                                  const Limits& limits, const Environment& environment,
+                                  std::string& output) {
   const fs::path folder = program.parent_path();
   return run_in_turns(exercise, [&](const std::vector<std::string>& names) {
     ProcessSpec spec;
@@ -69,7 +71,8 @@ std::vector<TestResult> run_tests(Loop& loop, const Exercise& exercise, const fs
       spec.command.insert(spec.command.end(), {"--input-file", (folder / "remaining").string()});
     }
     spec.folder = folder;
-    spec.environment = {{"CONTACT_MEMORY_MB", std::to_string(limits.memory_mb)}};
+    spec.environment = environment;
+    spec.environment.emplace_back("CONTACT_MEMORY_MB", std::to_string(limits.memory_mb));
     spec.output_limit = limits.output_bytes;
     spec.output_stop = limits.output_bytes;
     Turn turn;
@@ -85,40 +88,53 @@ std::vector<TestResult> run_tests(Loop& loop, const Exercise& exercise, const fs
   });
 }
 
-Verdict check_file(Loop& loop, const Book& book, const BuildDescription& build,
-                   const Exercise& exercise, const fs::path& source, const Limits& limits,
-                   const std::vector<std::string>& more_include) {
+std::vector<Verdict> check_file_in_each(Loop& loop, const Book& book, const BuildDescription& build,
+                                        const Exercise& exercise, const fs::path& source,
+                                        const Limits& limits,
+                                        const std::vector<std::string>& more_include,
+                                        const std::vector<Environment>& environments) {
   const TemporaryFolder folder;
   const CompiledFile compiled =
       compile(loop, book, build, exercise, source, folder.path(), more_include);
-  Verdict verdict;
+  std::vector<Remark> remarks = compiled.said.remarks;
+  std::optional<CompileError> error = compiled.said.error;
   Seconds seconds;
   seconds.compile = compiled.seconds;
-  std::vector<Remark> remarks = compiled.said.remarks;
-  if (compiled.said.error) {
-    verdict = judge_uncompiled(exercise, *compiled.said.error);
-  } else {
-    const LinkedProgram linked =
-        link(loop, book, build, exercise, source, compiled.object, folder.path());
+  LinkedProgram linked;
+  if (!error) {
+    linked = link(loop, book, build, exercise, source, compiled.object, folder.path());
     seconds.link = linked.seconds;
-    if (linked.said.error) {
-      verdict = judge_uncompiled(exercise, *linked.said.error);
+    error = linked.said.error;
+    if (error)
       remarks.insert(remarks.begin(), linked.said.remarks.begin(), linked.said.remarks.end());
+  }
+  std::vector<Verdict> verdicts;
+  for (const Environment& environment : environments) {
+    Verdict verdict;
+    if (error) {
+      verdict = judge_uncompiled(exercise, *error);
     } else {
       std::string output;
       const Clock::time_point start = Clock::now();
       const std::vector<TestResult> results =
-          run_tests(loop, exercise, linked.program, limits, output);
+          run_tests(loop, exercise, linked.program, limits, environment, output);
       seconds.run = std::chrono::duration<double>(Clock::now() - start).count();
       verdict = judge(exercise, book, results);
       verdict.output = std::move(output);
     }
+    verdict.file = source.string();
+    verdict.warnings = compiled.said.warnings;
+    verdict.remarks = remarks;
+    verdict.seconds = seconds;
+    verdicts.push_back(std::move(verdict));
   }
-  verdict.file = source.string();
-  verdict.warnings = compiled.said.warnings;
-  verdict.remarks = std::move(remarks);
-  verdict.seconds = seconds;
-  return verdict;
+  return verdicts;
+}
+
+Verdict check_file(Loop& loop, const Book& book, const BuildDescription& build,
+                   const Exercise& exercise, const fs::path& source, const Limits& limits) {
+  return std::move(
+      check_file_in_each(loop, book, build, exercise, source, limits, {}, {{}}).front());
 }
 
 }  // namespace contact::grading

@@ -24,15 +24,25 @@ struct Limits {
 /// @throws BookError if CONTACT_MEMORY_MB is not a number of megabytes.
 Limits limits_from_environment();
 
+/// Variables that a program is given on top of the environment.
+using Environment = std::vector<std::pair<std::string, std::string>>;
+
 /// Runs every test of a linked program. A test that crashes or never ends costs itself only: the
 /// rest run in a new process.
 std::vector<TestResult> run_tests(Loop& loop, const Exercise& exercise,
                                   const std::filesystem::path& program, const Limits& limits,
-                                  std::string& output);
+                                  const Environment& environment, std::string& output);
 
 /// Compiles, links and runs `source` as an answer to `exercise`.
 Verdict check_file(Loop& loop, const Book& book, const BuildDescription& build,
                    const Exercise& exercise, const std::filesystem::path& source,
-                   const Limits& limits, const std::vector<std::string>& more_include = {});
+                   const Limits& limits);
+
+/// The same for each of these environments in turn: compiled once, run and judged in each.
+std::vector<Verdict> check_file_in_each(Loop& loop, const Book& book, const BuildDescription& build,
+                                        const Exercise& exercise,
+                                        const std::filesystem::path& source, const Limits& limits,
+                                        const std::vector<std::string>& more_include,
+                                        const std::vector<Environment>& environments);
 
 }  // namespace contact::grading
