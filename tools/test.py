@@ -167,9 +167,9 @@ def pytest(*folders: str, beside: Sequence[str] = ()) -> Iterator[Check]:
 
 # Files of pytest two at a time.
 TWO = ("-n", "2", "--dist", "loadfile")
-# Tests of pytest three at a time on two cores: much of what they do waits. Each goes to whoever is
-# free, or with its group where it belongs to one; they begin in the order that they are listed in.
-THREE = ("-n", "3", "--dist", "loadgroup", "--no-loadscope-reorder")
+# Files of pytest three at a time on two cores: much of what they do waits. They begin in the order
+# in which their conftest.py puts them.
+THREE = ("-n", "3", "--dist", "loadfile", "--no-loadscope-reorder")
 
 
 def side_by_side(checks: Sequence[Check]) -> Check:
