@@ -65,7 +65,7 @@ async function reads(page) {
   assert.notEqual(style, "rgba(0, 0, 0, 0)", "the style");
 }
 
-describe("offline", { skip, timeout: 120_000 }, () => {
+describe("offline", { skip, timeout: 300_000 }, () => {
   /** @type {Awaited<ReturnType<typeof launch>>} */
   let chromium;
   /** @type {string} */
