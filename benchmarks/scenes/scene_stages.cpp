@@ -1,0 +1,67 @@
+// A scene of the book for some seconds, as planned or with effects forced on or off: of which
+// stages it is composed, and what it did, as JSON. usage: scene_stages SCENE.json SECONDS [+EFFECT
+// | -EFFECT]...
+//
+// benchmarks/scene_stages.py runs it and counts the instructions of run_scene(), stage by stage.
+#include <contact/plan.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "scenes/scene_file.hpp"
+#include "scenes/scene_runs.hpp"
+
+/// What is counted; its name is how valgrind finds it.
+extern "C" void run_scene(void* run, double until);
+extern "C" [[gnu::noinline]] void run_scene(void* run, double until) {
+  static_cast<contact::SceneRun*>(run)->advance(until);
+}
+
+namespace {
+
+nlohmann::json measured(const std::string& file, double seconds,
+                        const contact::PlanOptions& options) {
+  const contact::Scene scene = contact::scenes::read_scene(file);
+  const contact::Plan plan = contact::plan_scene(scene, options);
+  if (const auto refusal = contact::scenes::run_refusal(scene, plan))
+    throw std::runtime_error(scene.name + " cannot be simulated: " + *refusal);
+  const auto run = contact::scenes::make_run(scene, plan);
+  run_scene(run.get(), seconds);
+  std::vector<std::string> stages;
+  for (const contact::SceneStage& stage : run->stages()) stages.push_back(stage.name);
+  const contact::SceneRunCounts counts = run->counts();
+  return {{"event_driven", run->event_driven()},
+          {"stages", stages},
+          {"bytes_per_body", run->bytes_per_body()},
+          {"steps", counts.steps},
+          {"parts", counts.parts},
+          {"hits", counts.hits}};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const double seconds = argc > 2 ? std::atof(argv[2]) : 0;
+  contact::PlanOptions options;
+  bool understood = seconds > 0;
+  for (int i = 3; i < argc; ++i) {
+    const std::string word = argv[i];
+    const auto effect = contact::effect_named(word.substr(word.empty() ? 0 : 1));
+    understood = understood && effect && (word[0] == '+' || word[0] == '-');
+    if (!understood) break;
+    (word[0] == '+' ? options.overrides.with : options.overrides.without).push_back(*effect);
+  }
+  if (!understood) {
+    std::fprintf(stderr, "usage: scene_stages SCENE.json SECONDS [+EFFECT | -EFFECT]...\n");
+    return 2;
+  }
+  try {
+    std::puts(measured(argv[1], seconds, options).dump().c_str());
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "scene_stages: %s\n", error.what());
+    return 1;
+  }
+}
