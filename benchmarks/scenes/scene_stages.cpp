@@ -1,26 +1,45 @@
-// A scene of the book for some seconds, as planned or with effects forced on or off: of which
-// stages it is composed, and what it did, as JSON. usage: scene_stages SCENE.json SECONDS [+EFFECT
-// | -EFFECT]...
+// A scene of the book for some seconds: of which stages it is composed, and what it did, as JSON.
+// usage: scene_stages SCENE.json SECONDS [everything | +EFFECT | -EFFECT]...
+//
+// Effects are forced on or off. From event to event there is nothing to switch; `everything`
+// composes a run of all effects of hard balls.
 //
 // benchmarks/scene_stages.py runs it and counts the instructions of run_scene(), stage by stage.
+#include <contact/hard_sphere_scene.hpp>
 #include <contact/plan.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 
+#include "scenes/run_hard_spheres.hpp"
 #include "scenes/scene_file.hpp"
 #include "scenes/scene_runs.hpp"
 
 /// What is counted; its name is how valgrind finds it.
-extern "C" void run_scene(void* run, double until);
-extern "C" [[gnu::noinline]] void run_scene(void* run, double until) {
-  static_cast<contact::SceneRun*>(run)->advance(until);
+extern "C" void run_scene(const void* work);
+extern "C" [[gnu::noinline]] void run_scene(const void* work) {
+  (*static_cast<const std::function<void()>*>(work))();
 }
 
 namespace {
+
+nlohmann::json with_everything(const std::string& file, double seconds) {
+  const contact::HardSphereScene found =
+      contact::hard_sphere_setup(contact::scenes::read_scene(file));
+  const auto run = contact::scenes::compose_run(found.setup, contact::HardSphereComposition());
+  const std::function<void()> work = [&] { run->advance(seconds); };
+  run_scene(&work);
+  return {{"event_driven", true},
+          {"stages", nlohmann::json::array()},
+          {"bytes_per_body", run->bytes_per_state()},
+          {"steps", 0},
+          {"parts", 0},
+          {"hits", run->counts().hits}};
+}
 
 nlohmann::json measured(const std::string& file, double seconds,
                         const contact::PlanOptions& options) {
@@ -29,7 +48,8 @@ nlohmann::json measured(const std::string& file, double seconds,
   if (const auto refusal = contact::scenes::run_refusal(scene, plan))
     throw std::runtime_error(scene.name + " cannot be simulated: " + *refusal);
   const auto run = contact::scenes::make_run(scene, plan);
-  run_scene(run.get(), seconds);
+  const std::function<void()> work = [&] { run->advance(seconds); };
+  run_scene(&work);
   std::vector<std::string> stages;
   for (const contact::SceneStage& stage : run->stages()) stages.push_back(stage.name);
   const contact::SceneRunCounts counts = run->counts();
@@ -46,8 +66,9 @@ nlohmann::json measured(const std::string& file, double seconds,
 int main(int argc, char** argv) {
   const double seconds = argc > 2 ? std::atof(argv[2]) : 0;
   contact::PlanOptions options;
+  const bool everything = argc == 4 && std::string(argv[3]) == "everything";
   bool understood = seconds > 0;
-  for (int i = 3; i < argc; ++i) {
+  for (int i = 3; !everything && i < argc; ++i) {
     const std::string word = argv[i];
     const auto effect = contact::effect_named(word.substr(word.empty() ? 0 : 1));
     understood = understood && effect && (word[0] == '+' || word[0] == '-');
@@ -55,11 +76,14 @@ int main(int argc, char** argv) {
     (word[0] == '+' ? options.overrides.with : options.overrides.without).push_back(*effect);
   }
   if (!understood) {
-    std::fprintf(stderr, "usage: scene_stages SCENE.json SECONDS [+EFFECT | -EFFECT]...\n");
+    std::fprintf(stderr,
+                 "usage: scene_stages SCENE.json SECONDS [everything | +EFFECT | -EFFECT]...\n");
     return 2;
   }
   try {
-    std::puts(measured(argv[1], seconds, options).dump().c_str());
+    const nlohmann::json result =
+        everything ? with_everything(argv[1], seconds) : measured(argv[1], seconds, options);
+    std::puts(result.dump().c_str());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "scene_stages: %s\n", error.what());
     return 1;
