@@ -321,7 +321,7 @@ def sanitize() -> Iterator[Check]:
     names.append("support_tests")
     print(f"    {', '.join(sample(chapters, 2))}")
     yield from cmake_build("sanitize", *names)
-    yield ctest("sanitize", "--tests-regex", f"^({'|'.join(names)})\\b")
+    yield ctest("sanitize", "--tests-regex", f"^({'|'.join(names)})(:|$)")
 
 
 def tidy() -> Iterator[Check]:
