@@ -16,6 +16,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import textwrap
 import time
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable, Iterator, Sequence
@@ -154,7 +155,23 @@ def count_tap(done: Done) -> Tally | None:
                 r"^\s*ok \d+ - (.*?) # (?:SKIP|TODO) ?(.*)$", done.output, re.M
             )
         ]
+    if tally.failed:
+        tally.why += [explain(done.log.stem, done), *failures_in_tap(done.output)]
+        tally.explained = True
     return tally
+
+
+def failures_in_tap(output: str) -> list[str]:
+    """What each failed test says, without the suites that failed because a test in them did.
+
+    The last lines of the output are seldom those of the test that failed.
+    """
+    blocks = re.findall(r"^( *)not ok \d+ - (.*)\n\1  ---\n((?:.*\n)*?)\1  \.\.\.$", output, re.M)
+    return [
+        "\n".join(["FAILED: " + name, *textwrap.dedent(says).splitlines()[:25]])
+        for _, name, says in blocks
+        if "failureType: 'subtestsFailed'" not in says
+    ]
 
 
 def pytest(*folders: str, beside: Sequence[str] = ()) -> Iterator[Check]:
