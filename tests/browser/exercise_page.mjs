@@ -177,19 +177,29 @@ export function exerciseOn(page, id) {
         const { left, right, top, bottom } = range.getBoundingClientRect();
         return { left, right, middle: (top + bottom) / 2 };
       }, from);
-    // A face that arrives, or an editor that measures itself anew, moves the text.
-    await page.evaluate(() => document.fonts.ready);
-    let box = await place();
-    for (let before = null; JSON.stringify(before) !== JSON.stringify(box); ) {
-      await page.waitForTimeout(100);
-      before = box;
-      box = await place();
+    /** A face that arrives, an editor that measures itself anew, or a figure further up that gets its
+     * height moves the text: as a reader does, it waits until the text stands still, and if it has
+     * moved under the hand, it selects again. */
+    async function select() {
+      let box = await place();
+      for (let still = 0; still < 3; ) {
+        await page.waitForTimeout(50);
+        const now = await place();
+        still = JSON.stringify(now) === JSON.stringify(box) ? still + 1 : 0;
+        box = now;
+      }
+      await page.mouse.move(box.left + 0.5, box.middle);
+      await page.mouse.down();
+      await page.mouse.move(box.right - 0.5, box.middle, { steps: 5 });
+      await page.mouse.up();
+      return page.evaluate(() => String(getSelection()));
     }
-    await page.mouse.move(box.left + 0.5, box.middle);
-    await page.mouse.down();
-    await page.mouse.move(box.right - 0.5, box.middle, { steps: 5 });
-    await page.mouse.up();
-    const selected = await page.evaluate(() => String(getSelection()));
+    await page.evaluate(() => document.fonts.ready);
+    let selected = await select();
+    for (let again = 0; selected !== from && again < 4; ++again) {
+      await line.scrollIntoViewIfNeeded();
+      selected = await select();
+    }
     assert.equal(selected, from, "the mouse selects what is to be replaced");
     await page.keyboard.type(to);
   }
