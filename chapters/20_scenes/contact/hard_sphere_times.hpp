@@ -30,19 +30,63 @@ struct Arrival {
 
 namespace detail {
 
+// What follows is written out, and not left to Eigen or to a loop, since it is asked for more often
+// than anything else: at -O2 compilers call Eigen's functions for columns of three, and count to
+// three.
+
+/// x + v t.
+template <int Dimension>
+[[gnu::always_inline]] inline Column<Dimension> along(const Column<Dimension>& x,
+                                                      const Column<Dimension>& v, double t) {
+  Column<Dimension> to;
+  to(0) = x(0) + v(0) * t;
+  if constexpr (Dimension > 1) to(1) = x(1) + v(1) * t;
+  if constexpr (Dimension > 2) to(2) = x(2) + v(2) * t;
+  return to;
+}
+
+/// x + (v t + a s).
+template <int Dimension>
+[[gnu::always_inline]] inline Column<Dimension> along(const Column<Dimension>& x,
+                                                      const Column<Dimension>& v, double t,
+                                                      const Column<Dimension>& a, double s) {
+  Column<Dimension> to;
+  to(0) = x(0) + (v(0) * t + a(0) * s);
+  if constexpr (Dimension > 1) to(1) = x(1) + (v(1) * t + a(1) * s);
+  if constexpr (Dimension > 2) to(2) = x(2) + (v(2) * t + a(2) * s);
+  return to;
+}
+
+/// The way from x to y.
+template <int Dimension>
+[[gnu::always_inline]] inline Column<Dimension> between(const Column<Dimension>& x,
+                                                        const Column<Dimension>& y) {
+  Column<Dimension> way;
+  way(0) = y(0) - x(0);
+  if constexpr (Dimension > 1) way(1) = y(1) - x(1);
+  if constexpr (Dimension > 2) way(2) = y(2) - x(2);
+  return way;
+}
+
+/// d · w, in the order in which Eigen adds.
+template <int Dimension>
+[[gnu::always_inline]] inline double dot(const Column<Dimension>& d, const Column<Dimension>& w) {
+  if constexpr (Dimension == 1) return d(0) * w(0);
+  if constexpr (Dimension == 2) return d(0) * w(0) + d(1) * w(1);
+  if constexpr (Dimension == 3) return d(0) * w(0) + (d(1) * w(1) + d(2) * w(2));
+}
+
 /// |d × w|², in as many dimensions as there are: R² w² − |d × w|² is the discriminant of a meeting,
 /// and no difference of two large squares of distances.
 template <int Dimension>
 [[gnu::always_inline]] inline double cross_squared(const Column<Dimension>& d,
                                                    const Column<Dimension>& w) {
-  double sum = 0;
-  for (int i = 0; i < Dimension; ++i) {
-    for (int k = i + 1; k < Dimension; ++k) {
-      const double part = d(i) * w(k) - d(k) * w(i);
-      sum += part * part;
-    }
-  }
-  return sum;
+  if constexpr (Dimension == 1) return 0;
+  const double first = d(0) * w(1) - d(1) * w(0);
+  if constexpr (Dimension == 2) return first * first;
+  const double second = d(0) * w(2) - d(2) * w(0);
+  const double third = d(1) * w(2) - d(2) * w(1);
+  return first * first + second * second + third * third;
 }
 
 }  // namespace detail
@@ -61,9 +105,10 @@ template <int Dimension>
 template <int Dimension>
 [[gnu::always_inline]] inline double meeting(const Column<Dimension>& d, const Column<Dimension>& w,
                                              double reach) {
-  const double approach = d.dot(w);
-  const double gap = d.dot(d) - reach * reach;
-  const double depth = reach * reach * w.dot(w) - detail::cross_squared<Dimension>(d, w);
+  const double approach = detail::dot<Dimension>(d, w);
+  const double gap = detail::dot<Dimension>(d, d) - reach * reach;
+  const double depth =
+      reach * reach * detail::dot<Dimension>(w, w) - detail::cross_squared<Dimension>(d, w);
   // One question, mostly answered no, and not three that a processor cannot foresee.
   const bool meets = (approach < 0) & ((depth >= 0) | (gap <= 0));
   if (!meets) return never;

@@ -309,15 +309,18 @@ class HardSpheres final : public HardSphereRun {
   }
 
   // [flight]
-  static Point position_at(const State& ball, double after, const Point& acceleration) {
+  [[gnu::always_inline]] static Point position_at(const State& ball, double after,
+                                                  const Point& acceleration) {
     if constexpr (E.gravity)
-      return ball.position + (ball.velocity * after + acceleration * (after * after / 2));
+      return detail::along<dimension>(ball.position, ball.velocity, after, acceleration,
+                                      after * after / 2);
     else
-      return ball.position + ball.velocity * after;
+      return detail::along<dimension>(ball.position, ball.velocity, after);
   }
-  static Point velocity_at(const State& ball, double after, const Point& acceleration) {
+  [[gnu::always_inline]] static Point velocity_at(const State& ball, double after,
+                                                  const Point& acceleration) {
     if constexpr (E.gravity)
-      return ball.velocity + acceleration * after;
+      return detail::along<dimension>(ball.velocity, acceleration, after);
     else
       return ball.velocity;
   }
@@ -334,24 +337,24 @@ class HardSpheres final : public HardSphereRun {
   /// When two balls meet: a function of their two states alone, the same for (i, k) and (k, i). The
   /// one that was hit earlier is brought to the time of the other. Asked more often than anything
   /// else, so it is inlined.
+  /// @param pull acceleration of i
   [[gnu::always_inline]] double meeting_time(const State& a, std::size_t i, const State& b,
-                                             std::size_t k) const {
+                                             std::size_t k, const Point& pull) const {
     const bool just_hit =
         a.last == static_cast<std::int32_t>(k) && b.last == static_cast<std::int32_t>(i);
     if constexpr (E.gravity)
-      if (bend_differently(i, k)) return bent_meeting_time(i, k, just_hit);
+      if (bend_differently(i, k, pull)) return bent_meeting_time(i, k, just_hit);
     // Their paths bend alike, so seen from each other they fly straight, and have parted for good.
     if (just_hit) return never;
-    const Point pull = acceleration(i);
     const double after = a.time - b.time;
     const double reach = radius(a) + radius(b);
     if (after >= 0) {
-      const Point w = velocity_at(b, after, pull) - a.velocity;
-      const Point d = position_at(b, after, pull) - a.position;
+      const Point w = detail::between<dimension>(a.velocity, velocity_at(b, after, pull));
+      const Point d = detail::between<dimension>(a.position, position_at(b, after, pull));
       return a.time + meeting<dimension>(d, w, reach);
     }
-    const Point w = b.velocity - velocity_at(a, -after, pull);
-    const Point d = b.position - position_at(a, -after, pull);
+    const Point w = detail::between<dimension>(velocity_at(a, -after, pull), b.velocity);
+    const Point d = detail::between<dimension>(position_at(a, -after, pull), b.position);
     return b.time + meeting<dimension>(d, w, reach);
   }
 
@@ -370,9 +373,10 @@ class HardSpheres final : public HardSphereRun {
   }
 
   /// @param i one that moves
-  bool bend_differently(std::size_t i, std::size_t k) const {
+  /// @param pull its acceleration
+  bool bend_differently(std::size_t i, std::size_t k, const Point& pull) const {
     if (k < moving_ && balls_[i].lies_on == balls_[k].lies_on) return false;
-    return acceleration(i) != acceleration(k);
+    return pull != acceleration(k);
   }
 
   Arrival wall_arrival(std::size_t i, std::size_t w) const {
@@ -403,9 +407,10 @@ class HardSpheres final : public HardSphereRun {
     plan.partner_hits = is_ball ? hits_[static_cast<std::size_t>(partner)] : 0;
   }
 
-  [[gnu::always_inline]] void meet(const State& ball, std::size_t i, std::size_t other) {
+  [[gnu::always_inline]] void meet(const State& ball, std::size_t i, std::size_t other,
+                                   const Point& pull) {
     if (i == other) return;
-    const double time = meeting_time(ball, i, balls_[other], other);
+    const double time = meeting_time(ball, i, balls_[other], other, pull);
     if (time <= plans_[i].hit_time) offer(i, time, static_cast<std::int32_t>(other));
   }
 
@@ -415,6 +420,7 @@ class HardSpheres final : public HardSphereRun {
     for (std::size_t w = 0; w < walls_.size(); ++w)
       offer(i, balls_[i].time + wall_arrival(i, w).after, wall_id(w));
     const State ball = balls_[i];
+    const Point pull = acceleration(i);
     if constexpr (E.grid) {
       // First who, then when: so that the memory of one is on its way while another is computed.
       neighbours_.clear();
@@ -422,9 +428,10 @@ class HardSpheres final : public HardSphereRun {
         __builtin_prefetch(&balls_[other]);
         neighbours_.push_back(static_cast<std::int32_t>(other));
       });
-      for (const std::int32_t other : neighbours_) meet(ball, i, static_cast<std::size_t>(other));
+      for (const std::int32_t other : neighbours_)
+        meet(ball, i, static_cast<std::size_t>(other), pull);
     } else {
-      for (std::size_t other = 0; other < balls_.size(); ++other) meet(ball, i, other);
+      for (std::size_t other = 0; other < balls_.size(); ++other) meet(ball, i, other, pull);
     }
   }
   void predict_crossing(std::size_t i) {
@@ -510,7 +517,8 @@ class HardSpheres final : public HardSphereRun {
       ++counts_.crossings;
       const Crossing crossing = plans_[i].crossing;
       cells_.cross(i, crossing);
-      cells_.newly_near(i, crossing, [&](std::size_t other) { meet(balls_[i], i, other); });
+      const Point pull = acceleration(i);
+      cells_.newly_near(i, crossing, [&](std::size_t other) { meet(balls_[i], i, other, pull); });
       predict_crossing(i);
       queue_.update(i, comes_first());
     }
