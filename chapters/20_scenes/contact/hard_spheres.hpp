@@ -343,7 +343,7 @@ class HardSpheres final : public HardSphereRun {
     const bool just_hit =
         a.last == static_cast<std::int32_t>(k) && b.last == static_cast<std::int32_t>(i);
     if constexpr (E.gravity)
-      if (bend_differently(i, k, pull)) return bent_meeting_time(i, k, just_hit);
+      if (bend_differently(a, b, k, pull)) return bent_meeting_time(i, k, just_hit);
     // Their paths bend alike, so seen from each other they fly straight, and have parted for good.
     if (just_hit) return never;
     const double after = a.time - b.time;
@@ -372,10 +372,10 @@ class HardSpheres final : public HardSphereRun {
                                                radius(late) + radius(early), just_hit);
   }
 
-  /// @param i one that moves
+  /// @param a one that moves
   /// @param pull its acceleration
-  bool bend_differently(std::size_t i, std::size_t k, const Point& pull) const {
-    if (k < moving_ && balls_[i].lies_on == balls_[k].lies_on) return false;
+  bool bend_differently(const State& a, const State& b, std::size_t k, const Point& pull) const {
+    if (k < moving_ && a.lies_on == b.lies_on) return false;
     return pull != acceleration(k);
   }
 
