@@ -12,6 +12,7 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
+#include <contact/free_flight_run.hpp>
 #include <contact/plan.hpp>
 
 #include "commands.hpp"
@@ -65,6 +66,8 @@ class Simulation {
       : options_(std::move(options)),
         scene_(std::move(scene)),
         run_(scenes::make_run(scene_, plan, options_.event_budget)),
+        way_(flies_freely(plan) ? "everything flies freely, by a formula"
+                                : "hard, smooth balls from event to event"),
         plan_number_(plan_number(plan)) {
     if (!options_.every.empty()) scene_.output.every = seconds_of("--every", options_.every, true);
     until_ = options_.until.empty() ? scene_.duration : seconds_of("--until", options_.until, true);
@@ -324,7 +327,7 @@ class Simulation {
       for (const SceneStage& stage : run_->stages())
         stages += (stages.empty() ? "" : ", ") + stage.name;
       say(style.bold(scene_.name) + ": " +
-          (run_->event_driven() ? "hard, smooth balls from event to event"
+          (run_->event_driven() ? way_
                                 : "step by step, " + shortest_text(run_->step()) + " s each") +
           " (" + stages + ")");
       say("  " + shortest_text(run_->now()) + " s, " + std::to_string(counts.hits) + " hits, " +
@@ -371,6 +374,7 @@ class Simulation {
   Options options_;
   Scene scene_;
   std::unique_ptr<SceneRun> run_;
+  std::string way_;  // it goes if it does not go step by step
   std::string plan_number_;
   double until_ = 0;
   double first_energy_ = 0;

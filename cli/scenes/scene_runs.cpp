@@ -13,6 +13,7 @@ std::unique_ptr<SceneRun> make_run(const Scene& scene, const Plan& plan,
 }
 
 std::optional<std::string> run_refusal(const Scene& scene, const Plan& plan) {
+  if (flies_freely(plan)) return std::nullopt;
   if (decision_on(plan, Effect::event_driven).on &&
       !hard_sphere_refusal(scene_without_effects(scene, plan)))
     return std::nullopt;

@@ -62,8 +62,14 @@ const std::vector<Known>& known_scenes() {
       {"tennis_racket",
        {Effect::rotation, Effect::gyroscopic_term},
        {Effect::gravity, Effect::friction, Effect::restitution, Effect::continuous_detection,
-        Effect::resting, Effect::horizon}},
-      {"precessing_plate", {Effect::rotation, Effect::gyroscopic_term}, {Effect::gravity}},
+        Effect::resting, Effect::horizon, Effect::event_driven}},
+      {"precessing_plate",
+       {Effect::rotation, Effect::gyroscopic_term, Effect::double_precision},
+       {Effect::gravity, Effect::event_driven}},
+      // They fall side by side, and a millimetre is close enough.
+      {"hail",
+       {Effect::gravity, Effect::event_driven},
+       {Effect::rotation, Effect::second_dimension, Effect::double_precision}},
       // A spring in place of an impact.
       {"penalty_trampoline",
        {Effect::gravity, Effect::penalty_contact, Effect::step_size},
@@ -101,7 +107,7 @@ const std::vector<Known>& known_scenes() {
        {Effect::third_dimension, Effect::gyroscopic_term}},
       // It comes down after the scene's end. A regular tetrahedron's moments are equal.
       {"thrown_stone",
-       {Effect::gravity, Effect::rotation},
+       {Effect::gravity, Effect::rotation, Effect::event_driven, Effect::double_precision},
        {Effect::gyroscopic_term, Effect::friction, Effect::restitution,
         Effect::continuous_detection, Effect::resting}},
   };

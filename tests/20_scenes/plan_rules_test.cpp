@@ -577,7 +577,7 @@ TEST_CASE("from event to event: only if the events are bounded") {
   off(dropped(0.5, 2, 0.9 * rest, 0), Effect::event_driven);
   // Beyond the last bounce there are infinitely many; only hops below a tolerance may be left out.
   const Scene zeno = dropped(0.5, 2, 10, 0);
-  at_edge(zeno, Effect::event_driven, 1, 4);
+  at_edge(zeno, Effect::event_driven, 1, 5);
   CHECK(std::isinf(contact::bounce_at<double>(bounces, 10).bounces));
   const Decision hops = plan_scenes::decision(dropped(0.5, 2, 10, 1e-6), Effect::event_driven);
   CHECK(hops.on);

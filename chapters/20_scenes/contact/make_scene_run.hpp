@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include <contact/free_flight_run.hpp>
 #include <contact/hard_sphere_scene_run.hpp>
 #include <contact/invalid_argument.hpp>
 #include <contact/plan.hpp>
@@ -206,8 +207,9 @@ class FallbackRun final : public SceneRun {
 // [/fallback-run]
 
 // [make-scene-run]
-/// The run that a plan decides on: from event to event where the plan says so and the scene is one
-/// of hard, smooth balls; step by step otherwise, with the stages that are on.
+/// The run that a plan decides on: a formula for what flies freely; from event to event where the
+/// plan says so and the scene is one of hard, smooth balls; step by step otherwise, with the stages
+/// that are on.
 /// @param scene checked; what names and shapes it has, its run keeps
 /// @param plan as plan_scene() makes it, overrides included
 /// @param compose what makes a run of hard balls
@@ -217,6 +219,7 @@ inline std::unique_ptr<SceneRun> make_scene_run(
     const Scene& scene, const Plan& plan, ComposeHardSpheres compose,
     std::uint64_t event_budget = std::numeric_limits<std::uint64_t>::max()) {
   Scene used = scene_without_effects(scene, plan);
+  if (flies_freely(plan)) return make_free_flight_run(used, plan);
   if (!decision_on(plan, Effect::event_driven).on || hard_sphere_refusal(used))
     return make_stepped_run(used, plan);
   Overrides overrides;

@@ -87,6 +87,7 @@ inline Plan plan_scene(const Scene& scene, const PlanOptions& options = {}) {
   }
   PlanQuestion q = plan_question(scene);
 
+  q.even_spins = !plan_gyroscopic_term(q).planned;
   Decision event_driven = plan_event_driven(q);
   if (options.step) {
     event_driven.on = event_driven.planned = false;

@@ -23,6 +23,7 @@ struct PlanQuestion {
   int table = -1;                ///< the axis of a level table that cancels gravity; −1: none
   std::vector<PairBound> pairs;  ///< that may meet, without balls and the table that they lie on
   double tolerance = 0;          ///< of a place, m; 0: none is given
+  bool even_spins = false;       ///< no gyroscopic term changes a spin
   bool events = false;           ///< whether the run goes from event to event
   double step = 0;               ///< s; 0 with events
   double moves = 0;              ///< how often a body is moved, over the whole run

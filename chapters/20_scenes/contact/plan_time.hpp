@@ -18,8 +18,18 @@
 
 namespace contact {
 
-/// What an event-driven run can hold: smooth hard balls, and half-spaces and balls that stand
-/// still.
+/// That between impacts every spin stays as it is: a formula gives how a body lies.
+inline Inequality nothing_turns_unevenly(const PlanQuestion& q) {
+  return {"kinds of spin that a gyroscopic term may change",
+          q.even_spins ? 0.0 : 1.0,
+          Relation::equal,
+          0,
+          "none",
+          ""};
+}
+
+/// What an event-driven run can hold: smooth hard balls, half-spaces and balls that stand still,
+/// and what meets nothing and turns evenly.
 inline std::vector<Inequality> event_conditions(const PlanQuestion& q) {
   double still = 0;
   double soft = 0;
@@ -33,7 +43,8 @@ inline std::vector<Inequality> event_conditions(const PlanQuestion& q) {
            Relation::equal, 0, "none", ""},
           {"pairs that may meet and give way", soft, Relation::equal, 0, "none", ""},
           {"largest friction between bodies that may meet",
-           proven_line(q) ? 0.0 : most_friction(q.pairs), Relation::equal, 0, "smooth", ""}};
+           proven_line(q) ? 0.0 : most_friction(q.pairs), Relation::equal, 0, "smooth", ""},
+          nothing_turns_unevenly(q)};
 }
 
 /// The shortest flight that an event-driven run follows, if places may be off by the tolerance: a
@@ -210,13 +221,16 @@ inline Decision plan_step_size(const PlanQuestion& q, const PlanOptions& options
 // [/step-rule]
 
 // [precision-rule]
-/// Float is enough if nothing touches anything and a flight's rounding stays within the tolerance:
-/// x + t (v + t g/2) takes 5 roundings, each off by at most u of the sum of the terms' sizes. After
-/// a hit rounding may grow, and nothing is proven.
+/// Float is enough if nothing touches anything, spins stay, and a flight's rounding keeps within
+/// the tolerance: in x + (v t + g t²/2) no term passes more than 8 roundings, each off by at most u
+/// of the sum of the terms' sizes; and a turn by ω t is off by at most 32 u (1 + |ω| t), which
+/// takes a point along by that times its distance. After a hit rounding may grow, and nothing is
+/// proven.
 inline Decision plan_double_precision(const PlanQuestion& q) {
   const Scene& scene = *q.scene;
   const double t = scene.duration;
   double size = 0;
+  double turning = 0;
   for (const SceneBody& body : scene.bodies) {
     if (!body.moves) continue;
     for (int k = 0; k < 3; ++k) {
@@ -224,13 +238,17 @@ inline Decision plan_double_precision(const PlanQuestion& q) {
       size = std::max(size, std::abs(body.position(k)) + std::abs(body.velocity(k)) * t +
                                 std::abs(scene.gravity(k)) * t * t / 2);
     }
+    if (!body.spin.isZero(0))
+      turning = std::max(turning, spin_arm(body.shape) * (1 + body.spin.norm() * t));
   }
-  const double rounding = detail::rounded_up(16 * tolerance::unit_roundoff<float> * size);
+  const double rounding =
+      detail::rounded_up(tolerance::unit_roundoff<float> * (16 * size + 32 * turning));
   return decide(Effect::double_precision,
                 {{"A free flight in float is off by its roundings alone.",
                   {nothing_meets(q),
                    {"rounding of a flight in float", rounding, Relation::at_most, q.tolerance,
-                    "tolerance of a place", "m"}},
+                    "tolerance of a place", "m"},
+                   nothing_turns_unevenly(q)},
                   rounding,
                   "rounding in float"}},
                 {0, "half the memory of every number"},
