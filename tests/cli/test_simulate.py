@@ -329,3 +329,55 @@ def test_ctrl_c_keeps_what_is_done(
     assert "Stopped at" in errors
     done = contact("simulate", str(gas), "--resume", str(kept), "--max-events", "10", "--json")
     assert json.loads(done.stdout)["hits"] == len(hits.read_text().splitlines()) - 1 + 10
+
+
+def without_times(result: Json) -> Json:
+    return {key: value for key, value in result.items() if key != "seconds"}
+
+
+def test_several_scenes_come_out_as_each_alone(contact: Run) -> None:
+    names = ["gas_in_a_box", "head_on", "sliding_block", "hail"]
+    together = contact("simulate", *names, "--jobs", "2", "--json")
+    assert together.returncode == 0, together.stderr
+    results = json.loads(together.stdout)
+    assert [result["scene"] for result in results] == names
+    for name, result in zip(names, results, strict=True):
+        alone = json.loads(contact("simulate", name, "--json").stdout)
+        assert without_times(result) == without_times(alone)
+
+
+def test_several_scenes_are_told_of_in_the_order_given(contact: Run) -> None:
+    done = contact("simulate", "sliding_block", "head_on", "hail")
+    heads = [line.split(":")[0] for line in done.stdout.splitlines() if not line.startswith(" ")]
+    assert heads == ["sliding_block", "head_on", "hail"]
+
+
+def test_of_several_scenes_one_that_does_not_come_out_leaves_the_others(
+    contact: Run, tmp_path: Path
+) -> None:
+    scene = of_book("head_on")
+    scene["expect"][0]["value"] = 1000
+    wrong = tmp_path / "wrong.json"
+    wrong.write_text(json.dumps(scene))
+    done = contact("simulate", str(wrong), "hail", "--expect")
+    assert done.returncode == 1
+    assert "not expected" in done.stdout
+    assert "hail: everything flies freely" in done.stdout
+
+
+@pytest.mark.parametrize("option", ["--output", "--events", "--checkpoint", "--resume"])
+def test_a_file_is_for_one_scene(contact: Run, tmp_path: Path, option: str) -> None:
+    file = tmp_path / "file.csv"
+    done = contact("simulate", "head_on", "hail", option, str(file))
+    assert done.returncode == 2
+    assert f"{option} is for one scene, and 2 are given" in done.stderr
+    assert not file.exists()
+
+
+def test_what_flies_freely_goes_on_from_a_checkpoint(contact: Run, tmp_path: Path) -> None:
+    kept, whole, parts = tmp_path / "kept.json", tmp_path / "whole.csv", tmp_path / "parts.csv"
+    contact("simulate", "thrown_stone", "--output", str(whole))
+    half = ["--output", str(parts), "--checkpoint", str(kept)]
+    contact("simulate", "thrown_stone", "--until", "0.95", *half)
+    contact("simulate", "thrown_stone", "--resume", str(kept), "--output", str(parts))
+    assert parts.read_bytes() == whole.read_bytes()

@@ -1,0 +1,62 @@
+#pragma once
+
+// One scene of contact simulate: run to its end, written down as it goes, and what there is to say.
+
+#include <atomic>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <contact/plan_types.hpp>
+#include <contact/scene.hpp>
+
+#include "exit_codes.hpp"
+#include "plan_words.hpp"
+
+namespace contact::cli {
+
+/// What contact simulate was asked.
+struct SimulateOptions {
+  std::vector<std::string> scenes;
+  std::string output;
+  std::string events;
+  std::string checkpoint;
+  std::string resume;
+  PlanWords plan;
+  std::string until;
+  std::string every;
+  std::uint64_t max_events = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t event_budget = std::numeric_limits<std::uint64_t>::max();
+  unsigned jobs = 0;
+  bool expect = false;
+  bool json = false;
+};
+
+/// What a run has to say, once it is over.
+struct SimulateOutcome {
+  int code = exit_passed;
+  std::string said;   // lines for standard output
+  std::string noted;  // lines for standard error
+  nlohmann::json json;
+
+  void say(const std::string& line) { said += line + "\n"; }
+  void note(const std::string& line) { noted += line + "\n"; }
+};
+
+/// A scene that is read, and its plan.
+struct Planned {
+  Scene scene;
+  Plan plan;
+};
+
+/// Set by a signal: every simulation stops where it is.
+extern std::atomic<bool> simulate_interruption;
+
+/// Runs a scene as its plan decides.
+/// @throws std::runtime_error if a file cannot be written, or a checkpoint is of something else
+SimulateOutcome simulated(const SimulateOptions& options, Planned planned);
+
+}  // namespace contact::cli
