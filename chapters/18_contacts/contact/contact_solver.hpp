@@ -33,7 +33,13 @@ struct SweepLimits {
   int sweeps = 10000;      ///< at most so many, at least 1
   S tolerance = S(1e-12);  ///< or when no contact's velocity was changed by more in one, m/s
   /// How much of the way to its own answer, and beyond, a contact goes: greater than 0, below 2.
+  /// Beyond 1 saves sweeps where nothing rubs. With friction it may never settle; where it does
+  /// not, the rest is swept with 1.
   S relaxation = S(1);
+  /// Whether all contacts of a sweep look at the same velocities, and none at what one before it
+  /// has changed (Jacobi's way). It takes more sweeps; but what is its own mirror image stays so,
+  /// whatever the order of the list.
+  bool at_once = false;
 };
 
 /// How the sweeps ended.
@@ -106,7 +112,7 @@ template <std::floating_point S>
 using Parts = std::array<S, 3>;
 
 // [sweep]
-/// One sweep over all contacts, in the order of the list. Returns the largest change of a velocity.
+/// What one contact changes. Returns the largest change of a velocity.
 ///
 /// Friction first, with the normal impulse of the sweep before: a step against the slip, as long as
 /// the stiffest tangent allows, and cut off at μ times the normal impulse. The disc of allowed
@@ -114,45 +120,104 @@ using Parts = std::array<S, 3>;
 /// Then the normal: as much as brings the normal velocity to its least value, but never a pull in
 /// all; and the friction is cut off again if there is less to rub against.
 template <std::floating_point S>
+S relax(std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& p, Parts<S>& x,
+        const S& relaxation) {
+  S largest(0);
+  const auto rub = [&](const S& one, const S& two) {
+    const S most = p.contact.friction * x[0];
+    const S length = std::sqrt(one * one + two * two);
+    const S share = length > most ? most / length : S(1);
+    const Parts<S> next{x[0], one * share, two * share};
+    for (std::size_t k = 1; k < 3; ++k) {
+      const S change = next[k] - x[k];
+      if (change == S(0)) continue;
+      push(bodies, p, k, change);
+      largest = std::max(largest, std::abs(change) * p.tangent_response);
+    }
+    x = next;
+  };
+  if (p.contact.friction > S(0) && p.tangent_response > S(0)) {
+    const Vector3<S> slip = relative_velocity(bodies, p.contact);
+    rub(x[1] - relaxation * slip.dot(p.direction[1]) / p.tangent_response,
+        x[2] - relaxation * slip.dot(p.direction[2]) / p.tangent_response);
+  }
+  const S velocity = p.direction[0].dot(relative_velocity(bodies, p.contact));
+  const S next =
+      std::max(S(0), x[0] + relaxation * (p.contact.least_velocity - velocity) / p.normal_response);
+  const S change = next - x[0];
+  if (change == S(0)) return largest;
+  push(bodies, p, 0, change);
+  x[0] = next;
+  largest = std::max(largest, std::abs(change) * p.normal_response);
+  if (change < S(0)) rub(x[1], x[2]);
+  return largest;
+}
+
+/// One sweep over all contacts, in the order of the list. Returns the largest change of a velocity.
+template <std::floating_point S>
 S sweep(std::vector<RigidBody<S>>& bodies, const std::vector<PreparedContact<S>>& contacts,
         std::vector<Parts<S>>& impulses, const S& relaxation) {
   S largest(0);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const PreparedContact<S>& p = contacts[i];
-    Parts<S>& x = impulses[i];
-    if (!(p.normal_response > S(0))) continue;  // two immovable bodies
-    const auto rub = [&](const S& one, const S& two) {
-      const S most = p.contact.friction * x[0];
-      const S length = std::sqrt(one * one + two * two);
-      const S share = length > most ? most / length : S(1);
-      const Parts<S> next{x[0], one * share, two * share};
-      for (std::size_t k = 1; k < 3; ++k) {
-        const S change = next[k] - x[k];
-        if (change == S(0)) continue;
-        push(bodies, p, k, change);
-        largest = std::max(largest, std::abs(change) * p.tangent_response);
-      }
-      x = next;
-    };
-    if (p.contact.friction > S(0) && p.tangent_response > S(0)) {
-      const Vector3<S> slip = relative_velocity(bodies, p.contact);
-      rub(x[1] - relaxation * slip.dot(p.direction[1]) / p.tangent_response,
-          x[2] - relaxation * slip.dot(p.direction[2]) / p.tangent_response);
-    }
-    const S velocity = p.direction[0].dot(relative_velocity(bodies, p.contact));
-    const S next = std::max(
-        S(0), x[0] + relaxation * (p.contact.least_velocity - velocity) / p.normal_response);
-    const S change = next - x[0];
-    if (change != S(0)) {
-      push(bodies, p, 0, change);
-      x[0] = next;
-      largest = std::max(largest, std::abs(change) * p.normal_response);
-      if (change < S(0)) rub(x[1], x[2]);
-    }
+    if (!(contacts[i].normal_response > S(0))) continue;  // two immovable bodies
+    largest = std::max(largest, relax(bodies, contacts[i], impulses[i], relaxation));
   }
   return largest;
 }
 // [/sweep]
+
+// [sweep-at-once]
+/// One sweep in which every contact starts from the same velocities. Of what it would change it
+/// takes the part that leaves room for the others of its bodies: all together then make no more
+/// kinetic energy than each alone, and an impulse between two that are allowed is allowed.
+/// @param partners of each contact, how many contacts the busier of its two bodies has
+template <std::floating_point S>
+S sweep_at_once(std::vector<RigidBody<S>>& bodies, const std::vector<PreparedContact<S>>& contacts,
+                std::vector<Parts<S>>& impulses, const std::vector<int>& partners) {
+  S largest(0);
+  std::vector<Parts<S>> changes(contacts.size(), Parts<S>{S(0), S(0), S(0)});
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const PreparedContact<S>& p = contacts[i];
+    if (!(p.normal_response > S(0))) continue;
+    RigidBody<S>& a = bodies[index(p.contact.a)];
+    RigidBody<S>& b = bodies[index(p.contact.b)];
+    const RigidBody<S> a_before = a;
+    const RigidBody<S> b_before = b;
+    Parts<S> x = impulses[i];
+    largest = std::max(largest, relax(bodies, p, x, S(1)));
+    a = a_before;
+    b = b_before;
+    for (std::size_t k = 0; k < 3; ++k) changes[i][k] = (x[k] - impulses[i][k]) / S(partners[i]);
+  }
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      impulses[i][k] += changes[i][k];
+      push(bodies, contacts[i], k, changes[i][k]);
+    }
+  }
+  return largest;
+}
+
+/// Of each contact, how many contacts the busier of its two bodies has; what never moves has none.
+template <std::floating_point S>
+std::vector<int> busiest(const std::vector<RigidBody<S>>& bodies,
+                         const std::vector<PreparedContact<S>>& contacts) {
+  std::vector<int> of_body(bodies.size(), 0);
+  for (const PreparedContact<S>& p : contacts) {
+    for (const int body : {p.contact.a, p.contact.b})
+      if (bodies[index(body)].inverse_mass > S(0)) ++of_body[index(body)];
+  }
+  std::vector<int> most;
+  most.reserve(contacts.size());
+  for (const PreparedContact<S>& p : contacts)
+    most.push_back(std::max({1, of_body[index(p.contact.a)], of_body[index(p.contact.b)]}));
+  return most;
+}
+// [/sweep-at-once]
+
+/// After so many sweeps that have not made the changes smaller by a tenth, no contact goes beyond
+/// its own answer any more.
+inline constexpr int sweeps_to_settle = 1024;
 
 template <std::floating_point S>
 SweepReport<S> sweep_until(std::vector<RigidBody<S>> bodies,
@@ -162,9 +227,19 @@ SweepReport<S> sweep_until(std::vector<RigidBody<S>> bodies,
     for (std::size_t k = 0; k < 3; ++k) push(bodies, contacts[i], k, impulses[i][k]);
   }
   SweepReport<S> report;
+  S relaxation = limits.relaxation;
+  S least = std::numeric_limits<S>::infinity();  // change of so many sweeps
+  S least_before = least;
+  const std::vector<int> partners = limits.at_once ? busiest(bodies, contacts) : std::vector<int>();
   do {
-    report.last_change = sweep(bodies, contacts, impulses, limits.relaxation);
+    report.last_change = limits.at_once ? sweep_at_once(bodies, contacts, impulses, partners)
+                                        : sweep(bodies, contacts, impulses, relaxation);
     ++report.sweeps;
+    least = std::min(least, report.last_change);
+    if (report.sweeps % sweeps_to_settle != 0) continue;
+    if (!(least < least_before)) relaxation = std::min(relaxation, S(1));
+    least_before = least;
+    least = std::numeric_limits<S>::infinity();
   } while (report.sweeps < limits.sweeps && report.last_change > limits.tolerance);
   return report;
 }
@@ -204,7 +279,7 @@ struct SolvedContacts {
 
 // [solve]
 /// The impulses at all contacts, with friction, by sequential impulses (projected Gauss and
-/// Seidel).
+/// Seidel), or by impulses at once (projected Jacobi).
 ///
 /// However many sweeps there are: no normal impulse pulls; the friction at each contact is within
 /// its own cone, |tangential| ≤ μ normal; and momentum and angular momentum are kept but for the

@@ -117,6 +117,10 @@ inline void count_sweeps(SteppedState& state, std::size_t contacts, int sweeps) 
 inline constexpr std::size_t sweep_work = 40000;
 inline constexpr int least_sweeps = 50;
 
+/// So many contacts are solved at once, so that what is its own mirror image stays so. In larger
+/// islands that would take too many sweeps.
+inline constexpr std::size_t most_at_once = 8;
+
 /// Solves contacts that are named by the bodies' numbers. Where no body has two contacts each is on
 /// its own, and a sweep goes all the way to its answer.
 inline SolvedContacts<double> solve_numbered(const SteppedSetup& setup, SteppedState& state,
@@ -135,6 +139,7 @@ inline SolvedContacts<double> solve_numbered(const SteppedSetup& setup, SteppedS
     }
   }
   if (alone) limits.relaxation = 1;
+  limits.at_once = !alone && contacts.size() <= most_at_once;
   const std::size_t most = calm ? 100 * sweep_work : sweep_work;
   const auto many = static_cast<int>(most / (contacts.size() + 1));
   limits.sweeps =
