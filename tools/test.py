@@ -333,7 +333,7 @@ KINDS_OF_TESTS = ("reference_tests", "hard_cases")
 
 def sanitize() -> Iterator[Check]:
     """Half of the chapters, the other half with another commit: it takes the compiler long."""
-    chapters = sorted(file.parent.name for file in ROOT.glob("tests/*/hard_cases.cpp"))
+    chapters = sorted(file.parent.name for file in ROOT.glob("tests/[0-9]*/hard_cases.cpp"))
     names = [f"{kind}_{slug}" for slug in sample(chapters, 2) for kind in KINDS_OF_TESTS]
     names.append("support_tests")
     print(f"    {', '.join(sample(chapters, 2))}")
