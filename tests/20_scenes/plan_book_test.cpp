@@ -69,7 +69,7 @@ const std::vector<Known>& known_scenes() {
       // They fall side by side, and a millimetre is close enough.
       {"hail",
        {Effect::gravity, Effect::event_driven},
-       {Effect::rotation, Effect::second_dimension, Effect::double_precision}},
+       {Effect::rotation, Effect::second_dimension, Effect::double_precision, Effect::broad_phase}},
       // A spring in place of an impact.
       {"penalty_trampoline",
        {Effect::gravity, Effect::penalty_contact, Effect::step_size},

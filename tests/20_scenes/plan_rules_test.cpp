@@ -542,10 +542,11 @@ TEST_CASE("a floor has no other side, and boxes have edges") {
 // ---------------------------------------------------------------- cost, digits and time
 
 TEST_CASE("the broad phase is a question of cost: few bodies do without, many do not") {
-  const auto spread = [](int n) {
+  const auto spread = [](int n, double back = -3) {
     Scene scene = empty(1, 0, 1, 1e-6);
     for (int i = 0; i < n; ++i)
-      ball(scene, 0.5, 1, {2.0 * (i % 8), 2.0 * (i / 8 % 8), 2.0 * (i / 64)}, {0.1, 0.2, 0.3});
+      ball(scene, 0.5, 1, {2.0 * (i % 8), 2.0 * (i / 8 % 8), 2.0 * (i / 64)},
+           {i % 2 == 0 ? 3 : back, 0.2, 0.3});
     return scene;
   };
   off(spread(1), Effect::broad_phase);
@@ -553,6 +554,10 @@ TEST_CASE("the broad phase is a question of cost: few bodies do without, many do
   at_edge(spread(200), Effect::broad_phase, 0, 0);
   const Decision four = plan_scenes::decision(spread(4), Effect::broad_phase);
   CHECK(four.because.at(0).left == 11 * 6);
+  // All of them fly alike, so nobody meets anybody.
+  const Decision alike = plan_scenes::decision(spread(200, 3), Effect::broad_phase);
+  CHECK_FALSE(alike.on);
+  CHECK(alike.because.at(0).left == 0);
 }
 
 TEST_CASE("float: enough for a short flight, not for a place that it cannot hold") {

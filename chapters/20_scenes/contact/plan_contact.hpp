@@ -406,7 +406,8 @@ inline Decision plan_broad_phase(const PlanQuestion& q) {
       Effect::broad_phase,
       {{"A broad phase changes no result; it is left out where it costs more than it saves.",
         {{"operations to test every pair", all, Relation::at_most, grid,
-          "operations to sort bodies into cells and test neighbours", ""}}}},
+          "operations to sort bodies into cells and test neighbours", ""}}},
+       {"Where nothing meets anything, there is no pair to test.", {nothing_meets(q)}}},
       {n > 0 ? (grid - all) * q.moves / n : 0,
        "cells against all pairs, for each time that all bodies are moved"},
       "Sorting bodies into cells costs less than testing every pair.");
