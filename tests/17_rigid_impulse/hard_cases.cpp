@@ -411,6 +411,67 @@ void add_spin(hard_cases::Runner& runner) {
   });
 }
 
+/// Where the axis of a symmetric top points that nothing pushes, which pointed along z: it goes
+/// round the angular momentum. A method takes 64 steps; it is right within a thousandth.
+void add_top(hard_cases::Runner& runner) {
+  runner.question("top", [](const Case& c) {
+    const auto part = [&](auto f) {
+      return hard_cases::hex(*oracle::nearest_value([&](unsigned bits) {
+        const auto number = [&](const char* name) {
+          return oracle::Interval(oracle::exact(c.number(name)), bits);
+        };
+        const auto x = number("across") * number("spin_across");
+        const auto z = number("along") * number("spin_along");
+        const auto size = sqrt(x * x + z * z);
+        return f(x / size, z / size, size * number("t") / number("across"));
+      }));
+    };
+    return Json{{"class", "c"},
+                {"x", part([](auto x, auto z, auto angle) { return x * z - x * z * cos(angle); })},
+                {"y", part([](auto x, auto /*z*/, auto angle) { return -(x * sin(angle)); })},
+                {"z", part([](auto x, auto z, auto angle) { return z * z + x * x * cos(angle); })}};
+  });
+  const auto method = [&runner](const char* name, auto turned) {
+    runner.method("top", name, [turned](const Case& c, const Json& answer) {
+      const double across = c.number("across");
+      const double along = c.number("along");
+      const V momentum(across * c.number("spin_across"), 0, along * c.number("spin_along"));
+      const V axis =
+          contact::matrix_of<double>(turned(momentum, across, along, c.number("t"))).col(2);
+      const double room = 1e-3;
+      return close(axis.x(), read(answer.at("x")), room) &&
+             close(axis.y(), read(answer.at("y")), room) &&
+             close(axis.z(), read(answer.at("z")), room);
+    });
+  };
+  using Rotor = contact::Rotor<double>;
+  const auto in_steps = [](auto step) {
+    return [step](const V& momentum, double across, double along, double t) {
+      Rotor q;
+      for (int i = 0; i < 64; ++i) q = step(q, momentum, V(across, across, along), t / 64);
+      return q;
+    };
+  };
+  const auto with_spin_of_start = [](auto step) {
+    return [step](const Rotor& q, const V& momentum, const V& moments, double h) {
+      const M turned = contact::matrix_of(q);
+      return step(q, contact::free_spin<double>(momentum, moments, turned), h);
+    };
+  };
+  method("quaternion", in_steps(with_spin_of_start([](const Rotor& q, const V& w, double h) {
+           return contact::quaternion_step<double>(q, w, h);
+         })));
+  method("exponential map", in_steps(with_spin_of_start([](const Rotor& q, const V& w, double h) {
+           return contact::exponential_step<double>(q, w, h);
+         })));
+  method("midpoint", in_steps([](const Rotor& q, const V& momentum, const V& moments, double h) {
+           return contact::midpoint_step<double>(q, momentum, moments, h);
+         }));
+  method("book", [](const V& momentum, double across, double along, double t) {
+    return contact::free_top<double>({}, momentum, across, along, t);
+  });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -432,5 +493,6 @@ int main(int argc, char** argv) {
   add_energy(runner);
   add_mesh(runner);
   add_spin(runner);
+  add_top(runner);
   return runner.run(argc, argv);
 }
