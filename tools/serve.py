@@ -172,6 +172,8 @@ def where_things_lie(address: str) -> str:
         f"The book: {address}",
         f"Search:   {address}search.html, or press / on any page",
         f"E-book:   {ebook}{there}; {address}{steps.EBOOK.name}",
+        "Dark:     as your system has it; the button at the top right of every page changes it",
+        "Phone:    the same pages, which fold to a narrow window; only this machine is answered",
         "On paper: print a page from the browser (Ctrl-P); its controls stay behind",
     )
     return "\n" + "".join(f"  {line}\n" for line in lines)

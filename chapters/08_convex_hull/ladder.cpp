@@ -42,6 +42,13 @@ Point on_sphere(generators::Random& random) {
   }
 }
 
+/// A share of the points on the sphere, the others well inside: so many are corners.
+auto with_share(double share) {
+  return [share](generators::Random& random) {
+    return random.chance(share) ? on_sphere(random) : Point(in_ball(random) / 4);
+  };
+}
+
 template <class Draw>
 Input many(generators::Random& random, int count, Draw draw) {
   Input input;
@@ -99,8 +106,12 @@ ladder::Ladder<Input, Answer> experiment() {
   };
   family("ball-8", "8 points in a ball", 8, in_ball);
   family("ball-24", "24 points in a ball", 24, in_ball);
+  family("ball-72", "72 points in a ball", 72, in_ball);
   family("sphere-8", "8 points on a sphere", 8, on_sphere);
   family("sphere-24", "24 points on a sphere", 24, on_sphere);
+  family("sphere-72", "72 points on a sphere", 72, on_sphere);
+  family("share-quarter", "72 points, a quarter of them corners", 72, with_share(0.25));
+  family("share-half", "72 points, half of them corners", 72, with_share(0.5));
   family("grid", "16 points of a grid, many equal", 16, on_grid);
   family("flat", "16 points near a plane", 16, nearly_flat);
   family("top", "16 points, half of them at the top", 16, tied_top);
