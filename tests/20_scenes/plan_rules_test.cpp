@@ -691,3 +691,15 @@ TEST_CASE("a scene in which nothing moves needs nothing") {
     CHECK_FALSE(decision.on);
   }
 }
+
+TEST_CASE("who asks for the order of events allows no error of a place") {
+  // The second one comes down a hundredth of a second earlier, in the same step.
+  Scene scene = plan_scenes::empty(0.5, 0.5, 0.6, 0.5);
+  scene.gravity = {0, 0, -9.8125};
+  plan_scenes::wall(scene, {0, 0, 1}, 0);
+  plan_scenes::ball(scene, 0.5, 1, {0, 0, 1.03125}, {1, 0, 0});
+  plan_scenes::ball(scene, 0.5, 1, {1000, 0, 1}, {1, 0, 0});
+  REQUIRE_FALSE(plan_scenes::is_on(scene, Effect::continuous_detection));
+  scene.tolerance.event_order = true;
+  CHECK(plan_scenes::is_on(scene, Effect::continuous_detection));
+}

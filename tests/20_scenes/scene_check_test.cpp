@@ -350,13 +350,36 @@ TEST_CASE("A ball at a capsule: beside the segment and beyond its ends") {
   CHECK(gap(0, 0, 0) == -0.75);
 }
 
-TEST_CASE("No gap is told of pairs that nobody can tell here, and none of two half-spaces") {
+TEST_CASE("No gap is told of pairs with hulls but on half-spaces, and none of two half-spaces") {
   const SceneBody box = body_of("box", BoxShape{{1, 1, 1}}, {0, 0, 0});
   const SceneBody rod = body_of("rod", CapsuleShape{1, 1}, {0, 0, 0});
   const SceneBody floor = body_of("floor", HalfSpaceShape{}, {0, 0, 0}, false);
-  CHECK_FALSE(contact::starting_gap(box, box));
-  CHECK_FALSE(contact::starting_gap(box, rod));
+  const SceneBody hull = body_of(
+      "hull", contact::HullShape{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}}, {0, 0, 0});
+  CHECK_FALSE(contact::starting_gap(hull, box));
+  CHECK_FALSE(contact::starting_gap(hull, rod));
+  CHECK_FALSE(contact::starting_gap(hull, hull));
   CHECK_FALSE(contact::starting_gap(floor, floor));
+}
+
+TEST_CASE("Gaps between boxes and capsules are those of the closed forms, either way round") {
+  const SceneBody box = body_of("box", BoxShape{{1, 2, 3}}, {0, 0, 0});
+  const SceneBody rod = body_of("rod", CapsuleShape{0.5, 1}, {0, 0, 0});
+  const auto told = [](const SceneBody& a, SceneBody b, const Vector3<double>& at) {
+    b.position = at;
+    const auto one = contact::starting_gap(a, b);
+    const auto other = contact::starting_gap(b, a);
+    REQUIRE(one.has_value());
+    CHECK(one == other);
+    return *one;
+  };
+  CHECK(told(box, box, {2.25, 0, 0}) == 0.25);
+  CHECK(told(box, box, {2, 0, 0}) == 0);
+  CHECK(told(box, box, {1.75, 0.5, 0.5}) == -0.25);
+  CHECK(told(box, rod, {1.75, 0, 0}) == 0.25);
+  CHECK(told(box, rod, {0, 0, 4.25}) == -0.25);
+  CHECK(told(rod, rod, {1.5, 0, 0.5}) == 0.5);
+  CHECK(told(rod, rod, {0.75, 0, 1}) == -0.25);
 }
 
 TEST_CASE("Overlaps are found among many: those that looking at every pair finds") {

@@ -31,8 +31,11 @@ class HardSphereSceneRun final : public SceneRun {
  public:
   /// @param scene for which hard_sphere_refusal() has nothing to say
   /// @param compose what makes the run
-  HardSphereSceneRun(const Scene& scene, ComposeHardSpheres compose)
-      : scene_(scene), balls_(hard_sphere_setup(scene)), run_(compose(balls_.setup)) {
+  /// @param cutoff s; shorter hops are left out; 0: those that time can hardly tell
+  HardSphereSceneRun(const Scene& scene, ComposeHardSpheres compose, double cutoff = 0)
+      : scene_(scene), balls_(hard_sphere_setup(scene)) {
+    if (cutoff > 0) balls_.setup.cutoff = cutoff;
+    run_ = compose(balls_.setup);
     ball_of_.assign(scene.bodies.size(), no_ball);
     for (std::size_t i = 0; i < balls_.ball_body.size(); ++i) ball_of_[balls_.ball_body[i]] = i;
   }

@@ -50,12 +50,13 @@ class FallbackRun final : public SceneRun {
   /// @param overrides for the plan of the stepped run
   /// @param compose what makes a run of hard balls
   /// @param event_budget hits, after which it goes on step by step
+  /// @param cutoff s; shorter hops are left out; 0: those that time can hardly tell
   FallbackRun(Scene scene, Overrides overrides, ComposeHardSpheres compose,
-              std::uint64_t event_budget)
+              std::uint64_t event_budget, double cutoff = 0)
       : scene_(std::move(scene)),
         overrides_(std::move(overrides)),
         event_budget_(event_budget),
-        events_(std::make_unique<HardSphereSceneRun>(scene_, compose)) {}
+        events_(std::make_unique<HardSphereSceneRun>(scene_, compose, cutoff)) {}
 
   /// @cond
   using SceneRun::advance;
@@ -228,8 +229,8 @@ inline std::unique_ptr<SceneRun> make_scene_run(
     (decision.on ? overrides.with : overrides.without).push_back(decision.effect);
   }
   overrides.without.push_back(Effect::event_driven);
-  return std::make_unique<FallbackRun>(std::move(used), std::move(overrides), compose,
-                                       event_budget);
+  return std::make_unique<FallbackRun>(std::move(used), std::move(overrides), compose, event_budget,
+                                       plan.cutoff);
 }
 // [/make-scene-run]
 

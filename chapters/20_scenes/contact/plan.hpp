@@ -88,7 +88,11 @@ inline Plan plan_scene(const Scene& scene, const PlanOptions& options = {}) {
   PlanQuestion q = plan_question(scene);
 
   q.even_spins = !plan_gyroscopic_term(q).planned;
+  Plan plan;
   Decision event_driven = plan_event_driven(q);
+  // Of its proofs only that of hops which are left out has an error.
+  if (event_driven.proven && event_driven.error > 0)
+    plan.cutoff = contact_time_cutoff(q.tolerance, q.bounds.gravity);
   if (options.step) {
     event_driven.on = event_driven.planned = false;
     event_driven.why = "A step is asked for, so the run goes step by step.";
@@ -103,7 +107,6 @@ inline Plan plan_scene(const Scene& scene, const PlanOptions& options = {}) {
   const auto movers = static_cast<double>(q.bounds.movers);
   q.moves = q.events ? movers + 2 * q.hits : movers * std::ceil(scene.duration / q.step);
 
-  Plan plan;
   plan.decisions = {plan_gravity(q),          plan_rotation(q),
                     plan_gyroscopic_term(q),  plan_friction(q),
                     plan_restitution(q),      plan_continuous_detection(q, q.step),

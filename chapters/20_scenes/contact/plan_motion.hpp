@@ -240,7 +240,8 @@ inline PlanQuestion plan_question(const Scene& scene) {
   q.scene = &scene;
   q.bounds = scene_bounds(scene);
   q.pairs = q.bounds.pairs;
-  q.tolerance = scene.tolerance.position.value_or(0);
+  // Whoever asks for the order of events allows no error of a place: it may turn two of them round.
+  if (!scene.tolerance.event_order) q.tolerance = scene.tolerance.position.value_or(0);
   const int axis = detail::only_axis(scene.gravity);
   if (axis < 0 || q.bounds.movers == 0 || !is_proven({"", table_conditions(q, axis)})) return q;
   q.table = axis;

@@ -192,7 +192,9 @@ struct Plan {
   std::vector<std::string> notices;  ///< sentences, such as that the tolerance outlives the horizon
   double speed = 0;                  ///< no centre of mass is ever faster, m/s
   double step = 0;                   ///< s; 0: no steps, from event to event
-  std::size_t pairs = 0;             ///< of bodies that may meet; a crowd counts all its pairs
+  /// s; shorter hops of a ball on its floor are left out; 0: none that an error would tell
+  double cutoff = 0;
+  std::size_t pairs = 0;  ///< of bodies that may meet; a crowd counts all its pairs
 };
 
 /// The decision on an effect.

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include <contact/convex_hull.hpp>
+#include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/invalid_argument.hpp>
 #include <contact/rotation.hpp>
@@ -216,14 +217,29 @@ inline std::optional<double> scene_point_gap(const Vector3<double>& point, const
   return std::nullopt;
 }
 
+/// A box or a capsule where it lies; nothing for other shapes.
+using SceneSolid = std::variant<OrientedBox<double>, Capsule<double>>;
+inline std::optional<SceneSolid> scene_solid(const SceneBody& body) {
+  const Matrix3<double> axes = matrix_of(body.orientation);
+  if (const auto* box = std::get_if<BoxShape>(&body.shape))
+    return OrientedBox<double>{body.position, axes, box->half_lengths};
+  if (const auto* capsule = std::get_if<CapsuleShape>(&body.shape)) {
+    const Vector3<double> arm = axes.col(2) * capsule->half_length;
+    return Capsule<double>{
+        {Vector3<double>(body.position - arm), Vector3<double>(body.position + arm)},
+        capsule->radius};
+  }
+  return std::nullopt;
+}
+
 }  // namespace detail
 
 // [starting-gap]
 /// The gap between two bodies as they lie: less than 0 if they overlap, by as much as one has to be
 /// moved to be free.
 ///
-/// Decides every pair of a half-space and anything else, and a ball against a ball, a box or a
-/// capsule. The same, bit for bit, if a and b change places.
+/// Decides every pair of a half-space and anything else, and of balls, boxes and capsules. The
+/// same, bit for bit, if a and b change places.
 /// @return m, off by a few u of the coordinates and sizes; nothing for any other pair
 inline std::optional<double> starting_gap(const SceneBody& a, const SceneBody& b) {
   const auto* ground_a = std::get_if<HalfSpaceShape>(&a.shape);
@@ -239,7 +255,16 @@ inline std::optional<double> starting_gap(const SceneBody& a, const SceneBody& b
   if (ball_a && ball_b)
     return Vector3<double>(a.position - b.position).norm() - (ball_a->radius + ball_b->radius);
   const auto* ball = ball_a ? ball_a : ball_b;
-  if (!ball) return std::nullopt;
+  if (!ball) {
+    const auto solid_a = detail::scene_solid(a);
+    const auto solid_b = detail::scene_solid(b);
+    if (!solid_a || !solid_b) return std::nullopt;
+    return std::visit(
+        [](const auto& x, const auto& y) {
+          return std::min(gap(x, y).distance, gap(y, x).distance);
+        },
+        *solid_a, *solid_b);
+  }
   const auto gap =
       ball_a ? detail::scene_point_gap(a.position, b) : detail::scene_point_gap(b.position, a);
   if (!gap) return std::nullopt;
