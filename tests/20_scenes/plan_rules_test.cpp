@@ -703,3 +703,51 @@ TEST_CASE("who asks for the order of events allows no error of a place") {
   scene.tolerance.event_order = true;
   CHECK(plan_scenes::is_on(scene, Effect::continuous_detection));
 }
+
+TEST_CASE("resting: an elastic box may rest on a floor, where an elastic ball may not") {
+  Scene elastic = dropped(1, 2, 60);
+  off(elastic, Effect::resting);
+  elastic.bodies[1].shape = contact::BoxShape{{0.5, 0.5, 0.5}};
+  CHECK(plan_scenes::is_on(elastic, Effect::resting));
+}
+
+TEST_CASE("the gyroscopic term: its bound is for what touches nothing") {
+  Scene scene = empty(1, 0, 2, 1e3);
+  box(scene, {1, 2, 3}, 1, Point::Zero()).spin = {1, 2, 3};
+  off(scene, Effect::gyroscopic_term);
+  wall(scene, Point::UnitX(), -3);
+  at_edge(scene, Effect::gyroscopic_term, 2, 0);
+}
+
+TEST_CASE("from event to event: only what a formula takes from one event to the next") {
+  // Without gravity, and elastic: a box that meets a wall.
+  Scene corners = empty(1, 0, 10, 1e-6);
+  wall(corners, Point::UnitX(), -2);
+  box(corners, {0.5, 0.5, 0.5}, 1, Point::Zero(), {-1, 0, 0});
+  at_edge(corners, Effect::event_driven, 0, 0);
+  // A box that turns over and meets nothing.
+  Scene tumbling = empty(1, 0, 2, 1e-6);
+  box(tumbling, {1, 2, 3}, 1, Point::Zero()).spin = {1, 2, 3};
+  at_edge(tumbling, Effect::event_driven, 0, 4);
+}
+
+TEST_CASE("hops are left out on one floor, for a tolerance, and where nothing else is hit") {
+  off(dropped(0.5, 2, 10), Effect::event_driven);
+  Scene corner = dropped(0.5, 2, 10);
+  wall(corner, Point::UnitX(), -1);
+  corner.bodies[1].velocity.x() = -1;
+  at_edge(corner, Effect::event_driven, 2, 5);
+  at_edge(dropped(0.5, 2, 10, 0), Effect::event_driven, 2, 7);
+}
+
+TEST_CASE("a step is at most a tenth of what a spring's frequency asks for") {
+  for (const double stiffness : {100.0, 10000.0, 1000000.0}) {
+    Scene scene = dropped(0.5, 0.1, 1);
+    scene.materials[0].stiffness = stiffness;
+    const double step = contact::plan_scene(scene).step;
+    CAPTURE(stiffness, step);
+    CHECK(step > 0);
+    const auto pair = contact::pair_material(scene.materials[0], scene.materials[0]);
+    CHECK(step * std::sqrt(*pair.stiffness / scene.bodies[1].mass) <= 0.1 * (1 + 1e-12));
+  }
+}

@@ -197,6 +197,9 @@ export function exerciseOn(page, id) {
     await page.evaluate(() => document.fonts.ready);
     let selected = await select();
     for (let again = 0; selected !== from && again < 4; ++again) {
+      // What is selected would be dragged away, and a second press at once would take a whole word.
+      await page.keyboard.press("ArrowRight");
+      await page.waitForTimeout(1000);
       await line.scrollIntoViewIfNeeded();
       selected = await select();
     }
