@@ -29,9 +29,9 @@ extern "C" void interrupt_simulations(int /*signal*/) { simulate_interruption = 
 
 /// Several scenes, so many at a time; each alone, so it comes out as if it were the only one.
 std::vector<Outcome> side_by_side(const Options& options, std::vector<Planned> all) {
-  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  const auto cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const std::size_t workers =
-      std::min<std::size_t>(options.jobs > 0 ? options.jobs : cores, all.size());
+      std::min(static_cast<std::size_t>(options.jobs > 0 ? options.jobs : cores), all.size());
   std::vector<Outcome> outcomes(all.size());
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
@@ -122,7 +122,8 @@ void add_simulate(Command app, Action& action) {
                      "Keep the state here at the end, on Ctrl-C and now and then");
   command.add_option("--resume", options->resume,
                      "Go on from a checkpoint; --output and --events go on with their files");
-  command.add_option("--jobs", options->jobs, "Scenes at a time (default: one a core)");
+  command.add_option("--jobs", options->jobs, "Scenes at a time (default: one a core)")
+      .between(1, 1024);
   command.add_flag("--expect", options->expect,
                    "Say of everything that the scene expects whether it came out");
   command.add_flag("--json", options->json, "Print JSON");

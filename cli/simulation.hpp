@@ -30,7 +30,7 @@ struct SimulateOptions {
   std::string every;
   std::uint64_t max_events = std::numeric_limits<std::uint64_t>::max();
   std::uint64_t event_budget = std::numeric_limits<std::uint64_t>::max();
-  unsigned jobs = 0;
+  int jobs = 0;  // scenes at a time; 0: one a core
   bool expect = false;
   bool json = false;
 };

@@ -385,3 +385,12 @@ def test_what_flies_freely_goes_on_from_a_checkpoint(contact: Run, tmp_path: Pat
     contact("simulate", "thrown_stone", "--until", "0.95", *half)
     contact("simulate", "thrown_stone", "--resume", str(kept), "--output", str(parts))
     assert parts.read_bytes() == whole.read_bytes()
+
+
+@pytest.mark.parametrize("jobs", ["0", "-3", "two"])
+def test_jobs_that_are_no_number_of_scenes_are_refused(contact: Run, jobs: str) -> None:
+    done = contact("simulate", "hail", "head_on", "--jobs", jobs)
+    assert done.returncode == 2
+    assert "--jobs" in done.stderr
+    assert jobs in done.stderr
+    assert done.stdout == ""

@@ -215,8 +215,8 @@ std::vector<int> busiest(const std::vector<RigidBody<S>>& bodies,
 }
 // [/sweep-at-once]
 
-/// After so many sweeps that have not made the changes smaller by a tenth, no contact goes beyond
-/// its own answer any more.
+/// After so many sweeps of which none changed less than all of as many before, no contact goes
+/// beyond its own answer any more.
 inline constexpr int sweeps_to_settle = 1024;
 
 template <std::floating_point S>
