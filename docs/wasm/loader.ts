@@ -205,6 +205,7 @@ export interface LadderResult {
 interface LadderFunctions {
   layout(): number;
   prepare(family: number, n: number): void;
+  pass(method: number): void;
   run(method: number): number;
 }
 
@@ -212,6 +213,8 @@ export interface Ladder {
   readonly layout: LadderLayout;
   /** Makes n inputs of the family with this number, and their true answers. */
   prepare(family: number, n: number): void;
+  /** Answers each of them once. */
+  pass(method: number): void;
   /** Times a method on them and holds its answers against the truth. */
   run(method: number): LadderResult;
 }
@@ -224,6 +227,7 @@ export async function loadLadder(source: Source): Promise<Ladder> {
   return {
     layout,
     prepare: (family, n) => program.call((ladder) => ladder.prepare(family, n)),
+    pass: (method) => program.call((ladder) => ladder.pass(method)),
     run(method) {
       const place = program.call((ladder) => ladder.run(method));
       const [n, wrong, undecided, error_median, error_max, ns_median, ns_q1, ns_q3, repeats] = [

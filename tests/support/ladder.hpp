@@ -16,6 +16,7 @@
 /// "methods": [{id, title, scalar,
 ///   exact}]};
 /// - `prepare(family, n)`: makes n inputs of the family with that number, and the true answers;
+/// - `pass(method)`: answers each once, so that the page can tell what n it has time for;
 /// - `run(method)`: address of nine doubles: n, wrong, undecided, error_median, error_max,
 /// ns_median, ns_q1, ns_q3, repeats; and imports `env.now`, the time in milliseconds. Inputs are
 /// the same everywhere, so the wrong answers are too.
@@ -247,6 +248,9 @@ void run_in_page(Experiment& experiment, std::size_t method, const Now& now_in_m
   }                                                                                               \
   LADDER_EXPORT("prepare") void ladder_prepare(int family, int n) {                               \
     the_ladder().prepare(static_cast<std::size_t>(family), static_cast<std::size_t>(n));          \
+  }                                                                                               \
+  LADDER_EXPORT("pass") void ladder_pass(int method) {                                            \
+    the_ladder().pass(static_cast<std::size_t>(method));                                          \
   }                                                                                               \
   LADDER_EXPORT("run") const double* ladder_run(int method) {                                     \
     static double row[9];                                                                         \

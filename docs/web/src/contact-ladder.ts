@@ -71,8 +71,7 @@ export class ContactLadder extends HTMLElement {
         progress.value = data.done / data.of;
         status.textContent = `${data.done} of ${data.of}`;
       } else if (data.kind === "end") {
-        const rest = data.complete ? "" : " Time was up before all methods had run.";
-        stop(`${this.#rows.length} timed in ${data.seconds.toFixed(1)} s: ${machine()}.${rest}`);
+        stop(`${this.#rows.length} timed in ${data.seconds.toFixed(1)} s: ${machine()}.`);
       } else {
         console.warn(`ladder ${result.ladder}:`, data.message);
         stop("The ladder could not be run in this browser.");

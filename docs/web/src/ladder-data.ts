@@ -38,7 +38,7 @@ export interface LadderResult {
 /** From the page's worker: one row each, then the end. */
 export type WorkerMessage =
   | { readonly kind: "row"; readonly row: LadderRow; readonly done: number; readonly of: number }
-  | { readonly kind: "end"; readonly complete: boolean; readonly seconds: number }
+  | { readonly kind: "end"; readonly seconds: number }
   | { readonly kind: "error"; readonly message: string };
 
 export function methodName({ title, scalar }: LadderMethod): string {

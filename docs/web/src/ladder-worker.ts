@@ -1,10 +1,12 @@
 // Times a ladder's methods in the reader's browser, away from the page so that it stays usable.
 
-import { type LadderResult, loadLadder } from "../../wasm/loader.ts";
+import { type Ladder, type LadderResult, loadLadder } from "../../wasm/loader.ts";
 import type { LadderRow, WorkerMessage } from "./ladder-data.ts";
 
-const INPUTS = 2000;
-const BUDGET_SECONDS = 10;
+const MOST_INPUTS = 2000;
+const FEWEST_INPUTS = 16;
+const SECONDS = 10;
+const PASSES = 8; // of each method in `run`
 
 const scope = globalThis as unknown as {
   onmessage: ((event: MessageEvent<string>) => void) | null;
@@ -25,18 +27,26 @@ async function measure(url: string): Promise<void> {
   const of = families.length * methods.length;
   let done = 0;
   for (const [f, family] of families.entries()) {
-    ladder.prepare(f, INPUTS);
+    const share = (SECONDS - seconds()) / (families.length - f);
+    ladder.prepare(f, inputsFor(ladder, f, share));
     for (const [m, method] of methods.entries()) {
-      if (seconds() > BUDGET_SECONDS) {
-        scope.postMessage({ kind: "end", complete: false, seconds: seconds() });
-        return;
-      }
       done += 1;
       const row = rowFrom(ladder.run(m), family.id, method.id);
       scope.postMessage({ kind: "row", row, done, of });
     }
   }
-  scope.postMessage({ kind: "end", complete: true, seconds: seconds() });
+  scope.postMessage({ kind: "end", seconds: seconds() });
+}
+
+/** How many inputs of a family there is time for, from one pass of each method over the fewest. */
+function inputsFor(ladder: Ladder, family: number, share: number): number {
+  const start = performance.now();
+  ladder.prepare(family, FEWEST_INPUTS);
+  const prepared = performance.now();
+  for (const m of ladder.layout.methods.keys()) ladder.pass(m);
+  const cost = (prepared - start + PASSES * (performance.now() - prepared)) / 1000;
+  const n = Math.floor((FEWEST_INPUTS * Math.max(0, share)) / cost);
+  return Math.min(MOST_INPUTS, Math.max(FEWEST_INPUTS, n));
 }
 
 function rowFrom(result: LadderResult, family: string, method: string): LadderRow {
