@@ -137,17 +137,20 @@ function notices() {
   return texts.join(`\n${"-".repeat(78)}\n\n`);
 }
 
-/** The scenes that the page's player offers, as they are. */
+/** The scenes that the page's player offers, and the schema that they fit, as they are. */
 function scenes() {
   const folder = path.join(root, "chapters", SCENES, "scenes");
+  const schema = path.join(root, "chapters", SCENES, "scene.schema.json");
+  const written = write(path.join(out, "scenes", "schema.json"), fs.readFileSync(schema)) ? 1 : 0;
   const files = fs.existsSync(folder) ? fs.readdirSync(folder) : [];
   const kept = files.filter((name) => name.endsWith(".json"));
   const target = path.join(out, "scenes", SCENES);
   for (const name of fs.existsSync(target) ? fs.readdirSync(target) : [])
     if (!kept.includes(name)) fs.rmSync(path.join(target, name));
-  return kept.filter((name) =>
+  const copied = kept.filter((name) =>
     write(path.join(target, name), fs.readFileSync(path.join(folder, name))),
-  ).length;
+  );
+  return written + copied.length;
 }
 
 /** One file by itself; the pages' build puts it at the site's root, so that all of the site is its own. */

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "plan_scenes.hpp"
+#include "support/generators.hpp"
 #include "support/oracle.hpp"
 
 using contact::Decision;
@@ -525,6 +526,30 @@ TEST_CASE("grazing hits: a chord shorter than a step is missed, and throws a bal
   CHECK(thrown > 2.5);
 }
 
+TEST_CASE("grazing hits: what gravity bends away from a ceiling is charged as a late hit") {
+  generators::Random random(31);
+  for (int i = 0; i < 200; ++i) {
+    const double e = random.chance(0.5) ? 1 : random.uniform(0, 1);
+    const double g = random.uniform(1, 20);
+    const double duration = random.uniform(0.1, 4);
+    const double h = random.uniform(0.001, 0.2);
+    Scene scene = empty(e, 0, duration, 1e9);
+    scene.gravity = {0, 0, -g};
+    wall(scene, -Point::UnitZ(), 0);
+    // It comes at least near enough to touch.
+    const double up = random.uniform(0.1, 4);
+    ball(scene, 0.5, 1, {0, 0, -0.5 - random.uniform(0, up * up / (2 * g))}, {1, 0, up});
+    if (random.chance(0.5)) wall(scene, Point::UnitZ(), -100);
+    const Decision decision =
+        plan_scenes::decision(scene, Effect::continuous_detection, stepped(h));
+    if (!(decision.tried.at(0).conditions.at(0).left > 0)) continue;  // out of reach
+    const auto& late = decision.tried.at(1).conditions.at(1);
+    CAPTURE(i, late.left, h);
+    // Missed, a dip of g h/2 leaves the ball off by this at the end.
+    CHECK((1 + e) * (g * h / 2) * duration <= late.left);
+  }
+}
+
 TEST_CASE("a floor has no other side, and boxes have edges") {
   const Decision floor =
       plan_scenes::decision(dropped(0.5, 2, 3, 1), Effect::continuous_detection, stepped(0.01));
@@ -738,6 +763,19 @@ TEST_CASE("hops are left out on one floor, for a tolerance, and where nothing el
   corner.bodies[1].velocity.x() = -1;
   at_edge(corner, Effect::event_driven, 2, 5);
   at_edge(dropped(0.5, 2, 10, 0), Effect::event_driven, 2, 7);
+
+  // On a ball that stands still, aside of its top: no place to rest, but a slope to leave by.
+  Scene slope = dropped(0.5, 2, 10);
+  slope.bodies[0].shape = contact::BallShape{0.5};
+  slope.bodies[0].position = {0.1, 0, -0.5};
+  at_edge(slope, Effect::event_driven, 2, 6);
+  CHECK(8 * 0.1 / 2 * 1 * 1 > 1e4 * *slope.tolerance.position);  // ½ g sin α t² after a second
+
+  // So little gravity that the longest hop that might be left out has no finite height.
+  Scene drifting = dropped(0.5, 0, 1e30, 1e30);
+  drifting.gravity = {0, 0, -1e-280};
+  drifting.bodies[1].velocity.z() = -1e-250;
+  at_edge(drifting, Effect::event_driven, 2, 8);
 }
 
 TEST_CASE("a step is at most a tenth of what a spring's frequency asks for") {

@@ -411,8 +411,8 @@ TEST_CASE("what no effect needs is not stored, and what is off is no stage") {
   plan_scenes::ball(smooth, 0.5, 1, {0, 0, 2});
   plan_scenes::ball(smooth, 0.5, 1, {0.2, 0, 4});
   auto run = run_of(smooth, stepped(0.01));
-  const std::size_t least = 2 * sizeof(Point);
-  const std::size_t turning = least + sizeof(Point) + sizeof(contact::Rotor<double>);
+  const std::size_t least = 4 * sizeof(double);  // in a plane
+  const std::size_t turning = 3 * sizeof(Point) + sizeof(contact::Rotor<double>);
   const std::size_t resting = sizeof(double) + sizeof(std::int32_t);
   for (const char* name : {"rotation", "springs", "broad phase"})
     CHECK_FALSE(has_stage(*run, name));
@@ -430,6 +430,36 @@ TEST_CASE("what no effect needs is not stored, and what is off is no stage") {
   bare.overrides.without.erase(bare.overrides.without.begin());
   bare.overrides.with.push_back(Effect::sleeping);
   CHECK(run_of(smooth, bare)->bytes_per_body() == turning + resting);
+}
+
+TEST_CASE("places and velocities have no coordinate that never changes") {
+  Scene line = with_gravity(0.5, 0, 2, 1e-6);
+  plan_scenes::wall(line, Point::UnitZ(), 0);
+  plan_scenes::ball(line, 0.5, 1, {0.3, -0.7, 2});
+  Scene plane = line;
+  plan_scenes::ball(plane, 0.5, 1, {0.5, -0.7, 4});
+  Scene space = plane;
+  plan_scenes::ball(space, 0.5, 1, {0.4, -0.6, 6});
+  const auto kept = [](const Scene& scene) {
+    return run_of(scene, stepped(0.01))->bytes_per_body() -
+           (has_stage(*run_of(scene, stepped(0.01)), "sleep")
+                ? sizeof(double) + sizeof(std::int32_t)
+                : 0);
+  };
+  CHECK(kept(line) == 2 * sizeof(double));
+  CHECK(kept(plane) == 4 * sizeof(double));
+  CHECK(kept(space) == 6 * sizeof(double));
+  for (const Scene& scene : {line, plane}) {
+    auto few = run_of(scene, stepped(0.01));
+    PlanOptions options = stepped(0.01);
+    options.overrides.with = {Effect::third_dimension, Effect::second_dimension};
+    auto all = run_of(scene, options);
+    CHECK(few->bytes_per_body() < all->bytes_per_body());
+    few->advance(2);
+    all->advance(2);
+    CHECK(few->counts().hits > 0);
+    CHECK(bits_of(scene, *few) == bits_of(scene, *all));
+  }
 }
 
 TEST_CASE("the gyroscopic term brings spins along where rotation is off") {

@@ -214,7 +214,7 @@ inline std::vector<Proof> resting_proofs(const PlanQuestion& q) {
 /// Resting contact is off if one of resting_proofs() holds.
 inline Decision plan_resting(const PlanQuestion& q) {
   return decide(Effect::resting, resting_proofs(q),
-                {q.moves * 30, "30 for each time that a body is moved"},
+                {0, "nothing; a contact that lasts costs only while it lasts"},
                 "Not proven that nothing comes to rest.");
 }
 // [/resting-rule]
@@ -257,7 +257,8 @@ inline std::string pair_name(const Scene& scene, const PairBound& pair) {
 ///
 /// *Grazing.* A chord of length d through a round of radius R meets it at v d/(2 R) at most along
 /// the normal; missed, it leaves the body off by (1 + e) v d/(2 R) · T. A path that gravity bends
-/// away from a wall dips into it with g h/2 at most.
+/// away from a wall dips into it with g h/2 at most; lateness is charged with more, since a body
+/// that falls for T has a v of at least g T/2.
 /// @param h s
 inline std::vector<Inequality> tunnelling_conditions(const PlanQuestion& q, double h) {
   using detail::rounded_up;
@@ -269,16 +270,9 @@ inline std::vector<Inequality> tunnelling_conditions(const PlanQuestion& q, doub
   Inequality passing;
   for (const PairBound& pair : q.pairs) {
     edged += pair.half_space ? (pair.round ? 0 : pair.count) : (pair.graze > 0 ? 0 : pair.count);
+    if (pair.half_space) continue;
     const double moved = rounded_up(pair.closing * h);
     const double thrown = (1 + pair.restitution_most) * scene.duration;
-    if (pair.half_space) {
-      const SceneBody& wall = scene.bodies[pair.b];
-      const Vector3<double> normal = std::get<HalfSpaceShape>(wall.shape).normal;
-      const bool pressed = q.table < 0 && normal.dot(scene.gravity) <= 0;
-      if (!pressed && gravity_felt(q) > 0)
-        grazing = std::max(grazing, rounded_up(thrown * q.bounds.gravity * h / 2));
-      continue;
-    }
     if (pair.graze > 0)
       grazing = std::max(grazing, rounded_up(thrown * pair.closing * (moved / (2 * pair.graze))));
     const double ratio = pair.core > 0 ? moved / (2 * pair.core) : detail::infinite;

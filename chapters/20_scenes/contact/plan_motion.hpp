@@ -344,12 +344,22 @@ inline Decision plan_gyroscopic_term(const PlanQuestion& q) {
 }
 // [/gyroscopic-rule]
 
+namespace detail {
+
+/// What a coordinate less saves. From event to event a coordinate that never changes is not
+/// computed; a step keeps no number of it if nothing turns, but computes with all three.
+inline Saving coordinate_saving(const PlanQuestion& q) {
+  if (q.events) return {q.moves * 6, "6 for each time that a body is moved; 2 numbers a body"};
+  return {0, "steps compute with three coordinates; 2 numbers a body if nothing turns"};
+}
+
+}  // namespace detail
+
 /// The third dimension is off if the scene is its own mirror image across an axis.
 inline Decision plan_third_dimension(const PlanQuestion& q) {
   std::vector<Proof> proofs;
   for (int axis = 2; axis >= 0; --axis) proofs.push_back(plane_motion(q, axis));
-  return decide(Effect::third_dimension, std::move(proofs),
-                {q.moves * 6, "6 for each time that a body is moved; 2 numbers a body"},
+  return decide(Effect::third_dimension, std::move(proofs), detail::coordinate_saving(q),
                 "Not proven that motion stays in a plane across x, y or z.");
 }
 
@@ -357,8 +367,7 @@ inline Decision plan_third_dimension(const PlanQuestion& q) {
 inline Decision plan_second_dimension(const PlanQuestion& q) {
   std::vector<Proof> proofs;
   for (int along = 2; along >= 0; --along) proofs.push_back(line_motion(q, along));
-  return decide(Effect::second_dimension, std::move(proofs),
-                {q.moves * 6, "6 for each time that a body is moved; 2 numbers a body"},
+  return decide(Effect::second_dimension, std::move(proofs), detail::coordinate_saving(q),
                 "Not proven that motion stays on a line along x, y or z.");
 }
 

@@ -95,7 +95,7 @@ inline Vector3<double> point_velocity(const SteppedSetup& setup, const SteppedSt
                                       std::size_t place, const Vector3<double>& point) {
   const Vector3<double> v = velocity_of(setup, state, place);
   if (!turned_by_contacts(setup, place)) return v;
-  const Vector3<double> arm = point - state.position[place];
+  const Vector3<double> arm = point - position_of(setup, state, place);
   return v + Vector3<double>(state.spin[place].cross(arm));
 }
 
@@ -145,7 +145,8 @@ inline double pair_reach(const SteppedSetup& setup, const SteppedState& state, c
 /// A distance that rounding cannot tell from touching.
 inline double touching_distance(const SteppedSetup& setup, const SteppedState& state,
                                 const NearPair& pair) {
-  double size = state.position[pair.a].cwiseAbs().maxCoeff() + setup.bodies[pair.a].reach;
+  double size =
+      position_of(setup, state, pair.a).cwiseAbs().maxCoeff() + setup.bodies[pair.a].reach;
   if (pair.b < setup.bounded)
     size += position_of(setup, state, pair.b).cwiseAbs().maxCoeff() + setup.bodies[pair.b].reach;
   return 0x1p-40 * size;

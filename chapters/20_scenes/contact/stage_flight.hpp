@@ -18,7 +18,7 @@ namespace contact {
 inline void add_gravity(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
   const Vector3<double> change = setup.scene.gravity * part.planned;
   for (std::size_t i = 0; i < setup.movers; ++i) {
-    if (!sleeps(state, i)) part.end_velocity[i] += change;
+    if (!sleeps(state, i)) part.end_velocity.add(i, change);
   }
 }
 // [/gravity-stage]
@@ -30,16 +30,17 @@ inline void move_bodies(const SteppedSetup& setup, SteppedState& state, StepPart
   const double share = part.length / part.planned;
   for (std::size_t i = 0; i < setup.movers; ++i) {
     if (sleeps(state, i)) continue;
-    const Vector3<double> change = part.end_velocity[i] - state.velocity[i];
+    const Vector3<double> velocity = state.velocity[i];
+    const Vector3<double> end = part.end_velocity[i];
+    const Vector3<double> change = end - velocity;
     if (part.at_start[i] || part.length == part.planned) {
-      const Vector3<double> mean =
-          part.at_start[i] ? part.end_velocity[i] : Vector3<double>(state.velocity[i] + change / 2);
-      state.position[i] += mean * part.length;
-      state.velocity[i] = part.end_velocity[i];
+      const Vector3<double> mean = part.at_start[i] ? end : Vector3<double>(velocity + change / 2);
+      state.position.add(i, mean * part.length);
+      state.velocity.set(i, end);
     } else {
-      const Vector3<double> mean = state.velocity[i] + change * (share / 2);
-      state.position[i] += mean * part.length;
-      state.velocity[i] += change * share;
+      const Vector3<double> mean = velocity + change * (share / 2);
+      state.position.add(i, mean * part.length);
+      state.velocity.add(i, change * share);
     }
   }
 }

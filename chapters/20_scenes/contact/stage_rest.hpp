@@ -87,7 +87,7 @@ inline void put_to_sleep(const SteppedSetup& setup, SteppedState& state, StepPar
     const std::size_t first = detail::first_of_group(group, i);
     if (sleeps(state, i) || !ready[first]) continue;
     state.sleeps_with[i] = static_cast<std::int32_t>(first);
-    state.velocity[i].setZero();
+    state.velocity.set(i, Vector3<double>::Zero());
     if (setup.rotation) state.spin[i].setZero();
     ++state.counts.rests;
   }
@@ -125,7 +125,7 @@ inline void push_out(const SteppedSetup& setup, SteppedState& state, StepPart& p
     }
     if (moved.empty()) return;
   }
-  for (std::size_t i = 0; i < setup.movers; ++i) state.position[i] += moved[i];
+  for (std::size_t i = 0; i < setup.movers; ++i) state.position.add(i, moved[i]);
 }
 // [/pushing-out-stage]
 

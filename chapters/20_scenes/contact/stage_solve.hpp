@@ -188,7 +188,7 @@ inline std::vector<ContactImpulse<double>> solve_now(
                        spin_of(state, place));
   };
   const auto give = [&](std::size_t place, const RigidBody<double>& body) {
-    state.velocity[place] = body.velocity;
+    state.velocity.set(place, body.velocity);
     if (turned_by_contacts(setup, place)) state.spin[place] = body.spin;
   };
   return solve_islands(setup, state, contacts, {}, false, make, give);
@@ -314,7 +314,7 @@ inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPar
         turns ? part.end_spin[place] : Vector3<double>(Vector3<double>::Zero()));
   };
   const auto give = [&](std::size_t place, const RigidBody<double>& body) {
-    part.end_velocity[place] = body.velocity;
+    part.end_velocity.set(place, body.velocity);
     if (turned_by_contacts(setup, place)) part.end_spin[place] = body.spin;
   };
   double margin = 0;

@@ -22,7 +22,7 @@ inline void push_apart(const SteppedSetup& setup, const SteppedState& state, Ste
   const auto give = [&](std::size_t place, const RigidBody<double>& body,
                         const Vector3<double>& push) {
     if (place >= setup.movers || sleeps(state, place)) return;
-    part.end_velocity[place] += push * body.inverse_mass;
+    part.end_velocity.add(place, push * body.inverse_mass);
     part.pushed[place] = true;
     if (!turned_by_contacts(setup, place)) return;
     const Vector3<double> arm = point - body.position;

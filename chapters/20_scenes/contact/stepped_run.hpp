@@ -15,6 +15,8 @@
 #include <vector>
 
 #include <contact/invalid_argument.hpp>
+#include <contact/kept_vectors.hpp>
+#include <contact/plan_motion.hpp>
 #include <contact/plan_types.hpp>
 #include <contact/scene.hpp>
 #include <contact/scene_run.hpp>
@@ -74,6 +76,27 @@ inline double step_of(const Scene& scene, const Plan& plan) {
   return h;
 }
 
+// [kept-axes]
+/// The coordinates that change. Where nothing turns, a mirror image keeps every contact's normal in
+/// its plane to the last bit, and what is not kept is 0 without rounding. A body that turns has
+/// corners on both sides of the plane, whose pushes cancel only to rounding: it keeps all three.
+inline KeptAxes kept_axes(const Scene& scene, const Plan& plan) {
+  KeptAxes kept;
+  if (is_on(plan, Effect::third_dimension) || is_on(plan, Effect::rotation) ||
+      is_on(plan, Effect::gyroscopic_term))
+    return kept;
+  const PlanQuestion q = plan_question(scene);
+  const std::size_t least = is_on(plan, Effect::second_dimension) ? 2 : 1;
+  for (int axis = 2; axis >= 0 && kept.count > least; --axis) {
+    if (!is_proven(plane_motion(q, axis))) continue;
+    const auto end = kept.axes.begin() + static_cast<std::ptrdiff_t>(kept.count);
+    std::remove(kept.axes.begin(), end, axis);
+    --kept.count;
+  }
+  return kept;
+}
+// [/kept-axes]
+
 // [stepped-setup]
 /// What a plan makes of a scene. An effect that is off is taken out of the materials too: without
 /// friction all are smooth, without restitution nothing bounces, without penalty contact all are
@@ -102,6 +125,7 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
   setup.together = is_on(plan, Effect::several_contacts);
   if (!is_on(plan, Effect::gravity)) setup.scene.gravity.setZero();
   setup.step = step_of(scene, plan);
+  setup.kept = kept_axes(scene, plan);
 
   double lightness = 0;
   for (std::size_t i = 0; i < setup.movers; ++i)
@@ -165,8 +189,9 @@ inline StepPipeline step_pipeline(const Plan& plan, const SteppedSetup& setup) {
   }
   if (is_on(plan, Effect::gravity)) add(line.part, "gravity", "even", add_gravity);
   if (meet) {
+    // Where nothing rests it still stops approaches that rounding leaves.
     add(line.part, forces ? "contact forces" : "impacts left over",
-        forces ? sweeps : "if a step has too many to take one by one", solve_forces);
+        forces ? sweeps : "rounding, and a step with too many to take one by one", solve_forces);
     if (setup.continuous && setup.one_by_one)
       add(line.part, "time of impact", "by the gap's closing time", find_first_impact);
   }
@@ -199,6 +224,7 @@ class SteppedRun final : public SceneRun {
       throw_invalid_argument("scene", scene.name, *refusal);
     setup_ = detail::stepped_setup(scene, plan);
     line_ = detail::step_pipeline(plan, setup_);
+    state_.position = state_.velocity = KeptVectors(setup_.kept);
     for (std::size_t i = 0; i < setup_.movers; ++i) {
       const SceneBody& body = scene.bodies[setup_.bodies[i].body];
       state_.position.push_back(body.position);
@@ -271,15 +297,15 @@ class SteppedRun final : public SceneRun {
   std::size_t bytes() const override {
     const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
     const auto state = [&](const SteppedState& s) {
-      return of(s.position) + of(s.velocity) + of(s.orientation) + of(s.spin) + of(s.slow_since) +
-             of(s.sleeps_with) + of(s.touched) + of(s.pushed);
+      return s.position.bytes() + s.velocity.bytes() + of(s.orientation) + of(s.spin) +
+             of(s.slow_since) + of(s.sleeps_with) + of(s.touched) + of(s.pushed);
     };
     return state(state_) + (shown_ ? state(*shown_) : 0) + of(setup_.bodies) + of(setup_.place) +
-           of(setup_.material) + of(part_.pairs) + of(part_.shapes) + of(part_.end_velocity) +
+           of(setup_.material) + of(part_.pairs) + of(part_.shapes) + part_.end_velocity.bytes() +
            of(part_.end_spin) + of(part_.bounces) + of(part_.hits);
   }
   std::size_t bytes_per_body() const override {
-    std::size_t bytes = 2 * sizeof(Vector3<double>);
+    std::size_t bytes = 2 * setup_.kept.count * sizeof(double);
     if (!state_.orientation.empty()) bytes += sizeof(Rotor<double>) + sizeof(Vector3<double>);
     if (!state_.slow_since.empty()) bytes += sizeof(double) + sizeof(std::int32_t);
     return bytes;
@@ -342,8 +368,8 @@ inline SceneCheckpoint SteppedRun::checkpoint() const {
   const auto add = [&](const Vector3<double>& v) {
     for (int k = 0; k < 3; ++k) to.numbers.push_back(v(k));
   };
-  for (const auto& x : state_.position) add(x);
-  for (const auto& v : state_.velocity) add(v);
+  for (std::size_t i = 0; i < setup_.movers; ++i) add(position_of(setup_, state_, i));
+  for (std::size_t i = 0; i < setup_.movers; ++i) add(state_.velocity[i]);
   for (const auto& q : state_.orientation) {
     to.numbers.push_back(q.w);
     add(q.v);
@@ -379,8 +405,8 @@ inline void SteppedRun::restore(const SceneCheckpoint& from) {
     at += 3;
     return v;
   };
-  for (auto& x : state_.position) x = vector();
-  for (auto& v : state_.velocity) v = vector();
+  for (std::size_t i = 0; i < movers; ++i) state_.position.set(i, vector());
+  for (std::size_t i = 0; i < movers; ++i) state_.velocity.set(i, vector());
   for (auto& q : state_.orientation) {
     q.w = from.numbers[at++];
     q.v = vector();

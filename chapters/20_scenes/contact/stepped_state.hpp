@@ -17,6 +17,7 @@
 #include <contact/convex_shapes.hpp>
 #include <contact/gap.hpp>
 #include <contact/inertia.hpp>
+#include <contact/kept_vectors.hpp>
 #include <contact/plan_shapes.hpp>
 #include <contact/plan_types.hpp>
 #include <contact/rotation.hpp>
@@ -52,11 +53,12 @@ struct SteppedBody {
 
 // [stepped-state]
 /// What changes, each in an array of its own: only the movers have it. Without rotation there are
-/// no orientations and no spins, without sleep no time of rest: the arrays are empty.
+/// no orientations and no spins, without sleep no time of rest: the arrays are empty. Of places and
+/// velocities only the coordinates are there that change.
 struct SteppedState {
   std::uint64_t step = 0;                      ///< how many are done
-  std::vector<Vector3<double>> position;       ///< of each mover's origin, m
-  std::vector<Vector3<double>> velocity;       ///< m/s
+  KeptVectors position;                        ///< of each mover's origin, m
+  KeptVectors velocity;                        ///< m/s
   std::vector<Rotor<double>> orientation;      ///< turns a body's axes into the world's
   std::vector<Vector3<double>> spin;           ///< in the world, rad/s
   std::vector<double> slow_since;              ///< how long it has been as slow as rest, s
@@ -86,6 +88,7 @@ struct SteppedSetup {
   bool edges = false;                  ///< a mover's turning takes points of it along: no ball
   bool one_by_one = false;             ///< impacts each at its own time; else all of a step at once
   bool together = false;               ///< a body's contacts are solved together, in many sweeps
+  KeptAxes kept;                       ///< of places and velocities
   SweepLimits<double> sweeps;          ///< of the solver
 };
 
@@ -109,10 +112,10 @@ struct StepPart {
   double length = 0;     ///< how long it is, s
   int cuts = 0;          ///< how many parts of this step an impact has ended
   bool at_once = false;  ///< all impacts of what is left of the step at once
-  std::vector<NearPair> pairs;                ///< in increasing order
-  std::vector<StepShape> shapes;              ///< of each body in a pair, in the world
-  std::vector<Vector3<double>> end_velocity;  ///< of each mover, m/s
-  std::vector<Vector3<double>> end_spin;      ///< of each mover, rad/s; empty without rotation
+  std::vector<NearPair> pairs;               ///< in increasing order
+  std::vector<StepShape> shapes;             ///< of each body in a pair, in the world
+  KeptVectors end_velocity;                  ///< of each mover, m/s
+  std::vector<Vector3<double>> end_spin;     ///< of each mover, rad/s; empty without rotation
   std::vector<bool> at_start;                ///< movers that have their end velocity from the start
   std::vector<bool> pushed;                  ///< movers on which a contact acts in this part
   std::vector<BodyContact<double>> bounces;  ///< of hits at once: they bounce when they have come
@@ -177,8 +180,8 @@ inline bool sleeps(const SteppedState& state, std::size_t place) {
 /// Where a body's origin is, m.
 inline Vector3<double> position_of(const SteppedSetup& setup, const SteppedState& state,
                                    std::size_t place) {
-  if (place < setup.movers) return state.position[place];
-  return setup.scene.bodies[setup.bodies[place].body].position;
+  const Vector3<double>& start = setup.scene.bodies[setup.bodies[place].body].position;
+  return place < setup.movers ? state.position.over(place, start) : start;
 }
 /// How a body lies.
 inline Rotor<double> orientation_of(const SteppedSetup& setup, const SteppedState& state,

@@ -81,6 +81,9 @@ export class Player {
       { class: "own" },
       html("summary", {}, "The scene as text: change it, or paste another"),
       html("label", { for: textId }, "Scene, as JSON"),
+      " (",
+      html("a", { href: new URL("../schema.json", scenes).href }, "its JSON Schema"),
+      ")",
       this.#text,
       html(
         "div",
