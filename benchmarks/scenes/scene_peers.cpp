@@ -1,5 +1,5 @@
 // Scenes whose truth is known, in the book and in other programs. usage: scene_peers [part] [runs]
-// with part one of balls, plane, drop, shots, stack; without, all.
+// with part one of balls, plane, drop, shots, pairs, stack; without, all.
 //
 // Times are processor times of one thread, which a neighbour on the same machine lengthens less
 // than it does the time on the clock. The programs take their runs in turns. Of each step the
@@ -16,7 +16,9 @@
 #include <string_view>
 #include <utility>
 
+#include "box_pairs.hpp"
 #include "programs.hpp"
+#include "summary.hpp"
 
 namespace {
 
@@ -168,7 +170,8 @@ double largest_overlap(const Balls& scene, const std::vector<Motion>& balls) {
 
 // ---------------------------------------------------------------- elastic balls in a box
 
-void elastic(const std::vector<Program>& all, std::size_t n, int dimension, int wanted_runs) {
+void elastic(const std::vector<Program>& all, std::size_t n, int dimension, int wanted_runs,
+             Summary& summary) {
   constexpr std::size_t steps = 100;
   const int runs = n < 10000 ? wanted_runs : (wanted_runs + 1) / 2;  // a run is long enough there
   const Balls scene = lattice(n, dimension);
@@ -206,13 +209,19 @@ void elastic(const std::vector<Program>& all, std::size_t n, int dimension, int 
     std::printf("  %-14s %9.3f %9.3f %9.3f %+15.1e %15.1e\n", able[p].name, median(step_times),
                 sum / static_cast<double>(steps),
                 *std::max_element(step_times.begin(), step_times.end()), gain[p], overlap[p]);
+    const std::string these = std::to_string(n) + (dimension == 3 ? " balls" : " discs");
+    summary.add(these + ", ms a step", able[p].name, "%.3f", median(step_times));
+    summary.add("  " + these + ", worst step, ms", able[p].name, "%.3f",
+                *std::max_element(step_times.begin(), step_times.end()));
+    summary.add("  " + these + ", energy gained", able[p].name, "%+.1e", gain[p]);
+    summary.add("  " + these + ", overlap, m", able[p].name, "%.1e", overlap[p]);
   }
   std::printf("\n");
 }
 
 // ---------------------------------------------------------------- one ball that never stops
 
-void drop(const std::vector<Program>& all) {
+void drop(const std::vector<Program>& all, Summary& summary) {
   std::printf(
       "a ball dropped from 10 m, e = 1: how high it comes after 60 s, m, and how far that is "
       "off\n");
@@ -227,13 +236,14 @@ void drop(const std::vector<Program>& all) {
     const double apex =
         ball.place[2] - scene.radius + ball.velocity[2] * ball.velocity[2] / (2 * scene.gravity);
     std::printf("  %-14s %15.9f %+10.1e\n", program.name, apex, apex - 10);
+    summary.add("a drop of 10 m: off after 60 s, m", program.name, "%+.1e", apex - 10);
   }
   std::printf("\n");
 }
 
 // ---------------------------------------------------------------- bullets and a thin wall
 
-void shots(const std::vector<Program>& all) {
+void shots(const std::vector<Program>& all, Summary& summary) {
   constexpr int count = 1000;
   std::printf(
       "%d shots of 20 to 100 m/s at a plate of 0.02 m, ball of radius 0.02 m, no gravity, "
@@ -269,6 +279,9 @@ void shots(const std::vector<Program>& all) {
           program.name +
           std::string(!program.bullets ? "" : (bullets ? ", as bullets" : ", as they come"));
       std::printf("  %-32s %13d ", name.c_str(), through);
+      const std::string way = bullets ? "as bullets" : "as they come";
+      summary.add(std::to_string(count) + " shots " + way + ", through the wall", program.name,
+                  "%.0f", through);
       if (through < count) {
         std::printf("%28.1e\n", worst);
       } else {
@@ -282,7 +295,7 @@ void shots(const std::vector<Program>& all) {
 
 // ---------------------------------------------------------------- ten boxes at rest
 
-void stack(std::vector<Program> all, int runs) {
+void stack(std::vector<Program> all, int runs, Summary& summary) {
 #ifdef CONTACT_HAS_BOOK
   // What the plan leaves out of this scene, to see what that is worth.
   Program everything = all.front();
@@ -319,6 +332,9 @@ void stack(std::vector<Program> all, int runs) {
         std::accumulate(times.begin(), times.end(), 0.0) / static_cast<double>(times.size());
     std::printf("  %-14s %10.3f %9.3f %9.3f %14.1e %14.1e %14.1e\n", program.name, median(times),
                 mean, *std::max_element(times.begin(), times.end()), sideways, down, speed);
+    summary.add("ten boxes at rest, ms a step", program.name, "%.3f", median(times));
+    summary.add("  ten boxes, mean ms", program.name, "%.3f", mean);
+    summary.add("  ten boxes, sideways after 10 s, m", program.name, "%.1e", sideways);
   }
   std::printf("\n");
 }
@@ -330,6 +346,9 @@ int main(int argc, char** argv) {
   const std::string_view part = argc > 1 ? argv[1] : "all";
   const int runs = argc > 2 ? std::max(1, std::atoi(argv[2])) : 5;
   const std::vector<Program> all = programs();
+  std::vector<std::string> names;
+  for (const Program& program : all) names.emplace_back(program.name);
+  Summary summary(names);
   bool known = false;
   const auto wanted = [&](std::string_view name) {
     const bool yes = part == "all" || part == name;
@@ -337,14 +356,18 @@ int main(int argc, char** argv) {
     return yes;
   };
   if (wanted("balls"))
-    for (const std::size_t n : {100, 1000, 10000}) elastic(all, n, 3, runs);
+    for (const std::size_t n : {100, 1000, 10000}) elastic(all, n, 3, runs, summary);
   if (wanted("plane"))
-    for (const std::size_t n : {100, 1000, 10000}) elastic(all, n, 2, runs);
-  if (wanted("drop")) drop(all);
-  if (wanted("shots")) shots(all);
-  if (wanted("stack")) stack(all, runs);
+    for (const std::size_t n : {100, 1000, 10000}) elastic(all, n, 2, runs, summary);
+  if (wanted("drop")) drop(all, summary);
+  if (wanted("shots")) shots(all, summary);
+#ifdef CONTACT_HAS_BOOK
+  if (wanted("pairs")) box_pairs::compare_all(2000, runs, summary);
+#endif
+  if (wanted("stack")) stack(all, runs, summary);
   if (!known) {
-    std::fprintf(stderr, "usage: scene_peers [balls|plane|drop|shots|stack|all] [runs]\n");
+    std::fprintf(stderr, "usage: scene_peers [balls|plane|drop|shots|pairs|stack|all] [runs]\n");
     return 2;
   }
+  summary.print();
 }

@@ -1,4 +1,4 @@
-// "Run it here": the chapter's ladder, timed as WebAssembly in the reader's browser. Every second one is run and
+// "Run it here": the chapter's ladder, timed as WebAssembly in the reader's browser. Every third one is run and
 // every third stopped, others with each commit. (What each computes: docs/wasm/loader.test.mjs.)
 
 import assert from "node:assert/strict";
@@ -23,7 +23,7 @@ describe("ladders", { skip }, () => {
   });
 
   const all = skip ? [] : lessons();
-  for (const where of sample(all, 2))
+  for (const where of sample(all, 3))
     test(`${where}: run here`, { timeout: 60_000 }, async () => {
       const { page, trouble, close } = await open(chromium.browser, `${server.origin}/${where}`);
       const ladder = page.locator("contact-ladder").first();

@@ -101,7 +101,7 @@ describe("questions", { skip }, () => {
     },
   };
 
-  for (const where of skip ? [] : sample(lessons(), 3))
+  for (const where of skip ? [] : sample(lessons(), 4))
     test(`${where}: every question, wrong then right`, async () => {
       const { page, trouble, close } = await open(chromium.browser, `${server.origin}/${where}`);
       await page.evaluate(() => customElements.whenDefined("contact-question"));

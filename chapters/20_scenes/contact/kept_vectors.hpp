@@ -21,6 +21,7 @@ struct KeptAxes {
 class KeptVectors {
  public:
   KeptVectors() = default;
+  /// @param kept of every vector
   explicit KeptVectors(const KeptAxes& kept) : kept_(kept) {}
 
   /// The vector with that index; what is not kept is 0.
@@ -45,11 +46,13 @@ class KeptVectors {
     for (std::size_t k = 0; k < kept_.count; ++k) to[k] += v(kept_.axes[k]);
   }
 
+  /// One more, at the end.
   void push_back(const Vector3<double>& v) {
     numbers_.resize(numbers_.size() + kept_.count);
     set(size() - 1, v);
   }
 
+  /// How many there are.
   std::size_t size() const { return numbers_.size() / kept_.count; }
   /// Of memory, its spare room included.
   std::size_t bytes() const { return numbers_.capacity() * sizeof(double); }

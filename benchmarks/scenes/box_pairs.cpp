@@ -1,12 +1,11 @@
-// 2,000 translating box pairs of each kind: the book's sweep, rounded and exact, beside Bullet's
-// convex casts. What is right is decided by fractions.
-// usage: box_pairs_peers [pairs] [runs]
+// Translating box pairs of each kind: the book's sweep, rounded and exact, beside Bullet's convex
+// casts. What is right is decided by fractions.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
+#include <ctime>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,7 +14,8 @@
 #include <contact/box_sweep.hpp>
 
 #include "11_time_of_impact/boxes.hpp"
-#include "peers.hpp"
+#include "box_pairs.hpp"
+#include "summary.hpp"
 
 namespace {
 
@@ -45,11 +45,11 @@ Times exactly(const Pairs& pairs) {
 }
 
 #ifdef CONTACT_HAS_BULLET
-std::vector<peers::MovingBox> plain(const Pairs& pairs) {
-  std::vector<peers::MovingBox> all;
+std::vector<box_pairs::MovingBox> plain(const Pairs& pairs) {
+  std::vector<box_pairs::MovingBox> all;
   for (const auto& pair : pairs) {
     for (const boxes::Box& box : pair) {
-      peers::MovingBox plain{};
+      box_pairs::MovingBox plain{};
       for (int k = 0; k < 3; ++k) {
         for (int i = 0; i < 3; ++i) plain.axes[3 * k + i] = box.frame.axes(i, k);
         plain.centre[k] = box.frame.origin(k);
@@ -63,7 +63,21 @@ std::vector<peers::MovingBox> plain(const Pairs& pairs) {
 }
 #endif
 
-void compare(const char* kind_name, boxes::Kind kind, int count, int runs) {
+double processor_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+/// What a method made of all kinds together.
+struct Total {
+  double ms = 0;
+  int missed = 0;
+  int invented = 0;
+};
+
+void compare(const char* kind_name, boxes::Kind kind, int count, int runs,
+             std::map<std::string, Total>& totals) {
   generators::Random random(6);
   Pairs pairs;
   for (int i = 0; i < count; ++i) pairs.push_back(boxes::make(random, kind));
@@ -80,23 +94,22 @@ void compare(const char* kind_name, boxes::Kind kind, int count, int runs) {
       {"Contact Hours", [&] { return by_book(pairs); }},
       {"  without its filter", [&] { return exactly(pairs); }}};
 #ifdef CONTACT_HAS_BULLET
-  const peers::Bullet bullet(plain(pairs));
+  const box_pairs::Bullet bullet(plain(pairs));
   methods.emplace_back("Bullet, continuous cast",
-                       [&] { return bullet.times(peers::Cast::continuous); });
-  methods.emplace_back("Bullet, GJK cast", [&] { return bullet.times(peers::Cast::gjk); });
+                       [&] { return bullet.times(box_pairs::Cast::continuous); });
+  methods.emplace_back("Bullet, GJK cast", [&] { return bullet.times(box_pairs::Cast::gjk); });
   methods.emplace_back("Bullet, subsimplex cast",
-                       [&] { return bullet.times(peers::Cast::subsimplex); });
+                       [&] { return bullet.times(box_pairs::Cast::subsimplex); });
 #endif
   std::vector<std::vector<double>> elapsed(methods.size());
   std::vector<Times> found(methods.size());
   // In turns, so that a slow moment of the machine does not fall on one method only.
   for (int run = 0; run <= runs; ++run) {
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      const auto start = std::chrono::steady_clock::now();
+      const double start = processor_ms();
       found[m] = methods[m].second();
-      const std::chrono::duration<double, std::milli> took =
-          std::chrono::steady_clock::now() - start;
-      if (run > 0) elapsed[m].push_back(took.count());  // the first one warms up
+      const double took = processor_ms() - start;
+      if (run > 0) elapsed[m].push_back(took);  // the first one warms up
     }
   }
   std::printf("%s: %d pairs, %d touch on their way, %d at the start\n", kind_name, count, hits,
@@ -118,19 +131,35 @@ void compare(const char* kind_name, boxes::Kind kind, int count, int runs) {
     std::printf("  %-24s %10.2f %8.2f - %8.2f %7d %9d %9d %12.2g\n", methods[m].first.c_str(),
                 elapsed[m][elapsed[m].size() / 2], elapsed[m].front(), elapsed[m].back(), missed,
                 missed_at_start, invented, worst);
+    Total& total = totals[methods[m].first];
+    total.ms += elapsed[m][elapsed[m].size() / 2];
+    total.missed += missed + missed_at_start;
+    total.invented += invented;
   }
   std::printf("\n");
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  const int count = argc > 1 ? std::max(1, std::atoi(argv[1])) : 2000;
-  const int runs = argc > 2 ? std::max(1, std::atoi(argv[2])) : 5;
-  compare("turned boxes anywhere", boxes::Kind::plain, count, runs);
-  compare("bullets and a wall of 1 cm", boxes::Kind::thin_and_fast, count, runs);
-  compare("touching as the step ends", boxes::Kind::last_moment, count, runs);
-  compare("edges crosswise, to rounding", boxes::Kind::edges, count, runs);
-  compare("10,000 km from the origin", boxes::Kind::far, count, runs);
-  compare("whole numbers, along the axes", boxes::Kind::grid, count, runs);
+void box_pairs::compare_all(int count, int runs, Summary& summary) {
+  std::printf("translating box pairs, medians of %d runs, ms of processor for all of a kind\n\n",
+              runs);
+  std::map<std::string, Total> totals;
+  compare("turned boxes anywhere", boxes::Kind::plain, count, runs, totals);
+  const std::map<std::string, Total> anywhere = totals;
+  compare("bullets and a wall of 1 cm", boxes::Kind::thin_and_fast, count, runs, totals);
+  compare("touching as the step ends", boxes::Kind::last_moment, count, runs, totals);
+  compare("edges crosswise, to rounding", boxes::Kind::edges, count, runs, totals);
+  compare("10,000 km from the origin", boxes::Kind::far, count, runs, totals);
+  compare("whole numbers, along the axes", boxes::Kind::grid, count, runs, totals);
+  for (const auto& [method, program] : {std::pair{"Contact Hours", "Contact Hours"},
+                                        std::pair{"Bullet, continuous cast", "Bullet"}}) {
+    if (!totals.contains(method)) continue;
+    const Total& all = totals[method];
+    summary.add(std::to_string(count) + " box pairs anywhere, ms", program, "%.2f",
+                anywhere.at(method).ms);
+    summary.add("  with five harder kinds, ms", program, "%.1f", all.ms);
+    summary.add("  impacts missed in all", program, "%.0f", all.missed);
+    summary.add("  impacts invented in all", program, "%.0f", all.invented);
+  }
 }

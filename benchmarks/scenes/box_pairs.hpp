@@ -1,13 +1,15 @@
 /// @file
-/// When two boxes that move without turning first touch, by another program. Its headers stay in
-/// its own file.
+/// When two boxes that move without turning first touch: the book's sweep beside Bullet's convex
+/// casts. Bullet's headers stay in their own file.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <vector>
 
-namespace peers {
+#include "summary.hpp"
+
+namespace box_pairs {
 
 /// A box as plain numbers.
 struct MovingBox {
@@ -36,4 +38,9 @@ class Bullet {
   std::unique_ptr<Pairs> pairs_;
 };
 
-}  // namespace peers
+/// Pairs of each kind by every method, in turns; what is right is decided by fractions.
+/// @param count pairs of each kind
+/// @param runs of which medians are taken
+void compare_all(int count, int runs, Summary& summary);
+
+}  // namespace box_pairs

@@ -5,15 +5,15 @@
 #include <BulletCollision/NarrowPhaseCollision/btSubSimplexConvexCast.h>
 #include <btBulletCollisionCommon.h>
 
-#include "peers.hpp"
+#include "box_pairs.hpp"
 
-struct peers::Bullet::Pairs {
+struct box_pairs::Bullet::Pairs {
   std::vector<std::unique_ptr<btBoxShape>> shapes;
   std::vector<btTransform> from;
   std::vector<btTransform> to;
 };
 
-peers::Bullet::Bullet(const std::vector<MovingBox>& boxes) : pairs_(std::make_unique<Pairs>()) {
+box_pairs::Bullet::Bullet(const std::vector<MovingBox>& boxes) : pairs_(std::make_unique<Pairs>()) {
   for (const MovingBox& box : boxes) {
     const double* x = box.axes;
     const btMatrix3x3 turn(x[0], x[3], x[6], x[1], x[4], x[7], x[2], x[5], x[8]);
@@ -26,9 +26,9 @@ peers::Bullet::Bullet(const std::vector<MovingBox>& boxes) : pairs_(std::make_un
   }
 }
 
-peers::Bullet::~Bullet() = default;
+box_pairs::Bullet::~Bullet() = default;
 
-std::vector<std::optional<double>> peers::Bullet::times(Cast cast) const {
+std::vector<std::optional<double>> box_pairs::Bullet::times(Cast cast) const {
   std::vector<std::optional<double>> found;
   found.reserve(pairs_->shapes.size() / 2);
   for (std::size_t k = 0; k + 1 < pairs_->shapes.size(); k += 2) {
