@@ -4,7 +4,7 @@
 #include <bit>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <contact/stage_solve.hpp>
+#include <contact/step_solver.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <string>

@@ -13,7 +13,7 @@
 #include <contact/contact_manifold.hpp>
 #include <contact/contact_world.hpp>
 #include <contact/gap.hpp>
-#include <contact/stage_broad_phase.hpp>
+#include <contact/stage_pairs.hpp>
 #include <contact/stepped_state.hpp>
 
 namespace contact {

@@ -8,7 +8,7 @@
 #include <contact/rigid_impulse.hpp>
 #include <contact/spring_damper.hpp>
 #include <contact/stage_contacts.hpp>
-#include <contact/stage_solve.hpp>
+#include <contact/step_solver.hpp>
 #include <contact/stepped_state.hpp>
 
 namespace contact {

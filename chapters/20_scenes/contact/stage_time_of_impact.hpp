@@ -12,7 +12,7 @@
 #include <contact/ballistic.hpp>
 #include <contact/rotation.hpp>
 #include <contact/stage_contacts.hpp>
-#include <contact/stage_flight.hpp>
+#include <contact/stage_rotation.hpp>
 #include <contact/stepped_state.hpp>
 
 namespace contact {

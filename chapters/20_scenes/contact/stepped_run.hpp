@@ -20,13 +20,21 @@
 #include <contact/plan_types.hpp>
 #include <contact/scene.hpp>
 #include <contact/scene_run.hpp>
+#include <contact/stage_bounces.hpp>
 #include <contact/stage_broad_phase.hpp>
 #include <contact/stage_contacts.hpp>
-#include <contact/stage_flight.hpp>
-#include <contact/stage_rest.hpp>
-#include <contact/stage_solve.hpp>
+#include <contact/stage_forces.hpp>
+#include <contact/stage_gravity.hpp>
+#include <contact/stage_gyroscopic.hpp>
+#include <contact/stage_impacts.hpp>
+#include <contact/stage_motion.hpp>
+#include <contact/stage_pairs.hpp>
+#include <contact/stage_push_out.hpp>
+#include <contact/stage_rotation.hpp>
+#include <contact/stage_sleep.hpp>
 #include <contact/stage_springs.hpp>
 #include <contact/stage_time_of_impact.hpp>
+#include <contact/stage_waking.hpp>
 #include <contact/stepped_state.hpp>
 
 namespace contact {

@@ -1,5 +1,5 @@
 /// @file
-/// Stages: gravity, moving and turning. What nothing touches flies exactly.
+/// A stage: turning with the gyroscopic term, in place of turning with an even spin.
 #pragma once
 
 #include <algorithm>
@@ -7,76 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <contact/ballistic.hpp>
 #include <contact/rotation.hpp>
+#include <contact/stage_rotation.hpp>
 #include <contact/stepped_state.hpp>
 
 namespace contact {
-
-// [gravity-stage]
-/// Gravity changes the velocity that each mover has at the end of the part.
-inline void add_gravity(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
-  const Vector3<double> change = setup.scene.gravity * part.planned;
-  for (std::size_t i = 0; i < setup.movers; ++i) {
-    if (!sleeps(state, i)) part.end_velocity.add(i, change);
-  }
-}
-// [/gravity-stage]
-
-// [moving-stage]
-/// Every mover goes on to the end of the part, with an even acceleration: exact for a flight, and
-/// for a block that slides. A part that an impact cuts short ends with the velocity of that moment.
-inline void move_bodies(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
-  const double share = part.length / part.planned;
-  for (std::size_t i = 0; i < setup.movers; ++i) {
-    if (sleeps(state, i)) continue;
-    const Vector3<double> velocity = state.velocity[i];
-    const Vector3<double> end = part.end_velocity[i];
-    const Vector3<double> change = end - velocity;
-    if (part.at_start[i] || part.length == part.planned) {
-      const Vector3<double> mean = part.at_start[i] ? end : Vector3<double>(velocity + change / 2);
-      state.position.add(i, mean * part.length);
-      state.velocity.set(i, end);
-    } else {
-      const Vector3<double> mean = velocity + change * (share / 2);
-      state.position.add(i, mean * part.length);
-      state.velocity.add(i, change * share);
-    }
-  }
-}
-// [/moving-stage]
-
-namespace detail {
-
-/// How a mover turns through a part: evenly, with the mean of its spins at both ends.
-inline Vector3<double> mean_spin(const SteppedState& state, const StepPart& part, std::size_t i,
-                                 double length) {
-  if (part.at_start[i]) return part.end_spin[i];
-  const Vector3<double> change = part.end_spin[i] - state.spin[i];
-  return state.spin[i] + change * (length / part.planned / 2);
-}
-
-/// The spin at the end of the part, as forces alone make it.
-inline Vector3<double> pushed_spin(const SteppedState& state, const StepPart& part, std::size_t i) {
-  if (part.at_start[i] || part.length == part.planned) return part.end_spin[i];
-  const Vector3<double> change = part.end_spin[i] - state.spin[i];
-  return state.spin[i] + change * (part.length / part.planned);
-}
-
-}  // namespace detail
-
-// [turning-stage]
-/// Every mover turns with an even spin. Right where its spin stays as it is if nothing pushes: for
-/// a body whose moments are equal, or that turns about a principal axis.
-inline void turn_bodies(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
-  for (std::size_t i = 0; i < setup.movers; ++i) {
-    if (sleeps(state, i)) continue;
-    const Vector3<double> mean = detail::mean_spin(state, part, i, part.length);
-    state.orientation[i] = normalised(exponential_step(state.orientation[i], mean, part.length));
-    state.spin[i] = detail::pushed_spin(state, part, i);
-  }
-}
-// [/turning-stage]
 
 // [gyroscopic-stage]
 /// The largest angle that a body turns by between two looks at its spin: 2^-7 rad. A free body's

@@ -1,0 +1,135 @@
+/// @file
+/// A stage: the forces that last, and hold bodies on each other.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include <contact/contact_solver.hpp>
+#include <contact/stage_contacts.hpp>
+#include <contact/step_solver.hpp>
+#include <contact/stepped_state.hpp>
+
+namespace contact {
+
+namespace detail {
+
+/// The forces of the part before, as impulses of this one: each for the contact of the same pair
+/// that is nearest to where it was.
+inline std::vector<ContactImpulse<double>> warm_start(
+    const SteppedState& state, const std::vector<BodyContact<double>>& contacts, double length,
+    double margin) {
+  std::vector<ContactImpulse<double>> start(contacts.size());
+  const auto before = [](const BodyContact<double>& x, const BodyContact<double>& y) {
+    return x.a < y.a || (x.a == y.a && x.b < y.b);
+  };
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto [first, last] =
+        std::equal_range(state.touched.begin(), state.touched.end(), contacts[i], before);
+    double nearest = margin * margin;
+    for (auto then = first; then != last; ++then) {
+      const Vector3<double> between = then->point - contacts[i].point;
+      if (!(between.dot(between) < nearest)) continue;
+      nearest = between.dot(between);
+      const auto& force = state.pushed[static_cast<std::size_t>(then - state.touched.begin())];
+      start[i] = {force.normal * length, Vector3<double>(force.tangential * length)};
+    }
+  }
+  return start;
+}
+
+}  // namespace detail
+
+// [forces-stage]
+/// The forces that last: what holds bodies on each other, and rubs them, through this part.
+///
+/// Points that touch do not come closer. A gap may close, and no more. A force acts evenly, so its
+/// body moves with the mean of the velocities at both ends of the part. What closes a gap acts at
+/// the start: its body has its end velocity all through, and does not come too far.
+///
+/// Where all impacts of the step are taken at once, each first comes to touch. How it bounces
+/// then is the business of the bounces stage.
+inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
+  std::vector<BodyContact<double>> contacts;
+  std::vector<double> gaps;
+  std::vector<double> speeds;
+  for (const NearPair& pair : part.pairs) {
+    if (pair.material.stiffness || (pair.leaving && !part.at_once)) continue;
+    for (const auto& point : pair.manifold.points) {
+      const double gap = std::max(point.distance, 0.0);
+      const bool touches = point.distance <= pair.touch;
+      contacts.push_back(detail::contact_at(pair, point, touches ? 0.0 : -(gap / part.planned)));
+      gaps.push_back(touches ? 0.0 : gap);
+      speeds.push_back(parting_speed(setup, state, pair, point.point));
+    }
+  }
+  if (contacts.empty()) {
+    state.touched.clear();
+    state.pushed.clear();
+    return;
+  }
+  const auto make = [&](std::size_t place) {
+    const bool mover = place < setup.movers;
+    const bool turns = place < part.end_spin.size();
+    return detail::solver_body(
+        setup, state, place,
+        mover ? part.end_velocity[place] : Vector3<double>(Vector3<double>::Zero()),
+        turns ? part.end_spin[place] : Vector3<double>(Vector3<double>::Zero()));
+  };
+  const auto give = [&](std::size_t place, const RigidBody<double>& body) {
+    part.end_velocity.set(place, body.velocity);
+    if (turned_by_contacts(setup, place)) part.end_spin[place] = body.spin;
+  };
+  double margin = 0;
+  for (const NearPair& pair : part.pairs) margin = std::max(margin, pair.reach);
+  const auto start = detail::warm_start(state, contacts, part.planned, margin);
+  // As long as no impact has cut this step, what rests is worth more sweeps: a stack stands on
+  // forces that have settled.
+  const bool calm = setup.together && setup.one_by_one && part.cuts == 0;
+  const auto impulses = detail::solve_islands(setup, state, contacts, start, calm, make, give);
+  // What a very short part needed to stop an approach is no force that lasts.
+  const bool lasts = part.planned * 64 >= setup.step;
+  if (lasts) {
+    state.touched.clear();
+    state.pushed.clear();
+  }
+  std::vector<std::size_t> hit_pairs;  // their contacts
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const ContactImpulse<double>& impulse = impulses[i];
+    if (!(impulse.normal > 0)) continue;
+    const bool hits = part.at_once && speeds[i] < -setup.rest_speed;
+    for (const int body : {contacts[i].a, contacts[i].b}) {
+      const std::size_t place = detail::index(body);
+      if (place >= setup.movers) continue;
+      part.pushed[place] = true;
+      if (gaps[i] > 0 || hits) part.at_start[place] = true;
+    }
+    if (lasts) {
+      state.touched.push_back(contacts[i]);
+      state.pushed.push_back(
+          {impulse.normal / part.planned, Vector3<double>(impulse.tangential / part.planned)});
+    }
+    if (!part.at_once) continue;
+    const double e = setup
+                         .material[setup.bodies[detail::index(contacts[i].a)].material *
+                                       setup.scene.materials.size() +
+                                   setup.bodies[detail::index(contacts[i].b)].material]
+                         .restitution;
+    part.bounces.push_back(contacts[i]);
+    part.bounces.back().least_velocity = hits ? -(e * speeds[i]) : 0.0;
+    if (hits) hit_pairs.push_back(i);
+  }
+  // A pair that hits at several points hits once.
+  for (std::size_t k = 0; k < hit_pairs.size();) {
+    std::size_t next = k;
+    while (next < hit_pairs.size() && contacts[hit_pairs[next]].a == contacts[hit_pairs[k]].a &&
+           contacts[hit_pairs[next]].b == contacts[hit_pairs[k]].b)
+      ++next;
+    detail::note_hit(setup, state, part, contacts, impulses, hit_pairs[k], hit_pairs[next - 1] + 1);
+    k = next;
+  }
+}
+// [/forces-stage]
+
+}  // namespace contact

@@ -1,0 +1,44 @@
+/// @file
+/// A stage: every mover turns, with an even spin.
+#pragma once
+
+#include <cstddef>
+
+#include <contact/rotation.hpp>
+#include <contact/stepped_state.hpp>
+
+namespace contact {
+
+namespace detail {
+
+/// How a mover turns through a part: evenly, with the mean of its spins at both ends.
+inline Vector3<double> mean_spin(const SteppedState& state, const StepPart& part, std::size_t i,
+                                 double length) {
+  if (part.at_start[i]) return part.end_spin[i];
+  const Vector3<double> change = part.end_spin[i] - state.spin[i];
+  return state.spin[i] + change * (length / part.planned / 2);
+}
+
+/// The spin at the end of the part, as forces alone make it.
+inline Vector3<double> pushed_spin(const SteppedState& state, const StepPart& part, std::size_t i) {
+  if (part.at_start[i] || part.length == part.planned) return part.end_spin[i];
+  const Vector3<double> change = part.end_spin[i] - state.spin[i];
+  return state.spin[i] + change * (part.length / part.planned);
+}
+
+}  // namespace detail
+
+// [turning-stage]
+/// Every mover turns with an even spin. Right where its spin stays as it is if nothing pushes: for
+/// a body whose moments are equal, or that turns about a principal axis.
+inline void turn_bodies(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
+  for (std::size_t i = 0; i < setup.movers; ++i) {
+    if (sleeps(state, i)) continue;
+    const Vector3<double> mean = detail::mean_spin(state, part, i, part.length);
+    state.orientation[i] = normalised(exponential_step(state.orientation[i], mean, part.length));
+    state.spin[i] = detail::pushed_spin(state, part, i);
+  }
+}
+// [/turning-stage]
+
+}  // namespace contact
