@@ -166,7 +166,12 @@ export default defineFigure<Input, Output>({
       const leaves = Math.abs(output.peak_after) > 26;
       const end = line[line.length - 1];
       if (line.length > 1 && end) {
-        scene.path(line, { role: "miss", width: 2, dashed: true, arrow: leaves });
+        scene.path([[0, low(output.before)], end], {
+          role: "miss",
+          width: 2,
+          dashed: true,
+          arrow: leaves,
+        });
         if (!leaves) scene.dot(end, "miss", 4, true);
         scene.label(end, `by F_p T: ${pretty(output.peak_after, 3)}`, {
           role: "miss",

@@ -120,24 +120,18 @@ export default defineFigure<Input, Output>({
       width: 1,
       dashed: true,
     });
-    for (const [velocities, now, role, dashed, law, beside] of [
-      [output.alone, output.alone_now, "miss", true, "d(mv)/dt = F", [-8, -12]],
-      [output.velocity, output.velocity_now, "hit", false, "m dv/dt = F + u dm/dt", [8, 20]],
+    for (const [velocities, now, role, dashed, law, high] of [
+      [output.alone, output.alone_now, "miss", true, "d(mv)/dt = F", 7.7],
+      [output.velocity, output.velocity_now, "hit", false, "m dv/dt = F + u dm/dt", 8.7],
     ] as const) {
       const curve = velocities
         .map((v, i): Vec2 => [output.moment[i] ?? 0, v])
         .filter(([, v]) => drawn(v))
         .map(([t, v]) => at(t, v));
       scene.path(curve, { role, width: 2.5, dashed });
-      if (!drawn(now)) continue;
-      scene.dot(at(input.time, now), role, 5, dashed);
-      const early = input.time < 5;
-      scene.label(at(input.time, now), law, {
-        role,
-        offset: [early ? Math.abs(beside[0]) : -Math.abs(beside[0]), beside[1]],
-        anchor: early ? "start" : "end",
-        size: "small",
-      });
+      if (drawn(now)) scene.dot(at(input.time, now), role, 5, dashed);
+      scene.line(at(0.4, high), at(1, high), { role, width: 2.5, dashed });
+      scene.label(at(1, high), law, { role, offset: [6, 4], size: "small" });
     }
 
     wagon(scene, [FAR * output.place, TRACKS[0]], output.mass, "hit", false);
