@@ -37,9 +37,8 @@ constexpr double mass = 3;  // kg
 // WRONG: the inverse of the tensor in the body's own axes, without R to its left and Rᵀ to its
 // right. It divides a twist about the world's x by the moment about the body's x, however the body
 // lies.
-contact::RigidBody<double> with_body_axes(contact::RigidBody<double> body, const Vector& moments) {
-  body.inverse_inertia = Vector(moments.cwiseInverse()).asDiagonal();
-  return body;
+Vector spin_by_body_axes(const Vector& twist, const Vector& moments) {
+  return twist.cwiseQuotient(moments);
 }
 
 std::array<Vector, 8> corners(const Matrix& rotation, const Vector& half) {
@@ -66,40 +65,35 @@ Output compute(const Input& in) {
   if (out.problem == 0 && size < 1e-100) out.problem = contact::figure::too_small;
   if (out.problem != 0) return out;
 
-  const Vector edges = in.shape > 0.5 ? Vector(0.8, 0.8, 0.8) : Vector(2, 1, 0.2);
-  out.half = edges / 2;
-  out.moments = contact::box_inertia<double>(mass, edges).diagonal();
+  const bool cube = in.shape > 0.5;
+  out.half = cube ? Vector(0.4, 0.4, 0.4) : Vector(1, 0.5, 0.1);
+  const Matrix of_cube = contact::box_inertia<double>(mass, {0.8, 0.8, 0.8});
+  const Matrix of_plank = contact::box_inertia<double>(mass, {2, 1, 0.2});
+  const Matrix own = cube ? of_cube : of_plank;
+  out.moments = own.diagonal();
   // A turn about z by the angle whose cosine and sine are those of the axis.
   out.axis = level / level.norm();
   const double z = std::sqrt(std::fmax(0, (1 - out.axis.x()) / 2));
   const contact::Rotor<double> start{std::sqrt(std::fmax(0, (1 + out.axis.x()) / 2)),
                                      {0, 0, out.axis.y() < 0 ? -z : z}};
   const Matrix rotation = contact::matrix_of(start);
-  const Vector none(0, 0, 0);
-  const auto plank =
-      contact::rigid_body_from_axes<double>(mass, out.moments, rotation, none, none, none);
 
   out.point = rotation * Vector(in.at * out.half.x(), 0, out.half.z());
-  const Vector impulse(0, 0, -in.impulse);
-  out.twist = out.point.cross(impulse);
-  const auto hit = contact::after_impulse<double>(plank, impulse, out.point);
-  const auto wrong =
-      contact::after_impulse<double>(with_body_axes(plank, out.moments), impulse, out.point);
-  out.spin = hit.spin;
-  out.wrong_spin = wrong.spin;
-  out.size = hit.spin.norm();
-  out.wrong_size = wrong.spin.norm();
-  out.agree = (hit.spin - wrong.spin).norm() <= 1e-12 * out.size ? 1 : 0;
+  out.twist = out.point.cross(Vector(0, 0, -in.impulse));
+  out.spin = contact::free_spin<double>(out.twist, out.moments, rotation);
+  out.wrong_spin = spin_by_body_axes(out.twist, out.moments);
+  out.size = out.spin.norm();
+  out.wrong_size = out.wrong_spin.norm();
+  out.agree = (out.spin - out.wrong_spin).norm() <= 1e-12 * out.size ? 1 : 0;
   // The tensor of the plank as it lies, for both: what they carry is no matter of opinion.
-  const auto spinning = [&](const Vector& spin) {
-    auto body = plank;
-    body.spin = spin;
-    return body;
-  };
-  out.momentum = contact::angular_momentum<double>(spinning(hit.spin), none);
-  out.wrong_momentum = contact::angular_momentum<double>(spinning(wrong.spin), none);
-  out.energy = contact::kinetic_energy(spinning(hit.spin));
-  out.wrong_energy = contact::kinetic_energy(spinning(wrong.spin));
+  contact::RigidBody<double> body;
+  body.inertia = contact::rotated<double>(own, rotation);
+  body.spin = out.spin;
+  out.momentum = contact::angular_momentum<double>(body, body.position);
+  out.energy = contact::kinetic_energy(body);
+  body.spin = out.wrong_spin;
+  out.wrong_momentum = contact::angular_momentum<double>(body, body.position);
+  out.wrong_energy = contact::kinetic_energy(body);
 
   constexpr int steps = 64;
   contact::Rotor<double> later = start;
@@ -109,7 +103,7 @@ Output compute(const Input& in) {
   out.first = corners(rotation, out.half);
   out.later = corners(contact::matrix_of(later), out.half);
   // With a tensor that never turns the spin stays what it is.
-  const auto astray = contact::exponential_step<double>(start, wrong.spin, in.time);
+  const auto astray = contact::exponential_step<double>(start, out.wrong_spin, in.time);
   out.wrong = corners(contact::matrix_of(astray), out.half);
   return out;
 }
