@@ -93,7 +93,7 @@ export default defineFigure<Input, Output>({
     const axis = { role: "muted", width: 1 } as const;
     scene.arrow(place(0, 0), [9.6, 0], axis).arrow(place(0, 0), place(0, MOST), axis);
     scene.label(place(0, MOST), "K, kJ", { role: "muted", offset: [8, 4] });
-    scene.label([9.6, 0], "who looks, m/s", { role: "muted", offset: [0, -8], anchor: "end" });
+    scene.label([9.6, 0], "m/s", { role: "muted", offset: [0, -8], anchor: "end" });
     for (const frame of [10, 20, 30]) {
       scene.line([FAR * frame, -0.06], [FAR * frame, 0.06], axis);
       scene.label(place(frame, 0), pretty(frame), {
