@@ -115,7 +115,7 @@ KEY("which-sum") {
 
 KEY("stop-it-gently") {
   // 0.8 kN held for seven of eight pieces of 8.5 ms: 0.8 · 7/8 · 8.5 = 5.95 N·s for 6 kg·m/s.
-  force_time::Input state{0.8, 0.8, 0.8, 0.8, 0.8, 0.8, 0.8, 8.5, 0.5, 11.9};
+  force_time::Input state{0.8, 0.8, 0.8, 0.8, 0.8, 0.8, 0.8, 8.5, 0.5, 11.9, 0};
   const double winning = force_time::compute(state).stops_gently;
   state.f1 = state.f7 = 0.2;
   state.f2 = state.f6 = 0.6;

@@ -102,14 +102,14 @@ KEY("ball-on-ball") {
 }
 
 KEY("right-angle") {
-  rebound::Input state{{-4 * std::sqrt(0.5), 4}, {0, 2}, 0.5, 0, 0};
+  rebound::Input state{{-4 * std::sqrt(0.5), 4}, {0, 2}, 0.5, 0, 0, 0};
   const double winning = rebound::compute(state).right_angle;
   state.k = 0.8;
   return questions::Construct{winning, rebound::compute(state).right_angle};
 }
 
 KEY("over-after-three") {
-  zeno::Input state{1, 0, 9.81, 0, 0};
+  zeno::Input state{1, 0, 9.81, 0, 0, 0};
   // (1 + k)/(1 − k) = 3 s / T₁
   const double ratio = 3 / contact::first_impact_time(contact::bouncing_ball(1.0, 0.0, 9.81, 0.5));
   const double restitution = (ratio - 1) / (ratio + 1);

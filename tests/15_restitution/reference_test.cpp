@@ -310,6 +310,15 @@ TEMPLATE_TEST_CASE("the times of impacts and of rest are as near as their commen
       const S memory = std::min(S(n), S(1) / (S(1) - ball.restitution));
       const Rational factor = 16 + oracle::exact(S(2) * std::log2(S(n)) + S(2) * memory);
       REQUIRE(error(time, exact.impact(n)) <= factor * u<S>() * oracle::exact(time));
+      // √d kⁿ and d k²ⁿ / (2 g); in float the slowest ones underflow.
+      const S leaving = contact::leaving_speed(ball, n);
+      if (leaving * leaving < S(1e-30)) continue;
+      const Rational power = exact.power(n);
+      REQUIRE(error(leaving, Surd{0, power, exact.d}) <=
+              (S(n) + 6) * u<S>() * oracle::exact(leaving) * (1 + 8 * u<S>()));
+      const S peak = contact::peak_height(ball, n);
+      REQUIRE(abs(oracle::exact(peak) - exact.d * power * power / (2 * exact.g)) <=
+              (2 * S(n) + 15) * u<S>() * oracle::exact(peak) * (1 + 8 * u<S>()));
     }
     if (ball.restitution < S(1)) {
       const S rest = contact::rest_time(ball);
@@ -386,6 +395,9 @@ TEST_CASE("counts and rest where everything is exact") {
   CHECK(contact::bounces_by(ball, std::nextafter(1.5, 0.0)) == 53);
   CHECK(contact::bounce_at(ball, 0.75).height == 0.25);
   CHECK(contact::bounce_at(ball, 0.75).velocity == 0);
+  CHECK(contact::leaving_speed(ball, 3) == 0.5);
+  CHECK(contact::peak_height(ball, 1) == 0.25);
+  CHECK(contact::peak_height(ball, 2) == 0.0625);
   CHECK(contact::bounce_at(ball, 2.0).resting);
   // k = 0: one impact, then rest. k = 1: as many as there is time for.
   CHECK(contact::bounces_by(contact::bouncing_ball(1.0, 0.0, 8.0, 0.0), 9.0) == 1);
@@ -461,6 +473,49 @@ TEST_CASE("resting too early costs at most the height that was asked for") {
     REQUIRE(endless.bounces < 60 / std::log2(1 / ball.restitution) + 5);
   }
   CHECK(early > 10);
+}
+
+TEST_CASE("an early rest begins at the first impact that is left slowly enough") {
+  // It arrives with 4 m/s and leaves with 2, 1, 1/2 …
+  const auto ball = contact::bouncing_ball(1.0, 0.0, 8.0, 0.5);
+  const auto rest = [&ball](double speed) { return contact::early_rest(ball, speed); };
+  CHECK(rest(9.0).impacts == 1);
+  CHECK(rest(2.0).impacts == 1);
+  CHECK(rest(std::nextafter(2.0, 0.0)).impacts == 2);
+  CHECK(rest(0.5).impacts == 3);
+  CHECK(rest(0.5).time == 1.25);
+  CHECK(rest(0x1p-40).impacts == 42);
+  CHECK(std::isinf(rest(0.0).impacts));
+  CHECK(rest(0.0).time == 1.5);
+  const auto forever = contact::bouncing_ball(1.0, 0.0, 8.0, 1.0);
+  CHECK(std::isinf(contact::early_rest(forever, 3.0).impacts));
+  CHECK(std::isinf(contact::early_rest(forever, 3.0).time));
+  CHECK(contact::early_rest(forever, 4.0).impacts == 1);
+  const auto falls_dead = contact::bouncing_ball(1.0, 0.0, 8.0, 0.0);
+  CHECK(contact::early_rest(falls_dead, 0.0).impacts == 1);
+  CHECK(contact::early_rest(falls_dead, 0.0).time == 0.5);
+  CHECK(contact::early_rest(contact::bouncing_ball(0.0, 0.0, 8.0, 0.5), 0.0).impacts == 1);
+  // So slow a loss that nobody could follow it.
+  const auto patient = contact::bouncing_ball(1.0, 0.0, 8.0, std::nextafter(1.0, 0.0));
+  CHECK(contact::early_rest(patient, 2.0).impacts > 6e15);
+  CHECK(contact::early_rest(patient, 2.0).impacts < 6.5e15);
+
+  Random random(1520);
+  int many = 0;
+  for (int i = 0; i < 500; ++i) {
+    auto some = any_ball<double>(random);
+    some.restitution = std::min(some.restitution, 0.9);
+    const double w = contact::rest_speed(0.001, some.gravity);
+    const auto early = contact::early_rest(some, w);
+    const auto followed = contact::follow_bounces(some, 2 * contact::rest_time(some), w);
+    if (std::abs(contact::leaving_speed(some, static_cast<long long>(early.impacts)) - w) <
+        1e-9 * w) {
+      continue;
+    }
+    REQUIRE(early.impacts == followed.bounces);
+    many += early.impacts > 3;
+  }
+  CHECK(many > 100);
 }
 
 TEST_CASE("which step rule gains, and which loses") {

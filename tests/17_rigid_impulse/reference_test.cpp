@@ -456,12 +456,26 @@ TEST_CASE("the closing case is never wrong for the numbers as stored") {
   CHECK(rescued > 100);  // plain arithmetic has these wrong
 }
 
+TEST_CASE("a thin rod is a box whose other edges are nothing") {
+  Random random(1716);
+  for (int i = 0; i < 100; ++i) {
+    const Rational length = positive(random);
+    const Rational mass = positive(random);
+    const Rational thin = positive(random);
+    const Matrix box = contact::box_inertia<Rational>(mass, {length, thin, thin});
+    CHECK(contact::rod_inertia<Rational>(mass, length) == box(1, 1) - mass * thin * thin / 12);
+  }
+  CHECK(contact::rod_inertia(3.0, 2.0) == 1);
+  CHECK_THROWS_AS(contact::rod_inertia(0.0, 1.0), std::invalid_argument);
+  CHECK_THROWS_AS(contact::rod_inertia(1.0, -1.0), std::invalid_argument);
+}
+
 TEST_CASE("a hit at the centre of percussion leaves the other end where it is") {
   Random random(1711);
   for (int i = 0; i < 100; ++i) {
     const Rational length = positive(random);
     const Rational mass = positive(random);
-    const Rational inertia = mass * length * length / 12;
+    const Rational inertia = contact::rod_inertia<Rational>(mass, length);
     const Rational d = length / 2;
     const Rational beyond = contact::centre_of_percussion<Rational>(inertia, mass, d);
     CHECK(beyond == length / 6);  // two thirds of the rod from the end that is held

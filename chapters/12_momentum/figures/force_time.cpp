@@ -9,6 +9,7 @@ struct Input {
   double duration;                    // ms
   double mass;                        // kg
   double speed;                       // with which the body comes in, against the force, m/s
+  double beside;                      // 1: also what F_p T would do is drawn; 0: not
 };
 
 constexpr int samples = 9;
@@ -29,9 +30,20 @@ struct Output {
   double to_stop;                               // the impulse that would stop the body, N·s
   std::array<double, moments> moment;           // ms
   std::array<double, moments> velocity_at;      // m/s
+  double peak_impulse;                          // F_p T, N·s
+  double peak_after;                            // the velocity that it would give, m/s
+  std::array<double, moments> peak_at;          // and on the way there
   double stops_gently;  // goal of a question: a body with momentum stops, and no force above 1.5 kN
   double comes_back;    // goal of a question: it leaves with the speed that it came with
 };
+
+namespace {
+
+// WRONG: as if the largest force lasted the whole time. The box is as high as the curve at its
+// highest, and the curve fills only a part of it.
+double largest_force_times_time(double largest, double duration) { return largest * duration; }
+
+}  // namespace
 
 Output compute(const Input& in) {
   Output out{};
@@ -77,13 +89,18 @@ Output compute(const Input& in) {
     out.moment[at] = in.duration * i / (moments - 1);
     out.velocity_at[at] = contact::velocity_after(
         in.mass, out.before, contact::impulse_until(curve, out.moment[at]).x());
+    out.peak_at[at] = contact::velocity_after(
+        in.mass, out.before, largest_force_times_time(out.largest, out.moment[at]));
   }
+  out.peak_impulse = largest_force_times_time(out.largest, in.duration);
+  out.peak_after = contact::velocity_after(in.mass, out.before, out.peak_impulse);
   const bool moving = std::abs(out.to_stop) >= 2;
   out.stops_gently = moving && std::abs(out.after) <= 0.1 && std::abs(out.largest) <= 1.5 ? 1 : 0;
   out.comes_back = moving && std::abs(out.after + out.before) <= 0.2 ? 1 : 0;
   return out;
 }
 
-FIGURE(Input, FIELDS(f1, f2, f3, f4, f5, f6, f7, duration, mass, speed), Output,
+FIGURE(Input, FIELDS(f1, f2, f3, f4, f5, f6, f7, duration, mass, speed, beside), Output,
        FIELDS(problem, time, force, split_time, split_force, impulse, average, largest, before,
-              change, after, to_stop, moment, velocity_at, stops_gently, comes_back))
+              change, after, to_stop, moment, velocity_at, peak_impulse, peak_after, peak_at,
+              stops_gently, comes_back))

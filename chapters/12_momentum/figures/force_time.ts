@@ -14,6 +14,7 @@ interface Input {
   duration: number;
   mass: number;
   speed: number;
+  beside: number;
 }
 
 interface Output {
@@ -30,6 +31,9 @@ interface Output {
   to_stop: number;
   moment: readonly number[];
   velocity_at: readonly number[];
+  peak_impulse: number;
+  peak_after: number;
+  peak_at: readonly number[];
 }
 
 /** The axis of the velocity lies below that of the force; ten metres a second are one unit high. */
@@ -54,6 +58,7 @@ export default defineFigure<Input, Output>({
     duration: 8,
     mass: 0.5,
     speed: 12,
+    beside: 0,
   },
   handles: HANDLES.map((field, i) => ({
     kind: "slide" as const,
@@ -69,6 +74,15 @@ export default defineFigure<Input, Output>({
     { kind: "slider", field: "duration", label: "T", min: 3, max: 10, step: 0.1, unit: "ms" },
     { kind: "slider", field: "mass", label: "m", min: 0.1, max: 2, step: 0.05, unit: "kg" },
     { kind: "slider", field: "speed", label: "speed", min: 0, max: 20, step: 0.5, unit: "m/s" },
+    {
+      kind: "choice",
+      field: "beside",
+      label: "beside the area",
+      options: [
+        { value: 0, label: "average force × T" },
+        { value: 1, label: "largest force × T" },
+      ],
+    },
   ],
   draw(scene, input, output) {
     const axis = { role: "muted", width: 1 } as const;
@@ -124,26 +138,48 @@ export default defineFigure<Input, Output>({
       { role: "ray", width: 2.5 },
     );
     const T = input.duration;
+    const [high, role, name] = input.beside
+      ? ([output.largest, "miss", "largest"] as const)
+      : ([output.average, "hit", "average"] as const);
     scene.face(
       [
         [0, 0],
-        [0, output.average],
-        [T, output.average],
+        [0, high],
+        [T, high],
         [T, 0],
       ],
-      {
-        role: "hit",
-        fill: 0,
-        dashed: true,
-      },
+      { role, fill: 0, dashed: true },
     );
-    scene.label([T, output.average], "average", { role: "hit", offset: [8, 4], size: "small" });
+    scene.label([T, high], name, { role, offset: [8, 4], size: "small" });
 
     scene.line([T, LOW - 2.6], [T, 0], { role: "muted", width: 1, dashed: true });
     scene.path(
       output.moment.map((t, i): Vec2 => [t, low(output.velocity_at[i] ?? 0)]),
       { role: "ball", width: 2.5 },
     );
+    if (input.beside) {
+      // Where the plot ends the line does too, with an arrow.
+      const line = output.moment
+        .map((t, i): Vec2 => [t, output.peak_at[i] ?? 0])
+        .filter(([, v]) => Math.abs(v) <= 26)
+        .map(([t, v]): Vec2 => [t, low(v)]);
+      const leaves = Math.abs(output.peak_after) > 26;
+      const end = line[line.length - 1];
+      if (line.length > 1 && end) {
+        scene.path([[0, low(output.before)], end], {
+          role: "miss",
+          width: 2,
+          dashed: true,
+          arrow: leaves,
+        });
+        if (!leaves) scene.dot(end, "miss", 4, true);
+        scene.label(end, `by F_p T: ${pretty(output.peak_after, 3)}`, {
+          role: "miss",
+          offset: [-10, output.peak_after < 0 ? 14 : -4],
+          anchor: "end",
+        });
+      }
+    }
     scene.dot([0, low(output.before)], "ball", 4);
     scene.dot([T, low(output.after)], "ball", 5);
     scene.label([T, low(output.after)], pretty(output.after, 3), {
@@ -164,6 +200,13 @@ export default defineFigure<Input, Output>({
     },
     { name: "v′", meaning: "v + J / m", value: output.after, unit: "m/s", role: "ball" },
     { name: "−m v", meaning: "would stop it", value: output.to_stop, unit: "N·s", role: "muted" },
+    {
+      name: "F_p T",
+      meaning: `as J: v′ would be ${pretty(output.peak_after, 3)} m/s`,
+      value: output.peak_impulse,
+      unit: "N·s",
+      role: "miss",
+    },
   ],
   describe(input, output) {
     const start = `The force gives ${pretty(output.impulse, 3)} N·s in ${pretty(input.duration, 3)} ms`;

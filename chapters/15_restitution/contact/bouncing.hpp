@@ -152,6 +152,23 @@ S rest_time(const BouncingBall<S>& ball) {
 }
 // [/impact-time]
 
+/// The speed with which the ball leaves the floor after its n-th impact, w kⁿ.
+/// @param n 1 or more
+/// @return m/s; off by at most (n + 6) u of itself, if nothing underflows
+template <std::floating_point S>
+S leaving_speed(const BouncingBall<S>& ball, long long n) {
+  return impact_speed(ball) * detail::geometric(ball.restitution, n).power;
+}
+
+/// How high the ball gets between its n-th impact and the next, w² k²ⁿ / (2 g).
+/// @param n 1 or more
+/// @return m; off by at most (2 n + 15) u of itself, if nothing underflows
+template <std::floating_point S>
+S peak_height(const BouncingBall<S>& ball, long long n) {
+  const S leaving = leaving_speed(ball, n);
+  return leaving * (leaving / (S(2) * ball.gravity));
+}
+
 namespace detail {
 
 /// g t − v and v² + 2 g h without rounding. With A and D for them, and Sₙ for
@@ -291,7 +308,7 @@ BounceState<S> bounce_at(const BouncingBall<S>& ball, const S& t) {
     return {S(0), S(0), bounces, true};
   }
   const auto n = static_cast<long long>(bounces);
-  const S leaving = impact_speed(ball) * detail::geometric(ball.restitution, n).power;
+  const S leaving = leaving_speed(ball, n);
   // Rounding may put the time a little outside the flight.
   const S since = std::clamp(S(t - impact_time(ball, n)), S(0), S(S(2) * leaving / g));
   return {std::max(S(0), S(since * (leaving - g * since / S(2)))), leaving - g * since, bounces,
@@ -311,6 +328,39 @@ S rest_speed(const S& height, const S& gravity) {
   return std::sqrt(S(2) * gravity * height);
 }
 // [/rest-speed]
+
+/// When a ball comes to rest that stays on the floor as soon as it leaves it slowly enough.
+template <std::floating_point S>
+struct EarlyRest {
+  S impacts = S(0);  ///< a whole number, the one at which it rests included; or infinite
+  S time = S(0);     ///< from which it rests, s; or infinite
+};
+
+/// The first impact that the ball leaves with rest_speed or less: there it stays.
+/// @param rest_speed m/s, 0 or more; 0 leaves nothing out
+/// @return infinitely many impacts until rest_time() if nothing is left out, and for k = 1 if the
+/// ball never gets so slow. An impact that is left with the rest speed but for (n + 6) u may count
+/// either way
+template <std::floating_point S>
+EarlyRest<S> early_rest(const BouncingBall<S>& ball, const S& rest_speed) {
+  const auto rests = [&](long long n) { return !(leaving_speed(ball, n) > rest_speed); };
+  if (rests(1)) return {S(1), first_impact_time(ball)};
+  constexpr S never = std::numeric_limits<S>::infinity();
+  if (rest_speed == S(0) || ball.restitution == S(1)) return {never, rest_time(ball)};
+  constexpr long long most = 1LL << 60;
+  long long low = 1;
+  long long high = 2;
+  while (!rests(high)) {
+    if (high >= most) return {never, never};
+    low = high;
+    high *= 2;
+  }
+  while (high - low > 1) {
+    const long long middle = low + (high - low) / 2;
+    (rests(middle) ? high : low) = middle;
+  }
+  return {S(high), impact_time(ball, high)};
+}
 
 // [follow-bounces]
 /// Where the ball is at a time t ≥ 0, flight by flight, as an event-driven simulation does it: from

@@ -12,6 +12,7 @@ struct Input {
   double k;         // coefficient of restitution
   double friction;  // μ
   double turns;     // 1: a solid ball that may turn; 0: a body that does not
+  double beside;    // 1: also −k v is drawn; 0: not
 };
 
 struct Output {
@@ -22,11 +23,20 @@ struct Output {
   Vector2 normal_before, along_before;
   Vector2 normal_after, along_after;
   Vector2 mirror;              // after a bounce with k = 1 and no friction
+  Vector2 wrong;               // −k v
   double angle_in, angle_out;  // degrees from the normal
   double closing, parting;     // speeds along the normal, m/s
   double kept;                 // of the kinetic energy, without spin
   double right_angle;          // goal: incidence and rebound are at right angles
 };
+
+namespace {
+
+// WRONG: also the part along the surface is turned round, which nothing pushes there. So it goes
+// back the way it came, whatever the normal is; only head-on is that right.
+Vector2 reflected_whole(const Vector2& velocity, double k) { return -k * velocity; }
+
+}  // namespace
 
 Output compute(const Input& in) {
   Output out{};
@@ -57,6 +67,7 @@ Output compute(const Input& in) {
   out.normal_after = flat(n * after.dot(n));
   out.along_after = flat(after - n * after.dot(n));
   out.mirror = flat(contact::after_bounce<double>(v, n, 1));
+  out.wrong = reflected_whole(out.before, in.k);
   out.angle_in = contact::degrees(contact::angle_from_normal(v, n));
   out.angle_out = contact::degrees(contact::angle_from_normal(after, n));
   out.closing = -v.dot(n);
@@ -70,7 +81,7 @@ Output compute(const Input& in) {
   return out;
 }
 
-FIGURE(Input, FIELDS(from, facing, k, friction, turns), Output,
+FIGURE(Input, FIELDS(from, facing, k, friction, turns, beside), Output,
        FIELDS(problem, approaching, normal, before, after, normal_before, along_before,
-              normal_after, along_after, mirror, angle_in, angle_out, closing, parting, kept,
+              normal_after, along_after, mirror, wrong, angle_in, angle_out, closing, parting, kept,
               right_angle))

@@ -9,6 +9,7 @@ interface Input {
   k: number;
   friction: number;
   turns: number;
+  beside: number;
 }
 
 interface Output {
@@ -21,6 +22,7 @@ interface Output {
   normal_after: Vec2;
   along_after: Vec2;
   mirror: Vec2;
+  wrong: Vec2;
   angle_in: number;
   angle_out: number;
   closing: number;
@@ -36,7 +38,7 @@ export default defineFigure<Input, Output>({
   title: "In and out",
   view: { kind: "2d", x: [-5.4, 5.4], y: [-1.6, 5] },
   aspect: 1.45,
-  initial: { from: [-3, 4], facing: [0, 2.4], k: 0.6, friction: 0, turns: 0 },
+  initial: { from: [-3, 4], facing: [0, 2.4], k: 0.6, friction: 0, turns: 0, beside: 0 },
   handles: [
     {
       kind: "point",
@@ -65,6 +67,15 @@ export default defineFigure<Input, Output>({
       options: [
         { value: 0, label: "does not turn" },
         { value: 1, label: "is a solid ball" },
+      ],
+    },
+    {
+      kind: "choice",
+      field: "beside",
+      label: "beside v′",
+      options: [
+        { value: 0, label: "the mirror" },
+        { value: 1, label: "−k v" },
       ],
     },
   ],
@@ -103,13 +114,23 @@ export default defineFigure<Input, Output>({
     scene.arrow(edge, after, { role: "a", width: 2 });
     scene.arrow(ORIGIN, edge, { role: "b", width: 2 });
 
-    scene.arrow(ORIGIN, output.mirror, { role: "muted", width: 1.5, dashed: true });
-    scene.label(output.mirror, "k = 1, μ = 0", {
-      role: "muted",
-      offset: [0, -10],
-      anchor: "middle",
-      size: "small",
-    });
+    if (input.beside) {
+      scene.arrow(ORIGIN, output.wrong, { role: "miss", width: 5, dashed: true });
+      const left = output.wrong[0] < 0;
+      scene.label(times(output.wrong, 0.5), "−k v", {
+        role: "miss",
+        offset: [left ? -12 : 12, 16],
+        anchor: left ? "end" : "start",
+      });
+    } else {
+      scene.arrow(ORIGIN, output.mirror, { role: "muted", width: 1.5, dashed: true });
+      scene.label(output.mirror, "k = 1, μ = 0", {
+        role: "muted",
+        offset: [0, -10],
+        anchor: "middle",
+        size: "small",
+      });
+    }
     scene.arrow(ORIGIN, after, { role: "hit", width: 3 });
     scene.label(after, "v′", { role: "hit", offset: [10, 4] });
     scene.dot(ORIGIN, "ink", 4);
@@ -117,6 +138,13 @@ export default defineFigure<Input, Output>({
   values: (_input, output) => [
     { name: "v", meaning: "before", value: output.before, unit: "m/s", role: "ray" },
     { name: "v′", meaning: "after", value: output.after, unit: "m/s", role: "hit" },
+    {
+      name: "−k v",
+      meaning: "the whole turned: wrong",
+      value: output.wrong,
+      unit: "m/s",
+      role: "miss",
+    },
     { name: "−v·N", meaning: "how fast they meet", value: output.closing, unit: "m/s", role: "a" },
     { name: "v′·N", meaning: "how fast they part", value: output.parting, unit: "m/s", role: "a" },
     { name: "θ", meaning: "incidence, from N", value: output.angle_in, unit: "°" },

@@ -8,6 +8,7 @@ interface Input {
   gravity: number;
   time: number;
   rest_height: number;
+  beside: number;
 }
 
 interface Output {
@@ -27,18 +28,27 @@ interface Output {
   rest_speed: number;
   rest_from: number;
   rest_bounces: number;
+  wrong_k: number;
+  wrong_end: number;
+  wrong_peak_time: readonly number[];
+  wrong_peak: readonly number[];
+  wrong_moment: readonly number[];
+  wrong_path: readonly number[];
 }
 
 /** Metres are drawn twice as high as seconds are wide. */
 const HIGH = 2;
 const LAST = 5;
 const at = (t: number, y: number): Vec2 => [t, HIGH * y];
+/** As much of a path as the picture has room for. */
+const curve = (moment: readonly number[], path: readonly number[]): Vec2[] =>
+  moment.map((t, i) => at(t, path[i] ?? 0)).filter(([t]) => t <= LAST + 0.2);
 
 export default defineFigure<Input, Output>({
   title: "Bounces without end, and their end",
   view: { kind: "2d", x: [-0.45, 5.3], y: [-0.75, 3.3] },
   aspect: 1.42,
-  initial: { height: 1.4, rebound: 0.9, gravity: 9.81, time: 0.7, rest_height: 0 },
+  initial: { height: 1.4, rebound: 0.9, gravity: 9.81, time: 0.7, rest_height: 0, beside: 0 },
   handles: [
     {
       kind: "slide",
@@ -91,6 +101,15 @@ export default defineFigure<Input, Output>({
         { value: 1.62, label: "the Moon" },
       ],
     },
+    {
+      kind: "choice",
+      field: "beside",
+      label: "beside it",
+      options: [
+        { value: 0, label: "nothing" },
+        { value: 1, label: "a ball with k = h₁/h" },
+      ],
+    },
   ],
   draw(scene, input, output) {
     const axis = { role: "muted", width: 1 } as const;
@@ -118,12 +137,23 @@ export default defineFigure<Input, Output>({
     }
     if (output.problem) return;
 
-    const line: Vec2[] = [];
-    for (const [i, t] of output.moment.entries()) {
-      if (t > LAST + 0.2) break;
-      line.push(at(t, output.path[i] ?? 0));
+    if (input.beside) {
+      scene.path(curve(output.wrong_moment, output.wrong_path), {
+        role: "miss",
+        width: 2,
+        dashed: true,
+      });
+      scene.dot(at(output.wrong_peak_time[0] ?? 0, output.wrong_peak[0] ?? 0), "miss", 4, true);
+      if (output.wrong_end < 0.9 * LAST) {
+        scene.dot(at(output.wrong_end, 0), "miss", 5, true);
+        scene.label(at(output.wrong_end, 0), `k = h₁/h: ${pretty(output.wrong_end, 3)} s`, {
+          role: "miss",
+          offset: [0, 36],
+          anchor: "middle",
+        });
+      }
     }
-    scene.path(line, { role: "ball", width: 2.2 });
+    scene.path(curve(output.moment, output.path), { role: "ball", width: 2.2 });
     if (output.end < LAST + 0.2) {
       scene.line(at(output.end, 0), at(LAST + 0.2, 0), { role: "ball", width: 3 });
       scene.line(at(output.end, -0.3), at(output.end, 1.1), {
@@ -164,6 +194,12 @@ export default defineFigure<Input, Output>({
   },
   values: (_input, output) => [
     { name: "k", meaning: "√(h₁ / h)", value: output.k, role: "a" },
+    {
+      name: "h₁/h",
+      meaning: `as k: it comes back to ${pretty(output.wrong_peak[0] ?? 0, 2)} m`,
+      value: output.wrong_k,
+      role: "miss",
+    },
     { name: "w", meaning: "speed at the first impact", value: output.speed, unit: "m/s" },
     { name: "T_end", meaning: "end of all bounces", value: output.end, unit: "s", role: "hit" },
     { name: "n", meaning: "impacts until t", value: output.bounces, role: "ray" },

@@ -128,6 +128,19 @@ Matrix3<S> capsule_inertia(const S& mass, const S& radius, const S& height) {
 }
 // [/simple-shapes]
 
+/// The moment of inertia of a thin rod about any axis across it through its middle: m l²/12. About
+/// its own line it has none, so its tensor has no inverse: in a plane one number is enough.
+/// @param mass kg, finite and greater than 0
+/// @param length of the whole rod, m, finite and greater than 0
+/// @return kg·m², off by a few u
+/// @throws std::invalid_argument naming the argument and its value
+template <Scalar S>
+S rod_inertia(const S& mass, const S& length) {
+  detail::require_size("mass", mass);
+  detail::require_size("length", length);
+  return mass * length * length / S(12);
+}
+
 // [parallel-axis]
 /// What a body's inertia tensor gains when it is taken about a point that is not the centre of
 /// mass: m (|d|² 1 − d dᵀ), the parallel-axis theorem.

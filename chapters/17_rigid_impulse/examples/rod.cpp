@@ -7,9 +7,10 @@ using V = contact::Vector3<double>;
 
 int main() {
   const V none(0, 0, 0);
-  const auto inertia = contact::detail::diagonal<double>(1, 1, 1);  // 3 kg · (2 m)² / 12
+  const double across = contact::rod_inertia<double>(3, 2);
+  const auto inertia = contact::detail::diagonal<double>(across, across, across);
   const auto rod = contact::rigid_body<double>(3, inertia, none, none, none);
-  const double sweet = contact::centre_of_percussion(1.0, 3.0, 1.0);
+  const double sweet = contact::centre_of_percussion(across, 3.0, 1.0);
   std::printf("the sweet spot for a grip at the left end: %.4f m beyond the middle\n", sweet);
   std::printf("hit at   j        v'      w'      ball    grip    kept   L about 0\n");
   for (const double x : {0.0, sweet, 0.7, 1.0}) {

@@ -42,7 +42,7 @@ Output compute(const Input& in) {
   }
   if (out.problem != 0) return out;
 
-  const double inertia = in.rod * in.half * in.half / 3;
+  const double inertia = contact::rod_inertia<double>(in.rod, 2 * in.half);
   const Vector zero(0, 0, 0);
   const auto rod = contact::rigid_body<double>(
       in.rod, contact::detail::diagonal<double>(inertia, inertia, inertia), zero, zero, zero);

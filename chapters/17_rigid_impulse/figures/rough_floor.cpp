@@ -46,7 +46,7 @@ Output compute(const Input& in) {
   if (out.problem != 0) return out;
 
   out.centre = in.top / 2;
-  const double inertia = length * length / 12;
+  const double inertia = contact::rod_inertia<double>(1, length);
   const Vector spin(0, 0, in.spin);
   const Vector r(-out.centre.x(), -out.centre.y(), 0);  // from the centre to the floor
   const Vector v = Vector(in.tip.x(), in.tip.y(), 0) - Vector(spin.cross(r));

@@ -1,0 +1,152 @@
+// A plank that is hit from above, as seen from its centre of mass: how it lies a moment later, and
+// how it would lie if its tensor were left in its own axes.
+
+import { defineFigure, pretty, type Scene, type Vec3, vectorAt } from "@contact/figure";
+
+interface Input {
+  tip: Vec3;
+  at: number;
+  impulse: number;
+  shape: number;
+  time: number;
+}
+
+interface Output {
+  half: Vec3;
+  point: Vec3;
+  axis: Vec3;
+  moments: Vec3;
+  twist: Vec3;
+  spin: Vec3;
+  wrong_spin: Vec3;
+  momentum: Vec3;
+  wrong_momentum: Vec3;
+  energy: number;
+  wrong_energy: number;
+  size: number;
+  wrong_size: number;
+  agree: number;
+  first: readonly number[];
+  later: readonly number[];
+  wrong: readonly number[];
+}
+
+const ORIGIN: Vec3 = [0, 0, 0];
+/** How many metres long 1 rad/s is, and 1 N·s. */
+const PER_SPIN = 0.45;
+const PER_IMPULSE = 0.4;
+const times = (v: Vec3, s: number): Vec3 => [v[0] * s, v[1] * s, v[2] * s];
+/** The corners of a box's six faces; a corner's bits say on which side it lies along x, y and z. */
+const FACES = [
+  [0, 2, 6, 4],
+  [1, 3, 7, 5],
+  [0, 1, 5, 4],
+  [2, 3, 7, 6],
+  [0, 1, 3, 2],
+  [4, 5, 7, 6],
+] as const;
+
+export default defineFigure<Input, Output>({
+  title: "A turned plank is hit",
+  view: { kind: "3d", target: [0, 0, 0], azimuth: -70, elevation: 28, span: 3.3 },
+  aspect: 1.2,
+  initial: { tip: [0.95, 0.95, 0], at: 0.8, impulse: 1.5, shape: 0, time: 0.4 },
+  handles: [
+    {
+      kind: "point",
+      field: "tip",
+      label: "where the plank points",
+      role: "surface",
+      move: "level",
+      step: 0.05,
+      limit: [-1.4, 1.4],
+    },
+    {
+      kind: "slide",
+      field: "at",
+      label: "where it is hit, in half lengths from its middle",
+      role: "ray",
+      at: (_input, output): Vec3 => output.point,
+      along: (_input, output): Vec3 => times(output.axis, output.half[0]),
+      step: 0.05,
+      limit: [-1, 1],
+    },
+  ],
+  controls: [
+    {
+      kind: "choice",
+      field: "shape",
+      label: "the body",
+      options: [
+        { value: 0, label: "a plank" },
+        { value: 1, label: "a cube" },
+      ],
+    },
+    { kind: "slider", field: "impulse", label: "J", min: 0, max: 3, step: 0.1, unit: "N·s" },
+    { kind: "slider", field: "time", label: "t", min: 0, max: 1, step: 0.01, unit: "s", play: 4 },
+  ],
+  draw(scene, input, output) {
+    scene.line(ORIGIN, input.tip, { role: "muted", width: 1, dashed: true, through: true });
+    if (output.problem) return;
+    box(scene, output.first, { role: "muted", fill: 0, dashed: true });
+    box(scene, output.later, { role: "hit", fill: 0.2, hides: true });
+    box(scene, output.wrong, { role: "miss", fill: 0.05, dashed: true });
+    // Its tip is clear of the grip.
+    const [x, y, z] = output.point;
+    const tail: Vec3 = [x, y, z + 0.15 + PER_IMPULSE * input.impulse];
+    scene.arrow(tail, [x, y, z + 0.15], { role: "ray", width: 3, through: true });
+    scene.label(tail, "J", { role: "ray", offset: [10, 0] });
+    scene.arrow(ORIGIN, times(output.spin, PER_SPIN), { role: "hit", width: 3, through: true });
+    scene.label(times(output.spin, PER_SPIN), "ω", { role: "hit", offset: [-4, -10] });
+    scene.arrow(ORIGIN, times(output.wrong_spin, PER_SPIN), {
+      role: "miss",
+      width: 3,
+      dashed: true,
+      through: true,
+    });
+    scene.label(times(output.wrong_spin, PER_SPIN), "ω by I_body", {
+      role: "miss",
+      offset: [-8, 6],
+      anchor: "end",
+    });
+  },
+  values: (_input, output) => [
+    { name: "r × J", meaning: "the twist", value: output.twist, unit: "N·m·s", role: "ray" },
+    { name: "ω", meaning: "R I⁻¹ Rᵀ (r × J)", value: output.spin, unit: "rad/s", role: "hit" },
+    {
+      name: "ω",
+      meaning: "I⁻¹ (r × J): wrong",
+      value: output.wrong_spin,
+      unit: "rad/s",
+      role: "miss",
+    },
+    { name: "L", meaning: "is the twist", value: output.momentum, unit: "N·m·s", role: "hit" },
+    {
+      name: "L",
+      meaning: "of the wrong ω",
+      value: output.wrong_momentum,
+      unit: "N·m·s",
+      role: "miss",
+    },
+    { name: "K", meaning: "of the spin", value: output.energy, unit: "J", role: "hit" },
+    {
+      name: "K",
+      meaning: "of the wrong spin",
+      value: output.wrong_energy,
+      unit: "J",
+      role: "miss",
+    },
+  ],
+  describe(_input, output) {
+    if (output.agree)
+      return `As it lies, both tensors give the same spin, ${pretty(output.size, 3)} rad/s.`;
+    return `It spins at ${pretty(output.size, 3)} rad/s. With the tensor in its own axes it would spin at ${pretty(output.wrong_size, 3)} rad/s about another axis, with ${pretty(output.wrong_energy, 3)} J in place of ${pretty(output.energy, 3)} J.`;
+  },
+});
+
+function box(scene: Scene, corners: readonly number[], style: Parameters<Scene["face"]>[1]): void {
+  for (const face of FACES) {
+    const points = face.map((corner) => vectorAt(corners, corner));
+    scene.face(points, { ...style, outline: true });
+  }
+}
