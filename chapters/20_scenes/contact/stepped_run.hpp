@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -95,12 +96,15 @@ inline KeptAxes kept_axes(const Scene& scene, const Plan& plan) {
     return kept;
   const PlanQuestion q = plan_question(scene);
   const std::size_t least = is_on(plan, Effect::second_dimension) ? 2 : 1;
+  std::array<bool, 3> still{};
   for (int axis = 2; axis >= 0 && kept.count > least; --axis) {
     if (!is_proven(plane_motion(q, axis))) continue;
-    const auto end = kept.axes.begin() + static_cast<std::ptrdiff_t>(kept.count);
-    std::remove(kept.axes.begin(), end, axis);
+    still[static_cast<std::size_t>(axis)] = true;
     --kept.count;
   }
+  std::size_t next = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!still[axis]) kept.axes[next++] = static_cast<int>(axis);
   return kept;
 }
 // [/kept-axes]
