@@ -78,6 +78,9 @@ int run(const Options& options) {
   std::vector<Planned> all;
   for (const std::string& name : options.scenes) {
     Scene scene = scenes::read_scene(scene_path(name));
+    // What is proven is proven for so long.
+    if (!options.until.empty())
+      scene.duration = std::max(scene.duration, seconds_of("--until", options.until, true));
     Plan plan = plan_scene(scene, wanted);
     all.push_back({std::move(scene), std::move(plan)});
   }

@@ -63,6 +63,10 @@ class Simulation {
     clear_progress();
     // What is due once only comes after what a resumed run keeps.
     if (!options_.checkpoint.empty()) keep();
+    if (events_) {
+      Writer writer(*this);
+      run_->tell_unfinished(writer);
+    }
     if (ending != Ending::interrupted && output_ && last_frame_ != run_->now()) add_frame();
     if (output_) output_->flush();
     if (events_) events_->flush();

@@ -252,6 +252,43 @@ TEST_CASE("each effect that a plan leaves out of random scenes makes no more err
   CHECK(compared.same_bits > tried(1000));
 }
 
+TEST_CASE("where impacts are not looked for between steps the error is what the plan says") {
+  Random random(29);
+  int off = 0;
+  for (int trial = 0; trial < tried(2000); ++trial) {
+    const double e = random.chance(0.4) ? 1 : random.uniform(0, 1);
+    const double friction = random.chance(0.5) ? 0 : random.uniform(0, 0.5);
+    const double duration = random.uniform(0.1, 4);
+    Scene scene = plan_scenes::empty(e, friction, duration, std::exp2(random.uniform(-10, 3)));
+    const bool on_floor = random.chance(0.5);
+    scene.gravity = {0, 0, on_floor ? -random.uniform(1, 12) : 0};
+    const Point v(random.uniform(-2, 2), 0, random.uniform(-4, 1));
+    if (on_floor) {
+      const double side = random.chance(0.8) ? 1 : -1;  // over a floor, or under a ceiling
+      plan_scenes::wall(scene, side * Point::UnitZ(), 0);
+      plan_scenes::ball(scene, 0.5, 1, {0, 0, side * random.uniform(0.51, 3)}, side * v);
+    } else {
+      // At each other, at any slant.
+      plan_scenes::ball(scene, 0.5, 1, {0, 0, random.uniform(1.2, 4)}, {0, 0, 2 * v.z()});
+      plan_scenes::ball(scene, 0.5, random.chance(0.5) ? 1 : 1e6, {random.uniform(-1, 1), 0, 0});
+    }
+    PlanOptions options;
+    options.step = std::exp2(random.uniform(-11, -5));
+    const Plan plan = contact::plan_scene(scene, options);
+    const auto& decision = contact::decision_on(plan, Effect::continuous_detection);
+    if (decision.on) continue;
+    ++off;
+    options.overrides.with = {Effect::continuous_detection};
+    const auto late = contact::scenes::make_run(scene, plan);
+    const auto right = contact::scenes::make_run(scene, contact::plan_scene(scene, options));
+    const double apart = farthest_apart(scene, *late, *right, duration);
+    CAPTURE(trial, e, friction, apart, decision.error);
+    REQUIRE(apart <= decision.error + 1e-9);
+    REQUIRE(decision.error <= *scene.tolerance.position);
+  }
+  CHECK(off > tried(300));
+}
+
 namespace {
 
 /// The largest distance of a run from event to event from one step by step that has all of physics,

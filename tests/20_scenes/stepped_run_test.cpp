@@ -319,6 +319,41 @@ TEST_CASE("what has been at rest for a second sleeps, and wakes when it is hit")
   CHECK(run->position(2).x() > 0.01);
 }
 
+TEST_CASE("what creeps does not sleep if it would come farther than the tolerance") {
+  // A smooth slope of 1e-9: in 100 s a block comes ½ · 1e-8 · 1e4 m = 5e-5 m.
+  Scene scene = with_gravity(0, 0, 100, 1e-6);
+  scene.gravity = {1e-8, 0, -10};
+  plan_scenes::wall(scene, Point::UnitZ(), 0);
+  plan_scenes::box(scene, {0.5, 0.5, 0.5}, 1, {0, 0, 0.5});
+  auto run = run_of(scene, stepped(0.05));
+  REQUIRE(has_stage(*run, "sleep"));
+  run->advance(100);
+  CHECK(std::abs(run->position(1).x() - 5e-5) <= 1e-9);
+}
+
+TEST_CASE("hits of a step that is not done are told at the end, at their time") {
+  class Hits final : public contact::SceneObserver {
+   public:
+    std::vector<double> times;
+    bool on_hit(const contact::SceneHit& hit) override {
+      times.push_back(hit.time);
+      return true;
+    }
+  };
+  // It falls 1 m in the root of 0.2 s, between 0.4 s and 0.5 s.
+  Scene scene = with_gravity(0.5, 0.25, 1, 1e-6);
+  plan_scenes::wall(scene, Point::UnitZ(), 0);
+  plan_scenes::ball(scene, 0.5, 1, {0, 0, 1.5}, {1, 0, 0});
+  Hits hits;
+  auto run = run_of(scene, stepped(0.1));
+  run->advance(0.475, std::numeric_limits<std::uint64_t>::max(), &hits);
+  CHECK(hits.times.empty());
+  CHECK(run->counts().hits == 1);
+  run->tell_unfinished(hits);
+  REQUIRE(hits.times.size() == 1);
+  CHECK(std::abs(hits.times[0] - std::sqrt(0.2)) <= 1e-12);
+}
+
 TEST_CASE("a bullet does not pass, unless somebody forces detection off") {
   Random random(7);
   int passed = 0;

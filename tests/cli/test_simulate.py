@@ -256,6 +256,40 @@ def test_looking_between_steps_spends_no_budget(contact: Run, tmp_path: Path) ->
     assert json.loads(done.stdout)["end"] == "out_of_events"
 
 
+def rubbing_ball(tmp_path: Path) -> Path:
+    """It falls 10 m in the root of 2 s, on a floor that rubs, so it goes step by step."""
+    scene = of_book("high_drop") | {"expect": [], "duration": 2}
+    scene["materials"] = [scene["materials"][0] | {"restitution": 0.5, "friction": 0.25}]
+    balls = [body for body in scene["bodies"] if body["shape"].get("type") == "sphere"]
+    balls[0]["velocity"] = [1, 0, 0]
+    file = tmp_path / "rubbing.json"
+    file.write_text(json.dumps(scene))
+    return file
+
+
+def test_hits_of_a_step_that_is_not_done_are_in_the_table(contact: Run, tmp_path: Path) -> None:
+    hits = tmp_path / "hits.csv"
+    words = ("--until", "1.475", "--step", "0.1", "--events", str(hits), "--json")
+    done = contact("simulate", str(rubbing_ball(tmp_path)), *words)
+    assert done.returncode == 0, done.stderr
+    with hits.open() as file:
+        events = list(csv.DictReader(file))
+    assert json.loads(done.stdout)["hits"] == len(events) == 1
+    assert abs(float(events[0]["time"]) - 2**0.5) < 1e-12
+
+
+def test_who_goes_on_past_the_scenes_end_has_a_plan_for_as_long(
+    contact: Run, tmp_path: Path
+) -> None:
+    file = rubbing_ball(tmp_path)
+    scene = json.loads(file.read_text()) | {"duration": 0.5}  # nothing meets anything until then
+    file.write_text(json.dumps(scene))
+    assert json.loads(contact("simulate", str(file), "--json").stdout)["hits"] == 0
+    done = contact("simulate", str(file), "--until", "2", "--json")
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["hits"] == 1
+
+
 def test_where_hits_do_not_end_steps_take_over(contact: Run, tmp_path: Path) -> None:
     scene = of_book("high_drop")
     scene["expect"] = []

@@ -91,6 +91,12 @@ class FallbackRun final : public SceneRun {
     return steps_->advance(until - fallback_->time, budget, observer == nullptr ? nullptr : &later);
   }
 
+  void tell_unfinished(SceneObserver& observer) const override {
+    if (!steps_) return;
+    Later later(fallback_->time, &observer);
+    steps_->tell_unfinished(later);
+  }
+
   double now() const override { return steps_ ? fallback_->time + steps_->now() : events_->now(); }
   Vector3<double> position(std::size_t body) const override { return seen().position(body); }
   Rotor<double> orientation(std::size_t body) const override { return seen().orientation(body); }

@@ -39,6 +39,27 @@ inline std::string short_number(double x) {
   return text;
 }
 
+/// Whether a switch that somebody set changes nothing in the run: from event to event nothing is
+/// looked for between steps, and what a hard, smooth ball does not have is not simulated; steps
+/// compute in double, with every coordinate that is not proven to stay.
+inline bool is_idle(const Plan& plan, const Decision& switched) {
+  if (!switched.overridden || plan.pairs == 0) return false;
+  switch (switched.effect) {
+    case Effect::double_precision:
+    case Effect::third_dimension:
+    case Effect::second_dimension:
+      return decision_on(plan, Effect::event_driven).on || (switched.planned && !switched.on);
+    case Effect::gravity:
+    case Effect::friction:
+    case Effect::restitution:
+      return decision_on(plan, Effect::event_driven).on && switched.on;
+    case Effect::event_driven:
+      return false;
+    default:
+      return decision_on(plan, Effect::event_driven).on;
+  }
+}
+
 inline void add_notices(const PlanQuestion& q, Plan& plan) {
   const Decision& horizon = decision_on(plan, Effect::horizon);
   if (horizon.value && *horizon.value < q.scene->duration) {
@@ -55,8 +76,25 @@ inline void add_notices(const PlanQuestion& q, Plan& plan) {
         "Hits that fall on one instant are taken one after the other; which comes first then "
         "decides.");
   }
+  std::string idle;
+  for (const Decision& decision : plan.decisions) {
+    if (!is_idle(plan, decision)) continue;
+    idle += (idle.empty() ? "" : ", ") + std::string(effect_name(decision.effect));
+  }
+  if (!idle.empty()) {
+    plan.notices.push_back(
+        "Forced, but changes nothing in this run: " + idle +
+        (decision_on(plan, Effect::event_driven).on ? ". Without event-driven it may." : "."));
+  }
+  const Decision& events = decision_on(plan, Effect::event_driven);
+  if (events.overridden && events.on && !events.planned) {
+    plan.notices.push_back(
+        "Event-driven is forced on; a scene that is not one of hard, smooth balls goes step by "
+        "step all the same.");
+  }
   for (const Decision& decision : plan.decisions) {
     if (!decision.overridden || decision.on == decision.planned || decision.on) continue;
+    if (is_idle(plan, decision)) continue;
     if (decision.effect == Effect::sleeping || decision.effect == Effect::broad_phase) continue;
     plan.notices.push_back("Without " + std::string(effect_name(decision.effect)) +
                            " the error has no bound: the plan has it on.");

@@ -160,7 +160,8 @@ inline double frame_step(const Scene& scene) {
 
 // [step-rule]
 /// The largest step with which the tolerance holds though contacts are looked for at steps only; a
-/// frame where no step proves that, because then impacts are found between steps. A spring of
+/// frame where no step proves that, because then impacts are found between steps. So they are where
+/// it would take more than a thousand steps a frame: to look for impacts costs less. A spring of
 /// angular frequency ω takes at least 20 steps for each radian·π: h ≤ 1/(10 ω), far inside the
 /// limit h ω < 2 of Euler's velocity-first step.
 /// @return s
@@ -174,6 +175,7 @@ inline double step_from_tolerance(const PlanQuestion& q) {
   double shorter = std::min(h, detail::rounded_down(q.tolerance / bounces.late, 256));
   for (int k = 0; k < 40; ++k, shorter /= 2) {
     bool all = true;
+    if (shorter < h / 1024) break;
     for (const Inequality& condition : tunnelling_conditions(q, shorter))
       all = all && holds(condition);
     if (all) return shorter;
@@ -193,14 +195,16 @@ inline Decision plan_step_size(const PlanQuestion& q, const PlanOptions& options
     return decision;
   }
   decision.value = q.step;
-  const double late = worst_bounces(q).late;
   const double spring = detail::fastest_spring(q);
   decision.why =
       options.step ? "The step is as asked for." : "The step follows from the tolerance.";
-  if (!q.pairs.empty())
-    decision.because.push_back({"all of a body's hits together, each a step late",
-                                detail::rounded_up(late * q.step), Relation::at_most, q.tolerance,
-                                "tolerance of a place", "m"});
+  // What a step would miss if nobody looked between two of them: what it does not hold, and first
+  // of all what it costs.
+  if (!q.pairs.empty()) {
+    const std::vector<Inequality> missed = tunnelling_conditions(q, q.step);
+    for (std::size_t k = 0; k < missed.size(); ++k)
+      if (k == 1 || !holds(missed[k])) decision.because.push_back(missed[k]);
+  }
   if (spring > 0)
     decision.because.push_back({"step times the stiffest spring's angular frequency",
                                 q.step * spring, Relation::less, 2,

@@ -112,6 +112,10 @@ class SceneRun {
     return advance(until, std::numeric_limits<std::uint64_t>::max(), nullptr);
   }
 
+  /// Tells the hits of a step that is not done: of those until now, the ones that advance() has
+  /// not told. A run that goes on from here tells them once more.
+  virtual void tell_unfinished(SceneObserver& /*observer*/) const {}
+
   /// The time that was reached, s.
   virtual double now() const = 0;
   /// Where a body's origin is now, m.

@@ -33,8 +33,9 @@ inline bool is_slow(const SteppedSetup& setup, const SteppedState& state, std::s
 // [sleeping-stage]
 /// Puts groups of bodies to sleep that touch each other and have all been slow for half a second.
 ///
-/// Slow is what would come no farther than the tolerance in all the time of the scene. A body that
-/// touches nothing does not sleep.
+/// Slow is what would come no farther than the tolerance in all the time of the scene, even if it
+/// had come to its speed within that half second and what pushed it so went on. A body that touches
+/// nothing does not sleep.
 inline void put_to_sleep(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
   std::vector<std::size_t> group(setup.movers);
   std::iota(group.begin(), group.end(), std::size_t{0});

@@ -199,7 +199,7 @@ inline void note_hit(const SteppedSetup& setup, SteppedState& state, StepPart& p
                      const std::vector<ContactImpulse<double>>& impulses, std::size_t first,
                      std::size_t last) {
   SceneHit hit;
-  hit.time = static_cast<double>(state.step) * setup.step + (setup.step - part.left);
+  hit.time = static_cast<double>(state.step) * setup.step + (part.whole - part.left);
   hit.first = setup.bodies[index(contacts[first].a)].body;
   hit.second = setup.bodies[index(contacts[first].b)].body;
   for (std::size_t i = first; i < last; ++i) {

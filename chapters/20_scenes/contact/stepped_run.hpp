@@ -166,7 +166,10 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
   if (const auto tolerance = scene.tolerance.position)
     setup.rest_speed = std::min(setup.rest_speed, std::sqrt(g * *tolerance));
   setup.slow_speed = std::max(setup.rest_speed * 0x1p-20, 1e-11);
-  setup.sleep_speed = scene.tolerance.position.value_or(1e-6) / scene.duration;
+  // What is slower than s for a time τ is pushed by less than 2 s/τ on the average. In the whole
+  // time T neither takes it farther than half the tolerance: s T and s T²/τ.
+  const double far = scene.tolerance.position.value_or(1e-6) / 2;
+  setup.sleep_speed = far / std::max(scene.duration, scene.duration * scene.duration / sleep_after);
   // What the sweeps leave is a millionth of what would come to the tolerance in the whole time.
   const double left = std::clamp(setup.sleep_speed * 1e-6, 1e-13, 1e-9);
   setup.sweeps =
@@ -289,6 +292,11 @@ class SteppedRun final : public SceneRun {
   }
   // [/advance-steps]
 
+  void tell_unfinished(SceneObserver& observer) const override {
+    if (!shown_) return;
+    for (const SceneHit& hit : part_.hits) observer.on_hit(hit);
+  }
+
   double now() const override { return now_; }
   Vector3<double> position(std::size_t body) const override {
     return position_of(setup_, seen(), setup_.place[body]);
@@ -335,7 +343,7 @@ class SteppedRun final : public SceneRun {
   /// ends a part; after too many of them what is left is solved at once. A crowd's step has four
   /// parts of few sweeps each: shorter parts help a heap more than more sweeps.
   void step_once(SteppedState& state, double length) {
-    part_.left = length;
+    part_.whole = part_.left = length;
     part_.cuts = 0;
     part_.hits.clear();
     while (part_.left > 0) {

@@ -107,6 +107,7 @@ struct NearPair {
 
 /// What the stages of one part of a step hand on. Its arrays keep their room from part to part.
 struct StepPart {
+  double whole = 0;      ///< how long the step is, s
   double left = 0;       ///< of the step, s
   double planned = 0;    ///< how long this part is without impacts, s; the end velocities are then
   double length = 0;     ///< how long it is, s
