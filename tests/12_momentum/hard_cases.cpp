@@ -139,6 +139,61 @@ contact::ForceCurve<double> curve(const Case& c) {
   return contact::force_curve<double>(c.numbers("times"), force);
 }
 
+enum class Way { formulas, impulses, grid };
+
+/// The whole momentum after elastic collisions of two at a time, each with each in turn. Between
+/// themselves they cannot change it, so the answer is that of the start.
+void add_balance(hard_cases::Runner& runner) {
+  runner.question("balance", [](const Case& c) {
+    Rational sum = 0;
+    for (const auto& body : bodies(c)) {
+      sum += oracle::exact(body.mass) * oracle::exact(body.velocity.x());
+    }
+    return Json{{"class", "a"}, {"momentum", nearest(sum)}};
+  });
+  const auto method = [&runner](const char* name, Way way) {
+    runner.method("balance", name, [way](const Case& c, const Json& answer) {
+      const Numbers mass = c.numbers("masses");
+      Numbers v = c.numbers("velocities");
+      const std::size_t n = mass.size();
+      const auto on_grid = [](double x) {
+        return std::ldexp(std::nearbyint(std::ldexp(x, 40)), -40);
+      };
+      Numbers p;
+      for (std::size_t i = 0; i < n; ++i) p.push_back(on_grid(mass[i] * v[i]));
+      const auto collisions = static_cast<std::size_t>(c.number("collisions"));
+      for (std::size_t k = 0; k < collisions; ++k) {
+        const std::size_t a = k % n;
+        const std::size_t b = (a + 1 + k / n % (n - 1)) % n;
+        const double together = mass[a] + mass[b];
+        const double impulse = 2 * (v[a] - v[b]) * (mass[a] * mass[b] / together);
+        if (way == Way::formulas) {
+          const double before = v[a];
+          v[a] = ((mass[a] - mass[b]) * v[a] + 2 * mass[b] * v[b]) / together;
+          v[b] = ((mass[b] - mass[a]) * v[b] + 2 * mass[a] * before) / together;
+        } else if (way == Way::impulses) {
+          v[a] -= impulse / mass[a];
+          v[b] += impulse / mass[b];
+        } else {
+          p[a] -= on_grid(impulse);
+          p[b] += on_grid(impulse);
+          v[a] = p[a] / mass[a];
+          v[b] = p[b] / mass[b];
+        }
+      }
+      Rational sum = 0;
+      for (std::size_t i = 0; i < n; ++i) {
+        sum +=
+            way == Way::grid ? oracle::exact(p[i]) : oracle::exact(mass[i]) * oracle::exact(v[i]);
+      }
+      return same(oracle::nearest(sum), answer, "momentum");
+    });
+  };
+  method("formulas", Way::formulas);
+  method("impulses", Way::impulses);
+  method("on a grid", Way::grid);
+}
+
 void add_curve(hard_cases::Runner& runner) {
   runner.question("curve", [](const Case& c) {
     const Numbers times = c.numbers("times");
@@ -264,6 +319,7 @@ int main(int argc, char** argv) {
   add_total(runner);
   add_total_of_floats(runner);
   add_together(runner);
+  add_balance(runner);
   add_curve(runner);
   add_exchange(runner);
   add_push_off(runner);

@@ -510,6 +510,105 @@ TEST_CASE("a rocket that throws its mass away grain by grain gains u ln(m0 / m1)
   }
 }
 
+TEST_CASE("a steady stream moves a body by the logarithm, and by its momentum") {
+  // The textbook's integrals, which divide by the rate, by intervals; the numbers are whole
+  // sixteenths, so that the mass that is left is exact.
+  Random random(1212);
+  const auto some = [&](double size) { return std::round(random.uniform(-size, size) * 16) / 16; };
+  for (int i = 0; i < 2000; ++i) {
+    const double mass = 8 + std::abs(some(100));
+    const double time = 1 + std::abs(some(8));
+    double rate = random.chance(0.5) ? some(40) : std::ldexp(some(4), -random.integer(4, 30));
+    if (rate == 0) rate = 1;
+    const double v0 = some(10);
+    const double force = some(50);
+    const double u = some(20);
+    if (!(mass + rate * time > 0.125)) {
+      REQUIRE((mass + rate * time > 0) ==
+              contact::after_stream_from_body<double>(mass, {v0, 0, 0}, {force, 0, 0}, {u, 0, 0},
+                                                      rate, time)
+                  .has_value());
+      continue;
+    }
+    const Rational m0 = oracle::exact(mass);
+    const Rational r = oracle::exact(rate);
+    const Rational t = oracle::exact(time);
+    const Rational m = m0 + r * t;
+    const Rational f = oracle::exact(force);
+    const Rational v = oracle::exact(v0);
+    const Rational w = oracle::exact(u);
+    const auto value = [&](const Rational& even, const Rational& logs) {
+      return *oracle::nearest_value([&](unsigned bits) {
+        return oracle::Interval(even, bits) +
+               oracle::Interval(logs, bits) * log(oracle::Interval(Rational(m0 / m), bits));
+      });
+    };
+    const Rational push = f + w * r;
+    const auto seen = contact::after_stream_from_body<double>(mass, {v0, 0, 0}, {force, 0, 0},
+                                                              {u, 0, 0}, rate, time);
+    REQUIRE(seen.has_value());
+    const double unit = 0x1p-53;
+    const double forces = std::abs(force) + std::abs(u * rate);
+    const double gain = value(0, Rational(-1 / r));
+    const double far = value(Rational((m0 - m) / (r * r)), Rational(-m / (r * r)));
+    REQUIRE(std::abs(seen->velocity.x() - value(v, Rational(-push / r))) <=
+            16 * unit * (std::abs(v0) + forces * gain));
+    REQUIRE(std::abs(seen->way.x() - value(Rational(v * t + push * (m0 - m) / (r * r)),
+                                           Rational(-push * m / (r * r)))) <=
+            64 * unit * (std::abs(v0) * time + forces * far));
+    // Nothing is lost between the body and the matter.
+    const double size = (mass + std::abs(rate) * time) *
+                        (std::abs(v0) + std::abs(u) + forces * (gain + far / time));
+    REQUIRE(std::abs(seen->mass * seen->velocity.x() + seen->carried_off.x() -
+                     (mass * v0 + force * time)) <= 256 * unit * size);
+
+    const auto rain = contact::after_stream_over_ground<double>(mass, {v0, 0, 0}, {force, 0, 0},
+                                                                {u, 0, 0}, rate, time);
+    REQUIRE(rain.has_value());
+    const double all = std::abs(force) + (std::abs(v0) + std::abs(u)) * std::abs(rate);
+    REQUIRE(std::abs(rain->velocity.x() - oracle::nearest(Rational((m0 * v + push * t) / m))) <=
+            8 * unit * (std::abs(v0) + all * time / seen->mass));
+    const double wide = value(Rational(t / r), Rational(m0 / (r * r)));
+    REQUIRE(std::abs(rain->way.x() -
+                     value(Rational(push / r * t), Rational(-(v - push / r) * m0 / r))) <=
+            64 * unit * (std::abs(v0) * time + all * wide));
+    REQUIRE(rain->carried_off.x() == -u * (rate * time));
+  }
+  // Rain into a wagon, sand that runs out of it, and a push without any matter.
+  const auto wet =
+      contact::after_stream_over_ground<double>(4000, {3, 0, 0}, {0, 0, 0}, {0, 0, 0}, 200, 10);
+  CHECK(wet->mass == 6000);
+  CHECK(wet->velocity.x() == 2);
+  const auto leaks =
+      contact::after_stream_from_body<double>(4000, {3, 0, 0}, {0, 0, 0}, {0, 0, 0}, -200, 6);
+  CHECK(leaks->velocity == Vector3<double>(3, 0, 0));
+  CHECK(leaks->way == Vector3<double>(18, 0, 0));
+  CHECK(leaks->carried_off == Vector3<double>(3600, 0, 0));
+  const auto pushed =
+      contact::after_stream_from_body<double>(4, {3, 0, 0}, {2, 0, 0}, {1, 0, 0}, 0, 2);
+  CHECK(pushed->velocity.x() == 4);
+  CHECK(pushed->way.x() == 7);
+  CHECK(pushed->carried_off.x() == 0);
+  // A rocket, by the function for nothing but it, and by a thousand throws.
+  const auto rocket =
+      contact::after_stream_from_body<double>(10, {0, 0, 0}, {0, 0, 0}, {-1000, 0, 0}, -1, 5);
+  CHECK(std::abs(rocket->velocity.x() - contact::rocket_speed_gain(1000.0, 10.0, 5.0)) < 1e-12);
+  CHECK_FALSE(contact::after_stream_over_ground<double>(5, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, -1, 5)
+                  .has_value());
+  double mass = 10;
+  Vector3<double> v(0, 0, 0);
+  double way = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const auto after = contact::velocity_after_exchange<double>(
+        mass, v, -0.005, Vector3<double>(v + Vector3<double>(-1000, 0, 0)));
+    way += (v.x() + after->x()) / 2 * 0.005;
+    v = *after;
+    mass -= 0.005;
+  }
+  CHECK(std::abs(rocket->velocity.x() / v.x() - 1) < 1e-3);
+  CHECK(std::abs(rocket->way.x() / way - 1) < 1e-3);
+}
+
 TEST_CASE("over many collisions the momentum drifts no further than each rounding allows") {
   Random random(1211);
   constexpr int n = 16;

@@ -115,8 +115,8 @@ void add_bounces(hard_cases::Runner& runner) {
       return count_text(count(ball(c), c.number("time"))) == answer.at("impacts");
     });
   };
-  const auto followed = [](const auto& b, auto t) {
-    const auto state = contact::follow_bounces(b, t, decltype(t)(0));
+  const auto followed = [](const auto& b, auto t, decltype(t) rest_speed = 0) {
+    const auto state = contact::follow_bounces(b, t, rest_speed);
     // An event-driven simulation cannot tell endless from very many; let a stopped clock say so.
     const bool endless = state.resting && b.restitution > 0;
     return endless ? std::numeric_limits<double>::infinity() : static_cast<double>(state.bounces);
@@ -129,6 +129,9 @@ void add_bounces(hard_cases::Runner& runner) {
   });
   method("double, flight by flight",
          [followed](const contact::BouncingBall<double>& b, double t) { return followed(b, t); });
+  method("rests below 1 mm", [followed](const contact::BouncingBall<double>& b, double t) {
+    return followed(b, t, contact::rest_speed(0.001, b.gravity));
+  });
   method("by a logarithm", [](const contact::BouncingBall<double>& b, double t) {
     const double w = std::sqrt(b.velocity * b.velocity + 2 * b.gravity * b.height);
     const double first = (b.velocity + w) / b.gravity;

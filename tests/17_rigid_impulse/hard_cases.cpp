@@ -194,6 +194,17 @@ void add_collision(hard_cases::Runner& runner, const std::string& question) {
              const Body b2 = unturned(b, "b_moments");
              return push(a2, b2, at, contact::collision_impulse<double>(a2, b2, at, e));
            });
+    method("as of a sphere",
+           [push](const Body& a, const Body& b, const auto& at, double e, const Case& c) -> Pair {
+             // One number in place of the tensor, the mean of the moments.
+             const auto round = [&](Body x, const char* moments) {
+               if (x.mass > 0) x.inverse_inertia = 3 / c.vector(moments).sum() * M::Identity();
+               return x;
+             };
+             const Body a2 = round(a, "a_moments");
+             const Body b2 = round(b, "b_moments");
+             return push(a2, b2, at, contact::collision_impulse<double>(a2, b2, at, e));
+           });
     method("by vectors",
            [](const Body& a, const Body& b, const auto& at, double e, const Case& c) -> Pair {
              // R (I⁻¹ (Rᵀ x)): no tensor is formed, so nothing cancels in one.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <numbers>
 #include <optional>
 
 #include <contact/exact.hpp>
@@ -77,5 +78,125 @@ S rocket_speed_gain(const S& exhaust_speed, const S& mass_before, const S& mass_
   return exhaust_speed * std::log1p((mass_before - mass_after) / mass_after);
 }
 // [/rocket]
+
+namespace detail {
+
+/// artanh(z) / z by its series 1 + z²/3 + z⁴/5 + …, for |z| of at most 1/5; each machine gives the
+/// same bits.
+template <std::floating_point S>
+S artanh_over(const S& z) {
+  const S square = z * z;
+  S sum(0);
+  for (int term = 25; term >= 1; term -= 2) sum = sum * square + S(1) / S(term);
+  return sum;
+}
+
+/// ln(1 + x) / x, which is 1 at 0.
+/// @param x finite, above −1
+/// @return off by at most 8 u of itself
+template <std::floating_point S>
+S logarithm_over(const S& x) {
+  if (std::abs(x) <= S(1) / S(3)) {  // ln(1 + x) = 2 artanh(x / (2 + x))
+    return S(2) / (S(2) + x) * artanh_over(S(x / (S(2) + x)));
+  }
+  int power = 0;
+  S share = std::frexp(S(1) + x, &power);  // in [1/2, 1); then in [1/√2, √2)
+  if (share < std::numbers::sqrt2_v<S> / S(2)) {
+    share *= S(2);
+    --power;
+  }
+  const S z = (share - S(1)) / (share + S(1));
+  return (S(power) * std::numbers::ln2_v<S> + S(2) * z * artanh_over(z)) / x;
+}
+
+/// (x − ln(1 + x)) / x², which is 1/2 at 0: ∫₀¹ s / (1 + s x) ds.
+/// @param x finite, above −1
+/// @return off by at most 40 u of itself
+template <std::floating_point S>
+S logarithm_rest_over(const S& x) {
+  if (std::abs(x) > S(1) / S(3)) return (S(1) - logarithm_over(x)) / x;
+  // The difference would cancel. With z = x / (2 + x) it is z² (2 + x) − 2 z³ (1/3 + z²/5 + …).
+  const S z = x / (S(2) + x);
+  S sum(0);
+  for (int term = 27; term >= 3; term -= 2) sum = sum * (z * z) + S(1) / S(term);
+  return (S(1) - S(2) * z / (S(2) + x) * sum) / (S(2) + x);
+}
+
+}  // namespace detail
+
+// [steady]
+/// A body after a steady stream of matter has joined it, or left it, for a while.
+template <std::floating_point S>
+struct AfterStream {
+  S mass = S(0);                                ///< kg
+  Vector3<S> velocity = Vector3<S>::Zero();     ///< m/s
+  Vector3<S> way = Vector3<S>::Zero();          ///< from where it was at first, m
+  Vector3<S> carried_off = Vector3<S>::Zero();  ///< momentum of what has left less that of what has
+                                                ///< joined, before it did, kg·m/s
+};
+
+/// The motion while matter leaves, or joins, at a steady rate and with a steady velocity *as seen
+/// from the body*: a rocket (Tsiolkovsky) that a force pushes as well.
+///
+/// m dv/dt = F + u dm/dt gives v = v₀ + (F + u ṁ) ln(m₀ / m) / (−ṁ) and, once more integrated, the
+/// way. Both are written so that nothing cancels for a small ṁ, and ṁ = 0 is an even push.
+/// @param mass at first, m₀, kg, greater than 0
+/// @param velocity at first, v₀, m/s
+/// @param force from outside, steady, N
+/// @param relative velocity u of the matter as seen from the body, m/s
+/// @param mass_rate ṁ, kg/s: positive for what joins, negative for what leaves
+/// @param time t, s, 0 or more
+/// @return nothing if no mass would be left. Where ṁ t and m₀ + ṁ t do not round, the velocity is
+/// off by at most 16 u of |v₀| + (|F| + |u ṁ|) ln(m₀ / m) / |ṁ|, and the way by 64 u of the
+/// integral of that, if nothing overflows
+template <std::floating_point S>
+std::optional<AfterStream<S>> after_stream_from_body(const S& mass, const Vector3<S>& velocity,
+                                                     const Vector3<S>& force,
+                                                     const Vector3<S>& relative, const S& mass_rate,
+                                                     const S& time) {
+  const S change = mass_rate * time;
+  const S left = mass + change;
+  if (!(left > S(0))) return std::nullopt;
+  const S x = -change / left;  // m₀ / m = 1 + x
+  const Vector3<S> push = force + relative * mass_rate;
+  AfterStream<S> after;
+  after.mass = left;
+  after.velocity = velocity + push * (time / left * detail::logarithm_over(x));
+  after.way = velocity * time + push * (time / left * time * detail::logarithm_rest_over(x));
+  after.carried_off = (after.way + relative * time) * -mass_rate;
+  return after;
+}
+
+/// The motion while matter joins, or leaves, at a steady rate and with a steady velocity *over the
+/// ground*: rain.
+///
+/// All momenta add up to what they were and F t: m v = m₀ v₀ + (F + w ṁ) t.
+/// @param mass at first, m₀, kg, greater than 0
+/// @param velocity at first, v₀, m/s
+/// @param force from outside, steady, N
+/// @param matter_velocity w over the ground, m/s: before it joins, or after it has left
+/// @param mass_rate ṁ, kg/s: positive for what joins, negative for what leaves
+/// @param time t, s, 0 or more
+/// @return nothing if no mass would be left. Where ṁ t and m₀ + ṁ t do not round, the velocity is
+/// off by at most 8 u of |v₀| + (|F| + (|v₀| + |w|) |ṁ|) t / m, and the way by 64 u of the integral
+/// of that, if nothing overflows
+template <std::floating_point S>
+std::optional<AfterStream<S>> after_stream_over_ground(const S& mass, const Vector3<S>& velocity,
+                                                       const Vector3<S>& force,
+                                                       const Vector3<S>& matter_velocity,
+                                                       const S& mass_rate, const S& time) {
+  const S change = mass_rate * time;
+  const S left = mass + change;
+  if (!(left > S(0))) return std::nullopt;
+  const Vector3<S> push = force + (matter_velocity - velocity) * mass_rate;
+  AfterStream<S> after;
+  after.mass = left;
+  after.velocity = velocity + push * (time / left);
+  after.way =
+      velocity * time + push * (time / mass * time * detail::logarithm_rest_over(S(change / mass)));
+  after.carried_off = matter_velocity * -change;
+  return after;
+}
+// [/steady]
 
 }  // namespace contact

@@ -1,8 +1,6 @@
 // A wagon whose mass changes while it rolls: its velocity by the law for matter that comes and
 // goes, and by F = d(mv)/dt for the wagon alone.
 #include <contact/figure.hpp>
-#include <contact/impulse.hpp>
-#include <contact/momentum.hpp>
 #include <contact/variable_mass.hpp>
 
 struct Input {
@@ -36,40 +34,31 @@ struct Output {
 
 namespace {
 
-using Vector = contact::Vector3<double>;
+using contact::AfterStream;
 
-// WRONG, d(mv)/dt = F: as if what leaves left its momentum behind. A law about always the same
-// matter is asked of a wagon that loses some. It is right only for matter that is at rest over the
-// ground, before it joins or after it has left.
-double velocity_by_own_momentum(double momentum, double mass) { return momentum / mass; }
-
-struct State {
-  double velocity, place, carried;  // m/s, m, and the momentum of the matter outside, kg·m/s
-};
-
-/// The stream of matter: its velocity as seen from a wagon with a velocity, and dm/dt.
+/// The stream of matter; along the track, which is x.
 struct Stream {
-  double rate, apart;
+  double velocity, force, apart, mass_rate;
   bool rains;
 
-  double seen_from(double velocity) const { return rains ? -velocity : apart; }
-  double mass_rate() const { return rains ? rate : -rate; }
-};
+  AfterStream<double> after(double t) const {
+    return rains ? *contact::after_stream_over_ground<double>(
+                       at_first, {velocity, 0, 0}, {force, 0, 0}, {0, 0, 0}, mass_rate, t)
+                 : *contact::after_stream_from_body<double>(
+                       at_first, {velocity, 0, 0}, {force, 0, 0}, {apart, 0, 0}, mass_rate, t);
+  }
 
-/// A short time on, by the middle of it.
-State advanced(const State& s, const Stream& stream, double force, double mass, double h) {
-  const double mass_rate = stream.mass_rate();
-  const auto acceleration = [&](double m, double v) {
-    return contact::acceleration_with_exchange<double>(m, {force, 0, 0},
-                                                       {stream.seen_from(v), 0, 0}, mass_rate)
-        .x();
-  };
-  const double middle = s.velocity + acceleration(mass, s.velocity) * (h / 2);
-  const double step = acceleration(mass + mass_rate * (h / 2), middle) * h;
-  // What leaves has the velocity of the wagon, and u besides.
-  const double over_ground = middle + stream.seen_from(middle);
-  return {s.velocity + step, s.place + middle * h, s.carried - mass_rate * over_ground * h};
-}
+  // WRONG, d(mv)/dt = F: as if what leaves left its momentum behind. A law about always the same
+  // matter is asked of a wagon that loses some. It is right only for matter that is at rest over
+  // the ground, before it joins or after it has left; and so it moves as if all of it were.
+  AfterStream<double> by_own_momentum(double t) const {
+    auto after = *contact::after_stream_over_ground<double>(at_first, {velocity, 0, 0},
+                                                            {force, 0, 0}, {0, 0, 0}, mass_rate, t);
+    // What leaves a wagon with this velocity has it too, and u besides.
+    if (!rains) after.carried_off.x() = -mass_rate * (after.way.x() + apart * t);
+    return after;
+  }
+};
 
 }  // namespace
 
@@ -85,48 +74,29 @@ Output compute(const Input& in) {
   if (in.rate < 0 || in.time < 0) out.problem = contact::figure::too_small;
   if (out.problem != 0) return out;
 
-  const Stream stream{in.rate, in.apart, in.rains > 0.5};
-  const auto mass_at = [&](double t) { return at_first + stream.mass_rate() * t; };
-  const double p =
-      contact::momentum(contact::point_mass<double>(at_first, {0, 0, 0}, {in.velocity, 0, 0})).x();
-  const auto alone_at = [&](double t) {
-    return velocity_by_own_momentum(p + in.force * t, mass_at(t));
-  };
-  constexpr int parts = 4;  // steps between two moments
-  State right{in.velocity, 0, 0};
+  const bool rains = in.rains > 0.5;
+  const Stream stream{in.velocity, in.force, in.apart, rains ? in.rate : -in.rate, rains};
   for (int i = 0; i < moments; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const double t = seconds * i / (moments - 1);
-    out.moment[at] = t;
-    out.velocity[at] = right.velocity;
-    out.alone[at] = alone_at(t);
-    const double h = seconds / (moments - 1) / parts;
-    for (int k = 0; k < parts; ++k) {
-      right = advanced(right, stream, in.force, mass_at(t + k * h), h);
-    }
+    out.moment[at] = seconds * i / (moments - 1);
+    out.velocity[at] = stream.after(out.moment[at]).velocity.x();
+    out.alone[at] = stream.by_own_momentum(out.moment[at]).velocity.x();
   }
-
-  // The same up to the time that is looked at.
-  constexpr int steps = 200;
-  const double h = in.time / steps;
-  State now{in.velocity, 0, 0};
-  State alone{in.velocity, 0, 0};
-  for (int k = 0; k < steps; ++k) {
-    now = advanced(now, stream, in.force, mass_at(k * h), h);
-    const double middle = alone_at((k + 0.5) * h);
-    alone.place += middle * h;
-    alone.carried -= stream.mass_rate() * (middle + stream.seen_from(middle)) * h;
-  }
-  out.mass = mass_at(in.time);
-  out.velocity_now = now.velocity;
-  out.relative = stream.seen_from(now.velocity);
-  out.alone_now = alone_at(in.time);
-  out.place = now.place;
-  out.place_alone = alone.place;
-  out.thrust = out.relative * stream.mass_rate();
-  out.p_given = p + in.force * in.time;
-  out.p_all = out.mass * now.velocity + now.carried;
-  out.p_all_alone = out.mass * out.alone_now + alone.carried;
+  const auto now = stream.after(in.time);
+  const auto alone = stream.by_own_momentum(in.time);
+  const auto all = [](const AfterStream<double>& after) {
+    return after.mass * after.velocity.x() + after.carried_off.x();
+  };
+  out.mass = now.mass;
+  out.velocity_now = now.velocity.x();
+  out.relative = rains ? -out.velocity_now : in.apart;
+  out.alone_now = alone.velocity.x();
+  out.place = now.way.x();
+  out.place_alone = alone.way.x();
+  out.thrust = out.relative * stream.mass_rate;
+  out.p_given = at_first * in.velocity + in.force * in.time;
+  out.p_all = all(now);
+  out.p_all_alone = all(alone);
   const double off = std::abs(out.alone_now - out.velocity_now);
   out.agree = off <= 1e-3 * std::abs(out.velocity_now) ? 1 : 0;
   return out;

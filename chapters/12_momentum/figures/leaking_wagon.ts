@@ -37,6 +37,7 @@ const LEAST = -2;
 const MOST = 10;
 const END = 10.3;
 const at = (t: number, v: number): Vec2 => [t, HIGH * v];
+const seen = (place: number): boolean => FAR * place >= -0.5 && FAR * place <= 10.4;
 const drawn = (v: number): boolean => v >= LEAST && v <= MOST;
 
 export default defineFigure<Input, Output>({
@@ -80,7 +81,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slider",
       field: "apart",
-      label: "u",
+      label: "u, of sand",
       min: -5,
       max: 5,
       step: 0.1,
@@ -134,9 +135,25 @@ export default defineFigure<Input, Output>({
       scene.label(at(1, high), law, { role, offset: [6, 4], size: "small" });
     }
 
-    wagon(scene, [FAR * output.place, TRACKS[0]], output.mass, "hit", false);
-    wagon(scene, [FAR * output.place_alone, TRACKS[1]], output.mass, "miss", true);
+    for (const [place, track, role] of [
+      [output.place, TRACKS[0], "hit"],
+      [output.place_alone, TRACKS[1], "miss"],
+    ] as const) {
+      if (seen(place)) {
+        wagon(scene, [FAR * place, track], output.mass, role, role === "miss");
+        continue;
+      }
+      // It has rolled out of the picture.
+      const back = place < 0;
+      const where = `${pretty(place, 3)} m`;
+      scene.label([back ? -0.7 : 10.7, track], back ? `← ${where}` : `${where} →`, {
+        role,
+        offset: [0, -8],
+        anchor: back ? "start" : "end",
+      });
+    }
     if (input.rains || input.rate === 0 || Math.abs(output.relative) < 0.05) return;
+    if (!seen(output.place)) return;
     const hole: Vec2 = [FAR * output.place, TRACKS[0] - 0.25];
     const tip: Vec2 = [hole[0] + 0.4 * output.relative, hole[1]];
     scene.arrow(hole, tip, { role: "b", width: 2.5 });

@@ -52,6 +52,8 @@ Output compute(const Input& in) {
   out.impulse = contact::collision_impulse(first, second, in.e);
   out.lost = contact::energy_lost(first, second, in.e);
   if (in.tested == 0) {
+    // WRONG: nobody asks whether they approach. The formula is right if they do; if they part it
+    // turns their velocities round, so that they go through each other.
     const double change = (1 + in.e) * out.closing;
     after.first = in.v_1 - change * share.second;
     after.second = in.v_2 + change * share.first;

@@ -151,8 +151,12 @@ export default defineFigure<Input, Output>({
     { name: "K′", meaning: "after", value: output.k_after, unit: "kJ", role: "hit" },
     {
       name: input.part === 1 ? "e K" : "e² K",
-      meaning: output.impossible ? "less than clay keeps: impossible" : "said to be kept",
-      value: output.k_wrong,
+      meaning: !output.approach
+        ? "no collision"
+        : output.impossible
+          ? "less than clay keeps: impossible"
+          : "said to be kept",
+      value: output.approach ? output.k_wrong : "—",
       unit: "kJ",
       role: "miss",
     },
@@ -166,8 +170,10 @@ export default defineFigure<Input, Output>({
     { name: "ΔK", meaning: "lost, for everybody", value: output.lost, unit: "kJ" },
     {
       name: "ΔK/K",
-      meaning: `while 1 − e² is ${pretty(1 - input.e * input.e, 3)}`,
-      value: output.fraction,
+      meaning: output.approach
+        ? `while 1 − e² is ${pretty(1 - input.e * input.e, 3)}`
+        : "no collision",
+      value: output.approach ? output.fraction : "—",
     },
   ],
   describe(input, output) {

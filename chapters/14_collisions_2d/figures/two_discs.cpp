@@ -70,13 +70,17 @@ Output compute(const Input& in) {
   const auto book = contact::collide_discs(a, b, in.restitution);
   auto after = book;
   if (in.way == 1) {
-    // Step c of the lecture, with e, and without a question before it.
+    // WRONG: step c of the lecture, with e, and without a question before it. It is right for discs
+    // that approach; those that part it turns round along the axis, so that they go through each
+    // other.
     const double m = a.mass + b.mass;
     const double p = a.mass * parts_a.normal + b.mass * parts_b.normal;
     const double w = parts_a.normal - parts_b.normal;
     after.velocity_a = parts_a.across + out.axis * ((p - in.restitution * w * b.mass) / m);
     after.velocity_b = parts_b.across + out.axis * ((p + in.restitution * w * a.mass) / m);
   } else if (in.way == 2) {
+    // WRONG: also the parts across the axis are turned round, where nothing pushes; and who meets
+    // whom, and how heavy, does not matter to it, so that momentum is lost.
     after.velocity_a = -in.restitution * a.velocity;
     after.velocity_b = -in.restitution * b.velocity;
   }

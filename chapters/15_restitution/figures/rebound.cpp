@@ -5,6 +5,7 @@
 #include <contact/restitution.hpp>
 
 using Vector2 = Eigen::Matrix<double, 2, 1>;
+using Vector3 = contact::Vector3<double>;
 
 struct Input {
   Vector2 from;     // where the ball comes from; it moves to the origin, m/s
@@ -12,7 +13,7 @@ struct Input {
   double k;         // coefficient of restitution
   double friction;  // μ
   double turns;     // 1: a solid ball that may turn; 0: a body that does not
-  double beside;    // 1: also −k v is drawn; 0: not
+  double beside;    // drawn beside it. 0: the mirror; 1: −k v; 2: the formula without a test
 };
 
 struct Output {
@@ -24,9 +25,11 @@ struct Output {
   Vector2 normal_after, along_after;
   Vector2 mirror;              // after a bounce with k = 1 and no friction
   Vector2 wrong;               // −k v
+  Vector2 untested;            // by the formula that does not ask whether it approaches
   double angle_in, angle_out;  // degrees from the normal
   double closing, parting;     // speeds along the normal, m/s
   double kept;                 // of the kinetic energy, without spin
+  double stays;                // nothing is left of its velocity
   double right_angle;          // goal: incidence and rebound are at right angles
 };
 
@@ -35,6 +38,13 @@ namespace {
 // WRONG: also the part along the surface is turned round, which nothing pushes there. So it goes
 // back the way it came, whatever the normal is; only head-on is that right.
 Vector2 reflected_whole(const Vector2& velocity, double k) { return -k * velocity; }
+
+// WRONG: nobody asks whether there is anything to bounce, so N and −N are one to the formula. What
+// moves away is turned round, and sent into the surface; what comes in it gets right.
+template <class Bounce>
+Vector3 without_test(const Vector3& velocity, const Vector3& normal, const Bounce& bounce) {
+  return bounce(velocity, contact::approaches(velocity, normal) ? normal : Vector3(-normal));
+}
 
 }  // namespace
 
@@ -51,14 +61,16 @@ Output compute(const Input& in) {
   if (in.k < 0 || in.friction < 0) out.problem = contact::figure::too_small;
   if (out.problem != 0) return out;
 
-  using V = contact::Vector3<double>;
-  const V facing(in.facing.x(), in.facing.y(), 0);
-  const V n = facing / facing.norm();
-  const V v(-in.from.x(), -in.from.y(), 0);
+  const Vector3 facing(in.facing.x(), in.facing.y(), 0);
+  const Vector3 n = facing / facing.norm();
+  const Vector3 v(-in.from.x(), -in.from.y(), 0);
   const double grip = in.turns > 0.5 ? contact::solid_ball_grip<double> : 1;
-  const V after = contact::after_bounce_with_friction(v, n, in.k, in.friction, grip);
+  const auto bounce = [&](const Vector3& velocity, const Vector3& normal) {
+    return contact::after_bounce_with_friction(velocity, normal, in.k, in.friction, grip);
+  };
+  const Vector3 after = bounce(v, n);
   out.approaching = contact::approaches(v, n) ? 1 : 0;
-  const auto flat = [](const V& x) { return Vector2(x.x(), x.y()); };
+  const auto flat = [](const Vector3& x) { return Vector2(x.x(), x.y()); };
   out.normal = flat(n);
   out.before = flat(v);
   out.after = flat(after);
@@ -68,11 +80,13 @@ Output compute(const Input& in) {
   out.along_after = flat(after - n * after.dot(n));
   out.mirror = flat(contact::after_bounce<double>(v, n, 1));
   out.wrong = reflected_whole(out.before, in.k);
+  out.untested = flat(without_test(v, n, bounce));
   out.angle_in = contact::degrees(contact::angle_from_normal(v, n));
   out.angle_out = contact::degrees(contact::angle_from_normal(after, n));
   out.closing = -v.dot(n);
   out.parting = after.dot(n);
   out.kept = after.squaredNorm() / v.squaredNorm();
+  out.stays = after.norm() <= 1e-12 * v.norm() ? 1 : 0;
   const double turn = v.dot(after);
   out.right_angle = out.approaching > 0 && in.friction == 0 && in.k <= 0.8 &&
                             std::abs(turn) <= 0.02 * v.norm() * after.norm()
@@ -83,5 +97,5 @@ Output compute(const Input& in) {
 
 FIGURE(Input, FIELDS(from, facing, k, friction, turns, beside), Output,
        FIELDS(problem, approaching, normal, before, after, normal_before, along_before,
-              normal_after, along_after, mirror, wrong, angle_in, angle_out, closing, parting, kept,
-              right_angle))
+              normal_after, along_after, mirror, wrong, untested, angle_in, angle_out, closing,
+              parting, kept, stays, right_angle))

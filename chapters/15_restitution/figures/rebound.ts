@@ -23,11 +23,13 @@ interface Output {
   along_after: Vec2;
   mirror: Vec2;
   wrong: Vec2;
+  untested: Vec2;
   angle_in: number;
   angle_out: number;
   closing: number;
   parting: number;
   kept: number;
+  stays: number;
 }
 
 const ORIGIN: Vec2 = [0, 0];
@@ -76,6 +78,7 @@ export default defineFigure<Input, Output>({
       options: [
         { value: 0, label: "the mirror" },
         { value: 1, label: "−k v" },
+        { value: 2, label: "no test for approach" },
       ],
     },
   ],
@@ -103,7 +106,11 @@ export default defineFigure<Input, Output>({
     scene.label(times(input.from, 0.55), "v", { role: "ray", offset: [-16, 2], anchor: "end" });
     if (!output.approaching) {
       scene.arrow(ORIGIN, after, { role: "ray", width: 3 });
-      scene.label(after, "moves away: v stays", { role: "ray", offset: [8, 14] });
+      scene.label(after, "v stays", { role: "ray", offset: [8, 14] });
+      if (input.beside === 2) {
+        scene.arrow(ORIGIN, output.untested, { role: "miss", width: 3, dashed: true });
+        scene.label(output.untested, "no test", { role: "miss", offset: [8, 4] });
+      }
       return;
     }
     // The parts of v where they come in, and of v' where they go out.
@@ -114,7 +121,9 @@ export default defineFigure<Input, Output>({
     scene.arrow(edge, after, { role: "a", width: 2 });
     scene.arrow(ORIGIN, edge, { role: "b", width: 2 });
 
-    if (input.beside) {
+    if (input.beside === 2) {
+      scene.arrow(ORIGIN, output.untested, { role: "miss", width: 6, dashed: true });
+    } else if (input.beside) {
       scene.arrow(ORIGIN, output.wrong, { role: "miss", width: 5, dashed: true });
       const left = output.wrong[0] < 0;
       scene.label(times(output.wrong, 0.5), "−k v", {
@@ -139,21 +148,28 @@ export default defineFigure<Input, Output>({
     { name: "v", meaning: "before", value: output.before, unit: "m/s", role: "ray" },
     { name: "v′", meaning: "after", value: output.after, unit: "m/s", role: "hit" },
     {
-      name: "−k v",
-      meaning: "the whole turned: wrong",
-      value: output.wrong,
+      name: output.approaching ? "−k v" : "v′",
+      meaning: output.approaching ? "the whole turned: wrong" : "without the test: wrong",
+      value: output.approaching ? output.wrong : output.untested,
       unit: "m/s",
       role: "miss",
     },
     { name: "−v·N", meaning: "how fast they meet", value: output.closing, unit: "m/s", role: "a" },
     { name: "v′·N", meaning: "how fast they part", value: output.parting, unit: "m/s", role: "a" },
     { name: "θ", meaning: "incidence, from N", value: output.angle_in, unit: "°" },
-    { name: "θ′", meaning: "rebound, from N", value: output.angle_out, unit: "°" },
+    {
+      name: "θ′",
+      meaning: "rebound, from N",
+      value: output.stays ? "—" : output.angle_out,
+      unit: "°",
+    },
     { name: "K′/K", meaning: "energy of motion left", value: output.kept },
   ],
   describe(_input, output) {
     if (!output.approaching)
       return "The ball moves away from the surface, or along it: there is no bounce.";
+    if (output.stays)
+      return `The ball comes in at ${pretty(output.angle_in, 3)}° from the normal and stays where it is: nothing is left of its velocity.`;
     return `The ball comes in at ${pretty(output.angle_in, 3)}° from the normal and leaves at ${pretty(output.angle_out, 3)}°, with ${pretty(output.parting, 3)} m/s along the normal instead of ${pretty(output.closing, 3)} m/s.`;
   },
 });

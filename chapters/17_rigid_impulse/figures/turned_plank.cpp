@@ -1,5 +1,5 @@
 // A plank floats, turned, and is hit from above. How it spins by the tensor in the axes of the
-// world, and by the one in its own axes, which does not know how it lies.
+// world, by the one in its own axes, which does not know how it lies, and as if it were a sphere.
 #include <contact/figure.hpp>
 #include <contact/rigid_body.hpp>
 #include <contact/rotation.hpp>
@@ -22,6 +22,7 @@ struct Output {
   Vector moments;                      // principal moments, kg·m²
   Vector twist;                        // r × J, kg·m²/s
   Vector spin, wrong_spin;             // just after the hit, rad/s
+  Vector sphere_spin;                  // by the mean of the moments
   Vector momentum, wrong_momentum;     // I ω of either, kg·m²/s
   double energy, wrong_energy;         // of the spin, J
   double size, wrong_size;             // of either spin, rad/s
@@ -39,6 +40,13 @@ constexpr double mass = 3;  // kg
 // lies.
 Vector spin_by_body_axes(const Vector& twist, const Vector& moments) {
   return twist.cwiseQuotient(moments);
+}
+
+// WRONG: one number, the mean of the moments, as if the body were a sphere. It is right for a body
+// whose moments are equal, however it lies; any other turns too easily about one axis, and too
+// hard about another.
+Vector spin_of_sphere(const Vector& twist, const Vector& moments) {
+  return 3 * twist / moments.sum();
 }
 
 std::array<Vector, 8> corners(const Matrix& rotation, const Vector& half) {
@@ -82,6 +90,7 @@ Output compute(const Input& in) {
   out.twist = out.point.cross(Vector(0, 0, -in.impulse));
   out.spin = contact::free_spin<double>(out.twist, out.moments, rotation);
   out.wrong_spin = spin_by_body_axes(out.twist, out.moments);
+  out.sphere_spin = spin_of_sphere(out.twist, out.moments);
   out.size = out.spin.norm();
   out.wrong_size = out.wrong_spin.norm();
   out.agree = (out.spin - out.wrong_spin).norm() <= 1e-12 * out.size ? 1 : 0;
@@ -109,5 +118,5 @@ Output compute(const Input& in) {
 }
 
 FIGURE(Input, FIELDS(tip, at, impulse, shape, time), Output,
-       FIELDS(problem, half, point, axis, moments, twist, spin, wrong_spin, momentum,
+       FIELDS(problem, half, point, axis, moments, twist, spin, wrong_spin, sphere_spin, momentum,
               wrong_momentum, energy, wrong_energy, size, wrong_size, agree, first, later, wrong))

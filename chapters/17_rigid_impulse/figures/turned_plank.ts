@@ -19,6 +19,7 @@ interface Output {
   twist: Vec3;
   spin: Vec3;
   wrong_spin: Vec3;
+  sphere_spin: Vec3;
   momentum: Vec3;
   wrong_momentum: Vec3;
   energy: number;
@@ -96,8 +97,21 @@ export default defineFigure<Input, Output>({
     const tail: Vec3 = [x, y, z + 0.15 + PER_IMPULSE * input.impulse];
     scene.arrow(tail, [x, y, z + 0.15], { role: "ray", width: 3, through: true });
     scene.label(tail, "J", { role: "ray", offset: [10, 0] });
+    scene.arrow(ORIGIN, times(output.sphere_spin, PER_SPIN), {
+      role: "b",
+      width: 2,
+      dashed: true,
+      through: true,
+    });
+    if (!output.agree)
+      scene.label(times(output.sphere_spin, PER_SPIN), "as of a sphere", {
+        role: "b",
+        offset: [0, -10],
+        anchor: "middle",
+        size: "small",
+      });
     scene.arrow(ORIGIN, times(output.spin, PER_SPIN), { role: "hit", width: 3, through: true });
-    scene.label(times(output.spin, PER_SPIN), "ω", { role: "hit", offset: [-4, -10] });
+    scene.label(times(output.spin, PER_SPIN), "ω", { role: "hit", offset: [12, 2] });
     scene.arrow(ORIGIN, times(output.wrong_spin, PER_SPIN), {
       role: "miss",
       width: 3,
@@ -119,6 +133,13 @@ export default defineFigure<Input, Output>({
       value: output.wrong_spin,
       unit: "rad/s",
       role: "miss",
+    },
+    {
+      name: "ω",
+      meaning: "3 (r × J) / tr I, as of a sphere: wrong",
+      value: output.sphere_spin,
+      unit: "rad/s",
+      role: "b",
     },
     { name: "L", meaning: "is the twist", value: output.momentum, unit: "N·m·s", role: "hit" },
     {
