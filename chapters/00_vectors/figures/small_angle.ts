@@ -48,7 +48,7 @@ export default defineFigure<Input, Output>({
   title: "A small angle, two ways",
   view: { kind: "2d", x: [-5.5, 5.3], y: [-8.4, 2.3] },
   aspect: 1.05,
-  initial: { u: [2, 0], k: 5, turned: 0 },
+  initial: { u: [1.5, 0], k: 5, turned: 0 },
   handles: [
     { kind: "point", field: "u", label: "the tip of u", role: "a", step: 0.1, limit: [-2, 2] },
     {
