@@ -238,6 +238,11 @@ int main(int argc, char** argv) {
                       return contact::wrap_by_angles<double>(p, contact::FoldAngle::signed_);
                     },
                     right_wrapping));
+  runner.method(
+      "hull_3d", "wrapping, sides in double",
+      judged(
+          [](const Points& p) { return contact::gift_wrap_with<contact::RoundedSides<double>>(p); },
+          right_hull));
   runner.method("hull_3d", "incremental, float",
                 judged(
                     [](const Points& p) {

@@ -100,7 +100,7 @@ KEY("epsilon-chain") {
 }
 
 KEY("all-corners") {
-  chain::Input state{{-4, 0}, {-3, -2}, {0, -3}, {3, -2}, {4, 0}, {3, 2}, {0, 3}, {-3, 2}, 0};
+  chain::Input state{{-4, 0}, {-3, -2}, {0, -3}, {3, -2}, {4, 0}, {3, 2}, {0, 3}, {-3, 2}, 0, 0, 0};
   const double winning = chain::compute(state).all_corners;
   state.p1 = {-2, -1.5};  // on the way from one neighbour to the other
   return questions::Construct{winning, chain::compute(state).all_corners};

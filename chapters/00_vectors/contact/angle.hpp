@@ -25,6 +25,24 @@ Vector3<S> near_one(const Vector3<S>& v, int& power) {
 }  // namespace angle_detail
 
 // [angle-between]
+/// |u × v| and u · v, both times the same positive number.
+template <std::floating_point S>
+struct BothProducts {
+  S across;  ///< as the sine of the angle
+  S along;   ///< as its cosine
+};
+
+/// Both products of two vectors that are not 0, without overflow.
+template <std::floating_point S>
+BothProducts<S> both_products(const Vector3<S>& u, const Vector3<S>& v) {
+  int power = 0;
+  const Vector3<S> a = angle_detail::near_one(u, power);
+  const Vector3<S> b = angle_detail::near_one(v, power);
+  // The cross product of nearly parallel vectors may be so short that its squares underflow.
+  const Vector3<S> c = angle_detail::near_one(cross_accurately(a, b), power);
+  return {std::ldexp(std::sqrt(c.dot(c)), power), dot_in_order(a, b)};
+}
+
 /// The angle between two vectors, from 0 to π, in radians; nothing if one of them is 0.
 ///
 /// It is measured by both products, tan θ = |u × v| / u · v. Where the cosine is flat, near 0 and
@@ -42,13 +60,8 @@ template <std::floating_point S>
 std::optional<S> angle_between(const Vector3<S>& u, const Vector3<S>& v) {
   const Vector3<S> zero = Vector3<S>::Zero();
   if (u == zero || v == zero) return std::nullopt;
-  int power = 0;
-  const Vector3<S> a = angle_detail::near_one(u, power);
-  const Vector3<S> b = angle_detail::near_one(v, power);
-  // The cross product of nearly parallel vectors may be so short that its squares underflow.
-  const Vector3<S> c = angle_detail::near_one(cross_accurately(a, b), power);
-  const S across = std::ldexp(std::sqrt(c.dot(c)), power);
-  return std::atan2(across, dot_in_order(a, b));
+  const BothProducts<S> both = both_products(u, v);
+  return std::atan2(both.across, both.along);
 }
 // [/angle-between]
 

@@ -1,6 +1,8 @@
 // The hull of eight points in the plane, by a chain that is built step by step.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <contact/exact.hpp>
 #include <contact/figure.hpp>
 #include <contact/hull_2d.hpp>
 #include <vector>
@@ -9,7 +11,9 @@ using Point = contact::Vector2<double>;
 
 struct Input {
   Point p0, p1, p2, p3, p4, p5, p6, p7;
-  double step;  // how many of the turns that are asked have been asked
+  double step;    // how many of the turns that are asked have been asked
+  double method;  // who decides: 0 exact, 1 float, 2 double, 3 double with an epsilon of 1e-6 m²
+  double flat;    // k: pressed to 10^-k of their heights, on a sloping line; 0: as they are
 };
 
 constexpr int count = 8;
@@ -17,19 +21,75 @@ constexpr int count = 8;
 struct Output {
   double problem;
   double steps;                         // turns asked in all
-  double corners;                       // of the finished hull
-  std::array<double, count> hull;       // their indices, then -1
+  double corners;                       // of the finished chain
+  std::array<double, 2 * count> hull;   // their indices, then -1
   double length;                        // of the chain after `step` turns
   std::array<double, 2 * count> chain;  // its indices, then -1
   std::array<double, 3> asked;          // the three points of the last turn, or -1
   double turn;                          // its sign
   double all_corners;                   // goal of a question: every point is a corner
+  double true_corners;                  // of the exact hull
+  std::array<double, count> true_hull;  // their indices, then -1
+  double found;                         // corners of the exact hull that the method has
+  std::array<double, count> lost;       // 1 for those that it has not
+  double wrong_turns;                   // asked in all, with another sign than the exact one
+  std::array<double, 2 * count> place;  // the points as stored, with the heights drawn up again
 };
+
+namespace {
+
+constexpr double slope = 0.8;
+
+double power_of_ten(double k) {
+  double power = 1;
+  for (; k > 0; --k) power *= 10;
+  return power;
+}
+
+/// How high above the sloping line what is stored lies, times the power.
+double drawn_up(const Point& p, double power) {
+  using contact::Exact;
+  return quotient<double>((Exact(p.y()) - Exact(slope) * Exact(p.x())) * Exact(power), Exact(1.0));
+}
+
+/// The points as a method reads them, its corners, and what it asked on the way.
+struct Chain {
+  std::vector<Point> read;
+  std::vector<int> corners;
+  std::vector<std::array<int, 3>> questions;
+  std::vector<int> answers;
+};
+
+template <class Turn>
+Chain chain_by(const std::vector<Point>& read, const Turn& turn) {
+  Chain chain{read, {}, {}, {}};
+  chain.corners = contact::monotone_chain(read, [&](int i, int j, int k) {
+    const auto at = [&read](int index) { return read[static_cast<std::size_t>(index)]; };
+    chain.questions.push_back({i, j, k});
+    chain.answers.push_back(turn(at(i), at(j), at(k)));
+    return chain.answers.back();
+  });
+  return chain;
+}
+
+/// With the points and their turns rounded in S.
+template <class S>
+Chain rounded_chain(const std::vector<Point>& points, double epsilon) {
+  std::vector<Point> read;
+  for (const Point& p : points) read.push_back(p.cast<S>().template cast<double>());
+  return chain_by(read, [epsilon](const Point& a, const Point& b, const Point& c) {
+    const double area = contact::turn<S>(a.cast<S>(), b.cast<S>(), c.cast<S>());
+    return area > epsilon ? 1 : (area < -epsilon ? -1 : 0);
+  });
+}
+
+}  // namespace
 
 Output compute(const Input& in) {
   Output out{};
-  const std::vector<Point> points{in.p0, in.p1, in.p2, in.p3, in.p4, in.p5, in.p6, in.p7};
+  std::vector<Point> points{in.p0, in.p1, in.p2, in.p3, in.p4, in.p5, in.p6, in.p7};
   out.hull.fill(-1);
+  out.true_hull.fill(-1);
   out.chain.fill(-1);
   out.asked.fill(-1);
   for (const Point& p : points) {
@@ -37,25 +97,50 @@ Output compute(const Input& in) {
   }
   if (out.problem != 0) return out;
 
-  // The chain as it stands is what has been asked about and not been taken off: it is told by
-  // following the questions.
-  std::vector<std::array<int, 3>> questions;
-  const std::vector<int> hull = contact::monotone_chain(points, [&](int i, int j, int k) {
-    questions.push_back({i, j, k});
-    const auto at = [&points](int index) { return points[static_cast<std::size_t>(index)]; };
-    return contact::side_of_line(at(i), at(j), at(k));
-  });
+  const double flat = in.flat > 0 ? std::min(std::round(in.flat), 16.0) : 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Point& p = points[i];
+    Point drawn = p;
+    if (flat > 0) {
+      p.y() = slope * p.x() + p.y() / power_of_ten(flat);
+      drawn.y() = drawn_up(p, power_of_ten(flat));
+    }
+    out.place[2 * i] = drawn.x();
+    out.place[2 * i + 1] = drawn.y();
+  }
+
+  const std::vector<int> exact = contact::convex_hull_2d(points);
+  const Chain asked = in.method == 1   ? rounded_chain<float>(points, 0)
+                      : in.method == 2 ? rounded_chain<double>(points, 0)
+                      : in.method == 3 ? rounded_chain<double>(points, 1e-6)
+                                       : chain_by(points, contact::side_of_line);
+  const std::vector<int>& hull = asked.corners;
+  const auto& questions = asked.questions;
   out.steps = static_cast<double>(questions.size());
   out.corners = static_cast<double>(hull.size());
-  for (std::size_t i = 0; i < hull.size(); ++i) out.hull[i] = hull[i];
+  for (std::size_t i = 0; i < hull.size() && i < out.hull.size(); ++i) out.hull[i] = hull[i];
+  out.true_corners = static_cast<double>(exact.size());
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    out.true_hull[i] = exact[i];
+    const bool has = std::find(hull.begin(), hull.end(), exact[i]) != hull.end();
+    (has ? out.found : out.lost[static_cast<std::size_t>(exact[i])]) += 1;
+  }
+  for (std::size_t q = 0; q < questions.size(); ++q) {
+    const auto at = [&](std::size_t k) {
+      return points[static_cast<std::size_t>(questions[q][k])];
+    };
+    out.wrong_turns += contact::side_of_line(at(0), at(1), at(2)) != asked.answers[q];
+  }
 
+  // The chain as it stands is what has been asked about and not been taken off: it is told by
+  // following the questions.
   const auto shown = static_cast<std::size_t>(std::clamp(in.step, 0.0, out.steps));
   std::vector<int> lower, chain;
   bool back = false;
   for (std::size_t q = 0; q < shown; ++q) {
     const auto [i, j, k] = questions[q];
-    const Point& second = points[static_cast<std::size_t>(j)];
-    const Point& third = points[static_cast<std::size_t>(k)];
+    const Point& second = asked.read[static_cast<std::size_t>(j)];
+    const Point& third = asked.read[static_cast<std::size_t>(k)];
     const bool leftwards =
         third.x() < second.x() || (third.x() == second.x() && third.y() < second.y());
     if (leftwards && !back) lower.swap(chain);  // the way back is a chain of its own
@@ -67,8 +152,7 @@ Output compute(const Input& in) {
       if (chain.empty() || chain.back() != i) chain.push_back(i);
       chain.push_back(j);
     }
-    const auto at = [&points](int index) { return points[static_cast<std::size_t>(index)]; };
-    const int turn = contact::side_of_line(at(i), at(j), at(k));
+    const int turn = asked.answers[q];
     if (turn <= 0) chain.pop_back();
     if (turn > 0 || q + 1 == questions.size() || questions[q + 1][2] != k) chain.push_back(k);
     out.asked = {double(i), double(j), double(k)};
@@ -83,9 +167,10 @@ Output compute(const Input& in) {
   out.length = static_cast<double>(std::min<std::size_t>(chain.size(), out.chain.size()));
   for (std::size_t i = 0; i < chain.size() && i < out.chain.size(); ++i) out.chain[i] = chain[i];
 
-  out.all_corners = hull.size() == count ? 1 : 0;
+  out.all_corners = exact.size() == count ? 1 : 0;
   return out;
 }
 
-FIGURE(Input, FIELDS(p0, p1, p2, p3, p4, p5, p6, p7, step), Output,
-       FIELDS(problem, steps, corners, hull, length, chain, asked, turn, all_corners))
+FIGURE(Input, FIELDS(p0, p1, p2, p3, p4, p5, p6, p7, step, method, flat), Output,
+       FIELDS(problem, steps, corners, hull, length, chain, asked, turn, all_corners, true_corners,
+              true_hull, found, lost, wrong_turns, place))

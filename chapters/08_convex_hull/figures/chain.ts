@@ -1,5 +1,5 @@
 // A chain of left turns round eight points. Each step asks for one turn: green keeps the point in
-// the middle, red takes it off.
+// the middle, red takes it off. Who decides may be a rounded turn, on points that are nearly on a line.
 
 import { defineFigure, type Vec2 } from "@contact/figure";
 
@@ -13,6 +13,8 @@ interface Input {
   p6: Vec2;
   p7: Vec2;
   step: number;
+  method: number;
+  flat: number;
 }
 
 interface Output {
@@ -23,6 +25,12 @@ interface Output {
   chain: readonly number[];
   asked: readonly number[];
   turn: number;
+  true_corners: number;
+  true_hull: readonly number[];
+  found: number;
+  lost: readonly number[];
+  wrong_turns: number;
+  place: readonly number[];
 }
 
 const NAMES = ["p0", "p1", "p2", "p3", "p4", "p5", "p6", "p7"] as const;
@@ -42,6 +50,8 @@ export default defineFigure<Input, Output>({
     p6: [3, -2],
     p7: [4, 1],
     step: 4,
+    method: 0,
+    flat: 0,
   },
   handles: NAMES.map((field, i) => ({
     kind: "point" as const,
@@ -61,6 +71,18 @@ export default defineFigure<Input, Output>({
       step: 1,
       play: 10,
     },
+    {
+      kind: "choice",
+      field: "method",
+      label: "Decided by",
+      options: [
+        { value: 0, label: "exact turns" },
+        { value: 1, label: "turns in float" },
+        { value: 2, label: "turns in double" },
+        { value: 3, label: "turns beyond 1e-6 m²" },
+      ],
+    },
+    { kind: "slider", field: "flat", label: "k, heights × 10⁻ᵏ", min: 0, max: 16, step: 1 },
     ...NAMES.map((field, i) => ({
       kind: "numbers" as const,
       field,
@@ -70,13 +92,24 @@ export default defineFigure<Input, Output>({
     })),
   ],
   draw(scene, input, output) {
-    const points = all(input);
+    const points: Vec2[] = output.problem
+      ? all(input)
+      : NAMES.map((_, i) => [output.place[2 * i] ?? 0, output.place[2 * i + 1] ?? 0]);
     for (const [i, p] of points.entries())
       scene.label(p, String(i), { role: "ink", offset: [9, -9], size: "small" });
     if (output.problem) return;
     const at = (i: number | undefined): Vec2 => points[i ?? 0] ?? [0, 0];
     const hull = output.hull.slice(0, output.corners).map(at);
     if (hull.length > 2) scene.face(hull, { role: "surface", fill: 0.08, outline: false });
+    if (output.found < output.true_corners || output.wrong_turns > 0) {
+      const right = output.true_hull.slice(0, output.true_corners).map(at);
+      scene.path([...right, ...right.slice(0, 1)], { role: "normal", width: 1.5, dashed: true });
+      for (const [i, p] of points.entries()) {
+        if (!output.lost[i]) continue;
+        scene.dot(p, "miss", 8, true);
+        scene.label(p, "lost", { role: "miss", offset: [10, 18], size: "small" });
+      }
+    }
     const chain = output.chain.slice(0, output.length).map(at);
     if (chain.length > 1) scene.path(chain, { role: "surface", width: 3 });
     const [i = -1, j = -1, k = -1] = output.asked;
@@ -88,7 +121,18 @@ export default defineFigure<Input, Output>({
     }
   },
   values: (input, output) => [
-    { name: "corners", meaning: "of the hull", value: output.corners, role: "surface" },
+    {
+      name: "found",
+      meaning: "of the hull's corners; it is dashed",
+      value: `${output.found} of ${output.true_corners}`,
+      role: output.found < output.true_corners ? "miss" : "surface",
+    },
+    {
+      name: "wrong",
+      meaning: "turns of all",
+      value: output.wrong_turns,
+      role: output.wrong_turns ? "miss" : "ink",
+    },
     {
       name: "turns",
       meaning: "asked so far, of all",
@@ -109,5 +153,5 @@ export default defineFigure<Input, Output>({
     },
   ],
   describe: (input, output) =>
-    `The hull of the eight points has ${output.corners} corners. ${Math.min(input.step, output.steps)} of ${output.steps} turns have been asked.`,
+    `The hull of the eight points has ${output.true_corners} corners, of which ${output.found} are found. ${Math.min(input.step, output.steps)} of ${output.steps} turns have been asked.`,
 });

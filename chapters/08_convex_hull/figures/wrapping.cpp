@@ -1,7 +1,9 @@
 // One set of points and several ways to its hull: where the ways part, at most one is right.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <contact/convex_hull.hpp>
+#include <contact/exact.hpp>
 #include <contact/figure.hpp>
 #include <contact/gift_wrapping.hpp>
 #include <map>
@@ -12,9 +14,11 @@ using Point = contact::Vector3<double>;
 
 struct Input {
   Point a, b, c, d, e, f, g, h;
-  double method;   // 0 exact, 1 angles as on the slide, 2 signed angles, 3 growing with an epsilon
+  double method;   // 0 exact, 1 angles as on the slide, 2 signed angles, 3 growing with an epsilon,
+                   // 4 growing in float, 5 growing in double, 6 wrapping with sides in double
   double epsilon;  // m, for method 3
   double shown;    // how many triangles are shown
+  double flat;     // 0: as they are; k: pressed to 10^-k of their heights, on a sloping plane
 };
 
 constexpr int count = 8;
@@ -31,11 +35,38 @@ struct Output {
   double open_edges;                      // edges that belong to one triangle only
   std::array<double, 2 * 3 * most> open;  // their ends
   double outside;                         // points that are exactly in front of some triangle
+  double found;                           // corners of the exact hull that the method has
+  std::array<double, count> lost;         // 1 for those that it has not
+  std::array<double, 3 * count> place;    // the points as stored, with the heights drawn up again
 };
+
+namespace {
+
+constexpr double slope_x = 0.3, slope_y = 0.7;
+
+double power_of_ten(double k) {
+  double power = 1;
+  for (; k > 0; --k) power *= 10;
+  return power;
+}
+
+/// The point on its place over the sloping plane, as doubles store it.
+Point pressed(const Point& p, double power) {
+  return {p.x(), p.y(), slope_x * p.x() + slope_y * p.y() + p.z() / power};
+}
+
+/// How high above the sloping plane what is stored lies, times the power.
+double drawn_up(const Point& p, double power) {
+  using contact::Exact;
+  const Exact plane = Exact(slope_x) * Exact(p.x()) + Exact(slope_y) * Exact(p.y());
+  return quotient<double>((Exact(p.z()) - plane) * Exact(power), Exact(1.0));
+}
+
+}  // namespace
 
 Output compute(const Input& in) {
   Output out{};
-  const std::vector<Point> points{in.a, in.b, in.c, in.d, in.e, in.f, in.g, in.h};
+  std::vector<Point> points{in.a, in.b, in.c, in.d, in.e, in.f, in.g, in.h};
   out.corner.fill(-1);
   out.open.fill(-1);
   for (const Point& p : points) {
@@ -43,6 +74,17 @@ Output compute(const Input& in) {
   }
   if (!(in.epsilon >= 0)) out.problem = contact::figure::not_positive;
   if (out.problem != 0) return out;
+
+  const double flat = in.flat > 0 ? std::min(std::round(in.flat), 16.0) : 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Point& p = points[i];
+    Point drawn = p;
+    if (flat > 0) {
+      p = pressed(p, power_of_ten(flat));
+      drawn.z() = drawn_up(p, power_of_ten(flat));
+    }
+    for (int k = 0; k < 3; ++k) out.place[3 * i + static_cast<std::size_t>(k)] = drawn[k];
+  }
 
   const contact::Hull exact = contact::convex_hull(points);
   out.dimension = exact.dimension;
@@ -57,9 +99,13 @@ Output compute(const Input& in) {
     const contact::Wrapping wrapping = contact::wrap_by_angles<double>(points, fold);
     triangles = wrapping.triangles;
     closed = wrapping.closed;
-  } else if (in.method == 3) {
+  } else if (in.method >= 3 && in.method <= 6) {
+    using contact::RoundedSides;
     const contact::Hull hull =
-        contact::convex_hull_with<contact::RoundedSides<double>>(points, in.epsilon);
+        in.method == 3   ? contact::convex_hull_with<RoundedSides<double>>(points, in.epsilon)
+        : in.method == 4 ? contact::convex_hull_with<RoundedSides<float>>(points)
+        : in.method == 5 ? contact::convex_hull_with<RoundedSides<double>>(points)
+                         : contact::gift_wrap_with<RoundedSides<double>>(points);
     triangles = contact::triangles(hull);
     closed = hull.closed;
   } else {
@@ -71,6 +117,10 @@ Output compute(const Input& in) {
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   out.triangles = static_cast<double>(triangles.size());
   out.closed = closed ? 1 : 0;
+  for (const int corner : exact.vertices) {
+    const bool has = std::binary_search(corners.begin(), corners.end(), corner);
+    (has ? out.found : out.lost[static_cast<std::size_t>(corner)]) += 1;
+  }
 
   const auto at = [&points](int i) { return points[static_cast<std::size_t>(i)]; };
   std::array<bool, count> outside{};
@@ -106,6 +156,6 @@ Output compute(const Input& in) {
   return out;
 }
 
-FIGURE(Input, FIELDS(a, b, c, d, e, f, g, h, method, epsilon, shown), Output,
+FIGURE(Input, FIELDS(a, b, c, d, e, f, g, h, method, epsilon, shown, flat), Output,
        FIELDS(problem, dimension, corners, faces, triangles, closed, right, corner, in_front,
-              open_edges, open, outside))
+              open_edges, open, outside, found, lost, place))

@@ -1,7 +1,7 @@
 // Eight points and what a method makes of them. A triangle with points in front of it is red, and so
 // is an edge that no second triangle has.
 
-import { defineFigure, type Vec3 } from "@contact/figure";
+import { defineFigure, type Vec3, vectorAt } from "@contact/figure";
 
 interface Input {
   a: Vec3;
@@ -15,6 +15,7 @@ interface Input {
   method: number;
   epsilon: number;
   shown: number;
+  flat: number;
 }
 
 interface Output {
@@ -29,11 +30,22 @@ interface Output {
   open_edges: number;
   open: readonly number[];
   outside: number;
+  found: number;
+  lost: readonly number[];
+  place: readonly number[];
 }
 
 const GROUND = -1.4;
 const NAMES = ["a", "b", "c", "d", "e", "f", "g", "h"] as const;
-const METHODS = ["exact", "angles as on the slide", "signed angles", "an epsilon"];
+const METHODS = [
+  "exact",
+  "angles as on the slide",
+  "signed angles",
+  "an epsilon",
+  "growing in float",
+  "growing in double",
+  "wrapping in double",
+];
 
 export default defineFigure<Input, Output>({
   title: "Wrapping eight points",
@@ -58,6 +70,7 @@ export default defineFigure<Input, Output>({
     method: 2,
     epsilon: 0.3,
     shown: 24,
+    flat: 0,
   },
   handles: NAMES.map((field) => ({
     kind: "point" as const,
@@ -77,6 +90,20 @@ export default defineFigure<Input, Output>({
         { value: 1, label: "wrapping, angles as on the slide" },
         { value: 2, label: "wrapping, signed angles" },
         { value: 3, label: "growing, with an epsilon" },
+        { value: 4, label: "growing, rounded in float" },
+        { value: 5, label: "growing, rounded in double" },
+        { value: 6, label: "wrapping, rounded in double" },
+      ],
+    },
+    {
+      kind: "choice",
+      field: "flat",
+      label: "Points",
+      options: [
+        { value: 0, label: "as they are" },
+        { value: 9, label: "nearly flat (10⁻⁹)" },
+        { value: 13, label: "flatter (10⁻¹³)" },
+        { value: 16, label: "down to rounding (10⁻¹⁶)" },
       ],
     },
     { kind: "slider", field: "shown", label: "shown", min: 0, max: 24, step: 1, play: 8 },
@@ -90,7 +117,9 @@ export default defineFigure<Input, Output>({
     })),
   ],
   draw(scene, input, output) {
-    const points = NAMES.map((name) => input[name]);
+    const points = NAMES.map((name, i) =>
+      output.problem ? input[name] : vectorAt(output.place, i),
+    );
     for (const [i, p] of points.entries()) {
       scene.drop(p, GROUND, "ghost");
       scene.label(p, NAMES[i] ?? "", { role: "ink", offset: [8, -10], size: "small" });
@@ -109,6 +138,11 @@ export default defineFigure<Input, Output>({
       });
     }
     if (shown < output.triangles) return;
+    for (const [i, p] of points.entries()) {
+      if (!output.lost[i]) continue;
+      scene.dot(p, "miss", 9, true);
+      scene.label(p, "lost", { role: "miss", offset: [10, 20], size: "small" });
+    }
     for (let i = 0; i < output.open_edges; i++)
       scene.line(at(output.open[2 * i]), at(output.open[2 * i + 1]), {
         role: "miss",
@@ -123,7 +157,19 @@ export default defineFigure<Input, Output>({
       value: output.right ? "the hull" : "not the hull",
       role: output.right ? "hit" : "miss",
     },
+    {
+      name: "found",
+      meaning: "of the hull's corners",
+      value: `${output.found} of ${output.corners}`,
+      role: output.found < output.corners ? "miss" : "ink",
+    },
     { name: "triangles", meaning: "of the method", value: output.triangles },
+    {
+      name: "closed",
+      meaning: "says the method",
+      value: output.closed ? "yes" : "no",
+      role: output.closed ? "ink" : "miss",
+    },
     {
       name: "open",
       meaning: "edges of one triangle only",
@@ -136,9 +182,8 @@ export default defineFigure<Input, Output>({
       value: output.outside,
       role: output.outside ? "miss" : "ink",
     },
-    { name: "corners", meaning: "of the exact hull", value: output.corners, role: "surface" },
     { name: "faces", meaning: "of the exact hull", value: output.faces, role: "surface" },
   ],
   describe: (input, output) =>
-    `The exact hull has ${output.corners} corners and ${output.faces} faces. The method (${METHODS[input.method]}) gives ${output.triangles} triangles with ${output.open_edges} open edges; ${output.outside} points are outside. It is ${output.right ? "the hull" : "not the hull"}.`,
+    `The exact hull has ${output.corners} corners and ${output.faces} faces. The method (${METHODS[input.method]}) finds ${output.found} of them and gives ${output.triangles} triangles with ${output.open_edges} open edges; ${output.outside} points are outside. It is ${output.right ? "the hull" : "not the hull"}.`,
 });
