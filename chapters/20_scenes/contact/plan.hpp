@@ -64,7 +64,8 @@ inline void add_notices(const PlanQuestion& q, Plan& plan) {
   const Decision& horizon = decision_on(plan, Effect::horizon);
   if (horizon.value && *horizon.value < q.scene->duration) {
     plan.notices.push_back("The tolerance holds up to about t = " + short_number(*horizon.value) +
-                           " s; after that only conserved quantities and statistics do.");
+                           " s, by an estimate for bodies spread evenly; after that only conserved "
+                           "quantities and statistics do.");
   }
   const Decision& step = decision_on(plan, Effect::step_size);
   if (step.on && !step.proven && q.bounds.movers > 0) {
