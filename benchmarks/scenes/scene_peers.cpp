@@ -280,8 +280,8 @@ void shots(const std::vector<Program>& all, Summary& summary) {
           std::string(!program.bullets ? "" : (bullets ? ", as bullets" : ", as they come"));
       std::printf("  %-32s %13d ", name.c_str(), through);
       const std::string way = bullets ? "as bullets" : "as they come";
-      summary.add(std::to_string(count) + " shots " + way + ", through the wall", program.name,
-                  "%.0f", through);
+      summary.add(std::to_string(count) + " shots " + way + ": through", program.name, "%.0f",
+                  through);
       if (through < count) {
         std::printf("%28.1e\n", worst);
       } else {
@@ -334,7 +334,7 @@ void stack(std::vector<Program> all, int runs, Summary& summary) {
                 mean, *std::max_element(times.begin(), times.end()), sideways, down, speed);
     summary.add("ten boxes at rest, ms a step", program.name, "%.3f", median(times));
     summary.add("  ten boxes, mean ms", program.name, "%.3f", mean);
-    summary.add("  ten boxes, sideways after 10 s, m", program.name, "%.1e", sideways);
+    summary.add("  ten boxes, sideways, m", program.name, "%.1e", sideways);
   }
   std::printf("\n");
 }

@@ -27,14 +27,16 @@ class Summary {
   }
 
   void print() const {
-    std::printf("side by side, medians; ms are of the processor\n%-46s", "");
-    for (const std::string& program : programs_) std::printf(" %14s", program.c_str());
+    std::printf("side by side, medians; ms are of the processor\n%-34s", "");
+    for (const std::string& program : programs_)
+      std::printf(" %*s", width_of(program), program.c_str());
     std::printf("\n");
     for (const auto& [question, answers] : rows_) {
-      std::printf("%-46s", question.c_str());
+      std::printf("%-34s", question.c_str());
       for (const std::string& program : programs_) {
         const auto found = answers.find(program);
-        std::printf(" %14s", found == answers.end() ? "-" : found->second.c_str());
+        std::printf(" %*s", width_of(program),
+                    found == answers.end() ? "-" : found->second.c_str());
       }
       std::printf("\n");
     }
@@ -42,6 +44,11 @@ class Summary {
   }
 
  private:
+  /// Narrow enough that a page shows all columns.
+  static int width_of(const std::string& program) {
+    return std::max(8, static_cast<int>(program.size()));
+  }
+
   std::vector<std::string> programs_;
   std::vector<std::pair<std::string, std::map<std::string, std::string>>> rows_;
 };
