@@ -10,6 +10,7 @@
 #include <contact/impulse.hpp>
 #include <contact/impulse_sum.hpp>
 #include <contact/momentum.hpp>
+#include <contact/momentum_balance.hpp>
 #include <contact/variable_mass.hpp>
 #include <cstdlib>
 #include <vector>
@@ -139,8 +140,6 @@ contact::ForceCurve<double> curve(const Case& c) {
   return contact::force_curve<double>(c.numbers("times"), force);
 }
 
-enum class Way { formulas, impulses, grid };
-
 /// The whole momentum after elastic collisions of two at a time, each with each in turn. Between
 /// themselves they cannot change it, so the answer is that of the start.
 void add_balance(hard_cases::Runner& runner) {
@@ -151,47 +150,33 @@ void add_balance(hard_cases::Runner& runner) {
     }
     return Json{{"class", "a"}, {"momentum", nearest(sum)}};
   });
-  const auto method = [&runner](const char* name, Way way) {
-    runner.method("balance", name, [way](const Case& c, const Json& answer) {
-      const Numbers mass = c.numbers("masses");
-      Numbers v = c.numbers("velocities");
-      const std::size_t n = mass.size();
-      const auto on_grid = [](double x) {
-        return std::ldexp(std::nearbyint(std::ldexp(x, 40)), -40);
-      };
-      Numbers p;
-      for (std::size_t i = 0; i < n; ++i) p.push_back(on_grid(mass[i] * v[i]));
+  const auto method = [&runner](const char* name, contact::Booking booking) {
+    runner.method("balance", name, [booking](const Case& c, const Json& answer) {
+      const double unit = 0x1p-40;  // N·s
+      std::vector<contact::BookedBody<double>> all;
+      for (const auto& body : bodies(c)) {
+        const double v = body.velocity.x();
+        all.push_back({body.mass, v, contact::on_grid(body.mass * v, unit)});
+      }
+      const std::size_t n = all.size();
       const auto collisions = static_cast<std::size_t>(c.number("collisions"));
       for (std::size_t k = 0; k < collisions; ++k) {
         const std::size_t a = k % n;
         const std::size_t b = (a + 1 + k / n % (n - 1)) % n;
-        const double together = mass[a] + mass[b];
-        const double impulse = 2 * (v[a] - v[b]) * (mass[a] * mass[b] / together);
-        if (way == Way::formulas) {
-          const double before = v[a];
-          v[a] = ((mass[a] - mass[b]) * v[a] + 2 * mass[b] * v[b]) / together;
-          v[b] = ((mass[b] - mass[a]) * v[b] + 2 * mass[a] * before) / together;
-        } else if (way == Way::impulses) {
-          v[a] -= impulse / mass[a];
-          v[b] += impulse / mass[b];
-        } else {
-          p[a] -= on_grid(impulse);
-          p[b] += on_grid(impulse);
-          v[a] = p[a] / mass[a];
-          v[b] = p[b] / mass[b];
-        }
+        contact::collide_booked(all[a], all[b], booking, unit);
       }
       Rational sum = 0;
-      for (std::size_t i = 0; i < n; ++i) {
-        sum +=
-            way == Way::grid ? oracle::exact(p[i]) : oracle::exact(mass[i]) * oracle::exact(v[i]);
+      for (const auto& body : all) {
+        sum += booking == contact::Booking::grid
+                   ? oracle::exact(body.momentum)
+                   : oracle::exact(body.mass) * oracle::exact(body.velocity);
       }
       return same(oracle::nearest(sum), answer, "momentum");
     });
   };
-  method("formulas", Way::formulas);
-  method("impulses", Way::impulses);
-  method("on a grid", Way::grid);
+  method("formulas", contact::Booking::formulas);
+  method("impulses", contact::Booking::impulses);
+  method("on a grid", contact::Booking::grid);
 }
 
 void add_curve(hard_cases::Runner& runner) {

@@ -5,7 +5,10 @@
 #include <contact/impulse.hpp>
 #include <contact/impulse_sum.hpp>
 #include <contact/momentum.hpp>
+#include <contact/momentum_balance.hpp>
 #include <contact/variable_mass.hpp>
+#include <cstdint>
+#include <limits>
 #include <set>
 
 #define CONTACT_FIGURE_NO_MAIN
@@ -15,6 +18,9 @@ namespace force_time {
 }
 namespace skaters {
 #include "figures/skaters.cpp"
+}
+namespace balance {
+#include "figures/balance.cpp"
 }
 
 using Vector = contact::Vector3<double>;
@@ -129,4 +135,26 @@ KEY("one-skater-stands") {
   const double winning = skaters::compute(state).first_stands;
   state.apart = -1.5;
   return questions::Construct{winning, skaters::compute(state).first_stands};
+}
+
+TEST_CASE("in the figure of the books, one line alone stays where it is") {
+  for (const double wide : {0.0, 1.0}) {
+    double farther = 0;  // of how many orders the formulas drift further when there are more
+    for (int order = 0; order < 20; ++order) {
+      balance::Input state{3, -2, 1.5, -1, 2, wide, double(order), 100};
+      const auto few = balance::compute(state);
+      state.power = 4;
+      const auto many = balance::compute(state);
+      CHECK(many.problem == 0);
+      CHECK(many.collisions == 10000);
+      for (const double off : many.grid) CHECK(off == 0);
+      CHECK((many.off[0] != 0 && many.off[1] != 0 && many.off[2] == 0));
+      CHECK(many.read[0] == many.formulas.back());
+      CHECK(many.read[1] == many.impulses.back());
+      farther += many.most > few.most;
+    }
+    CHECK(farther == 20);
+  }
+  CHECK(balance::compute({101, 0, 0, 0, 2, 0, 0, 0}).problem == contact::figure::too_large);
+  CHECK(balance::compute({0, 0, 0, 0, 2, 0, 0, 0}).most == 0);
 }
