@@ -7,6 +7,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/angle.hpp>
+#include <contact/arc.hpp>
 #include <contact/error_free.hpp>
 #include <contact/frame.hpp>
 #include <contact/products.hpp>
@@ -331,6 +332,38 @@ TEMPLATE_TEST_CASE("an angle is as near as it says", "", float, double) {
         std::atan2(S(1), S(0)));
   CHECK(contact::angle_between<S>({2, 4, -6}, {1, 2, -3}) == S(0));
   CHECK(*contact::angle_between<S>({2, 4, -6}, {-1, -2, 3}) < infinity);
+}
+
+TEST_CASE("an angle by halves is as near as it says") {
+  using oracle::Interval;
+  Random random(12);
+  const auto check = [](double across, double along) {
+    INFO(across << " across, " << along << " along");
+    const Rational y = oracle::exact(across), x = oracle::exact(along);
+    const auto angle = [&](unsigned bits) {
+      if (x == 0) return Interval::pi(bits) * Interval(Rational(1) / 2, bits);
+      const Interval acute = atan(Interval(Rational(y / abs(x)), bits));
+      return x > 0 ? acute : Interval::pi(bits) - acute;
+    };
+    const Interval truth = angle(1200);  // enough for a sine of 2^-1074 beside π
+    const Rational room = 16 * u<double>() * truth.high() + 4 * eta<double>();
+    REQUIRE(within(contact::portable_angle(across, along), truth.low(), room));
+  };
+  for (int i = 0; i < generators::tried(2000); ++i) {
+    const double across = random.magnitude(-30, 30);
+    double along = i % 4 == 0 ? random.magnitude(-30, 30) : across * random.uniform(0.2, 5);
+    if (i % 3 == 0) along = -along;
+    check(std::abs(across), along);
+  }
+  const double huge = std::numeric_limits<double>::max();
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  for (const double across : {0.0, tiny, 1.0, huge}) {
+    for (const double along : {-huge, -1.0, -tiny, 0.0, tiny, 1.0, huge}) {
+      if (across != 0 || along != 0) check(across, along);
+    }
+  }
+  CHECK(contact::portable_angle(0, 0) == 0);
+  CHECK(contact::portable_angle(0, -3) == std::atan2(0.0, -3.0));
 }
 
 TEMPLATE_TEST_CASE("a frame on a normal is orthonormal and right-handed", "", float, double) {

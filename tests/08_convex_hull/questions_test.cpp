@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <contact/arc.hpp>
 #include <contact/convex_hull.hpp>
 #include <contact/gift_wrapping.hpp>
 #include <contact/hull_2d.hpp>
@@ -111,4 +112,31 @@ KEY("sees-eight") {
   const double winning = horizon::compute(state).sees_many;
   state.p = {0.9, 0.4, 0.4};
   return questions::Construct{winning, horizon::compute(state).sees_many};
+}
+
+TEST_CASE("the chain loses corners where the figure's caption says so") {
+  chain::Input state{{-4, -1}, {-3, 2}, {-2, -2.5}, {-1, 0.5}, {1, -1}, {2, 3},
+                     {3, -2},  {4, 1},  24,         0,         0};
+  enum Method { exact, in_float, in_double, epsilon, angles };
+  const auto lost = [&state](Method method, double flat) {
+    state.method = method;
+    state.flat = flat;
+    const auto out = chain::compute(state);
+    CHECK(out.problem == 0);
+    return out.true_corners - out.found;
+  };
+  for (int k = 0; k <= 16; ++k) {
+    CHECK(lost(exact, k) == 0);
+    CHECK((lost(in_float, k) > 0) == (k >= 7));
+    CHECK((lost(epsilon, k) > 0) == (k >= 7));
+    CHECK((lost(in_double, k) > 0) == (k == 16));
+  }
+  CHECK(lost(angles, 0) == 0);
+  state.p6 = {3, -2.5};
+  state.p7 = {0.5, -2.5};
+  for (const Method method : {exact, in_float, in_double, epsilon}) CHECK(lost(method, 0) == 0);
+  CHECK(lost(angles, 0) == 1);
+  const auto out = chain::compute(state);
+  CHECK(out.lost[6] == 1);
+  CHECK(out.wrong_turns == 0);
 }

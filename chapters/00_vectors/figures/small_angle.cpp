@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <contact/angle.hpp>
+#include <contact/arc.hpp>
 #include <contact/exact.hpp>
 #include <contact/figure.hpp>
 
@@ -30,34 +31,19 @@ struct Output {
 
 namespace {
 
-constexpr double pi = 3.141592653589793;
-
-/// The angle with this sine and cosine, times any number. In place of std::atan2, whose last bit
-/// is not the same everywhere: halved three times, the angle has a short series.
-double arc(double sine, double cosine) {
-  const double size = std::abs(cosine);
-  const bool steep = sine > size;
-  double t = steep ? size / sine : sine / size;
-  for (int half = 0; half < 3; ++half) t /= 1 + std::sqrt(1 + t * t);
-  double series = 0;
-  for (int n = 19; n >= 1; n -= 2) series = 1.0 / n - t * t * series;
-  const double acute = steep ? pi / 2 - 8 * t * series : 8 * t * series;
-  return cosine < 0 ? pi - acute : acute;
-}
-
 // WRONG: near 1 the cosine is flat, and the angle is lost when it is rounded. The arccosine itself
 // is good to the last digits.
 template <class S>
 S angle_by_cosine(const contact::Vector3<S>& u, const contact::Vector3<S>& v) {
   const S cosine = contact::dot_in_order(u, v) / (u.norm() * v.norm());
   const double c = std::clamp(double(cosine), -1.0, 1.0);
-  return S(arc(std::sqrt((1 - c) * (1 + c)), c));
+  return S(contact::portable_angle(std::sqrt((1 - c) * (1 + c)), c));
 }
 
 template <class S>
 S angle_by_both(const contact::Vector3<S>& u, const contact::Vector3<S>& v) {
   const auto both = contact::both_products(u, v);
-  return S(arc(double(both.across), double(both.along)));
+  return S(contact::portable_angle(double(both.across), double(both.along)));
 }
 
 /// The angle of what is stored: its tangent is rounded once.
@@ -66,7 +52,7 @@ double true_angle(const Flat& u, const Flat& v) {
   const Exact across = Exact(u.x()) * Exact(v.y()) - Exact(u.y()) * Exact(v.x());
   const Exact along = Exact(u.x()) * Exact(v.x()) + Exact(u.y()) * Exact(v.y());
   const double tangent = quotient<double>(across, along);
-  return arc(std::abs(tangent), along.sign());
+  return contact::portable_angle(std::abs(tangent), along.sign());
 }
 
 Flat nearly(const Input& in, double k) {

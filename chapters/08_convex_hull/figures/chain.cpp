@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <contact/arc.hpp>
 #include <contact/exact.hpp>
 #include <contact/figure.hpp>
 #include <contact/hull_2d.hpp>
@@ -12,7 +13,8 @@ using Point = contact::Vector2<double>;
 struct Input {
   Point p0, p1, p2, p3, p4, p5, p6, p7;
   double step;    // how many of the turns that are asked have been asked
-  double method;  // who decides: 0 exact, 1 float, 2 double, 3 double with an epsilon of 1e-6 m²
+  double method;  // who decides: 0 exact, 1 float, 2 double, 3 double with an epsilon of 1e-6 m²,
+                  // 4 angles, and then exact turns
   double flat;    // k: pressed to 10^-k of their heights, on a sloping line; 0: as they are
 };
 
@@ -83,6 +85,41 @@ Chain rounded_chain(const std::vector<Point>& points, double epsilon) {
   });
 }
 
+// WRONG: two directions that differ may have the same angle once it is rounded, and points on one
+// line through the lowest have it without that. Then nothing says who comes first, and a corner
+// that comes before what lies below it goes, however exactly the turns are decided.
+Chain chain_by_angles(const std::vector<Point>& points) {
+  Chain chain{points, {}, {}, {}};
+  const auto at = [&points](int i) { return points[static_cast<std::size_t>(i)]; };
+  int lowest = 0;
+  for (int i = 1; i < count; ++i) {
+    const Point step = at(i) - at(lowest);
+    if (at(i).y() < at(lowest).y() || (step.y() == 0 && step.x() < 0)) lowest = i;
+  }
+  std::array<double, count> angle{};
+  std::vector<int> order{lowest};
+  for (int i = 0; i < count; ++i) {
+    const Point from = at(i) - at(lowest);
+    angle[static_cast<std::size_t>(i)] = contact::portable_angle(from.y(), from.x());
+    if (i != lowest) order.push_back(i);
+  }
+  std::stable_sort(order.begin() + 1, order.end(), [&angle](int i, int j) {
+    return angle[static_cast<std::size_t>(i)] < angle[static_cast<std::size_t>(j)];
+  });
+  std::vector<int>& hull = chain.corners;
+  for (const int k : order) {
+    while (hull.size() >= 2) {
+      const int i = hull[hull.size() - 2], j = hull.back();
+      chain.questions.push_back({i, j, k});
+      chain.answers.push_back(contact::side_of_line(at(i), at(j), at(k)));
+      if (chain.answers.back() > 0) break;
+      hull.pop_back();
+    }
+    hull.push_back(k);
+  }
+  return chain;
+}
+
 }  // namespace
 
 Output compute(const Input& in) {
@@ -113,6 +150,7 @@ Output compute(const Input& in) {
   const Chain asked = in.method == 1   ? rounded_chain<float>(points, 0)
                       : in.method == 2 ? rounded_chain<double>(points, 0)
                       : in.method == 3 ? rounded_chain<double>(points, 1e-6)
+                      : in.method == 4 ? chain_by_angles(points)
                                        : chain_by(points, contact::side_of_line);
   const std::vector<int>& hull = asked.corners;
   const auto& questions = asked.questions;
@@ -143,7 +181,8 @@ Output compute(const Input& in) {
     const Point& third = asked.read[static_cast<std::size_t>(k)];
     const bool leftwards =
         third.x() < second.x() || (third.x() == second.x() && third.y() < second.y());
-    if (leftwards && !back) lower.swap(chain);  // the way back is a chain of its own
+    // The way back is a chain of its own; by angles there is one way round.
+    if (leftwards && !back && in.method != 4) lower.swap(chain);
     back = leftwards;
     // The question is about the last two of the chain, so cut it back to these.
     while (!chain.empty() && chain.back() != j) chain.pop_back();

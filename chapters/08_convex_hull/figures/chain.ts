@@ -80,6 +80,7 @@ export default defineFigure<Input, Output>({
         { value: 1, label: "turns in float" },
         { value: 2, label: "turns in double" },
         { value: 3, label: "turns beyond 1e-6 m²" },
+        { value: 4, label: "angles, then exact turns" },
       ],
     },
     { kind: "slider", field: "flat", label: "k, heights × 10⁻ᵏ", min: 0, max: 16, step: 1 },
@@ -124,8 +125,9 @@ export default defineFigure<Input, Output>({
     {
       name: "found",
       meaning: "of the hull's corners; it is dashed",
-      value: `${output.found} of ${output.true_corners}`,
-      role: output.found < output.true_corners ? "miss" : "surface",
+      value: `${output.found} of ${output.true_corners}${output.corners > output.found ? `, ${output.corners - output.found} more` : ""}`,
+      role:
+        output.found < output.true_corners || output.corners > output.found ? "miss" : "surface",
     },
     {
       name: "wrong",
