@@ -7,6 +7,7 @@
 #include "plan_report.hpp"
 #include "plan_words.hpp"
 #include "scenes/scene_file.hpp"
+#include "scenes/scene_runs.hpp"
 #include "terminal.hpp"
 
 namespace contact::cli {
@@ -30,9 +31,14 @@ int run(const Words& words) {
     note(error.what());
     return exit_not_passed;
   }
-  const Plan plan = plan_scene(scene, options);
+  Plan plan = plan_scene(scene, options);
+  if (const auto refusal = scenes::run_refusal(scene, plan))
+    plan.notices.push_back("This plan cannot be simulated: " + *refusal + ".");
   std::vector<MeasuredEffect> measured;
-  if (words.measure) measured = measure_effects(scene, plan, options);
+  if (words.measure) {
+    ProgressLine progress(1);
+    measured = measure_effects(scene, plan, options, progress);
+  }
   if (words.json)
     say(plan_json(scene, plan, measured).dump(1));
   else

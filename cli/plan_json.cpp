@@ -52,6 +52,12 @@ nlohmann::json json_of(const Decision& decision) {
 
 nlohmann::json json_of(const MeasuredEffect& measured) {
   if (!measured.refused.empty()) return {{"refused", measured.refused}};
+  if (const auto& horizon = measured.horizon) {
+    return {{"time", horizon->time},
+            {"apart", horizon->apart},
+            {"allowed", horizon->allowed},
+            {"parted", horizon->parted()}};
+  }
   nlohmann::json json{{"same_stages", measured.same_stages},
                       {"planned_bytes", measured.planned_bytes},
                       {"other_bytes", measured.other_bytes}};
@@ -77,6 +83,8 @@ nlohmann::json plan_json(const Scene& scene, const Plan& plan,
           {"pairs", plan.pairs},
           {"speed", number_or_null(plan.speed)},
           {"step", number_or_null(plan.step)},
+          {"tolerance", plan.tolerance},
+          {"error", number_or_null(plan.error)},
           {"decisions", decisions},
           {"notices", plan.notices}};
 }

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <memory>
 #include <optional>
 
 #include <contact/plan.hpp>
 #include <contact/scene_run.hpp>
+#include <contact/scene_solids.hpp>
 
 #include "plan_report.hpp"
 #include "scenes/scene_runs.hpp"
@@ -71,16 +73,74 @@ Plan turned_round(const Scene& scene, const Plan& plan, PlanOptions options, Eff
   return plan_scene(scene, options);
 }
 
+/// The scene an ulp away: what moves is faster or slower by that, in turns; what is at rest begins
+/// as much higher as an ulp of the largest place is. It moves in the same plane or on the same
+/// line.
+Scene twin_of(Scene scene) {
+  const double ulp = std::numeric_limits<double>::epsilon();
+  double size = 0;
+  for (const SceneBody& body : scene.bodies)
+    if (body.moves) size = std::max(size, body.position.cwiseAbs().maxCoeff());
+  const double g = scene.gravity.norm();
+  double sign = 1;
+  for (SceneBody& body : scene.bodies) {
+    if (!body.moves) continue;
+    if (body.velocity != Vector3<double>::Zero())
+      body.velocity *= 1 + sign * ulp;
+    else if (g > 0)
+      body.position -= scene.gravity * (size * ulp / g);
+    sign = -sign;
+  }
+  return scene;
+}
+
+/// Runs a scene and its twin until they have parted, or for so many seconds of the processor.
+MeasuredHorizon measured_horizon(const Scene& scene, const Plan& plan, double seconds) {
+  MeasuredHorizon measured;
+  measured.allowed = std::numeric_limits<double>::infinity();
+  for (const SceneBody& body : scene.bodies)
+    if (body.moves) measured.allowed = std::min(measured.allowed, bounding_radius(body.shape));
+  measured.allowed = scene.tolerance.position.value_or(measured.allowed);
+  const auto run = scenes::make_run(scene, plan);
+  const auto twin = scenes::make_run(twin_of(scene), plan);
+  const double began = processor_seconds();
+  for (int piece = 1; piece <= pieces && !measured.parted(); ++piece) {
+    if (processor_seconds() - began > seconds) break;
+    measured.time = scene.duration * piece / pieces;
+    run->advance(measured.time);
+    twin->advance(measured.time);
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+      const Vector3<double> apart = run->position(i) - twin->position(i);
+      measured.apart = std::max(measured.apart, apart.norm());
+    }
+  }
+  return measured;
+}
+
+std::string horizon_text(const MeasuredHorizon& measured) {
+  return "Measured: a run that begins an ulp away is off by " + plan_number(measured.apart) +
+         " m at " + plan_number(measured.time) + " s, " + (measured.parted() ? "more" : "no more") +
+         " than the " + plan_number(measured.allowed) + " m allowed.";
+}
+
 }  // namespace
 
 std::vector<MeasuredEffect> measure_effects(const Scene& scene, const Plan& plan,
-                                            const PlanOptions& options) {
+                                            const PlanOptions& options, ProgressLine& progress) {
   std::vector<MeasuredEffect> all;
   const std::optional<std::string> refusal = scenes::run_refusal(scene, plan);
   for (const Effect effect : all_effects) {
-    if (!can_be_switched(effect)) continue;
+    if (effect == Effect::step_size) continue;
     MeasuredEffect& measured = all.emplace_back();
     measured.effect = effect;
+    progress.tell(0, "measuring " + std::string(effect_name(effect)));
+    if (effect == Effect::horizon) {
+      if (refusal)
+        measured.refused = *refusal;
+      else
+        measured.horizon = measured_horizon(scene, plan, 2);
+      continue;
+    }
     const Plan other = turned_round(scene, plan, options, effect);
     const auto other_refusal = scenes::run_refusal(scene, other);
     if (refusal || other_refusal) {
@@ -114,6 +174,7 @@ std::vector<MeasuredEffect> measure_effects(const Scene& scene, const Plan& plan
 
 std::string measured_text(const MeasuredEffect& measured, bool on) {
   if (!measured.refused.empty()) return "Not measured: " + measured.refused + ".";
+  if (measured.horizon) return horizon_text(*measured.horizon);
   const std::string other = on ? "without" : "with";
   if (measured.same_stages) return "Measured: the run " + other + " it is composed alike.";
   const auto milliseconds = [](double seconds) { return plan_number(1000 * seconds) + " ms"; };

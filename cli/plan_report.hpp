@@ -22,6 +22,9 @@ std::string plan_number(double x);
 /// of a place)". A condition that fails is written with the sign that holds.
 std::string inequality_text(const Inequality& condition);
 
+/// The sum of the errors that a plan accepts, beside the tolerance: a sentence.
+std::string accepted_text(const Plan& plan);
+
 /// The table: effect, on or off, what decided, the error accepted, the cost saved.
 /// @param measured what effects cost; empty if nobody asked
 std::string plan_text(const Scene& scene, const Plan& plan,

@@ -79,11 +79,18 @@ std::string inequality_text(const Inequality& condition) {
          condition.right_is + ")";
 }
 
+std::string accepted_text(const Plan& plan) {
+  if (!std::isfinite(plan.error)) return "Errors accepted, all together: no bound.";
+  return "Errors accepted, all together: " + plan_number(plan.error) + " m, of a tolerance of " +
+         plan_number(plan.tolerance) + " m.";
+}
+
 std::string plan_text(const Scene& scene, const Plan& plan,
                       const std::vector<MeasuredEffect>& measured, const Style& style) {
   std::string text = style.bold(scene.name) + ": " + scene.about + "\n";
   text += std::to_string(plan.pairs) + (plan.pairs == 1 ? " pair" : " pairs") +
-          " of bodies may meet; nothing is faster than " + plan_number(plan.speed) + " m/s.\n\n";
+          " of bodies may meet; nothing is faster than " + plan_number(plan.speed) + " m/s.\n" +
+          accepted_text(plan) + "\n\n";
   text += style.dim(padded("effect", effect_width) + "  " + padded("plan", switch_width) +
                     "what decides, the error accepted, the cost") +
           "\n";
@@ -104,7 +111,7 @@ std::string plan_text(const Scene& scene, const Plan& plan,
       said.push_back(line);
     }
     if (!decision.overridden && decision.error > 0)
-      add_lines(text, "Error accepted: " + plan_number(decision.error) + " m, " +
+      add_lines(text, "Error accepted: " + with_unit(decision.error, "m") + ", " +
                           decision.error_is + ".");
     add_lines(text, saving_text(decision));
     for (const MeasuredEffect& one : measured)

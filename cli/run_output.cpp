@@ -161,7 +161,7 @@ void write_checkpoint(const fs::path& file, const RunCheckpoint& checkpoint) {
                       {"events_size", checkpoint.events_size},
                       {"counts",
                        {counts.steps, counts.parts, counts.hits, counts.pairs, counts.contacts,
-                        counts.sweeps, counts.crossings, counts.rests}},
+                        counts.sweeps, counts.crossings, counts.rests, counts.crowded_steps}},
                       {"largest_overlap", bits_text(counts.largest_overlap)},
                       {"rest_error", bits_text(counts.rest_error)},
                       {"numbers", numbers},
@@ -188,7 +188,7 @@ RunCheckpoint read_checkpoint(const fs::path& file) {
     std::size_t at = 0;
     for (std::uint64_t* const count :
          {&counts.steps, &counts.parts, &counts.hits, &counts.pairs, &counts.contacts,
-          &counts.sweeps, &counts.crossings, &counts.rests})
+          &counts.sweeps, &counts.crossings, &counts.rests, &counts.crowded_steps})
       *count = json.at("counts").at(at++).get<std::uint64_t>();
     counts.largest_overlap = from_bits(json.at("largest_overlap"));
     counts.rest_error = from_bits(json.at("rest_error"));

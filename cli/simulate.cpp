@@ -36,10 +36,13 @@ std::vector<Outcome> side_by_side(const Options& options, std::vector<Planned> a
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
   std::exception_ptr failure;
+  ProgressLine progress(all.size());
   const auto work = [&] {
     try {
-      for (std::size_t i = next++; i < all.size() && !simulate_interruption; i = next++)
-        outcomes[i] = simulated(options, std::move(all[i]));
+      for (std::size_t i = next++; i < all.size() && !simulate_interruption; i = next++) {
+        outcomes[i] = simulated(options, std::move(all[i]), progress, i);
+        progress.done(i);
+      }
     } catch (...) {
       const std::lock_guard<std::mutex> lock(mutex);
       if (!failure) failure = std::current_exception();

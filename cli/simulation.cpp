@@ -1,12 +1,12 @@
 #include "simulation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <optional>
-
-#include <unistd.h>
 
 #include <contact/free_flight_run.hpp>
 #include <contact/plan.hpp>
@@ -29,6 +29,13 @@ using Outcome = SimulateOutcome;
 /// How many steps between two looks for Ctrl-C.
 constexpr std::uint64_t steps_at_a_time = 1;
 
+/// A time for the line of progress: four digits.
+std::string short_text(double seconds) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", seconds);
+  return text.data();
+}
+
 /// How a simulation ended, and what it found.
 enum class Ending { complete, out_of_events, endless_hits, interrupted };
 
@@ -42,10 +49,10 @@ struct Checked {
 /// One scene.
 class Simulation {
  public:
-  /// @param alone nobody else shows progress
-  Simulation(Options options, Scene scene, const Plan& plan, bool alone)
+  Simulation(Options options, Scene scene, const Plan& plan, ProgressLine& line, std::size_t piece)
       : options_(std::move(options)),
-        alone_(alone),
+        line_(line),
+        piece_(piece),
         scene_(std::move(scene)),
         run_(scenes::make_run(scene_, plan, options_.event_budget)),
         way_(flies_freely(plan) ? "everything flies freely, by a formula"
@@ -60,7 +67,6 @@ class Simulation {
 
   Outcome go() {
     const Ending ending = advance_to_end();
-    clear_progress();
     // What is due once only comes after what a resumed run keeps.
     if (!options_.checkpoint.empty()) keep();
     if (events_) {
@@ -200,16 +206,9 @@ class Simulation {
   }
 
   void progress() {
-    static const bool terminal = ::isatty(STDERR_FILENO) != 0;
-    if (!alone_ || !terminal || seconds_since(shown_) < 0.25) return;
-    shown_ = Clock::now();
-    std::fprintf(stderr, "\r%.4g of %.4g s, %llu hits ", run_->now(), until_,
-                 static_cast<unsigned long long>(run_->counts().hits));
-    std::fflush(stderr);
-    progress_shown_ = true;
-  }
-  void clear_progress() const {
-    if (progress_shown_) std::fprintf(stderr, "\r%60s\r", "");
+    if (!line_.due()) return;
+    line_.tell(piece_, scene_.name + " " + short_text(run_->now()) + " of " + short_text(until_) +
+                           " s, " + std::to_string(run_->counts().hits) + " hits");
   }
 
   [[nodiscard]] std::string trouble(Ending ending) const {
@@ -293,6 +292,8 @@ class Simulation {
                           {"moving", count_bodies(false)},
                           {"steps", counts.steps},
                           {"parts", counts.parts},
+                          {"crowded_steps", counts.crowded_steps},
+                          {"most_impacts", counts.most_impacts},
                           {"pairs", counts.pairs},
                           {"contacts", counts.contacts},
                           {"sweeps", counts.sweeps},
@@ -332,6 +333,10 @@ class Simulation {
                     (run_->event_driven() ? ", which puts paths off by " +
                                                 shortest_text(counts.rest_error) + " m at most"
                                           : ""));
+      if (counts.crowded_steps > 0)
+        outcome.say("  " + style.warn(std::to_string(counts.crowded_steps) + " steps") +
+                    " had more impacts than " + std::to_string(counts.most_impacts) +
+                    "; what was left of them was solved at once, which loses bounces");
       if (const auto fallback = run_->fallback())
         outcome.say("  " + style.warn("step by step") + " from " + shortest_text(fallback->time) +
                     " s on: " + fallback->why);
@@ -363,7 +368,8 @@ class Simulation {
   }
 
   Options options_;
-  bool alone_;
+  ProgressLine& line_;
+  std::size_t piece_;
   Scene scene_;
   std::unique_ptr<SceneRun> run_;
   std::string way_;  // it goes if it does not go step by step
@@ -378,13 +384,12 @@ class Simulation {
   std::optional<GrowingFile> events_;
   Clock::time_point began_ = Clock::now();
   Clock::time_point kept_ = began_;
-  Clock::time_point shown_ = began_;
-  bool progress_shown_ = false;
 };
 
 }  // namespace
 
-SimulateOutcome simulated(const SimulateOptions& options, Planned planned) {
+SimulateOutcome simulated(const SimulateOptions& options, Planned planned, ProgressLine& progress,
+                          std::size_t piece) {
   if (const auto refusal = scenes::run_refusal(planned.scene, planned.plan)) {
     Outcome outcome;
     outcome.note(Style(stderr).bad("contact: ") + planned.scene.name +
@@ -396,8 +401,7 @@ SimulateOutcome simulated(const SimulateOptions& options, Planned planned) {
     outcome.code = exit_trouble;
     return outcome;
   }
-  const bool alone = options.scenes.size() == 1;
-  return Simulation(options, std::move(planned.scene), planned.plan, alone).go();
+  return Simulation(options, std::move(planned.scene), planned.plan, progress, piece).go();
 }
 
 }  // namespace contact::cli

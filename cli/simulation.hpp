@@ -3,6 +3,7 @@
 // One scene of contact simulate: run to its end, written down as it goes, and what there is to say.
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -15,6 +16,7 @@
 
 #include "exit_codes.hpp"
 #include "plan_words.hpp"
+#include "progress_line.hpp"
 
 namespace contact::cli {
 
@@ -56,7 +58,10 @@ struct Planned {
 extern std::atomic<bool> simulate_interruption;
 
 /// Runs a scene as its plan decides.
+/// @param progress where to tell how far it has come
+/// @param piece which of that line's pieces this scene is
 /// @throws std::runtime_error if a file cannot be written, or a checkpoint is of something else
-SimulateOutcome simulated(const SimulateOptions& options, Planned planned);
+SimulateOutcome simulated(const SimulateOptions& options, Planned planned, ProgressLine& progress,
+                          std::size_t piece);
 
 }  // namespace contact::cli

@@ -16,7 +16,7 @@ constexpr std::size_t deepest_nesting = 16;
 /// Where the parser has come to.
 struct Place {
   int line = 1;
-  char last = ' ';
+  const char* last = nullptr;  // the character that was read last; null before the first
 };
 
 /// Hands over characters and counts lines.
@@ -32,7 +32,7 @@ class CountedChar {
   reference operator*() const { return *at_; }
   CountedChar& operator++() {
     if (*at_ == '\n') ++place_->line;
-    place_->last = *at_;
+    place_->last = at_;
     ++at_;
     return *this;
   }
@@ -56,10 +56,39 @@ std::string excerpt(const std::string& text, std::size_t most) {
   return text.substr(0, end) + "...";
 }
 
+/// The word of a text about a place in it: letters, digits, signs and points.
+std::string word_at(std::string_view text, const char* place) {
+  const auto in_word = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '+' || c == '-' || c == '.';
+  };
+  if (place == nullptr || !in_word(*place)) return "";
+  auto begin = static_cast<std::size_t>(place - text.data());
+  std::size_t end = begin;
+  while (begin > 0 && in_word(text[begin - 1])) --begin;
+  while (end < text.size() && in_word(text[end])) ++end;
+  return std::string(text.substr(begin, end - begin));
+}
+
+/// Whether a word means a number that JSON has no word for: NaN, -inf, +1, .5.
+bool is_foreign_number(std::string word) {
+  if (word.empty()) return false;
+  if (word.front() == '+' || word.front() == '.') return true;
+  if (word.front() == '-') word.erase(0, 1);
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return word == "nan" || word == "inf" || word == "infinity" || word.rfind('.', 0) == 0;
+}
+
+/// Whether a number's text has a digit other than 0 before its exponent.
+bool has_value(const std::string& text) {
+  return text.find_first_of("123456789") < text.find_first_of("eE");
+}
+
 /// Builds the tree as the parser goes.
 class Builder : public nlohmann::json_sax<nlohmann::json> {
  public:
-  Builder(std::string file, const Place& place) : file_(std::move(file)), place_(place) {}
+  Builder(std::string_view text, std::string file, const Place& place)
+      : text_(text), file_(std::move(file)), place_(place) {}
 
   bool null() override { return add({}); }
   bool boolean(bool value) override {
@@ -95,37 +124,46 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
   bool parse_error(std::size_t /*position*/, const std::string& last_token,
                    const nlohmann::detail::exception& error) override {
-    std::string token = last_token;
-    while (!token.empty() && std::isspace(static_cast<unsigned char>(token.back())) != 0)
-      token.pop_back();
-    // Where the parser speaks of what it read last, the token is the end of that.
-    const std::size_t from = token.find_last_of(" \n\t:,[{");
-    const std::string word = from == std::string::npos ? token : token.substr(from + 1);
-    if (error.id == 406) return stop(path(), word, "must be a number that a double holds");
-    if (word == "N" || word == "n" || word == "I" || word == "-I" || word == "i" || word == "-i" ||
-        word == "+" || word == ".") {
-      return stop(path(), "",
+    if (error.id == 406) return unfit_number(last_token);
+    const std::string word = word_at(text_, place_.last);
+    if (is_foreign_number(word)) {
+      return stop(path(), excerpt(word, 20),
                   "must be a JSON value: a number, a \"text\", true, false, [...] or {...}; NaN, "
-                  "Infinity and +1 are none (read " +
-                      excerpt(word, 20) + ")");
+                  "Infinity, +1 and .5 are none");
     }
+    if (text_.find('\0') != std::string_view::npos || nlohmann_says(error, "UTF-8"))
+      return stop("", "", "is no JSON: must be a text in UTF-8, and holds bytes that are none");
+    if (text_.find_first_not_of(" \t\r\n") == std::string_view::npos)
+      return stop("", "", "is no JSON: the file is empty");
     std::string why = error.what();
     const std::size_t colon = why.find(": ");
     if (why.rfind('[', 0) == 0 && colon != std::string::npos) why = why.substr(colon + 2);
-    const bool ended = why.find("unexpected end of input") != std::string::npos;
+    const bool ended = nlohmann_says(error, "unexpected end of input");
     return stop(ended ? "" : path(), "", "is no JSON: " + excerpt(why, 200));
   }
 
   JsonNode take() { return std::move(root_); }
 
  private:
+  static bool nlohmann_says(const nlohmann::detail::exception& error, const char* words) {
+    return std::string_view(error.what()).find(words) != std::string_view::npos;
+  }
+  /// The parser has read one character beyond a number.
+  [[nodiscard]] int line_of_number() const {
+    return place_.last != nullptr && *place_.last == '\n' ? place_.line - 1 : place_.line;
+  }
+  bool unfit_number(const std::string& token) const {
+    const std::size_t from = token.find_last_of(" \n\t:,[{");
+    const std::string number = from == std::string::npos ? token : token.substr(from + 1);
+    return stop(path(), excerpt(number, 40), "must be a number that a double holds");
+  }
   bool number(double value, std::string text) {
+    if (value == 0 && has_value(text)) return unfit_number(text);
     JsonNode node;
     node.kind = JsonKind::number;
     node.number = value;
     node.text = std::move(text);
-    // The parser has read one character beyond a number.
-    return add(std::move(node), place_.last == '\n' ? place_.line - 1 : place_.line);
+    return add(std::move(node), line_of_number());
   }
   bool add(JsonNode node) { return add(std::move(node), place_.line); }
   bool add(JsonNode node, int line) {
@@ -181,6 +219,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     throw SceneFileError(file_, {{place_.line, {path, value, allowed}}});
   }
 
+  std::string_view text_;
   std::string file_;
   const Place& place_;
   JsonNode root_;
@@ -222,7 +261,7 @@ std::string JsonNode::shown() const {
 
 JsonNode parse_json(std::string_view text, const std::string& file) {
   Place place;
-  Builder builder(file, place);
+  Builder builder(text, file, place);
   const CountedChar begin(text.data(), &place);
   const CountedChar end(text.data() + text.size(), &place);
   nlohmann::json::sax_parse(begin, end, &builder);

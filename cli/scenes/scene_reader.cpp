@@ -102,9 +102,11 @@ class Reader {
   Reader(const JsonNode& root, std::string file) : root_(root), file_(std::move(file)) {}
 
   Scene read() {
-    if (object(root_, "",
-               {"format", "units", "name", "about", "gravity", "materials", "bodies", "duration",
-                "tolerance", "output", "expect"})) {
+    if (root_.kind != JsonKind::object) {
+      unfit("", root_, "a scene must be an object, {...}");
+    } else if (object(root_, "",
+                      {"format", "units", "name", "about", "gravity", "materials", "bodies",
+                       "duration", "tolerance", "output", "expect"})) {
       fixed("format", "contact-scene/1");
       fixed("units", "SI");
       scene_.name = text(root_, "", "name");
@@ -681,7 +683,11 @@ std::string all_lines(const std::string& file, const std::vector<FileFault>& fau
     if (faults[i].line > 0) lines += ':' + std::to_string(faults[i].line);
     lines += ": ";
     const SceneFault& fault = faults[i].fault;
-    lines += fault.path.empty() && fault.value.empty() ? fault.allowed : fault_text(fault);
+    if (!fault.path.empty()) {
+      lines += fault_text(fault);
+    } else {
+      lines += (fault.value.empty() ? "" : fault.value + ": ") + fault.allowed;
+    }
   }
   if (faults.size() > most) lines += "\nand " + std::to_string(faults.size() - most) + " more";
   return lines;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "plan_scenes.hpp"
+#include "scenes/scene_runs.hpp"
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
 
@@ -242,7 +243,8 @@ TEST_CASE("over a floor a ball is never faster than falling to the floor makes i
     const Rational rise = exact(height + 0.5) - exact(0.5);
     const Rational squared = exact(v) * exact(v) + 2 * exact(g) * rise;
     REQUIRE(exact(bound) * exact(bound) >= squared);
-    REQUIRE(bound * bound <= oracle::nearest(squared) * (1 + 1e-9) + 1e-12);
+    // And what it gains in a dip of the tolerance.
+    REQUIRE(bound * bound <= (oracle::nearest(squared) + 2 * g * 1e-6) * (1 + 1e-9));
   }
 }
 
@@ -258,7 +260,31 @@ TEST_CASE("a soft floor lets a ball fall farther by what it gives way") {
   const double squared = 2 * 8.0 * 4 + 2 * 8.0 * 8 / 32;
   const double bound = contact::scene_bounds(scene).bodies[1].speed;
   CHECK(bound * bound >= squared);
-  CHECK(bound * bound <= squared * (1 + 1e-9));
+  CHECK(bound * bound <= (squared + 2 * 8.0 * 1e-6) * (1 + 1e-9));
+}
+
+TEST_CASE("what is late by a step is in the floor, and no faster than the bound all the same") {
+  // A drop of 2 m with a step as long as the tolerance allows. The run is asked within its steps.
+  Scene scene = plan_scenes::empty(1, 0, 1.5, 0.25);
+  scene.gravity = {0, 0, -8};
+  plan_scenes::wall(scene, Point::UnitZ(), 0);
+  plan_scenes::ball(scene, 0.5, 1, {0, 0, 2.5});
+  contact::PlanOptions options;
+  double dip = 0;
+  for (const double h : {0.0078, 0.0079, 0.0080, 0.0081}) {
+    options.step = h;
+    const contact::Plan plan = contact::plan_scene(scene, options);
+    REQUIRE_FALSE(contact::decision_on(plan, contact::Effect::continuous_detection).on);
+    const auto run = contact::scenes::make_run(scene, plan);
+    const SceneBounds bounds = contact::scene_bounds(scene);
+    for (int k = 1; k <= 1000; ++k) {
+      run->advance(1.5 * k / 1000);
+      dip = std::max(dip, 0.5 - run->position(1).z());
+      REQUIRE(run->velocity(1).norm() <= bounds.bodies[1].speed);
+    }
+  }
+  CHECK(dip > 0.01);
+  CHECK(dip <= 0.25);
 }
 
 TEST_CASE("a ball reaches a body exactly as far off as it travels, and not one a little farther") {

@@ -395,6 +395,22 @@ TEST_CASE("resting: until the last bounce of a ball, by its closed form") {
   off(dropped(1, 2, 1e6), Effect::resting);
 }
 
+TEST_CASE("resting: without gravity a rod that turns presses on what it pushes along") {
+  Scene scene = empty(0, 0, 2, 1e-6);
+  box(scene, {2, 0.1, 0.1}, 1e6, Point::Zero()).spin = {0, 0, 1};
+  ball(scene, 0.1, 1, {0.5, 0.25, 0});
+  at_edge(scene, Effect::resting, 0, 1);
+  // It is hit at ½ m/s and leaves the rod's end at more than 2 m/s: pressed all the way.
+  const auto run = contact::scenes::make_run(scene, contact::plan_scene(scene));
+  run->advance(2);
+  CHECK(run->velocity(1).norm() > 2);
+  // What cannot turn presses nothing.
+  scene.bodies[0].spin = Point::Zero();
+  scene.bodies[1].position = {0, 0.25, 0};
+  scene.bodies[1].velocity.y() = -1;
+  off(scene, Effect::resting);
+}
+
 TEST_CASE("sleeping: what never rests never sleeps") {
   off(dropped(1, 2, 100), Effect::sleeping);
   Scene lying = dropped(1, 0, 100);
@@ -625,6 +641,80 @@ TEST_CASE("the broad phase is a question of cost: few bodies do without, many do
   CHECK(alike.because.at(0).left == 0);
 }
 
+TEST_CASE("float: not where the square of a time is none") {
+  Scene endless = free_ball(0, 1e20, 1e-3);
+  endless.bodies[0].velocity.setZero();
+  CHECK(plan_scenes::is_on(endless, Effect::double_precision));
+  CHECK(plan_scenes::is_on(free_ball(1e30, 1e-29, 1e-27), Effect::double_precision));
+  CHECK(plan_scenes::is_on(free_ball(0, 1, 1e-25), Effect::double_precision));
+}
+
+TEST_CASE("the horizon: off only where nothing spreads") {
+  Scene floor = empty(1, 0, 30, 1e-6);
+  floor.gravity = {0, 0, -10};
+  plan_scenes::wall(floor, {0, 0, 1}, 0);
+  ball(floor, 0.25, 2, {0, 0, 1});
+  off(floor, Effect::horizon);
+  Scene column = floor;
+  ball(column, 0.25, 1, {0, 0, 2.5});
+  CHECK(plan_scenes::is_on(column, Effect::horizon));
+  column.gravity.setZero();
+  column.bodies[1].velocity = {0, 0, 1};
+  off(column, Effect::horizon);
+  Scene upright = floor;
+  plan_scenes::wall(upright, {1, 0, 0}, -5);
+  upright.bodies[1].velocity = {1, 0, 0};
+  off(upright, Effect::horizon);
+  Scene rubbing = upright;
+  rubbing.materials[0].friction = 0.5;
+  CHECK(plan_scenes::is_on(rubbing, Effect::horizon));
+  Scene wedge = floor;
+  wedge.bodies[0].shape = contact::HalfSpaceShape{{0.6, 0, 0.8}, 0};
+  wedge.bodies[1].position = {0, 0, 3};
+  off(wedge, Effect::horizon);
+  plan_scenes::wall(wedge, {-0.6, 0, 0.8}, 0);
+  CHECK(plan_scenes::is_on(wedge, Effect::horizon));
+  Scene die = floor;
+  plan_scenes::box(die, {0.2, 0.25, 0.3}, 1, {5, 0, 1}).spin = {1, 2, 3};
+  const contact::Plan plan = contact::plan_scene(die);
+  CHECK(contact::decision_on(plan, Effect::horizon).on);
+  CHECK_FALSE(contact::decision_on(plan, Effect::horizon).value);
+  bool told = false;
+  for (const std::string& notice : plan.notices)
+    told = told || notice.find("is not known") != std::string::npos;
+  CHECK(told);
+}
+
+TEST_CASE("the horizon: who is light is fast, however heavy the others are") {
+  Scene gas = empty(1, 0, 1000, 1e-6);
+  plan_scenes::walls(gas, {8, 8, 8});
+  for (int i = 0; i < 8; ++i)
+    ball(gas, 0.5, 1, {1.0 + 1.5 * (i % 3), 1.0 + 1.5 * (i / 3), 4}, {1, 0.5 * i, 0.25});
+  const auto horizon = [](const Scene& scene) {
+    return contact::decision_on(contact::plan_scene(scene), Effect::horizon).value.value();
+  };
+  ball(gas, 0.5, 1, {6, 6, 6});
+  const double before = horizon(gas);
+  gas.bodies.back().mass = 1e6;
+  CHECK(horizon(gas) <= before);  // somebody heavy at rest makes nobody slower
+  gas.bodies.back().velocity = {1, 0, 0};
+  CHECK(horizon(gas) <= before / 50);
+}
+
+TEST_CASE("the horizon: a crowd is one, however far away somebody else is") {
+  Scene crowd = empty(1, 0, 1000, 1e-6);
+  plan_scenes::walls(crowd, {400, 400, 400});
+  for (int i = 0; i < 27; ++i)
+    ball(crowd, 0.5, 1, {10 + 1.5 * (i % 3), 10 + 1.5 * (i / 3 % 3), 10 + 1.5 * (i / 9)},
+         {1, 0.1 * i, 0.25});
+  const auto horizon = [](const Scene& scene) {
+    return contact::decision_on(contact::plan_scene(scene), Effect::horizon).value.value();
+  };
+  const double before = horizon(crowd);
+  ball(crowd, 0.5, 1, {390, 390, 390});
+  CHECK(horizon(crowd) <= 2 * before);
+}
+
 TEST_CASE("float: enough for a short flight, not for a place that it cannot hold") {
   const Scene near = free_ball(8, 1, 1e-3);
   off(near, Effect::double_precision);
@@ -705,6 +795,171 @@ TEST_CASE("the horizon: flat walls have none, balls have one that a tolerance ca
   gas.duration = *horizon.value / 2;
   for (const std::string& notice : contact::plan_scene(gas).notices)
     CHECK(notice.find("only conserved quantities and statistics") == std::string::npos);
+}
+
+// ---------------------------------------------------------------- errors together
+
+namespace {
+
+/// A box that tumbles a little and falls a little, far from everything.
+Scene tumbling_fall(double tolerance) {
+  Scene scene = empty(1, 0, 0.5, tolerance);
+  scene.gravity = {0, 0, -0x1p-10};
+  box(scene, {1, 2, 3}, 1, {3, 2, 1}, {1, 0, 0}).spin = {0.00125, 0.0025, 0.00375};
+  return scene;
+}
+
+/// The bounds of its three errors: aside, fall, rounding in float.
+std::array<double, 3> errors_of_fall() {
+  const contact::Plan plan = contact::plan_scene(tumbling_fall(1));
+  return {contact::decision_on(plan, Effect::gyroscopic_term).error,
+          contact::decision_on(plan, Effect::gravity).error,
+          contact::decision_on(plan, Effect::double_precision).error};
+}
+
+}  // namespace
+
+TEST_CASE("the tolerance holds for all errors together: each rule takes from what is left") {
+  const auto [aside, fall, rounding] = errors_of_fall();
+  REQUIRE(rounding < aside);
+  REQUIRE(aside < fall);
+  const auto left_out = [&](double tolerance) {
+    const contact::Plan plan = contact::plan_scene(tumbling_fall(tolerance));
+    CHECK(plan.tolerance == tolerance);
+    CHECK(plan.error <= tolerance);
+    std::vector<Effect> effects;
+    Rational sum = 0;
+    for (const Decision& decision : plan.decisions) {
+      if (!(decision.error > 0)) continue;
+      effects.push_back(decision.effect);
+      sum += exact(decision.error);
+    }
+    CHECK(sum <= exact(tolerance));
+    CHECK(abs(sum - exact(plan.error)) <= exact(plan.error * 0x1p-50));
+    return effects;
+  };
+  using Effects = std::vector<Effect>;
+  const double little = 1e-12;
+  CHECK(left_out((aside + fall + rounding) * (1 + little)) ==
+        Effects{Effect::gravity, Effect::gyroscopic_term, Effect::double_precision});
+  // Each fits by itself, and any two, but not all three: float was asked last.
+  CHECK(left_out((aside + fall + rounding) * (1 - little)) ==
+        Effects{Effect::gravity, Effect::gyroscopic_term});
+  // What is left after the gyroscopic term is less than the fall, and enough for float.
+  CHECK(left_out((aside + fall) * (1 - little)) ==
+        Effects{Effect::gyroscopic_term, Effect::double_precision});
+  CHECK(left_out((aside + rounding) * (1 - little)) == Effects{Effect::gyroscopic_term});
+  // Where a spin changes float has no bound.
+  CHECK(left_out(aside * (1 - little)).empty());
+  const Decision gravity =
+      plan_scenes::decision(tumbling_fall((aside + fall) * (1 - little)), Effect::gravity);
+  CHECK(gravity.tried.back().conditions.at(1).right_is == "what is left of the tolerance");
+  CHECK(only_lacks(gravity, gravity.tried.size() - 1, 1));
+}
+
+TEST_CASE("the errors of a run in steps share the tolerance: hops a half, sleep a half") {
+  Scene scene = dropped(0.5, 2, 10, 1e-4);
+  scene.materials[0].friction = 0.5;
+  scene.bodies[1].velocity.x() = 1;
+  const contact::Plan plan = contact::plan_scene(scene);
+  const Decision& resting = contact::decision_on(plan, Effect::resting);
+  const Decision& sleeping = contact::decision_on(plan, Effect::sleeping);
+  REQUIRE(resting.on);
+  REQUIRE(sleeping.on);
+  // Hops of half the tolerance do not happen: what leaves at e v rises e² of that.
+  CHECK(plan.rest_height == 0.5e-4);
+  CHECK(contact::holds(resting.because.back()));
+  CHECK(std::abs(resting.because.back().left / 0.125e-4 - 1) <= 1e-12);
+  CHECK(std::abs(plan.sleep_speed * 10 * 10 / 0.5 / 0.5e-4 - 1) <= 1e-12);
+  // The ball rubs while it lies, so its way depends on when it lies: no number is a bound.
+  CHECK(std::isinf(resting.error));
+  CHECK(std::isinf(sleeping.error));
+  CHECK(std::isinf(plan.error));
+  // Smooth, it moves along its floor as if it hopped.
+  Scene smooth = scene;
+  smooth.materials[0].friction = 0;
+  const contact::Plan gliding = contact::plan_scene(smooth, stepped(0.01));
+  CHECK(contact::decision_on(gliding, Effect::resting).error == resting.because.back().left);
+  CHECK(contact::decision_on(gliding, Effect::sleeping).error == 0.5e-4);
+  CHECK(gliding.error > 0.6e-4);
+  CHECK(gliding.error <= 1e-4);
+  // A step is shorter than that hop: then hops that fit into one are left out, g h²/8 high.
+  const contact::Plan fine = contact::plan_scene(smooth, stepped(1e-4));
+  CHECK(std::abs(contact::decision_on(fine, Effect::resting).error / 0.25e-8 - 1) <= 1e-12);
+  // Nothing comes back, so nothing hops.
+  scene.materials[0].restitution = 0;
+  CHECK(plan_scenes::decision(scene, Effect::resting).error == 0);
+  // What never rests bounces however slow it is.
+  CHECK(contact::plan_scene(dropped(1, 2, 3), stepped(0.01)).rest_height == 0);
+  // No error of a place is allowed: hops that rounding hides, and no sleep of what moves.
+  scene = dropped(0.5, 2, 10, 0);
+  scene.materials[0].friction = 0.5;
+  const contact::Plan strict = contact::plan_scene(scene);
+  CHECK(strict.error == 0);
+  CHECK(strict.sleep_speed == 0);
+  CHECK(strict.rest_height > 0);
+  CHECK(strict.rest_height <= 2.5 * 0x1p-53 * (1 + 1e-12));
+}
+
+TEST_CASE("hops that steps leave out have a bound where a smooth ball lies alone, and only there") {
+  const auto error = [](const Scene& scene) {
+    return plan_scenes::decision(scene, Effect::resting, stepped(0.01)).error;
+  };
+  const auto sleeping = [](const Scene& scene) {
+    return plan_scenes::decision(scene, Effect::sleeping, stepped(0.01)).error;
+  };
+  const double endless = std::numeric_limits<double>::infinity();
+  const Scene alone = dropped(0.5, 2, 10, 1e-4);
+  const double hop = error(alone);
+  CHECK(hop > 0);
+  CHECK(hop <= 0.125e-4 * (1 + 1e-12));
+  // A wall at right angles, however the ball hits it, changes nothing along the floor's normal.
+  Scene walled = alone;
+  wall(walled, Point::UnitX(), -5);
+  CHECK(error(walled) == hop);
+  CHECK(sleeping(walled) == 0.5e-4);
+  // At a slant it does, from below as from above; so does a rough one, and a second ball.
+  for (const Point& slant : {Point(0.6, 0, 0.8), Point(0.6, 0, -0.8)}) {
+    Scene wedge = alone;
+    wall(wedge, slant, -5);
+    CHECK(error(wedge) == endless);
+    CHECK(sleeping(wedge) == endless);
+  }
+  Scene rough = walled;
+  rough.materials[0].friction = 0.5;
+  CHECK(error(rough) == endless);
+  Scene two = alone;
+  ball(two, 0.5, 1, {3, 0, 2}, {-1, 0, 0});
+  CHECK(error(two) == endless);
+  CHECK(std::isinf(contact::plan_scene(two, stepped(0.01)).error));
+  // Without a floor nothing lies on anything: nothing is left out, and nothing sleeps.
+  Scene falling = two;
+  falling.bodies.erase(falling.bodies.begin());
+  ball(falling, 0.5, 1, {-3, 0, 2}, {1, 0, 0});
+  const auto plan = contact::plan_scene(falling, stepped(0.01));
+  CHECK(contact::decision_on(plan, Effect::resting).on);
+  CHECK(plan.rest_height == 0);
+  CHECK(plan.sleep_speed == 0);
+  CHECK(plan.error == 0);
+  // Between walls that stand upright neither.
+  Scene shaft = alone;
+  std::get<contact::HalfSpaceShape>(shaft.bodies[0].shape) = {Point::UnitX(), -5};
+  CHECK(error(shaft) == 0);
+}
+
+TEST_CASE("an override changes the sum: none is accepted, or there is no bound") {
+  const auto [aside, fall, rounding] = errors_of_fall();
+  const Scene scene = tumbling_fall(1);
+  contact::PlanOptions options;
+  options.overrides.with = {Effect::gravity};
+  const double rest = contact::plan_scene(scene, options).error;
+  CHECK(std::abs(rest - (aside + rounding)) <= 0x1p-50 * rest);
+  options.overrides.with.clear();
+  options.overrides.without = {Effect::rotation};
+  CHECK(std::isinf(contact::plan_scene(scene, options).error));
+  // To leave bodies awake, or to go in steps, makes no error.
+  options.overrides.without = {Effect::sleeping, Effect::event_driven, Effect::broad_phase};
+  CHECK(contact::plan_scene(scene, options).error <= 1);
 }
 
 // ---------------------------------------------------------------- overriding
@@ -889,5 +1144,226 @@ TEST_CASE("a step is at most a tenth of what a spring's frequency asks for") {
     CHECK(step > 0);
     const auto pair = contact::pair_material(scene.materials[0], scene.materials[0]);
     CHECK(step * std::sqrt(*pair.stiffness / scene.bodies[1].mass) <= 0.1 * (1 + 1e-12));
+  }
+}
+
+TEST_CASE("parts of springs: from the tolerance, unless something rubs or is damped") {
+  const auto soft = [](double tolerance) {
+    Scene scene = dropped(0.5, 0.5, 2, tolerance);
+    scene.materials[0].stiffness = 2000;
+    return scene;
+  };
+  const auto notice_of = [](const contact::Plan& plan) {
+    for (const std::string& notice : plan.notices)
+      if (notice.starts_with("Springs push in parts of ")) return notice;
+    return std::string();
+  };
+  const double swing = std::sqrt(1000.0);  // two equal springs in a row
+  const contact::Plan plan = contact::plan_scene(soft(1e-3));
+  const Decision& springs = contact::decision_on(plan, Effect::penalty_contact);
+  // Half of the tolerance: v T (ω p)² (1/24 + (1 + ω T/π)/8).
+  const double part = plan.spring_part;
+  const double contacts = 1 + swing * 2 / 3.141592653589793;
+  const double speed = contact::scene_bounds(soft(1e-3)).pairs[0].closing;
+  const double off = speed * 2 * std::pow(swing * part, 2) * (1.0 / 24 + contacts / 8);
+  CHECK(std::abs(off / 0.5e-3 - 1) <= 1e-9);
+  CHECK(std::abs(springs.error / off - 1) <= 1e-9);
+  CHECK(springs.because.back().right == 1e-3);
+  CHECK(notice_of(plan).find("by an estimate that keeps the tolerance") != std::string::npos);
+  // A hundredth of the error for a tenth of the length. (What is late dips by the tolerance, and is
+  // faster for that, by a little.)
+  CHECK(std::abs(contact::plan_scene(soft(1e-5)).spring_part / part - 0.1) <= 1e-3);
+  // As long as they are for energy's sake.
+  const auto is_longest = [&](double length) {
+    return std::abs(length * 128 * swing - 1) <= 1e-12;
+  };
+  CHECK(is_longest(contact::plan_scene(soft(10)).spring_part));
+  CHECK(contact::plan_scene(soft(10)).error < 1);
+
+  // More than a thousand a step, no error of a place, a damper, friction: nothing is claimed.
+  const auto unclaimed = [&](const Scene& scene, const std::string& why) {
+    const contact::Plan other = contact::plan_scene(scene);
+    const Decision& decision = contact::decision_on(other, Effect::penalty_contact);
+    CHECK(is_longest(other.spring_part));
+    CHECK(decision.error == 0);
+    CHECK_FALSE(contact::holds(decision.because.back()));
+    CHECK_FALSE(contact::decision_on(other, Effect::step_size).proven);
+    CHECK(notice_of(other).find(why) != std::string::npos);
+  };
+  unclaimed(soft(1e-12), "more than 1024 parts a step");
+  unclaimed(soft(0), "no error is accepted");
+  Scene damped = soft(1e-3);
+  damped.materials[0].damping = least;
+  unclaimed(damped, "rubs, or is damped");
+  Scene rough = soft(1e-3);
+  rough.materials[0].friction = least;
+  unclaimed(rough, "rubs, or is damped");
+  // Its damper slows it by what the part's end says: of first order.
+  const auto height = [](double shorter) {
+    Scene scene = dropped(0.5, 0.5, 1.2, 1e-3);
+    scene.materials[0].stiffness = 2000;
+    scene.materials[0].damping = 2;
+    contact::Plan made = contact::plan_scene(scene);
+    made.spring_part /= shorter;
+    const auto run = contact::scenes::make_run(scene, made);
+    run->advance(1.2);
+    return run->position(1).z();
+  };
+  const double right = height(256);
+  const double ratio = (height(4) - right) / (height(8) - right);
+  CHECK(ratio > 1.9);
+  CHECK(ratio < 2.3);
+}
+
+// ---------------------------------------------------------------- what meets whom, and how often
+
+namespace {
+
+/// More balls than are asked one by one, in rows of `row`, in the plane of x and y; the last comes
+/// back at the one before it.
+Scene crowd(int row) {
+  Scene scene = empty(1, 0, 0.5, 1e-6);
+  for (int i = 0; i < 300; ++i) ball(scene, 0.25, 1, {1.0 * (i % row), 1.0 * (i / row), 0});
+  scene.bodies.back().velocity.x() = -2;
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a crowd lies in a plane if each of its balls does, and what stands still among it") {
+  off(crowd(20), Effect::third_dimension);
+  off(crowd(300), Effect::second_dimension);
+
+  for (const int row : {20, 300}) {
+    Scene lifted = crowd(row);
+    lifted.bodies.back().position.z() = least;
+    // What is on a line has another plane.
+    if (row == 20)
+      at_edge(lifted, Effect::third_dimension, 0, 4);
+    else
+      at_edge(lifted, Effect::second_dimension, 2, 9);
+    lifted.bodies.back().position.z() = 0.01;
+    // The line of centres rises: the hit lifts it.
+    const auto run = contact::scenes::make_run(lifted, contact::plan_scene(lifted));
+    run->advance(0.5);
+    CHECK(run->velocity(299).z() > 0.01);
+  }
+  // On a line: aside of it, in the plane.
+  Scene aside = crowd(300);
+  aside.bodies[150].position.y() = least;
+  off(aside, Effect::third_dimension);
+  at_edge(aside, Effect::second_dimension, 2, 4);
+
+  // A ball that stands still above the plane, and a box that ends below it.
+  Scene post = crowd(20);
+  ball(post, 0.25, 0, {18.5, 14.5, 0});
+  off(post, Effect::third_dimension);
+  post.bodies.back().position.z() = least;
+  at_edge(post, Effect::third_dimension, 0, 4);
+  Scene step = crowd(20);
+  box(step, {1, 1, 1}, 0, {30, 0, -0.75});
+  off(step, Effect::third_dimension);
+  step.bodies.back().position.z() = -1.125;
+  at_edge(step, Effect::third_dimension, 0, 4);
+}
+
+TEST_CASE("late hits: what gives way has no bound, on a wall or in flight") {
+  // Noticed a step late, a spring begins deep: it gives more speed than it takes.
+  const double h = 0.05;
+  const auto thrown = [&](Scene& scene) {
+    scene.materials[0].stiffness = 200;
+    at_edge(scene, Effect::continuous_detection, 1, 1, stepped(h));
+    const auto end = [&](bool looks) {
+      contact::PlanOptions options = stepped(h);
+      (looks ? options.overrides.with : options.overrides.without) = {Effect::continuous_detection};
+      const auto run = contact::scenes::make_run(scene, contact::plan_scene(scene, options));
+      run->advance(20);
+      return run->position(1);
+    };
+    CHECK((end(true) - end(false)).norm() > *scene.tolerance.position);
+  };
+  // A hard wall may be hit late by v h once.
+  Scene on_wall = empty(0, 0, 20, 0.06);
+  wall(on_wall, Point::UnitX(), 0);
+  ball(on_wall, 0.5, 1, {0.5 + 20 * h + 1e-6, 0, 0}, {-1, 0, 0});
+  off(on_wall, Effect::continuous_detection, stepped(h));
+  thrown(on_wall);
+  // Two balls may be late by both ways, and at a slant.
+  Scene in_flight = empty(0, 0, 20, 0.3);
+  ball(in_flight, 5, 1, {-10 - 20 * h - 1e-6, 0, 0}, {1, 0, 0});
+  ball(in_flight, 5, 1, Point::Zero());
+  off(in_flight, Effect::continuous_detection, stepped(h));
+  thrown(in_flight);
+}
+
+TEST_CASE("late hits: a rod that turns is hit more than once") {
+  // A heavy ball hits a rod aside of its middle. The rod turns over, and its other half hits back.
+  Scene scene = empty(1, 0, 8, 1e9);
+  ball(scene, 0.25, 100, {-0.5, 0, 1.2}, {1, 0, 0});
+  box(scene, {0.05, 0.05, 2}, 1, Point::Zero());
+  at_edge(scene, Effect::continuous_detection, 1, 1, stepped(0.001));
+  const auto run = contact::scenes::make_run(scene, contact::plan_scene(scene));
+  run->advance(8);
+  CHECK(run->counts().hits >= 2);
+  // A ball of the same mass is hit once.
+  scene.bodies[1].shape = contact::BallShape{2};
+  scene.bodies[1].inertia = contact::solid_inertia(scene.bodies[1].shape, 1);
+  scene.bodies[0].position.x() = -2.5;
+  off(scene, Effect::continuous_detection, stepped(0.001));
+  const auto once = contact::scenes::make_run(scene, contact::plan_scene(scene));
+  once->advance(8);
+  CHECK(once->counts().hits == 1);
+}
+
+TEST_CASE("resting: a ball that begins an ulp too deep need not come out of the floor") {
+  Scene deep = dropped(1 - 0x1p-40, 0, 100);
+  deep.bodies[1].position.z() = std::nextafter(0.5, 0);
+  deep.bodies[1].velocity.z() = 1e-9;
+  at_edge(deep, Effect::resting, 3, 0);
+  // Gravity takes all of its speed on less than an ulp: it presses on the floor for ever.
+  const Rational depth = exact(0.5) - exact(deep.bodies[1].position.z());
+  CHECK(exact(1e-9) * exact(1e-9) < 2 * 8 * depth);
+  deep.bodies[1].position.z() = 0.5;
+  off(deep, Effect::resting);
+}
+
+TEST_CASE("spin is energy where something rubs") {
+  // At rest but for its spin; 4 m on there is another ball.
+  Scene scene = empty(0, 0.5, 3, 1e-6);
+  scene.gravity = {0, 0, -8};
+  wall(scene, Point::UnitZ(), 0);
+  ball(scene, 0.5, 1, {0, 0, 0.5}).spin = {0, 100, 0};
+  ball(scene, 0.5, 1, {5, 0, 0.5});
+  const contact::Plan plan = contact::plan_scene(scene);
+  CHECK(plan.pairs == 3);
+  CHECK(contact::decision_on(plan, Effect::several_contacts).on);
+  const auto run = contact::scenes::make_run(scene, plan);
+  run->advance(3);
+  CHECK(run->position(2).x() > 5.5);
+  // Smooth, it spins where it is, and nobody meets anybody but the floor.
+  scene.materials[0].friction = 0;
+  CHECK(contact::plan_scene(scene).pairs == 2);
+}
+
+TEST_CASE("a path bends between two looks: a floor that is touched in its last moment is met") {
+  // 4 m in the second; in its last 64th gravity bends the path by g dt²/8 = 0.24 mm.
+  const double bend = 8.0 / 64 / 64 / 8;
+  for (const bool on_a_ball : {false, true}) {
+    const auto falling = [&](double gap) {
+      Scene scene = dropped(0.5, gap, 1);
+      if (on_a_ball) {
+        scene.bodies[0].shape = contact::BallShape{8};
+        scene.bodies[0].position = {0, 0, -8};
+      }
+      return scene;
+    };
+    const Scene scene = falling(4 - bend / 2);
+    const contact::Plan plan = contact::plan_scene(scene);
+    CAPTURE(on_a_ball);
+    CHECK(plan.pairs == 1);
+    const auto run = contact::scenes::make_run(scene, plan);
+    run->advance(1);
+    CHECK(run->position(1).z() > 0.5);
+    CHECK(contact::plan_scene(falling(4 + 1e-9)).pairs == 0);
   }
 }

@@ -350,16 +350,78 @@ TEST_CASE("A ball at a capsule: beside the segment and beyond its ends") {
   CHECK(gap(0, 0, 0) == -0.75);
 }
 
-TEST_CASE("No gap is told of pairs with hulls but on half-spaces, and none of two half-spaces") {
-  const SceneBody box = body_of("box", BoxShape{{1, 1, 1}}, {0, 0, 0});
-  const SceneBody rod = body_of("rod", CapsuleShape{1, 1}, {0, 0, 0});
+TEST_CASE("No gap is told of two half-spaces") {
   const SceneBody floor = body_of("floor", HalfSpaceShape{}, {0, 0, 0}, false);
-  const SceneBody hull = body_of(
-      "hull", contact::HullShape{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}}, {0, 0, 0});
-  CHECK_FALSE(contact::starting_gap(hull, box));
-  CHECK_FALSE(contact::starting_gap(hull, rod));
-  CHECK_FALSE(contact::starting_gap(hull, hull));
   CHECK_FALSE(contact::starting_gap(floor, floor));
+}
+
+TEST_CASE(
+    "The gap between tetrahedra: face to face, corner to face, edge to edge, and in each other") {
+  const HullShape shape{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}};
+  const auto gap = [&](double x, double y, double z) {
+    return gap_of(body_of("a", shape, {0, 0, 0}), body_of("b", shape, {x, y, z}));
+  };
+  // From -2 to 2 along each axis the differences of two points of them reach: a cuboctahedron.
+  CHECK(gap(2.5, 0, 0) == 0.5);
+  CHECK(gap(2, 0, 0) == 0);
+  CHECK(gap(1.75, 0, 0) == -0.25);
+  CHECK(std::abs(gap(3, 3, 0) - std::sqrt(2.0)) <= 16 * u);       // beyond the corner (2, 2, 0)
+  CHECK(std::abs(gap(2, 2, 2) - 2 / std::sqrt(3.0)) <= 16 * u);   // over x + y + z = 4
+  CHECK(std::abs(gap(1, 1, 1) - -1 / std::sqrt(3.0)) <= 16 * u);  // below it
+  CHECK(gap(0, 0, 0) == -2);
+}
+
+TEST_CASE("A hull of a box's corners is as far from everything as the box") {
+  Random random(31);
+  int apart = 0;
+  for (int i = 0; i < generators::tried(160); ++i) {
+    const auto size = [&] { return random.uniform(0.1, 1.0); };
+    const auto somewhere = [&](const contact::SceneShape& shape) {
+      SceneBody body = body_of("body", shape, {0, 0, 0}, false);
+      for (int k = 0; k < 3; ++k) body.position(k) = random.uniform(-1.5, 1.5);
+      Rotor<double>& turned = body.orientation;
+      turned.w = random.uniform(-1.0, 1.0);
+      for (int k = 0; k < 3; ++k) turned.v(k) = random.uniform(-1.0, 1.0);
+      const double length = std::sqrt(turned.w * turned.w + turned.v.squaredNorm());
+      turned.w /= length;
+      turned.v /= length;
+      return body;
+    };
+    Vector3<double> half_lengths;
+    for (int k = 0; k < 3; ++k) half_lengths(k) = size();
+    const SceneBody box = somewhere(BoxShape{half_lengths});
+    SceneBody hull = box;
+    HullShape corners;
+    for (int k = 0; k < 8; ++k) {
+      const Vector3<double> signs((k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1,
+                                  (k & 4) != 0 ? 1 : -1);
+      corners.points.emplace_back(signs.cwiseProduct(half_lengths));
+    }
+    hull.shape = corners;
+    const double width = size();
+    const double height = size();
+    const double length = size();
+    for (const contact::SceneShape& shape : {contact::SceneShape(BallShape{width}),
+                                             contact::SceneShape(BoxShape{{width, height, 0.3}}),
+                                             contact::SceneShape(CapsuleShape{width, length})}) {
+      const SceneBody other = somewhere(shape);
+      const double wanted = gap_of(box, other);
+      CHECK(std::abs(gap_of(hull, other) - wanted) <= 0x1p-44);
+      apart += wanted > 0 ? 1 : 0;
+    }
+  }
+  CHECK(apart > generators::tried(96));
+  CHECK(apart < generators::tried(448));
+}
+
+TEST_CASE("A hull that begins within another body is a fault") {
+  Scene scene = sound();
+  SceneBody& hull = scene.bodies[4];
+  hull.position = scene.bodies[2].position;
+  const auto faults = contact::check_scene(scene);
+  INFO(all(faults));
+  REQUIRE(faults.size() == 1);
+  CHECK(faults[0].path == "bodies[4].position");
 }
 
 TEST_CASE("Gaps between boxes and capsules are those of the closed forms, either way round") {

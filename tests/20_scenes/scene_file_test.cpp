@@ -311,6 +311,37 @@ TEST_CASE("Every fault of the table is told with its path, its line and what is 
   }
 }
 
+TEST_CASE("A value that is no number is told as it stands in the file") {
+  const std::string specimen = text_in(root / "tests/20_scenes/specimen.json");
+  const std::string mass = "\"mass\": 2";
+  for (const std::string written :
+       {"NaN", "nan", "-Infinity", "+1", ".5", "1e-400", "-0.01E-399"}) {
+    std::string text = specimen;
+    text.replace(text.find(mass), mass.size(), "\"mass\": " + written);
+    const std::vector<FileFault> faults = faults_of(text);
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0].fault.path == "bodies[1].mass");
+    CHECK(faults[0].fault.value == written);
+  }
+}
+
+TEST_CASE("What is no scene at all is told without a path") {
+  const auto said = [](const std::string& text) -> std::string {
+    try {
+      contact::scenes::scene_from_text(text, "file");
+    } catch (const contact::scenes::SceneFileError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(said("[1]") == "file:1: [1]: a scene must be an object, {...}");
+  CHECK(said(" \n") == "file:2: is no JSON: the file is empty");
+  const std::string bytes =
+      "file:1: is no JSON: must be a text in UTF-8, and holds bytes that are none";
+  CHECK(said(std::string("\0\0", 2)) == bytes);
+  CHECK(said("{\"name\": \"\xff\"}") == bytes);
+}
+
 TEST_CASE(
     "All faults of a file are told at once, in the order of its lines, the file's name first") {
   const std::string text =

@@ -113,3 +113,33 @@ def running_from(folder: Path) -> list[str]:
         if str(folder) + "/contact-" in command:
             found.append(command)
     return found
+
+
+@pytest.fixture
+def on_a_terminal(environment: dict[str, str]) -> Callable[..., str]:
+    """What the program writes on its "stdout" or "stderr" if that is a terminal."""
+
+    def run(stream: str, *words: str, **extra: str) -> str:
+        mother, daughter = os.openpty()
+        process = subprocess.Popen(
+            [str(PROGRAM), *words],
+            stdin=subprocess.DEVNULL,
+            stdout=daughter if stream == "stdout" else subprocess.DEVNULL,
+            stderr=daughter if stream == "stderr" else None,
+            env={**environment, **extra},
+        )
+        os.close(daughter)
+        text = b""
+        while True:
+            try:
+                part = os.read(mother, 65536)
+            except OSError:
+                break
+            if not part:
+                break
+            text += part
+        os.close(mother)
+        assert process.wait(timeout=60) == 0
+        return text.decode()
+
+    return run

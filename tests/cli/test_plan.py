@@ -100,6 +100,32 @@ def test_a_scene_calls_for_what_is_known_of_it(contact: Run, scene: str, on: str
             assert condition["right_is"] in joined
 
 
+@pytest.mark.parametrize("scene", ["hail", "billiards_break"])
+def test_the_errors_together_stand_beside_the_tolerance(contact: Run, scene: str) -> None:
+    plan = json.loads(contact("plan", scene, "--json").stdout)
+    assert plan["error"] <= plan["tolerance"]
+    assert plan["error"] == pytest.approx(sum(one["error"] for one in plan["decisions"]))
+    assert (plan["error"] > 0) == (scene != "billiards_break")
+    (line,) = (
+        line for line in contact("plan", scene).stdout.splitlines() if line.startswith("Errors")
+    )
+    numbers = [float(word) for word in line.split() if word[0].isdigit()]
+    assert numbers == pytest.approx([plan["error"], plan["tolerance"]], rel=1e-3)
+    # What is forced off that the plan has on makes an error that nobody knows.
+    forced = contact("plan", "bouncing_ball", "--without", "gravity", "--json")
+    assert json.loads(forced.stdout)["error"] is None
+
+
+def test_where_bodies_lie_on_each_other_the_sum_has_no_bound(contact: Run) -> None:
+    plan = json.loads(contact("plan", "stack_of_ten", "--json").stdout)
+    endless = [one["effect"] for one in plan["decisions"] if one["error"] is None]
+    assert endless == ["sleeping"]  # nothing bounces in it, so no hop is left out
+    assert plan["error"] is None
+    text = contact("plan", "stack_of_ten").stdout
+    assert "Errors accepted, all together: no bound." in text.splitlines()
+    assert "Error accepted: no bound, what sleeps may balance" in " ".join(text.split())
+
+
 def test_a_step_shows_what_passes_through(contact: Run) -> None:
     found = decisions(contact, "bullet_and_wall", "--step", "0.0166")
     (first, *_) = found["continuous-detection"]["because"]
@@ -155,7 +181,7 @@ def test_a_scene_with_a_fault_has_no_plan(contact: Run, tmp_path: Path) -> None:
 def test_each_effect_is_measured_the_other_way_round(contact: Run) -> None:
     found = decisions(contact, "sliding_block", "--measure")
     for effect, decision in found.items():
-        assert ("measured" in decision) == (effect not in ("step-size", "horizon"))
+        assert ("measured" in decision) == (effect != "step-size")
     rotation = found["rotation"]["measured"]
     assert rotation["planned_seconds"] > 0
     assert rotation["other_seconds"] > 0
@@ -165,7 +191,20 @@ def test_each_effect_is_measured_the_other_way_round(contact: Run) -> None:
     assert "measured" not in decisions(contact, "sliding_block")["rotation"]
 
 
+def test_a_horizon_is_measured_by_a_run_that_begins_an_ulp_away(contact: Run) -> None:
+    spheres = decisions(contact, "elastic_spheres", "--measure")["horizon"]
+    parted = spheres["measured"]
+    assert parted["parted"]
+    assert parted["apart"] > parted["allowed"] == 0.5  # there is no tolerance: a radius
+    assert spheres["value"] < parted["time"] < 5 / 3
+    calm = decisions(contact, "sliding_block", "--measure")["horizon"]["measured"]
+    assert not calm["parted"]
+    assert 0 < calm["apart"] <= calm["allowed"]
+    assert calm["time"] == 1
+
+
 def test_the_table_says_what_was_measured(contact: Run) -> None:
     done = contact("plan", "thrown_stone", "--measure")
     assert done.returncode == 0, done.stderr
     assert "of the processor a second as planned" in done.stdout
+    assert "a run that begins an ulp away" in done.stdout

@@ -6,6 +6,7 @@ import csv
 import json
 import math
 import os
+import re
 import signal
 import subprocess
 import time
@@ -382,6 +383,27 @@ def test_several_scenes_come_out_as_each_alone(contact: Run) -> None:
     for name, result in zip(names, results, strict=True):
         alone = json.loads(contact("simulate", name, "--json").stdout)
         assert without_times(result) == without_times(alone)
+
+
+def test_on_a_terminal_long_runs_tell_how_far_they_have_come(
+    on_a_terminal: Callable[..., str], gas: Path
+) -> None:
+    said = on_a_terminal("stderr", "simulate", str(gas), str(gas), "--jobs", "2", "--until", "600")
+    lines = said.split("\r")
+    name = json.loads(gas.read_text())["name"]
+    progress = rf"0 of 2 done; {name} [\d.]+ of 600 s, \d+ hits"
+    assert any(re.match(progress, line) for line in lines)
+    assert lines[-1].strip() == ""  # the line is taken away at the end
+    assert all(len(line) < 80 for line in lines)
+
+
+def test_on_a_terminal_measuring_tells_of_which_effect(
+    on_a_terminal: Callable[..., str], gas: Path
+) -> None:
+    said = on_a_terminal("stderr", "plan", str(gas), "--measure")
+    assert "measuring gravity" in said
+    assert "measuring event-driven" in said
+    assert said.split("\r")[-1].strip() == ""
 
 
 def test_several_scenes_are_told_of_in_the_order_given(contact: Run) -> None:

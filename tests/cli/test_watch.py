@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import queue
 import signal
 import subprocess
@@ -210,34 +209,15 @@ def test_check_can_be_interrupted(
 
 
 def test_a_terminal_shows_colour_unless_told_not_to(
-    environment: dict[str, str], work: Path, solution: str
+    on_a_terminal: Callable[..., str],
+    environment: dict[str, str],
+    work: Path,
+    solution: str,
 ) -> None:
     copy = work / "02_triangles/ray_triangle.cpp"
     copy.parent.mkdir(parents=True)
     copy.write_text(solution)
-
-    def on_a_terminal(extra: dict[str, str]) -> bytes:
-        mother, daughter = os.openpty()
-        process = subprocess.Popen(
-            [str(PROGRAM), "check", "ray_triangle"],
-            stdout=daughter,
-            stdin=subprocess.DEVNULL,
-            env={**environment, "TERM": "xterm", **extra},
-        )
-        os.close(daughter)
-        text = b""
-        while True:
-            try:
-                part = os.read(mother, 65536)
-            except OSError:
-                break
-            if not part:
-                break
-            text += part
-        os.close(mother)
-        assert process.wait(timeout=60) == 0
-        return text
-
+    check = ("stdout", "check", "ray_triangle")
     environment.pop("NO_COLOR", None)
-    assert b"\x1b[" in on_a_terminal({})
-    assert b"\x1b[" not in on_a_terminal({"NO_COLOR": "1"})
+    assert "\x1b[" in on_a_terminal(*check, TERM="xterm")
+    assert "\x1b[" not in on_a_terminal(*check, TERM="xterm", NO_COLOR="1")

@@ -56,6 +56,7 @@ class FallbackRun final : public SceneRun {
       : scene_(std::move(scene)),
         overrides_(std::move(overrides)),
         event_budget_(event_budget),
+        cutoff_(cutoff),
         events_(std::make_unique<HardSphereSceneRun>(scene_, compose, cutoff)) {}
 
   /// @cond
@@ -109,6 +110,8 @@ class FallbackRun final : public SceneRun {
     const SceneRunCounts more = steps_->counts();
     counts.steps = more.steps;
     counts.parts = more.parts;
+    counts.crowded_steps = more.crowded_steps;
+    counts.most_impacts = more.most_impacts;
     counts.hits += more.hits;
     counts.pairs = more.pairs;
     counts.contacts = more.contacts;
@@ -197,6 +200,8 @@ class FallbackRun final : public SceneRun {
     fallback_ = std::move(fallback);
     from_ = std::move(from);
     from_.duration = std::max(scene_.duration - fallback_->time, scene_.duration / 1024);
+    // Half of the tolerance went to the hops that were left out.
+    if (cutoff_ > 0 && from_.tolerance.position) *from_.tolerance.position /= 2;
     PlanOptions options;
     options.overrides = overrides_;
     steps_ = make_stepped_run(from_, plan_scene(from_, options));
@@ -205,6 +210,7 @@ class FallbackRun final : public SceneRun {
   Scene scene_;
   Overrides overrides_;
   std::uint64_t event_budget_;
+  double cutoff_;
   std::unique_ptr<HardSphereSceneRun> events_;
   std::unique_ptr<SceneRun> steps_;  // from when on it goes step by step
   std::optional<SceneFallback> fallback_;

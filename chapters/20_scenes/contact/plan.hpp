@@ -10,6 +10,7 @@
 #include <contact/invalid_argument.hpp>
 #include <contact/plan_bounds.hpp>
 #include <contact/plan_contact.hpp>
+#include <contact/plan_horizon.hpp>
 #include <contact/plan_motion.hpp>
 #include <contact/plan_time.hpp>
 #include <contact/plan_types.hpp>
@@ -60,17 +61,55 @@ inline bool is_idle(const Plan& plan, const Decision& switched) {
   }
 }
 
+/// Whether somebody has forced off what the plan has on, so that nothing bounds the error. Bodies
+/// may always stay awake, pairs unsorted, and what goes from event to event may go in steps.
+inline bool has_no_bound(const Plan& plan, const Decision& decision) {
+  if (!decision.overridden || decision.on || !decision.planned) return false;
+  if (is_idle(plan, decision)) return false;
+  return decision.effect != Effect::sleeping && decision.effect != Effect::broad_phase &&
+         decision.effect != Effect::event_driven;
+}
+
+/// The errors that decisions accept and nobody has overridden, all together. Each was taken from
+/// what others had left of the tolerance, so without rounding the sum is at most that; but ∞ if one
+/// has no bound.
+inline double accepted_error(const Plan& plan) {
+  std::vector<double> errors;
+  for (const Decision& decision : plan.decisions) {
+    if (has_no_bound(plan, decision)) return infinite;
+    if (decision.on == decision.planned) errors.push_back(decision.error);
+  }
+  const double sum = sum_in_order(std::move(errors));
+  return std::isfinite(sum) ? std::min(sum, plan.tolerance) : infinite;
+}
+
 inline void add_notices(const PlanQuestion& q, Plan& plan) {
   const Decision& horizon = decision_on(plan, Effect::horizon);
   if (horizon.value && *horizon.value < q.scene->duration) {
     plan.notices.push_back("The tolerance holds up to about t = " + short_number(*horizon.value) +
-                           " s, by an estimate for bodies spread evenly; after that only conserved "
+                           " s, by an estimate on the safe side; after that only conserved "
                            "quantities and statistics do.");
   }
+  if (horizon.on && !horizon.value && q.bounds.movers > 0)
+    plan.notices.push_back("Until when the tolerance holds is not known. " + horizon.why);
   const Decision& step = decision_on(plan, Effect::step_size);
   if (step.on && !step.proven && q.bounds.movers > 0) {
     plan.notices.push_back("Not proven that a step of " + short_number(q.step) +
                            " s keeps the tolerance; impacts are found between steps.");
+  }
+  if (plan.spring_part > 0) {
+    const double off = springs_off(q, plan.spring_part);
+    std::string notice = "Springs push in parts of " + short_number(plan.spring_part) + " s: ";
+    if (!std::isfinite(off)) {
+      notice += "no error is estimated where something gives way and rubs, or is damped.";
+    } else if (decision_on(plan, Effect::penalty_contact).error > 0) {
+      notice += "by an estimate that keeps the tolerance; it is not proven.";
+    } else {
+      notice += "by an estimate that leaves " + short_number(off) + " m at the end" +
+                (q.tolerance > 0 ? "; to keep the tolerance takes more than 1024 parts a step."
+                                 : ", and no error is accepted.");
+    }
+    plan.notices.push_back(std::move(notice));
   }
   if (q.events && decision_on(plan, Effect::several_contacts).on) {
     plan.notices.push_back(
@@ -94,9 +133,7 @@ inline void add_notices(const PlanQuestion& q, Plan& plan) {
         "step all the same.");
   }
   for (const Decision& decision : plan.decisions) {
-    if (!decision.overridden || decision.on == decision.planned || decision.on) continue;
-    if (is_idle(plan, decision)) continue;
-    if (decision.effect == Effect::sleeping || decision.effect == Effect::broad_phase) continue;
+    if (!has_no_bound(plan, decision)) continue;
     plan.notices.push_back("Without " + std::string(effect_name(decision.effect)) +
                            " the error has no bound: the plan has it on.");
   }
@@ -110,6 +147,13 @@ inline void add_notices(const PlanQuestion& q, Plan& plan) {
 /// What is off is off by a proof or a bound; what no rule can prove is on. So a plan is sound
 /// before it is good: a weaker rule costs time and is never wrong. The exception is the run from
 /// event to event, which is taken only if its number of events is bounded.
+///
+/// The tolerance holds for all errors together. Rules that can accept one are asked in this order,
+/// and each may take from what is left: the gyroscopic term, since without it a formula may do for
+/// steps; hops that are left out from event to event; late hits; gravity; springs; hops that steps
+/// leave out; sleep; float. What is off without an error stays proven beside what is off with one:
+/// those proofs are of what may meet, rub or turn, and what is left out with an error makes nothing
+/// of that more.
 /// @param scene checked, as read_scene() gives it
 /// @param options a step makes the run go step by step; overrides have the last word
 /// @throws std::invalid_argument if the step is not finite and greater than 0, or if an override
@@ -125,43 +169,70 @@ inline Plan plan_scene(const Scene& scene, const PlanOptions& options = {}) {
     }
   }
   PlanQuestion q = plan_question(scene);
-
-  q.even_spins = !plan_gyroscopic_term(q).planned;
   Plan plan;
+  plan.tolerance = q.tolerance;
+  plan.decisions.resize(all_effects.size());
+  const auto decided = [&](Effect effect) -> Decision& {
+    return plan.decisions[static_cast<std::size_t>(effect)];
+  };
+  const auto decide_on = [&](Decision decision) {
+    const Effect effect = decision.effect;
+    take_from_what_is_left(q, decision);
+    decided(effect) = std::move(decision);
+    if (effect != Effect::event_driven)
+      detail::override_decision(decided(effect), options.overrides);
+  };
+
+  decide_on(plan_gyroscopic_term(q));
+  q.even_spins = !decided(Effect::gyroscopic_term).planned;
   Decision event_driven = plan_event_driven(q);
-  // Of its proofs only that of hops which are left out has an error.
-  if (event_driven.proven && event_driven.error > 0)
-    plan.cutoff = contact_time_cutoff(q.tolerance, q.bounds.gravity);
-  if (options.step) {
+  const bool steps_asked = options.step.has_value();
+  if (steps_asked) {
     event_driven.on = event_driven.planned = false;
     event_driven.why = "A step is asked for, so the run goes step by step.";
     event_driven.because.clear();
-    event_driven.error = 0;
-    event_driven.error_is = "none";
   }
   detail::override_decision(event_driven, options.overrides);
   q.events = event_driven.on;
+  if (!q.events) {
+    event_driven.error = 0;
+    event_driven.error_is = "none";
+  }
+  // Of its proofs only that of hops which are left out has an error.
+  if (event_driven.error > 0) plan.cutoff = contact_time_cutoff(q.left, q.bounds.gravity);
+  decide_on(std::move(event_driven));
   q.hits = expected_hits(q);
-  if (!q.events) q.step = options.step ? *options.step : step_from_tolerance(q);
+  if (!q.events) q.step = steps_asked ? *options.step : step_from_tolerance(q);
   const auto movers = static_cast<double>(q.bounds.movers);
   q.moves = q.events ? movers + 2 * q.hits : movers * std::ceil(scene.duration / q.step);
+  decided(Effect::gyroscopic_term).saving = gyroscopic_saving(q);
+  decide_on(plan_step_size(q, options));
+  decide_on(plan_continuous_detection(q, q.step));
+  decide_on(plan_gravity(q));
+  plan.spring_part = longest_spring_part(q);
+  decide_on(plan_penalty_contact(q));
+  // Half the cutoff up, half of it down: what a run in steps does with the same hops.
+  plan.rest_height = q.bounds.gravity * plan.cutoff * plan.cutoff / 8;
+  Decision resting = plan_resting(q);
+  if (!q.events && resting.planned) plan.rest_height = hops_left_out(q);
+  decide_on(std::move(resting));
+  Decision sleeping = plan_sleeping(q);
+  plan.sleep_speed = sleep_speed(q, sleeping);
+  decide_on(std::move(sleeping));
+  decide_on(plan_double_precision(q));
 
-  plan.decisions = {plan_gravity(q),          plan_rotation(q),
-                    plan_gyroscopic_term(q),  plan_friction(q),
-                    plan_restitution(q),      plan_continuous_detection(q, q.step),
-                    plan_broad_phase(q),      plan_several_contacts(q),
-                    plan_resting(q),          plan_sleeping(q),
-                    plan_penalty_contact(q),  plan_third_dimension(q),
-                    plan_second_dimension(q), plan_double_precision(q),
-                    std::move(event_driven),  plan_step_size(q, options),
-                    plan_horizon(q)};
-  for (Decision& decision : plan.decisions) {
-    if (decision.effect != Effect::event_driven)
-      detail::override_decision(decision, options.overrides);
-  }
+  decide_on(plan_rotation(q));
+  decide_on(plan_friction(q));
+  decide_on(plan_restitution(q));
+  decide_on(plan_broad_phase(q));
+  decide_on(plan_several_contacts(q));
+  decide_on(plan_third_dimension(q));
+  decide_on(plan_second_dimension(q));
+  decide_on(plan_horizon(q, decided(Effect::rotation).planned));
   plan.speed = q.bounds.speed;
   plan.step = q.step;
   plan.pairs = static_cast<std::size_t>(pairs_that_may_meet(q.bounds));
+  plan.error = detail::accepted_error(plan);
   detail::add_notices(q, plan);
   return plan;
 }

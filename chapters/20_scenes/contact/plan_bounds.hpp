@@ -21,6 +21,7 @@ struct EnergyShare {
   double twice_kinetic = 0;               ///< 2 K at the beginning, J
   double mass = 0;                        ///< of all together, kg
   double twice_floor = detail::infinite;  ///< no 2 K is ever larger, J; ∞ without a floor
+  double twice_dip = 0;  ///< what a run gains that is off by the tolerance, into the floor, J
 };
 
 /// What is known of a body before the scene runs.
@@ -56,6 +57,7 @@ struct PairBound {
   double restitution_least = 1;  ///< of hard contacts
   double restitution_most = 0;   ///< of hard contacts
   double stiffness = 0;          ///< the largest, N/m
+  double damping = 0;            ///< the largest of those that give way, N·s/m
   double core = 0;               ///< both cores' thicknesses together, m; ∞ for a half-space
   double graze = 0;              ///< least radius of curvature where they can graze, m; 0: unknown
   double closing = 0;            ///< surface points never move faster towards each other, m/s
@@ -93,7 +95,8 @@ inline double sum_in_order(std::vector<double> terms) {
 /// lose, a spring returns what it took, and what stands still does no work. (A law of impact that
 /// can give energy, as Newton's can to rough bodies that are no balls, is none of these.) So a
 /// group's energy grows by gravity's work alone, at the rate Σ m g·v ≤ |g| √(M 2K): √(2K) grows by
-/// at most |g| √M in a second. Over a level floor, gravity can give no more than down to the floor.
+/// at most |g| √M in a second. Over a level floor, gravity can give no more than down to the floor;
+/// to a run whose hits come late by a step, as much more as it is in the floor: the tolerance.
 /// @param w squared speed for each joule of 2K, 1/kg; for two bodies the sum of both: by Cauchy and
 /// Schwarz |v| + |v'| ≤ √((m v² + m' v'²)(1/m + 1/m'))
 /// @param gravity |g|, m/s²
@@ -102,7 +105,7 @@ inline double sum_in_order(std::vector<double> terms) {
 inline double speed_at_most(const EnergyShare& share, double w, double gravity, double t) {
   const double with_time =
       std::sqrt(share.twice_kinetic * w) + gravity * std::sqrt(share.mass * w) * t;
-  const double with_floor = std::sqrt(share.twice_floor * w);
+  const double with_floor = std::sqrt((share.twice_floor + share.twice_dip) * w);
   return detail::rounded_up(std::min(with_time, with_floor));
 }
 
@@ -111,7 +114,7 @@ inline double speed_at_most(const EnergyShare& share, double w, double gravity, 
 inline double travel_at_most(const EnergyShare& share, double w, double gravity, double t) {
   const double with_time =
       std::sqrt(share.twice_kinetic * w) * t + gravity * std::sqrt(share.mass * w) * t * t / 2;
-  const double with_floor = std::sqrt(share.twice_floor * w) * t;
+  const double with_floor = std::sqrt((share.twice_floor + share.twice_dip) * w) * t;
   return detail::rounded_up(std::min(with_time, with_floor));
 }
 // [/speed-bound]
@@ -176,6 +179,8 @@ inline EnergyShare energy_of(const Scene& scene, const std::vector<std::size_t>&
   share.twice_kinetic = rounded_up(sum_in_order(std::move(kinetic)), n);
   share.mass = rounded_up(sum_in_order(std::move(masses)), n);
   share.twice_floor = rounded_up(share.twice_kinetic + sum_in_order(std::move(falls)), n);
+  if (!scene.tolerance.event_order)
+    share.twice_dip = rounded_up(2 * share.mass * gravity * scene.tolerance.position.value_or(0));
   return share;
 }
 
@@ -293,6 +298,7 @@ inline void add_materials(const Scene& scene, std::size_t a, std::size_t b, Pair
   if (material.stiffness) {
     pair.soft = true;
     pair.stiffness = std::max(pair.stiffness, *material.stiffness);
+    pair.damping = std::max(pair.damping, material.damping);
     return;
   }
   pair.hard = true;

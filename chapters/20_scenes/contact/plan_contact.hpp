@@ -48,15 +48,86 @@ inline Decision plan_restitution(const PlanQuestion& q) {
                 {q.hits * 2, "2 for each contact"}, "What comes back of an impact is not 0.");
 }
 
-/// Penalty contact is off if nothing that may be touched gives way.
+namespace detail {
+
+/// The stiffest spring's ω = √(k (1/m + 1/m')), rad/s.
+inline double fastest_spring(const PlanQuestion& q) {
+  double most = 0;
+  for (const PairBound& pair : q.pairs) {
+    if (pair.soft) most = std::max(most, pair.stiffness * pair.slowness);
+  }
+  return std::sqrt(most);
+}
+
+}  // namespace detail
+
+// [spring-rule]
+/// How far off springs may be at the end that push in parts of a length p: an estimate, from what
+/// leapfrog leaves of the motion of one pair along its normal.
+///
+/// It swings too fast, by (ω p)²/24 of the time. And a spring lets go within a part. Its push is
+/// taken in the part's middle, so at the speed v, with τ of the part to go, ω² v (τ²/2 − (τ − p/2)
+/// p) of velocity is missing or too much: v (ω p)²/8 at most. (Where it begins to push is found,
+/// and ends a part.) A contact lasts half a swing or longer, so in the time T there are at most 1 +
+/// ω T/π, and what each of them leaves counts for the rest of the time. Dampers that see a part's
+/// end, and friction, are of first order in p: of them nothing is said. Nor is it a bound where
+/// bodies hit one another in turn.
+/// @param part p, s
+/// @return m; ∞ if nothing is said
+inline double springs_off(const PlanQuestion& q, double part) {
+  constexpr double half_turn = 3.141592653589793;
+  const double t = q.scene->duration;
+  const double swing = detail::fastest_spring(q);
+  double fastest = 0;
+  for (const PairBound& pair : q.pairs) {
+    if (!pair.soft) continue;
+    if (pair.friction > 0 || pair.damping > 0) return detail::infinite;
+    fastest = std::max(fastest, pair.closing);
+  }
+  const double contacts = 1 + swing * t / half_turn;
+  const double share = swing * part * (swing * part);
+  return detail::rounded_up(fastest * t * share * (1.0 / 24 + contacts / 8));
+}
+
+/// How long a part of a step is at most while a spring may push: so that springs_off() is half of
+/// what is left of the tolerance, and no more than 1/128 of a radian of the stiffest spring, which
+/// keeps the energy of a swing to 2e-5. That is all where the tolerance would take more than a
+/// thousand parts a step.
+/// @return s; 0 if no spring may push
+inline double longest_spring_part(const PlanQuestion& q) {
+  const double swing = detail::fastest_spring(q);
+  if (q.events || !(swing > 0)) return 0;
+  const double longest = std::min(q.step, 1 / (128 * swing));
+  const double off = springs_off(q, longest);
+  if (!(q.left > 0) || !(off > chosen_share(q))) return longest;
+  const double part = detail::rounded_down(longest * std::sqrt(chosen_share(q) / off), 256);
+  return part < q.step / 1024 ? longest : part;
+}
+
+/// Penalty contact is off if nothing that may be touched gives way. On, it takes what springs_off()
+/// says, if that is within what is left of the tolerance.
 inline Decision plan_penalty_contact(const PlanQuestion& q) {
   double soft = 0;
   for (const PairBound& pair : q.pairs) soft += pair.soft ? pair.count : 0;
-  return decide(Effect::penalty_contact,
-                {{"A spring that nothing touches pushes nothing.",
-                  {{"pairs that may meet and give way", soft, Relation::equal, 0, "none", ""}}}},
-                {q.hits * 20, "20 for each contact"}, "Some contacts give way like springs.");
+  Decision decision =
+      decide(Effect::penalty_contact,
+             {{"A spring that nothing touches pushes nothing.",
+               {{"pairs that may meet and give way", soft, Relation::equal, 0, "none", ""}}}},
+             {q.hits * 20, "20 for each contact"}, "Some contacts give way like springs.");
+  const double part = longest_spring_part(q);
+  if (!decision.on || !(part > 0)) return decision;
+  decision.because.push_back({"part of a step while a spring pushes", part, Relation::at_most,
+                              1 / (128 * detail::fastest_spring(q)),
+                              "1/128 of a radian of the stiffest", "s"});
+  const double off = springs_off(q, part);
+  decision.because.push_back(
+      fits_what_is_left(q, "off at the end by what leapfrog leaves, by an estimate", off));
+  if (!holds(decision.because.back())) return decision;
+  decision.error = off;
+  decision.error_is = "what leapfrog leaves of springs, by an estimate; no bound for many bodies";
+  return decision;
 }
+// [/spring-rule]
 
 /// The most bodies that one moving body may touch, without a table that cancels gravity.
 inline double most_partners(const PlanQuestion& q) {
@@ -161,7 +232,7 @@ inline BounceRange worst_bounces(const PlanQuestion& q) {
     BounceRange range;
     if (pair.half_space) {
       range = bounce_range(q, pair);
-    } else if (pair.both_move && pair.round && !pair.soft && q.bounds.gravity >= 0) {
+    } else if (pair.both_move && pair.round && !pair.soft) {
       // Both fly alike: they meet once, on a straight line seen from each other.
       range = {detail::infinite, 1, detail::rounded_up((1 + pair.restitution_most) * pair.closing)};
     } else {
@@ -177,7 +248,8 @@ inline BounceRange worst_bounces(const PlanQuestion& q) {
 // [resting-rule]
 /// The ways to show that no contact lasts and carries a force.
 ///
-/// Nothing presses without gravity. Elastic balls leave at the speed at which they came, which is
+/// Nothing presses without gravity, but for a body that turns and pushes another along: a ball on a
+/// rod that swings round. Elastic balls leave at the speed at which they came, which is
 /// never 0: a flight that only grazes what gravity presses it on would have come from inside. (Hits
 /// that fall on one instant are the business of the rule on several contacts.) And a ball that
 /// bounces on one half-space does not rest before its last bounce.
@@ -196,7 +268,9 @@ inline std::vector<Proof> resting_proofs(const PlanQuestion& q) {
   const BounceRange bounces = worst_bounces(q);
   return {
       {"Nothing presses bodies together, so a contact that lasts carries no force.",
-       {{"gravity that no table cancels", gravity_felt(q), Relation::equal, 0, "none", "m/s²"}}},
+       {{"gravity that no table cancels", gravity_felt(q), Relation::equal, 0, "none", "m/s²"},
+        {"moving bodies other than balls that may turn and touch something",
+         proven_line(q) ? 0.0 : rough_shapes_that_touch(q), Relation::equal, 0, "none", ""}}},
       {"What never touches, or gives way like a spring, never rests on anything hard.",
        {{"hard contacts that may happen", hard, Relation::equal, 0, "none", ""}}},
       {"Elastic balls leave at the speed at which they came, and that is never 0: a flight that "
@@ -212,15 +286,108 @@ inline std::vector<Proof> resting_proofs(const PlanQuestion& q) {
          "earliest that a ball can rest", "s"}}}};
 }
 
-/// Resting contact is off if one of resting_proofs() holds.
+/// Whether gravity presses nothing together: there is none, or nothing that may be met stands
+/// still. Then all fall alike, and what flies off does not come back.
+inline bool all_fall_alike(const PlanQuestion& q) {
+  bool stands = false;
+  for (const PairBound& pair : q.pairs) stands = stands || !pair.both_move;
+  return !stands || !(gravity_felt(q) > 0);
+}
+
+/// How high a hop is, at most, that steps leave out where things come to rest: half of what is left
+/// of the tolerance; where nothing is left, as much as places are rounded. Along each contact's
+/// normal it is also shorter than a step: slowest_bounce() makes a speed of both.
+/// @return m; 0: none is left out
+inline double hops_left_out(const PlanQuestion& q) {
+  if (all_fall_alike(q)) return 0;
+  double size = 0;
+  for (const SceneBody& body : q.scene->bodies)
+    size = std::max(size, body.moves ? detail::coordinate_size(body.position) : 0.0);
+  return q.left > 0 ? chosen_share(q) : detail::plan_u * size;
+}
+
+namespace detail {
+
+/// How hard gravity may press a pair together, m/s²: on a half-space to rounding, 0 if it pulls
+/// away.
+inline double pair_pressing(const PlanQuestion& q, const PairBound& pair) {
+  if (!pair.half_space) return q.bounds.gravity;
+  const auto& wall = std::get<HalfSpaceShape>(q.scene->bodies[pair.b].shape);
+  const double along = -wall.normal.dot(q.scene->gravity);
+  return along > 16 * plan_u * q.bounds.gravity ? along : 0;
+}
+
+/// The highest hop that a pair leaves out in steps, m: what leaves at e times the slowest bounce.
+/// @param height what hops_left_out() says, m
+inline double pair_hop(const PlanQuestion& q, const PairBound& pair, double height) {
+  if (!pair.hard) return 0;
+  const double e = pair.restitution_most;
+  const double in_a_step = pair_pressing(q, pair) * q.step * q.step / 8;
+  return rounded_up(e * e * std::min(in_a_step, height));
+}
+
+}  // namespace detail
+
+/// Whether what lies on something lies there alone: a smooth ball on one hard half-space, beside
+/// which it may meet only walls at right angles to that one, smooth and hard too. Then the motion
+/// along the half-space knows nothing of the motion along its normal: whoever lies down too early,
+/// or sleeps, is off by what that leaves out, and no more.
+/// @param lasts of a pair: whether leaving something out there counts
+template <class Lasts>
+bool rests_alone(const PlanQuestion& q, const Lasts& lasts) {
+  const auto normal = [&](const PairBound& pair) {
+    return std::get<HalfSpaceShape>(q.scene->bodies[pair.b].shape).normal;
+  };
+  for (const PairBound& under : q.pairs) {
+    if (!lasts(under)) continue;
+    if (q.bounds.crowded || !under.half_space || !under.round) return false;
+    for (const PairBound& other : q.pairs) {
+      if (other.a != under.a && !(other.both_move && other.b == under.a)) continue;
+      if (!other.half_space || other.soft || other.friction > 0) return false;
+      if (other.b == under.b) continue;
+      if (normal(other).dot(normal(under)) != 0 || detail::pair_pressing(q, other) > 0)
+        return false;
+    }
+  }
+  return true;
+}
+
+/// Resting contact is off if one of resting_proofs() holds. On, steps leave out hops no higher than
+/// hops_left_out(): a ball that lies down in place of a hop on its floor is off by the hop's
+/// height, and all hops after it are lower. That is a bound if rests_alone(). Where bodies lie on
+/// or hit each other, or rub, a hop that is left out may change what comes after, and the plan says
+/// that there is no bound.
 inline Decision plan_resting(const PlanQuestion& q) {
-  return decide(Effect::resting, resting_proofs(q),
-                {0, "nothing; a contact that lasts costs only while it lasts"},
-                "Not proven that nothing comes to rest.");
+  Decision decision = decide(Effect::resting, resting_proofs(q),
+                             {0, "nothing; a contact that lasts costs only while it lasts"},
+                             "Not proven that nothing comes to rest.");
+  if (!decision.on || q.events || !(q.left > 0)) return decision;
+  const double height = hops_left_out(q);
+  double hop = 0;
+  for (const PairBound& pair : q.pairs) hop = std::max(hop, detail::pair_hop(q, pair, height));
+  if (!(hop > 0)) return decision;
+  decision.because.push_back(fits_what_is_left(q, "height of a hop that steps leave out", hop));
+  if (rests_alone(q,
+                  [&](const PairBound& pair) { return detail::pair_hop(q, pair, height) > 0; })) {
+    decision.error = hop;
+    decision.error_is = "height of the hops that steps leave out";
+  } else {
+    decision.error = detail::infinite;
+    decision.error_is =
+        "hops that are left out may add up where bodies lie on or hit each other, or rub";
+  }
+  return decision;
 }
 // [/resting-rule]
 
-/// Sleeping is off where nothing rests. Leaving it off is never wrong; it only costs time.
+/// How far a body that sleeps may be off: half of the tolerance, or what is left of it.
+inline double sleeping_share(const PlanQuestion& q) { return std::min(q.left, q.tolerance / 2); }
+
+/// Sleeping is off where nothing rests. Leaving it off is never wrong; it only costs time. On, it
+/// takes sleeping_share(): a body sleeps that would not come farther in the whole duration T, if it
+/// went on at the speed s, or if what has pushed it so far in sleep_after() went on to: s T and s
+/// T²/τ. That is a bound if rests_alone(): gravity pushes evenly then. It is none for what
+/// balances: a body on its edge falls ever faster. And what only falls is never slow for so long.
 inline Decision plan_sleeping(const PlanQuestion& q) {
   std::vector<Proof> proofs;
   for (Proof& proof : resting_proofs(q)) {
@@ -230,9 +397,33 @@ inline Decision plan_sleeping(const PlanQuestion& q) {
     break;
   }
   if (proofs.empty()) proofs = resting_proofs(q);
-  return decide(Effect::sleeping, std::move(proofs),
-                {q.moves * 4, "4 for each time that a body is asked whether it moves"},
-                "Bodies may come to rest; one in balance at speed 0 stays there exactly.");
+  Decision decision =
+      decide(Effect::sleeping, std::move(proofs),
+             {q.moves * 4, "4 for each time that a body is asked whether it moves"},
+             "Bodies may come to rest; one in balance at speed 0 stays there exactly.");
+  const double share = sleeping_share(q);
+  if (!decision.on || q.events || !(share > 0)) return decision;
+  if (gravity_felt(q) > 0 && all_fall_alike(q)) return decision;
+  decision.because.push_back(fits_what_is_left(
+      q, "way of what sleeps, if it went on as slowly, or as slowly pushed", share));
+  if (rests_alone(q, [&](const PairBound& pair) {
+        const bool glides = pair.half_space && pair.round && !pair.soft && pair.friction == 0;
+        return !glides || detail::pair_pressing(q, pair) > 0;
+      })) {
+    decision.error = share;
+    decision.error_is = "what sleeps would creep";
+  } else {
+    decision.error = detail::infinite;
+    decision.error_is = "what sleeps may balance, and would fall later";
+  }
+  return decision;
+}
+
+/// How slow a body must be to sleep, m/s.
+/// @param sleeping the decision on it
+inline double sleep_speed(const PlanQuestion& q, const Decision& sleeping) {
+  const double t = q.scene->duration;
+  return sleeping.error > 0 ? sleeping_share(q) / std::max(t, t * t / sleep_after) : 0;
 }
 
 namespace detail {
@@ -265,6 +456,12 @@ inline std::string pair_name(const Scene& scene, const PairBound& pair) {
 /// its length is d at most, and along the normal there is v d/(2 R). With friction nothing is
 /// proven. A path that gravity bends away from a wall dips into it with g h/2 at most; lateness is
 /// charged with more, since a body that falls for T has a v of at least g T/2.
+///
+/// *Beside other errors.* There are none. Late hits have a bound only where something touches and
+/// nothing comes to rest; where hops, sleep, gravity, a gyroscopic term or float are left out
+/// within the tolerance, nothing touches or something rests. A path of late hits is the right one,
+/// delayed, but for dips into a floor that are shorter than the error: EnergyShare::twice_dip is
+/// what a body gains in them.
 /// @param h s
 inline std::vector<Inequality> tunnelling_conditions(const PlanQuestion& q, double h) {
   using detail::rounded_up;
@@ -300,9 +497,8 @@ inline std::vector<Inequality> tunnelling_conditions(const PlanQuestion& q, doub
                           Relation::equal, 0, "nothing has another side to come out on", ""});
   }
   const double late = q.pairs.empty() ? 0.0 : rounded_up(worst_bounces(q).late * h);
-  conditions.push_back({"off at the end by hits that are late, or missed at a slant",
-                        rounded_up(late + grazing), Relation::at_most, q.tolerance,
-                        "tolerance of a place", "m"});
+  conditions.push_back(fits_what_is_left(
+      q, "off at the end by hits that are late, or missed at a slant", rounded_up(late + grazing)));
   conditions.push_back(
       {"pairs with corners or edges that may meet, whose missed grazes have no bound", edged,
        Relation::equal, 0, "none", ""});

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <contact/plan_bounds.hpp>
@@ -23,12 +24,40 @@ struct PlanQuestion {
   int table = -1;                ///< the axis of a level table that cancels gravity; −1: none
   std::vector<PairBound> pairs;  ///< that may meet, without balls and the table that they lie on
   double tolerance = 0;          ///< of a place, m; 0: none is given
+  double left = 0;               ///< of the tolerance, for errors that are not accepted yet, m
   bool even_spins = false;       ///< no gyroscopic term changes a spin
   bool events = false;           ///< whether the run goes from event to event
   double step = 0;               ///< s; 0 with events
   double moves = 0;              ///< how often a body is moved, over the whole run
   double hits = 0;               ///< impacts or contacts to expect, over the whole run
 };
+
+// [error-budget]
+/// What an error is compared with: what is left of the tolerance.
+///
+/// Errors add up: what is off by a and then by b is off by a + b at most. So the tolerance holds
+/// for their sum, and a rule may take only what those before it have left.
+/// @param error of the effect that is asked about, m
+inline Inequality fits_what_is_left(const PlanQuestion& q, std::string error_is, double error) {
+  return {std::move(error_is),
+          error,
+          Relation::at_most,
+          q.left,
+          q.left == q.tolerance ? "tolerance of a place" : "what is left of the tolerance",
+          "m"};
+}
+
+/// Takes what a decision accepts from what is left, rounded down: so all that decisions accept is
+/// at most the tolerance, without rounding. What has no bound takes nothing: no share would do.
+inline void take_from_what_is_left(PlanQuestion& q, const Decision& decision) {
+  if (decision.error > 0 && std::isfinite(decision.error))
+    q.left = std::max(0.0, detail::rounded_down(q.left - decision.error));
+}
+
+/// How much a rule takes that may choose its error: half of what is left, so that others come to
+/// theirs.
+inline double chosen_share(const PlanQuestion& q) { return q.left / 2; }
+// [/error-budget]
 
 /// "x", "y" or "z".
 inline std::string axis_name(int axis) { return axis == 0 ? "x" : (axis == 1 ? "y" : "z"); }
@@ -242,6 +271,7 @@ inline PlanQuestion plan_question(const Scene& scene) {
   q.pairs = q.bounds.pairs;
   // Whoever asks for the order of events allows no error of a place: it may turn two of them round.
   if (!scene.tolerance.event_order) q.tolerance = scene.tolerance.position.value_or(0);
+  q.left = q.tolerance;
   const int axis = detail::only_axis(scene.gravity);
   if (axis < 0 || q.bounds.movers == 0 || !is_proven({"", table_conditions(q, axis)})) return q;
   q.table = axis;
@@ -258,8 +288,10 @@ inline double gravity_felt(const PlanQuestion& q) { return q.table >= 0 ? 0.0 : 
 
 // [gravity-rule]
 /// Gravity is off if there is none, if nothing moves, if a table cancels it, or if nothing touches
-/// anything and free fall through the whole duration is shorter than the tolerance: ½ g T² is then
-/// exactly the error.
+/// anything and free fall through the whole duration is shorter than what is left of the tolerance:
+/// ½ g T² is then exactly the error. It is that in a run that leaves out a gyroscopic term too, or
+/// goes in float: nothing is looked for that a body could touch, so turning and rounding do not
+/// change the fall that is missing.
 inline Decision plan_gravity(const PlanQuestion& q) {
   const Scene& scene = *q.scene;
   std::vector<Proof> proofs{
@@ -279,12 +311,11 @@ inline Decision plan_gravity(const PlanQuestion& q) {
     proofs.push_back(std::move(table));
   }
   const double fall = detail::rounded_up(q.bounds.gravity * scene.duration * scene.duration / 2);
-  proofs.push_back({"What touches nothing is off by the fall that is left out, ½ g T².",
-                    {nothing_meets(q),
-                     {"fall in the whole duration, ½ g T²", fall, Relation::at_most, q.tolerance,
-                      "tolerance of a place", "m"}},
-                    fall,
-                    "½ g T², the fall that is left out"});
+  proofs.push_back(
+      {"What touches nothing is off by the fall that is left out, ½ g T².",
+       {nothing_meets(q), fits_what_is_left(q, "fall in the whole duration, ½ g T²", fall)},
+       fall,
+       "½ g T², the fall that is left out"});
   return decide(Effect::gravity, std::move(proofs),
                 {q.moves * 6, "6 for each time that a body is moved"},
                 "Gravity changes velocities.");
@@ -300,11 +331,17 @@ inline Decision plan_rotation(const PlanQuestion& q) {
                 "Not proven that spins and orientations change nothing.");
 }
 
+/// What the gyroscopic term costs.
+inline Saving gyroscopic_saving(const PlanQuestion& q) {
+  return {q.moves * 40, "40 for each time that a body is turned"};
+}
+
 // [gyroscopic-rule]
 /// The gyroscopic term ω × I ω is 0 for a body whose moments are all equal, and for a spin along a
 /// principal axis that a mirror keeps there. A body that touches nothing turns away from where it
 /// would be without the term by at most ½ α T², with α = (I₃ − I₁)/I₁ · |ω|² the largest change of
-/// its spin that the term can make.
+/// its spin that the term can make. Neither place nor gravity is in that, so it holds without
+/// gravity as well.
 inline Decision plan_gyroscopic_term(const PlanQuestion& q) {
   const Scene& scene = *q.scene;
   double uneven = 0;
@@ -334,12 +371,10 @@ inline Decision plan_gyroscopic_term(const PlanQuestion& q) {
   proofs.push_back(
       {"What touches nothing turns aside by at most ½ α T², with α = (I₃ − I₁)/I₁ |ω|².",
        {nothing_meets(q),
-        {"farthest that a point of a body is turned aside, R ½ α T²", aside, Relation::at_most,
-         q.tolerance, "tolerance of a place", "m"}},
+        fits_what_is_left(q, "farthest that a point of a body is turned aside, R ½ α T²", aside)},
        aside,
        "R ½ α T², by which a body's points are turned aside"});
-  return decide(Effect::gyroscopic_term, std::move(proofs),
-                {q.moves * 40, "40 for each time that a body is turned"},
+  return decide(Effect::gyroscopic_term, std::move(proofs), gyroscopic_saving(q),
                 "Not proven that uneven bodies spin steadily.");
 }
 // [/gyroscopic-rule]
@@ -347,10 +382,10 @@ inline Decision plan_gyroscopic_term(const PlanQuestion& q) {
 namespace detail {
 
 /// What a coordinate less saves. From event to event a coordinate that never changes is not
-/// computed; a step keeps no number of it if nothing turns, but computes with all three.
+/// computed; a step keeps no number of it if only balls turn, but computes with all three.
 inline Saving coordinate_saving(const PlanQuestion& q) {
   if (q.events) return {q.moves * 6, "6 for each time that a body is moved; 2 numbers a body"};
-  return {0, "steps compute with three coordinates; 2 numbers a body if nothing turns"};
+  return {0, "steps compute with three coordinates; 2 numbers a body if only balls turn, 2 a spin"};
 }
 
 }  // namespace detail

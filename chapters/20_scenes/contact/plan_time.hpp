@@ -1,6 +1,6 @@
 /// @file
 /// The planner's rules on time and digits: from event to event or step by step, how long a step is,
-/// float or double, and until when places can be predicted.
+/// float or double.
 #pragma once
 
 #include <algorithm>
@@ -47,7 +47,7 @@ inline std::vector<Inequality> event_conditions(const PlanQuestion& q) {
           nothing_turns_unevenly(q)};
 }
 
-/// The shortest flight that an event-driven run follows, if places may be off by the tolerance: a
+/// The shortest flight that an event-driven run follows, if places may be off by a tolerance: a
 /// hop of a ball under g that takes t rises by g t²/8.
 /// @return s; half of the tolerance is used
 inline double contact_time_cutoff(double tolerance, double gravity) {
@@ -61,7 +61,9 @@ inline double contact_time_cutoff(double tolerance, double gravity) {
 /// and with walls and gravity finitely often in a finite time (Galperin 1981), as long as nothing
 /// rests. A ball on one half-space has a budget of bounces. A pair that flies freely meets once.
 /// A ball that comes to rest on one half-space is followed until its hops are shorter than a
-/// cutoff; their height is the error. Everything else goes step by step: that is the safe side.
+/// cutoff; their height is the error. No other error is accepted beside it: what else may be left
+/// out within the tolerance touches nothing, or goes step by step. Everything else goes step by
+/// step: that is the safe side.
 inline Decision plan_event_driven(const PlanQuestion& q) {
   const std::vector<Inequality> common = event_conditions(q);
   const auto with = [&](std::string why, const std::vector<Inequality>& more) {
@@ -112,8 +114,7 @@ inline Decision plan_event_driven(const PlanQuestion& q) {
   // A hop that is left out: one half-space each, hard, pressed on by gravity.
   double other = 0;
   for (const PairBound& pair : q.pairs) other += pair.half_space && !pair.soft ? 0 : pair.count;
-  const double cutoff =
-      gravity_felt(q) > 0 ? contact_time_cutoff(q.tolerance, q.bounds.gravity) : 0;
+  const double cutoff = gravity_felt(q) > 0 ? contact_time_cutoff(q.left, q.bounds.gravity) : 0;
   const double hop = detail::rounded_up(q.bounds.gravity * cutoff * cutoff / 8);
   Proof hops = with(
       "A ball on one half-space is followed until its hops are shorter than " +
@@ -123,8 +124,7 @@ inline Decision plan_event_driven(const PlanQuestion& q) {
        {"pairs that may meet other than a ball and a hard half-space", other, Relation::equal, 0,
         "none", ""},
        {"a hop of no height", 0, Relation::less, hop, "height of a hop that is left out", "m"},
-       {"height of a hop that is left out, g t²/8", hop, Relation::at_most, q.tolerance,
-        "tolerance of a place", "m"}});
+       fits_what_is_left(q, "height of a hop that is left out, g t²/8", hop)});
   hops.error = hop;
   hops.error_is = "height of the hops that are left out, g t²/8";
   proofs.push_back(std::move(hops));
@@ -140,15 +140,6 @@ inline Decision plan_event_driven(const PlanQuestion& q) {
 
 namespace detail {
 
-/// The stiffest spring's ω = √(k (1/m + 1/m')), rad/s.
-inline double fastest_spring(const PlanQuestion& q) {
-  double most = 0;
-  for (const PairBound& pair : q.pairs) {
-    if (pair.soft) most = std::max(most, pair.stiffness * pair.slowness);
-  }
-  return std::sqrt(most);
-}
-
 /// How long a step is if nothing else decides: a frame.
 inline double frame_step(const Scene& scene) {
   double h = std::min(1.0 / 60, scene.duration);
@@ -163,7 +154,8 @@ inline double frame_step(const Scene& scene) {
 /// frame where no step proves that, because then impacts are found between steps. So they are where
 /// it would take more than a thousand steps a frame: to look for impacts costs less. A spring of
 /// angular frequency ω takes at least 20 steps for each radian·π: h ≤ 1/(10 ω), far inside the
-/// limit h ω < 2 of Euler's velocity-first step.
+/// limit h ω < 2 of Euler's velocity-first step. While it may push, longest_spring_part() cuts the
+/// step further.
 /// @return s
 inline double step_from_tolerance(const PlanQuestion& q) {
   double h = detail::frame_step(*q.scene);
@@ -171,8 +163,8 @@ inline double step_from_tolerance(const PlanQuestion& q) {
   const double spring = detail::fastest_spring(q);
   if (spring > 0) h = std::min(h, 1 / (10 * spring));
   const BounceRange bounces = worst_bounces(q);
-  if (!(q.tolerance > 0) || !std::isfinite(bounces.late) || bounces.late == 0) return h;
-  double shorter = std::min(h, detail::rounded_down(q.tolerance / bounces.late, 256));
+  if (!(q.left > 0) || !std::isfinite(bounces.late) || bounces.late == 0) return h;
+  double shorter = std::min(h, detail::rounded_down(q.left / bounces.late, 256));
   for (int k = 0; k < 40; ++k, shorter /= 2) {
     bool all = true;
     if (shorter < h / 1024) break;
@@ -214,7 +206,10 @@ inline Decision plan_step_size(const PlanQuestion& q, const PlanOptions& options
     decision.proven = decision.proven && holds(condition);
   if (q.pairs.empty()) {
     decision.proven = true;
-    decision.why = "Nothing touches anything and flights are exact, so any step does.";
+    decision.why = q.even_spins
+                       ? "Nothing touches anything and flights are exact, so any step does."
+                       : "Nothing touches anything and flights are exact, so any step does; it is "
+                         "cut into as many parts as a turn needs.";
   }
   if (!decision.proven && !options.step)
     decision.why =
@@ -226,17 +221,22 @@ inline Decision plan_step_size(const PlanQuestion& q, const PlanOptions& options
 
 // [precision-rule]
 /// Float is enough if nothing touches anything, spins stay, and a flight's rounding keeps within
-/// the tolerance: in x + (v t + g t²/2) no term passes more than 8 roundings, each off by at most u
-/// of the sum of the terms' sizes; and a turn by ω t is off by at most 32 u (1 + |ω| t), which
-/// takes a point along by that times its distance. After a hit rounding may grow, and nothing is
-/// proven.
+/// what is left of the tolerance: in x + (v t + g t²/2) no term passes more than 8 roundings, each
+/// off by at most u of the sum of the terms' sizes; and a turn by ω t is off by at most 32 u (1 +
+/// |ω| t), which takes a point along by that times its distance. Without gravity a term is missing,
+/// and the rest is rounded no worse. Squares of times and spins have to be numbers that a float
+/// holds. After a hit rounding may grow, and nothing is proven.
 inline Decision plan_double_precision(const PlanQuestion& q) {
   const Scene& scene = *q.scene;
   const double t = scene.duration;
   double size = 0;
   double turning = 0;
+  // What float cannot square, and a tolerance below the squares that it loses.
+  const auto beyond = [](double x) { return x > 0x1p60 ? 1.0 : 0.0; };
+  double unfit = beyond(t) + beyond(q.bounds.gravity) + (q.left < 0x1p-80 ? 1 : 0);
   for (const SceneBody& body : scene.bodies) {
     if (!body.moves) continue;
+    unfit += beyond(body.spin.norm());
     for (int k = 0; k < 3; ++k) {
       // The input is rounded too, so each factor is off by u before anything is computed.
       size = std::max(size, std::abs(body.position(k)) + std::abs(body.velocity(k)) * t +
@@ -247,124 +247,18 @@ inline Decision plan_double_precision(const PlanQuestion& q) {
   }
   const double rounding =
       detail::rounded_up(tolerance::unit_roundoff<float> * (16 * size + 32 * turning));
-  return decide(Effect::double_precision,
-                {{"A free flight in float is off by its roundings alone.",
-                  {nothing_meets(q),
-                   {"rounding of a flight in float", rounding, Relation::at_most, q.tolerance,
-                    "tolerance of a place", "m"},
-                   nothing_turns_unevenly(q)},
-                  rounding,
-                  "rounding in float"}},
-                {0, "half the memory of every number"},
-                "Not proven that float keeps the tolerance: a hit may make rounding grow.");
+  return decide(
+      Effect::double_precision,
+      {{"A free flight in float is off by its roundings alone.",
+        {nothing_meets(q),
+         fits_what_is_left(q, "rounding of a flight in float", rounding),
+         nothing_turns_unevenly(q),
+         {"numbers whose squares a float does not hold", unfit, Relation::equal, 0, "none", ""}},
+        rounding,
+        "rounding in float"}},
+      {0, "half the memory of every number"},
+      "Not proven that float keeps the tolerance: a hit may make rounding grow.");
 }
 // [/precision-rule]
-
-namespace detail {
-
-/// What a body meets on its way: how fast it goes, how far from hit to hit.
-struct FreePath {
-  double speed = 0;   ///< root mean square that energy allows, m/s
-  double length = 0;  ///< mean free path, m
-  double radius = 0;  ///< of the round that hits spread on, m
-};
-
-/// The mean free path of a gas, V/(√2 π D² N), but no longer than the room is wide.
-inline FreePath free_path(const PlanQuestion& q) {
-  FreePath path;
-  const Room room = room_of(*q.scene);
-  double balls = 0;
-  double twice = 0;
-  double still = infinite;
-  bool among = false;
-  for (const PairBound& pair : q.pairs) {
-    if (pair.half_space) continue;
-    among = true;
-    if (!pair.both_move) still = std::min(still, outer_radius(q.scene->bodies[pair.b].shape));
-  }
-  if (!among) return path;
-  for (const EnergyShare& share : q.bounds.groups) {
-    if (share.mass == 0) continue;
-    const double with_time =
-        std::sqrt(share.twice_kinetic / share.mass) + gravity_felt(q) * q.scene->duration;
-    twice = std::max(twice, std::min(share.twice_floor / share.mass, with_time * with_time));
-  }
-  for (const BodyBound& body : q.bounds.bodies) balls += body.disturbed ? 1 : 0;
-  path.speed = std::sqrt(twice);
-  path.radius = std::min(room.mean / 2, still);
-  const double widest = room.size.maxCoeff();
-  const double volume = room.size.x() * room.size.y() * room.size.z();
-  const double area = 4.442882938158366 * room.mean * room.mean;  // √2 π D²
-  path.length = std::min(volume / (area * std::max(1.0, balls)), widest);
-  return path;
-}
-
-}  // namespace detail
-
-/// Impacts to expect in the whole scene: for the cost, not for a proof.
-inline double expected_hits(const PlanQuestion& q) {
-  const detail::FreePath path = detail::free_path(q);
-  const double t = q.scene->duration;
-  double balls = 0;
-  for (const BodyBound& body : q.bounds.bodies) balls += body.disturbed ? 1 : 0;
-  double hits = path.length > 0 ? balls * t * path.speed / (2 * path.length) : 0;
-  std::vector<double> walls;
-  for (const PairBound& pair : q.pairs) {
-    if (!pair.half_space) continue;
-    const double g = gravity_felt(q);
-    const double flight = pair.closing > 0 ? 2 * pair.closing / g : 0;
-    walls.push_back(flight > 0 && std::isfinite(flight) ? pair.count * (1 + t / flight)
-                                                        : pair.count);
-  }
-  hits += detail::sum_in_order(std::move(walls));
-  return std::isfinite(hits) ? hits : 0;
-}
-
-// [horizon-rule]
-/// Until when places can be predicted: an estimate, not a proof.
-///
-/// Two balls spread what is uncertain as a lens does: an error across the path grows by about
-/// 1 + 2 λ/R from hit to hit, with the mean free path λ and the radius R. One ulp of the largest
-/// coordinate grows to the tolerance in so many hits, and λ/v passes from one to the next. Flat
-/// walls do not spread, and on a line nothing does: there rounding only adds up.
-inline Decision plan_horizon(const PlanQuestion& q) {
-  double lenses = 0;
-  for (const PairBound& pair : q.pairs) lenses += pair.half_space ? 0 : pair.count;
-  std::vector<Proof> proofs{
-      {"Flat walls do not spread paths that lie close together; rounding only adds up.",
-       {{"pairs that may meet and of which none is a half-space", lenses, Relation::equal, 0,
-         "none", ""}}}};
-  if (const auto line = proven_line(q)) {
-    proofs.push_back(*line);
-    proofs.back().why = "On a line no hit spreads paths; rounding only adds up.";
-  }
-  Decision decision = decide(Effect::horizon, std::move(proofs), {0, "no statistics needed"},
-                             "Estimated: an ulp grows by 1 + 2 λ/R from hit to hit.");
-  if (!decision.on) return decision;
-  const detail::FreePath path = detail::free_path(q);
-  double size = 0;
-  for (const SceneBody& body : q.scene->bodies)
-    size = std::max(size, body.moves ? body.position.cwiseAbs().maxCoeff() : 0.0);
-  size = std::max(size, path.length);
-  double error = size * std::numeric_limits<double>::epsilon();
-  const double growth = 1 + 2 * path.length / path.radius;
-  const double aim = q.tolerance > 0 ? q.tolerance : path.radius;
-  double hits = 0;
-  while (error < aim && hits < 100000) {
-    error *= growth;
-    ++hits;
-  }
-  if (!(path.speed > 0) || !std::isfinite(path.speed)) {
-    decision.why = "Not proven: nothing moves at first, so no pace of hits is known.";
-    return decision;
-  }
-  decision.value = hits * path.length / path.speed;
-  decision.because = {
-      {"time until an ulp has grown to " +
-           std::string(q.tolerance > 0 ? "the tolerance" : "a radius") + ", by 1 + 2 λ/R a hit",
-       hits * path.length / path.speed, Relation::at_most, q.scene->duration, "duration", "s"}};
-  return decision;
-}
-// [/horizon-rule]
 
 }  // namespace contact

@@ -68,6 +68,9 @@ inline bool can_be_switched(Effect effect) {
   return effect != Effect::step_size && effect != Effect::horizon;
 }
 
+/// How long a body is slow before it may sleep, s.
+inline constexpr double sleep_after = 0.5;
+
 /// How the two sides of an inequality are compared.
 enum class Relation {
   less,     ///< left < right
@@ -190,11 +193,18 @@ struct PlanOptions {
 struct Plan {
   std::vector<Decision> decisions;   ///< as many as there are effects
   std::vector<std::string> notices;  ///< sentences, such as that the tolerance outlives the horizon
-  double speed = 0;                  ///< no centre of mass is ever faster, m/s
-  double step = 0;                   ///< s; 0: no steps, from event to event
+  double tolerance = 0;              ///< of a place, m; 0: no error is accepted
+  /// m; of the errors that decisions accept, all together; ∞ if one has no bound, or if an effect
+  /// is forced off that the plan has on
+  double error = 0;
+  double speed = 0;  ///< no centre of mass is ever faster, m/s
+  double step = 0;   ///< s; 0: no steps, from event to event
   /// s; shorter hops of a ball on its floor are left out; 0: none that an error would tell
   double cutoff = 0;
-  std::size_t pairs = 0;  ///< of bodies that may meet; a crowd counts all its pairs
+  double rest_height = 0;  ///< hops no higher than this are left out in steps, m; 0: none is
+  double sleep_speed = 0;  ///< what is slower for a while may sleep in steps, m/s
+  double spring_part = 0;  ///< s; no part of a step is longer while a spring may push; 0: none does
+  std::size_t pairs = 0;   ///< of bodies that may meet; a crowd counts all its pairs
 };
 
 /// The decision on an effect.

@@ -1,6 +1,6 @@
 /// @file
 /// What makes a scene a scene: every number in its range, every name found, nothing inside anything
-/// else. And the matter of its shapes: volume, inertia and the gap between two of them.
+/// else.
 #pragma once
 
 #include <algorithm>
@@ -17,12 +17,9 @@
 #include <variant>
 #include <vector>
 
-#include <contact/convex_hull.hpp>
-#include <contact/gap.hpp>
-#include <contact/inertia.hpp>
 #include <contact/invalid_argument.hpp>
-#include <contact/rotation.hpp>
 #include <contact/scene.hpp>
+#include <contact/scene_solids.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {
@@ -105,187 +102,6 @@ inline constexpr std::array<SceneQuantity, 19> scene_quantities{{
     {"gap", QuantityOf::either, "m"},
 }};
 // [/scene-quantities]
-
-namespace detail {
-
-/// Mass properties of the hull of points with a density of 1; nothing if they lie in a plane.
-inline std::optional<MassProperties<double>> hull_matter(
-    const std::vector<Vector3<double>>& points) {
-  const Hull hull = convex_hull(points);
-  if (hull.dimension < 3) return std::nullopt;
-  std::vector<Corners> faces;
-  for (const auto& [a, b, c] : triangles(hull)) {
-    faces.push_back(
-        {static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});
-  }
-  return mesh_mass<double>(1.0, points, faces);
-}
-
-}  // namespace detail
-
-// [solid]
-/// How much room a shape takes.
-/// @return m³; 0 for a half-space and for a hull whose points lie in a plane. Off by a few u, for a
-/// hull as mesh_mass()
-/// @throws std::invalid_argument if a point of a hull is not finite
-inline double solid_volume(const SceneShape& shape) {
-  constexpr double pi = 3.141592653589793;
-  if (const auto* ball = std::get_if<BallShape>(&shape))
-    return 4 * pi * ball->radius * ball->radius * ball->radius / 3;
-  if (const auto* box = std::get_if<BoxShape>(&shape))
-    return 8 * box->half_lengths.x() * box->half_lengths.y() * box->half_lengths.z();
-  if (const auto* capsule = std::get_if<CapsuleShape>(&shape)) {
-    const double disc = pi * capsule->radius * capsule->radius;
-    return disc * (2 * capsule->half_length) + 4 * disc * capsule->radius / 3;
-  }
-  if (const auto* hull = std::get_if<HullShape>(&shape)) {
-    const auto matter = detail::hull_matter(hull->points);
-    return matter ? matter->mass : 0;
-  }
-  return 0;
-}
-
-/// The inertia tensor of a shape filled evenly, about its origin and in its axes.
-/// @param shape its sizes finite and greater than 0
-/// @param mass kg, finite and greater than 0
-/// @return kg·m²; zero for a half-space and for a hull whose points lie in a plane. Off by a few u,
-/// for a hull as mesh_mass()
-/// @throws std::invalid_argument naming a size or the mass, and its value
-inline Matrix3<double> solid_inertia(const SceneShape& shape, double mass) {
-  if (const auto* ball = std::get_if<BallShape>(&shape))
-    return sphere_inertia<double>(mass, ball->radius);
-  if (const auto* box = std::get_if<BoxShape>(&shape)) {
-    const Vector3<double> size = 2.0 * box->half_lengths;
-    return box_inertia<double>(mass, size);
-  }
-  if (const auto* capsule = std::get_if<CapsuleShape>(&shape))
-    return capsule_inertia<double>(mass, capsule->radius, 2 * capsule->half_length);
-  if (const auto* hull = std::get_if<HullShape>(&shape)) {
-    detail::require_size("mass", mass);
-    if (const auto matter = detail::hull_matter(hull->points))
-      return matter->inertia * (mass / matter->mass);
-  }
-  return Matrix3<double>::Zero();
-}
-// [/solid]
-
-/// The radius of a ball about a body's origin that holds all of it.
-/// @return m, rounded; infinity for a half-space
-inline double bounding_radius(const SceneShape& shape) {
-  if (const auto* ball = std::get_if<BallShape>(&shape)) return ball->radius;
-  if (const auto* box = std::get_if<BoxShape>(&shape)) return box->half_lengths.norm();
-  if (const auto* capsule = std::get_if<CapsuleShape>(&shape))
-    return capsule->half_length + capsule->radius;
-  if (const auto* hull = std::get_if<HullShape>(&shape)) {
-    double radius = 0;
-    for (const Vector3<double>& point : hull->points) radius = std::max(radius, point.norm());
-    return radius;
-  }
-  return std::numeric_limits<double>::infinity();
-}
-
-namespace detail {
-
-/// How far a body reaches beyond its origin along a direction of the world, m.
-inline double scene_reach(const SceneBody& body, const Vector3<double>& direction) {
-  const Vector3<double> d = matrix_of(body.orientation).transpose() * direction;
-  if (const auto* ball = std::get_if<BallShape>(&body.shape)) return ball->radius;
-  if (const auto* box = std::get_if<BoxShape>(&body.shape))
-    return d.cwiseAbs().dot(box->half_lengths);
-  if (const auto* capsule = std::get_if<CapsuleShape>(&body.shape))
-    return std::abs(d.z()) * capsule->half_length + capsule->radius;
-  double reach = -std::numeric_limits<double>::infinity();
-  for (const Vector3<double>& point : std::get<HullShape>(body.shape).points)
-    reach = std::max(reach, d.dot(point));
-  return reach;
-}
-
-/// The gap between a point of the world and a body: less than 0 within.
-inline std::optional<double> scene_point_gap(const Vector3<double>& point, const SceneBody& body) {
-  const Vector3<double> p =
-      matrix_of(body.orientation).transpose() * Vector3<double>(point - body.position);
-  if (const auto* ball = std::get_if<BallShape>(&body.shape)) return p.norm() - ball->radius;
-  if (const auto* box = std::get_if<BoxShape>(&body.shape)) {
-    const Vector3<double> beyond = p.cwiseAbs() - box->half_lengths;
-    const double inside = beyond.maxCoeff();
-    return inside < 0 ? inside : beyond.cwiseMax(0.0).norm();
-  }
-  if (const auto* capsule = std::get_if<CapsuleShape>(&body.shape)) {
-    const double z = std::clamp(p.z(), -capsule->half_length, capsule->half_length);
-    return Vector3<double>(p.x(), p.y(), p.z() - z).norm() - capsule->radius;
-  }
-  return std::nullopt;
-}
-
-/// A box or a capsule where it lies; nothing for other shapes.
-using SceneSolid = std::variant<OrientedBox<double>, Capsule<double>>;
-inline std::optional<SceneSolid> scene_solid(const SceneBody& body) {
-  const Matrix3<double> axes = matrix_of(body.orientation);
-  if (const auto* box = std::get_if<BoxShape>(&body.shape))
-    return OrientedBox<double>{body.position, axes, box->half_lengths};
-  if (const auto* capsule = std::get_if<CapsuleShape>(&body.shape)) {
-    const Vector3<double> arm = axes.col(2) * capsule->half_length;
-    return Capsule<double>{
-        {Vector3<double>(body.position - arm), Vector3<double>(body.position + arm)},
-        capsule->radius};
-  }
-  return std::nullopt;
-}
-
-}  // namespace detail
-
-// [starting-gap]
-/// The gap between two bodies as they lie: less than 0 if they overlap, by as much as one has to be
-/// moved to be free.
-///
-/// Decides every pair of a half-space and anything else, and of balls, boxes and capsules. The
-/// same, bit for bit, if a and b change places.
-/// @return m, off by a few u of the coordinates and sizes; nothing for any other pair
-inline std::optional<double> starting_gap(const SceneBody& a, const SceneBody& b) {
-  const auto* ground_a = std::get_if<HalfSpaceShape>(&a.shape);
-  const auto* ground_b = std::get_if<HalfSpaceShape>(&b.shape);
-  if (ground_a && ground_b) return std::nullopt;
-  if (ground_a) return starting_gap(b, a);
-  if (ground_b) {
-    const Vector3<double> down = -ground_b->normal;
-    return ground_b->normal.dot(a.position) - ground_b->offset - detail::scene_reach(a, down);
-  }
-  const auto* ball_a = std::get_if<BallShape>(&a.shape);
-  const auto* ball_b = std::get_if<BallShape>(&b.shape);
-  if (ball_a && ball_b)
-    return Vector3<double>(a.position - b.position).norm() - (ball_a->radius + ball_b->radius);
-  const auto* ball = ball_a ? ball_a : ball_b;
-  if (!ball) {
-    const auto solid_a = detail::scene_solid(a);
-    const auto solid_b = detail::scene_solid(b);
-    if (!solid_a || !solid_b) return std::nullopt;
-    return std::visit(
-        [](const auto& x, const auto& y) {
-          return std::min(gap(x, y).distance, gap(y, x).distance);
-        },
-        *solid_a, *solid_b);
-  }
-  const auto gap =
-      ball_a ? detail::scene_point_gap(a.position, b) : detail::scene_point_gap(b.position, a);
-  if (!gap) return std::nullopt;
-  return *gap - ball->radius;
-}
-
-/// How deep two bodies may lie in each other and still count as touching: 16 u of their coordinates
-/// and sizes, which is more than writing them down in binary changes. Three balls that touch each
-/// other cannot be written without.
-inline double touching_slack(const SceneBody& a, const SceneBody& b) {
-  double scale = 0;
-  for (const SceneBody* body : {&a, &b}) {
-    if (const auto* ground = std::get_if<HalfSpaceShape>(&body->shape)) {
-      scale += std::abs(ground->offset);
-    } else {
-      scale += body->position.cwiseAbs().sum() + bounding_radius(body->shape);
-    }
-  }
-  return 0x1p-49 * scale;
-}
-// [/starting-gap]
 
 namespace detail {
 
@@ -607,8 +423,8 @@ class SceneChecker {
 ///
 /// Numbers that are not finite or out of range, directions and rotations not of length 1, a hull
 /// that is flat or not about its centre of mass, mass and inertia that do not belong to the shape,
-/// names that stand twice or for nothing, expectations after the end, and bodies that overlap where
-/// starting_gap() can tell. A shape that some method cannot yet treat is no fault of the scene.
+/// names that stand twice or for nothing, expectations after the end, and bodies that overlap. A
+/// shape that some method cannot yet treat is no fault of the scene.
 /// @return in the order of the file; overlaps last
 inline std::vector<SceneFault> check_scene(const Scene& scene) {
   return detail::SceneChecker(scene).run();

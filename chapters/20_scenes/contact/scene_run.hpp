@@ -32,18 +32,20 @@ struct SceneStage {
 
 /// What a run has done so far. What a kind of run does not have stays 0.
 struct SceneRunCounts {
-  std::uint64_t steps = 0;         ///< of time
-  std::uint64_t parts = 0;         ///< into which impacts and springs cut them
-  std::uint64_t hits = 0;          ///< impacts: pairs that met faster than they rest
-  std::uint64_t pairs = 0;         ///< that the narrow phase looked at
-  std::uint64_t contacts = 0;      ///< points that were solved, over all parts of steps
-  std::uint64_t sweeps = 0;        ///< of the solver
-  std::uint64_t crossings = 0;     ///< from event to event: from cell to cell
-  std::uint64_t rests = 0;         ///< how often a body lay down, or fell asleep
-  double largest_overlap = 0;      ///< of hard bodies, m
-  double rest_error = 0;           ///< how far lying down has put paths off at most, m
-  std::size_t endless_first = 0;   ///< after endless_hits, or a fallback: index of a body, ...
-  std::size_t endless_second = 0;  ///< ... and of the one that it hits again and again
+  std::uint64_t steps = 0;          ///< of time
+  std::uint64_t parts = 0;          ///< into which impacts and springs cut them
+  std::uint64_t hits = 0;           ///< impacts: pairs that met faster than they rest
+  std::uint64_t pairs = 0;          ///< that the narrow phase looked at
+  std::uint64_t contacts = 0;       ///< points that were solved, over all parts of steps
+  std::uint64_t sweeps = 0;         ///< of the solver
+  std::uint64_t crossings = 0;      ///< from event to event: from cell to cell
+  std::uint64_t rests = 0;          ///< how often a body lay down, or fell asleep
+  std::uint64_t crowded_steps = 0;  ///< with more impacts than are taken one by one
+  std::uint64_t most_impacts = 0;   ///< of a step, that are taken one by one; 0: there is no such
+  double largest_overlap = 0;       ///< of hard bodies, m
+  double rest_error = 0;            ///< how far lying down has put paths off at most, m
+  std::size_t endless_first = 0;    ///< after endless_hits, or a fallback: index of a body, ...
+  std::size_t endless_second = 0;   ///< ... and of the one that it hits again and again
 };
 
 /// A hit, just after it.

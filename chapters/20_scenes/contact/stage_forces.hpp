@@ -79,7 +79,7 @@ inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPar
   };
   const auto give = [&](std::size_t place, const RigidBody<double>& body) {
     part.end_velocity.set(place, body.velocity);
-    if (turned_by_contacts(setup, place)) part.end_spin[place] = body.spin;
+    if (turned_by_contacts(setup, place)) part.end_spin.set(place, body.spin);
   };
   double margin = 0;
   for (const NearPair& pair : part.pairs) margin = std::max(margin, pair.reach);
@@ -98,7 +98,8 @@ inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPar
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const ContactImpulse<double>& impulse = impulses[i];
     if (!(impulse.normal > 0)) continue;
-    const bool hits = part.at_once && speeds[i] < -setup.rest_speed;
+    const bool still = detail::index(contacts[i].b) >= setup.movers;
+    const bool hits = part.at_once && speeds[i] < -slowest_bounce(setup, still, contacts[i].normal);
     for (const int body : {contacts[i].a, contacts[i].b}) {
       const std::size_t place = detail::index(body);
       if (place >= setup.movers) continue;

@@ -56,7 +56,7 @@ inline void turn_with_gyroscopic_term(const SteppedSetup& setup, SteppedState& s
     Rotor<double>& q = state.orientation[i];
     if (body.round || (mean == Vector3<double>::Zero() && spin == Vector3<double>::Zero())) {
       q = normalised(exponential_step(q, mean, part.length));
-      state.spin[i] = spin;
+      state.spin.set(i, spin);
       continue;
     }
     const Matrix3<double> principal = matrix_of(q) * body.axes;
@@ -71,8 +71,8 @@ inline void turn_with_gyroscopic_term(const SteppedSetup& setup, SteppedState& s
     const auto count = static_cast<std::uint64_t>(std::min(std::max(looks, 1.0), 4096.0));
     const double h = part.length / static_cast<double>(count);
     for (std::uint64_t k = 0; k < count; ++k) q = detail::free_turn(q, on_the_way, body, h);
-    state.spin[i] =
-        free_spin<double>(momentum, body.moments, Matrix3<double>(matrix_of(q) * body.axes));
+    const Matrix3<double> turned = matrix_of(q) * body.axes;
+    state.spin.set(i, free_spin<double>(momentum, body.moments, turned));
   }
 }
 // [/gyroscopic-stage]

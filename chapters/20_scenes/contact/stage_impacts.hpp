@@ -15,8 +15,8 @@ namespace contact {
 
 // [impacts-stage]
 /// Impacts of pairs that touch now and approach: each leaves with e times the speed with which it
-/// came, or with none if that is slower than rest. All that touch at this moment are solved
-/// together. Such a part has no length: velocities change, and no time passes.
+/// came, or with none if that is slower than slowest_bounce(). All that touch at this moment are
+/// solved together. Such a part has no length: velocities change, and no time passes.
 inline void solve_impacts(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
   if (part.at_once) return;
   std::vector<BodyContact<double>> contacts;
@@ -27,10 +27,11 @@ inline void solve_impacts(const SteppedSetup& setup, SteppedState& state, StepPa
     const std::size_t first = contacts.size();
     bool hit = false;
     bool lay_down = false;
+    const double slowest = slowest_bounce(setup, pair.b >= setup.movers, pair.manifold.normal);
     for (const auto& point : pair.manifold.points) {
       if (point.distance > pair.touch) continue;
       const double speed = parting_speed(setup, state, pair, point.point);
-      const bool fast = speed < -setup.rest_speed;
+      const bool fast = speed < -slowest;
       contacts.push_back(
           detail::contact_at(pair, point, fast ? -(pair.material.restitution * speed) : 0.0));
       hit = hit || fast;

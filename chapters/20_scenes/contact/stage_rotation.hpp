@@ -36,7 +36,7 @@ inline void turn_bodies(const SteppedSetup& setup, SteppedState& state, StepPart
     if (sleeps(state, i)) continue;
     const Vector3<double> mean = detail::mean_spin(state, part, i, part.length);
     state.orientation[i] = normalised(exponential_step(state.orientation[i], mean, part.length));
-    state.spin[i] = detail::pushed_spin(state, part, i);
+    state.spin.set(i, detail::pushed_spin(state, part, i));
   }
 }
 // [/turning-stage]

@@ -12,9 +12,6 @@
 
 namespace contact {
 
-/// How long a body must have been slow to fall asleep, s.
-inline constexpr double sleep_after = 0.5;
-
 namespace detail {
 
 /// The first of a body's group; groups are trees of which each points towards its first.
@@ -61,7 +58,7 @@ inline void put_to_sleep(const SteppedSetup& setup, SteppedState& state, StepPar
     if (sleeps(state, i) || !ready[first]) continue;
     state.sleeps_with[i] = static_cast<std::int32_t>(first);
     state.velocity.set(i, Vector3<double>::Zero());
-    if (setup.rotation) state.spin[i].setZero();
+    if (setup.rotation) state.spin.set(i, Vector3<double>::Zero());
     ++state.counts.rests;
   }
 }

@@ -26,7 +26,7 @@ inline void push_apart(const SteppedSetup& setup, const SteppedState& state, Ste
     part.pushed[place] = true;
     if (!turned_by_contacts(setup, place)) return;
     const Vector3<double> arm = point - body.position;
-    part.end_spin[place] += body.inverse_inertia * Vector3<double>(arm.cross(push));
+    part.end_spin.add(place, body.inverse_inertia * Vector3<double>(arm.cross(push)));
   };
   give(pair.a, a, impulse);
   give(pair.b, b, Vector3<double>(-impulse));

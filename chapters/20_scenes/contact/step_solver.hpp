@@ -188,7 +188,7 @@ inline std::vector<ContactImpulse<double>> solve_now(
   };
   const auto give = [&](std::size_t place, const RigidBody<double>& body) {
     state.velocity.set(place, body.velocity);
-    if (turned_by_contacts(setup, place)) state.spin[place] = body.spin;
+    if (turned_by_contacts(setup, place)) state.spin.set(place, body.spin);
   };
   return solve_islands(setup, state, contacts, {}, false, make, give);
 }

@@ -86,14 +86,14 @@ inline double step_of(const Scene& scene, const Plan& plan) {
 }
 
 // [kept-axes]
-/// The coordinates that change. Where nothing turns, a mirror image keeps every contact's normal in
-/// its plane to the last bit, and what is not kept is 0 without rounding. A body that turns has
-/// corners on both sides of the plane, whose pushes cancel only to rounding: it keeps all three.
-inline KeptAxes kept_axes(const Scene& scene, const Plan& plan) {
+/// The coordinates that change. Where nothing turns but balls, a mirror image keeps every contact's
+/// normal in its plane to the last bit, and what is not kept is 0 without rounding. Another body
+/// that turns has corners on both sides of the plane, whose pushes cancel only to rounding: it
+/// keeps all three.
+/// @param edges whether something turns that is no ball
+inline KeptAxes kept_axes(const Scene& scene, const Plan& plan, bool edges) {
   KeptAxes kept;
-  if (is_on(plan, Effect::third_dimension) || is_on(plan, Effect::rotation) ||
-      is_on(plan, Effect::gyroscopic_term))
-    return kept;
+  if (is_on(plan, Effect::third_dimension) || edges) return kept;
   const PlanQuestion q = plan_question(scene);
   const std::size_t least = is_on(plan, Effect::second_dimension) ? 2 : 1;
   std::array<bool, 3> still{};
@@ -102,10 +102,23 @@ inline KeptAxes kept_axes(const Scene& scene, const Plan& plan) {
     still[static_cast<std::size_t>(axis)] = true;
     --kept.count;
   }
-  std::size_t next = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (!still[axis]) kept.axes[next++] = static_cast<int>(axis);
+  std::stable_partition(kept.axes.begin(), kept.axes.end(),
+                        [&](int axis) { return !still[static_cast<std::size_t>(axis)]; });
   return kept;
+}
+
+/// The coordinates of spins that change: what moves in a plane turns about the axis across it. A
+/// smooth ball may spin about another, and goes on with that.
+inline KeptAxes kept_spin_axes(const Scene& scene, const KeptAxes& kept) {
+  KeptAxes across;
+  if (kept.count == 3) return across;
+  for (const SceneBody& body : scene.bodies)
+    for (std::size_t k = 0; k < kept.count; ++k)
+      if (body.moves && body.spin(kept.axes[k]) != 0) return across;
+  across.count = 3 - kept.count;
+  std::rotate_copy(kept.axes.begin(), kept.axes.begin() + static_cast<std::ptrdiff_t>(kept.count),
+                   kept.axes.end(), across.axes.begin());
+  return across;
 }
 // [/kept-axes]
 
@@ -134,10 +147,12 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
   setup.one_by_one = setup.movers <= most_one_by_one || plan.pairs == 0;
   for (std::size_t i = 0; i < setup.movers; ++i)
     setup.edges = setup.edges || setup.bodies[i].spin_arm > 0;
+  setup.most_impacts = most_impacts(setup.movers, setup.rotation && setup.edges);
   setup.together = is_on(plan, Effect::several_contacts);
   if (!is_on(plan, Effect::gravity)) setup.scene.gravity.setZero();
   setup.step = step_of(scene, plan);
-  setup.kept = kept_axes(scene, plan);
+  setup.kept = kept_axes(scene, plan, setup.rotation && setup.edges);
+  setup.kept_spins = kept_spin_axes(scene, setup.kept);
 
   double lightness = 0;
   for (std::size_t i = 0; i < setup.movers; ++i)
@@ -159,19 +174,18 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
   if (stiffest > 0)
     setup.spring_part = std::min(setup.step, 1 / (128 * std::sqrt(stiffest * 2 * lightness)));
 
-  // A hop that starts at the speed v rises v²/(2 g) and is left out: less than half the tolerance,
-  // and shorter than a step.
+  if (plan.spring_part > 0) setup.spring_part = std::min(setup.spring_part, plan.spring_part);
+  // Their shares of the tolerance are the plan's business.
+  setup.rest_height = plan.rest_height;
   const double g = size_of(setup.scene.gravity);
-  setup.rest_speed = g * setup.step / 2;
-  if (const auto tolerance = scene.tolerance.position)
-    setup.rest_speed = std::min(setup.rest_speed, std::sqrt(g * *tolerance));
-  setup.slow_speed = std::max(setup.rest_speed * 0x1p-20, 1e-11);
-  // What is slower than s for a time τ is pushed by less than 2 s/τ on the average. In the whole
-  // time T neither takes it farther than half the tolerance: s T and s T²/τ.
+  const double hop = std::min(g * setup.step / 2, std::sqrt(2 * g * setup.rest_height));
+  setup.slow_speed = std::max(hop * 0x1p-20, 1e-11);
+  setup.sleep_speed = plan.sleep_speed;
+  // What the sweeps leave is a millionth of what would come to half the tolerance in the whole
+  // time.
   const double far = scene.tolerance.position.value_or(1e-6) / 2;
-  setup.sleep_speed = far / std::max(scene.duration, scene.duration * scene.duration / sleep_after);
-  // What the sweeps leave is a millionth of what would come to the tolerance in the whole time.
-  const double left = std::clamp(setup.sleep_speed * 1e-6, 1e-13, 1e-9);
+  const double slow = far / std::max(scene.duration, scene.duration * scene.duration / sleep_after);
+  const double left = std::clamp(slow * 1e-6, 1e-13, 1e-9);
   setup.sweeps =
       setup.one_by_one ? SweepLimits<double>{400, left, 1.5} : SweepLimits<double>{4, 1e-6, 1.0};
   return setup;
@@ -240,6 +254,7 @@ class SteppedRun final : public SceneRun {
     setup_ = detail::stepped_setup(scene, plan);
     line_ = detail::step_pipeline(plan, setup_);
     state_.position = state_.velocity = KeptVectors(setup_.kept);
+    state_.spin = KeptVectors(setup_.kept_spins);
     for (std::size_t i = 0; i < setup_.movers; ++i) {
       const SceneBody& body = scene.bodies[setup_.bodies[i].body];
       state_.position.push_back(body.position);
@@ -312,21 +327,26 @@ class SteppedRun final : public SceneRun {
     return setup_.rotation ? spin_of(seen(), place) : setup_.scene.bodies[body].spin;
   }
   double energy() const override { return detail::energy_of_run(setup_.scene, *this); }
-  SceneRunCounts counts() const override { return seen().counts; }
+  SceneRunCounts counts() const override {
+    SceneRunCounts counts = seen().counts;
+    if (setup_.one_by_one) counts.most_impacts = static_cast<std::uint64_t>(setup_.most_impacts);
+    return counts;
+  }
 
   std::size_t bytes() const override {
     const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
     const auto state = [&](const SteppedState& s) {
-      return s.position.bytes() + s.velocity.bytes() + of(s.orientation) + of(s.spin) +
+      return s.position.bytes() + s.velocity.bytes() + of(s.orientation) + s.spin.bytes() +
              of(s.slow_since) + of(s.sleeps_with) + of(s.touched) + of(s.pushed);
     };
     return state(state_) + (shown_ ? state(*shown_) : 0) + of(setup_.bodies) + of(setup_.place) +
            of(setup_.material) + of(part_.pairs) + of(part_.shapes) + part_.end_velocity.bytes() +
-           of(part_.end_spin) + of(part_.bounces) + of(part_.hits);
+           part_.end_spin.bytes() + of(part_.bounces) + of(part_.hits);
   }
   std::size_t bytes_per_body() const override {
     std::size_t bytes = 2 * setup_.kept.count * sizeof(double);
-    if (!state_.orientation.empty()) bytes += sizeof(Rotor<double>) + sizeof(Vector3<double>);
+    if (!state_.orientation.empty())
+      bytes += sizeof(Rotor<double>) + setup_.kept_spins.count * sizeof(double);
     if (!state_.slow_since.empty()) bytes += sizeof(double) + sizeof(std::int32_t);
     return bytes;
   }
@@ -346,11 +366,15 @@ class SteppedRun final : public SceneRun {
     part_.whole = part_.left = length;
     part_.cuts = 0;
     part_.hits.clear();
+    // An impact cuts twice: a part ends where it is found, and one without length solves it.
+    const int most_cuts = 2 * setup_.most_impacts;
+    bool crowded = false;
     while (part_.left > 0) {
       part_.planned = part_.length = part_.left;
       const double piece = length / crowd_parts;
       if (!setup_.one_by_one && part_.left > 1.5 * piece) part_.planned = part_.length = piece;
       part_.at_once = !setup_.one_by_one || part_.cuts > most_cuts;
+      crowded = crowded || (setup_.one_by_one && part_.at_once);
       part_.pairs.clear();
       part_.bounces.clear();
       part_.end_velocity = state.velocity;
@@ -368,6 +392,7 @@ class SteppedRun final : public SceneRun {
     for (const detail::NamedStage& stage : line_.after) stage.run(setup_, state, part_);
     ++state.step;
     ++state.counts.steps;
+    if (crowded) ++state.counts.crowded_steps;
   }
   // [/use-up-the-step]
 
@@ -394,7 +419,7 @@ inline SceneCheckpoint SteppedRun::checkpoint() const {
     to.numbers.push_back(q.w);
     add(q.v);
   }
-  for (const auto& w : state_.spin) add(w);
+  for (std::size_t i = 0; i < state_.spin.size(); ++i) add(state_.spin[i]);
   for (const double t : state_.slow_since) to.numbers.push_back(t);
   to.integers.push_back(static_cast<std::int64_t>(state_.step));
   for (const std::int32_t group : state_.sleeps_with) to.integers.push_back(group);
@@ -431,7 +456,7 @@ inline void SteppedRun::restore(const SceneCheckpoint& from) {
     q.w = from.numbers[at++];
     q.v = vector();
   }
-  for (auto& w : state_.spin) w = vector();
+  for (std::size_t i = 0; i < state_.spin.size(); ++i) state_.spin.set(i, vector());
   for (double& t : state_.slow_since) t = from.numbers[at++];
   state_.step = static_cast<std::uint64_t>(from.integers[0]);
   for (std::size_t i = 0; i < state_.sleeps_with.size(); ++i)

@@ -54,13 +54,13 @@ struct SteppedBody {
 // [stepped-state]
 /// What changes, each in an array of its own: only the movers have it. Without rotation there are
 /// no orientations and no spins, without sleep no time of rest: the arrays are empty. Of places and
-/// velocities only the coordinates are there that change.
+/// velocities, and of spins, only the coordinates are there that change.
 struct SteppedState {
   std::uint64_t step = 0;                      ///< how many are done
   KeptVectors position;                        ///< of each mover's origin, m
   KeptVectors velocity;                        ///< m/s
   std::vector<Rotor<double>> orientation;      ///< turns a body's axes into the world's
-  std::vector<Vector3<double>> spin;           ///< in the world, rad/s
+  KeptVectors spin;                            ///< in the world, rad/s
   std::vector<double> slow_since;              ///< how long it has been as slow as rest, s
   std::vector<std::int32_t> sleeps_with;       ///< the sleepers' group; −1: awake
   std::vector<BodyContact<double>> touched;    ///< contacts that carried a force in the last part
@@ -78,7 +78,7 @@ struct SteppedSetup {
   std::size_t bounded = 0;             ///< how many are no half-spaces
   std::vector<PairMaterial> material;  ///< of each pair of materials, row after row
   double step = 0;                     ///< s
-  double rest_speed = 0;               ///< slower impacts do not bounce, m/s
+  double rest_height = 0;              ///< hops no higher than this are left out, m
   double slow_speed = 0;               ///< slower approaches are rounding, m/s
   double sleep_speed = 0;              ///< slower bodies may sleep, m/s
   double spring_part = 0;              ///< s; no part is longer while a spring may push
@@ -87,8 +87,10 @@ struct SteppedSetup {
   bool continuous = false;             ///< nothing passes through anything between two looks
   bool edges = false;                  ///< a mover's turning takes points of it along: no ball
   bool one_by_one = false;             ///< impacts each at its own time; else all of a step at once
+  int most_impacts = 0;                ///< of a step, if one by one; then at once
   bool together = false;               ///< a body's contacts are solved together, in many sweeps
   KeptAxes kept;                       ///< of places and velocities
+  KeptAxes kept_spins;                 ///< of spins
   SweepLimits<double> sweeps;          ///< of the solver
 };
 
@@ -116,7 +118,7 @@ struct StepPart {
   std::vector<NearPair> pairs;               ///< in increasing order
   std::vector<StepShape> shapes;             ///< of each body in a pair, in the world
   KeptVectors end_velocity;                  ///< of each mover, m/s
-  std::vector<Vector3<double>> end_spin;     ///< of each mover, rad/s; empty without rotation
+  KeptVectors end_spin;                      ///< of each mover, rad/s; empty without rotation
   std::vector<bool> at_start;                ///< movers that have their end velocity from the start
   std::vector<bool> pushed;                  ///< movers on which a contact acts in this part
   std::vector<BodyContact<double>> bounces;  ///< of hits at once: they bounce when they have come
@@ -128,8 +130,16 @@ struct StepPart {
 using StepStage = void (*)(const SteppedSetup&, SteppedState&, StepPart&);
 // [/stage]
 
-/// How many impacts may cut a step; what is left of it then is solved at once.
-inline constexpr int most_cuts = 8;
+/// How many impacts of a step are taken each at its own time; what is left of it then is solved at
+/// once, and later hits of that step do not bounce. Balls meet as often as their speeds say, and
+/// each impact costs as much as there are pairs: one ball may have 65536, 64 of them 16 together.
+/// Corners chatter, and all that touches is solved anew for each: what turns and has some has 4.
+/// Where infinitely many hits come in a finite time it is this that ends them.
+/// @param edges whether something turns that is no ball
+inline int most_impacts(std::size_t movers, bool edges) {
+  const std::size_t many = std::max<std::size_t>(movers, 1);
+  return edges ? 4 : static_cast<int>(std::max<std::size_t>(65536 / (many * many), 4));
+}
 /// How many bodies may move for impacts to be taken one by one, each at its own time.
 inline constexpr std::size_t most_one_by_one = 64;
 /// In how many parts a step is taken in which more bodies move; a power of two.
@@ -207,5 +217,22 @@ inline bool turned_by_contacts(const SteppedSetup& setup, std::size_t place) {
 }
 /// The size of a vector, m or m/s.
 inline double size_of(const Vector3<double>& v) { return std::sqrt(v.dot(v)); }
+
+// [slowest-bounce]
+/// How fast an impact must be to bounce: as fast as a hop needs that is as long as a step, or as
+/// high as may be left out, whichever is slower. What leaves at v rises v²/(2 g) along the
+/// contact's normal, with the g that presses along it. So gravity decides: what it does not press
+/// back never comes back, and not to bounce would be no hop less but another way. Along a wall
+/// beside which all falls, or under a ceiling, only what rounding makes does not bounce.
+/// @param still whether the other body stands still; else each may lie on the other
+/// @param normal unit, from the other body
+/// @return m/s; SteppedSetup::slow_speed at least
+inline double slowest_bounce(const SteppedSetup& setup, bool still, const Vector3<double>& normal) {
+  const double along = -normal.dot(setup.scene.gravity);
+  const double g = still ? std::max(along, 0.0) : std::abs(along);
+  const double hop = std::min(g * setup.step / 2, std::sqrt(2 * g * setup.rest_height));
+  return std::max(hop, setup.slow_speed);
+}
+// [/slowest-bounce]
 
 }  // namespace contact

@@ -1,5 +1,6 @@
 // Which effects the planner leaves out of six scenes, before any of them runs.
 #include <array>
+#include <cmath>
 #include <contact/plan.hpp>
 #include <cstdio>
 #include <scenes/scene_file.hpp>
@@ -24,5 +25,14 @@ int main() {
         std::printf("%16s", decision.on ? "on" : "-");
     }
   }
+  std::printf("\n%-21s", "errors");
+  for (const contact::Plan& plan : plans) {
+    if (std::isfinite(plan.error))
+      std::printf("%14.3g m", plan.error);
+    else
+      std::printf("%16s", "no bound");
+  }
+  std::printf("\n%-21s", "tolerance");
+  for (const contact::Plan& plan : plans) std::printf("%14.3g m", plan.tolerance);
   std::printf("\n");
 }

@@ -67,6 +67,7 @@ json json_of(const Scene& scene) {
 /// The plan as `contact plan --json` says it, and beside each decision its conditions in words.
 json told(const Scene& scene, const Plan& plan) {
   json all = cli::plan_json(scene, plan);
+  all["accepted"] = cli::accepted_text(plan);
   for (std::size_t i = 0; i < plan.decisions.size(); ++i) {
     const Decision& decision = plan.decisions[i];
     std::vector<std::string> says;  // two proofs may fail for the same reason

@@ -125,6 +125,10 @@ test("every scene of the book is read and planned, with the numbers of `contact 
     const shared = plan.decisions.map(({ says, switched, ...rest }) => rest);
     assert.deepEqual(shared, said.decisions, name);
     assert.deepEqual(plan.notices, said.notices, name);
+    assert.equal(plan.error, said.error, name);
+    assert.equal(plan.tolerance, said.tolerance, name);
+    const endless = said.decisions.some(({ error }) => error === null);
+    assert.ok(endless ? said.error === null : said.error <= said.tolerance, name);
   }
 });
 
@@ -152,6 +156,8 @@ test("an override makes a second run; how far it is off is measured", () => {
   assert.equal(sides.length, 2);
   const gravity = sides[1]?.plan?.decisions.find(({ effect }) => effect === "gravity");
   assert.deepEqual([gravity?.on, gravity?.planned, gravity?.overridden], [false, true, true]);
+  assert.equal(sides[1]?.plan?.error, null);
+  assert.match(sides[1]?.plan?.accepted ?? "", /no bound/);
   const until = 1;
   const planned = runTo(0, until);
   const other = runTo(1, until);
@@ -178,6 +184,14 @@ test("the switches: back to the plan is no override", () => {
   const model = new models.PlayerModel();
   const high = opened("high_drop");
   model.open(high);
+  model.begin(high.sides, []);
+  assert.deepEqual(model.accounts(), [high.plan.accepted]);
+  const other = opened("high_drop", { with: [], without: ["gravity"] });
+  model.begin(other.sides, []);
+  assert.deepEqual(model.accounts(), [
+    `As planned: ${high.plan.accepted}`,
+    `As you switch it: ${other.sides[1]?.plan?.accepted}`,
+  ]);
   model.begin(high.sides, []);
   const gravity = () => model.rows().find(({ effect }) => effect === "gravity");
   assert.deepEqual([gravity()?.planned, gravity()?.on], ["on", true]);

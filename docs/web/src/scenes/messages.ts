@@ -47,6 +47,12 @@ export interface Plan {
   readonly pairs: number;
   readonly speed: number | null;
   readonly step: number | null;
+  /** m; 0: no error of a place is accepted. */
+  readonly tolerance: number;
+  /** Of all decisions together, m; null: no bound. */
+  readonly error: number | null;
+  /** Both, in words. */
+  readonly accepted: string;
   readonly decisions: readonly Decision[];
   readonly notices: readonly string[];
 }

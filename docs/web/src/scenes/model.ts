@@ -137,6 +137,15 @@ export class PlayerModel {
     }));
   }
 
+  /** The errors that a plan accepts beside its tolerance; of both runs, where they differ. */
+  accounts(): string[] {
+    const first = this.opened?.plan.accepted;
+    const second = this.plan?.accepted;
+    if (first === undefined) return [];
+    if (second === undefined || second === first) return [first];
+    return [`As planned: ${first}`, `As you switch it: ${second}`];
+  }
+
   /** A run is composed of something else now. */
   composed(side: number, composition: Composition): void {
     const { plan } = this.sides[side] ?? {};

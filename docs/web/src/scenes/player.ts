@@ -523,6 +523,7 @@ export class Player {
       }),
     );
     this.#notices.replaceChildren(
+      ...model.accounts().map((line) => html("p", { class: "accepted" }, line)),
       ...(model.plan?.notices ?? []).map((notice) => html("p", {}, notice)),
     );
     this.#asPlanned.disabled = !model.isOverridden;

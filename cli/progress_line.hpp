@@ -1,0 +1,43 @@
+#pragma once
+
+// How far long work has come: one line on standard error that is written over and over, on a
+// terminal only.
+
+#include <chrono>
+#include <cstddef>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace contact::cli {
+
+/// The line of some pieces of work that go on side by side. Any thread may tell of any piece.
+class ProgressLine {
+ public:
+  /// @param pieces how many; with more than one the line begins with how many of them are done
+  explicit ProgressLine(std::size_t pieces);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /// Whether it is time to tell: four times a second, and never where nobody watches.
+  [[nodiscard]] bool due() const;
+  /// How far a piece has come, in a few words.
+  void tell(std::size_t piece, std::string text);
+  /// A piece is over: nothing more is said of it.
+  void done(std::size_t piece);
+
+ private:
+  void write(std::string_view line);
+
+  using Clock = std::chrono::steady_clock;
+  bool watched_;
+  mutable std::mutex mutex_;
+  std::vector<std::string> texts_;
+  std::size_t done_ = 0;
+  std::size_t width_ = 0;  // of what stands in the line
+  Clock::time_point told_;
+};
+
+}  // namespace contact::cli
