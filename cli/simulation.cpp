@@ -336,7 +336,8 @@ class Simulation {
       if (counts.crowded_steps > 0)
         outcome.say("  " + style.warn(std::to_string(counts.crowded_steps) + " steps") +
                     " had more impacts than " + std::to_string(counts.most_impacts) +
-                    "; what was left of them was solved at once, which loses bounces");
+                    "; what was left of them was taken at once, and no pair bounced more than " +
+                    std::to_string(crowd_parts) + " times in it");
       if (const auto fallback = run_->fallback())
         outcome.say("  " + style.warn("step by step") + " from " + shortest_text(fallback->time) +
                     " s on: " + fallback->why);

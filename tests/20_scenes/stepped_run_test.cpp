@@ -727,10 +727,12 @@ TEST_CASE("a step with more impacts than are taken one by one ends, and is count
   plan_scenes::ball(scene, 0.1, 1, Point::Zero(), Point(1000, 0, 0));
   for (int k = 1; k < 32; ++k) plan_scenes::ball(scene, 0.1, 1, Point(0, k, 0));
   const auto run = run_of(scene, stepped(1.0 / 60));
+  const double energy = run->energy();
   run->advance(1.0 / 60);
   CHECK(run->counts().most_impacts == 64);
   CHECK(run->counts().crowded_steps == 1);
   CHECK(run->counts().hits >= 64);
+  CHECK(std::abs(run->energy() - energy) <= 1e-12 * energy);
   const contact::SceneCheckpoint kept = run->checkpoint();
   const auto again = run_of(scene, stepped(1.0 / 60));
   again->restore(kept);
@@ -760,6 +762,102 @@ TEST_CASE("in a crowd all impacts of a step are taken at once, and nothing leave
     }
     CHECK(run->position(i).z() > 0.1);
   }
+}
+
+namespace {
+
+/// Bodies on a lattice with 0.4 m between them, flying and turning anywhere.
+template <class Add>
+Scene lattice_of(int count, const Point& gravity, const Add& add) {
+  Scene scene = plan_scenes::empty(1, 0, 1, 1e-3);
+  scene.gravity = gravity;
+  const int side = static_cast<int>(std::ceil(std::cbrt(count)));
+  plan_scenes::walls(scene, Point::Constant(1.4 * side));
+  Random random(21);
+  for (int k = 0; k < count; ++k) {
+    const Point cell(k % side, k / side % side, k / side / side);
+    contact::SceneBody& body = add(scene, (cell + Point::Constant(0.5)) * 1.4);
+    body.velocity = any_direction(random) * 2;
+    body.spin = any_direction(random);
+  }
+  return scene;
+}
+
+contact::SceneBody& lattice_ball(Scene& scene, const Point& at) {
+  return plan_scenes::ball(scene, 0.5, 1, at);
+}
+contact::SceneBody& lattice_box(Scene& scene, const Point& at) {
+  return plan_scenes::box(scene, {0.3, 0.25, 0.35}, 1, at);
+}
+
+}  // namespace
+
+TEST_CASE("an elastic crowd keeps its energy, though its impacts are taken at once") {
+  for (const bool boxes : {false, true}) {
+    CAPTURE(boxes);
+    const Scene scene = lattice_of(100, Point::Zero(), boxes ? lattice_box : lattice_ball);
+    const auto run = run_of(scene, without({Effect::event_driven}));
+    REQUIRE_FALSE(run->event_driven());
+    const double energy = run->energy();
+    run->advance(1);
+    CHECK(run->counts().hits > 200);
+    // Corners turn on while they come to touch, and overlaps are pushed out.
+    CHECK(std::abs(run->energy() - energy) < (boxes ? 1e-3 : 1e-6) * energy);
+  }
+}
+
+TEST_CASE("a crowd that meets no wall keeps its momentum, with friction or without") {
+  for (const double friction : {0.0, 0.5}) {
+    CAPTURE(friction);
+    Scene scene = lattice_of(70, Point::Zero(), lattice_box);
+    scene.bodies.erase(scene.bodies.begin(), scene.bodies.begin() + 6);
+    scene.materials[0].friction = friction;
+    const auto run = run_of(scene);
+    const Point moving = total_momentum(scene, *run);
+    const double energy = run->energy();
+    run->advance(0.5);
+    CHECK(run->counts().hits > 20);
+    CHECK((total_momentum(scene, *run) - moving).norm() < 1e-11);
+    CHECK(run->energy() < energy * (friction > 0 ? 0.99 : 1.0001));
+  }
+}
+
+TEST_CASE("in a crowd each ball bounces to e² of its height, and two of one mass swap speeds") {
+  Scene scene = with_gravity(0.8, 0, 1, 1e-3);
+  plan_scenes::wall(scene, Point::UnitZ(), 0);
+  for (int k = 0; k < 70; ++k) plan_scenes::ball(scene, 0.1, 1 + k, Point(k, 0, 0.2 + 0.01 * k));
+  const auto run = run_of(scene, without({Effect::event_driven}));
+  run->advance(0.48);  // the lowest has not come down again, the highest has
+  for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
+    CAPTURE(i);
+    const double drop = scene.bodies[i].position.z() - 0.1;
+    const double speed = run->velocity(i).z();
+    const double apex = run->position(i).z() - 0.1 + speed * speed / 20;
+    const double down = std::sqrt(drop / 5);
+    if (down < 0.46 && 2.6 * down > 0.5) CHECK(std::abs(apex - 0.64 * drop) <= 1e-12);
+  }
+  Scene pairs = plan_scenes::empty(1, 0, 1, 1e-3);
+  for (int k = 0; k < 35; ++k) {
+    plan_scenes::ball(pairs, 0.1, 1, Point(0, k, 0), Point(1 + k, 0, 0));
+    plan_scenes::ball(pairs, 0.1, 1, Point(0.3, k, 0), Point(-2, 0, 0));
+  }
+  const auto swapped = run_of(pairs, without({Effect::event_driven}));
+  swapped->advance(0.1);
+  for (std::size_t k = 0; k < 35; ++k) {
+    CAPTURE(k);
+    CHECK(std::abs(swapped->velocity(2 * k).x() + 2) <= 1e-12 * 40);
+    CHECK(std::abs(swapped->velocity(2 * k + 1).x() - 1 - static_cast<double>(k)) <= 1e-12 * 40);
+  }
+}
+
+TEST_CASE("boxes that hit more often in a step than is taken one by one keep their bounces") {
+  const Scene scene = lattice_of(20, Point(0, 0, -10), lattice_box);
+  const auto run = run_of(scene);
+  const double energy = run->energy();
+  run->advance(1);
+  CHECK(run->counts().crowded_steps > 0);
+  CHECK(std::abs(run->energy() - energy) < 0.005 * energy);
+  CHECK(run->counts().largest_overlap < 0.05);
 }
 
 TEST_CASE("what is dropped into a box stays in it and loses energy") {

@@ -15,6 +15,7 @@
 #include <contact/plan_time.hpp>
 #include <contact/plan_types.hpp>
 #include <contact/scene.hpp>
+#include <contact/step_impacts.hpp>
 
 namespace contact {
 
@@ -83,6 +84,20 @@ inline double accepted_error(const Plan& plan) {
   return std::isfinite(sum) ? std::min(sum, plan.tolerance) : infinite;
 }
 
+/// When steps take impacts, one clause.
+inline std::string how_impacts_are_taken(const PlanQuestion& q, const Plan& plan) {
+  if (q.bounds.movers > most_one_by_one) {
+    return "more than " + std::to_string(most_one_by_one) + " bodies move, so impacts are taken " +
+           std::to_string(crowd_parts) + " times a step, all at once.";
+  }
+  bool edges = false;
+  for (const SceneBody& body : q.scene->bodies)
+    edges = edges || (body.moves && spin_arm(body.shape) > 0);
+  edges = edges && decision_on(plan, Effect::rotation).on;
+  return "impacts are found between steps, up to " +
+         std::to_string(most_impacts(q.bounds.movers, edges)) + " in each.";
+}
+
 inline void add_notices(const PlanQuestion& q, Plan& plan) {
   const Decision& horizon = decision_on(plan, Effect::horizon);
   if (horizon.value && *horizon.value < q.scene->duration) {
@@ -95,7 +110,7 @@ inline void add_notices(const PlanQuestion& q, Plan& plan) {
   const Decision& step = decision_on(plan, Effect::step_size);
   if (step.on && !step.proven && q.bounds.movers > 0) {
     plan.notices.push_back("Not proven that a step of " + short_number(q.step) +
-                           " s keeps the tolerance; impacts are found between steps.");
+                           " s keeps the tolerance; " + how_impacts_are_taken(q, plan));
   }
   if (plan.spring_part > 0) {
     const double off = springs_off(q, plan.spring_part);

@@ -212,9 +212,7 @@ inline Decision plan_step_size(const PlanQuestion& q, const PlanOptions& options
                          "cut into as many parts as a turn needs.";
   }
   if (!decision.proven && !options.step)
-    decision.why =
-        "Not proven that a step keeps the tolerance: a frame, with impacts found between "
-        "steps.";
+    decision.why = "Not proven that a step keeps the tolerance: it is a frame, and is looked into.";
   return decision;
 }
 // [/step-rule]

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -39,6 +40,40 @@ inline std::vector<ContactImpulse<double>> warm_start(
   return start;
 }
 
+/// How fast two bodies come together at a point, now and at the end of the part, m/s.
+struct Closing {
+  double now = 0;
+  double then = 0;  // had no contact pushed
+
+  /// Where they touch, after a gap. They are accelerated evenly, so the square of the speed grows
+  /// with the way. 0 if they part now.
+  double after(double gap, double time) const {
+    if (!(now > 0)) return 0;
+    return std::sqrt(std::max(now * now + 2 * ((then - now) / time) * gap, 0.0));
+  }
+};
+
+inline double restitution_of(const SteppedSetup& setup, const BodyContact<double>& contact) {
+  const auto row = setup.bodies[index(contact.a)].material * setup.scene.materials.size();
+  return setup.material[row + setup.bodies[index(contact.b)].material].restitution;
+}
+
+inline Closing closing_of(const SteppedSetup& setup, const SteppedState& state,
+                          const StepPart& part, const NearPair& pair,
+                          const Vector3<double>& point) {
+  const auto change = [&](std::size_t place) {
+    if (place >= setup.movers) return Vector3<double>(Vector3<double>::Zero());
+    Vector3<double> change = part.end_velocity[place] - state.velocity[place];
+    if (!turned_by_contacts(setup, place)) return change;
+    const Vector3<double> arm = point - position_of(setup, state, place);
+    change += Vector3<double>(part.end_spin[place] - state.spin[place]).cross(arm);
+    return change;
+  };
+  const double now = -parting_speed(setup, state, pair, point);
+  const Vector3<double> changes = change(pair.b) - change(pair.a);
+  return {now, now + pair.manifold.normal.dot(changes)};
+}
+
 }  // namespace detail
 
 // [forces-stage]
@@ -49,11 +84,15 @@ inline std::vector<ContactImpulse<double>> warm_start(
 /// the start: its body has its end velocity all through, and does not come too far.
 ///
 /// Where all impacts of the step are taken at once, each first comes to touch. How it bounces
-/// then is the business of the bounces stage.
+/// then is the business of the bounces stage: it is told how each would have come without a push.
 inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
+  if (part.at_once) {
+    part.free_velocity = part.end_velocity;
+    part.free_spin = part.end_spin;
+  }
   std::vector<BodyContact<double>> contacts;
   std::vector<double> gaps;
-  std::vector<double> speeds;
+  std::vector<detail::Closing> closing;
   for (const NearPair& pair : part.pairs) {
     if (pair.material.stiffness || (pair.leaving && !part.at_once)) continue;
     for (const auto& point : pair.manifold.points) {
@@ -61,7 +100,8 @@ inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPar
       const bool touches = point.distance <= pair.touch;
       contacts.push_back(detail::contact_at(pair, point, touches ? 0.0 : -(gap / part.planned)));
       gaps.push_back(touches ? 0.0 : gap);
-      speeds.push_back(parting_speed(setup, state, pair, point.point));
+      if (part.at_once)
+        closing.push_back(detail::closing_of(setup, state, part, pair, point.point));
     }
   }
   if (contacts.empty()) {
@@ -87,7 +127,9 @@ inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPar
   // As long as no impact has cut this step, what rests is worth more sweeps: a stack stands on
   // forces that have settled.
   const bool calm = setup.together && setup.one_by_one && part.cuts == 0;
-  const auto impulses = detail::solve_islands(setup, state, contacts, start, calm, make, give);
+  const auto impulses = detail::solve_islands(
+      setup, state, contacts, start, calm ? detail::SweepsFor::rest : detail::SweepsFor::anything,
+      make, give);
   // What a very short part needed to stop an approach is no force that lasts.
   const bool lasts = part.planned * 64 >= setup.step;
   if (lasts) {
@@ -98,28 +140,26 @@ inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPar
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const ContactImpulse<double>& impulse = impulses[i];
     if (!(impulse.normal > 0)) continue;
+    const double came = part.at_once ? closing[i].after(gaps[i], part.planned) : 0;
     const bool still = detail::index(contacts[i].b) >= setup.movers;
-    const bool hits = part.at_once && speeds[i] < -slowest_bounce(setup, still, contacts[i].normal);
+    const bool hits = came > 0 && came > slowest_bounce(setup, still, contacts[i].normal);
     for (const int body : {contacts[i].a, contacts[i].b}) {
       const std::size_t place = detail::index(body);
       if (place >= setup.movers) continue;
       part.pushed[place] = true;
       if (gaps[i] > 0 || hits) part.at_start[place] = true;
     }
-    if (lasts) {
+    // A hit is no force that lasts.
+    if (lasts && !hits) {
       state.touched.push_back(contacts[i]);
       state.pushed.push_back(
           {impulse.normal / part.planned, Vector3<double>(impulse.tangential / part.planned)});
     }
     if (!part.at_once) continue;
-    const double e = setup
-                         .material[setup.bodies[detail::index(contacts[i].a)].material *
-                                       setup.scene.materials.size() +
-                                   setup.bodies[detail::index(contacts[i].b)].material]
-                         .restitution;
-    part.bounces.push_back(contacts[i]);
-    part.bounces.back().least_velocity = hits ? -(e * speeds[i]) : 0.0;
-    if (hits) hit_pairs.push_back(i);
+    const double e = hits ? detail::restitution_of(setup, contacts[i]) : 0;
+    part.bounces.push_back({contacts[i], impulse, e, closing[i].then - came});
+    part.bounces.back().contact.least_velocity = 0;
+    if (hits && !(e > 0)) hit_pairs.push_back(i);
   }
   // A pair that hits at several points hits once.
   for (std::size_t k = 0; k < hit_pairs.size();) {

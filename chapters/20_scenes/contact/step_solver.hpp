@@ -116,6 +116,12 @@ inline void count_sweeps(SteppedState& state, std::size_t contacts, int sweeps) 
 inline constexpr std::size_t sweep_work = 40000;
 inline constexpr int least_sweeps = 50;
 
+/// What contacts are solved for. What rests gets a hundred times the sweeps. Bounces get as many as
+/// there is work for, even in a crowd: an impulse that is not finished loses energy.
+enum class SweepsFor { anything, rest, bounces };
+inline constexpr std::size_t bounce_work = 5000;
+inline constexpr int bounce_sweeps = 100;
+
 /// So many contacts are solved at once, so that what is its own mirror image stays so. In larger
 /// islands that would take too many sweeps.
 inline constexpr std::size_t most_at_once = 8;
@@ -126,9 +132,8 @@ inline SolvedContacts<double> solve_numbered(const SteppedSetup& setup, SteppedS
                                              const std::vector<RigidBody<double>>& bodies,
                                              const std::vector<BodyContact<double>>& contacts,
                                              const std::vector<ContactImpulse<double>>& start,
-                                             bool calm = false) {
+                                             SweepsFor what = SweepsFor::anything) {
   SweepLimits<double> limits = setup.sweeps;
-  if (calm) limits.relaxation = 1.8;
   std::vector<int> count(bodies.size(), 0);
   bool alone = true;
   for (const BodyContact<double>& contact : contacts) {
@@ -139,10 +144,19 @@ inline SolvedContacts<double> solve_numbered(const SteppedSetup& setup, SteppedS
   }
   if (alone) limits.relaxation = 1;
   limits.at_once = !alone && contacts.size() <= most_at_once;
-  const std::size_t most = calm ? 100 * sweep_work : sweep_work;
-  const auto many = static_cast<int>(most / (contacts.size() + 1));
-  limits.sweeps =
-      std::min(calm ? 100 * limits.sweeps : limits.sweeps, std::max(many, least_sweeps));
+  std::size_t work = sweep_work;
+  int least = least_sweeps;
+  if (what == SweepsFor::rest) {
+    if (!alone) limits.relaxation = 1.8;
+    limits.sweeps *= 100;
+    work *= 100;
+  } else if (what == SweepsFor::bounces) {
+    least = limits.sweeps;
+    limits.sweeps = bounce_sweeps;
+    work = bounce_work;
+  }
+  const auto many = static_cast<int>(work / (contacts.size() + 1));
+  limits.sweeps = std::min(limits.sweeps, std::max(many, least));
   SolvedContacts<double> solved = solve_contacts<double>(bodies, contacts, start, limits);
   count_sweeps(state, contacts.size(), solved.report.sweeps);
   return solved;
@@ -155,7 +169,8 @@ template <class Make, class Give>
 std::vector<ContactImpulse<double>> solve_islands(const SteppedSetup& setup, SteppedState& state,
                                                   const std::vector<BodyContact<double>>& contacts,
                                                   const std::vector<ContactImpulse<double>>& start,
-                                                  bool calm, const Make& make, const Give& give) {
+                                                  SweepsFor what, const Make& make,
+                                                  const Give& give) {
   std::vector<ContactImpulse<double>> impulses(contacts.size());
   ContactedBodies bodies(setup.bodies.size());
   for (const std::vector<std::size_t>& island : islands(setup, state, contacts)) {
@@ -168,7 +183,7 @@ std::vector<ContactImpulse<double>> solve_islands(const SteppedSetup& setup, Ste
       named.back().b = bodies.add(index(contacts[i].b), make);
       if (!start.empty()) before.push_back(start[i]);
     }
-    const auto solved = solve_numbered(setup, state, bodies.bodies, named, before, calm);
+    const auto solved = solve_numbered(setup, state, bodies.bodies, named, before, what);
     for (std::size_t k = 0; k < island.size(); ++k) impulses[island[k]] = solved.impulses[k];
     for (std::size_t k = 0; k < bodies.places.size(); ++k) {
       const std::size_t place = bodies.places[k];
@@ -190,7 +205,7 @@ inline std::vector<ContactImpulse<double>> solve_now(
     state.velocity.set(place, body.velocity);
     if (turned_by_contacts(setup, place)) state.spin.set(place, body.spin);
   };
-  return solve_islands(setup, state, contacts, {}, false, make, give);
+  return solve_islands(setup, state, contacts, {}, SweepsFor::anything, make, give);
 }
 
 /// Notes a hit: the impulses at all points of a pair together, at their middle.

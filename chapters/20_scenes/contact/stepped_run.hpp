@@ -341,7 +341,8 @@ class SteppedRun final : public SceneRun {
     };
     return state(state_) + (shown_ ? state(*shown_) : 0) + of(setup_.bodies) + of(setup_.place) +
            of(setup_.material) + of(part_.pairs) + of(part_.shapes) + part_.end_velocity.bytes() +
-           part_.end_spin.bytes() + of(part_.bounces) + of(part_.hits);
+           part_.end_spin.bytes() + of(part_.hits) + of(part_.bounces) +
+           part_.free_velocity.bytes() + part_.free_spin.bytes();
   }
   std::size_t bytes_per_body() const override {
     std::size_t bytes = 2 * setup_.kept.count * sizeof(double);
@@ -371,9 +372,9 @@ class SteppedRun final : public SceneRun {
     bool crowded = false;
     while (part_.left > 0) {
       part_.planned = part_.length = part_.left;
-      const double piece = length / crowd_parts;
-      if (!setup_.one_by_one && part_.left > 1.5 * piece) part_.planned = part_.length = piece;
       part_.at_once = !setup_.one_by_one || part_.cuts > most_cuts;
+      const double piece = length / crowd_parts;
+      if (part_.at_once && part_.left > 1.5 * piece) part_.planned = part_.length = piece;
       crowded = crowded || (setup_.one_by_one && part_.at_once);
       part_.pairs.clear();
       part_.bounces.clear();

@@ -23,6 +23,7 @@
 #include <contact/rotation.hpp>
 #include <contact/scene.hpp>
 #include <contact/scene_run.hpp>
+#include <contact/step_impacts.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {
@@ -107,6 +108,16 @@ struct NearPair {
   ContactManifold<double> manifold;  ///< of those that touch; of all, if all are solved at once
 };
 
+/// A contact that has pushed where all hits are taken at once, and how it bounces then.
+struct StepBounce {
+  BodyContact<double> contact;
+  ContactImpulse<double> stop;  ///< what has stopped it, N·s
+  double restitution = 0;       ///< 0: it has not hit, or does not bounce
+  /// How much faster than where they touch the two would come together at the end of the part, had
+  /// nothing pushed them, m/s.
+  double falls_on = 0;
+};
+
 /// What the stages of one part of a step hand on. Its arrays keep their room from part to part.
 struct StepPart {
   double whole = 0;      ///< how long the step is, s
@@ -115,35 +126,23 @@ struct StepPart {
   double length = 0;     ///< how long it is, s
   int cuts = 0;          ///< how many parts of this step an impact has ended
   bool at_once = false;  ///< all impacts of what is left of the step at once
-  std::vector<NearPair> pairs;               ///< in increasing order
-  std::vector<StepShape> shapes;             ///< of each body in a pair, in the world
-  KeptVectors end_velocity;                  ///< of each mover, m/s
-  KeptVectors end_spin;                      ///< of each mover, rad/s; empty without rotation
-  std::vector<bool> at_start;                ///< movers that have their end velocity from the start
-  std::vector<bool> pushed;                  ///< movers on which a contact acts in this part
-  std::vector<BodyContact<double>> bounces;  ///< of hits at once: they bounce when they have come
-  std::vector<SceneHit> hits;                ///< of this step
+  std::vector<NearPair> pairs;    ///< in increasing order
+  std::vector<StepShape> shapes;  ///< of each body in a pair, in the world
+  KeptVectors end_velocity;       ///< of each mover, m/s
+  KeptVectors end_spin;           ///< of each mover, rad/s; empty without rotation
+  std::vector<bool> at_start;     ///< movers that have their end velocity from the start
+  std::vector<bool> pushed;       ///< movers on which a contact acts in this part
+  std::vector<SceneHit> hits;     ///< of this step
+  // Where all hits are taken at once:
+  std::vector<StepBounce> bounces;  ///< what has pushed
+  KeptVectors free_velocity;  ///< of each mover at the end of the part, had nothing pushed it, m/s
+  KeptVectors free_spin;      ///< the same of spins, rad/s; empty without rotation
 };
 
 // [stage]
 /// What every stage is: a function of what never changes, what changes, and the part at hand.
 using StepStage = void (*)(const SteppedSetup&, SteppedState&, StepPart&);
 // [/stage]
-
-/// How many impacts of a step are taken each at its own time; what is left of it then is solved at
-/// once, and later hits of that step do not bounce. Balls meet as often as their speeds say, and
-/// each impact costs as much as there are pairs: one ball may have 65536, 64 of them 16 together.
-/// Corners chatter, and all that touches is solved anew for each: what turns and has some has 4.
-/// Where infinitely many hits come in a finite time it is this that ends them.
-/// @param edges whether something turns that is no ball
-inline int most_impacts(std::size_t movers, bool edges) {
-  const std::size_t many = std::max<std::size_t>(movers, 1);
-  return edges ? 4 : static_cast<int>(std::max<std::size_t>(65536 / (many * many), 4));
-}
-/// How many bodies may move for impacts to be taken one by one, each at its own time.
-inline constexpr std::size_t most_one_by_one = 64;
-/// In how many parts a step is taken in which more bodies move; a power of two.
-inline constexpr int crowd_parts = 4;
 
 namespace detail {
 
