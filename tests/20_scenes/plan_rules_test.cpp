@@ -690,8 +690,9 @@ TEST_CASE("the horizon: who is light is fast, however heavy the others are") {
   plan_scenes::walls(gas, {8, 8, 8});
   for (int i = 0; i < 8; ++i)
     ball(gas, 0.5, 1, {1.0 + 1.5 * (i % 3), 1.0 + 1.5 * (i / 3), 4}, {1, 0.5 * i, 0.25});
-  const auto horizon = [](const Scene& scene) {
-    return contact::decision_on(contact::plan_scene(scene), Effect::horizon).value.value();
+  const auto horizon = [](const Scene& scene) {  // from the first hit on
+    const Decision decision = contact::decision_on(contact::plan_scene(scene), Effect::horizon);
+    return *decision.value - decision.because[0].right;
   };
   ball(gas, 0.5, 1, {6, 6, 6});
   const double before = horizon(gas);
@@ -699,6 +700,33 @@ TEST_CASE("the horizon: who is light is fast, however heavy the others are") {
   CHECK(horizon(gas) <= before);  // somebody heavy at rest makes nobody slower
   gas.bodies.back().velocity = {1, 0, 0};
   CHECK(horizon(gas) <= before / 50);
+}
+
+TEST_CASE("the horizon: nothing grows before the first hit, and that is when one may come") {
+  const auto horizon = [](const Scene& scene) {
+    return contact::decision_on(contact::plan_scene(scene), Effect::horizon);
+  };
+  const auto first = [&](const Scene& scene) { return horizon(scene).because[0].right; };
+  Scene near = empty(1, 0, 1000, 1e-6);
+  plan_scenes::walls(near, {500, 500, 500});
+  ball(near, 0.5, 1, {300, 100, 100}, {2, 0, 0});
+  ball(near, 0.5, 1, {311, 100, 100});
+  CHECK(std::abs(first(near) - 5) < 1e-12);
+  CHECK(*horizon(near).value > 5);
+  // Both move: how fast they come together counts. A wall that is nearer comes first.
+  near.bodies.back().velocity = {-3, 0, 0};
+  CHECK(std::abs(first(near) - 2) < 1e-12);
+  near.bodies.back().velocity = {4, 0, 0};
+  CHECK(std::abs(first(near) - 188.5 / 4) < 1e-12);  // they part, and the far wall is next
+  ball(near, 0.5, 1, {100, 1.5, 400}, {0, -1, 0});
+  CHECK(std::abs(first(near) - 1) < 1e-12);
+  // Gravity brings nobody together who falls, but all of them to what stands.
+  near.gravity = {0, 0, -10};
+  ball(near, 0.5, 1, {400, 400, 0.5 + 0.05});
+  CHECK(std::abs(first(near) - 0.1) < 1e-9);
+  // What touches may hit at once.
+  ball(near, 0.5, 1, {401, 400, 0.5 + 0.05}, {-1, 0, 0});
+  CHECK(first(near) == 0);
 }
 
 TEST_CASE("the horizon: a crowd is one, however far away somebody else is") {

@@ -8,10 +8,13 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include <contact/ballistic.hpp>
 #include <contact/plan_bounds.hpp>
 #include <contact/plan_contact.hpp>
 #include <contact/plan_motion.hpp>
@@ -19,6 +22,7 @@
 #include <contact/plan_types.hpp>
 #include <contact/scene.hpp>
 #include <contact/scene_solids.hpp>
+#include <contact/sphere_sphere_impact.hpp>
 
 namespace contact {
 
@@ -279,6 +283,46 @@ inline double spreading(const PlanQuestion& q, const FreePath& path) {
   return pace + 3 * gravity_felt(q) / std::min(path.speed, falling_speed(q));
 }
 
+/// When a pair may touch at the earliest, if nothing else does before; nothing: never. Of two balls
+/// it is known. Any other gap closes no faster than both surfaces move, and gravity pulls those
+/// together of which one stands still.
+inline std::optional<double> earliest_touch(const PlanQuestion& q, const PairBound& pair,
+                                            double gap) {
+  const SceneBody& a = q.scene->bodies[pair.a];
+  const SceneBody& b = q.scene->bodies[pair.b];
+  const auto swing = [](const SceneBody& body) {
+    return body.moves ? body.spin.norm() * spin_arm(body.shape) : 0;
+  };
+  const bool falls = gravity_felt(q) > 0;
+  const auto* ball = std::get_if<BallShape>(&a.shape);
+  const auto* other = std::get_if<BallShape>(&b.shape);
+  if (ball && other && (pair.both_move || !falls)) {
+    return sphere_sphere_impact<double>({a.position, ball->radius}, a.velocity,
+                                        {b.position, other->radius}, b.velocity);
+  }
+  const Vector3<double> relative = a.velocity - b.velocity;
+  double rate = -relative.norm();
+  double pull = pair.both_move ? 0 : -gravity_felt(q);
+  if (const auto* ground = std::get_if<HalfSpaceShape>(&b.shape)) {
+    rate = ground->normal.dot(relative);
+    pull = falls ? ground->normal.dot(q.scene->gravity) : 0;
+  }
+  return closing_time<double>(std::max(gap, 0.0), rate - swing(a) - swing(b), pull);
+}
+
+/// Before this nothing touches anything; 0 for a crowd, whose pairs are not asked one by one.
+inline double first_touch(const PlanQuestion& q) {
+  if (q.bounds.crowded) return 0;
+  double first = q.scene->duration;
+  for (const PairBound& pair : q.pairs) {
+    const auto gap = starting_gap(q.scene->bodies[pair.a], q.scene->bodies[pair.b]);
+    if (!gap) return 0;
+    const auto time = earliest_touch(q, pair, *gap);
+    if (time) first = std::min(first, *time);
+  }
+  return first;
+}
+
 }  // namespace detail
 
 // [horizon-rule]
@@ -290,7 +334,7 @@ inline double spreading(const PlanQuestion& q, const FreePath& path) {
 /// the largest error of many balls at more. Who falls spreads too, where walls slant or masses
 /// differ: by a factor e in a third of the time v/g at most. Flat walls alone do not spread, and on
 /// a line without gravity nothing does: there rounding only adds up. Of bodies with corners that
-/// turn no estimate is known.
+/// turn no estimate is known. All of this begins with the first hit.
 /// @param turning whether the plan has rotation
 inline Decision plan_horizon(const PlanQuestion& q, bool turning) {
   Decision decision =
@@ -323,11 +367,13 @@ inline Decision plan_horizon(const PlanQuestion& q, bool turning) {
   const double growth = std::max(1.0, (q.tolerance > 0 ? q.tolerance : least) / error);
   double time = std::log(growth) / detail::spreading(q, path);
   if (open) time = std::max(time, detail::horizon_in_the_open(path, pairs, growth));
-  decision.value = time;
-  decision.because = {{"time until an ulp has grown to " +
-                           std::string(q.tolerance > 0 ? "the tolerance" : "a radius") +
-                           ", by 1 + 4 λ/R a hit",
-                       time, Relation::at_most, q.scene->duration, "duration", "s"}};
+  const double first = detail::first_touch(q);
+  decision.value = first + time;
+  decision.because = {
+      {"the start", 0, Relation::at_most, first, "the first touch there may be", "s"},
+      {"time until an ulp has grown to " +
+           std::string(q.tolerance > 0 ? "the tolerance" : "a radius") + ", by 1 + 4 λ/R a hit",
+       first + time, Relation::at_most, q.scene->duration, "duration", "s"}};
   return decision;
 }
 // [/horizon-rule]
