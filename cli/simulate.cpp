@@ -120,9 +120,12 @@ void add_simulate(Command app, Action& action) {
   command.add_option("--events", options->events, "A table of all hits (.csv)");
   command.add_option("--until", options->until, "Stop at this time (default: the scene's end)")
       .type_name("SECONDS");
-  command.add_option("--max-events", options->max_events, "Stop with an error after so many hits");
-  command.add_option("--event-budget", options->event_budget,
-                     "From event to event: go on step by step after so many hits");
+  command.add_option("--max-events", options->max_events, "Stop with an error after so many hits")
+      .positive();
+  command
+      .add_option("--event-budget", options->event_budget,
+                  "From event to event: go on step by step after so many hits")
+      .positive();
   add_plan_words(command, options->plan);
   command.add_option("--checkpoint", options->checkpoint,
                      "Keep the state here at the end, on Ctrl-C and now and then");

@@ -743,6 +743,27 @@ TEST_CASE("the horizon: a crowd is one, however far away somebody else is") {
   CHECK(horizon(crowd) <= 2 * before);
 }
 
+TEST_CASE("the step: a crowd takes its hits late, however it looks for them") {
+  for (const int count : {64, 65}) {
+    CAPTURE(count);
+    Scene scene = empty(1, 0, 2, 1);
+    plan_scenes::wall(scene, {1, 0, 0}, -10);
+    for (int k = 0; k < count; ++k) ball(scene, 0.1, 1, {0, 100.0 * k, 0}, {-6, 0, 0});
+    contact::PlanOptions options;
+    options.overrides.without = {Effect::event_driven};
+    options.overrides.with = {Effect::continuous_detection};
+    const contact::Plan plan = contact::plan_scene(scene, options);
+    const Decision& step = contact::decision_on(plan, Effect::step_size);
+    // Each hits once, at 6 m/s, and its place is off by what it goes to the wall and back too late.
+    CHECK(step.error == (count > 64 ? plan.error : 0));
+    if (count > 64) {
+      CHECK(step.error >= 2 * 6 * plan.step);
+      CHECK(step.error <= 1);
+      CHECK_FALSE(step.proven);
+    }
+  }
+}
+
 TEST_CASE("float: enough for a short flight, not for a place that it cannot hold") {
   const Scene near = free_ball(8, 1, 1e-3);
   off(near, Effect::double_precision);

@@ -164,14 +164,11 @@ struct Compared {
 };
 
 /// Whether an effect that is proven to do nothing keeps every bit if it is forced on. All do, but
-/// spins that a mirror takes away, or keeps along a principal axis: corners on both sides of it are
-/// pushed alike, and what that comes to is 0 but for the order in which it is added up.
+/// the gyroscopic term of a spin that a mirror keeps along a principal axis: ω × I ω is 0, but who
+/// computes with it rounds otherwise.
 bool keeps_bits(const Plan& plan, const contact::Decision& decision) {
-  if (decision.effect != Effect::rotation && decision.effect != Effect::gyroscopic_term)
-    return true;
-  // The gyroscopic term brings spins along, where there are none.
-  const auto& rotation = contact::decision_on(plan, Effect::rotation);
-  if (!rotation.on) return contact::is_proven(rotation.tried.at(0));  // smooth balls
+  if (decision.effect != Effect::gyroscopic_term) return true;
+  if (!contact::decision_on(plan, Effect::rotation).on) return true;
   return contact::is_proven(decision.tried.at(0)) || contact::is_proven(decision.tried.at(1));
 }
 
@@ -179,9 +176,10 @@ bool keeps_bits(const Plan& plan, const contact::Decision& decision) {
 /// that was measured is 1.2e-13.
 constexpr double spin_rounding = 0x1p-40;
 
-/// Whether a plan says that hops it leaves out, or what sleeps, have no bound.
+/// Whether a plan says that hops it leaves out, what sleeps, or a crowd's late hits have no bound.
 bool may_add_up(const Plan& plan) {
   return std::isinf(contact::decision_on(plan, Effect::resting).error) ||
+         std::isinf(contact::decision_on(plan, Effect::step_size).error) ||
          std::isinf(contact::decision_on(plan, Effect::sleeping).error);
 }
 

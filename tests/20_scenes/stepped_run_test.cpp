@@ -617,7 +617,8 @@ TEST_CASE("the gyroscopic term brings spins along where rotation is off") {
   options.overrides.without = {Effect::rotation, Effect::sleeping};
   auto run = run_of(scene, options);
   CHECK(has_stage(*run, "rotation"));
-  CHECK(run->bytes_per_body() == 3 * sizeof(Point) + sizeof(contact::Rotor<double>));
+  // One number for its place and one for its velocity, and two for spins that two mirrors forbid.
+  CHECK(run->bytes_per_body() == 4 * sizeof(double) + sizeof(contact::Rotor<double>));
   run->advance(1);
   CHECK((run->position(1) - Point(0, 0, 0.3)).norm() <= 1e-9);
   CHECK(run->spin(1).norm() <= 1e-9);
@@ -858,6 +859,95 @@ TEST_CASE("boxes that hit more often in a step than is taken one by one keep the
   CHECK(run->counts().crowded_steps > 0);
   CHECK(std::abs(run->energy() - energy) < 0.005 * energy);
   CHECK(run->counts().largest_overlap < 0.05);
+}
+
+TEST_CASE("in a crowd thin plates that meet face to face do not pass") {
+  for (const double e : {0.0, 0.5, 1.0}) {
+    CAPTURE(e);
+    Scene scene = plan_scenes::empty(e, 0, 0.1, 1e-3);
+    for (int k = 0; k < 35; ++k) {
+      plan_scenes::box(scene, {0.02, 0.3, 0.2}, 1, {-0.5, 1.0 * k, 0}, {50, 0, 0});
+      plan_scenes::box(scene, {0.02, 0.3, 0.2}, 1, {0.5, 1.0 * k, 0}, {-50, 0, 0});
+    }
+    const auto run = run_of(scene, with({Effect::continuous_detection}));
+    run->advance(0.1);
+    for (std::size_t i = 0; i < 70; i += 2) {
+      CAPTURE(i);
+      CHECK(run->position(i + 1).x() - run->position(i).x() > 0.039);
+      CHECK(std::abs(run->velocity(i).x() + e * 50) < 1e-4);
+      CHECK(std::abs(run->velocity(i + 1).x() - e * 50) < 1e-4);
+    }
+  }
+}
+
+TEST_CASE("towers in a crowd stand as still as they do alone, and come to sleep") {
+  Scene scene = with_gravity(0.3, 0.5, 2, 1e-3);
+  plan_scenes::wall(scene, Point::UnitZ(), 0);
+  for (int k = 0; k < 70; ++k)
+    plan_scenes::box(scene, Point::Constant(0.5), 1, {4.0 * (k / 7), 0, 0.5 + k % 7});
+  const auto run = run_of(scene);
+  run->advance(2);
+  for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
+    CAPTURE(i);
+    CHECK((run->position(i) - scene.bodies[i].position).norm() < 1e-3);
+    CHECK(run->velocity(i).norm() == 0);
+  }
+}
+
+TEST_CASE("long boxes in a narrow room keep their energy, however often they hit in a step") {
+  for (const int count : {3, 8}) {
+    CAPTURE(count);
+    Scene scene = plan_scenes::empty(1, 0, 1, 1e-3);
+    plan_scenes::walls(scene, Point::Constant(count == 8 ? 2 : 1.44));
+    Random random(31);
+    for (int k = 0; k < count; ++k) {
+      const Point at(0.35 + 0.65 * (k % 2), 0.35 + 0.65 * (k / 2 % 2), 0.35 + 0.65 * (k / 4));
+      plan_scenes::box(scene, {0.3, 0.1, 0.1}, 1, at, any_direction(random) * 15).spin =
+          any_direction(random) * 10;
+    }
+    const auto run = run_of(scene);
+    const double energy = run->energy();
+    run->advance(1);
+    CHECK(run->counts().crowded_steps > 5);
+    CHECK(run->energy() < energy * (1 + 1e-3));
+    CHECK(run->energy() > energy * (1 - 1e-2));
+  }
+}
+
+TEST_CASE("a box that turns in a plane stays in it to the last bit, whatever it hits") {
+  Scene scene = plan_scenes::empty(1, 0.5, 0.5, 1e-3);
+  for (const Point& way : {Point(1, 0, 0), Point(0, 1, 0)}) {
+    plan_scenes::wall(scene, way, -0.56);
+    plan_scenes::wall(scene, -way, -0.56);
+  }
+  plan_scenes::box(scene, {0.5, 0.2, 0.3}, 1, {0, 0, 4}, {40, 15, 0}).spin = {0, 0, 30};
+  PlanOptions in_space;
+  in_space.overrides.with = {Effect::third_dimension};
+  const auto flat = run_of(scene);
+  const auto all = run_of(scene, in_space);
+  CHECK(flat->bytes_per_body() < all->bytes_per_body());
+  flat->advance(0.5);
+  all->advance(0.5);
+  CHECK(flat->counts().crowded_steps > 0);
+  CHECK(all->position(4).z() == 4);
+  CHECK(all->velocity(4).z() == 0);
+  CHECK(all->spin(4).head<2>() == Eigen::Vector2d::Zero());
+  CHECK(all->orientation(4).v.head<2>() == Eigen::Vector2d::Zero());
+  CHECK(bits_of(scene, *flat) == bits_of(scene, *all));
+}
+
+TEST_CASE("boxes on a line hit as often with rotation as without") {
+  Scene scene = plan_scenes::empty(1, 0, 0.2, 1e-9);
+  plan_scenes::wall(scene, Point(1, 0, 0), -1.01);
+  plan_scenes::wall(scene, Point(-1, 0, 0), -1.01);
+  plan_scenes::box(scene, Point::Constant(0.5), 1, {-0.505, 0, 0}, {20, 0, 0});
+  plan_scenes::box(scene, Point::Constant(0.5), 3, {0.5, 0, 0}, {-1, 0, 0});
+  const auto still = run_of(scene);
+  const auto turning = run_of(scene, with({Effect::rotation, Effect::gyroscopic_term}));
+  still->advance(0.2);
+  turning->advance(0.2);
+  CHECK(still->counts().hits > 100);
+  CHECK(bits_of(scene, *still) == bits_of(scene, *turning));
 }
 
 TEST_CASE("what is dropped into a box stays in it and loses energy") {

@@ -244,6 +244,14 @@ def test_a_budget_that_runs_out_is_said(contact: Run, gas: Path) -> None:
     assert "the budget of 3 hits ran out" in done.stderr
 
 
+@pytest.mark.parametrize("option", ["--max-events", "--event-budget"])
+@pytest.mark.parametrize("number", ["-3", "0", "1.5", "many"])
+def test_a_budget_is_a_whole_number(contact: Run, gas: Path, option: str, number: str) -> None:
+    done = contact("simulate", str(gas), f"{option}={number}")
+    assert done.returncode == 2
+    assert f"{option}: {number} is not a whole number from 1" in done.stderr
+
+
 def test_looking_between_steps_spends_no_budget(contact: Run, tmp_path: Path) -> None:
     # Frames fall between steps, also in the step of the first hits.
     out = tmp_path / "frames.csv"

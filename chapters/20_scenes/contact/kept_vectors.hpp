@@ -14,6 +14,7 @@ namespace contact {
 struct KeptAxes {
   std::array<int, 3> axes{0, 1, 2};  ///< the first `count` are kept
   std::size_t count = 3;             ///< 1, 2 or 3
+  std::array<bool, 3> held{};        ///< of those kept, which stay as they were put in
 };
 
 // [kept-vectors]
@@ -37,19 +38,20 @@ class KeptVectors {
   /// Puts a vector there; of coordinates that are not kept nothing is seen again.
   void set(std::size_t i, const Vector3<double>& v) {
     double* to = numbers_.data() + i * kept_.count;
-    for (std::size_t k = 0; k < kept_.count; ++k) to[k] = v(kept_.axes[k]);
+    for (std::size_t k = 0; k < kept_.count; ++k)
+      if (!kept_.held[k]) to[k] = v(kept_.axes[k]);
   }
 
   /// Adds to the vector with that index.
   void add(std::size_t i, const Vector3<double>& v) {
     double* to = numbers_.data() + i * kept_.count;
-    for (std::size_t k = 0; k < kept_.count; ++k) to[k] += v(kept_.axes[k]);
+    for (std::size_t k = 0; k < kept_.count; ++k)
+      if (!kept_.held[k]) to[k] += v(kept_.axes[k]);
   }
 
   /// One more, at the end.
   void push_back(const Vector3<double>& v) {
-    numbers_.resize(numbers_.size() + kept_.count);
-    set(size() - 1, v);
+    for (std::size_t k = 0; k < kept_.count; ++k) numbers_.push_back(v(kept_.axes[k]));
   }
 
   /// How many there are.

@@ -84,6 +84,21 @@ inline double accepted_error(const Plan& plan) {
   return std::isfinite(sum) ? std::min(sum, plan.tolerance) : infinite;
 }
 
+/// A crowd takes its hits a few times a step only, though it looks for them continuously: what that
+/// puts a body off by is an error of the step.
+/// @param taken whether the same error is taken already, for not looking for hits
+inline void charge_crowd(PlanQuestion& q, bool taken, Decision& step) {
+  if (q.events || q.pairs.empty() || q.bounds.movers <= most_one_by_one) return;
+  step.proven = false;
+  step.because.push_back({"bodies that move", static_cast<double>(q.bounds.movers),
+                          Relation::at_most, static_cast<double>(most_one_by_one),
+                          "impacts taken one by one", ""});
+  const double late = rounded_up(worst_bounces(q).late * q.step);
+  step.error = taken || late <= q.left ? late : infinite;
+  step.error_is = "a crowd's hits that come up to a step late";
+  if (!taken) take_from_what_is_left(q, step);
+}
+
 /// When steps take impacts, one clause.
 inline std::string how_impacts_are_taken(const PlanQuestion& q, const Plan& plan) {
   if (q.bounds.movers > most_one_by_one) {
@@ -223,6 +238,8 @@ inline Plan plan_scene(const Scene& scene, const PlanOptions& options = {}) {
   decided(Effect::gyroscopic_term).saving = gyroscopic_saving(q);
   decide_on(plan_step_size(q, options));
   decide_on(plan_continuous_detection(q, q.step));
+  const Decision& looking = decided(Effect::continuous_detection);
+  if (looking.on) detail::charge_crowd(q, !looking.planned, decided(Effect::step_size));
   decide_on(plan_gravity(q));
   plan.spring_part = longest_spring_part(q);
   decide_on(plan_penalty_contact(q));

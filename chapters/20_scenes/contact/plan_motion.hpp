@@ -382,10 +382,10 @@ inline Decision plan_gyroscopic_term(const PlanQuestion& q) {
 namespace detail {
 
 /// What a coordinate less saves. From event to event a coordinate that never changes is not
-/// computed; a step keeps no number of it if only balls turn, but computes with all three.
+/// computed; a step keeps no number of it, but computes with all three.
 inline Saving coordinate_saving(const PlanQuestion& q) {
   if (q.events) return {q.moves * 6, "6 for each time that a body is moved; 2 numbers a body"};
-  return {0, "steps compute with three coordinates; 2 numbers a body if only balls turn, 2 a spin"};
+  return {0, "steps compute with three coordinates; 2 numbers a body, 2 a spin"};
 }
 
 }  // namespace detail

@@ -20,33 +20,18 @@ struct BouncingContacts {
   std::vector<ContactImpulse<double>> start;
 };
 
-/// @param make a body, by its place, as it would be had nothing pushed it
-template <class Make>
-BouncingContacts bouncing_contacts(const SteppedSetup& setup, const SteppedState& state,
-                                   const StepPart& part, const Make& make) {
+inline BouncingContacts bouncing_contacts(const SteppedSetup& setup, const SteppedState& state,
+                                          const StepPart& part) {
   std::vector<BodyContact<double>> pushed;
   for (const StepBounce& bounce : part.bounces) pushed.push_back(bounce.contact);
+  const auto bounces = [&](std::size_t i) { return pushed[i].least_velocity > 0; };
   BouncingContacts found;
   for (const std::vector<std::size_t>& island : islands(setup, state, pushed)) {
-    const std::size_t first = found.contacts.size();
-    bool bounces = false;
+    if (std::none_of(island.begin(), island.end(), bounces)) continue;
     for (const std::size_t i : island) {
-      const StepBounce& bounce = part.bounces[i];
-      BodyContact<double> contact = bounce.contact;
-      if (bounce.restitution > 0) {
-        // As they lie now: what has turned on the way comes a little faster or slower.
-        const Vector3<double> apart = velocity_at(make(index(contact.a)), contact.point) -
-                                      velocity_at(make(index(contact.b)), contact.point);
-        const double came = -contact.normal.dot(apart) - bounce.falls_on;
-        contact.least_velocity = std::max(bounce.restitution * came, 0.0);
-        bounces = bounces || contact.least_velocity > 0;
-      }
-      found.contacts.push_back(contact);
-      found.start.push_back(bounce.stop);
+      found.contacts.push_back(pushed[i]);
+      found.start.push_back(part.bounces[i].stop);
     }
-    if (bounces) continue;
-    found.contacts.resize(first);
-    found.start.resize(first);
   }
   return found;
 }
@@ -54,27 +39,25 @@ BouncingContacts bouncing_contacts(const SteppedSetup& setup, const SteppedState
 }  // namespace detail
 
 // [bounces-stage]
-/// Of impacts that were taken all at once: now that they touch, they leave as restitution says.
+/// Of impacts that are taken all at once: how each leaves, as restitution says.
 ///
-/// All that pushed is solved once more, from the velocities that were there before it pushed. A
-/// pair leaves with e times the speed at which it came; had it been stopped first, to bounce would
-/// have made energy. Momentum is kept to rounding. Energy is kept where nothing rubs and e is 1,
-/// but for what unfinished sweeps leave; angular momentum but for how far two slide past each other
-/// in the part, as if the force between them had a lever.
+/// All that pushes is solved once more, from the velocities that are there before it pushes. A pair
+/// leaves with e times the speed at which it comes; had it been stopped first, to bounce would make
+/// energy. Momentum is kept to rounding. Energy is kept where nothing rubs and e is 1, but for what
+/// unfinished sweeps leave.
 inline void solve_bounces(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
+  const auto all = detail::bouncing_contacts(setup, state, part);
+  if (all.contacts.empty()) return;
   const auto make = [&](std::size_t place) {
     const Vector3<double> zero = Vector3<double>::Zero();
     return detail::solver_body(setup, state, place,
                                place < setup.movers ? part.free_velocity[place] : zero,
                                place < part.free_spin.size() ? part.free_spin[place] : zero);
   };
-  const auto all = detail::bouncing_contacts(setup, state, part, make);
-  if (all.contacts.empty()) return;
   const auto give = [&](std::size_t place, const RigidBody<double>& body) {
-    state.velocity.add(place, body.velocity - part.end_velocity[place]);
-    if (turned_by_contacts(setup, place)) state.spin.add(place, body.spin - part.end_spin[place]);
+    part.bounced.push_back({place, body.velocity, body.spin, orientation_of(setup, state, place)});
   };
-  const auto impulses = detail::solve_islands(setup, state, all.contacts, all.start,
+  const auto impulses = detail::solve_islands(setup, state, all.contacts, all.start, part.planned,
                                               detail::SweepsFor::bounces, make, give);
   for (std::size_t first = 0, last = 0; first < all.contacts.size(); first = last) {
     bool hit = false;
@@ -86,5 +69,22 @@ inline void solve_bounces(const SteppedSetup& setup, SteppedState& state, StepPa
   }
 }
 // [/bounces-stage]
+
+// [leaving-stage]
+/// Who has bounced has come to touch by now, and leaves. What has turned meanwhile spins as before
+/// in its own axes: so it has the same energy. Its angular momentum is off by what it has turned.
+inline void leave_bounced(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
+  for (const BouncedBody& body : part.bounced) {
+    state.velocity.set(body.place, body.velocity);
+    if (!turned_by_contacts(setup, body.place)) continue;
+    Vector3<double> spin = body.spin;
+    if (!setup.bodies[body.place].round) {
+      const Vector3<double> own = matrix_of(body.orientation).transpose() * spin;
+      spin = matrix_of(state.orientation[body.place]) * own;
+    }
+    state.spin.set(body.place, spin);
+  }
+}
+// [/leaving-stage]
 
 }  // namespace contact

@@ -63,11 +63,11 @@ inline Closing closing_of(const SteppedSetup& setup, const SteppedState& state,
                           const Vector3<double>& point) {
   const auto change = [&](std::size_t place) {
     if (place >= setup.movers) return Vector3<double>(Vector3<double>::Zero());
-    Vector3<double> change = part.end_velocity[place] - state.velocity[place];
-    if (!turned_by_contacts(setup, place)) return change;
+    Vector3<double> of_point = part.end_velocity[place] - state.velocity[place];
+    if (!turned_by_contacts(setup, place)) return of_point;
     const Vector3<double> arm = point - position_of(setup, state, place);
-    change += Vector3<double>(part.end_spin[place] - state.spin[place]).cross(arm);
-    return change;
+    of_point += Vector3<double>(part.end_spin[place] - state.spin[place]).cross(arm);
+    return of_point;
   };
   const double now = -parting_speed(setup, state, pair, point);
   const Vector3<double> changes = change(pair.b) - change(pair.a);
@@ -128,8 +128,8 @@ inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPar
   // forces that have settled.
   const bool calm = setup.together && setup.one_by_one && part.cuts == 0;
   const auto impulses = detail::solve_islands(
-      setup, state, contacts, start, calm ? detail::SweepsFor::rest : detail::SweepsFor::anything,
-      make, give);
+      setup, state, contacts, start, part.planned,
+      calm ? detail::SweepsFor::rest : detail::SweepsFor::anything, make, give);
   // What a very short part needed to stop an approach is no force that lasts.
   const bool lasts = part.planned * 64 >= setup.step;
   if (lasts) {
@@ -157,8 +157,8 @@ inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPar
     }
     if (!part.at_once) continue;
     const double e = hits ? detail::restitution_of(setup, contacts[i]) : 0;
-    part.bounces.push_back({contacts[i], impulse, e, closing[i].then - came});
-    part.bounces.back().contact.least_velocity = 0;
+    part.bounces.push_back({contacts[i], impulse});
+    part.bounces.back().contact.least_velocity = e * came;
     if (hits && !(e > 0)) hit_pairs.push_back(i);
   }
   // A pair that hits at several points hits once.

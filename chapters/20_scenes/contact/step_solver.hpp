@@ -112,9 +112,12 @@ inline void count_sweeps(SteppedState& state, std::size_t contacts, int sweeps) 
   state.counts.sweeps += static_cast<std::uint64_t>(sweeps);
 }
 
-/// Sweeps are as many as this many contacts may take together, but not fewer than a few.
+/// Sweeps are as many as this many contacts may take together, but not fewer than a few. In a crowd
+/// the few are fewer, and more if somebody would come through somebody else.
 inline constexpr std::size_t sweep_work = 40000;
 inline constexpr int least_sweeps = 50;
+inline constexpr std::size_t crowd_work = 100000;
+inline constexpr int least_crowd_sweeps = 4;
 
 /// What contacts are solved for. What rests gets a hundred times the sweeps. Bounces get as many as
 /// there is work for, even in a crowd: an impulse that is not finished loses energy.
@@ -144,14 +147,13 @@ inline SolvedContacts<double> solve_numbered(const SteppedSetup& setup, SteppedS
   }
   if (alone) limits.relaxation = 1;
   limits.at_once = !alone && contacts.size() <= most_at_once;
-  std::size_t work = sweep_work;
-  int least = least_sweeps;
+  std::size_t work = setup.one_by_one ? sweep_work : crowd_work;
+  const int least = setup.one_by_one ? least_sweeps : least_crowd_sweeps;
   if (what == SweepsFor::rest) {
     if (!alone) limits.relaxation = 1.8;
     limits.sweeps *= 100;
     work *= 100;
   } else if (what == SweepsFor::bounces) {
-    least = limits.sweeps;
     limits.sweeps = bounce_sweeps;
     work = bounce_work;
   }
@@ -163,13 +165,13 @@ inline SolvedContacts<double> solve_numbered(const SteppedSetup& setup, SteppedS
 }
 
 /// Solves contacts that are named by the bodies' places, island by island: a sweep over all would
-/// go on for those that have long been right. `make(place)` is a body before, `give(place, body)`
-/// takes one that moves after. Gives back the impulses.
+/// go on for those that have long been right. What moves then moves for that `time`. `make(place)`
+/// is a body before, `give(place, body)` takes one that moves after. Gives back the impulses.
 template <class Make, class Give>
 std::vector<ContactImpulse<double>> solve_islands(const SteppedSetup& setup, SteppedState& state,
                                                   const std::vector<BodyContact<double>>& contacts,
                                                   const std::vector<ContactImpulse<double>>& start,
-                                                  SweepsFor what, const Make& make,
+                                                  double time, SweepsFor what, const Make& make,
                                                   const Give& give) {
   std::vector<ContactImpulse<double>> impulses(contacts.size());
   ContactedBodies bodies(setup.bodies.size());
@@ -183,7 +185,10 @@ std::vector<ContactImpulse<double>> solve_islands(const SteppedSetup& setup, Ste
       named.back().b = bodies.add(index(contacts[i].b), make);
       if (!start.empty()) before.push_back(start[i]);
     }
-    const auto solved = solve_numbered(setup, state, bodies.bodies, named, before, what);
+    auto solved = solve_numbered(setup, state, bodies.bodies, named, before, what);
+    // What the sweeps have left must not bring anything through the thinnest.
+    for (int more = 0; more < 100 && solved.report.last_change * time > setup.thinnest / 16; ++more)
+      solved = solve_numbered(setup, state, bodies.bodies, named, solved.impulses, what);
     for (std::size_t k = 0; k < island.size(); ++k) impulses[island[k]] = solved.impulses[k];
     for (std::size_t k = 0; k < bodies.places.size(); ++k) {
       const std::size_t place = bodies.places[k];
@@ -205,7 +210,7 @@ inline std::vector<ContactImpulse<double>> solve_now(
     state.velocity.set(place, body.velocity);
     if (turned_by_contacts(setup, place)) state.spin.set(place, body.spin);
   };
-  return solve_islands(setup, state, contacts, {}, SweepsFor::anything, make, give);
+  return solve_islands(setup, state, contacts, {}, 0.0, SweepsFor::anything, make, give);
 }
 
 /// Notes a hit: the impulses at all points of a pair together, at their middle.

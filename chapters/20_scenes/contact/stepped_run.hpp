@@ -86,39 +86,55 @@ inline double step_of(const Scene& scene, const Plan& plan) {
 }
 
 // [kept-axes]
-/// The coordinates that change. Where nothing turns but balls, a mirror image keeps every contact's
-/// normal in its plane to the last bit, and what is not kept is 0 without rounding. Another body
-/// that turns has corners on both sides of the plane, whose pushes cancel only to rounding: it
-/// keeps all three.
-/// @param edges whether something turns that is no ball
-inline KeptAxes kept_axes(const Scene& scene, const Plan& plan, bool edges) {
+/// Across which axes the scene is its own mirror image. What a mirror forbids, rounding may not do:
+/// along such an axis nothing moves, and nothing spins about another one.
+inline std::array<bool, 3> proven_mirrors(const PlanQuestion& q) {
+  std::array<bool, 3> mirrors{};
+  for (int axis = 0; axis < 3; ++axis)
+    mirrors[static_cast<std::size_t>(axis)] = is_proven(plane_motion(q, axis));
+  return mirrors;
+}
+
+/// The coordinates that change. If a dimension is off, a mirror image has no number along its axis;
+/// if it is on though a mirror is proven, it has one that stays as it is.
+inline KeptAxes kept_axes(const Plan& plan, const PlanQuestion& q,
+                          const std::array<bool, 3>& mirrors) {
   KeptAxes kept;
-  if (is_on(plan, Effect::third_dimension) || edges) return kept;
-  const PlanQuestion q = plan_question(scene);
-  const std::size_t least = is_on(plan, Effect::second_dimension) ? 2 : 1;
-  std::array<bool, 3> still{};
-  for (int axis = 2; axis >= 0 && kept.count > least; --axis) {
-    if (!is_proven(plane_motion(q, axis))) continue;
-    still[static_cast<std::size_t>(axis)] = true;
-    --kept.count;
+  const std::size_t least = is_on(plan, Effect::third_dimension)    ? 3
+                            : is_on(plan, Effect::second_dimension) ? 2
+                                                                    : 1;
+  std::array<bool, 3> dropped{};
+  for (std::size_t axis = 3; axis-- > 0 && kept.count > least;) {
+    dropped[axis] = mirrors[axis];
+    if (mirrors[axis]) --kept.count;
   }
   std::stable_partition(kept.axes.begin(), kept.axes.end(),
-                        [&](int axis) { return !still[static_cast<std::size_t>(axis)]; });
+                        [&](int axis) { return !dropped[static_cast<std::size_t>(axis)]; });
+  for (std::size_t k = 0; k < kept.count; ++k)
+    kept.held[k] = mirrors[static_cast<std::size_t>(kept.axes[k])] && kept.axes[k] != q.table;
   return kept;
 }
 
 /// The coordinates of spins that change: what moves in a plane turns about the axis across it. A
 /// smooth ball may spin about another, and goes on with that.
-inline KeptAxes kept_spin_axes(const Scene& scene, const KeptAxes& kept) {
-  KeptAxes across;
-  if (kept.count == 3) return across;
+inline KeptAxes kept_spin_axes(const Scene& scene, const KeptAxes& kept,
+                               const std::array<bool, 3>& mirrors) {
+  KeptAxes spins;
+  std::array<bool, 3> forbidden{};
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      forbidden[k] = forbidden[k] || (mirrors[axis] && axis != k);
   for (const SceneBody& body : scene.bodies)
-    for (std::size_t k = 0; k < kept.count; ++k)
-      if (body.moves && body.spin(kept.axes[k]) != 0) return across;
-  across.count = 3 - kept.count;
-  std::rotate_copy(kept.axes.begin(), kept.axes.begin() + static_cast<std::ptrdiff_t>(kept.count),
-                   kept.axes.end(), across.axes.begin());
-  return across;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (body.moves && forbidden[k] && body.spin(static_cast<int>(k)) != 0) return spins;
+  if (kept.count < 3) {
+    spins.count = 3 - kept.count;
+    std::rotate_copy(kept.axes.begin(), kept.axes.begin() + static_cast<std::ptrdiff_t>(kept.count),
+                     kept.axes.end(), spins.axes.begin());
+  }
+  for (std::size_t k = 0; k < spins.count; ++k)
+    spins.held[k] = forbidden[static_cast<std::size_t>(spins.axes[k])];
+  return spins;
 }
 // [/kept-axes]
 
@@ -145,14 +161,21 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
   setup.rotation = is_on(plan, Effect::rotation) || is_on(plan, Effect::gyroscopic_term);
   setup.continuous = is_on(plan, Effect::continuous_detection);
   setup.one_by_one = setup.movers <= most_one_by_one || plan.pairs == 0;
-  for (std::size_t i = 0; i < setup.movers; ++i)
-    setup.edges = setup.edges || setup.bodies[i].spin_arm > 0;
+  const PlanQuestion q = plan_question(scene);
+  const std::array<bool, 3> mirrors = proven_mirrors(q);
+  setup.line = proven_line(q).has_value();
+  setup.thinnest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < setup.bounded; ++i) {
+    const SceneShape& shape = scene.bodies[setup.bodies[i].body].shape;
+    setup.thinnest = std::min(setup.thinnest, 2 * inner_radius(shape));
+    setup.edges = setup.edges || (i < setup.movers && !setup.line && setup.bodies[i].spin_arm > 0);
+  }
   setup.most_impacts = most_impacts(setup.movers, setup.rotation && setup.edges);
   setup.together = is_on(plan, Effect::several_contacts);
   if (!is_on(plan, Effect::gravity)) setup.scene.gravity.setZero();
   setup.step = step_of(scene, plan);
-  setup.kept = kept_axes(scene, plan, setup.rotation && setup.edges);
-  setup.kept_spins = kept_spin_axes(scene, setup.kept);
+  setup.kept = kept_axes(plan, q, mirrors);
+  setup.kept_spins = kept_spin_axes(scene, setup.kept, mirrors);
 
   double lightness = 0;
   for (std::size_t i = 0; i < setup.movers; ++i)
@@ -187,7 +210,7 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
   const double slow = far / std::max(scene.duration, scene.duration * scene.duration / sleep_after);
   const double left = std::clamp(slow * 1e-6, 1e-13, 1e-9);
   setup.sweeps =
-      setup.one_by_one ? SweepLimits<double>{400, left, 1.5} : SweepLimits<double>{4, 1e-6, 1.0};
+      setup.one_by_one ? SweepLimits<double>{400, left, 1.5} : SweepLimits<double>{400, 1e-7, 1.0};
   return setup;
 }
 // [/stepped-setup]
@@ -224,14 +247,15 @@ inline StepPipeline step_pipeline(const Plan& plan, const SteppedSetup& setup) {
     if (setup.continuous && setup.one_by_one)
       add(line.part, "time of impact", "by the gap's closing time", find_first_impact);
   }
+  const bool bounce = meet && is_on(plan, Effect::restitution);
+  if (bounce) add(line.part, "bounces", "of impacts that are taken at once", solve_bounces);
   add(line.part, "motion", "exact for even accelerations", move_bodies);
   if (is_on(plan, Effect::gyroscopic_term))
     add(line.part, "rotation", "with the gyroscopic term", turn_with_gyroscopic_term);
   else if (setup.rotation)
     add(line.part, "rotation", "even spins", turn_bodies);
   if (meet) {
-    if (is_on(plan, Effect::restitution))
-      add(line.part, "bounces", "of impacts that were taken at once", solve_bounces);
+    if (bounce) add(line.part, "leaving", "what has bounced", leave_bounced);
     // A ball's impacts are found to the last bit however it turns; an edge's are not.
     if ((setup.rotation && setup.edges) || !setup.one_by_one)
       add(line.part, "pushing out", "overlaps, half by half", push_out);
@@ -257,11 +281,12 @@ class SteppedRun final : public SceneRun {
     state_.spin = KeptVectors(setup_.kept_spins);
     for (std::size_t i = 0; i < setup_.movers; ++i) {
       const SceneBody& body = scene.bodies[setup_.bodies[i].body];
+      const Vector3<double> zero = Vector3<double>::Zero();  // + 0: no −0 is kept
       state_.position.push_back(body.position);
-      state_.velocity.push_back(body.velocity);
+      state_.velocity.push_back(body.velocity + zero);
       if (!setup_.rotation) continue;
       state_.orientation.push_back(body.orientation);
-      state_.spin.push_back(body.spin);
+      state_.spin.push_back(body.spin + zero);
     }
     if (plan.pairs > 0 && detail::is_on(plan, Effect::sleeping)) {
       state_.slow_since.assign(setup_.movers, 0);
@@ -341,7 +366,7 @@ class SteppedRun final : public SceneRun {
     };
     return state(state_) + (shown_ ? state(*shown_) : 0) + of(setup_.bodies) + of(setup_.place) +
            of(setup_.material) + of(part_.pairs) + of(part_.shapes) + part_.end_velocity.bytes() +
-           part_.end_spin.bytes() + of(part_.hits) + of(part_.bounces) +
+           part_.end_spin.bytes() + of(part_.hits) + of(part_.bounces) + of(part_.bounced) +
            part_.free_velocity.bytes() + part_.free_spin.bytes();
   }
   std::size_t bytes_per_body() const override {
@@ -378,6 +403,7 @@ class SteppedRun final : public SceneRun {
       crowded = crowded || (setup_.one_by_one && part_.at_once);
       part_.pairs.clear();
       part_.bounces.clear();
+      part_.bounced.clear();
       part_.end_velocity = state.velocity;
       part_.end_spin = state.spin;
       part_.at_start.assign(setup_.movers, false);

@@ -82,11 +82,13 @@ struct SteppedSetup {
   double rest_height = 0;              ///< hops no higher than this are left out, m
   double slow_speed = 0;               ///< slower approaches are rounding, m/s
   double sleep_speed = 0;              ///< slower bodies may sleep, m/s
+  double thinnest = 0;                 ///< no body is thinner, m
   double spring_part = 0;              ///< s; no part is longer while a spring may push
   bool rotation = false;               ///< bodies turn
+  bool line = false;                   ///< two mirrors leave a line, and no spin
   bool smooth = false;                 ///< no two materials rub
   bool continuous = false;             ///< nothing passes through anything between two looks
-  bool edges = false;                  ///< a mover's turning takes points of it along: no ball
+  bool edges = false;                  ///< somebody may turn who is no ball
   bool one_by_one = false;             ///< impacts each at its own time; else all of a step at once
   int most_impacts = 0;                ///< of a step, if one by one; then at once
   bool together = false;               ///< a body's contacts are solved together, in many sweeps
@@ -112,10 +114,14 @@ struct NearPair {
 struct StepBounce {
   BodyContact<double> contact;
   ContactImpulse<double> stop;  ///< what has stopped it, N·s
-  double restitution = 0;       ///< 0: it has not hit, or does not bounce
-  /// How much faster than where they touch the two would come together at the end of the part, had
-  /// nothing pushed them, m/s.
-  double falls_on = 0;
+};
+
+/// How a mover leaves a part in which it bounces.
+struct BouncedBody {
+  std::size_t place = 0;
+  Vector3<double> velocity = Vector3<double>::Zero();  ///< m/s
+  Vector3<double> spin = Vector3<double>::Zero();      ///< as it lay before the part, rad/s
+  Rotor<double> orientation;                           ///< how it lay
 };
 
 /// What the stages of one part of a step hand on. Its arrays keep their room from part to part.
@@ -134,7 +140,8 @@ struct StepPart {
   std::vector<bool> pushed;       ///< movers on which a contact acts in this part
   std::vector<SceneHit> hits;     ///< of this step
   // Where all hits are taken at once:
-  std::vector<StepBounce> bounces;  ///< what has pushed
+  std::vector<StepBounce> bounces;   ///< what has pushed
+  std::vector<BouncedBody> bounced;  ///< who leaves otherwise than its forces say
   KeptVectors free_velocity;  ///< of each mover at the end of the part, had nothing pushed it, m/s
   KeptVectors free_spin;      ///< the same of spins, rad/s; empty without rotation
 };
@@ -209,9 +216,9 @@ inline Vector3<double> spin_of(const SteppedState& state, std::size_t place) {
   return place < state.spin.size() ? state.spin[place] : Vector3<double>::Zero();
 }
 /// Whether contacts change a mover's spin, or ask it: not of a smooth ball, of which every
-/// contact's force runs through the middle.
+/// contact's force runs through the middle, and nobody's on a line.
 inline bool turned_by_contacts(const SteppedSetup& setup, std::size_t place) {
-  return setup.rotation && place < setup.movers &&
+  return setup.rotation && !setup.line && place < setup.movers &&
          !(setup.smooth && setup.bodies[place].spin_arm == 0);
 }
 /// The size of a vector, m or m/s.
