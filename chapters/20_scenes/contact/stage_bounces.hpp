@@ -46,8 +46,8 @@ inline BouncingContacts bouncing_contacts(const SteppedSetup& setup, const Stepp
 /// energy. Momentum is kept to rounding. Energy is kept where nothing rubs and e is 1, but for what
 /// unfinished sweeps leave.
 inline void solve_bounces(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
+  if (part.bounces.empty()) return;
   const auto all = detail::bouncing_contacts(setup, state, part);
-  if (all.contacts.empty()) return;
   const auto make = [&](std::size_t place) {
     const Vector3<double> zero = Vector3<double>::Zero();
     return detail::solver_body(setup, state, place,
