@@ -185,8 +185,8 @@ def test_each_effect_is_measured_the_other_way_round(contact: Run) -> None:
     rotation = found["rotation"]["measured"]
     assert rotation["planned_seconds"] > 0
     assert rotation["other_seconds"] > 0
-    # An orientation and a spin are seven numbers, and in a plane what does not turn has two less.
-    assert rotation["planned_bytes"] - rotation["other_bytes"] == 9 * 8
+    # An orientation is four numbers, and a spin in a plane is one.
+    assert rotation["planned_bytes"] - rotation["other_bytes"] == 5 * 8
     assert found["third-dimension"]["measured"]["same_stages"]
     assert "measured" not in decisions(contact, "sliding_block")["rotation"]
 
