@@ -152,14 +152,38 @@ inline double touching_distance(const SteppedSetup& setup, const SteppedState& s
   return 0x1p-40 * size;
 }
 
+/// By what angle a body of a pair may turn so that its points go no farther than a quarter of half
+/// the thickness of the thinner one.
+inline double turn_of_core(const SteppedSetup& setup, const NearPair& pair, std::size_t place) {
+  const double core = std::min(setup.bodies[pair.a].core, setup.bodies[pair.b].core);
+  return core / 4 / setup.bodies[place].spin_arm;
+}
+
 }  // namespace detail
+
+/// How long a part may be in which everybody turns as at its end, so that nobody turns through
+/// whom it may touch; s.
+inline double longest_turn(const SteppedSetup& setup, const StepPart& part) {
+  double longest = part.planned;
+  for (const NearPair& pair : part.pairs) {
+    if (pair.material.stiffness || pair.manifold.points.empty()) continue;
+    for (const std::size_t i : {pair.a, pair.b}) {
+      if (i >= part.end_spin.size() || !(setup.bodies[i].spin_arm > 0)) continue;
+      const double turns = size_of(part.end_spin[i]);
+      const double most = detail::turn_of_core(setup, pair, i);
+      if (turns * longest > most) longest = most / turns;
+    }
+  }
+  return longest;
+}
 
 // [contacts-stage]
 /// The narrow phase: how far each pair is apart, whether it touches, and at which points.
 ///
 /// Of a pair that touches, points that may come to touch in this part belong to it too. A pair that
 /// parts at every point where it touches is on its way out. A body that turns while it touches
-/// something is looked at again before it has turned by a sixteenth of a radian.
+/// something is looked at again before it has turned by a sixteenth of a radian, or has come a
+/// quarter into the thinner one by that.
 inline void find_touching_pairs(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
   detail::place_shapes(setup, state, part);
   for (NearPair& pair : part.pairs) {
@@ -192,8 +216,9 @@ inline void find_touching_pairs(const SteppedSetup& setup, SteppedState& state, 
     }
     for (const std::size_t i : {pair.a, pair.b}) {
       const double turns = size_of(spin_of(state, i));
-      if (i < setup.movers && setup.bodies[i].spin_arm > 0 && turns * part.length > 0x1p-4)
-        part.planned = part.length = 0x1p-4 / turns;
+      if (i >= setup.movers || !(setup.bodies[i].spin_arm > 0)) continue;
+      const double most = std::min(0x1p-4, detail::turn_of_core(setup, pair, i));
+      if (turns * part.length > most) part.planned = part.length = most / turns;
     }
   }
 }

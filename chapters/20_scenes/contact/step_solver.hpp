@@ -34,10 +34,17 @@ inline RigidBody<double> solver_body(const SteppedSetup& setup, const SteppedSta
   solid.spin = spin;
   solid.inertia = diagonal<double>(m.x(), m.y(), m.z());
   solid.inverse_inertia = diagonal<double>(inverse.x(), inverse.y(), inverse.z());
-  if (body.round) return solid;
-  const Matrix3<double> turn = matrix_of(state.orientation[place]) * body.axes;
-  solid.inertia = rotated<double>(solid.inertia, turn);
-  solid.inverse_inertia = rotated<double>(solid.inverse_inertia, turn);
+  if (!body.round) {
+    const Matrix3<double> turn = matrix_of(state.orientation[place]) * body.axes;
+    solid.inertia = rotated<double>(solid.inertia, turn);
+    solid.inverse_inertia = rotated<double>(solid.inverse_inertia, turn);
+  }
+  // What a mirror forbids, no push does: a spin that nobody keeps would take energy along.
+  for (int k = 0; k < 3; ++k) {
+    if (setup.turns[static_cast<std::size_t>(k)]) continue;
+    solid.inverse_inertia.row(k).setZero();
+    solid.inverse_inertia.col(k).setZero();
+  }
   return solid;
 }
 

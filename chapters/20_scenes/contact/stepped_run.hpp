@@ -166,8 +166,7 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
   setup.line = proven_line(q).has_value();
   setup.thinnest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < setup.bounded; ++i) {
-    const SceneShape& shape = scene.bodies[setup.bodies[i].body].shape;
-    setup.thinnest = std::min(setup.thinnest, 2 * inner_radius(shape));
+    setup.thinnest = std::min(setup.thinnest, 2 * setup.bodies[i].core);
     setup.edges = setup.edges || (i < setup.movers && !setup.line && setup.bodies[i].spin_arm > 0);
   }
   setup.most_impacts = most_impacts(setup.movers, setup.rotation && setup.edges);
@@ -176,6 +175,9 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
   setup.step = step_of(scene, plan);
   setup.kept = kept_axes(plan, q, mirrors);
   setup.kept_spins = kept_spin_axes(scene, setup.kept, mirrors);
+  setup.turns.fill(false);
+  for (std::size_t k = 0; k < setup.kept_spins.count; ++k)
+    setup.turns[static_cast<std::size_t>(setup.kept_spins.axes[k])] = !setup.kept_spins.held[k];
 
   double lightness = 0;
   for (std::size_t i = 0; i < setup.movers; ++i)
@@ -395,11 +397,14 @@ class SteppedRun final : public SceneRun {
     // An impact cuts twice: a part ends where it is found, and one without length solves it.
     const int most_cuts = 2 * setup_.most_impacts;
     bool crowded = false;
+    double longest = length;
     while (part_.left > 0) {
       part_.planned = part_.length = part_.left;
       part_.at_once = !setup_.one_by_one || part_.cuts > most_cuts;
       const double piece = length / crowd_parts;
       if (part_.at_once && part_.left > 1.5 * piece) part_.planned = part_.length = piece;
+      part_.planned = part_.length = std::min(part_.length, longest);
+      longest = length;
       crowded = crowded || (setup_.one_by_one && part_.at_once);
       part_.pairs.clear();
       part_.bounces.clear();
@@ -409,9 +414,19 @@ class SteppedRun final : public SceneRun {
       part_.at_start.assign(setup_.movers, false);
       part_.pushed.assign(setup_.movers, false);
       ++state.counts.parts;
+      const std::size_t hits = part_.hits.size();
       for (const detail::NamedStage& stage : line_.part) {
         stage.run(setup_, state, part_);
         if (!(part_.length > 0)) break;
+        if (!part_.at_once || stage.run != solve_forces) continue;
+        // Who has been hit may turn too far in such a part: then all of it anew, in a shorter one.
+        const double turn = std::max(longest_turn(setup_, part_), length * 0x1p-12);
+        if (!(turn < part_.planned / 2)) continue;
+        longest = turn;
+        part_.length = 0;
+        state.counts.hits -= part_.hits.size() - hits;
+        part_.hits.resize(hits);
+        break;
       }
       part_.left -= part_.length;
     }

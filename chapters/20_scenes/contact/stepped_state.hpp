@@ -4,9 +4,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -46,6 +48,7 @@ struct SteppedBody {
   double mass = 0;           ///< kg; 0: nothing moves it
   double reach = 0;          ///< no point of it is farther from its origin, m
   double spin_arm = 0;       ///< how far turning can take a point of it, m; 0 for a ball
+  double core = 0;           ///< half its thickness, m; ∞ if that is not known
   Vector3<double> moments = Vector3<double>::Zero();   ///< about its principal axes, kg·m²
   Matrix3<double> axes = Matrix3<double>::Identity();  ///< columns: its principal axes
   bool round = false;                                  ///< all its moments are equal
@@ -94,7 +97,8 @@ struct SteppedSetup {
   bool together = false;               ///< a body's contacts are solved together, in many sweeps
   KeptAxes kept;                       ///< of places and velocities
   KeptAxes kept_spins;                 ///< of spins
-  SweepLimits<double> sweeps;          ///< of the solver
+  std::array<bool, 3> turns{true, true, true};  ///< about which axes spins may change
+  SweepLimits<double> sweeps;                   ///< of the solver
 };
 
 /// Two bodies that may touch in a part of a step, and where.
@@ -174,6 +178,8 @@ inline SteppedBody stepped_body(const SceneBody& from, std::size_t index) {
   body.material = from.material;
   body.reach = outer_radius(from.shape);
   body.spin_arm = spin_arm(from.shape);
+  const double inner = inner_radius(from.shape);
+  body.core = inner > 0 ? inner : std::numeric_limits<double>::infinity();
   if (!from.moves) return body;
   body.mass = from.mass;
   const bool diagonal = from.inertia.isDiagonal(0);
