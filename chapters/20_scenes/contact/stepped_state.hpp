@@ -116,13 +116,13 @@ struct NearPair {
 
 /// A contact that has pushed where all hits are taken at once, and how it bounces then.
 struct StepBounce {
-  BodyContact<double> contact;
+  BodyContact<double> contact;  ///< with the speed at which it leaves, or 0
   ContactImpulse<double> stop;  ///< what has stopped it, N·s
 };
 
 /// How a mover leaves a part in which it bounces.
 struct BouncedBody {
-  std::size_t place = 0;
+  std::size_t place = 0;                               ///< of the mover
   Vector3<double> velocity = Vector3<double>::Zero();  ///< m/s
   Vector3<double> spin = Vector3<double>::Zero();      ///< as it lay before the part, rad/s
   Rotor<double> orientation;                           ///< how it lay
