@@ -187,7 +187,10 @@ def test_each_effect_is_measured_the_other_way_round(contact: Run) -> None:
     assert rotation["other_seconds"] > 0
     # An orientation is four numbers, and a spin in a plane is one.
     assert rotation["planned_bytes"] - rotation["other_bytes"] == 5 * 8
-    assert found["third-dimension"]["measured"]["same_stages"]
+    # Of place and velocity a third number, and of a spin two more.
+    space = found["third-dimension"]["measured"]
+    assert space["other_bytes"] - space["planned_bytes"] == 4 * 8
+    assert found["double-precision"]["measured"]["same_stages"]
     assert "measured" not in decisions(contact, "sliding_block")["rotation"]
 
 
