@@ -39,6 +39,7 @@ FUNCTIONS = {
     "motion": "move_bodies",
     "rotation": "turn_bodies",
     "bounces": "solve_bounces",
+    "leaving": "leave_bounced",
     "pushing out": "push_out",
     "sleep": "put_to_sleep",
 }
