@@ -334,10 +334,10 @@ class Simulation {
                                                 shortest_text(counts.rest_error) + " m at most"
                                           : ""));
       if (counts.crowded_steps > 0)
-        outcome.say("  " + style.warn(std::to_string(counts.crowded_steps) + " steps") +
-                    " had more impacts than " + std::to_string(counts.most_impacts) +
-                    "; what was left of them was taken at once, and no pair bounced more than " +
-                    std::to_string(crowd_parts) + " times in it");
+        outcome.say(
+            "  " + style.warn(std::to_string(counts.crowded_steps) + " steps") +
+            " had more impacts than " + std::to_string(counts.most_impacts) +
+            "; what was left of them was taken at once, in parts in which a pair bounces once");
       if (const auto fallback = run_->fallback())
         outcome.say("  " + style.warn("step by step") + " from " + shortest_text(fallback->time) +
                     " s on: " + fallback->why);

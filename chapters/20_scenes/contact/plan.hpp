@@ -102,8 +102,9 @@ inline void charge_crowd(PlanQuestion& q, bool taken, Decision& step) {
 /// When steps take impacts, one clause.
 inline std::string how_impacts_are_taken(const PlanQuestion& q, const Plan& plan) {
   if (q.bounds.movers > most_one_by_one) {
-    return "more than " + std::to_string(most_one_by_one) + " bodies move, so impacts are taken " +
-           std::to_string(crowd_parts) + " times a step, all at once.";
+    return "more than " + std::to_string(most_one_by_one) +
+           " bodies move, so impacts are taken at least " + std::to_string(crowd_parts) +
+           " times a step, all at once.";
   }
   bool edges = false;
   for (const SceneBody& body : q.scene->bodies)

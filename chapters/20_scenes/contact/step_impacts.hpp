@@ -8,7 +8,7 @@
 namespace contact {
 
 /// How many impacts of a step are taken each at its own time. What is left of it then is taken in
-/// crowd_parts parts at most, and in each of them a pair bounces once. Balls meet as often as their
+/// crowd_parts parts or more, and in each of them a pair bounces once. Balls meet as often as their
 /// speeds say, and each impact costs as much as there are pairs: one ball may have 65536, 64 of
 /// them 16 together. Corners chatter, and all that touches is solved anew for each: what turns and
 /// has some has 4. Where infinitely many hits come in a finite time it is this that ends them.
