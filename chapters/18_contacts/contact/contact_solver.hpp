@@ -8,6 +8,8 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <contact/contact_lcp.hpp>
@@ -296,6 +298,103 @@ struct SolvedContacts {
   SweepReport<S> report;                    ///< of the sweeps
 };
 
+namespace detail {
+
+/// @throws std::invalid_argument as solve_contacts() does
+template <std::floating_point S>
+std::vector<PreparedContact<S>> prepared_contacts(const std::vector<RigidBody<S>>& bodies,
+                                                  const std::vector<BodyContact<S>>& contacts) {
+  std::vector<PreparedContact<S>> prepared;
+  for (const BodyContact<S>& c : contacts) {
+    const int count = static_cast<int>(bodies.size());
+    if (c.a < 0 || c.a >= count || c.b < 0 || c.b >= count || c.a == c.b) {
+      throw_invalid_argument("contacts",
+                             "bodies " + std::to_string(c.a) + " and " + std::to_string(c.b),
+                             "must be two of the list");
+    }
+    require_finite("point", c.point);
+    require_finite("normal", c.normal);
+    require_finite("least_velocity", c.least_velocity);
+    if (!(c.friction >= S(0)) || !is_finite(c.friction)) {
+      throw_invalid_argument("friction", number_text(c.friction), "must not be negative");
+    }
+    prepared.push_back(detail::prepared(bodies, c));
+  }
+  return prepared;
+}
+
+/// Impulses as they are allowed: a pull, or too much friction, is cut off. Without any, none.
+template <std::floating_point S>
+std::vector<Parts<S>> allowed_parts(const std::vector<PreparedContact<S>>& prepared,
+                                    const std::vector<ContactImpulse<S>>& start) {
+  std::vector<Parts<S>> impulses(prepared.size(), Parts<S>{S(0), S(0), S(0)});
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    const S normal = std::max(S(0), start[i].normal);
+    const S one = start[i].tangential.dot(prepared[i].direction[1]);
+    const S two = start[i].tangential.dot(prepared[i].direction[2]);
+    const S length = std::sqrt(one * one + two * two);
+    const S most = prepared[i].contact.friction * normal;
+    const S share = length > most ? most / length : S(1);
+    impulses[i] = {normal, one * share, two * share};
+  }
+  return impulses;
+}
+
+/// The bodies after impulses. Where restitution has made energy, as much of it is taken back as
+/// that takes: `stop()` gives the impulses without any.
+template <std::floating_point S, class Stop>
+SolvedContacts<S> solved_by(const std::vector<RigidBody<S>>& bodies,
+                            const std::vector<PreparedContact<S>>& prepared,
+                            std::vector<Parts<S>> impulses, const Stop& stop) {
+  SolvedContacts<S> solved;
+  solved.bodies = after_parts(bodies, prepared, impulses);
+  bool still = true;
+  bool bounces = false;
+  for (const RigidBody<S>& body : bodies) {
+    const bool moves = body.velocity != Vector3<S>::Zero() || body.spin != Vector3<S>::Zero();
+    if (body.inverse_mass == S(0) && moves) still = false;
+  }
+  for (const PreparedContact<S>& p : prepared) bounces = bounces || p.contact.least_velocity > S(0);
+  if (still && bounces && energy_made(bodies, solved.bodies, prepared, impulses) > S(0)) {
+    // Along the way from the impulses without restitution to those with it the energy is a
+    // parabola that opens upwards. Where it comes back to what it was is found by halving.
+    const std::vector<Parts<S>> stopped = stop();
+    const auto blend = [&](const S& share) {
+      std::vector<Parts<S>> mixed = stopped;
+      for (std::size_t i = 0; i < mixed.size(); ++i) {
+        for (std::size_t k = 0; k < 3; ++k) mixed[i][k] += share * (impulses[i][k] - stopped[i][k]);
+      }
+      return mixed;
+    };
+    S low(0);
+    S high(1);
+    for (int i = 0; i < 60; ++i) {
+      const S middle = (low + high) / S(2);
+      const std::vector<Parts<S>> mixed = blend(middle);
+      const auto then = after_parts(bodies, prepared, mixed);
+      (energy_made(bodies, then, prepared, mixed) > S(0) ? high : low) = middle;
+    }
+    impulses = blend(low);
+    solved.bodies = after_parts(bodies, prepared, impulses);
+    solved.report.blended = true;
+  }
+  for (std::size_t i = 0; i < prepared.size(); ++i) {
+    solved.impulses.push_back(
+        {impulses[i][0], Vector3<S>(prepared[i].direction[1] * impulses[i][1] +
+                                    prepared[i].direction[2] * impulses[i][2])});
+  }
+  return solved;
+}
+
+/// Contacts without restitution.
+template <std::floating_point S>
+std::vector<PreparedContact<S>> softened(std::vector<PreparedContact<S>> prepared) {
+  for (auto& p : prepared) p.contact.least_velocity = std::min(p.contact.least_velocity, S(0));
+  return prepared;
+}
+
+}  // namespace detail
+
 // [solve]
 /// The impulses at all contacts, with friction, by sequential impulses (projected Gauss and
 /// Seidel), or by impulses at once (projected Jacobi).
@@ -325,74 +424,17 @@ SolvedContacts<S> solve_contacts(const std::vector<RigidBody<S>>& bodies,
     throw_invalid_argument("start", std::to_string(start.size()) + " impulses",
                            "must be one a contact");
   }
-  std::vector<detail::PreparedContact<S>> prepared;
-  for (const BodyContact<S>& c : contacts) {
-    const int count = static_cast<int>(bodies.size());
-    if (c.a < 0 || c.a >= count || c.b < 0 || c.b >= count || c.a == c.b) {
-      throw_invalid_argument("contacts",
-                             "bodies " + std::to_string(c.a) + " and " + std::to_string(c.b),
-                             "must be two of the list");
-    }
-    require_finite("point", c.point);
-    require_finite("normal", c.normal);
-    require_finite("least_velocity", c.least_velocity);
-    if (!(c.friction >= S(0)) || !is_finite(c.friction)) {
-      throw_invalid_argument("friction", number_text(c.friction), "must not be negative");
-    }
-    prepared.push_back(detail::prepared(bodies, c));
-  }
-  std::vector<detail::Parts<S>> impulses(contacts.size(), detail::Parts<S>{S(0), S(0), S(0)});
-  for (std::size_t i = 0; i < start.size(); ++i) {
-    const S normal = std::max(S(0), start[i].normal);
-    const S one = start[i].tangential.dot(prepared[i].direction[1]);
-    const S two = start[i].tangential.dot(prepared[i].direction[2]);
-    const S length = std::sqrt(one * one + two * two);
-    const S most = contacts[i].friction * normal;
-    const S share = length > most ? most / length : S(1);
-    impulses[i] = {normal, one * share, two * share};
-  }
-  SolvedContacts<S> solved;
-  solved.report = detail::sweep_until(bodies, prepared, impulses, limits);
-  solved.bodies = detail::after_parts(bodies, prepared, impulses);
-
-  bool still = true;
-  bool bounces = false;
-  for (const RigidBody<S>& body : bodies) {
-    const bool moves = body.velocity != Vector3<S>::Zero() || body.spin != Vector3<S>::Zero();
-    if (body.inverse_mass == S(0) && moves) still = false;
-  }
-  for (const BodyContact<S>& c : contacts) bounces = bounces || c.least_velocity > S(0);
-  if (still && bounces && detail::energy_made(bodies, solved.bodies, prepared, impulses) > S(0)) {
-    // Along the way from the impulses without restitution to those with it the energy is a
-    // parabola that opens upwards. Where it comes back to what it was is found by halving.
-    std::vector<detail::PreparedContact<S>> soft = prepared;
-    for (auto& p : soft) p.contact.least_velocity = std::min(p.contact.least_velocity, S(0));
-    std::vector<detail::Parts<S>> stop(contacts.size(), detail::Parts<S>{S(0), S(0), S(0)});
-    detail::sweep_until(bodies, soft, stop, limits);
-    const auto blend = [&](const S& share) {
-      std::vector<detail::Parts<S>> mixed = stop;
-      for (std::size_t i = 0; i < mixed.size(); ++i) {
-        for (std::size_t k = 0; k < 3; ++k) mixed[i][k] += share * (impulses[i][k] - stop[i][k]);
-      }
-      return mixed;
-    };
-    S low(0);
-    S high(1);
-    for (int i = 0; i < 60; ++i) {
-      const S middle = (low + high) / S(2);
-      const std::vector<detail::Parts<S>> mixed = blend(middle);
-      const auto then = detail::after_parts(bodies, prepared, mixed);
-      (detail::energy_made(bodies, then, prepared, mixed) > S(0) ? high : low) = middle;
-    }
-    impulses = blend(low);
-    solved.bodies = detail::after_parts(bodies, prepared, impulses);
-    solved.report.blended = true;
-  }
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    solved.impulses.push_back(
-        {impulses[i][0], Vector3<S>(prepared[i].direction[1] * impulses[i][1] +
-                                    prepared[i].direction[2] * impulses[i][2])});
-  }
+  const auto prepared = detail::prepared_contacts(bodies, contacts);
+  std::vector<detail::Parts<S>> impulses = detail::allowed_parts(prepared, start);
+  const SweepReport<S> report = detail::sweep_until(bodies, prepared, impulses, limits);
+  const auto stop = [&] {
+    std::vector<detail::Parts<S>> stopped = detail::allowed_parts<S>(prepared, {});
+    detail::sweep_until(bodies, detail::softened(prepared), stopped, limits);
+    return stopped;
+  };
+  SolvedContacts<S> solved = detail::solved_by<S>(bodies, prepared, std::move(impulses), stop);
+  solved.report.sweeps = report.sweeps;
+  solved.report.last_change = report.last_change;
   return solved;
 }
 // [/solve]

@@ -132,16 +132,6 @@ inline ContactManifold<double> manifold_with_gap(const StepShape& a, const StepS
   return manifold;
 }
 
-/// How far two bodies may come towards each other in what is left of the step.
-inline double pair_reach(const SteppedSetup& setup, const SteppedState& state, const StepPart& part,
-                         const NearPair& pair) {
-  const Vector3<double> relative =
-      velocity_of(setup, state, pair.a) - velocity_of(setup, state, pair.b);
-  double reach = size_of(relative) * part.left + room_of_sweep(setup, state, part, pair.a);
-  if (pair.b < setup.movers) reach += room_of_sweep(setup, state, part, pair.b);
-  return reach;
-}
-
 /// A distance that rounding cannot tell from touching.
 inline double touching_distance(const SteppedSetup& setup, const SteppedState& state,
                                 const NearPair& pair) {

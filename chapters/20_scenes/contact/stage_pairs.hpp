@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -41,15 +43,17 @@ Aabb<double> box_of(const Shape&, const Vector3<double>& x, const Matrix3<double
 }  // namespace detail
 
 // [sweeping-room]
-/// How far off its straight way a mover may come in what is left of the step, m: by gravity and by
-/// turning. A little is added, so that what lies still has some room too.
+/// How far off its straight way a mover may come in what is left of the step, m: by gravity, by
+/// turning, and where somebody flings it. A little is added, so that what lies still has some room
+/// too.
 inline double room_of_sweep(const SteppedSetup& setup, const SteppedState& state,
                             const StepPart& part, std::size_t place) {
   const double t = part.left;
   const double turned = size_of(spin_of(state, place)) * setup.bodies[place].spin_arm * t;
   const double size =
       position_of(setup, state, place).cwiseAbs().maxCoeff() + setup.bodies[place].reach;
-  return size_of(setup.scene.gravity) * t * t + turned + 0x1p-30 * size;
+  const double flung = place < part.flung.size() ? part.flung[place] : 0.0;
+  return size_of(setup.scene.gravity) * t * t + turned + flung + 0x1p-30 * size;
 }
 
 /// A box that holds a body at every moment of what is left of the step.
@@ -98,6 +102,29 @@ inline void note_pairs(const SteppedSetup& setup, const SteppedState& state, Ste
   }
 }
 
+/// How far two bodies may come towards each other in what is left of the step.
+inline double pair_reach(const SteppedSetup& setup, const SteppedState& state, const StepPart& part,
+                         const NearPair& pair) {
+  const Vector3<double> relative =
+      velocity_of(setup, state, pair.a) - velocity_of(setup, state, pair.b);
+  double reach = size_of(relative) * part.left + room_of_sweep(setup, state, part, pair.a);
+  if (pair.b < setup.movers) reach += room_of_sweep(setup, state, part, pair.b);
+  return reach;
+}
+
+/// Whether the balls about two bodies may come to touch in what is left of the step.
+inline bool may_reach(const SteppedSetup& setup, const SteppedState& state, const StepPart& part,
+                      const NearPair& pair) {
+  const double reach = pair_reach(setup, state, part, pair) + setup.bodies[pair.a].reach;
+  const Vector3<double> place = position_of(setup, state, pair.a);
+  if (pair.b >= setup.bounded) {
+    const auto& wall = std::get<HalfSpace<double>>(setup.bodies[pair.b].shape).boundary;
+    return wall.normal.dot(place) - wall.offset <= reach;
+  }
+  const Vector3<double> between = place - position_of(setup, state, pair.b);
+  return size_of(between) <= reach + setup.bodies[pair.b].reach;
+}
+
 template <class Search>
 void find_near_pairs(const SteppedSetup& setup, SteppedState& state, StepPart& part,
                      const Search& search) {
@@ -110,6 +137,48 @@ void find_near_pairs(const SteppedSetup& setup, SteppedState& state, StepPart& p
 }
 
 }  // namespace detail
+
+// [flung]
+/// Where all impacts are taken at once: whether somebody is flung at somebody else who was not near
+/// before. Then part.flung says how far off its way each comes, and all is to be taken anew.
+/// @param find the stage that finds pairs
+inline bool flung_at_others(const SteppedSetup& setup, SteppedState& state, StepPart& part,
+                            StepStage find) {
+  std::vector<bool> farther(setup.movers, false);
+  bool any = false;
+  StepPart wider;
+  for (std::size_t i = 0; i < setup.movers; ++i) {
+    if (!part.pushed[i]) continue;
+    double change = size_of(part.end_velocity[i] - state.velocity[i]);
+    if (i < part.end_spin.size())
+      change += size_of(part.end_spin[i] - state.spin[i]) * setup.bodies[i].spin_arm;
+    const double way = change * part.planned;
+    if (way <= room_of_sweep(setup, state, part, i) + most_flung(setup)) continue;
+    if (wider.flung.empty()) wider.flung = part.flung;
+    wider.flung.resize(setup.movers, 0.0);
+    wider.flung[i] = 2 * way;
+    farther[i] = any = true;
+  }
+  if (!any) return false;
+  wider.left = part.left;
+  const std::uint64_t counted = state.counts.pairs;
+  find(setup, state, wider);
+  state.counts.pairs = counted;
+  const auto at = [&](const NearPair& pair) { return std::pair{pair.a, pair.b}; };
+  std::size_t k = 0;
+  bool found = false;
+  for (const NearPair& pair : wider.pairs) {
+    while (k < part.pairs.size() && at(part.pairs[k]) < at(pair)) ++k;
+    const bool known = k < part.pairs.size() && at(part.pairs[k]) == at(pair);
+    if (known && (!part.pairs[k].manifold.points.empty() || part.pairs[k].material.stiffness))
+      continue;
+    const bool flung = farther[pair.a] || (pair.b < setup.movers && farther[pair.b]);
+    found = found || (flung && detail::may_reach(setup, state, wider, pair));
+  }
+  if (found) part.flung = wider.flung;
+  return found;
+}
+// [/flung]
 
 // [pairs-stage]
 /// The stage without a broad phase: the box of each is compared with the box of each.

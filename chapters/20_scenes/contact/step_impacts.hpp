@@ -21,5 +21,7 @@ inline int most_impacts(std::size_t movers, bool edges) {
 inline constexpr std::size_t most_one_by_one = 64;
 /// In how many parts a step is taken in which more bodies move, or hit more often; a power of two.
 inline constexpr int crowd_parts = 4;
+/// How often in a row a part is taken anew because somebody is flung at somebody else.
+inline constexpr int most_anew = 4;
 
 }  // namespace contact

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
+#include <contact/contact_finish.hpp>
 #include <contact/contact_solver.hpp>
 #include <contact/rigid_body.hpp>
 #include <contact/stepped_state.hpp>
@@ -171,6 +173,47 @@ inline SolvedContacts<double> solve_numbered(const SteppedSetup& setup, SteppedS
   return solved;
 }
 
+/// Between bodies whose masses differ by more than this, sweeps get nowhere, and where something
+/// rubs too they are finished. Among others more sweeps cost less.
+inline constexpr double unlike_masses = 64;
+
+/// Whether what the sweeps have left is to be finished: nothing may come far into somebody else,
+/// and no bounce may lose much of its energy.
+inline bool unfinished(const SteppedSetup& setup, const std::vector<RigidBody<double>>& bodies,
+                       const std::vector<BodyContact<double>>& contacts, double left, double time,
+                       SweepsFor what) {
+  double fastest = 0;
+  bool rubs = false;
+  for (const BodyContact<double>& contact : contacts) {
+    fastest = std::max(fastest, contact.least_velocity);
+    rubs = rubs || contact.friction > 0;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0;
+  for (const RigidBody<double>& body : bodies) {
+    if (!(body.inverse_mass > 0)) continue;
+    least = std::min(least, body.mass);
+    most = std::max(most, body.mass);
+  }
+  if (rubs && most < unlike_masses * least) return false;
+  if (left * time > most_left(setup)) return true;
+  return what == SweepsFor::bounces &&
+         left > (rubs ? fastest / 64 : std::max(8 * setup.sweeps.tolerance, fastest * 0x1p-30));
+}
+
+/// Finishes what sweeps have left, where that is better. Where it is not, because of what rubs, and
+/// something would come far into somebody else: nothing rubs this time.
+inline void finish_sweeps(const SteppedSetup& setup, const std::vector<RigidBody<double>>& bodies,
+                          std::vector<BodyContact<double>> contacts, double time,
+                          SolvedContacts<double>& solved) {
+  auto all = finish_contacts<double>(bodies, contacts, solved.impulses);
+  if (!all && solved.report.last_change * time > setup.thinnest / 16) {
+    for (BodyContact<double>& contact : contacts) contact.friction = 0;
+    all = finish_contacts<double>(bodies, contacts, solved.impulses);
+  }
+  if (all) solved = std::move(*all);
+}
+
 /// Solves contacts that are named by the bodies' places, island by island: a sweep over all would
 /// go on for those that have long been right. What moves then moves for that `time`. `make(place)`
 /// is a body before, `give(place, body)` takes one that moves after. Gives back the impulses.
@@ -193,7 +236,9 @@ std::vector<ContactImpulse<double>> solve_islands(const SteppedSetup& setup, Ste
       if (!start.empty()) before.push_back(start[i]);
     }
     auto solved = solve_numbered(setup, state, bodies.bodies, named, before, what);
-    // What the sweeps have left must not bring anything through the thinnest.
+    if (unfinished(setup, bodies.bodies, named, solved.report.last_change, time, what))
+      finish_sweeps(setup, bodies.bodies, named, time, solved);
+    // What they have left must not bring anything through the thinnest.
     for (int more = 0; more < 100 && solved.report.last_change * time > setup.thinnest / 16; ++more)
       solved = solve_numbered(setup, state, bodies.bodies, named, solved.impulses, what);
     for (std::size_t k = 0; k < island.size(); ++k) impulses[island[k]] = solved.impulses[k];

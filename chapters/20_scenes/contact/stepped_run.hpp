@@ -369,7 +369,7 @@ class SteppedRun final : public SceneRun {
     return state(state_) + (shown_ ? state(*shown_) : 0) + of(setup_.bodies) + of(setup_.place) +
            of(setup_.material) + of(part_.pairs) + of(part_.shapes) + part_.end_velocity.bytes() +
            part_.end_spin.bytes() + of(part_.hits) + of(part_.bounces) + of(part_.bounced) +
-           part_.free_velocity.bytes() + part_.free_spin.bytes();
+           part_.free_velocity.bytes() + part_.free_spin.bytes() + of(part_.flung);
   }
   std::size_t bytes_per_body() const override {
     std::size_t bytes = 2 * setup_.kept.count * sizeof(double);
@@ -398,7 +398,10 @@ class SteppedRun final : public SceneRun {
     const int most_cuts = 2 * setup_.most_impacts;
     bool crowded = false;
     double longest = length;
+    int anew = 0;  // so often in a row
     while (part_.left > 0) {
+      if (anew == 0) part_.flung.clear();
+      bool again = false;
       part_.planned = part_.length = part_.left;
       part_.at_once = !setup_.one_by_one || part_.cuts > most_cuts;
       const double piece = length / crowd_parts;
@@ -419,16 +422,22 @@ class SteppedRun final : public SceneRun {
         stage.run(setup_, state, part_);
         if (!(part_.length > 0)) break;
         if (!part_.at_once || stage.run != solve_forces) continue;
-        // Who has been hit may turn too far in such a part: then all of it anew, in a shorter one.
+        // Who has been hit may turn too far in such a part, or fly at somebody who was not near:
+        // then all of it anew, in a shorter one or with more pairs.
         const double turn = std::max(longest_turn(setup_, part_), length * 0x1p-12);
-        if (!(turn < part_.planned / 2)) continue;
-        longest = turn;
+        const bool turns = turn < part_.planned / 2;
+        const bool flies = setup_.continuous && anew < most_anew &&
+                           flung_at_others(setup_, state, part_, line_.part.front().run);
+        if (!turns && !flies) continue;
+        longest = turns ? turn : part_.planned;
+        again = true;
         part_.length = 0;
         state.counts.hits -= part_.hits.size() - hits;
         part_.hits.resize(hits);
         break;
       }
       part_.left -= part_.length;
+      anew = again ? anew + 1 : 0;
     }
     part_.planned = part_.length = length;
     for (const detail::NamedStage& stage : line_.after) stage.run(setup_, state, part_);

@@ -148,6 +148,9 @@ struct StepPart {
   std::vector<BouncedBody> bounced;  ///< who leaves otherwise than its forces say
   KeptVectors free_velocity;  ///< of each mover at the end of the part, had nothing pushed it, m/s
   KeptVectors free_spin;      ///< the same of spins, rad/s; empty without rotation
+  /// Of each mover, how far it may come off the way that its velocity says, because somebody pushes
+  /// it, m. Empty until somebody is flung farther than was looked for.
+  std::vector<double> flung;
 };
 
 // [stage]
@@ -229,6 +232,12 @@ inline bool turned_by_contacts(const SteppedSetup& setup, std::size_t place) {
 }
 /// The size of a vector, m or m/s.
 inline double size_of(const Vector3<double>& v) { return std::sqrt(v.dot(v)); }
+
+/// How far bodies may come into each other before what sweeps have left is finished: a small part
+/// of the thinnest one, m.
+inline double most_left(const SteppedSetup& setup) { return setup.thinnest / 1024; }
+/// How far somebody may be flung off its way before it is asked whom it may meet there, m.
+inline double most_flung(const SteppedSetup& setup) { return setup.thinnest / 64; }
 
 // [slowest-bounce]
 /// How fast an impact must be to bounce: as fast as a hop needs that is as long as a step, or as

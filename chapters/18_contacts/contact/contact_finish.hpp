@@ -1,0 +1,393 @@
+/// @file
+/// Many contacts at once: what sweeps have left undone is finished by elimination.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <contact/contact_lcp.hpp>
+#include <contact/contact_solver.hpp>
+#include <contact/rigid_body.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+/// The most couplings, of an impulse with another one on the same body, for which
+/// finished_impulses() tries.
+inline constexpr std::size_t most_couplings = 60000;
+
+namespace detail {
+
+template <std::floating_point S>
+using Column = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+
+/// An impulse to be found: at a contact, along its normal or one of two tangents.
+template <std::floating_point S>
+struct ImpulseRow {
+  std::size_t contact = 0;
+  bool normal = true;
+  Vector3<S> direction = Vector3<S>::Zero();
+  S unit = S(1);  ///< N·s: so much for each 1 of its number
+};
+
+/// Velocities along rows as numbers, M y + c, of impulses y. The rows' units make the diagonal of M
+/// 1. Of a normal the least velocity is taken off.
+template <std::floating_point S>
+struct ImpulseRows {
+  std::vector<ImpulseRow<S>> rows;
+  std::vector<int> first;  ///< of each contact, its normal; its tangents follow if it rubs
+  Eigen::SparseMatrix<S> matrix;
+  Column<S> constant;
+};
+
+template <std::floating_point S>
+std::optional<ImpulseRows<S>> impulse_rows(const std::vector<RigidBody<S>>& bodies,
+                                           const std::vector<BodyContact<S>>& contacts) {
+  ImpulseRows<S> made;
+  std::vector<std::vector<std::pair<int, bool>>> of(bodies.size());  // rows, whether towards A
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const BodyContact<S>& contact = contacts[i];
+    const Vector3<S> one = across<S>(contact.normal);
+    const std::array<Vector3<S>, 3> directions{contact.normal, one, contact.normal.cross(one)};
+    made.first.push_back(static_cast<int>(made.rows.size()));
+    for (std::size_t k = 0; k < (contact.friction > S(0) ? 3 : 1); ++k) {
+      const Vector3<S>& n = directions[k];
+      const S response =
+          body_response<S>(bodies[index(contact.a)], contact.point, n, contact.point, n) +
+          body_response<S>(bodies[index(contact.b)], contact.point, n, contact.point, n);
+      if (!(response > S(0))) return std::nullopt;  // two immovable bodies
+      for (const auto& [body, towards] : {std::pair{contact.a, true}, std::pair{contact.b, false}})
+        if (bodies[index(body)].inverse_mass > S(0))
+          of[index(body)].push_back({static_cast<int>(made.rows.size()), towards});
+      made.rows.push_back({i, k == 0, n, S(1) / std::sqrt(response)});
+    }
+  }
+  std::size_t couplings = 0;
+  for (const auto& list : of) couplings += list.size() * list.size();
+  if (couplings > most_couplings) return std::nullopt;
+  std::vector<Eigen::Triplet<S>> entries;
+  entries.reserve(couplings);
+  for (std::size_t body = 0; body < bodies.size(); ++body) {
+    for (const auto& [row, towards] : of[body]) {
+      for (const auto& [column, other_towards] : of[body]) {
+        const ImpulseRow<S>& one = made.rows[index(row)];
+        const ImpulseRow<S>& two = made.rows[index(column)];
+        const S part = body_response<S>(bodies[body], contacts[one.contact].point, one.direction,
+                                        contacts[two.contact].point, two.direction) *
+                       one.unit * two.unit;
+        entries.emplace_back(row, column, towards == other_towards ? part : -part);
+      }
+    }
+  }
+  const auto count = static_cast<Eigen::Index>(made.rows.size());
+  made.matrix.resize(count, count);
+  made.matrix.setFromTriplets(entries.begin(), entries.end());
+  made.constant.resize(count);
+  for (Eigen::Index r = 0; r < count; ++r) {
+    const ImpulseRow<S>& row = made.rows[static_cast<std::size_t>(r)];
+    const BodyContact<S>& contact = contacts[row.contact];
+    const S now = row.direction.dot(relative_velocity(bodies, contact));
+    made.constant(r) = row.unit * (row.normal ? now - contact.least_velocity : now);
+  }
+  return made;
+}
+
+// [eliminate]
+/// Changes y in the chosen rows so that M y + c = 0 there.
+///
+/// M may be singular there, as for a table on four legs. A little is added to its diagonal, and
+/// what that makes wrong is mended by repeating: so of all answers it is one near the y that comes
+/// in.
+/// @return whether that is possible
+template <std::floating_point S>
+bool eliminate(const ImpulseRows<S>& problem, const std::vector<bool>& chosen, Column<S>& y) {
+  std::vector<int> number(chosen.size(), -1);
+  int rows = 0;
+  for (std::size_t r = 0; r < chosen.size(); ++r)
+    if (chosen[r]) number[r] = rows++;
+  if (rows == 0) return true;
+  const S little = S(0x1p16) * std::numeric_limits<S>::epsilon();
+  std::vector<Eigen::Triplet<S>> entries;
+  for (int k = 0; k < problem.matrix.outerSize(); ++k) {
+    for (typename Eigen::SparseMatrix<S>::InnerIterator it(problem.matrix, k); it; ++it) {
+      const int row = number[static_cast<std::size_t>(it.row())];
+      const int column = number[static_cast<std::size_t>(it.col())];
+      if (row < 0 || column < 0) continue;
+      entries.emplace_back(row, column, row == column ? it.value() + little : it.value());
+    }
+  }
+  Eigen::SparseMatrix<S> part(rows, rows);
+  part.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<S>> eliminated(part);
+  if (eliminated.info() != Eigen::Success) return false;
+  S last = std::numeric_limits<S>::infinity();
+  for (int round = 0; round < 8; ++round) {
+    const Column<S> wrong = problem.matrix * y + problem.constant;
+    Column<S> right(rows);
+    for (std::size_t r = 0; r < chosen.size(); ++r)
+      if (chosen[r]) right(number[r]) = -wrong(static_cast<Eigen::Index>(r));
+    const S left = right.cwiseAbs().maxCoeff();
+    if (!(left < last / S(2))) break;
+    last = left;
+    const Column<S> change = eliminated.solve(right);
+    for (std::size_t r = 0; r < chosen.size(); ++r)
+      if (chosen[r]) y(static_cast<Eigen::Index>(r)) += change(number[r]);
+  }
+  return y.allFinite();
+}
+// [/eliminate]
+
+// [go-towards]
+/// Goes from y towards a target, as far as the sum ½ y·M y + c·y becomes less: all the way or a
+/// half of it, a quarter, and so on. On the way who would pull does nothing. Returns whether it
+/// went at all.
+template <std::floating_point S>
+bool go_towards(const ImpulseRows<S>& problem, const Column<S>& opening, const Column<S>& target,
+                Column<S>& y) {
+  for (S part = S(1); part > S(0x1p-5); part /= S(2)) {
+    Column<S> next = y + (target - y) * part;
+    bool pulls = false;
+    for (Eigen::Index r = 0; r < y.size(); ++r) {
+      if (!problem.rows[static_cast<std::size_t>(r)].normal || !(next(r) < S(0))) continue;
+      next(r) = S(0);
+      pulls = true;
+    }
+    const Column<S> change = next - y;
+    const S slope = opening.dot(change);
+    if ((pulls || part < S(1)) &&
+        !(slope + change.dot(problem.matrix * change) / S(2) < slope * S(1e-4)))
+      continue;
+    y = next;
+    return true;
+  }
+  return false;
+}
+
+/// Goes from y towards a target until the first stops to push. Returns whether nobody does.
+template <std::floating_point S>
+bool go_to_the_first(const ImpulseRows<S>& problem, const Column<S>& target, Column<S>& y) {
+  S part(1);
+  Eigen::Index first = -1;
+  for (Eigen::Index r = 0; r < y.size(); ++r) {
+    if (!problem.rows[static_cast<std::size_t>(r)].normal || !(target(r) < S(0))) continue;
+    const S way = y(r) / (y(r) - target(r));
+    if (!(way < part)) continue;
+    part = way;
+    first = r;
+  }
+  y += (target - y) * part;
+  if (first >= 0) y(first) = S(0);
+  for (Eigen::Index r = 0; r < y.size(); ++r)
+    if (problem.rows[static_cast<std::size_t>(r)].normal) y(r) = std::max(S(0), y(r));
+  return first < 0;
+}
+// [/go-towards]
+
+/// How often push_apart() guesses.
+inline constexpr int most_guesses = 400;
+
+/// Who is solved together: all that push or close; those that push; or these and one that closes.
+enum class PushGuess { bold, settle, add };
+
+// [projected-newton]
+/// Changes y in the free rows so that M y + c = 0 there, where a normal may push, or do nothing and
+/// open: of all such y, the one of least ½ y·M y + c·y.
+///
+/// A guess is which normals do nothing: those that push nothing and open. The others are solved
+/// together, and y goes towards that (projected Newton; Bertsekas 1982). Where it cannot, the guess
+/// is more careful: those that push, less and less of them, until nobody pulls; then one more, that
+/// which closes fastest (Lawson and Hanson 1974). So the sum never grows, and there is an end.
+/// @param free the tangents that may change; of normals all may
+template <std::floating_point S>
+bool push_apart(const ImpulseRows<S>& problem, const std::vector<bool>& free, Column<S>& y) {
+  const auto count = static_cast<Eigen::Index>(problem.rows.size());
+  const S rounding = S(0x1p8) * std::numeric_limits<S>::epsilon();
+  PushGuess how = PushGuess::bold;
+  for (int guess = 0; guess < most_guesses; ++guess) {
+    const Column<S> opening = problem.matrix * y + problem.constant;
+    const Column<S> size = problem.matrix.cwiseAbs() * y.cwiseAbs() + problem.constant.cwiseAbs();
+    std::vector<bool> chosen = free;
+    bool settled = true;
+    Eigen::Index fastest = -1;  // of those that close and do not push
+    for (Eigen::Index r = 0; r < count; ++r) {
+      const auto at = static_cast<std::size_t>(r);
+      const S small = rounding * size(r);
+      if (problem.rows[at].normal) {
+        const bool closes = !(y(r) > S(0)) && opening(r) < -small;
+        chosen[at] = y(r) > S(0) || (closes && how == PushGuess::bold);
+        if (closes && (fastest < 0 || opening(r) < opening(fastest))) fastest = r;
+      }
+      settled = settled && !(chosen[at] && std::abs(opening(r)) > small);
+    }
+    if (fastest < 0 && (settled || how == PushGuess::add)) return true;
+    if (how == PushGuess::add) chosen[static_cast<std::size_t>(fastest)] = true;
+    Column<S> target = y;
+    if (!eliminate<S>(problem, chosen, target)) return false;
+    if (how == PushGuess::bold) {
+      const Column<S> before = y;
+      if (!go_towards(problem, opening, target, y))
+        how = PushGuess::settle;
+      else if ((y - before).cwiseAbs().maxCoeff() <= rounding * y.cwiseAbs().maxCoeff())
+        return true;
+    } else if (how == PushGuess::settle) {
+      if (go_to_the_first(problem, target, y)) how = PushGuess::add;
+    } else {
+      if (!(target(fastest) > S(0))) return true;  // rounding
+      go_to_the_first(problem, target, y);
+      how = PushGuess::bold;
+    }
+  }
+  return true;
+}
+// [/projected-newton]
+
+// [slide]
+/// Friction beyond its cone is cut off there, and its contact slides from now on; what slides rubs
+/// as much as it is pushed. What rubs forwards holds again, or, in the end, does not rub.
+/// @param end friction only gets less from now on
+/// @return whether any friction has changed
+template <std::floating_point S>
+bool slide(const ImpulseRows<S>& problem, const std::vector<BodyContact<S>>& contacts, bool end,
+           std::vector<bool>& holds, Column<S>& y) {
+  const Column<S> velocity = problem.matrix * y + problem.constant;
+  bool changed = false;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (!(contacts[i].friction > S(0))) continue;
+    const Eigen::Index n = problem.first[i];
+    const auto row = static_cast<std::size_t>(n);
+    const auto unit = [&](std::size_t k) { return problem.rows[row + k].unit; };
+    const S one = y(n + 1) * unit(1);
+    const S two = y(n + 2) * unit(2);
+    const S most = contacts[i].friction * y(n) * unit(0);
+    const S length = std::sqrt(one * one + two * two);
+    const bool beyond = length > most * (S(1) + S(0x1p-20));
+    const bool below = length < most * (S(1) - S(0x1p-20));
+    const bool held = holds[row + 1];
+    const S power = y(n + 1) * velocity(n + 1) + y(n + 2) * velocity(n + 2);
+    const S little = S(0x1p-20) * (std::abs(y(n + 1)) + std::abs(y(n + 2))) *
+                     (std::abs(velocity(n + 1)) + std::abs(velocity(n + 2)));
+    S share(1);
+    if (!held && power > little) {
+      holds[row + 1] = holds[row + 2] = !end;
+      share = end ? S(0) : S(1);
+    } else if (beyond || (!held && below && !end && length > S(0))) {
+      holds[row + 1] = holds[row + 2] = false;
+      share = most / length;
+    } else {
+      continue;
+    }
+    y(n + 1) *= share;
+    y(n + 2) *= share;
+    changed = true;
+  }
+  return changed;
+}
+// [/slide]
+
+}  // namespace detail
+
+// [finish]
+/// The impulses that sweeps would end at, or nearer to them.
+///
+/// Sweeps carry a push from a body to the next, and where a light one is between two heavy ones
+/// they carry little: with masses 1 : 10⁶ they would take millions. Here which contacts push is
+/// guessed, and these are solved together by elimination. What pushes and rubs holds across, unless
+/// that takes more than its cone: then it slides that way.
+///
+/// Without friction that is the answer. With friction, which way something slides is a guess too;
+/// but nothing closes, and friction is in its cone and never pushes on what slides.
+/// @param bodies before the impulses
+/// @param start of the sweeps: which push is the first guess
+/// @return one a contact, none of them a pull. Nothing if there are more than most_couplings, or if
+/// two immovable bodies touch
+template <std::floating_point S>
+std::optional<std::vector<ContactImpulse<S>>> finished_impulses(
+    const std::vector<RigidBody<S>>& bodies, const std::vector<BodyContact<S>>& contacts,
+    const std::vector<ContactImpulse<S>>& start) {
+  const auto problem = detail::impulse_rows<S>(bodies, contacts);
+  if (!problem) return std::nullopt;
+  const auto count = static_cast<Eigen::Index>(problem->rows.size());
+  detail::Column<S> y(count);
+  std::vector<bool> holds(problem->rows.size());
+  for (Eigen::Index r = 0; r < count; ++r) {
+    const detail::ImpulseRow<S>& row = problem->rows[static_cast<std::size_t>(r)];
+    const ContactImpulse<S>& impulse = start[row.contact];
+    y(r) = (row.normal ? impulse.normal : impulse.tangential.dot(row.direction)) / row.unit;
+    holds[static_cast<std::size_t>(r)] = !row.normal && impulse.normal > S(0);
+  }
+  bool changed = true;
+  for (int guess = 0; guess < 32 && changed; ++guess) {
+    if (!detail::push_apart<S>(*problem, holds, y)) return std::nullopt;
+    changed = detail::slide<S>(*problem, contacts, guess > 16, holds, y);
+  }
+  if (changed && !detail::push_apart<S>(*problem, holds, y)) return std::nullopt;
+  std::vector<ContactImpulse<S>> found(contacts.size());
+  for (Eigen::Index r = 0; r < count; ++r) {
+    const detail::ImpulseRow<S>& row = problem->rows[static_cast<std::size_t>(r)];
+    ContactImpulse<S>& impulse = found[row.contact];
+    if (row.normal)
+      impulse.normal = y(r) * row.unit;
+    else
+      impulse.tangential += row.direction * (y(r) * row.unit);
+  }
+  return found;
+}
+// [/finish]
+
+// [finish-contacts]
+/// What solve_contacts() would end at, or nearer to it, from where its sweeps have come.
+/// @return nothing where finished_impulses() has nothing, or nothing better: a contact closes
+/// faster than it does after the sweeps, or what does not bounce makes energy
+template <std::floating_point S>
+std::optional<SolvedContacts<S>> finish_contacts(const std::vector<RigidBody<S>>& bodies,
+                                                 const std::vector<BodyContact<S>>& contacts,
+                                                 const std::vector<ContactImpulse<S>>& start) {
+  const auto prepared = detail::prepared_contacts<S>(bodies, contacts);
+  std::vector<BodyContact<S>> soft = contacts;
+  for (BodyContact<S>& c : soft) c.least_velocity = std::min(c.least_velocity, S(0));
+  S fastest(0);
+  for (const BodyContact<S>& c : contacts)
+    fastest = std::max(fastest, std::abs(contact_velocity<S>(bodies, c)));
+  const S rounding = std::sqrt(std::numeric_limits<S>::epsilon()) * fastest;
+  const auto closing = [&](const std::vector<detail::Parts<S>>& impulses,
+                           const std::vector<BodyContact<S>>& wanted) {
+    const auto after = detail::after_parts<S>(bodies, prepared, impulses);
+    S most(0);
+    for (const BodyContact<S>& c : wanted)
+      most = std::max(most, c.least_velocity - contact_velocity<S>(after, c));
+    return most;
+  };
+  const auto before = detail::allowed_parts<S>(prepared, start);
+  const auto better = [&](const std::vector<BodyContact<S>>& wanted)
+      -> std::optional<std::vector<detail::Parts<S>>> {
+    const auto found = finished_impulses<S>(bodies, wanted, start);
+    if (!found) return std::nullopt;
+    auto parts = detail::allowed_parts<S>(prepared, *found);
+    if (closing(parts, wanted) > closing(before, wanted) + rounding) return std::nullopt;
+    return parts;
+  };
+  const auto makes_energy = [&](const std::vector<detail::Parts<S>>& impulses) {
+    const auto after = detail::after_parts<S>(bodies, prepared, impulses);
+    return detail::energy_made<S>(bodies, after, prepared, impulses) > S(0);
+  };
+  auto found = better(contacts);
+  if (!found) return std::nullopt;
+  if (!makes_energy(*found))
+    return detail::solved_by<S>(bodies, prepared, *found, [&] { return *found; });
+  const auto stopped = better(soft);
+  if (!stopped || makes_energy(*stopped)) return std::nullopt;
+  return detail::solved_by<S>(bodies, prepared, *found, [&] { return *stopped; });
+}
+// [/finish-contacts]
+
+}  // namespace contact
