@@ -23,8 +23,10 @@
 namespace contact {
 
 /// The most couplings, of an impulse with another one on the same body, for which
-/// finished_impulses() tries.
-inline constexpr std::size_t most_couplings = 60000;
+/// finished_impulses() tries: where nothing rubs, and where something does. That takes many
+/// guesses.
+inline constexpr std::size_t most_couplings = 400000;
+inline constexpr std::size_t most_rubbing_couplings = 60000;
 
 namespace detail {
 
@@ -74,7 +76,8 @@ std::optional<ImpulseRows<S>> impulse_rows(const std::vector<RigidBody<S>>& bodi
   }
   std::size_t couplings = 0;
   for (const auto& list : of) couplings += list.size() * list.size();
-  if (couplings > most_couplings) return std::nullopt;
+  const bool rubs = made.rows.size() > contacts.size();
+  if (couplings > (rubs ? most_rubbing_couplings : most_couplings)) return std::nullopt;
   std::vector<Eigen::Triplet<S>> entries;
   entries.reserve(couplings);
   for (std::size_t body = 0; body < bodies.size(); ++body) {
@@ -346,7 +349,8 @@ std::optional<std::vector<ContactImpulse<S>>> finished_impulses(
 
 // [finish-contacts]
 /// What solve_contacts() would end at, or nearer to it, from where its sweeps have come.
-/// @return nothing where finished_impulses() has nothing, or nothing better: a contact closes
+/// @return with how fast contacts still close as the last change; nothing where
+/// finished_impulses() has nothing, or nothing better: a contact closes
 /// faster than it does after the sweeps, or what does not bounce makes energy
 template <std::floating_point S>
 std::optional<SolvedContacts<S>> finish_contacts(const std::vector<RigidBody<S>>& bodies,
@@ -380,13 +384,19 @@ std::optional<SolvedContacts<S>> finish_contacts(const std::vector<RigidBody<S>>
     const auto after = detail::after_parts<S>(bodies, prepared, impulses);
     return detail::energy_made<S>(bodies, after, prepared, impulses) > S(0);
   };
-  auto found = better(contacts);
+  const auto found = better(contacts);
   if (!found) return std::nullopt;
-  if (!makes_energy(*found))
-    return detail::solved_by<S>(bodies, prepared, *found, [&] { return *found; });
-  const auto stopped = better(soft);
-  if (!stopped || makes_energy(*stopped)) return std::nullopt;
-  return detail::solved_by<S>(bodies, prepared, *found, [&] { return *stopped; });
+  auto stopped = found;
+  if (makes_energy(*found)) {
+    stopped = better(soft);
+    if (!stopped || makes_energy(*stopped)) return std::nullopt;
+  }
+  auto solved = detail::solved_by<S>(bodies, prepared, *found, [&] { return *stopped; });
+  for (const BodyContact<S>& c : soft) {
+    solved.report.last_change = std::max(solved.report.last_change,
+                                         c.least_velocity - contact_velocity<S>(solved.bodies, c));
+  }
+  return solved;
 }
 // [/finish-contacts]
 

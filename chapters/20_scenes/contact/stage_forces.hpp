@@ -74,6 +74,27 @@ inline Closing closing_of(const SteppedSetup& setup, const SteppedState& state,
   return {now, now + pair.manifold.normal.dot(changes)};
 }
 
+/// What is pushed at the start pushes at the start what it touches, and so on: with the mean of two
+/// velocities that would give way too late.
+inline void push_on(const SteppedSetup& setup, const SteppedState& state, StepPart& part,
+                    const std::vector<BodyContact<double>>& contacts,
+                    const std::vector<ContactImpulse<double>>& impulses) {
+  std::vector<BodyContact<double>> pushing;
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (impulses[i].normal > 0) pushing.push_back(contacts[i]);
+  const auto moves = [&](int body) { return index(body) < setup.movers; };
+  const auto at_start = [&](int body) { return moves(body) && part.at_start[index(body)]; };
+  for (const std::vector<std::size_t>& island : islands(setup, state, pushing)) {
+    const bool some = std::any_of(island.begin(), island.end(), [&](std::size_t i) {
+      return at_start(pushing[i].a) || at_start(pushing[i].b);
+    });
+    if (!some) continue;
+    for (const std::size_t i : island)
+      for (const int body : {pushing[i].a, pushing[i].b})
+        if (moves(body)) part.at_start[index(body)] = true;
+  }
+}
+
 }  // namespace detail
 
 // [forces-stage]
@@ -81,7 +102,8 @@ inline Closing closing_of(const SteppedSetup& setup, const SteppedState& state,
 ///
 /// Points that touch do not come closer. A gap may close, and no more. A force acts evenly, so its
 /// body moves with the mean of the velocities at both ends of the part. What closes a gap acts at
-/// the start: its body has its end velocity all through, and does not come too far.
+/// the start: its body has its end velocity all through, and does not come too far; where all
+/// impacts are taken at once, so has what that pushes on.
 ///
 /// Where all impacts of the step are taken at once, each first comes to touch. How it bounces
 /// then is the business of the bounces stage: it is told how each would have come without a push.
@@ -161,6 +183,7 @@ inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPar
     part.bounces.back().contact.least_velocity = e * came;
     if (hits && !(e > 0)) hit_pairs.push_back(i);
   }
+  if (part.at_once) detail::push_on(setup, state, part, contacts, impulses);
   // A pair that hits at several points hits once.
   for (std::size_t k = 0; k < hit_pairs.size();) {
     std::size_t next = k;

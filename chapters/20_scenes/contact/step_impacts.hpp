@@ -22,6 +22,6 @@ inline constexpr std::size_t most_one_by_one = 64;
 /// In how many parts a step is taken in which more bodies move, or hit more often; a power of two.
 inline constexpr int crowd_parts = 4;
 /// How often in a row a part is taken anew because somebody is flung at somebody else.
-inline constexpr int most_anew = 4;
+inline constexpr int most_anew = 32;
 
 }  // namespace contact

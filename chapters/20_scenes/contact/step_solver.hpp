@@ -207,7 +207,7 @@ inline void finish_sweeps(const SteppedSetup& setup, const std::vector<RigidBody
                           std::vector<BodyContact<double>> contacts, double time,
                           SolvedContacts<double>& solved) {
   auto all = finish_contacts<double>(bodies, contacts, solved.impulses);
-  if (!all && solved.report.last_change * time > setup.thinnest / 16) {
+  if (!all && solved.report.last_change * time > most_left(setup)) {
     for (BodyContact<double>& contact : contacts) contact.friction = 0;
     all = finish_contacts<double>(bodies, contacts, solved.impulses);
   }
