@@ -31,7 +31,7 @@ inline constexpr std::size_t most_rubbing_couplings = 60000;
 namespace detail {
 
 template <std::floating_point S>
-using Column = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+using Numbers = Eigen::Matrix<S, Eigen::Dynamic, 1>;
 
 /// An impulse to be found: at a contact, along its normal or one of two tangents.
 template <std::floating_point S>
@@ -49,7 +49,7 @@ struct ImpulseRows {
   std::vector<ImpulseRow<S>> rows;
   std::vector<int> first;  ///< of each contact, its normal; its tangents follow if it rubs
   Eigen::SparseMatrix<S> matrix;
-  Column<S> constant;
+  Numbers<S> constant;
 };
 
 template <std::floating_point S>
@@ -113,7 +113,7 @@ std::optional<ImpulseRows<S>> impulse_rows(const std::vector<RigidBody<S>>& bodi
 /// in.
 /// @return whether that is possible
 template <std::floating_point S>
-bool eliminate(const ImpulseRows<S>& problem, const std::vector<bool>& chosen, Column<S>& y) {
+bool eliminate(const ImpulseRows<S>& problem, const std::vector<bool>& chosen, Numbers<S>& y) {
   std::vector<int> number(chosen.size(), -1);
   int rows = 0;
   for (std::size_t r = 0; r < chosen.size(); ++r)
@@ -135,14 +135,14 @@ bool eliminate(const ImpulseRows<S>& problem, const std::vector<bool>& chosen, C
   if (eliminated.info() != Eigen::Success) return false;
   S last = std::numeric_limits<S>::infinity();
   for (int round = 0; round < 8; ++round) {
-    const Column<S> wrong = problem.matrix * y + problem.constant;
-    Column<S> right(rows);
+    const Numbers<S> wrong = problem.matrix * y + problem.constant;
+    Numbers<S> right(rows);
     for (std::size_t r = 0; r < chosen.size(); ++r)
       if (chosen[r]) right(number[r]) = -wrong(static_cast<Eigen::Index>(r));
     const S left = right.cwiseAbs().maxCoeff();
     if (!(left < last / S(2))) break;
     last = left;
-    const Column<S> change = eliminated.solve(right);
+    const Numbers<S> change = eliminated.solve(right);
     for (std::size_t r = 0; r < chosen.size(); ++r)
       if (chosen[r]) y(static_cast<Eigen::Index>(r)) += change(number[r]);
   }
@@ -155,17 +155,17 @@ bool eliminate(const ImpulseRows<S>& problem, const std::vector<bool>& chosen, C
 /// half of it, a quarter, and so on. On the way who would pull does nothing. Returns whether it
 /// went at all.
 template <std::floating_point S>
-bool go_towards(const ImpulseRows<S>& problem, const Column<S>& opening, const Column<S>& target,
-                Column<S>& y) {
+bool go_towards(const ImpulseRows<S>& problem, const Numbers<S>& opening, const Numbers<S>& target,
+                Numbers<S>& y) {
   for (S part = S(1); part > S(0x1p-5); part /= S(2)) {
-    Column<S> next = y + (target - y) * part;
+    Numbers<S> next = y + (target - y) * part;
     bool pulls = false;
     for (Eigen::Index r = 0; r < y.size(); ++r) {
       if (!problem.rows[static_cast<std::size_t>(r)].normal || !(next(r) < S(0))) continue;
       next(r) = S(0);
       pulls = true;
     }
-    const Column<S> change = next - y;
+    const Numbers<S> change = next - y;
     const S slope = opening.dot(change);
     if ((pulls || part < S(1)) &&
         !(slope + change.dot(problem.matrix * change) / S(2) < slope * S(1e-4)))
@@ -178,7 +178,7 @@ bool go_towards(const ImpulseRows<S>& problem, const Column<S>& opening, const C
 
 /// Goes from y towards a target until the first stops to push. Returns whether nobody does.
 template <std::floating_point S>
-bool go_to_the_first(const ImpulseRows<S>& problem, const Column<S>& target, Column<S>& y) {
+bool go_to_the_first(const ImpulseRows<S>& problem, const Numbers<S>& target, Numbers<S>& y) {
   S part(1);
   Eigen::Index first = -1;
   for (Eigen::Index r = 0; r < y.size(); ++r) {
@@ -212,13 +212,13 @@ enum class PushGuess { bold, settle, add };
 /// which closes fastest (Lawson and Hanson 1974). So the sum never grows, and there is an end.
 /// @param free the tangents that may change; of normals all may
 template <std::floating_point S>
-bool push_apart(const ImpulseRows<S>& problem, const std::vector<bool>& free, Column<S>& y) {
+bool push_apart(const ImpulseRows<S>& problem, const std::vector<bool>& free, Numbers<S>& y) {
   const auto count = static_cast<Eigen::Index>(problem.rows.size());
   const S rounding = S(0x1p8) * std::numeric_limits<S>::epsilon();
   PushGuess how = PushGuess::bold;
   for (int guess = 0; guess < most_guesses; ++guess) {
-    const Column<S> opening = problem.matrix * y + problem.constant;
-    const Column<S> size = problem.matrix.cwiseAbs() * y.cwiseAbs() + problem.constant.cwiseAbs();
+    const Numbers<S> opening = problem.matrix * y + problem.constant;
+    const Numbers<S> size = problem.matrix.cwiseAbs() * y.cwiseAbs() + problem.constant.cwiseAbs();
     std::vector<bool> chosen = free;
     bool settled = true;
     Eigen::Index fastest = -1;  // of those that close and do not push
@@ -234,10 +234,10 @@ bool push_apart(const ImpulseRows<S>& problem, const std::vector<bool>& free, Co
     }
     if (fastest < 0 && (settled || how == PushGuess::add)) return true;
     if (how == PushGuess::add) chosen[static_cast<std::size_t>(fastest)] = true;
-    Column<S> target = y;
+    Numbers<S> target = y;
     if (!eliminate<S>(problem, chosen, target)) return false;
     if (how == PushGuess::bold) {
-      const Column<S> before = y;
+      const Numbers<S> before = y;
       if (!go_towards(problem, opening, target, y))
         how = PushGuess::settle;
       else if ((y - before).cwiseAbs().maxCoeff() <= rounding * y.cwiseAbs().maxCoeff())
@@ -261,8 +261,8 @@ bool push_apart(const ImpulseRows<S>& problem, const std::vector<bool>& free, Co
 /// @return whether any friction has changed
 template <std::floating_point S>
 bool slide(const ImpulseRows<S>& problem, const std::vector<BodyContact<S>>& contacts, bool end,
-           std::vector<bool>& holds, Column<S>& y) {
-  const Column<S> velocity = problem.matrix * y + problem.constant;
+           std::vector<bool>& holds, Numbers<S>& y) {
+  const Numbers<S> velocity = problem.matrix * y + problem.constant;
   bool changed = false;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (!(contacts[i].friction > S(0))) continue;
@@ -320,7 +320,7 @@ std::optional<std::vector<ContactImpulse<S>>> finished_impulses(
   const auto problem = detail::impulse_rows<S>(bodies, contacts);
   if (!problem) return std::nullopt;
   const auto count = static_cast<Eigen::Index>(problem->rows.size());
-  detail::Column<S> y(count);
+  detail::Numbers<S> y(count);
   std::vector<bool> holds(problem->rows.size());
   for (Eigen::Index r = 0; r < count; ++r) {
     const detail::ImpulseRow<S>& row = problem->rows[static_cast<std::size_t>(r)];
