@@ -23,9 +23,9 @@
 namespace contact {
 
 /// The most couplings, of an impulse with another one on the same body, for which
-/// finished_impulses() tries: where nothing rubs, and where something does. That takes many
-/// guesses.
+/// finished_impulses() tries where nothing rubs.
 inline constexpr std::size_t most_couplings = 400000;
+/// The same where something rubs: that takes many guesses.
 inline constexpr std::size_t most_rubbing_couplings = 60000;
 
 namespace detail {
