@@ -454,6 +454,28 @@ TEST_CASE("what sweeps have left is finished to the direct solution, with masses
   }
 }
 
+TEST_CASE("a light ball between two a million times as heavy: a million sweeps are not enough") {
+  std::vector<Body> bodies;
+  for (int k = 0; k < 3; ++k) {
+    const double mass = k == 1 ? 1 : 1e6;
+    bodies.push_back(contact::rigid_body<double>(mass, contact::sphere_inertia<double>(mass, 0.5),
+                                                 {double(k), 0, 0}, {1.0 - k, 0, 0}, {0, 0, 0}));
+  }
+  std::vector<BodyContact<double>> contacts(2);
+  for (int k = 0; k < 2; ++k) {
+    auto& c = contacts[static_cast<std::size_t>(k)];
+    c.a = k + 1;
+    c.b = k;
+    c.point = {k + 0.5, 0, 0};
+    c.normal = {1, 0, 0};
+  }
+  const auto swept = contact::solve_contacts<double>(bodies, contacts, {}, {1000000, 1e-3});
+  CHECK(swept.report.last_change > 0.1);
+  const auto got = contact::finish_contacts<double>(bodies, contacts, swept.impulses);
+  REQUIRE(got.has_value());
+  for (const auto& c : contacts) CHECK(contact::contact_velocity(got->bodies, c) > -1e-9);
+}
+
 TEST_CASE(
     "a row of light balls between heavy ones: sweeps do not come to an end, elimination does") {
   // One half of the row comes at the other. All contacts are touched, and those that close leave as

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -59,8 +58,7 @@ std::optional<ImpulseRows<S>> impulse_rows(const std::vector<RigidBody<S>>& bodi
   std::vector<std::vector<std::pair<int, bool>>> of(bodies.size());  // rows, whether towards A
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const BodyContact<S>& contact = contacts[i];
-    const Vector3<S> one = across<S>(contact.normal);
-    const std::array<Vector3<S>, 3> directions{contact.normal, one, contact.normal.cross(one)};
+    const auto directions = prepared<S>(bodies, contact).direction;
     made.first.push_back(static_cast<int>(made.rows.size()));
     for (std::size_t k = 0; k < (contact.friction > S(0) ? 3 : 1); ++k) {
       const Vector3<S>& n = directions[k];
@@ -307,8 +305,9 @@ bool slide(const ImpulseRows<S>& problem, const std::vector<BodyContact<S>>& con
 /// guessed, and these are solved together by elimination. What pushes and rubs holds across, unless
 /// that takes more than its cone: then it slides that way.
 ///
-/// Without friction that is the answer. With friction, which way something slides is a guess too;
-/// but nothing closes, and friction is in its cone and never pushes on what slides.
+/// Without friction that is the answer. With friction, which way something slides is a guess too.
+/// Where these guesses come to no end friction may be beyond its cone: who cuts it off there, as
+/// finish_contacts() does, changes velocities.
 /// @param bodies before the impulses
 /// @param start of the sweeps: which push is the first guess
 /// @return one a contact, none of them a pull. Nothing if there are more than most_couplings, or if

@@ -201,8 +201,8 @@ inline bool unfinished(const SteppedSetup& setup, const std::vector<RigidBody<do
          left > (rubs ? fastest / 64 : std::max(8 * setup.sweeps.tolerance, fastest * 0x1p-30));
 }
 
-/// Finishes what sweeps have left, where that is better. Where it is not, because of what rubs, and
-/// something would come far into somebody else: nothing rubs this time.
+/// Finishes what sweeps have left, where that is better. Where it is not, or is too much, and
+/// bodies would come into each other by more than most_left(): nothing rubs this time.
 inline void finish_sweeps(const SteppedSetup& setup, const std::vector<RigidBody<double>>& bodies,
                           std::vector<BodyContact<double>> contacts, double time,
                           SolvedContacts<double>& solved) {
