@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <contact/hard_sphere_times.hpp>
@@ -37,7 +38,7 @@ class HardSphereCells {
   /// @param widest diameter of the largest ball, m, greater than 0
   /// @param balls how many
   HardSphereCells(const Point& low, const Point& high, double widest, std::size_t balls)
-      : origin_(low), next_(balls, none), previous_(balls, none), cell_(balls) {
+      : origin_(low), next_(balls, none), previous_(balls, none), cell_(balls), list_(balls + 1) {
     width_ = widest * (1 + 0x1p-16);
     // Not many more cells than balls: memory is for what is there.
     while (!fits(high, 4 * balls + 64)) width_ *= 1.125;
@@ -97,21 +98,23 @@ class HardSphereCells {
     enter(ball);
   }
 
-  /// Calls f for every ball in the cells round a ball's, itself included.
+  /// Every ball in the cells round a ball's, itself included. Overwritten by the next call.
+  /// @param f called for each
   template <class F>
-  void near(std::size_t ball, const F& f) const {
-    visit(cell_[ball], -1, 0, f);
+  std::span<const std::int32_t> near(std::size_t ball, const F& f) {
+    return listed(cell_[ball], -1, 0, f);
   }
 
-  /// Calls f for every ball in the cells that became neighbours with a crossing.
+  /// Every ball in the cells that became neighbours with a crossing, in the same way.
   template <class F>
-  void newly_near(std::size_t ball, const Crossing& crossing, const F& f) const {
-    visit(cell_[ball], crossing.axis, crossing.towards, f);
+  std::span<const std::int32_t> newly_near(std::size_t ball, const Crossing& crossing, const F& f) {
+    return listed(cell_[ball], crossing.axis, crossing.towards, f);
   }
 
   /// Bytes that it holds.
   std::size_t bytes() const {
-    const std::size_t numbers = head_.capacity() + next_.capacity() + previous_.capacity();
+    const std::size_t numbers =
+        head_.capacity() + next_.capacity() + previous_.capacity() + list_.capacity();
     return numbers * sizeof(std::int32_t) + cell_.capacity() * sizeof(cell_[0]);
   }
 
@@ -178,10 +181,14 @@ class HardSphereCells {
     if (next != none) previous_[static_cast<std::size_t>(next)] = previous;
   }
 
-  /// All neighbouring cells, or of an axis only those on one side.
+  /// Who is in all neighbouring cells, or of an axis only in those on one side.
+  ///
+  /// A cell has no ball, or one, or two: a loop over each would end when no processor expects it.
+  /// So each cell's first ball is written down, and then whoever comes after one that is written,
+  /// and what is nobody is overwritten.
   template <class F>
-  void visit(const std::array<std::int32_t, Dimension>& cell, int axis, int towards,
-             const F& f) const {
+  std::span<const std::int32_t> listed(const std::array<std::int32_t, Dimension>& cell, int axis,
+                                       int towards, const F& f) {
     std::array<std::int32_t, 3> low{};
     std::array<std::int32_t, 3> high{};
     for (int k = 0; k < Dimension; ++k) {
@@ -189,18 +196,25 @@ class HardSphereCells {
       low[at(k)] = std::max(cell[at(k)] + (k == axis ? towards : -1), 0);
       high[at(k)] = std::min(cell[at(k)] + (k == axis ? towards : 1), last);
     }
+    std::int32_t* const begin = list_.data();
+    std::int32_t* end = begin;
+    const auto write = [&end](std::int32_t ball) {
+      *end = ball;
+      end += ball != none;
+    };
     std::array<std::int32_t, 3> c{};
     for (c[2] = low[2]; c[2] <= high[2]; ++c[2]) {
       for (c[1] = low[1]; c[1] <= high[1]; ++c[1]) {
         c[0] = low[0];
         const std::int32_t* head = head_.data() + index(c);
-        for (; c[0] <= high[0]; ++c[0], ++head) {
-          for (std::int32_t other = *head; other != none;
-               other = next_[static_cast<std::size_t>(other)])
-            f(static_cast<std::size_t>(other));
-        }
+        for (; c[0] <= high[0]; ++c[0], ++head) write(*head);
       }
     }
+    for (const std::int32_t* ball = begin; ball != end; ++ball) {
+      f(static_cast<std::size_t>(*ball));
+      write(next_[static_cast<std::size_t>(*ball)]);
+    }
+    return {begin, end};
   }
 
   Point origin_ = Point::Zero();
@@ -211,6 +225,7 @@ class HardSphereCells {
   std::vector<std::int32_t> next_;
   std::vector<std::int32_t> previous_;
   std::vector<std::array<std::int32_t, Dimension>> cell_;
+  std::vector<std::int32_t> list_;  // who is near the one who was asked for last, and one more
 };
 
 }  // namespace contact

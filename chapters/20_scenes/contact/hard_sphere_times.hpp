@@ -92,27 +92,40 @@ template <int Dimension>
 }  // namespace detail
 
 // [meeting]
-/// How long until two balls touch that move evenly as seen from each other: the first t ≥ 0 with
-/// |d + w t| = R, while they approach. Under a common gravity balls do: it bends both paths alike.
+/// What decides whether two balls that move evenly as seen from each other touch, and when: a root
+/// is taken only where they do. Under a common gravity they move so: it bends both paths alike.
+struct Encounter {
+  double approach = 0;  ///< d · w: below 0 while they come closer, m²/s
+  double gap = 0;       ///< d² − R², m²
+  double depth = 0;     ///< R² w² − |d × w|²: below 0 if they pass each other by, m⁴/s²
+
+  /// Whether they touch, now or later. One question, mostly answered no, and not three that a
+  /// processor cannot foresee.
+  bool meets() const { return (approach < 0) & ((depth >= 0) | (gap <= 0)); }
+  /// How long until they do, if they do: the first t ≥ 0 with |d + w t| = R, s.
+  double after() const { return gap <= 0 ? 0 : gap / (std::sqrt(depth) - approach); }
+};
+
 /// @param d from one centre to the other, m
 /// @param w relative velocity, the rate of d, m/s
 /// @param reach R, the sum of the radii, m
+template <int Dimension>
+[[gnu::always_inline]] inline Encounter encounter(const Column<Dimension>& d,
+                                                  const Column<Dimension>& w, double reach) {
+  return {detail::dot<Dimension>(d, w), detail::dot<Dimension>(d, d) - reach * reach,
+          reach * reach * detail::dot<Dimension>(w, w) - detail::cross_squared<Dimension>(d, w)};
+}
+
+/// How long until two balls touch.
 /// @return s; 0 if they touch or overlap and approach; `never` if they part, or pass each other by.
 /// Off by a few u of itself, times R² w² / (R² w² − |d × w|²) at most: close to grazing, rounding
 /// decides whether they touch, and then the push is small too
 /// @note Fourth powers of lengths and of √(length × speed) must neither overflow nor underflow:
 /// sizes from 1e-70 to 1e70.
 template <int Dimension>
-[[gnu::always_inline]] inline double meeting(const Column<Dimension>& d, const Column<Dimension>& w,
-                                             double reach) {
-  const double approach = detail::dot<Dimension>(d, w);
-  const double gap = detail::dot<Dimension>(d, d) - reach * reach;
-  const double depth =
-      reach * reach * detail::dot<Dimension>(w, w) - detail::cross_squared<Dimension>(d, w);
-  // One question, mostly answered no, and not three that a processor cannot foresee.
-  const bool meets = (approach < 0) & ((depth >= 0) | (gap <= 0));
-  if (!meets) return never;
-  return gap <= 0 ? 0 : gap / (std::sqrt(depth) - approach);
+double meeting(const Column<Dimension>& d, const Column<Dimension>& w, double reach) {
+  const Encounter met = encounter<Dimension>(d, w, reach);
+  return met.meets() ? met.after() : never;
 }
 // [/meeting]
 

@@ -16,6 +16,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -225,7 +227,9 @@ class HardSpheres final : public HardSphereRun {
     std::size_t all = balls_.capacity() * sizeof(State) + plans_.capacity() * sizeof(Plan) +
                       walls_.capacity() * sizeof(Wall) + queue_.bytes();
     all += hits_.capacity() * sizeof(std::uint32_t) + restitution_.capacity() * sizeof(double);
+    all += candidates_.capacity() * sizeof(Candidate);
     if constexpr (E.grid) all += cells_.bytes();
+    if constexpr (!E.grid) all += everybody_.capacity() * sizeof(std::int32_t);
     return all;
   }
   std::size_t bytes_per_state() const override { return sizeof(State); }
@@ -244,6 +248,13 @@ class HardSpheres final : public HardSphereRun {
     Crossing crossing;
   };
   using Plan = std::conditional_t<E.grid, CellPlan, HitPlan>;
+
+  /// Somebody whom a ball may hit, as seen from `since` on.
+  struct Candidate {
+    Encounter met;
+    double since = 0;        // s
+    std::int32_t other = 0;  // who
+  };
 
   struct Wall {
     Point normal;
@@ -334,31 +345,27 @@ class HardSpheres final : public HardSphereRun {
   // [/flight]
 
   // [predict]
-  /// When two balls meet: a function of their two states alone, the same for (i, k) and (k, i). The
-  /// one that was hit earlier is brought to the time of the other. Asked more often than anything
-  /// else, so it is inlined.
-  /// @param pull acceleration of i
-  [[gnu::always_inline]] double meeting_time(const State& a, std::size_t i, const State& b,
-                                             std::size_t k, const Point& pull) const {
-    const bool just_hit =
-        a.last == static_cast<std::int32_t>(k) && b.last == static_cast<std::int32_t>(i);
-    if constexpr (E.gravity)
-      if (bend_differently(a, b, k, pull)) return bent_meeting_time(i, k, just_hit);
-    // Their paths bend alike, so seen from each other they fly straight, and have parted for good.
-    if (just_hit) return never;
+  /// Whether and when two balls meet: a function of their two states alone, the same for (i, k) and
+  /// (k, i). The one that was hit earlier is brought to the time of the other. Asked more often
+  /// than anything else, so it is inlined.
+  /// @param pull acceleration of both
+  [[gnu::always_inline]] Candidate candidate(const State& a, const State& b, std::size_t k,
+                                             const Point& pull) const {
     const double after = a.time - b.time;
-    const double reach = radius(a) + radius(b);
+    Point d;
+    Point w;
     if (after >= 0) {
-      const Point w = detail::between<dimension>(a.velocity, velocity_at(b, after, pull));
-      const Point d = detail::between<dimension>(a.position, position_at(b, after, pull));
-      return a.time + meeting<dimension>(d, w, reach);
+      w = detail::between<dimension>(a.velocity, velocity_at(b, after, pull));
+      d = detail::between<dimension>(a.position, position_at(b, after, pull));
+    } else {
+      w = detail::between<dimension>(velocity_at(a, -after, pull), b.velocity);
+      d = detail::between<dimension>(position_at(a, -after, pull), b.position);
     }
-    const Point w = detail::between<dimension>(velocity_at(a, -after, pull), b.velocity);
-    const Point d = detail::between<dimension>(position_at(a, -after, pull), b.position);
-    return b.time + meeting<dimension>(d, w, reach);
+    return {encounter<dimension>(d, w, radius(a) + radius(b)), after >= 0 ? a.time : b.time,
+            static_cast<std::int32_t>(k)};
   }
 
-  /// The same where gravity bends one of the paths only.
+  /// When two balls meet of which gravity bends one path only.
   double bent_meeting_time(std::size_t i, std::size_t k, bool just_hit) const {
     const bool first_is_later = balls_[i].time >= balls_[k].time;
     const State& late = balls_[first_is_later ? i : k];
@@ -379,18 +386,19 @@ class HardSpheres final : public HardSphereRun {
     return pull != acceleration(k);
   }
 
-  Arrival wall_arrival(std::size_t i, std::size_t w) const {
-    const State& ball = balls_[i];
+  /// @param pull acceleration of the ball
+  [[gnu::always_inline]] Arrival wall_arrival(const State& ball, std::size_t w,
+                                              const Point& pull) const {
     if constexpr (E.gravity)
       if (ball.lies_on == static_cast<std::int32_t>(w)) return {};
     const Wall& wall = walls_[w];
-    double gap = wall.normal.dot(ball.position) - wall.offset - radius(ball);
-    double velocity = wall.normal.dot(ball.velocity);
+    double gap = detail::dot<dimension>(wall.normal, ball.position) - wall.offset - radius(ball);
+    double velocity = detail::dot<dimension>(wall.normal, ball.velocity);
     if (ball.last == wall_id(w)) {  // it has just been there: rounding must not send it back
       gap = 0;
       velocity = std::max(velocity, 0.0);
     }
-    return arrival_at_plane(gap, velocity, wall.normal.dot(acceleration(i)));
+    return arrival_at_plane(gap, velocity, detail::dot<dimension>(wall.normal, pull));
   }
 
   /// Keeps the earlier of what a ball has planned and a hit at `time`; of two at once, the one with
@@ -407,32 +415,53 @@ class HardSpheres final : public HardSphereRun {
     plan.partner_hits = is_ball ? hits_[static_cast<std::size_t>(partner)] : 0;
   }
 
-  [[gnu::always_inline]] void meet(const State& ball, std::size_t i, std::size_t other,
-                                   const Point& pull) {
-    if (i == other) return;
-    const double time = meeting_time(ball, i, balls_[other], other, pull);
-    if (time <= plans_[i].hit_time) offer(i, time, static_cast<std::int32_t>(other));
+  /// Whom of some balls a ball hits first. It is written down first who is hit at all, without a
+  /// branch that no processor can foresee, and then when.
+  void offer_hits(std::size_t i, std::span<const std::int32_t> others) {
+    const State ball = balls_[i];
+    const Point pull = acceleration(i);
+    const auto self = static_cast<std::int32_t>(i);
+    if (candidates_.size() <= others.size()) candidates_.resize(others.size() + 1);
+    Candidate* end = candidates_.data();
+    for (const std::int32_t other : others) {
+      const auto k = static_cast<std::size_t>(other);
+      const State& met = balls_[k];
+      const bool just_hit = (ball.last == other) & (met.last == self);
+      if constexpr (E.gravity) {
+        if (bend_differently(ball, met, k, pull)) {
+          offer(i, bent_meeting_time(i, k, just_hit), other);
+          continue;
+        }
+      }
+      // Their paths bend alike, so seen from each other they fly straight: after a hit they have
+      // parted for good. From itself a ball does not move.
+      *end = candidate(ball, met, k, pull);
+      end += end->met.meets() & !just_hit;
+    }
+    for (const Candidate* c = candidates_.data(); c != end; ++c) {
+      const double time = c->since + c->met.after();
+      if (time <= plans_[i].hit_time) offer(i, time, c->other);
+    }
   }
 
   /// All that a ball may hit, and when it leaves its cell.
   void predict(std::size_t i) {
-    plans_[i].hit_time = never;
-    for (std::size_t w = 0; w < walls_.size(); ++w)
-      offer(i, balls_[i].time + wall_arrival(i, w).after, wall_id(w));
-    const State ball = balls_[i];
+    const State& ball = balls_[i];
     const Point pull = acceleration(i);
+    plans_[i].hit_time = never;
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+      const double time = ball.time + wall_arrival(ball, w, pull).after;
+      if (time <= plans_[i].hit_time) offer(i, time, wall_id(w));
+    }
     if constexpr (E.grid) {
       // First who, then when: so that the memory of one is on its way while another is computed.
-      neighbours_.clear();
-      cells_.near(i, [&](std::size_t other) {
-        __builtin_prefetch(&balls_[other]);
-        neighbours_.push_back(static_cast<std::int32_t>(other));
-      });
-      for (const std::int32_t other : neighbours_)
-        meet(ball, i, static_cast<std::size_t>(other), pull);
+      offer_hits(i, cells_.near(i, fetch()));
     } else {
-      for (std::size_t other = 0; other < balls_.size(); ++other) meet(ball, i, other, pull);
+      offer_hits(i, everybody_);
     }
+  }
+  auto fetch() const {
+    return [this](std::size_t ball) { __builtin_prefetch(&balls_[ball]); };
   }
   void predict_crossing(std::size_t i) {
     if constexpr (E.grid) {
@@ -445,7 +474,10 @@ class HardSpheres final : public HardSphereRun {
 
   void predict_all() {
     plans_.assign(moving_, Plan());
-    if constexpr (E.grid) {
+    if constexpr (!E.grid) {
+      everybody_.resize(balls_.size());
+      std::iota(everybody_.begin(), everybody_.end(), 0);
+    } else {
       make_cells();
       for (std::size_t i = 0; i < balls_.size(); ++i)
         cells_.insert(i, position_at(balls_[i], now_ - balls_[i].time, acceleration(i)));
@@ -517,8 +549,7 @@ class HardSpheres final : public HardSphereRun {
       ++counts_.crossings;
       const Crossing crossing = plans_[i].crossing;
       cells_.cross(i, crossing);
-      const Point pull = acceleration(i);
-      cells_.newly_near(i, crossing, [&](std::size_t other) { meet(balls_[i], i, other, pull); });
+      offer_hits(i, cells_.newly_near(i, crossing, fetch()));
       predict_crossing(i);
       queue_.update(i, comes_first());
     }
@@ -568,9 +599,9 @@ class HardSpheres final : public HardSphereRun {
   Point hit_wall(std::size_t i, std::size_t w, double time) {
     State& ball = balls_[i];
     const Wall& wall = walls_[w];
-    const double speed = wall_arrival(i, w).speed;
-    note_flight(i, time);
     const Point pull = acceleration(i);
+    const double speed = wall_arrival(ball, w, pull).speed;
+    note_flight(i, time);
     fly(ball, time, pull);
     const double gap = wall.normal.dot(ball.position) - wall.offset - radius(ball);
     counts_.largest_overlap = std::max(counts_.largest_overlap, -gap);
@@ -657,7 +688,8 @@ class HardSpheres final : public HardSphereRun {
   std::vector<double> restitution_;
   std::vector<State> balls_;
   std::vector<std::uint32_t> hits_;  // of each ball: what was predicted before the last is void
-  std::vector<std::int32_t> neighbours_;
+  [[no_unique_address]] detail::KeptIf<!E.grid, std::vector<std::int32_t>, 6> everybody_;
+  std::vector<Candidate> candidates_;
   std::vector<Wall> walls_;
   std::vector<Plan> plans_;
   EarliestQueue queue_;
