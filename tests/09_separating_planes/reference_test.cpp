@@ -507,6 +507,40 @@ TEST_CASE("gaps of boxes are right to a few u, parallel edges and nearly paralle
   CHECK(edges > tried(30));
 }
 
+TEST_CASE("the normal of boxes that almost touch has all its digits, at faces and across edges") {
+  // A direction made of two points a billionth apart, each off by an ulp, has half of them; and
+  // whoever turns about such a plane comes through it.
+  Random random(917);
+  int edges = 0;
+  int faces = 0;
+  for (int i = 0; i < tried(3000); ++i) {
+    const Box a = box(random, Kind::any);
+    Box b = box(random, Kind::any);
+    const double size = size_of(a) + size_of(b);
+    const double left = size * std::ldexp(random.uniform(1, 2), -random.integer(10, 40));
+    const auto before = contact::gap(a, b);
+    if (!(before.distance > left)) continue;
+    b.centre += before.normal * (before.distance - left);
+    const auto widest = contact::detail::widest_room(a, b);
+    const double room = gap_room * size;
+    const auto gap = contact::gap(a, b);
+    if (!(widest.room > 64 * room)) continue;
+    // Not at a corner or an end of an edge: there the line between two points is all there is.
+    const V aside = gap.on_a - gap.on_b - widest.normal * widest.room;
+    if (aside.norm() > 0x1p-50 * size) continue;
+    (widest.axis < 6 ? faces : edges) += 1;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (int k = 0; k < 8; ++k) {
+      low = std::min(low, gap.normal.dot(contact::box_corner(a, k) - gap.on_b));
+      high = std::max(high, gap.normal.dot(contact::box_corner(b, k) - gap.on_b));
+    }
+    CHECK(low - high >= gap.distance - room);
+  }
+  CHECK(faces > tried(200));
+  CHECK(edges > tried(200));
+}
+
 TEST_CASE("gaps to half-spaces") {
   Random random(911);
   for (int i = 0; i < tried(800); ++i) {

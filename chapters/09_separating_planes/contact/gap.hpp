@@ -315,8 +315,10 @@ AxisRoom<S> widest_room(const OrientedBox<S>& a, const OrientedBox<S>& b, int fi
 
 /// The gap of two boxes.
 ///
-/// Boxes that keep apart: the distance of their closest points. Boxes that overlap: of the fifteen
-/// directions the one with the least overlap. If that is a face's normal, the points are the
+/// Boxes that keep apart: the distance of their closest points. Where rounding cannot tell their
+/// line from one of fifteen directions, of faces and across two edges, it is that direction: it has
+/// all its digits, however near the boxes are. Boxes that overlap: of these directions the one with
+/// the least overlap. If that is a face's normal, the points are the
 /// deepest of the other box over that face; if it belongs to two edges, their closest points.
 /// @return distance off by a few u of the coordinates and sizes
 template <std::floating_point S>
@@ -328,8 +330,11 @@ Gap<S> gap(const OrientedBox<S>& a, const OrientedBox<S>& b) {
   if (widest.room > detail::no_direction_below<S>(far_a, far_b)) {
     const ClosestPoints<S> near = closest_points<S>(a, b);
     const Vector3<S> between = near.on_a - near.on_b;
+    // What is known of a direction from its length alone is lost where the two almost touch.
+    const bool along = detail::length<S>(Vector3<S>(between - n * widest.room)) <=
+                       S(4) * detail::no_direction_below<S>(far_a, far_b);
     return detail::gap_of_cores<S>(near.on_a, S(0), near.on_b, S(0), detail::length<S>(between),
-                                   normalised<S>(between));
+                                   along ? n : normalised<S>(between));
   }
   if (widest.axis < 6) {
     const bool face_of_a = widest.axis < 3;

@@ -43,36 +43,52 @@ inline Rotor<double> free_turn(const Rotor<double>& q, const Vector3<double>& mo
 
 }  // namespace detail
 
+namespace detail {
+
+/// The angular momentum of a body that lies so and spins so, in the world, kg·m²/s.
+inline Vector3<double> momentum_of_spin(const SteppedBody& body, const Rotor<double>& q,
+                                        const Vector3<double>& spin) {
+  const Matrix3<double> principal = matrix_of(q) * body.axes;
+  const Vector3<double> seen = principal.transpose() * spin;
+  return principal * Vector3<double>(seen.cwiseProduct(body.moments));
+}
+
+/// How a mover lies after a part of this length: while contacts push, it turns as with the mean of
+/// its momenta.
+inline Rotor<double> turned_freely(const SteppedSetup& setup, const SteppedState& state,
+                                   const StepPart& part, std::size_t i, double length) {
+  const SteppedBody& body = setup.bodies[i];
+  Rotor<double> q = state.orientation[i];
+  const Vector3<double> mean = mean_spin(state, part, i, length);
+  if (body.round || mean == Vector3<double>::Zero())
+    return normalised(exponential_step(q, mean, length));
+  const Vector3<double> momentum = momentum_of_spin(body, q, mean);
+  const double fastest = size_of(momentum) / body.moments.minCoeff();
+  const double looks = std::ceil(fastest * length / gyroscopic_angle);
+  const auto count = static_cast<std::uint64_t>(std::min(std::max(looks, 1.0), 4096.0));
+  const double h = length / static_cast<double>(count);
+  for (std::uint64_t k = 0; k < count; ++k) q = free_turn(q, momentum, body, h);
+  return q;
+}
+
+}  // namespace detail
+
 /// Turning with the gyroscopic term: the angular momentum is what contacts leave of it, and the
-/// spin follows from how the body lies. While contacts push it turns as with the mean of its
-/// momenta.
+/// spin follows from how the body lies.
 inline void turn_with_gyroscopic_term(const SteppedSetup& setup, SteppedState& state,
                                       StepPart& part) {
   for (std::size_t i = 0; i < setup.movers; ++i) {
     if (sleeps(state, i)) continue;
     const SteppedBody& body = setup.bodies[i];
-    const Vector3<double> mean = detail::mean_spin(state, part, i, part.length);
-    const Vector3<double> spin = detail::pushed_spin(state, part, i);
-    Rotor<double>& q = state.orientation[i];
-    if (body.round || (mean == Vector3<double>::Zero() && spin == Vector3<double>::Zero())) {
-      q = normalised(exponential_step(q, mean, part.length));
-      state.spin.set(i, spin);
-      continue;
+    Vector3<double> spin = detail::pushed_spin(state, part, i, part.length);
+    const Rotor<double> turned = detail::turned_freely(setup, state, part, i, part.length);
+    if (!body.round && spin != Vector3<double>::Zero()) {
+      const Vector3<double> momentum = detail::momentum_of_spin(body, state.orientation[i], spin);
+      const Matrix3<double> principal = matrix_of(turned) * body.axes;
+      spin = free_spin<double>(momentum, body.moments, principal);
     }
-    const Matrix3<double> principal = matrix_of(q) * body.axes;
-    const auto momentum_of = [&](const Vector3<double>& w) {
-      const Vector3<double> seen = principal.transpose() * w;
-      return Vector3<double>(principal * Vector3<double>(seen.cwiseProduct(body.moments)));
-    };
-    const Vector3<double> on_the_way = momentum_of(mean);
-    const Vector3<double> momentum = momentum_of(spin);
-    const double fastest = size_of(on_the_way) / body.moments.minCoeff();
-    const double looks = std::ceil(fastest * part.length / gyroscopic_angle);
-    const auto count = static_cast<std::uint64_t>(std::min(std::max(looks, 1.0), 4096.0));
-    const double h = part.length / static_cast<double>(count);
-    for (std::uint64_t k = 0; k < count; ++k) q = detail::free_turn(q, on_the_way, body, h);
-    const Matrix3<double> turned = matrix_of(q) * body.axes;
-    state.spin.set(i, free_spin<double>(momentum, body.moments, turned));
+    state.orientation[i] = turned;
+    state.spin.set(i, spin);
   }
 }
 // [/gyroscopic-stage]

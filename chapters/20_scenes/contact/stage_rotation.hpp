@@ -19,11 +19,19 @@ inline Vector3<double> mean_spin(const SteppedState& state, const StepPart& part
   return state.spin[i] + change * (length / part.planned / 2);
 }
 
-/// The spin at the end of the part, as forces alone make it.
-inline Vector3<double> pushed_spin(const SteppedState& state, const StepPart& part, std::size_t i) {
-  if (part.at_start[i] || part.length == part.planned) return part.end_spin[i];
+/// The spin at the end of a part of this length, as forces alone make it.
+inline Vector3<double> pushed_spin(const SteppedState& state, const StepPart& part, std::size_t i,
+                                   double length) {
+  if (part.at_start[i] || length == part.planned) return part.end_spin[i];
   const Vector3<double> change = part.end_spin[i] - state.spin[i];
-  return state.spin[i] + change * (part.length / part.planned);
+  return state.spin[i] + change * (length / part.planned);
+}
+
+/// How a mover lies after a part of this length, if its spin is even.
+inline Rotor<double> turned_evenly(const SteppedState& state, const StepPart& part, std::size_t i,
+                                   double length) {
+  return normalised(
+      exponential_step(state.orientation[i], mean_spin(state, part, i, length), length));
 }
 
 }  // namespace detail
@@ -34,9 +42,8 @@ inline Vector3<double> pushed_spin(const SteppedState& state, const StepPart& pa
 inline void turn_bodies(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
   for (std::size_t i = 0; i < setup.movers; ++i) {
     if (sleeps(state, i)) continue;
-    const Vector3<double> mean = detail::mean_spin(state, part, i, part.length);
-    state.orientation[i] = normalised(exponential_step(state.orientation[i], mean, part.length));
-    state.spin.set(i, detail::pushed_spin(state, part, i));
+    state.orientation[i] = detail::turned_evenly(state, part, i, part.length);
+    state.spin.set(i, detail::pushed_spin(state, part, i, part.length));
   }
 }
 // [/turning-stage]

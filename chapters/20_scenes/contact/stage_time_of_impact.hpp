@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -12,6 +13,7 @@
 #include <contact/ballistic.hpp>
 #include <contact/rotation.hpp>
 #include <contact/stage_contacts.hpp>
+#include <contact/stage_gyroscopic.hpp>
 #include <contact/stage_rotation.hpp>
 #include <contact/stepped_state.hpp>
 
@@ -19,42 +21,78 @@ namespace contact {
 
 namespace detail {
 
-/// How a body moves through a part: evenly accelerated, and turning evenly.
+/// How a body moves through a part: evenly accelerated, and turning as its stage will turn it.
 struct PartMotion {
   Vector3<double> position = Vector3<double>::Zero();
   Vector3<double> velocity = Vector3<double>::Zero();
   Vector3<double> acceleration = Vector3<double>::Zero();
-  Rotor<double> orientation;
-  Vector3<double> spin = Vector3<double>::Zero();  // 0 for a ball: it looks alike from all sides
-  double swing = 0;  // how fast turning changes the velocity of a point of it at most, m/s²
+  bool turns = false;     // not so a ball: it looks alike from all sides
+  double swing = 0;       // how fast turning changes the velocity of a point of it at most, m/s²
+  double unforeseen = 0;  // and how fast it may lead away from what spin_at() says, m/s²
 
   Vector3<double> position_at(double t) const {
     return position + (velocity + acceleration * (t / 2)) * t;
   }
 };
 
+/// How a mover lies after a time of the part, to the bit as its stage would turn it.
+inline Rotor<double> orientation_at(const SteppedSetup& setup, const SteppedState& state,
+                                    const StepPart& part, std::size_t place, double t) {
+  return setup.gyroscopic ? turned_freely(setup, state, part, place, t)
+                          : turned_evenly(state, part, place, t);
+}
+
+/// How fast it turns then, but for PartMotion::unforeseen.
+inline Vector3<double> spin_at(const SteppedSetup& setup, const SteppedState& state,
+                               const StepPart& part, std::size_t place, double t,
+                               const Rotor<double>& orientation) {
+  const Vector3<double> mean = mean_spin(state, part, place, t);
+  if (!setup.gyroscopic || setup.bodies[place].round) return pushed_spin(state, part, place, t);
+  const SteppedBody& body = setup.bodies[place];
+  const Vector3<double> momentum = momentum_of_spin(body, state.orientation[place], mean);
+  const Vector3<double> pushed = pushed_spin(state, part, place, t) - mean;
+  return pushed + free_spin<double>(momentum, body.moments,
+                                    Matrix3<double>(matrix_of(orientation) * body.axes));
+}
+
+/// Bounds how fast turning changes the velocity of a point r off the middle. An even spin does by
+/// ω² r; one that is pushed, by dω/dt r more. What nothing pushes may change its spin by itself: by
+/// Euler's equations no faster than by ω²/√3 times the largest of |I₂ − I₃|/I₁, and by its energy
+/// ω² grows by the ratio of its moments at most.
+inline void bound_swing(const SteppedSetup& setup, const SteppedState& state, const StepPart& part,
+                        std::size_t place, PartMotion& motion) {
+  const SteppedBody& body = setup.bodies[place];
+  const Vector3<double> first = mean_spin(state, part, place, 0);
+  const Vector3<double>& last = part.end_spin[place];
+  double square = std::max(first.dot(first), last.dot(last));
+  double push = size_of(last - first) / part.planned;
+  double own = 0;
+  if (setup.gyroscopic && !body.round) {
+    const Vector3<double>& m = body.moments;
+    const double ratio = m.maxCoeff() / m.minCoeff();
+    square *= ratio;
+    push *= ratio;
+    const Vector3<double> apart(m.y() - m.z(), m.z() - m.x(), m.x() - m.y());
+    own = square * apart.cwiseAbs().cwiseQuotient(m).maxCoeff() / std::sqrt(3.0);
+  }
+  motion.turns = square > 0;
+  motion.unforeseen = push * std::sqrt(square) * part.planned * body.spin_arm;
+  motion.swing = (square + own + push) * body.spin_arm + motion.unforeseen;
+}
+
 inline PartMotion part_motion(const SteppedSetup& setup, const SteppedState& state,
                               const StepPart& part, std::size_t place) {
   PartMotion motion;
   motion.position = position_of(setup, state, place);
-  motion.orientation = orientation_of(setup, state, place);
   if (place >= setup.movers || sleeps(state, place)) return motion;
   motion.velocity = state.velocity[place];
   if (part.at_start[place])
     motion.velocity = part.end_velocity[place];
   else
     motion.acceleration = (part.end_velocity[place] - state.velocity[place]) / part.planned;
-  if (!setup.rotation || setup.bodies[place].spin_arm == 0) return motion;
-  motion.spin = mean_spin(state, part, place, part.length);
-  motion.swing = motion.spin.dot(motion.spin) * setup.bodies[place].spin_arm;
+  if (setup.rotation && setup.bodies[place].spin_arm > 0)
+    bound_swing(setup, state, part, place, motion);
   return motion;
-}
-
-inline StepShape shape_at(const SteppedBody& body, const PartMotion& motion, double t) {
-  const bool turns = motion.swing > 0;
-  return shape_in_world(body, motion.position_at(t),
-                        turns ? normalised(exponential_step(motion.orientation, motion.spin, t))
-                              : motion.orientation);
 }
 
 /// A shape as the points of which it is the hull, with a ball about each.
@@ -85,17 +123,43 @@ struct CornerRates {
   std::vector<double> rate;
 };
 
-inline CornerRates corner_rates(const StepShape& shape, const PartMotion& motion, double t,
-                                const Vector3<double>& n, double sign) {
-  const ShapeCorners corners = std::visit([](const auto& one) { return corners_of(one); }, shape);
-  const Vector3<double> centre = motion.position_at(t);
-  const double rate = n.dot(Vector3<double>(motion.velocity + motion.acceleration * t));
+/// A body of a pair at a time of the part.
+struct MovedBody {
+  StepShape shape;
+  Vector3<double> centre = Vector3<double>::Zero();
+  Vector3<double> velocity = Vector3<double>::Zero();
+  Vector3<double> spin = Vector3<double>::Zero();
+  double unforeseen = 0;  // how much faster one of its points may be, m/s
+};
+
+inline MovedBody moved_body(const SteppedSetup& setup, const SteppedState& state,
+                            const StepPart& part, std::size_t place, const PartMotion& motion,
+                            double t) {
+  MovedBody body;
+  body.centre = motion.position_at(t);
+  body.velocity = motion.velocity + motion.acceleration * t;
+  body.unforeseen = motion.unforeseen * t;
+  Rotor<double> orientation = orientation_of(setup, state, place);
+  if (motion.turns) {
+    orientation = orientation_at(setup, state, part, place, t);
+    body.spin = spin_at(setup, state, part, place, t, orientation);
+  }
+  body.shape = shape_in_world(setup.bodies[place], body.centre, orientation);
+  return body;
+}
+
+/// @param n unit
+/// @param sign 1: no lower than this, and no slower along n; −1: no higher and no faster
+inline CornerRates corner_rates(const MovedBody& body, const Vector3<double>& n, double sign) {
+  const ShapeCorners corners =
+      std::visit([](const auto& one) { return corners_of(one); }, body.shape);
+  const double rate = n.dot(body.velocity) - sign * body.unforeseen;
+  const bool turns = body.spin != Vector3<double>::Zero();
   CornerRates result;
   for (const Vector3<double>& point : corners.points) {
-    const Vector3<double> arm = point - centre;
+    const Vector3<double> arm = point - body.centre;
     result.height.push_back(n.dot(point) - sign * corners.radius);
-    result.rate.push_back(motion.swing > 0 ? rate + n.dot(Vector3<double>(motion.spin.cross(arm)))
-                                           : rate);
+    result.rate.push_back(turns ? rate + n.dot(Vector3<double>(body.spin.cross(arm))) : rate);
   }
   return result;
 }
@@ -106,9 +170,9 @@ inline CornerRates corner_rates(const StepShape& shape, const PartMotion& motion
 /// When a pair first touches in a part; nothing if not before the given time.
 ///
 /// Seen along the normal between their nearest points, each corner of the one is above each corner
-/// of the other. How fast such a height changes is known, and turning changes that rate by no more
-/// than ω² r. Until the first of these heights is used up the bodies cannot touch: advance there,
-/// and look again. A ball and a plane take one look, what turns or comes at a slant takes a few.
+/// of the other. How fast such a height changes is known, and how fast that rate may change. Until
+/// the first of these heights is used up the bodies cannot touch: advance there, and look again. A
+/// ball and a plane take one look, what turns or comes at a slant takes a few.
 /// @param before s
 /// @return s; never later than the touch, and earlier only after 64 looks
 inline std::optional<double> pair_impact(const SteppedSetup& setup, const SteppedState& state,
@@ -118,14 +182,14 @@ inline std::optional<double> pair_impact(const SteppedSetup& setup, const Steppe
   const detail::PartMotion b = detail::part_motion(setup, state, part, pair.b);
   double t = 0;
   for (int look = 0; look < 64; ++look) {
-    const StepShape one = detail::shape_at(setup.bodies[pair.a], a, t);
-    const StepShape other = detail::shape_at(setup.bodies[pair.b], b, t);
-    const Gap<double> gap = gap_of_shapes(one, other);
+    const auto one = detail::moved_body(setup, state, part, pair.a, a, t);
+    const auto other = detail::moved_body(setup, state, part, pair.b, b, t);
+    const Gap<double> gap = gap_of_shapes(one.shape, other.shape);
     const bool leaves = look == 0 && pair.leaving;
     if (!leaves && gap.distance <= pair.touch) return t;
     const Vector3<double>& n = gap.normal;
-    const detail::CornerRates above = detail::corner_rates(one, a, t, n, 1);
-    const detail::CornerRates below = detail::corner_rates(other, b, t, n, -1);
+    const auto above = detail::corner_rates(one, n, 1);
+    const auto below = detail::corner_rates(other, n, -1);
     const double bend = n.dot(Vector3<double>(a.acceleration - b.acceleration)) - a.swing - b.swing;
     double closes = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < above.height.size(); ++i) {

@@ -158,7 +158,8 @@ inline SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
     if (kind == 1) setup.bounded = setup.bodies.size();
   }
   // The gyroscopic term changes spins: it brings them along.
-  setup.rotation = is_on(plan, Effect::rotation) || is_on(plan, Effect::gyroscopic_term);
+  setup.gyroscopic = is_on(plan, Effect::gyroscopic_term);
+  setup.rotation = is_on(plan, Effect::rotation) || setup.gyroscopic;
   setup.continuous = is_on(plan, Effect::continuous_detection);
   setup.one_by_one = setup.movers <= most_one_by_one || plan.pairs == 0;
   const PlanQuestion q = plan_question(scene);
@@ -252,7 +253,7 @@ inline StepPipeline step_pipeline(const Plan& plan, const SteppedSetup& setup) {
   const bool bounce = meet && is_on(plan, Effect::restitution);
   if (bounce) add(line.part, "bounces", "of impacts that are taken at once", solve_bounces);
   add(line.part, "motion", "exact for even accelerations", move_bodies);
-  if (is_on(plan, Effect::gyroscopic_term))
+  if (setup.gyroscopic)
     add(line.part, "rotation", "with the gyroscopic term", turn_with_gyroscopic_term);
   else if (setup.rotation)
     add(line.part, "rotation", "even spins", turn_bodies);

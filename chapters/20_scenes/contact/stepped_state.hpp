@@ -88,6 +88,7 @@ struct SteppedSetup {
   double thinnest = 0;                 ///< no body is thinner, m
   double spring_part = 0;              ///< s; no part is longer while a spring may push
   bool rotation = false;               ///< bodies turn
+  bool gyroscopic = false;             ///< spins change though nothing pushes
   bool line = false;                   ///< two mirrors leave a line, and no spin
   bool smooth = false;                 ///< no two materials rub
   bool continuous = false;             ///< nothing passes through anything between two looks
