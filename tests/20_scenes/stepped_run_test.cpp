@@ -992,6 +992,35 @@ TEST_CASE("towers in a crowd stand as still as they do alone, and come to sleep"
   }
 }
 
+TEST_CASE("a staggered tower stands still and comes to sleep, whatever lies on what") {
+  struct Tower {
+    int boxes;
+    double heavy;  // kg, of each second one or the topmost
+    bool topmost;
+    double most;  // m
+  };
+  for (const Tower& tower :
+       {Tower{10, 1, true, 1e-12}, Tower{30, 1, true, 1e-11}, Tower{10, 1e3, true, 1e-9},
+        Tower{10, 1e6, true, 1e-7}, Tower{20, 1e6, false, 1e-6}, Tower{40, 1e5, false, 1e-6}}) {
+    CAPTURE(tower.boxes, tower.heavy, tower.topmost);
+    Scene scene = with_gravity(0, 0.5, 1, 1e-3);
+    plan_scenes::wall(scene, Point::UnitZ(), 0);
+    for (int k = 0; k < tower.boxes; ++k) {
+      const bool heavy = tower.topmost ? k == tower.boxes - 1 : k % 2 == 1;
+      plan_scenes::box(scene, Point::Constant(0.5), heavy ? tower.heavy : 1,
+                       {0.1 * (k % 2), 0, 0.5 + k});
+    }
+    const auto run = run_of(scene);
+    run->advance(1);
+    CHECK(run->counts().hits == 0);
+    for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
+      CAPTURE(i);
+      CHECK((run->position(i) - scene.bodies[i].position).norm() < tower.most);
+      CHECK(run->velocity(i).norm() == 0);
+    }
+  }
+}
+
 TEST_CASE("long boxes in a narrow room keep their energy, however often they hit in a step") {
   for (const int count : {3, 8}) {
     CAPTURE(count);

@@ -27,6 +27,9 @@ inline constexpr std::size_t most_couplings = 400000;
 /// The same where something rubs: that takes many guesses.
 inline constexpr std::size_t most_rubbing_couplings = 60000;
 
+/// Impulses that round to more than this share of the fastest approach are no answer.
+inline constexpr double most_rounding = 0x1p-10;
+
 namespace detail {
 
 template <std::floating_point S>
@@ -361,7 +364,6 @@ std::optional<SolvedContacts<S>> finish_contacts(const std::vector<RigidBody<S>>
   S fastest(0);
   for (const BodyContact<S>& c : contacts)
     fastest = std::max(fastest, std::abs(contact_velocity<S>(bodies, c)));
-  const S rounding = std::sqrt(std::numeric_limits<S>::epsilon()) * fastest;
   const auto closing = [&](const std::vector<detail::Parts<S>>& impulses,
                            const std::vector<BodyContact<S>>& wanted) {
     const auto after = detail::after_parts<S>(bodies, prepared, impulses);
@@ -376,6 +378,9 @@ std::optional<SolvedContacts<S>> finish_contacts(const std::vector<RigidBody<S>>
     const auto found = finished_impulses<S>(bodies, wanted, start);
     if (!found) return std::nullopt;
     auto parts = detail::allowed_parts<S>(prepared, *found);
+    const S rounding = std::clamp(detail::rounding_of_parts<S>(bodies, prepared, parts),
+                                  std::sqrt(std::numeric_limits<S>::epsilon()) * fastest,
+                                  S(most_rounding) * fastest);
     if (closing(parts, wanted) > closing(before, wanted) + rounding) return std::nullopt;
     return parts;
   };

@@ -50,6 +50,7 @@ struct SweepReport {
   int sweeps = 0;        ///< how many there were
   S last_change = S(0);  ///< the largest change of a contact's velocity in the last, m/s
   bool blended = false;  ///< restitution was taken back, in part, to keep the energy
+  S rounding = S(0);     ///< so wrong velocities may be because impulses round, m/s
 };
 
 namespace detail {
@@ -340,6 +341,32 @@ std::vector<Parts<S>> allowed_parts(const std::vector<PreparedContact<S>>& prepa
   return impulses;
 }
 
+/// By how much velocities may be wrong because impulses round. Between two heavy bodies large
+/// changes of a light one's velocity cancel, and what they round to stays: 2⁻⁴⁴ of all of them
+/// added up without signs, where S is double.
+template <std::floating_point S>
+S rounding_of_parts(const std::vector<RigidBody<S>>& bodies,
+                    const std::vector<PreparedContact<S>>& contacts,
+                    const std::vector<Parts<S>>& impulses) {
+  std::vector<S> changes(bodies.size(), S(0));
+  S most(0);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const PreparedContact<S>& p = contacts[i];
+    for (const bool first : {true, false}) {
+      const std::size_t place = index(first ? p.contact.a : p.contact.b);
+      const RigidBody<S>& body = bodies[place];
+      const Vector3<S> arm = p.contact.point - body.position;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vector3<S>& turn = first ? p.turn_a[k] : p.turn_b[k];
+        changes[place] += std::abs(impulses[i][k]) *
+                          (body.inverse_mass + std::sqrt(S(turn.dot(turn)) * S(arm.dot(arm))));
+      }
+      most = std::max(most, changes[place]);
+    }
+  }
+  return S(256) * std::numeric_limits<S>::epsilon() * most;
+}
+
 /// The bodies after impulses. Where restitution has made energy, as much of it is taken back as
 /// that takes: `stop()` gives the impulses without any.
 template <std::floating_point S, class Stop>
@@ -378,6 +405,7 @@ SolvedContacts<S> solved_by(const std::vector<RigidBody<S>>& bodies,
     solved.bodies = after_parts(bodies, prepared, impulses);
     solved.report.blended = true;
   }
+  solved.report.rounding = rounding_of_parts(bodies, prepared, impulses);
   for (std::size_t i = 0; i < prepared.size(); ++i) {
     solved.impulses.push_back(
         {impulses[i][0], Vector3<S>(prepared[i].direction[1] * impulses[i][1] +

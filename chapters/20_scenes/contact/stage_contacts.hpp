@@ -124,9 +124,9 @@ inline void place_shapes(const SteppedSetup& setup, const SteppedState& state, S
 /// The points of a pair that touches; at least the one at which its gap is.
 inline ContactManifold<double> manifold_with_gap(const StepShape& a, const StepShape& b,
                                                  const Gap<double>& gap, const NearPair& pair) {
-  ContactManifold<double> manifold = manifold_of_shapes(a, b, std::max(pair.touch, pair.reach));
+  ContactManifold<double> manifold = manifold_of_shapes(a, b, std::max(pair.near, pair.reach));
   for (const auto& point : manifold.points)
-    if (point.distance <= std::max(gap.distance, pair.touch)) return manifold;
+    if (point.distance <= std::max(gap.distance, 0.0) + pair.touch) return manifold;
   manifold.normal = gap.normal;
   manifold.points = {{Vector3<double>((gap.on_a + gap.on_b) / 2), gap.distance}};
   return manifold;
@@ -147,6 +147,25 @@ inline double touching_distance(const SteppedSetup& setup, const SteppedState& s
 inline double turn_of_core(const SteppedSetup& setup, const NearPair& pair, std::size_t place) {
   const double core = std::min(setup.bodies[pair.a].core, setup.bodies[pair.b].core);
   return core / 4 / setup.bodies[place].spin_arm;
+}
+
+/// Of each mover, by how much the forces of the part before may have left its velocity wrong, m/s.
+/// Where much lies on little that is more than SteppedSetup::slow_speed.
+inline std::vector<double> rounding_of_forces(const SteppedSetup& setup,
+                                              const SteppedState& state) {
+  std::vector<double> rounding(setup.movers, 0);
+  for (std::size_t i = 0; i < state.touched.size(); ++i) {
+    for (const int body : {state.touched[i].a, state.touched[i].b}) {
+      const auto place = static_cast<std::size_t>(body);
+      if (place >= setup.movers) continue;
+      const SteppedBody& solid = setup.bodies[place];
+      double response = 1 / solid.mass;
+      if (turned_by_contacts(setup, place))
+        response += solid.spin_arm * solid.spin_arm / solid.moments.minCoeff();
+      rounding[place] += rounding_of_impulses * state.pushed[i].normal * setup.step * response;
+    }
+  }
+  return rounding;
 }
 
 }  // namespace detail
@@ -176,10 +195,14 @@ inline double longest_turn(const SteppedSetup& setup, const StepPart& part) {
 /// quarter into the thinner one by that.
 inline void find_touching_pairs(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
   detail::place_shapes(setup, state, part);
+  const std::vector<double> rounding = detail::rounding_of_forces(setup, state);
   for (NearPair& pair : part.pairs) {
     const StepShape& a = part.shapes[pair.a];
     const StepShape& b = part.shapes[pair.b];
     pair.touch = detail::touching_distance(setup, state, pair);
+    const double wrong = std::max(rounding[pair.a], pair.b < setup.movers ? rounding[pair.b] : 0.0);
+    pair.slow = std::max(setup.slow_speed, wrong);
+    pair.near = pair.touch + wrong * setup.step;
     // Without continuous detection only what gravity brings together in a step: so what rests stays
     // in contact.
     pair.reach = setup.continuous ? detail::pair_reach(setup, state, part, pair)
@@ -192,16 +215,16 @@ inline void find_touching_pairs(const SteppedSetup& setup, SteppedState& state, 
     } else {
       const Gap<double> gap = gap_of_shapes(a, b);
       pair.distance = gap.distance;
-      if (pair.distance <= pair.touch) pair.manifold = detail::manifold_with_gap(a, b, gap, pair);
+      if (pair.distance <= pair.near) pair.manifold = detail::manifold_with_gap(a, b, gap, pair);
     }
-    pair.touching = pair.distance <= pair.touch;
+    pair.touching = pair.distance <= pair.near;
     if (!pair.touching) continue;
     if (!pair.material.stiffness)
       state.counts.largest_overlap = std::max(state.counts.largest_overlap, -pair.distance);
     pair.leaving = true;
     for (const auto& point : pair.manifold.points) {
-      if (point.distance <= pair.touch &&
-          !(parting_speed(setup, state, pair, point.point) > setup.slow_speed))
+      if (point.distance <= pair.near &&
+          !(parting_speed(setup, state, pair, point.point) > pair.slow))
         pair.leaving = false;
     }
     for (const std::size_t i : {pair.a, pair.b}) {

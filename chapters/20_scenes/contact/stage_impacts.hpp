@@ -27,7 +27,8 @@ inline void solve_impacts(const SteppedSetup& setup, SteppedState& state, StepPa
     const std::size_t first = contacts.size();
     bool hit = false;
     bool lay_down = false;
-    const double slowest = slowest_bounce(setup, pair.b >= setup.movers, pair.manifold.normal);
+    const double slowest =
+        std::max(slowest_bounce(setup, pair.b >= setup.movers, pair.manifold.normal), pair.slow);
     for (const auto& point : pair.manifold.points) {
       if (point.distance > pair.touch) continue;
       const double speed = parting_speed(setup, state, pair, point.point);
@@ -35,8 +36,8 @@ inline void solve_impacts(const SteppedSetup& setup, SteppedState& state, StepPa
       contacts.push_back(
           detail::contact_at(pair, point, fast ? -(pair.material.restitution * speed) : 0.0));
       hit = hit || fast;
-      approaches = approaches || speed < -setup.slow_speed;
-      if (!fast && speed < -setup.slow_speed && pair.material.restitution > 0) lay_down = true;
+      approaches = approaches || speed < -pair.slow;
+      if (!fast && speed < -pair.slow && pair.material.restitution > 0) lay_down = true;
     }
     if (hit) hits.push_back({first, contacts.size()});
     if (lay_down && !hit) ++state.counts.rests;

@@ -128,23 +128,25 @@ inline constexpr int least_sweeps = 50;
 inline constexpr std::size_t crowd_work = 100000;
 inline constexpr int least_crowd_sweeps = 4;
 
-/// What contacts are solved for. What rests gets a hundred times the sweeps. Bounces get as many as
-/// there is work for, even in a crowd: an impulse that is not finished loses energy.
-enum class SweepsFor { anything, rest, bounces };
+/// What contacts are solved for. What rests is finished by elimination, and gets a hundred times
+/// the sweeps where that does not end it. Bounces get as many as there is work for, even in a
+/// crowd: an impulse that is not finished loses energy. Impacts at one moment are finished too:
+/// until they are, no time passes.
+enum class SweepsFor { anything, rest, bounces, impacts };
 inline constexpr std::size_t bounce_work = 5000;
 inline constexpr int bounce_sweeps = 100;
+inline constexpr int sweeps_before_finish = 100;
 
 /// So many contacts are solved at once, so that what is its own mirror image stays so. In larger
 /// islands that would take too many sweeps.
 inline constexpr std::size_t most_at_once = 8;
 
-/// Solves contacts that are named by the bodies' numbers. Where no body has two contacts each is on
-/// its own, and a sweep goes all the way to its answer.
-inline SolvedContacts<double> solve_numbered(const SteppedSetup& setup, SteppedState& state,
-                                             const std::vector<RigidBody<double>>& bodies,
-                                             const std::vector<BodyContact<double>>& contacts,
-                                             const std::vector<ContactImpulse<double>>& start,
-                                             SweepsFor what = SweepsFor::anything) {
+/// How sweeps of these contacts go. Where no body has two contacts each is on its own, and a sweep
+/// goes all the way to its answer.
+inline SweepLimits<double> sweep_limits(const SteppedSetup& setup,
+                                        const std::vector<RigidBody<double>>& bodies,
+                                        const std::vector<BodyContact<double>>& contacts,
+                                        SweepsFor what) {
   SweepLimits<double> limits = setup.sweeps;
   std::vector<int> count(bodies.size(), 0);
   bool alone = true;
@@ -168,9 +170,48 @@ inline SolvedContacts<double> solve_numbered(const SteppedSetup& setup, SteppedS
   }
   const auto many = static_cast<int>(work / (contacts.size() + 1));
   limits.sweeps = std::min(limits.sweeps, std::max(many, least));
+  return limits;
+}
+
+/// Solves contacts that are named by the bodies' numbers.
+inline SolvedContacts<double> solve_swept(SteppedState& state,
+                                          const std::vector<RigidBody<double>>& bodies,
+                                          const std::vector<BodyContact<double>>& contacts,
+                                          const std::vector<ContactImpulse<double>>& start,
+                                          const SweepLimits<double>& limits) {
   SolvedContacts<double> solved = solve_contacts<double>(bodies, contacts, start, limits);
   count_sweeps(state, contacts.size(), solved.report.sweeps);
   return solved;
+}
+
+/// Solves what rests: a few sweeps, then elimination, and one sweep looks whether that was the end.
+/// If not, sweeps go on from there.
+inline SolvedContacts<double> solve_resting(SteppedState& state,
+                                            const std::vector<RigidBody<double>>& bodies,
+                                            const std::vector<BodyContact<double>>& contacts,
+                                            const std::vector<ContactImpulse<double>>& start,
+                                            const SweepLimits<double>& limits) {
+  SweepLimits<double> few = limits;
+  few.sweeps = std::min(limits.sweeps, sweeps_before_finish);
+  auto swept = solve_swept(state, bodies, contacts, start, few);
+  if (!(swept.report.last_change > limits.tolerance)) return swept;
+  auto finished = finish_contacts<double>(bodies, contacts, swept.impulses);
+  if (finished) {
+    SweepLimits<double> one = limits;
+    one.sweeps = 1;
+    one.relaxation = 1;
+    const auto look = solve_swept(state, bodies, contacts, finished->impulses, one);
+    finished->report = look.report;
+    if (look.report.last_change <= 8 * std::max(limits.tolerance, look.report.rounding))
+      return *finished;
+  }
+  SweepLimits<double> many = limits;
+  many.sweeps -= few.sweeps;
+  if (many.sweeps < 1) return swept;
+  swept =
+      solve_swept(state, bodies, contacts, finished ? finished->impulses : swept.impulses, many);
+  if (finished && finished->report.last_change < swept.report.last_change) return *finished;
+  return swept;
 }
 
 /// Between bodies whose masses differ by more than this, sweeps get nowhere, and where something
@@ -197,6 +238,7 @@ inline bool unfinished(const SteppedSetup& setup, const std::vector<RigidBody<do
   }
   if (rubs && most < unlike_masses * least) return false;
   if (left * time > most_left(setup)) return true;
+  if (what == SweepsFor::impacts) return left > 8 * setup.sweeps.tolerance;
   return what == SweepsFor::bounces &&
          left > (rubs ? fastest / 64 : std::max(8 * setup.sweeps.tolerance, fastest * 0x1p-30));
 }
@@ -235,12 +277,15 @@ std::vector<ContactImpulse<double>> solve_islands(const SteppedSetup& setup, Ste
       named.back().b = bodies.add(index(contacts[i].b), make);
       if (!start.empty()) before.push_back(start[i]);
     }
-    auto solved = solve_numbered(setup, state, bodies.bodies, named, before, what);
+    const auto limits = sweep_limits(setup, bodies.bodies, named, what);
+    auto solved = what == SweepsFor::rest
+                      ? solve_resting(state, bodies.bodies, named, before, limits)
+                      : solve_swept(state, bodies.bodies, named, before, limits);
     if (unfinished(setup, bodies.bodies, named, solved.report.last_change, time, what))
       finish_sweeps(setup, bodies.bodies, named, time, solved);
     // What they have left must not bring anything through the thinnest.
     for (int more = 0; more < 100 && solved.report.last_change * time > setup.thinnest / 16; ++more)
-      solved = solve_numbered(setup, state, bodies.bodies, named, solved.impulses, what);
+      solved = solve_swept(state, bodies.bodies, named, solved.impulses, limits);
     for (std::size_t k = 0; k < island.size(); ++k) impulses[island[k]] = solved.impulses[k];
     for (std::size_t k = 0; k < bodies.places.size(); ++k) {
       const std::size_t place = bodies.places[k];
@@ -262,7 +307,7 @@ inline std::vector<ContactImpulse<double>> solve_now(
     state.velocity.set(place, body.velocity);
     if (turned_by_contacts(setup, place)) state.spin.set(place, body.spin);
   };
-  return solve_islands(setup, state, contacts, {}, 0.0, SweepsFor::anything, make, give);
+  return solve_islands(setup, state, contacts, {}, 0.0, SweepsFor::impacts, make, give);
 }
 
 /// Notes a hit: the impulses at all points of a pair together, at their middle.

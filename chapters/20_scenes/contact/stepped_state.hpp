@@ -104,14 +104,16 @@ struct SteppedSetup {
 
 /// Two bodies that may touch in a part of a step, and where.
 struct NearPair {
-  std::size_t a = 0;                 ///< place of the one; always a mover
-  std::size_t b = 0;                 ///< place of the other
-  PairMaterial material;             ///< of both
-  double touch = 0;                  ///< they touch if they are no farther apart, m
-  double reach = 0;                  ///< how far they may come towards each other in this part, m
-  double distance = 0;               ///< now, m
-  bool touching = false;             ///< now
-  bool leaving = false;              ///< touching, and every point of it parts
+  std::size_t a = 0;      ///< place of the one; always a mover
+  std::size_t b = 0;      ///< place of the other
+  PairMaterial material;  ///< of both
+  double touch = 0;       ///< they touch if they are no farther apart, m
+  double near = 0;        ///< rounding may have left them so far apart where much lies on little, m
+  double reach = 0;       ///< how far they may come towards each other in this part, m
+  double distance = 0;    ///< now, m
+  double slow = 0;        ///< slower approaches are rounding, m/s
+  bool touching = false;  ///< now
+  bool leaving = false;   ///< touching, and every point of it parts
   ContactManifold<double> manifold;  ///< of those that touch; of all, if all are solved at once
 };
 
@@ -234,6 +236,8 @@ inline bool turned_by_contacts(const SteppedSetup& setup, std::size_t place) {
 /// The size of a vector, m or m/s.
 inline double size_of(const Vector3<double>& v) { return std::sqrt(v.dot(v)); }
 
+/// By how much of the velocity that impulses change it may be wrong, by rounding.
+inline constexpr double rounding_of_impulses = 0x1p-44;
 /// How far bodies may come into each other before what sweeps have left is finished: a small part
 /// of the thinnest one, m.
 inline double most_left(const SteppedSetup& setup) { return setup.thinnest / 1024; }
