@@ -150,10 +150,11 @@ inline double turn_of_core(const SteppedSetup& setup, const NearPair& pair, std:
 }
 
 /// Of each mover, by how much the forces of the part before may have left its velocity wrong, m/s.
-/// Where much lies on little that is more than SteppedSetup::slow_speed.
+/// Where much lies on little that is more than SteppedSetup::slow_speed. Empty if nothing pushed.
 inline std::vector<double> rounding_of_forces(const SteppedSetup& setup,
                                               const SteppedState& state) {
-  std::vector<double> rounding(setup.movers, 0);
+  std::vector<double> rounding;
+  if (!state.touched.empty()) rounding.resize(setup.movers, 0);
   for (std::size_t i = 0; i < state.touched.size(); ++i) {
     for (const int body : {state.touched[i].a, state.touched[i].b}) {
       const auto place = static_cast<std::size_t>(body);
@@ -200,7 +201,9 @@ inline void find_touching_pairs(const SteppedSetup& setup, SteppedState& state, 
     const StepShape& a = part.shapes[pair.a];
     const StepShape& b = part.shapes[pair.b];
     pair.touch = detail::touching_distance(setup, state, pair);
-    const double wrong = std::max(rounding[pair.a], pair.b < setup.movers ? rounding[pair.b] : 0.0);
+    double wrong = 0;
+    for (const std::size_t i : {pair.a, pair.b})
+      if (i < rounding.size()) wrong = std::max(wrong, rounding[i]);
     pair.slow = std::max(setup.slow_speed, wrong);
     pair.near = pair.touch + wrong * setup.step;
     // Without continuous detection only what gravity brings together in a step: so what rests stays
