@@ -1021,6 +1021,54 @@ TEST_CASE("a staggered tower stands still and comes to sleep, whatever lies on w
   }
 }
 
+TEST_CASE("what falls along a wall that it comes to falls as if nothing cut its steps") {
+  for (const int balls : {0, 1, 2, 3}) {
+    CAPTURE(balls);
+    Scene scene = with_gravity(0, 0, 1.0 / 60, 1e-4);
+    plan_scenes::wall(scene, Point::UnitY(), 0);
+    plan_scenes::wall(scene, Point::UnitZ(), 0);
+    // It lies along the wall, one end touches it, and the other comes to it over a millimetre.
+    const double angle = std::asin(1e-3 / 0.4);
+    auto& capsule =
+        plan_scenes::add(scene, contact::CapsuleShape{0.05, 0.2}, 1, {0, 0.0505, 3}, {0, -0.2, 0});
+    capsule.orientation = contact::exponential<double>(Point(0, 0, angle)) *
+                          contact::exponential<double>(Point(0, std::acos(-1.0) / 2, 0));
+    capsule.spin = {0, 0, -1};
+    for (int k = 0; k < balls; ++k)
+      plan_scenes::ball(scene, 0.05, 1, {2.0 + k, 1, 0.055 + 0.005 * k}, {0, 0, -5});
+    const auto run = run_of(scene);
+    run->advance(1.0 / 60);
+    CHECK(std::abs(run->velocity(2).z() + 10.0 / 60) < 1e-12);
+    CHECK(std::abs(run->position(2).z() - (3 - 5.0 / 3600)) < 1e-12);
+  }
+}
+
+TEST_CASE("an elastic ball comes back up from a box that much lies on") {
+  for (const double load : {1.0, 1e4, 1e6}) {
+    CAPTURE(load);
+    Scene scene = with_gravity(1, 0, 0.4, 1e-3);
+    plan_scenes::wall(scene, Point::UnitZ(), 0);
+    plan_scenes::box(scene, {1, 0.5, 0.5}, 1, {0, 0, 0.5});
+    plan_scenes::box(scene, {0.5, 0.5, 0.5}, load, {-0.2, 0, 1.5});
+    plan_scenes::ball(scene, 0.1, 1e-3, {0.8, 0, 1.3});
+    const auto run = run_of(scene);
+    run->advance(0.4);  // it falls by 0.2 m in 0.2 s, and is back
+    CHECK(run->counts().hits > 0);
+    CHECK(std::abs(run->position(3).z() - 1.3) < 1e-3);
+  }
+}
+
+TEST_CASE("a plate that leaves another with a corner beyond its edge does not fall through it") {
+  Scene scene = with_gravity(0, 0.5, 0.1, 1e-4);
+  plan_scenes::box(scene, {0.5, 0.5, 0.0005}, 0, {0, 0, -0.0005});
+  auto& plate = plan_scenes::box(scene, {0.25, 0.25, 0.0005}, 1, {0.4, 0, 0.0005}, {0, 0, 0.001});
+  plate.spin = {0, 0.006, 0};
+  const auto run = run_of(scene);
+  run->advance(0.1);
+  CHECK(std::abs(run->position(1).z() - 0.0005) < 1e-5);
+  CHECK(run->counts().largest_overlap < 5e-5);
+}
+
 TEST_CASE("long boxes in a narrow room keep their energy, however often they hit in a step") {
   for (const int count : {3, 8}) {
     CAPTURE(count);
@@ -1035,7 +1083,7 @@ TEST_CASE("long boxes in a narrow room keep their energy, however often they hit
     const auto run = run_of(scene);
     const double energy = run->energy();
     run->advance(1);
-    CHECK(run->counts().crowded_steps > 5);
+    CHECK(run->counts().crowded_steps > 2);
     CHECK(run->energy() < energy * (1 + 1e-3));
     CHECK(run->energy() > energy * (1 - 1e-2));
   }

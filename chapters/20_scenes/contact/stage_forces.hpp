@@ -95,6 +95,33 @@ inline void push_on(const SteppedSetup& setup, const SteppedState& state, StepPa
   }
 }
 
+/// Whom contacts push at the start falls evenly all the same where none holds it back: across the
+/// normals of all that push it. What rubs it too holds it from all sides.
+inline void change_evenly(const SteppedSetup& setup, const SteppedState& state, StepPart& part,
+                          const std::vector<BodyContact<double>>& contacts,
+                          const std::vector<ContactImpulse<double>>& impulses) {
+  std::vector<std::vector<Vector3<double>>> held(setup.movers);  // orthonormal
+  std::vector<bool> rubs(setup.movers, false);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (!(impulses[i].normal > 0)) continue;
+    for (const int body : {contacts[i].a, contacts[i].b}) {
+      const std::size_t place = index(body);
+      if (place >= setup.movers || !part.at_start[place]) continue;
+      rubs[place] = rubs[place] || impulses[i].tangential != Vector3<double>::Zero();
+      Vector3<double> rest = contacts[i].normal;
+      for (const Vector3<double>& n : held[place]) rest -= n * n.dot(rest);
+      const double size = size_of(rest);
+      if (size > 0x1p-20) held[place].push_back(rest / size);
+    }
+  }
+  part.even.assign(setup.movers, Vector3<double>::Zero());
+  for (std::size_t i = 0; i < setup.movers; ++i) {
+    if (!part.at_start[i] || rubs[i]) continue;
+    part.even[i] = part.free_velocity[i] - state.velocity[i];
+    for (const Vector3<double>& n : held[i]) part.even[i] -= n * n.dot(part.even[i]);
+  }
+}
+
 }  // namespace detail
 
 // [forces-stage]
@@ -102,16 +129,14 @@ inline void push_on(const SteppedSetup& setup, const SteppedState& state, StepPa
 ///
 /// Points that touch do not come closer. A gap may close, and no more. A force acts evenly, so its
 /// body moves with the mean of the velocities at both ends of the part. What closes a gap acts at
-/// the start: its body has its end velocity all through, and does not come too far; where all
-/// impacts are taken at once, so has what that pushes on.
+/// the start: its body has its end velocity all through along the normal, and does not come too
+/// far; so has what that pushes on.
 ///
 /// Where all impacts of the step are taken at once, each first comes to touch. How it bounces
 /// then is the business of the bounces stage: it is told how each would have come without a push.
 inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
-  if (part.at_once) {
-    part.free_velocity = part.end_velocity;
-    part.free_spin = part.end_spin;
-  }
+  part.free_velocity = part.end_velocity;
+  if (part.at_once) part.free_spin = part.end_spin;
   std::vector<BodyContact<double>> contacts;
   std::vector<double> gaps;
   std::vector<detail::Closing> closing;
@@ -183,7 +208,10 @@ inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPar
     part.bounces.back().contact.least_velocity = e * came;
     if (hits && !(e > 0)) hit_pairs.push_back(i);
   }
-  if (part.at_once) detail::push_on(setup, state, part, contacts, impulses);
+  if (std::find(part.at_start.begin(), part.at_start.end(), true) != part.at_start.end()) {
+    detail::push_on(setup, state, part, contacts, impulses);
+    detail::change_evenly(setup, state, part, contacts, impulses);
+  }
   // A pair that hits at several points hits once.
   for (std::size_t k = 0; k < hit_pairs.size();) {
     std::size_t next = k;

@@ -53,6 +53,25 @@ inline Vector3<double> momentum_of_spin(const SteppedBody& body, const Rotor<dou
   return principal * Vector3<double>(seen.cwiseProduct(body.moments));
 }
 
+/// The square of the largest spin that a body comes to by itself, rad²/s². Its energy bounds that,
+/// Σ I ω² ≤ 2 E; so do its energy and momentum together: with the moments I₁ ≤ I₂ ≤ I₃, what
+/// 2 E I₃ − L² leaves for the axis of I₁, and 2 E for the others. A needle that turns across its
+/// axis never comes to turn about it.
+inline double largest_free_square(const SteppedBody& body, const Rotor<double>& q,
+                                  const Vector3<double>& spin) {
+  const Vector3<double> seen = (matrix_of(q) * body.axes).transpose() * spin;
+  const Vector3<double> square = seen.cwiseProduct(seen);
+  Vector3<double> sorted = body.moments;
+  std::sort(sorted.data(), sorted.data() + 3);
+  const double energy = body.moments.dot(square);  // twice
+  const double by_energy = energy / sorted(0);
+  const double apart = sorted(2) - sorted(0);
+  if (!(apart > 0)) return by_energy;
+  const Vector3<double> less = Vector3<double>::Constant(sorted(2)) - body.moments;
+  const double left = body.moments.cwiseProduct(less).dot(square);
+  return std::min(by_energy, left / (sorted(0) * apart) + energy / sorted(1));
+}
+
 /// How a mover lies after a part of this length: while contacts push, it turns as with the mean of
 /// its momenta.
 inline Rotor<double> turned_freely(const SteppedSetup& setup, const SteppedState& state,
@@ -63,7 +82,10 @@ inline Rotor<double> turned_freely(const SteppedSetup& setup, const SteppedState
   if (body.round || mean == Vector3<double>::Zero())
     return normalised(exponential_step(q, mean, length));
   const Vector3<double> momentum = momentum_of_spin(body, q, mean);
-  const double fastest = size_of(momentum) / body.moments.minCoeff();
+  // Where a needle lies a little otherwise, its spin is another by much: as much as its moments
+  // differ, and what the fourth order leaves grows with that.
+  const double ratio = body.moments.maxCoeff() / body.moments.minCoeff();
+  const double fastest = std::sqrt(largest_free_square(body, q, mean) * ratio);
   const double looks = std::ceil(fastest * length / gyroscopic_angle);
   const auto count = static_cast<std::uint64_t>(std::min(std::max(looks, 1.0), 4096.0));
   const double h = length / static_cast<double>(count);

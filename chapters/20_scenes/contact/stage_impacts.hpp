@@ -30,7 +30,7 @@ inline void solve_impacts(const SteppedSetup& setup, SteppedState& state, StepPa
     const double slowest =
         std::max(slowest_bounce(setup, pair.b >= setup.movers, pair.manifold.normal), pair.slow);
     for (const auto& point : pair.manifold.points) {
-      if (point.distance > pair.touch) continue;
+      if (point.distance > pair.near) continue;
       const double speed = parting_speed(setup, state, pair, point.point);
       const bool fast = speed < -slowest;
       contacts.push_back(

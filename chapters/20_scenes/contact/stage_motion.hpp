@@ -15,18 +15,11 @@ inline void move_bodies(const SteppedSetup& setup, SteppedState& state, StepPart
   const double share = part.length / part.planned;
   for (std::size_t i = 0; i < setup.movers; ++i) {
     if (sleeps(state, i)) continue;
-    const Vector3<double> velocity = state.velocity[i];
+    const Vector3<double> first = first_velocity(state, part, i);
     const Vector3<double> end = part.end_velocity[i];
-    const Vector3<double> change = end - velocity;
-    if (part.at_start[i] || part.length == part.planned) {
-      const Vector3<double> mean = part.at_start[i] ? end : Vector3<double>(velocity + change / 2);
-      state.position.add(i, mean * part.length);
-      state.velocity.set(i, end);
-    } else {
-      const Vector3<double> mean = velocity + change * (share / 2);
-      state.position.add(i, mean * part.length);
-      state.velocity.add(i, change * share);
-    }
+    const Vector3<double> change = end - first;
+    state.position.add(i, Vector3<double>(first + change * (share / 2)) * part.length);
+    state.velocity.set(i, share < 1 ? Vector3<double>(first + change * share) : end);
   }
 }
 // [/moving-stage]

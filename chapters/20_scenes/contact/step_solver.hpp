@@ -236,9 +236,11 @@ inline bool unfinished(const SteppedSetup& setup, const std::vector<RigidBody<do
     least = std::min(least, body.mass);
     most = std::max(most, body.mass);
   }
-  if (rubs && most < unlike_masses * least) return false;
+  const bool unlike = most >= unlike_masses * least;
+  if (rubs && !unlike) return false;
   if (left * time > most_left(setup)) return true;
-  if (what == SweepsFor::impacts) return left > 8 * setup.sweeps.tolerance;
+  if (what == SweepsFor::impacts || (what == SweepsFor::anything && unlike && setup.one_by_one))
+    return left > 8 * setup.sweeps.tolerance;
   return what == SweepsFor::bounces &&
          left > (rubs ? fastest / 64 : std::max(8 * setup.sweeps.tolerance, fastest * 0x1p-30));
 }

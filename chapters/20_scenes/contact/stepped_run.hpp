@@ -370,7 +370,7 @@ class SteppedRun final : public SceneRun {
     return state(state_) + (shown_ ? state(*shown_) : 0) + of(setup_.bodies) + of(setup_.place) +
            of(setup_.material) + of(part_.pairs) + of(part_.shapes) + part_.end_velocity.bytes() +
            part_.end_spin.bytes() + of(part_.hits) + of(part_.bounces) + of(part_.bounced) +
-           part_.free_velocity.bytes() + part_.free_spin.bytes() + of(part_.flung);
+           part_.free_velocity.bytes() + part_.free_spin.bytes() + of(part_.flung) + of(part_.even);
   }
   std::size_t bytes_per_body() const override {
     std::size_t bytes = 2 * setup_.kept.count * sizeof(double);
@@ -416,6 +416,7 @@ class SteppedRun final : public SceneRun {
       part_.end_velocity = state.velocity;
       part_.end_spin = state.spin;
       part_.at_start.assign(setup_.movers, false);
+      part_.even.clear();
       part_.pushed.assign(setup_.movers, false);
       ++state.counts.parts;
       const std::size_t hits = part_.hits.size();

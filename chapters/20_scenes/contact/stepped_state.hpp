@@ -143,9 +143,12 @@ struct StepPart {
   std::vector<StepShape> shapes;  ///< of each body in a pair, in the world
   KeptVectors end_velocity;       ///< of each mover, m/s
   KeptVectors end_spin;           ///< of each mover, rad/s; empty without rotation
-  std::vector<bool> at_start;     ///< movers that have their end velocity from the start
-  std::vector<bool> pushed;       ///< movers on which a contact acts in this part
-  std::vector<SceneHit> hits;     ///< of this step
+  std::vector<bool> at_start;     ///< movers on which contacts act at the start of the part
+  /// Of these, what changes their velocities evenly all the same, m/s: what no contact holds back.
+  /// Empty if there are none.
+  std::vector<Vector3<double>> even;
+  std::vector<bool> pushed;    ///< movers on which a contact acts in this part
+  std::vector<SceneHit> hits;  ///< of this step
   // Where all hits are taken at once:
   std::vector<StepBounce> bounces;   ///< what has pushed
   std::vector<BouncedBody> bounced;  ///< who leaves otherwise than its forces say
@@ -232,6 +235,13 @@ inline Vector3<double> spin_of(const SteppedState& state, std::size_t place) {
 inline bool turned_by_contacts(const SteppedSetup& setup, std::size_t place) {
   return setup.rotation && !setup.line && place < setup.movers &&
          !(setup.smooth && setup.bodies[place].spin_arm == 0);
+}
+/// With what velocity a mover begins a part, once contacts have acted that act at the start, m/s.
+inline Vector3<double> first_velocity(const SteppedState& state, const StepPart& part,
+                                      std::size_t place) {
+  if (!part.at_start[place]) return state.velocity[place];
+  if (part.even.empty()) return part.end_velocity[place];
+  return part.end_velocity[place] - part.even[place];
 }
 /// The size of a vector, m or m/s.
 inline double size_of(const Vector3<double>& v) { return std::sqrt(v.dot(v)); }
