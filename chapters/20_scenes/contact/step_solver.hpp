@@ -207,7 +207,7 @@ inline SolvedContacts<double> solve_resting(SteppedState& state,
   }
   SweepLimits<double> many = limits;
   many.sweeps -= few.sweeps;
-  if (many.sweeps < 1) return swept;
+  if (many.sweeps < 1) return finished ? *finished : swept;
   swept =
       solve_swept(state, bodies, contacts, finished ? finished->impulses : swept.impulses, many);
   if (finished && finished->report.last_change < swept.report.last_change) return *finished;

@@ -149,11 +149,11 @@ struct StepPart {
   std::vector<Vector3<double>> even;
   std::vector<bool> pushed;    ///< movers on which a contact acts in this part
   std::vector<SceneHit> hits;  ///< of this step
+  KeptVectors free_velocity;   ///< of each mover at the end of the part, had nothing pushed it, m/s
   // Where all hits are taken at once:
   std::vector<StepBounce> bounces;   ///< what has pushed
   std::vector<BouncedBody> bounced;  ///< who leaves otherwise than its forces say
-  KeptVectors free_velocity;  ///< of each mover at the end of the part, had nothing pushed it, m/s
-  KeptVectors free_spin;      ///< the same of spins, rad/s; empty without rotation
+  KeptVectors free_spin;             ///< of spins, rad/s; empty without rotation
   /// Of each mover, how far it may come off the way that its velocity says, because somebody pushes
   /// it, m. Empty until somebody is flung farther than was looked for.
   std::vector<double> flung;
