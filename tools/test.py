@@ -12,6 +12,7 @@ import argparse
 import json
 import os
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -508,8 +509,16 @@ STAGES = (
 )
 
 
-def run_stage(stage: Stage) -> tuple[Tally, float]:
+def processor_seconds() -> float:
+    """What all commands that have ended took of processors."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def run_stage(stage: Stage) -> tuple[Tally, float, float]:
+    """What it found, how long it took on the clock, and of processors."""
     began = time.monotonic()
+    used = processor_seconds()
     tally = Tally()
     try:
         for check in stage.checks():
@@ -522,7 +531,7 @@ def run_stage(stage: Stage) -> tuple[Tally, float]:
         tally.add(Tally(failed=1, why=[f"{stage.name}: {error}"]))
     if tally.passed + tally.failed + tally.skipped == 0:
         tally.add(Tally(failed=1, why=[f"{stage.name} found nothing to check"]))
-    return tally, time.monotonic() - began
+    return tally, time.monotonic() - began, processor_seconds() - used
 
 
 def chosen(names: Sequence[str]) -> list[Stage]:
@@ -556,37 +565,36 @@ def main() -> int:
         return 0
 
     sys.stdout.reconfigure(line_buffering=True)  # type: ignore[union-attr]
-    rows: list[tuple[Stage, Tally, float]] = []
+    rows: list[tuple[Stage, Tally, float, float]] = []
     failed: set[str] = set()
     for stage in chosen(arguments.stages):
         missing = [need for need in stage.needs if need in failed]
         if missing:
             why = f"{stage.name} was not run: it needs {missing[0]}, which failed"
-            tally, seconds = Tally(failed=1, why=[why]), 0.0
+            tally, seconds, used = Tally(failed=1, why=[why]), 0.0, 0.0
         else:
             print(f"{stage.name}: {stage.what}")
-            tally, seconds = run_stage(stage)
+            tally, seconds, used = run_stage(stage)
         if tally.failed:
             failed.add(stage.name)
-        rows.append((stage, tally, seconds))
+        rows.append((stage, tally, seconds, used))
         for why in tally.why:
             print("\n".join(f"    {line}" for line in why.splitlines()))
         counts = f"{tally.passed} passed, {tally.failed} failed, {tally.skipped} skipped"
         print(f"{stage.name}: {result(tally)} in {seconds:.0f} s ({counts})")
 
     total = Tally()
-    head = ("stage", "seconds", "limit", "passed", "failed", "skipped")
-    line = "{:10} {:>8} {:>6} {:>7} {:>7} {:>8}  {}"
+    head = ("stage", "seconds", "cpu", "limit", "passed", "failed", "skipped")
+    line = "{:10} {:>8} {:>8} {:>6} {:>7} {:>7} {:>8}  {}"
     print("\n" + line.format(*head, "result"))
-    for stage, tally, seconds in rows:
+    for stage, tally, seconds, used in rows:
         total.add(tally)
         numbers = (tally.passed, tally.failed, tally.skipped)
-        print(
-            line.format(
-                stage.name, f"{seconds:.1f}", int(stage.minutes * 60), *numbers, result(tally)
-            )
-        )
-    print(f"{'all':10} {sum(seconds for _, _, seconds in rows):8.1f} {WHOLE_MINUTES * 60:6}\n")
+        times = (f"{seconds:.1f}", f"{used:.1f}", int(stage.minutes * 60))
+        print(line.format(stage.name, *times, *numbers, result(tally)))
+    clock = sum(seconds for _, _, seconds, _ in rows)
+    processors = sum(used for _, _, _, used in rows)
+    print(f"{'all':10} {clock:8.1f} {processors:8.1f} {WHOLE_MINUTES * 60:6}\n")
     print(f"{total.passed} passed, {total.failed} failed, {total.skipped} skipped")
     return 1 if total.failed else 0
 
