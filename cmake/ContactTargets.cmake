@@ -74,13 +74,14 @@ endfunction()
 # `Output out{}` sets an Eigen column to nothing in particular otherwise; as in docs/wasm/flags.mjs.
 set(CONTACT_FIGURE_DEFINITION EIGEN_INITIALIZE_MATRICES_BY_ZERO)
 
-# The native twin of a live figure: the same source as the page's WebAssembly.
+# The native twin of a live figure: the same source as the page's WebAssembly. Only tests that compare the two run it, and
+# they build those that they take.
 function(contact_add_figures chapter)
   file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/chapters/${chapter}/figures/*.cpp")
   foreach(source IN LISTS sources)
     get_filename_component(stem "${source}" NAME_WE)
     set(target figure_${chapter}_${stem})
-    add_executable(${target} "${source}")
+    add_executable(${target} EXCLUDE_FROM_ALL "${source}")
     target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/docs/figure")
     target_link_libraries(${target} PRIVATE contact_${chapter} nlohmann_json::nlohmann_json contact_warnings)
     target_compile_definitions(${target} PRIVATE ${CONTACT_FIGURE_DEFINITION})

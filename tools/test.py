@@ -321,7 +321,10 @@ def is_shell(file: Path) -> bool:
 
 
 def native() -> Iterator[Check]:
-    yield from cmake_build("dev")
+    """Everything; of the chapters whose headers must compile alone, a third with each commit."""
+    chapters = sorted(folder.parent.name for folder in ROOT.glob("chapters/*/contact"))
+    alone = [f"headers_alone_{slug}" for slug in sample(chapters, 3)]
+    yield from cmake_build("dev", "all", *alone)
 
 
 def native_tests() -> Iterator[Check]:
@@ -333,11 +336,11 @@ KINDS_OF_TESTS = ("reference_tests", "hard_cases")
 
 
 def sanitize() -> Iterator[Check]:
-    """Half of the chapters, the other half with another commit: it takes the compiler long."""
+    """A third of the chapters, others with other commits: it takes the compiler long."""
     chapters = sorted(file.parent.name for file in ROOT.glob("tests/[0-9]*/hard_cases.cpp"))
-    names = [f"{kind}_{slug}" for slug in sample(chapters, 2) for kind in KINDS_OF_TESTS]
+    names = [f"{kind}_{slug}" for slug in sample(chapters, 3) for kind in KINDS_OF_TESTS]
     names.append("support_tests")
-    print(f"    {', '.join(sample(chapters, 2))}")
+    print(f"    {', '.join(sample(chapters, 3))}")
     yield from cmake_build("sanitize", *names)
     yield ctest("sanitize", "--tests-regex", f"^({'|'.join(names)})(:|$)")
 
@@ -430,6 +433,15 @@ def page() -> Iterator[Check]:
     yield from node_tests("test of docs/web:", sorted(docs.glob("web/test/*.test.mjs")), docs)
 
 
+def _native_figures() -> steps.Done:
+    """Of those that loader.test.mjs compares with WebAssembly; the others with other commits."""
+    figures = sample(steps.native_targets(["figure_"]), 3)
+    return steps.build_native(figures, "native-figures")
+
+
+NATIVE_FIGURES = steps.Step("native programs of figures", _native_figures)
+
+
 def wasm() -> Iterator[Check]:
     docs = ROOT / "docs"
     source = BUILD / "catch2" / "extras" / "catch_amalgamated.cpp"
@@ -439,7 +451,7 @@ def wasm() -> Iterator[Check]:
         return
     if shutil.which("apt-get"):
         yield once("Catch2's source", [ROOT / "tools" / "fetch_catch2_source.sh"])
-    yield from step_checks(steps.BEHIND[1:2])
+    yield from step_checks([*steps.BEHIND[1:2], NATIVE_FIGURES])
     tests = [*sorted(docs.glob("wasm/*.test.mjs")), *sorted(docs.glob("web/test/cpp/*.test.mjs"))]
     # As docs/wasm/pool.mjs starts the compiler.
     engine = "--single-threaded-gc --liftoff-only"
@@ -479,7 +491,7 @@ WHOLE_MINUTES = 40
 # The minutes are where a stage is stopped on a busy machine; all of them together take far less.
 STAGES = (
     Stage("style", "format, linters and types of C++, Python, TypeScript and shell", 4, style),
-    Stage("native", "configure and build everything; each header alone", 30, native),
+    Stage("native", "configure and build everything; headers alone", 30, native),
     Stage(
         "ctest",
         "references against the oracle, hard cases, examples, questions",

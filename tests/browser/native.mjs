@@ -1,10 +1,7 @@
 // A figure's C++ as a native program, to hold the page's WebAssembly against.
 
 import { spawnSync } from "node:child_process";
-import path from "node:path";
-import { root } from "./browser.mjs";
-
-const bin = process.env.CONTACT_PROGRAMS ?? path.join(root, "build", "dev", "bin");
+import { nativeFigure } from "../../docs/wasm/native_figure.mjs";
 
 /** @typedef {Record<string, number | number[]>} Fields */
 
@@ -21,7 +18,7 @@ const special = { nan: Number.NaN, inf: Infinity, "-inf": -Infinity };
 
 /** @param {string} name "01_planes/segment_plane" @param {Fields[]} inputs @returns {Fields[]} */
 export function native(name, inputs) {
-  const program = path.join(bin, `figure_${name.replace("/", "_")}`);
+  const program = nativeFigure(name);
   const input = `${inputs.map(line).join("\n")}\n`;
   const done = spawnSync(program, { input, encoding: "utf8", maxBuffer: 1 << 28 });
   if (done.status !== 0) throw new Error(`${program}: ${done.error?.message ?? done.stderr}`);

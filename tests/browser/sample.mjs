@@ -2,11 +2,13 @@
 // tested all. With CONTACT_ALL=1 it is everything.
 
 import { execFileSync } from "node:child_process";
-import { root } from "./browser.mjs";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
 
+const here = path.dirname(fileURLToPath(import.meta.url));
 const all = Boolean(process.env["CONTACT_ALL"]);
 const commit = Number.parseInt(
-  execFileSync("git", ["-C", root, "rev-parse", "HEAD"]).toString().slice(0, 8),
+  execFileSync("git", ["-C", here, "rev-parse", "HEAD"]).toString().slice(0, 8),
   16,
 );
 
