@@ -288,18 +288,24 @@ def tracked(*patterns: str) -> list[str]:
 def style() -> Iterator[Check]:
     cpp = [name for name in tracked("*.cpp", "*.hpp") if "third_party/" not in name]
     venv = BUILD / "venv" / "bin"
-    yield once("clang-format", [venv / "clang-format", "--dry-run", "-Werror", *cpp])
-    yield once("ruff check", [venv / "ruff", "check", "."])
-    yield once("ruff format", [venv / "ruff", "format", "--check", "."])
-    yield once("mypy", [venv / "mypy", *python_sources()])
-    yield once("mypy of the book", [venv / "mypy", "--config-file", "docs/pyproject.toml"])
     bin_ = ROOT / "docs" / "node_modules" / ".bin"
     web = tracked(*(f"docs/*.{kind}" for kind in ("ts", "mts", "mjs", "js", "json", "css")))
-    yield once("biome", [bin_ / "biome", "ci", *web_style(web)], ROOT / "docs")
-    for project in tracked("docs/tsconfig.json", "docs/*/tsconfig.json"):
-        yield once(f"tsc {project}", [bin_ / "tsc", "--noEmit", "-p", ROOT / project])
     scripts = [name for name in tracked() if is_shell(ROOT / name)]
-    yield once("shellcheck", ["shellcheck", *scripts])
+    yield side_by_side(
+        [
+            once("clang-format", [venv / "clang-format", "--dry-run", "-Werror", *cpp]),
+            once("mypy", [venv / "mypy", *python_sources()]),
+            once("mypy of the book", [venv / "mypy", "--config-file", "docs/pyproject.toml"]),
+            once("ruff check", [venv / "ruff", "check", "."]),
+            once("ruff format", [venv / "ruff", "format", "--check", "."]),
+            once("biome", [bin_ / "biome", "ci", *web_style(web)], ROOT / "docs"),
+            *(
+                once(f"tsc {project}", [bin_ / "tsc", "--noEmit", "-p", ROOT / project])
+                for project in tracked("docs/tsconfig.json", "docs/*/tsconfig.json")
+            ),
+            once("shellcheck", ["shellcheck", *scripts]),
+        ]
+    )
 
 
 def web_style(names: Sequence[str]) -> list[str]:
