@@ -29,7 +29,7 @@ const WAYS = [
   { field: "halves", name: "by halves", role: "b", width: 2, at: 27 },
   { field: "kahan", name: "Kahan", role: "normal", width: 2, at: 33 },
   { field: "compensated", name: "compensated", role: "hit", width: 2, at: 37 },
-  { field: "in_double", name: "double, in order", role: "a", width: 2, at: 24 },
+  { field: "in_double", name: "double", role: "a", width: 2, at: 14 },
 ] as const;
 
 /** The number of pushes at the right edge, which lies at 10, and how high the right total is there. */
