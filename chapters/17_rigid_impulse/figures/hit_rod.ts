@@ -104,8 +104,7 @@ export default defineFigure<Input, Output>({
     scene.line(output.left, output.right, { role: "b", width: 3, dashed: true });
     scene.dot(output.middle, "b", 4);
     scene.dot(output.left, "b", 3, true);
-    if (output.lost < -1e-9)
-      scene.label([-2, 1.45], "makes energy", { role: "miss" });
+    if (output.lost < -1e-9) scene.label([-2, 1.45], "makes energy", { role: "miss" });
     if (Math.abs(output.still) <= 1.8) {
       scene.dot([output.still, 0], "hit", 6, true);
       scene.label([output.still, 0], "at rest", {
