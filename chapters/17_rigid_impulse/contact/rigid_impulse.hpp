@@ -173,6 +173,7 @@ struct Collided {
 /// Nor do the bodies close afterwards. Rounded velocities may miss −e v_n by a few of their last
 /// digits, and where it is small they miss its sign. Then the impulse is raised by what one
 /// rounding can hide, and by twice as much as long as v_n, without rounding, is still negative.
+/// That sign is dear only where v_n' is near 0: with e = 0, and for the slowest.
 /// @param e coefficient of restitution, from 0 to 1
 /// @note Immovable bodies go on closing, and so may bodies whose impulse under- or overflows, or
 /// whose inverse tensors have lost to rounding how the contact responds (the thinnest needles).
