@@ -248,7 +248,9 @@ void add_parting(hard_cases::Runner& runner) {
   runner.question("parting", [](const Case& c) {
     const Rational v = contact::normal_velocity(body<Rational>(c, "a"), body<Rational>(c, "b"),
                                                 contact_of<Rational>(c));
-    return Json{{"class", "a"}, {"before", nearest(v)}};
+    return Json{{"class", "a"},
+                {"before", nearest(v)},
+                {"after", nearest(-oracle::exact(c.number("e")) * v)}};
   });
   using Pair = std::pair<Body, Body>;
   const auto method = [&runner](const char* name, auto collide) {
