@@ -108,20 +108,6 @@ Answer truth_of(const Input& input) {
   return {false, exact_sum(input.in_float), exact_sum(input.in_double)};
 }
 
-/// Written out once more as Kahan had it, with the correction of the next term and not of the sum.
-template <class S>
-S kahan(const std::vector<S>& terms) {
-  S sum(0);
-  S carry(0);
-  for (const S x : terms) {
-    const S y = x - carry;
-    const S next = sum + y;
-    carry = (next - sum) - y;
-    sum = next;
-  }
-  return sum;
-}
-
 #ifdef CONTACT_HAS_GMP
 double by_rationals(const std::vector<double>& terms) {
   using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
@@ -161,7 +147,7 @@ ladder::Ladder<Input, Answer> experiment() {
   };
   in_both("order", "in order", [](const auto& terms) { return contact::total_in_order(terms); });
   in_both("pairwise", "pairwise", [](const auto& terms) { return contact::total_pairwise(terms); });
-  in_both("kahan", "Kahan", [](const auto& terms) { return kahan(terms); });
+  in_both("kahan", "Kahan", [](const auto& terms) { return contact::total_kahan(terms); });
   in_both("compensated", "compensated",
           [](const auto& terms) { return contact::total_compensated(terms); });
 

@@ -43,19 +43,6 @@ bool same(double got, const Json& answer, const char* field, int bits = 40) {
 }
 
 template <class S>
-S kahan(const std::vector<S>& terms) {
-  S sum(0);
-  S carry(0);
-  for (const S x : terms) {
-    const S y = x - carry;
-    const S next = sum + y;
-    carry = (next - sum) - y;
-    sum = next;
-  }
-  return sum;
-}
-
-template <class S>
 S plain(const std::vector<S>& terms) {
   S sum(0);
   for (const S x : terms) sum += x;
@@ -73,7 +60,7 @@ void add_total(hard_cases::Runner& runner) {
   };
   in_double("double, in order", [](const Numbers& terms) { return plain(terms); });
   in_double("pairwise", [](const Numbers& terms) { return contact::total_pairwise(terms); });
-  in_double("Kahan", [](const Numbers& terms) { return kahan(terms); });
+  in_double("Kahan", [](const Numbers& terms) { return contact::total_kahan(terms); });
   in_double("compensated", [](const Numbers& terms) { return contact::total_compensated(terms); });
   in_double("book", [](const Numbers& terms) { return contact::total_impulse(terms); });
 }

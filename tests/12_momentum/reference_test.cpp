@@ -170,6 +170,8 @@ TEMPLATE_TEST_CASE("every way of adding impulses is as near as its comment says"
     REQUIRE(error(contact::total_pairwise(terms), right) <= gamma<S>(halvings + 4) * size);
     REQUIRE(error(contact::total_compensated(terms), right) <=
             u<S>() * abs(right) + gamma<S>(n - 1) * gamma<S>(n - 1) * size);
+    REQUIRE(error(contact::total_kahan(terms), right) <=
+            (2 * u<S>() + 8 * n * u<S>() * u<S>()) * size);
     REQUIRE(contact::total_exactly(terms) == nearest<S>(right));
     const S total = contact::total_impulse(terms);
     REQUIRE(error(total, right) <= 3 * u<S>() * abs(right));
@@ -210,7 +212,14 @@ TEST_CASE("a thousand tenths between a large impulse and its opposite, as the le
   for (int power = 0; power <= 52; ++power) {
     CAPTURE(power);
     CHECK(std::abs(contact::total_compensated(tenths(0.0F, power)) - 100) < 0.002F);
+    // What Kahan's sum hands to the last term is rounded to its digits, which are those just below
+    // 2^power: from 2^27 on they are multiples of 8, and 100 is none.
+    if (power < 20) continue;
+    const float kahan = contact::total_kahan(tenths(0.0F, power));
+    CHECK(std::fmod(kahan, std::ldexp(1.0F, power - 24)) == 0);
+    CHECK((kahan == 100) == (power < 27));
   }
+  CHECK(contact::total_kahan(tenths(0.0F, 32)) == 0);
 }
 
 TEST_CASE("a sum that overflows only on the way is finite, and none is ever NaN") {
@@ -219,7 +228,7 @@ TEST_CASE("a sum that overflows only on the way is finite, and none is ever NaN"
   CHECK(contact::total_exactly(there_and_back) == 3.0);
   CHECK(contact::total_impulse(there_and_back) == 3.0);
   for (const auto total : {contact::total_in_order<double>, contact::total_pairwise<double>,
-                           contact::total_compensated<double>}) {
+                           contact::total_compensated<double>, contact::total_kahan<double>}) {
     CHECK(std::isfinite(total(there_and_back)));
     CHECK(std::abs(total({big, big / 2, -big}) - big / 2) <= 1e-15 * big);
     CHECK(total({big, big}) == std::numeric_limits<double>::infinity());

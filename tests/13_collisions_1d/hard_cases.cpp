@@ -246,22 +246,8 @@ void add_row(hard_cases::Runner& runner) {
       return true;
     });
   };
-  add("all pairs at once", [](std::vector<LineBody<double>> row, double e) {
-    for (int round = 0; round < limit; ++round) {
-      const auto old = row;
-      bool any = false;
-      for (std::size_t i = 0; i + 1 < row.size(); ++i) {
-        if (!contact::approaching(old[i], old[i + 1])) continue;
-        any = true;
-        const auto after = contact::collide(old[i], old[i + 1], e);
-        row[i].velocity += after.first - old[i].velocity;
-        row[i + 1].velocity += after.second - old[i + 1].velocity;
-      }
-      if (!any) break;
-    }
-    std::vector<double> v;
-    for (const auto& ball : row) v.push_back(ball.velocity);
-    return v;
+  add("all pairs at once", [](const std::vector<LineBody<double>>& row, double e) {
+    return contact::collide_all_at_once(row, e, limit).velocities;
   });
   for (const auto& [name, order] :
        {std::pair{"book, from the left", contact::PairOrder::left_to_right},

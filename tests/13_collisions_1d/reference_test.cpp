@@ -507,6 +507,48 @@ TEST_CASE("a row keeps its momentum, loses no more than it has, and does not app
   CHECK(left.velocities != right.velocities);
 }
 
+TEST_CASE("all pairs at once keep momentum, and lose energy where a ball gets two blows") {
+  const auto energy = [](const std::vector<LineBody<Rational>>& row, const auto& velocities) {
+    Rational sum = 0;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      sum += row[k].mass * velocities[k] * velocities[k] / 2;
+    }
+    return sum;
+  };
+  Random random(1319);
+  int lost = 0;
+  for (int i = 0; i < 200; ++i) {
+    std::vector<LineBody<Rational>> row;
+    std::vector<Rational> before;
+    for (int n = random.integer(2, 6); n > 0; --n) {
+      const int mass = random.integer(1, 4);
+      row.push_back({mass, random.integer(-5, 5)});
+      before.push_back(row.back().velocity);
+    }
+    const auto outcome = contact::collide_all_at_once<Rational>(row, 1, 12);
+    Rational drift = 0;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      drift += row[k].mass * (outcome.velocities[k] - before[k]);
+    }
+    CHECK(drift == 0);
+    CHECK(energy(row, outcome.velocities) <= energy(row, before));
+    lost += energy(row, outcome.velocities) < energy(row, before);
+  }
+  CHECK(lost > 20);
+  // One ball in from the left: nobody is hit from both sides.
+  const std::vector<LineBody<Rational>> cradle{{1, 2}, {1, 0}, {1, 0}, {1, 0}, {1, 0}};
+  const auto one = contact::collide_all_at_once<Rational>(cradle, 1, 100);
+  CHECK(one.settled);
+  CHECK(
+      one.velocities ==
+      contact::collide_row<Rational>(cradle, 1, contact::PairOrder::fastest_first, 100).velocities);
+  // The lesson's row, one in from each end: the middle ball gets both blows, and a fifth is left.
+  const std::vector<LineBody<Rational>> both{{1, 2}, {1, 0}, {1, 0}, {1, 0}, {1, -1}};
+  const auto two = contact::collide_all_at_once<Rational>(both, 1, 100);
+  CHECK(two.settled);
+  CHECK(two.velocities == std::vector<Rational>{0, 0, 0, 0, 1});
+}
+
 TEST_CASE("balls that hardly bounce may collide without end") {
   // Three equal balls, the outer ones come in alike: below e = 7 − 4 √3 = 0.0718 the middle one is
   // hit to and fro for ever.

@@ -6,7 +6,7 @@
 // class (c) the sine of an angle. A decision is right if it is the same. A velocity or spin is
 // right if it is off by at most 2^-36 of the velocities (or spins) that went in and came out: the
 // mass ratios of this table cost nothing, but the ratio of two moments may cost a full tensor all
-// of its digits.
+// of its digits. Whether bodies part afterwards is the sign of v_n, computed without rounding.
 #include "support/hard_cases.hpp"
 
 #include <algorithm>
@@ -236,6 +236,41 @@ void add_collision(hard_cases::Runner& runner, const std::string& question) {
            });
   }
   method("book", [](const Body& a, const Body& b, const auto& at, double e, const Case&) -> Pair {
+    const auto after = contact::collide<double>(a, b, at, e);
+    return {after.a, after.b};
+  });
+}
+
+/// Bodies that close slowly, and whether they do not close any more afterwards: v_n' ≥ 0, without
+/// rounding, for the motion as it was stored. How fast they part cannot be asked: their velocities
+/// have no digits for that.
+void add_parting(hard_cases::Runner& runner) {
+  runner.question("parting", [](const Case& c) {
+    const Rational v = contact::normal_velocity(body<Rational>(c, "a"), body<Rational>(c, "b"),
+                                                contact_of<Rational>(c));
+    return Json{{"class", "a"},
+                {"before", nearest(v)},
+                {"after", nearest(-oracle::exact(c.number("e")) * v)}};
+  });
+  using Pair = std::pair<Body, Body>;
+  const auto method = [&runner](const char* name, auto collide) {
+    runner.method("parting", name, [collide](const Case& c, const Json&) {
+      const auto [a2, b2] =
+          collide(body<double>(c, "a"), body<double>(c, "b"), contact_of<double>(c), c.number("e"));
+      return contact::closing_case(a2, b2, contact_of<double>(c)) != contact::Closing::approaching;
+    });
+  };
+  const auto push = [](const Body& a, const Body& b, const auto& at, double e) -> Pair {
+    const V impulse = at.normal * contact::collision_impulse<double>(a, b, at, e);
+    return {contact::after_impulse<double>(a, impulse, at.point),
+            contact::after_impulse<double>(b, V(-impulse), at.point)};
+  };
+  method("impulse as computed", push);
+  method("and once more", [push](const Body& a, const Body& b, const auto& at, double e) -> Pair {
+    const auto [a2, b2] = push(a, b, at, e);
+    return push(a2, b2, at, 0);
+  });
+  method("book", [](const Body& a, const Body& b, const auto& at, double e) -> Pair {
     const auto after = contact::collide<double>(a, b, at, e);
     return {after.a, after.b};
   });
@@ -490,6 +525,7 @@ int main(int argc, char** argv) {
   add_closing(runner);
   add_collision(runner, "collision");
   add_collision(runner, "slender");
+  add_parting(runner);
   add_friction(
       runner, "poisson",
       [](const Case& c) {

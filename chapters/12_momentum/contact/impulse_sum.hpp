@@ -1,5 +1,5 @@
 /// @file
-/// Adding up many impulses: four ways that differ in what rounding leaves of a small total.
+/// Adding up many impulses: five ways that differ in what rounding leaves of a small total.
 #pragma once
 
 #include <algorithm>
@@ -51,6 +51,20 @@ S compensated(const S* terms, std::size_t count) {
   return sum + lost;
 }
 // [/compensated]
+
+/// The sum, with what each addition cut off taken from the next term.
+template <std::floating_point S>
+S kahan(const S* terms, std::size_t count) {
+  S sum(0);
+  S over(0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const S x = terms[i] - over;
+    const S next = sum + x;
+    over = (next - sum) - x;
+    sum = next;
+  }
+  return sum;
+}
 
 template <std::floating_point S>
 bool every_term_is_finite(const std::vector<S>& terms) {
@@ -119,6 +133,19 @@ S total_pairwise(const std::vector<S>& terms) {
 template <std::floating_point S>
 S total_compensated(const std::vector<S>& terms) {
   return detail::without_overflow(terms, detail::compensated<S>);
+}
+
+/// Kahan's sum, the older form of the compensated one: what an addition cuts off is handed to the
+/// next term. Where that is so large that it vanishes in it, it is lost.
+///
+/// Off by at most (2 u + O(n u²)) Σ|Jᵢ|: far better than in order, and no better than the sizes of
+/// the terms allow if they cancel. Here to be compared; prefer total_compensated().
+/// @param terms finite, N·s
+/// @return N·s; 0 for no terms; ±∞ only if the true sum is about as large as that
+/// @see Kahan, *Communications of the ACM* 8 (1965); Higham, section 4.3
+template <std::floating_point S>
+S total_kahan(const std::vector<S>& terms) {
+  return detail::without_overflow(terms, detail::kahan<S>);
 }
 
 // [exactly]

@@ -19,8 +19,8 @@ struct Output {
   double problem;
   double power;
   double pushes;
-  std::array<double, samples> in_order, halves, compensated, in_double, right;  // N·s
-  std::array<double, 5> read;                                                   // in this order
+  std::array<double, samples> in_order, halves, kahan, compensated, in_double, right;  // N·s
+  std::array<double, 6> read;  // in this order
   double coarse;       // from the large impulse to the next number in single precision, N·s
   double first_digit;  // of the small impulse: the power of two
 };
@@ -51,6 +51,7 @@ Output compute(const Input& in) {
     const auto doubles = impulses<double>(large, small, k * each);
     out.in_order[k] = double(contact::total_in_order(floats));
     out.halves[k] = double(contact::total_pairwise(floats));
+    out.kahan[k] = double(contact::total_kahan(floats));
     out.compensated[k] = double(contact::total_compensated(floats));
     out.in_double[k] = contact::total_in_order(doubles);
     out.right[k] = contact::total_exactly(doubles);
@@ -58,13 +59,13 @@ Output compute(const Input& in) {
   const double asked = std::clamp(in.pushes / each, 0.0, double(samples - 1));
   const auto at = static_cast<std::size_t>(std::round(asked));
   out.pushes = static_cast<double>(at * each);
-  out.read = {out.in_order[at], out.halves[at], out.compensated[at], out.in_double[at],
-              out.right[at]};
+  out.read = {out.in_order[at],    out.halves[at],    out.kahan[at],
+              out.compensated[at], out.in_double[at], out.right[at]};
   out.coarse = double(contact::ulp(large));
   out.first_digit = std::ilogb(small);
   return out;
 }
 
 FIGURE(Input, FIELDS(power, small, pushes), Output,
-       FIELDS(problem, power, pushes, in_order, halves, compensated, in_double, right, read, coarse,
-              first_digit))
+       FIELDS(problem, power, pushes, in_order, halves, kahan, compensated, in_double, right, read,
+              coarse, first_digit))

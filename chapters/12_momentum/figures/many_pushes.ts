@@ -14,6 +14,7 @@ interface Output {
   pushes: number;
   in_order: readonly number[];
   halves: readonly number[];
+  kahan: readonly number[];
   compensated: readonly number[];
   in_double: readonly number[];
   right: readonly number[];
@@ -26,8 +27,9 @@ interface Output {
 const WAYS = [
   { field: "in_order", name: "in order", role: "miss", width: 3, at: 42 },
   { field: "halves", name: "by halves", role: "b", width: 2, at: 27 },
+  { field: "kahan", name: "Kahan", role: "normal", width: 2, at: 33 },
   { field: "compensated", name: "compensated", role: "hit", width: 2, at: 37 },
-  { field: "in_double", name: "double, in order", role: "a", width: 2, at: 24 },
+  { field: "in_double", name: "double", role: "a", width: 2, at: 14 },
 ] as const;
 
 /** The number of pushes at the right edge, which lies at 10, and how high the right total is there. */
@@ -154,7 +156,7 @@ export default defineFigure<Input, Output>({
     });
   },
   values: (_input, output) => [
-    { name: "right", meaning: "n times the small one", value: output.read[4] ?? 0, unit: "N·s" },
+    { name: "right", meaning: "n times the small one", value: output.read[5] ?? 0, unit: "N·s" },
     ...WAYS.map(({ field, name, role }, k) => ({
       name: field === "in_double" ? "in order" : name,
       meaning: field === "in_double" ? "double precision" : "single precision",
@@ -171,7 +173,7 @@ export default defineFigure<Input, Output>({
     },
   ],
   describe(input, output) {
-    const [order = 0, halves = 0, compensated = 0, double = 0, right = 0] = output.read;
-    return `After 2 to the power ${pretty(output.power)} N·s, ${pretty(output.pushes)} pushes of ${pretty(input.small)} N·s and the large one back, ${pretty(right)} N·s should be left. In single precision the sum in order leaves ${pretty(order)}, by halves ${pretty(halves)}, compensated ${pretty(compensated)}; in double precision in order ${pretty(double)}.`;
+    const [order = 0, halves = 0, kahan = 0, compensated = 0, double = 0, right = 0] = output.read;
+    return `After 2 to the power ${pretty(output.power)} N·s, ${pretty(output.pushes)} pushes of ${pretty(input.small)} N·s and the large one back, ${pretty(right)} N·s should be left. In single precision the sum in order leaves ${pretty(order)}, by halves ${pretty(halves)}, Kahan’s ${pretty(kahan)}, compensated ${pretty(compensated)}; in double precision in order ${pretty(double)}.`;
   },
 });

@@ -7,7 +7,7 @@ struct Input {
   double middle;                   // mass of the third ball in those of the others
   double e;                        // coefficient of restitution of every pair; springs lose nothing
   double method;                   // 0: fastest pair first, 1: from the left, 2: from the right,
-                                   // 3: linear springs, 4: elastic spheres
+                                   // 3: linear springs, 4: elastic spheres, 5: all pairs at once
 };
 
 struct Output {
@@ -49,6 +49,8 @@ Output compute(const Input& in) {
   } else if (in.method == 3 || in.method == 4) {
     outcome = contact::row_on_springs(
         row, in.method == 3 ? contact::ContactSpring::linear : contact::ContactSpring::hertz, 1000);
+  } else if (in.method == 5) {
+    outcome = contact::collide_all_at_once(row, in.e, limit);
   }
   const auto& other = in.method == 2 ? left : right;
   double energy = 0;

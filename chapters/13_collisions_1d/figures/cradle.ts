@@ -57,6 +57,7 @@ export default defineFigure<Input, Output>({
         { value: 0, label: "pairs, fastest first" },
         { value: 1, label: "pairs, from the left" },
         { value: 2, label: "pairs, from the right" },
+        { value: 5, label: "all pairs at once" },
         { value: 3, label: "springs" },
         { value: 4, label: "elastic spheres" },
       ],

@@ -1,5 +1,5 @@
 // Two smooth discs at the moment of their touch: the axis, the parts of the velocities, and what
-// three ways of answering make of it.
+// four ways of answering make of it.
 #include <contact/disc_collision.hpp>
 #include <contact/figure.hpp>
 
@@ -10,7 +10,7 @@ struct Input {
   double mass_a, mass_b;  // kg
   double restitution;
   double way;  // 0: the book's; 1: the lecture's steps, which do not ask for approach; 2: the whole
-               // velocity turned round
+               // velocity turned round; 3: the book's with an axis that is as long as it comes
 };
 
 struct Output {
@@ -69,15 +69,22 @@ Output compute(const Input& in) {
 
   const auto book = contact::collide_discs(a, b, in.restitution);
   auto after = book;
-  if (in.way == 1) {
-    // WRONG: step c of the lecture, with e, and without a question before it. It is right for discs
-    // that approach; those that part it turns round along the axis, so that they go through each
-    // other.
+  // Step c of the lecture, with e and along any n.
+  const auto step_c = [&](const Vector& n) {
     const double m = a.mass + b.mass;
-    const double p = a.mass * parts_a.normal + b.mass * parts_b.normal;
-    const double w = parts_a.normal - parts_b.normal;
-    after.velocity_a = parts_a.across + out.axis * ((p - in.restitution * w * b.mass) / m);
-    after.velocity_b = parts_b.across + out.axis * ((p + in.restitution * w * a.mass) / m);
+    const double p = a.mass * n.dot(a.velocity) + b.mass * n.dot(b.velocity);
+    const double w = in.restitution * n.dot(a.velocity - b.velocity);
+    after.velocity_a = a.velocity + n * ((p - w * b.mass) / m - n.dot(a.velocity));
+    after.velocity_b = b.velocity + n * ((p + w * a.mass) / m - n.dot(b.velocity));
+  };
+  if (in.way == 1) {
+    // WRONG: no question before it. It is right for discs that approach; those that part it turns
+    // round along the axis, so that they go through each other.
+    step_c(out.axis);
+  } else if (in.way == 3 && out.approach == 1) {
+    // WRONG: with an axis of length L each projection is L times too large, and used L times: the
+    // impulse comes out L² times what it should be.
+    step_c(a.centre - b.centre);
   } else if (in.way == 2) {
     // WRONG: also the parts across the axis are turned round, where nothing pushes; and who meets
     // whom, and how heavy, does not matter to it, so that momentum is lost.

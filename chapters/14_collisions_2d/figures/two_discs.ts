@@ -113,6 +113,7 @@ export default defineFigure<Input, Output>({
         { value: 0, label: "by the book" },
         { value: 1, label: "without asking" },
         { value: 2, label: "all turned round" },
+        { value: 3, label: "axis not normalised" },
       ],
     },
     { kind: "numbers", field: "velocity_a", label: "v_A", role: "a" },

@@ -13,6 +13,7 @@ struct Input {
   double e;          // coefficient of restitution
   double time;       // since the hit, s
   double half;       // of the rod's length, m
+  double way;        // how the impulse is computed; 0: the book's, 1: as if the rod could not turn
 };
 
 struct Output {
@@ -25,6 +26,7 @@ struct Output {
   double grip;                          // velocity of the left end
   double still;                         // the point that the hit leaves at rest, from the middle
   double lost;                          // share of the kinetic energy
+  double ratio;                         // of the speeds of parting and closing: should be e
   Eigen::Vector2d middle, left, right;  // of the rod at the time
   double ball_place;
   double grip_stands;  // goal of a question
@@ -52,10 +54,19 @@ Output compute(const Input& in) {
   const contact::ContactPoint<double> hit{{in.at, 0, 0}, {0, 1, 0}};
   // A ball that passes beside the rod hits nothing.
   const bool meets = std::abs(in.at) <= in.half;
-  const auto after =
+  auto after =
       meets ? contact::collide(rod, ball, hit, in.e) : contact::Collided<double>{rod, ball, zero};
-  out.impulse = after.impulse.y();
   out.without_turning = meets ? contact::impulse_without_rotation(rod, ball, hit, in.e) : 0;
+  if (in.way == 1) {
+    // WRONG: the rod turns all the same, so it gives way more easily, and this impulse is too
+    // large.
+    after.impulse = hit.normal * out.without_turning;
+    after.a = contact::after_impulse(rod, after.impulse, hit.point);
+    after.b = contact::after_impulse<double>(ball, -after.impulse, hit.point);
+  }
+  out.impulse = after.impulse.y();
+  const double closing = contact::normal_velocity(rod, ball, hit);
+  out.ratio = meets && closing < 0 ? contact::normal_velocity(after.a, after.b, hit) / -closing : 0;
   out.velocity = after.a.velocity.y();
   out.spin = after.a.spin.z();
   out.ball_velocity = after.b.velocity.y();
@@ -78,6 +89,6 @@ Output compute(const Input& in) {
   return out;
 }
 
-FIGURE(Input, FIELDS(at, rod, ball, speed, e, time, half), Output,
+FIGURE(Input, FIELDS(at, rod, ball, speed, e, time, half, way), Output,
        FIELDS(problem, impulse, without_turning, velocity, spin, ball_velocity, along, grip, still,
-              lost, middle, left, right, ball_place, grip_stands))
+              lost, ratio, middle, left, right, ball_place, grip_stands))

@@ -11,6 +11,7 @@ interface Input {
   e: number;
   time: number;
   half: number;
+  way: number;
 }
 
 interface Output {
@@ -23,6 +24,7 @@ interface Output {
   grip: number;
   still: number;
   lost: number;
+  ratio: number;
   middle: Vec2;
   left: Vec2;
   right: Vec2;
@@ -36,7 +38,7 @@ export default defineFigure<Input, Output>({
   title: "Where to hit a rod",
   view: { kind: "2d", x: [-2.1, 2.1], y: [-1.1, 1.6] },
   aspect: 1.3,
-  initial: { at: 0.7, rod: 3, ball: 1, speed: 4, e: 0.5, time: 0.4, half: 1 },
+  initial: { at: 0.7, rod: 3, ball: 1, speed: 4, e: 0.5, time: 0.4, half: 1, way: 0 },
   handles: [
     {
       kind: "slide",
@@ -50,6 +52,15 @@ export default defineFigure<Input, Output>({
     },
   ],
   controls: [
+    {
+      kind: "choice",
+      field: "way",
+      label: "impulse",
+      options: [
+        { value: 0, label: "by the book" },
+        { value: 1, label: "without rotation" },
+      ],
+    },
     { kind: "slider", field: "at", label: "x", min: -1.6, max: 1.6, step: 0.01, unit: "m" },
     { kind: "slider", field: "rod", label: "m_rod", min: 0.5, max: 9, step: 0.1, unit: "kg" },
     { kind: "slider", field: "ball", label: "m_ball", min: 0.1, max: 9, step: 0.1, unit: "kg" },
@@ -93,6 +104,7 @@ export default defineFigure<Input, Output>({
     scene.line(output.left, output.right, { role: "b", width: 3, dashed: true });
     scene.dot(output.middle, "b", 4);
     scene.dot(output.left, "b", 3, true);
+    if (output.lost < -1e-9) scene.label([-2, 1.45], "makes energy", { role: "miss" });
     if (Math.abs(output.still) <= 1.8) {
       scene.dot([output.still, 0], "hit", 6, true);
       scene.label([output.still, 0], "at rest", {
@@ -102,7 +114,7 @@ export default defineFigure<Input, Output>({
       });
     }
   },
-  values: (_input, output) => [
+  values: (input, output) => [
     { name: "j", meaning: "impulse", value: output.impulse, unit: "N·s" },
     {
       name: "j",
@@ -128,10 +140,17 @@ export default defineFigure<Input, Output>({
       unit: "m",
       role: "hit",
     },
+    {
+      name: "−v_n′/v_n",
+      meaning: "should be e",
+      value: output.ratio,
+      role: input.way === 1 ? "miss" : "ink",
+    },
     { name: "lost", meaning: "share of the kinetic energy", value: output.lost },
   ],
   describe(input, output) {
     const where = Math.abs(output.still) <= input.half ? "lies on the rod" : "lies beyond the rod";
-    return `The ball hits ${pretty(input.at, 2)} m from the middle: the middle leaves at ${pretty(output.velocity, 3)} m/s, the grip at ${pretty(output.grip, 3)} m/s, and the point that stays at rest ${where}.`;
+    const energy = output.lost < -1e-9 ? " This makes energy out of nothing." : "";
+    return `The ball hits ${pretty(input.at, 2)} m from the middle: the middle leaves at ${pretty(output.velocity, 3)} m/s, the grip at ${pretty(output.grip, 3)} m/s, and the point that stays at rest ${where}.${energy}`;
   },
 });
