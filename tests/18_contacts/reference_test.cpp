@@ -573,6 +573,116 @@ TEST_CASE("what is finished closes no faster, makes no energy, and rubs within i
   CHECK(finished > tried(400) / 2);
 }
 
+TEST_CASE("what is finished obeys Coulomb's law: friction is against the slip, or nothing slips") {
+  // Velocities are as right as 2^14 roundings of what has been added up for them, 64 times what the
+  // report counts; impulses to 2^14 u of the largest.
+  Random random(1818);
+  int finished = 0;
+  int slides = 0;
+  for (int i = 0; i < tried(150); ++i) {
+    auto p = down(problem(random, random.integer(3, 8), random.integer(2, 12)));
+    for (std::size_t k = 1; k < p.bodies.size(); k += 2)
+      make_heavier(p.bodies[k], i % 2 == 0 ? 0x1p10 : 0x1p20);
+    for (auto& c : p.contacts) c.friction = random.uniform(0, 1);
+    const auto swept = contact::solve_contacts<double>(p.bodies, p.contacts, {}, {100, 0.0});
+    const auto got = contact::finish_contacts<double>(p.bodies, p.contacts, swept.impulses);
+    if (!got) continue;
+    ++finished;
+    CHECK(energy(got->bodies) <= energy(p.bodies) * (1 + 1e-9));
+    const double wrong = 256 * got->report.rounding;
+    double largest = 0;
+    for (const auto& x : got->impulses) largest = std::max(largest, x.normal);
+    for (std::size_t k = 0; k < p.contacts.size(); ++k) {
+      const auto& c = p.contacts[k];
+      const auto& x = got->impulses[k];
+      const V between = contact::velocity_at(got->bodies[static_cast<std::size_t>(c.a)], c.point) -
+                        contact::velocity_at(got->bodies[static_cast<std::size_t>(c.b)], c.point);
+      const V slip = between - c.normal * c.normal.dot(between);
+      CAPTURE(i, k, x.normal, slip.norm(), wrong);
+      CHECK(c.normal.dot(between) >= -wrong);
+      if (x.normal > 0x1p-36 * largest) CHECK(c.normal.dot(between) <= wrong);
+      CHECK(x.tangential.norm() <= c.friction * x.normal * (1 + 32 * u));
+      // It takes as much energy as any friction in its cone can.
+      const double most = c.friction * x.normal;
+      CHECK(x.tangential.dot(slip) + most * slip.norm() <=
+            2 * most * wrong + 0x1p-36 * largest * slip.norm());
+      if (slip.norm() > wrong && x.normal > 0x1p-36 * largest) ++slides;
+    }
+  }
+  CAPTURE(finished, slides);
+  CHECK(finished > tried(150) * 4 / 5);
+  CHECK(slides > tried(150));
+}
+
+TEST_CASE("friction that is only kept in its cones makes no energy, and lets nothing close") {
+  Random random(1819);
+  int finished = 0;
+  for (int i = 0; i < tried(100); ++i) {
+    auto p = down(problem(random, random.integer(3, 6), random.integer(2, 6)));
+    for (std::size_t k = 1; k < p.bodies.size(); k += 2) make_heavier(p.bodies[k], 0x1p10);
+    for (auto& c : p.contacts) c.friction = random.uniform(0, 1);
+    const std::vector<ContactImpulse<double>> none(p.contacts.size());
+    const auto got =
+        contact::finish_contacts<double>(p.bodies, p.contacts, none, contact::FrictionLaw::cones);
+    if (!got) continue;
+    ++finished;
+    CHECK(energy(got->bodies) <= energy(p.bodies) * (1 + 1e-9));
+    double fastest = 0;
+    for (const auto& c : p.contacts)
+      fastest = std::max(fastest, std::abs(contact::contact_velocity(p.bodies, c)));
+    for (std::size_t k = 0; k < p.contacts.size(); ++k) {
+      const auto& x = got->impulses[k];
+      CHECK(x.tangential.norm() <= p.contacts[k].friction * x.normal * (1 + 32 * u));
+      CHECK(contact::contact_velocity(got->bodies, p.contacts[k]) >= -1e-6 * fastest);
+    }
+  }
+  CHECK(finished > tried(100) * 4 / 5);
+}
+
+TEST_CASE("plates on a slope are finished to rest, or to one speed, whatever lies on them") {
+  for (const double load : {1.0, 1e3, 1e6}) {
+    for (const double steep : {0.5, 0.99, 1.01, 2.0}) {  // times the friction angle's tangent
+      CAPTURE(load, steep);
+      // The slope is the plane of x and y here: g h is 1/6, of the angle whose tangent is steep/2.
+      const double cosine = 1 / std::sqrt(1 + steep * steep / 4);
+      const V free = V(steep / 2, 0, -1) * (cosine / 6);
+      std::vector<Body> bodies{contact::immovable<double>({0, 0, 0}, {0, 0, 0}, {0, 0, 0})};
+      std::vector<BodyContact<double>> contacts;
+      for (int k = 1; k <= 4; ++k) {
+        const double mass = k == 4 ? load : 1;
+        bodies.push_back(
+            contact::rigid_body<double>(mass, contact::box_inertia<double>(mass, {1, 1, 0.1}),
+                                        {0, 0, 0.1 * k - 0.05}, free, {0, 0, 0}));
+        for (const double x : {-0.5, 0.5}) {
+          for (const double y : {-0.5, 0.5}) {
+            BodyContact<double> c;
+            c.a = k;
+            c.b = k - 1;
+            c.point = {x, y, 0.1 * (k - 1)};
+            c.normal = {0, 0, 1};
+            c.friction = 0.5;
+            contacts.push_back(c);
+          }
+        }
+      }
+      const auto swept = contact::solve_contacts<double>(bodies, contacts, {}, {100, 1e-12});
+      const auto got = contact::finish_contacts<double>(bodies, contacts, swept.impulses);
+      REQUIRE(got.has_value());
+      const double speed = std::max(0.0, free.x() + free.z() / 2);
+      const double wrong = 64 * std::max(1e-12, got->report.rounding);
+      CHECK((got->bodies[4].velocity - V(speed, 0, 0)).norm() <= wrong);
+      CHECK(energy(got->bodies) <= energy(bodies));
+      // What slides is at its limit on both faces: a plate may be anywhere between slope and load.
+      for (std::size_t k = 1; k < 4; ++k) {
+        const V v = got->bodies[k].velocity;
+        CHECK(v.x() >= -wrong);
+        CHECK(v.x() <= speed + wrong);
+        CHECK((v - V(v.x(), 0, 0)).norm() <= wrong);
+      }
+    }
+  }
+}
+
 TEST_CASE("what cannot be finished is left") {
   const std::vector<Body> walls(2, contact::immovable<double>({0, 0, 0}, {0, 0, 0}, {0, 0, 0}));
   BodyContact<double> c;

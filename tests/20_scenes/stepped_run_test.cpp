@@ -1021,6 +1021,94 @@ TEST_CASE("a staggered tower stands still and comes to sleep, whatever lies on w
   }
 }
 
+namespace {
+
+/// Boxes on a slope of 3 in 4, each on the one before, the last one of another mass.
+Scene boxes_on_a_slope(double friction, double load) {
+  Scene scene = with_gravity(0, friction, 0.5, 1e-4);
+  const Point normal(0.6, 0, 0.8);
+  plan_scenes::wall(scene, normal, 0);
+  double low = 0;
+  for (const double half : {0.05, 0.05, 0.05, 0.25}) {
+    auto& box =
+        plan_scenes::box(scene, {0.5, 0.5, half}, half > 0.1 ? load : 1, normal * (low + half));
+    // By the angle whose half has the cosine 3/√10: the box's z is the slope's normal.
+    box.orientation = {3 / std::sqrt(10.0), {0, 1 / std::sqrt(10.0), 0}};
+    low += 2 * half;
+  }
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("plates on a slope stay or slide as its angle says, whatever lies on them") {
+  // A plate under a load is pushed and rubbed a million times as hard as it is heavy. That rounds
+  // to 2⁻⁴⁰ of it a step, and is still below 1e-7 m after thirty. What slides is at its limit on
+  // both faces: nothing brings a plate back that has come off the load by a little.
+  for (const double load : {1.0, 1e3, 1e6}) {
+    for (const double steep : {0.99, 1.01}) {  // times the friction angle's tangent
+      const double friction = 0.75 / steep;
+      const Scene scene = boxes_on_a_slope(friction, load);
+      const auto run = run_of(scene);
+      run->advance(0.5);
+      const double way = std::max(0.0, 10 * (0.6 - friction * 0.8)) / 8;
+      for (std::size_t i = 1; i <= 4; ++i) {
+        const Point moved = run->position(i) - scene.bodies[i].position;
+        CAPTURE(load, steep, i, way, moved);
+        CHECK((moved - Point(0.8, 0, -0.6) * way).norm() < (way > 0 && i < 4 ? 1e-3 : 1e-7));
+      }
+    }
+  }
+}
+
+TEST_CASE("a heavy box comes to rest on light ones, which stand or go with it") {
+  // μ = 1/2: from 1 m/s it stops after 0.2 s and 0.1 m, or, if that is a rounding later than the
+  // end of a step, up to μ g h²/8 farther.
+  for (const double load : {1.0, 1e3, 1e6}) {
+    for (const double carried : {0.0, 1.0}) {
+      Scene scene = with_gravity(0, 0.5, 0.4, 1e-4);
+      plan_scenes::wall(scene, Point::UnitZ(), 0);
+      for (const double x : {-0.6, 0.6})
+        plan_scenes::box(scene, {0.3, 0.5, 0.1}, 1, {x, 0, 0.1}, {carried, 0, 0});
+      plan_scenes::box(scene, {1, 0.5, 0.25}, load, {0, 0, 0.45}, {1, 0, 0});
+      const auto run = run_of(scene);
+      for (const double t : {0.1, 0.4}) {
+        run->advance(t);
+        const double speed = std::max(0.0, 1 - 5 * t);
+        const double way = 0.1 - speed * speed / 10;
+        for (std::size_t i = 1; i <= 3; ++i) {
+          CAPTURE(load, carried, t, i);
+          const double share = i == 3 ? 1 : carried;
+          const Point moved = run->position(i) - scene.bodies[i].position;
+          const double late = speed > 0 ? 0 : 5 * run->step() * run->step() / 8;
+          CHECK((moved - Point::UnitX() * (share * way)).norm() < 1e-6 + late);
+          CHECK((run->velocity(i) - Point::UnitX() * (share * speed)).norm() < 1e-6);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("what slides at a slant comes to rest on a straight line, whatever lies on it") {
+  const Point way(0.8, 0.6, 0);
+  for (const double load : {1.0, 1e3, 1e6}) {
+    Scene scene = with_gravity(0, 0.4, 0.6, 1e-4);
+    plan_scenes::wall(scene, Point::UnitZ(), 0);
+    plan_scenes::box(scene, {0.5, 0.5, 0.1}, 1, {0, 0, 0.1}, way * 2);
+    plan_scenes::box(scene, {0.3, 0.3, 0.1}, load, {0, 0, 0.3}, way * 2);
+    const auto run = run_of(scene);
+    run->advance(0.6);
+    for (std::size_t i = 1; i <= 2; ++i) {
+      CAPTURE(load, i);
+      const Point moved = run->position(i) - scene.bodies[i].position;
+      // 2²/(2 μ g), in thirty steps; a light one below is held by as much as it is drawn.
+      CHECK(std::abs(moved.dot(way) - 0.5) < (i == 2 ? 1e-7 : 1e-3));
+      CHECK((moved - way * moved.dot(way)).norm() < 1e-7);
+      CHECK(run->velocity(i).norm() < 1e-6);
+    }
+  }
+}
+
 TEST_CASE("what falls along a wall that it comes to falls as if nothing cut its steps") {
   for (const int balls : {0, 1, 2, 3}) {
     CAPTURE(balls);

@@ -142,11 +142,17 @@ inline void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPar
   std::vector<detail::Closing> closing;
   for (const NearPair& pair : part.pairs) {
     if (pair.material.stiffness || (pair.leaving && !part.at_once)) continue;
+    // Of a gap that is no more than some rounding who rests or slides beside it comes half the way
+    // with the mean of its velocities, and that is not too late.
+    const auto rounds = [&](const ManifoldPoint<double>& point, double gap) {
+      const double way = -parting_speed(setup, state, pair, point.point) * part.planned;
+      return !part.at_once && gap <= 16 * pair.near && way <= gap + 2 * pair.near;
+    };
     for (const auto& point : pair.manifold.points) {
       const double gap = std::max(point.distance, 0.0);
       const bool touches = point.distance <= pair.touch;
       contacts.push_back(detail::contact_at(pair, point, touches ? 0.0 : -(gap / part.planned)));
-      gaps.push_back(touches ? 0.0 : gap);
+      gaps.push_back(touches || rounds(point, gap) ? 0.0 : gap);
       if (part.at_once)
         closing.push_back(detail::closing_of(setup, state, part, pair, point.point));
     }

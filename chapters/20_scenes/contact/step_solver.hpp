@@ -246,14 +246,16 @@ inline bool unfinished(const SteppedSetup& setup, const std::vector<RigidBody<do
 }
 
 /// Finishes what sweeps have left, where that is better. Where it is not, or is too much, and
-/// bodies would come into each other by more than most_left(): nothing rubs this time.
+/// bodies would come into each other by more than most_left(): friction is only kept in its cones,
+/// or, if that is no way out either, nothing rubs this time.
 inline void finish_sweeps(const SteppedSetup& setup, const std::vector<RigidBody<double>>& bodies,
                           std::vector<BodyContact<double>> contacts, double time,
                           SolvedContacts<double>& solved) {
   auto all = finish_contacts<double>(bodies, contacts, solved.impulses);
   if (!all && solved.report.last_change * time > most_left(setup)) {
+    all = finish_contacts<double>(bodies, contacts, solved.impulses, FrictionLaw::cones);
     for (BodyContact<double>& contact : contacts) contact.friction = 0;
-    all = finish_contacts<double>(bodies, contacts, solved.impulses);
+    if (!all) all = finish_contacts<double>(bodies, contacts, solved.impulses);
   }
   if (all) solved = std::move(*all);
 }

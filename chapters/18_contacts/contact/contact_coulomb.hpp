@@ -1,0 +1,424 @@
+/// @file
+/// Many contacts at once that rub: Coulomb's law by Newton's method, and what leads there.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
+
+#include <contact/contact_lcp.hpp>
+#include <contact/contact_rows.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+namespace detail {
+
+/// The numbers of one contact: its normal's and its two tangents', 0 where it has none.
+template <std::floating_point S>
+Vector3<S> numbers_of(const ImpulseRows<S>& problem, std::size_t contact, const Numbers<S>& all) {
+  const Eigen::Index n = problem.first[contact];
+  if (!(problem.cone[contact] > S(0))) return {all(n), S(0), S(0)};
+  return {all(n), all(n + 1), all(n + 2)};
+}
+
+template <std::floating_point S>
+void set_numbers(const ImpulseRows<S>& problem, std::size_t contact, const Vector3<S>& some,
+                 Numbers<S>& all) {
+  const Eigen::Index n = problem.first[contact];
+  for (Eigen::Index k = 0; k < (problem.cone[contact] > S(0) ? 3 : 1); ++k) all(n + k) = some(k);
+}
+
+/// A contact's blocks in a matrix over all rows.
+template <std::floating_point S>
+Eigen::SparseMatrix<S> blocks(const ImpulseRows<S>& problem,
+                              const std::vector<Matrix3<S>>& of_contact) {
+  std::vector<Eigen::Triplet<S>> entries;
+  for (std::size_t i = 0; i < of_contact.size(); ++i) {
+    const int n = problem.first[i];
+    const int size = problem.cone[i] > S(0) ? 3 : 1;
+    for (int row = 0; row < size; ++row)
+      for (int column = 0; column < size; ++column)
+        entries.emplace_back(n + row, n + column, of_contact[i](row, column));
+  }
+  Eigen::SparseMatrix<S> made(problem.matrix.rows(), problem.matrix.cols());
+  made.setFromTriplets(entries.begin(), entries.end());
+  return made;
+}
+
+/// M with a little on its diagonal, so that it may be eliminated where it is singular.
+template <std::floating_point S>
+Eigen::SparseMatrix<S> firm_matrix(const ImpulseRows<S>& problem) {
+  Eigen::SparseMatrix<S> firm = problem.matrix;
+  for (Eigen::Index r = 0; r < firm.rows(); ++r)
+    firm.coeffRef(r, r) += S(0x1p16) * std::numeric_limits<S>::epsilon();
+  return firm;
+}
+
+/// Velocities and impulses may be wrong by this share of what has been added up for them.
+template <std::floating_point S>
+inline constexpr S coulomb_rounding = S(0x1p14) * std::numeric_limits<S>::epsilon();
+
+// [coulomb-error]
+/// By how many roundings impulses break a law, the most at any contact: none pulls, none closes;
+/// who pushes does not open; friction is in its cone; who slides has all of it, against its slip.
+template <std::floating_point S>
+S coulomb_error(const ImpulseRows<S>& problem, const Numbers<S>& y) {
+  const Numbers<S> velocity = problem.matrix * y + problem.constant;
+  const Numbers<S> sizes = problem.matrix.cwiseAbs() * y.cwiseAbs() + problem.constant.cwiseAbs();
+  const S pushes = coulomb_rounding<S> *
+                   std::max(y.cwiseAbs().maxCoeff(), problem.constant.cwiseAbs().maxCoeff());
+  S most(0);
+  for (std::size_t i = 0; i < problem.first.size(); ++i) {
+    const Vector3<S> x = numbers_of<S>(problem, i, y);
+    const Vector3<S> w = numbers_of<S>(problem, i, velocity);
+    const Vector3<S> size = numbers_of<S>(problem, i, sizes) * coulomb_rounding<S>;
+    if (!(pushes > S(0)) || !(size(0) > S(0))) continue;  // nothing moves, and nothing pushes
+    const S open = std::max(std::abs(x(0)) / pushes, -w(0) / size(0));
+    most = std::max({most, -x(0) / pushes, std::min(std::abs(w(0)) / size(0), open)});
+    if (!(problem.cone[i] > S(0))) continue;
+    const S allowed = problem.cone[i] * std::max(S(0), x(0));
+    const S slip = std::sqrt(w(1) * w(1) + w(2) * w(2));
+    const S rounding = std::max({size(1), size(2), std::numeric_limits<S>::min()});
+    most = std::max(most, (std::sqrt(x(1) * x(1) + x(2) * x(2)) - allowed) / pushes);
+    if (!(slip > rounding)) continue;
+    const S one = x(1) + allowed * w(1) / slip;
+    const S two = x(2) + allowed * w(2) / slip;
+    const S turned = allowed * (S(2) * rounding / slip);  // the slip rounds
+    most = std::max(
+        most, std::min(slip / rounding, std::sqrt(one * one + two * two) / (pushes + turned)));
+  }
+  return most;
+}
+
+template <std::floating_point S>
+bool obeys_coulomb(const ImpulseRows<S>& problem, const Numbers<S>& y) {
+  return coulomb_error<S>(problem, y) <= S(1);
+}
+// [/coulomb-error]
+
+// [coulomb-law]
+/// What is wrong at one contact, as numbers that are 0 where Coulomb's law holds; and how they
+/// change with its impulse and with its velocity.
+template <std::floating_point S>
+struct CoulombLaw {
+  Vector3<S> wrong = Vector3<S>::Zero();
+  Matrix3<S> by_impulse = Matrix3<S>::Zero();
+  Matrix3<S> by_velocity = Matrix3<S>::Zero();
+};
+
+/// Coulomb's law at one contact as Alart and Curnier (1991) have it.
+///
+/// A push minus a closing that is positive: it pushes, and shall not open; else it shall not push.
+/// Friction minus slip, within what that push allows: it holds, and shall not slip; else it shall
+/// be the friction of the cone's rim that way.
+/// @param cone the most friction for a push of 1
+/// @param x, w impulse and velocity: normal, and two tangents
+template <std::floating_point S>
+CoulombLaw<S> coulomb_law(const S& cone, const Vector3<S>& x, const Vector3<S>& w) {
+  CoulombLaw<S> law;
+  const bool pushes = x(0) - w(0) > S(0);
+  law.wrong(0) = pushes ? w(0) : x(0);
+  (pushes ? law.by_velocity : law.by_impulse)(0, 0) = S(1);
+  const S allowed = pushes ? cone * (x(0) - w(0)) : S(0);
+  const Vector3<S> way(S(0), x(1) - w(1), x(2) - w(2));
+  const S length = std::sqrt(way(1) * way(1) + way(2) * way(2));
+  if (!(length > allowed)) {
+    for (Eigen::Index k = 1; k < 3; ++k) {
+      law.wrong(k) = w(k);
+      law.by_velocity(k, k) = S(1);
+    }
+    return law;
+  }
+  const Vector3<S> rim = way / length;
+  for (Eigen::Index k = 1; k < 3; ++k) {
+    law.wrong(k) = x(k) - allowed * rim(k);
+    for (Eigen::Index m = 1; m < 3; ++m) {
+      law.by_velocity(k, m) = ((k == m ? S(1) : S(0)) - rim(k) * rim(m)) * (allowed / length);
+      law.by_impulse(k, m) = (k == m ? S(1) : S(0)) - law.by_velocity(k, m);
+    }
+    if (!pushes) continue;
+    law.by_impulse(k, 0) = -cone * rim(k);
+    law.by_velocity(k, 0) = cone * rim(k);
+  }
+  return law;
+}
+// [/coulomb-law]
+
+template <std::floating_point S>
+std::vector<CoulombLaw<S>> coulomb_laws(const ImpulseRows<S>& problem, const Numbers<S>& y) {
+  const Numbers<S> velocity = problem.matrix * y + problem.constant;
+  std::vector<CoulombLaw<S>> laws;
+  for (std::size_t i = 0; i < problem.first.size(); ++i)
+    laws.push_back(coulomb_law<S>(problem.cone[i], numbers_of<S>(problem, i, y),
+                                  numbers_of<S>(problem, i, velocity)));
+  return laws;
+}
+
+template <std::floating_point S>
+S square_of_wrong(const std::vector<CoulombLaw<S>>& laws) {
+  S sum(0);
+  for (const CoulombLaw<S>& law : laws) sum += law.wrong.dot(law.wrong);
+  return sum;
+}
+
+/// So many times rub_by_newton() halves a step.
+inline constexpr int most_halvings = 7;
+
+// [newton]
+/// Changes y to impulses that obey Coulomb's law at all contacts, by Newton's method for equations
+/// with kinks (Alart and Curnier 1991; Acary, Brémond and Huber 2018 compare it with others).
+///
+/// Of what slides the push and its friction are found together, and the direction of that too: it
+/// does not matter how much lies on what is light. A step is halved until less is wrong; where that
+/// does not help, the best of its parts is taken all the same, for the way over a kink may lead up.
+/// @param most steps
+/// @return the coulomb_error() of y, which is the best on its way
+template <std::floating_point S>
+S rub_by_newton(const ImpulseRows<S>& problem, int most, Numbers<S>& y) {
+  const Eigen::SparseMatrix<S> firm = firm_matrix<S>(problem);
+  Numbers<S> here = y;
+  auto laws = coulomb_laws<S>(problem, here);
+  S least = coulomb_error<S>(problem, here);
+  int stays = 0;
+  for (int step = 0; step < most && least > S(0x1p-10); ++step) {
+    std::vector<Matrix3<S>> by_impulse;
+    std::vector<Matrix3<S>> by_velocity;
+    Numbers<S> wrong(y.size());
+    for (std::size_t i = 0; i < laws.size(); ++i) {
+      by_impulse.push_back(laws[i].by_impulse);
+      by_velocity.push_back(laws[i].by_velocity);
+      set_numbers<S>(problem, i, laws[i].wrong, wrong);
+    }
+    const Eigen::SparseMatrix<S> of_velocity = blocks<S>(problem, by_velocity);
+    const Eigen::SparseMatrix<S> of_impulse = blocks<S>(problem, by_impulse);
+    Eigen::SparseMatrix<S> slope = of_velocity * firm;
+    slope += of_impulse;
+    slope.makeCompressed();
+    const Eigen::SparseLU<Eigen::SparseMatrix<S>> eliminated(slope);
+    if (eliminated.info() != Eigen::Success) break;
+    Numbers<S> change = Numbers<S>::Zero(y.size());
+    for (int round = 0; round < 3; ++round) {  // mends what the little on the diagonal makes wrong
+      const Numbers<S> moved = problem.matrix * change;
+      const Numbers<S> left = wrong + of_velocity * moved + of_impulse * change;
+      change -= eliminated.solve(left);
+    }
+    if (!change.allFinite()) break;
+    const S before = square_of_wrong(laws);
+    const Numbers<S> from = here;
+    S best = std::numeric_limits<S>::infinity();
+    S part(1);
+    for (int half = 0; half <= most_halvings; ++half, part /= S(2)) {
+      const Numbers<S> there = from + change * part;
+      auto then = coulomb_laws<S>(problem, there);
+      const S after = square_of_wrong(then);
+      if (after < best) {
+        best = after;
+        here = there;
+        laws = std::move(then);
+      }
+      if (after < before) break;
+    }
+    const S error = coulomb_error<S>(problem, here);
+    if (!(error < least / S(2)) && least <= S(1) && ++stays == 2) break;
+    if (!(error < least)) continue;
+    least = error;
+    y = here;
+  }
+  return least;
+}
+// [/newton]
+
+// [second-order-cone]
+/// a ∘ b in the algebra of second-order cones: (a·b, a₀ b₁ + b₀ a₁).
+template <std::floating_point S>
+Vector3<S> cone_product(const Vector3<S>& a, const Vector3<S>& b) {
+  return {a.dot(b), a(0) * b(1) + b(0) * a(1), a(0) * b(2) + b(0) * a(2)};
+}
+
+/// The x for which a ∘ x = b; a inside the cone.
+template <std::floating_point S>
+Vector3<S> cone_quotient(const Vector3<S>& a, const Vector3<S>& b) {
+  const S square = a(0) * a(0) - a(1) * a(1) - a(2) * a(2);
+  const S first = (a(0) * b(0) - a(1) * b(1) - a(2) * b(2)) / square;
+  return {first, (b(1) - a(1) * first) / a(0), (b(2) - a(2) * first) / a(0)};
+}
+
+/// How often d may be added to x, inside the cone, until it leaves the cone; at most 1.
+template <std::floating_point S>
+S way_in_cone(const Vector3<S>& x, const Vector3<S>& d) {
+  const auto product = [](const Vector3<S>& a, const Vector3<S>& b) {
+    return a(0) * b(0) - a(1) * b(1) - a(2) * b(2);
+  };
+  // x + t d is on the border where square t² + 2 mixed t + here = 0.
+  const S square = product(d, d);
+  const S mixed = product(x, d);
+  const S here = product(x, x);
+  S way = d(0) < S(0) ? std::min(S(1), -x(0) / d(0)) : S(1);
+  const S root = mixed * mixed - square * here;
+  if (!(root >= S(0))) return way;
+  const S sum = -(mixed + (mixed > S(0) ? std::sqrt(root) : -std::sqrt(root)));
+  for (const S& t : {here / sum, sum / square})
+    if (t > S(0)) way = std::min(way, t);
+  return way;
+}
+
+/// The symmetric W with W z = W⁻¹ x, for x and z inside the cone (Nesterov and Todd 1998).
+template <std::floating_point S>
+struct ConeScaling {
+  Matrix3<S> direct;
+  Matrix3<S> inverse;
+};
+
+template <std::floating_point S>
+ConeScaling<S> cone_scaling(const Vector3<S>& x, const Vector3<S>& z) {
+  const auto size = [](const Vector3<S>& a) {
+    const S across = std::sqrt(a(1) * a(1) + a(2) * a(2));
+    return std::sqrt((a(0) - across) * (a(0) + across));
+  };
+  const Vector3<S> one = x / size(x);
+  const Vector3<S> two = z / size(z);
+  const S middle = std::sqrt((S(1) + one.dot(two)) * S(2));
+  Vector3<S> v((one(0) + two(0)) / middle + S(1), (one(1) - two(1)) / middle,
+               (one(2) - two(2)) / middle);
+  v /= std::sqrt(S(2) * v(0));
+  const S factor = std::sqrt(size(x) / size(z));
+  const Vector3<S> mirrored(v(0), -v(1), -v(2));
+  const Matrix3<S> mirror = Vector3<S>(S(1), S(-1), S(-1)).asDiagonal();
+  return {(v * v.transpose() * S(2) - mirror) * factor,
+          (mirrored * mirrored.transpose() * S(2) - mirror) / factor};
+}
+// [/second-order-cone]
+
+/// So many steps rub_in_cones() takes.
+inline constexpr int most_cone_steps = 40;
+
+// [interior-point]
+/// Changes y so that friction is in its cone, along a way inside all cones.
+///
+/// Of all impulses in their cones there is one of least ½ y·M y + c·y. It makes no energy, and no
+/// contact closes; but what slides rises, by μ times its slip (Anitescu and Tasora 2010). If who
+/// slides shall not open by so much, the least is that of Coulomb's law (De Saxcé and Feng 1998):
+/// so the opening asked for follows the slip, step by step (Acary, Cadoux, Lemaréchal and Malick
+/// 2011). That need not come to an end. The steps are Mehrotra's, scaled by Nesterov and Todd.
+///
+/// Impulses that are not unique, as under a table on four legs, come out even.
+/// @param follow whether the opening follows the slip
+template <std::floating_point S>
+void rub_in_cones(const ImpulseRows<S>& problem, bool follow, Numbers<S>& y) {
+  const std::size_t contacts = problem.first.size();
+  const Eigen::Index count = y.size();
+  // A contact's cone has a unit slope in x = y but for the push, which is μ times as much.
+  Numbers<S> scale = Numbers<S>::Ones(count);
+  for (std::size_t i = 0; i < contacts; ++i)
+    if (problem.cone[i] > S(0)) scale(problem.first[i]) = S(1) / problem.cone[i];
+  const Eigen::SparseMatrix<S> matrix =
+      scale.asDiagonal() * firm_matrix<S>(problem) * scale.asDiagonal();
+  const Numbers<S> constant = scale.cwiseProduct(problem.constant);
+  const S largest = constant.cwiseAbs().maxCoeff();
+  if (!(largest > S(0))) {
+    y.setZero();
+    return;
+  }
+  Numbers<S> middle = Numbers<S>::Zero(count);
+  for (std::size_t i = 0; i < contacts; ++i) middle(problem.first[i]) = S(1);
+  Numbers<S> x = middle * std::max(largest, -constant.dot(middle) / middle.dot(matrix * middle));
+  Numbers<S> z = middle * largest;
+  S least = std::numeric_limits<S>::infinity();
+  for (int step = 0; step < most_cone_steps; ++step) {
+    const Numbers<S> impulses = scale.cwiseProduct(x);
+    const S error = follow ? coulomb_error<S>(problem, impulses) : x.dot(z);
+    if (error < least) {
+      least = error;
+      y = impulses;
+    }
+    Numbers<S> wrong = matrix * x + constant - z;
+    std::vector<ConeScaling<S>> scaling;
+    std::vector<Matrix3<S>> squares;
+    std::vector<Vector3<S>> both;  // W z = W⁻¹ x
+    for (std::size_t i = 0; i < contacts; ++i) {
+      const Vector3<S> zi = numbers_of<S>(problem, i, z);
+      const Vector3<S> w = numbers_of<S>(problem, i, z) + numbers_of<S>(problem, i, wrong);
+      if (follow) wrong(problem.first[i]) += std::sqrt(w(1) * w(1) + w(2) * w(2));
+      scaling.push_back(cone_scaling<S>(numbers_of<S>(problem, i, x), zi));
+      squares.push_back(scaling[i].inverse * scaling[i].inverse);
+      both.push_back(scaling[i].direct * zi);
+    }
+    const Eigen::SparseMatrix<S> whole = matrix + blocks<S>(problem, squares);
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<S>> eliminated(whole);
+    if (eliminated.info() != Eigen::Success) return;
+    Numbers<S> dx(count);
+    Numbers<S> dz(count);
+    const auto solve = [&](const auto& wanted) {
+      Numbers<S> right(count);
+      for (std::size_t i = 0; i < contacts; ++i)
+        set_numbers<S>(problem, i, scaling[i].inverse * cone_quotient<S>(both[i], wanted(i)),
+                       right);
+      right -= wrong;
+      dx = eliminated.solve(right);
+      dx += eliminated.solve(Numbers<S>(right - whole * dx));
+      dz = matrix * dx + wrong;
+    };
+    const auto longest = [&] {
+      S way(1);
+      for (std::size_t i = 0; i < contacts; ++i) {
+        way = std::min(way,
+                       way_in_cone<S>(numbers_of<S>(problem, i, x), numbers_of<S>(problem, i, dx)));
+        way = std::min(way,
+                       way_in_cone<S>(numbers_of<S>(problem, i, z), numbers_of<S>(problem, i, dz)));
+      }
+      return way;
+    };
+    solve([&](std::size_t i) { return Vector3<S>(-cone_product<S>(both[i], both[i])); });
+    const S ahead = longest();
+    const S now = x.dot(z);
+    const S left = std::max(S(0), (x + dx * ahead).dot(z + dz * ahead) / now);
+    const S centre = std::clamp(left * left * left, S(1e-8), S(1)) * now / S(contacts);
+    std::vector<Vector3<S>> wanted;
+    for (std::size_t i = 0; i < contacts; ++i) {
+      const Vector3<S> first = scaling[i].inverse * numbers_of<S>(problem, i, dx);
+      const Vector3<S> second = scaling[i].direct * numbers_of<S>(problem, i, dz);
+      wanted.push_back(-cone_product<S>(both[i], both[i]) - cone_product<S>(first, second));
+      wanted.back()(0) += centre;
+    }
+    solve([&](std::size_t i) { return wanted[i]; });
+    const S way = S(0.99) * longest();
+    if (!(way > S(0x1p-20)) || !dx.allFinite() || !dz.allFinite()) return;
+    x += dx * way;
+    z += dz * way;
+  }
+}
+// [/interior-point]
+
+// [coulomb]
+/// Changes y to impulses that obey Coulomb's law: by Newton's method from where they are, or, if
+/// that does not come close, from where friction is in its cones.
+/// @return whether it came there
+template <std::floating_point S>
+bool rub_by_coulomb(const ImpulseRows<S>& problem, Numbers<S>& y) {
+  const S close(0x1p-5);
+  S least = rub_by_newton<S>(problem, 10, y);
+  if (least <= close) return true;
+  Numbers<S> other = y;
+  rub_in_cones<S>(problem, true, other);
+  for (int again = 0; again < 2 && least > close; ++again) {
+    const S error = rub_by_newton<S>(problem, 24, other);
+    if (!(error < least)) continue;
+    least = error;
+    y = other;
+  }
+  return least <= S(1);
+}
+// [/coulomb]
+
+}  // namespace detail
+
+}  // namespace contact

@@ -1,0 +1,108 @@
+/// @file
+/// Many contacts at once: impulses as numbers, and the velocities that they make.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <Eigen/SparseCore>
+
+#include <contact/contact_lcp.hpp>
+#include <contact/contact_solver.hpp>
+#include <contact/rigid_body.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+/// The most couplings, of an impulse with another one on the same body, for which
+/// finished_impulses() tries where nothing rubs.
+inline constexpr std::size_t most_couplings = 400000;
+/// The same where something rubs: that takes many guesses.
+inline constexpr std::size_t most_rubbing_couplings = 60000;
+
+namespace detail {
+
+template <std::floating_point S>
+using Numbers = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+
+/// An impulse to be found: at a contact, along its normal or one of two tangents.
+template <std::floating_point S>
+struct ImpulseRow {
+  std::size_t contact = 0;
+  bool normal = true;
+  Vector3<S> direction = Vector3<S>::Zero();
+  S unit = S(1);  ///< N·s: so much for each 1 of its number
+};
+
+/// Velocities along rows as numbers, M y + c, of impulses y. The rows' units make the diagonal of M
+/// 1 for normals. A contact's two tangents have one unit, so that its friction is in a round cone;
+/// it makes the stiffer one's 1. Of a normal the least velocity is taken off.
+template <std::floating_point S>
+struct ImpulseRows {
+  std::vector<ImpulseRow<S>> rows;
+  std::vector<int> first;  ///< of each contact, its normal; its tangents follow if it rubs
+  std::vector<S> cone;     ///< of each contact, the most friction for a push of 1, as numbers
+  Eigen::SparseMatrix<S> matrix;
+  Numbers<S> constant;
+};
+
+template <std::floating_point S>
+std::optional<ImpulseRows<S>> impulse_rows(const std::vector<RigidBody<S>>& bodies,
+                                           const std::vector<BodyContact<S>>& contacts) {
+  ImpulseRows<S> made;
+  std::vector<std::vector<std::pair<int, bool>>> of(bodies.size());  // rows, whether towards A
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const BodyContact<S>& contact = contacts[i];
+    const PreparedContact<S> p = prepared<S>(bodies, contact);
+    if (!(p.normal_response > S(0))) return std::nullopt;  // two immovable bodies
+    const S unit = S(1) / std::sqrt(p.normal_response);
+    const S across = S(1) / std::sqrt(p.tangent_response);
+    made.first.push_back(static_cast<int>(made.rows.size()));
+    made.cone.push_back(contact.friction * unit / across);
+    for (std::size_t k = 0; k < (contact.friction > S(0) ? 3 : 1); ++k) {
+      for (const auto& [body, towards] : {std::pair{contact.a, true}, std::pair{contact.b, false}})
+        if (bodies[index(body)].inverse_mass > S(0))
+          of[index(body)].push_back({static_cast<int>(made.rows.size()), towards});
+      made.rows.push_back({i, k == 0, p.direction[k], k == 0 ? unit : across});
+    }
+  }
+  std::size_t couplings = 0;
+  for (const auto& list : of) couplings += list.size() * list.size();
+  const bool rubs = made.rows.size() > contacts.size();
+  if (couplings > (rubs ? most_rubbing_couplings : most_couplings)) return std::nullopt;
+  std::vector<Eigen::Triplet<S>> entries;
+  entries.reserve(couplings);
+  for (std::size_t body = 0; body < bodies.size(); ++body) {
+    for (const auto& [row, towards] : of[body]) {
+      for (const auto& [column, other_towards] : of[body]) {
+        const ImpulseRow<S>& one = made.rows[index(row)];
+        const ImpulseRow<S>& two = made.rows[index(column)];
+        const S part = body_response<S>(bodies[body], contacts[one.contact].point, one.direction,
+                                        contacts[two.contact].point, two.direction) *
+                       one.unit * two.unit;
+        entries.emplace_back(row, column, towards == other_towards ? part : -part);
+      }
+    }
+  }
+  const auto count = static_cast<Eigen::Index>(made.rows.size());
+  made.matrix.resize(count, count);
+  made.matrix.setFromTriplets(entries.begin(), entries.end());
+  made.constant.resize(count);
+  for (Eigen::Index r = 0; r < count; ++r) {
+    const ImpulseRow<S>& row = made.rows[static_cast<std::size_t>(r)];
+    const BodyContact<S>& contact = contacts[row.contact];
+    const S now = row.direction.dot(relative_velocity(bodies, contact));
+    made.constant(r) = row.unit * (row.normal ? now - contact.least_velocity : now);
+  }
+  return made;
+}
+
+}  // namespace detail
+
+}  // namespace contact
