@@ -8,7 +8,7 @@ difference of two counts: it fails if an estimate is more than a factor of 4 off
 Instructions are those of the run alone, counted by valgrind: the same in every run. A stage that is
 off is never called. What is left beside the stages is the bookkeeping of a step.
 
-What is less than a hundredth of a run, by its estimate and by its count, is not compared.
+What is less than a five-hundredth of a run, by its estimate and by its count, is not compared.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ PROGRAM = ROOT / "build" / "release" / "bin" / "scene_stages"
 SCENES = ROOT / "chapters" / "20_scenes" / "scenes"
 
 FACTOR = 4.0  # that an estimate may be off
-SMALL = 0.01  # of a run: too little to compare
+SMALL = 0.002  # of a run: too little to compare
 
 # The functions of chapters/20_scenes/contact/stage_*.hpp by the names that a run gives its stages.
 FUNCTIONS = {
@@ -283,25 +283,25 @@ def factor(estimate: float, count: int, run: int) -> float | None:
 
 def show_estimates(wanted: list[str]) -> list[str]:
     """Estimates beside counts; which are too far off."""
-    print(f"\nestimates of what an effect costs beside counts, at most {FACTOR:g} times off")
-    print(f"{'':24}{'estimated':>16}{'counted':>16}")
     far = []
     for case in ESTIMATES:
         if wanted and case.scene not in wanted:
             continue
         planned = counted(book(case.scene), case.seconds, ())
-        print(f"{case.scene} for {case.seconds:g} s, {planned.instructions:,} as planned")
+        title = f"estimates for {case.scene}"
+        print(f"\n{title:32}{'estimated':>16}{'counted':>16}")
+        print(f"  {f'{case.seconds:g} s as planned':30}{planned.instructions:>32,}")
         for effect in case.effects:
             other = counted(book(case.scene), case.seconds, other_way(planned, effect))
             more = other.instructions - planned.instructions
             count = more if effect.startswith("+") else -more
             estimate = planned.run["estimates"][effect[1:]]["instructions"]
             off = factor(estimate, count, planned.instructions)
-            words = "less than a hundredth" if off is None else f"{off:.2f} times"
-            print(f"  {effect:22}{estimate:>16,.0f}{count:>16,}  {words}")
+            words = "too little to compare" if off is None else f"{off:.2f} times"
+            print(f"  {effect:30}{estimate:>16,.0f}{count:>16,}  {words}")
             if off is not None and off > FACTOR:
                 far.append(f"{case.scene} {effect}: {words}")
-    print("not compared")
+    print("\nnot compared")
     for scene, effect, why in NOT_COMPARED:
         print(f"  {scene} {effect}: {why}")
     return far

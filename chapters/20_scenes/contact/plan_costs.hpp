@@ -13,8 +13,8 @@ namespace contact::cost {
 
 // [unit-costs]
 // Of each part of a step, whatever is in it.
-inline constexpr double part = 600;  ///< its bookkeeping
-inline constexpr double body = 20;   ///< and of that, each body that moves
+inline constexpr double part = 600;    ///< its bookkeeping
+inline constexpr double placed = 400;  ///< the same where nothing may meet anything
 
 // Of each body that moves, in each part.
 inline constexpr double motion = 140;            ///< its place from its velocities
@@ -51,7 +51,7 @@ inline constexpr double friction = 2500;           ///< and two more along the s
 inline constexpr double turned_contact = 700;      ///< what spins change there
 inline constexpr double idle_turned_contact = 60;  ///< what spins change where nothing turns
 inline constexpr double contact_coordinate = 31;   ///< a coordinate more of its bodies
-inline constexpr double finish = 80;   ///< to ask whether what sweeps have left is to be finished
+inline constexpr double finish = 40;   ///< to ask whether what sweeps have left is to be finished
 inline constexpr double spring = 950;  ///< its push, where it gives way
 
 // From event to event.
@@ -61,7 +61,6 @@ inline constexpr double crossing = 1500;  ///< a ball goes from cell to cell, an
 inline constexpr double asked_in_gravity = 1.0 / 3;     ///< more of it, where paths bend
 inline constexpr double crossing_in_gravity = 0.15;     ///< the same of a crossing
 inline constexpr double asked_in_coordinate = 1.0 / 4;  ///< more of it, a coordinate more
-inline constexpr double placed = 400;                   ///< a step in which nothing may meet
 /// So many balls ask everybody after a hit at less cost than they go from cell to cell: by counts,
 /// 15 where a fifth of the room is full, 35 where a fiftieth is.
 inline constexpr std::size_t most_asked_by_all = 24;

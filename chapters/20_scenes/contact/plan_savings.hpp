@@ -23,6 +23,7 @@ namespace contact {
 /// Sums up an estimate, and says of what: "25 for each body and part (1200)".
 class Tally {
  public:
+  /// Adds so many of a thing.
   /// @param each instructions of one of them
   /// @param of what one of them is
   /// @param count how many are expected
@@ -34,6 +35,7 @@ class Tally {
     saving_.is += digits(each) + " for each " + std::string(of) + " (" + digits(count) + ")";
     return *this;
   }
+  /// The sum, and its words.
   /// @param nothing what to say if there was nothing
   Saving saving(std::string_view nothing = "nothing") const {
     return saving_.is.empty() ? Saving{0, std::string(nothing)} : saving_;
