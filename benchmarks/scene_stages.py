@@ -165,8 +165,8 @@ NOT_COMPARED = (
 
 # Balls in a cube, so many along each edge: does the plan sort them where that costs less?
 ROOMS = (
-    ("steps", 0.5, (2, 3, 5)),
-    ("events", 1.0, (2, 4)),
+    ("steps", 0.2, (3, 6)),
+    ("events", 2.0, (2, 4)),
 )
 
 
@@ -361,7 +361,7 @@ def show_rooms() -> list[str]:
         for kind, seconds, edges in ROOMS:
             for edge in edges:
                 scene = room_of(kind, edge, Path(folder))
-                short = seconds * 8 / edge**3
+                short = seconds * 27 / edge**3
                 cells = counted(scene, short, ("+broad-phase",))
                 each = counted(scene, short, ("-broad-phase",))
                 saved = cells.run["estimates"]["broad-phase"]["instructions"]

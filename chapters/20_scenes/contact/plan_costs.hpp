@@ -30,10 +30,10 @@ inline constexpr double spring_stage = 40;       ///< a stage that finds nothing
 inline constexpr double coordinate = 40;         ///< a coordinate more of its place and velocity
 
 // The search for pairs that are near, in each part.
-inline constexpr double swept_box = 1600;    ///< the box about a body's way
-inline constexpr double box_test = 40;       ///< to compare two boxes
-inline constexpr double grid = 4000;         ///< to lay a grid and sort into it nothing
-inline constexpr double grid_sorting = 100;  ///< of each entry in a cell, for each step of sorting
+inline constexpr double swept_box = 1600;   ///< the box about a body's way
+inline constexpr double box_test = 40;      ///< to compare two boxes
+inline constexpr double grid = 4000;        ///< to lay a grid and sort into it nothing
+inline constexpr double grid_sorting = 90;  ///< of each entry in a cell, for each step of sorting
 
 // Of each pair that is near, in each part: gap and points of contact, and when it comes to touch.
 inline constexpr double round_gap = 2200;       ///< of a ball and anything

@@ -137,6 +137,27 @@ inline Meeting meeting_of(const PlanQuestion& q, const PairBound& pair) {
   return meeting;
 }
 
+/// Which bodies lie on something at the beginning, pressed by gravity: they do not fall.
+inline std::vector<bool> lying_bodies(const PlanQuestion& q) {
+  std::vector<bool> lies(q.scene->bodies.size(), false);
+  for (const PairBound& pair : q.pairs) {
+    const Meeting meeting = meeting_of(q, pair);
+    if (!meeting.pressed || meeting.together > 0) continue;
+    lies[pair.a] = true;
+    if (pair.both_move) lies[pair.b] = true;
+  }
+  return lies;
+}
+
+/// Whether everything that moves lies on something at the beginning, and does not move.
+inline bool begins_at_rest(const PlanQuestion& q, const std::vector<bool>& lies) {
+  for (std::size_t i = 0; i < lies.size(); ++i) {
+    const SceneBody& body = q.scene->bodies[i];
+    if (body.moves && (!lies[i] || !body.velocity.isZero(0) || !body.spin.isZero(0))) return false;
+  }
+  return true;
+}
+
 /// Mean square of the speeds at the beginning, with what falling through half of the room adds;
 /// m²/s².
 inline double mean_square_speed(const PlanQuestion& q, const Room& room) {
@@ -207,7 +228,8 @@ inline double share_in_heap(const PlanQuestion& q, const Room& room) {
 }
 
 /// Hits, and contacts that last, of pairs that are asked one by one.
-inline void expect_pairs(const PlanQuestion& q, bool enclosed, ExpectedRun& run) {
+inline void expect_pairs(const PlanQuestion& q, const std::vector<bool>& lies, bool enclosed,
+                         ExpectedRun& run) {
   const double t = q.scene->duration;
   std::vector<double> hits;
   std::vector<double> wall_hits;
@@ -220,7 +242,7 @@ inline void expect_pairs(const PlanQuestion& q, bool enclosed, ExpectedRun& run)
     const SceneBody& a = q.scene->bodies[pair.a];
     const SceneBody& b = q.scene->bodies[pair.b];
     const Meeting meeting = meeting_of(q, pair);
-    if (!(meeting.time < t)) continue;
+    if (!(meeting.time < t) || (meeting.time > 0 && meeting.pressed && lies[pair.a])) continue;
     if (meeting.speed > 0) {
       // A hop takes 2 w/g, and each is shorter than the one before.
       double count = 1;
@@ -247,23 +269,6 @@ inline void expect_pairs(const PlanQuestion& q, bool enclosed, ExpectedRun& run)
   run.contacts = sum_in_order(std::move(contacts));
   run.gaps = sum_in_order(std::move(gaps));
   run.unpressed = sum_in_order(std::move(unpressed));
-}
-
-/// Whether everything that moves lies at rest on something at the beginning, and may sleep soon.
-inline bool begins_at_rest(const PlanQuestion& q) {
-  std::vector<bool> lies(q.scene->bodies.size(), false);
-  if (q.bounds.crowded || !(gravity_felt(q) > 0)) return false;
-  for (const PairBound& pair : q.pairs) {
-    const Meeting meeting = meeting_of(q, pair);
-    if (!meeting.pressed || meeting.together > 0) continue;
-    lies[pair.a] = true;
-    if (pair.both_move) lies[pair.b] = true;
-  }
-  for (std::size_t i = 0; i < lies.size(); ++i) {
-    const SceneBody& body = q.scene->bodies[i];
-    if (body.moves && (!lies[i] || !body.velocity.isZero(0) || !body.spin.isZero(0))) return false;
-  }
-  return true;
 }
 
 /// Parts of turns with the gyroscopic term, as its stage takes them in parts of so many: at least
@@ -309,8 +314,10 @@ inline ExpectedRun expected_run(const PlanQuestion& q, double h, double spring_p
   const bool enclosed = run.walls > 1 && detail::is_enclosed(q, room) &&
                         detail::mean_square_speed(q, room) > 0 && !q.bounds.crowded;
   if (enclosed || q.bounds.crowded) detail::expect_gas(q, room, run);
+  std::vector<bool> lies;
   if (!q.bounds.crowded) {
-    detail::expect_pairs(q, enclosed, run);
+    lies = detail::lying_bodies(q);
+    detail::expect_pairs(q, lies, enclosed, run);
   } else if (gravity_felt(q) > 0 && !is_proven(resting_proofs(q)[2])) {
     run.heap = true;
     run.hits = 3 * run.movers;
@@ -336,7 +343,8 @@ inline ExpectedRun expected_run(const PlanQuestion& q, double h, double spring_p
     run.spring_parts = t / (half + flight) * half / spring_part;
     run.parts += run.spring_parts;
   }
-  if (sleeps && detail::begins_at_rest(q)) run.awake = std::min(1.0, (sleep_after + 2 * h) / t);
+  if (sleeps && !lies.empty() && detail::begins_at_rest(q, lies))
+    run.awake = std::min(1.0, (sleep_after + 2 * h) / t);
   run.looks = detail::gyroscopic_looks(q, run.parts * run.awake);
   return run;
 }

@@ -41,12 +41,14 @@ class Tally {
     return saving_.is.empty() ? Saving{0, std::string(nothing)} : saving_;
   }
 
- private:
+  /// A number for a sentence.
   static std::string digits(double x) {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), x < 1e6 ? "%.0f" : "%.2g", x);
+    std::snprintf(text.data(), text.size(), std::abs(x) < 1e6 ? "%.0f" : "%.2g", x);
     return text.data();
   }
+
+ private:
   Saving saving_;
 };
 
@@ -163,11 +165,17 @@ inline Saving event_saving(const PlanQuestion& q, const ExpectedRun& run, const 
       other.cells = !run.cells;
       const double cells = (run.cells ? events_cost(run) : events_cost(other)).instructions;
       const double all = (run.cells ? events_cost(other) : events_cost(run)).instructions;
-      return {cells - all, "balls in cells, against asking everybody after each of " +
-                               Tally().add(1, "impact", run.hits).saving("none").is};
+      return {cells - all, "in cells, in place of asking everybody after " +
+                               Tally::digits(run.hits) + " impacts"};
     }
     case Effect::event_driven:
       return events_in_place_of_steps(q, run, false);
+    case Effect::restitution:
+      return {0, "nothing: a hit of which nothing comes back takes as long"};
+    case Effect::continuous_detection:
+      return {0, "nothing: from event to event each impact is found in any case"};
+    case Effect::several_contacts:
+      return {0, "nothing: hits are taken one after the other"};
     default:
       return {0, "nothing: from event to event there is no such stage"};
   }
@@ -177,7 +185,7 @@ inline Saving event_saving(const PlanQuestion& q, const ExpectedRun& run, const 
 inline Saving step_saving(const PlanQuestion& q, const ExpectedRun& run, const Plan& plan,
                           Effect effect) {
   const auto planned = [&](Effect one) { return decision_on(plan, one).planned; };
-  const double moved = run.parts * run.movers;
+  const double moved = run.parts * run.movers * run.awake;
   const double points = run.contacts * run.parts * run.awake;
   const double pairs = run.touching * run.parts * run.awake;
   Tally sum;
@@ -224,9 +232,9 @@ inline Saving step_saving(const PlanQuestion& q, const ExpectedRun& run, const P
                        "more where corners turn near something, which is not known before")
                  : sum.saving();
     case Effect::broad_phase:
-      return {
-          (run.search.cells - run.search.all) * run.parts,
-          "cells against all pairs, in each of " + Tally().add(1, "part", run.parts).saving().is};
+      return sum
+          .add(run.search.cells - run.search.all, "part, in cells in place of all pairs", run.parts)
+          .saving();
     case Effect::several_contacts:
       if (!(points > 0)) return {0, "nothing: no contact is known to last"};
       return sum.add(cost::finish, "contact and part", points)
@@ -240,7 +248,8 @@ inline Saving step_saving(const PlanQuestion& q, const ExpectedRun& run, const P
       Saving saving = sum.saving();
       if (run.awake < 1) {
         const double asleep = run.parts * (1 - run.awake);
-        const double saved = asleep * (run.contacts * cost::contact + run.gaps);
+        const double saved =
+            asleep * (run.contacts * cost::contact + run.gaps + run.movers * cost::motion);
         saving.instructions -= saved;
         saving.is += "; less what sleeps from the beginning on, and is not looked at";
       }
