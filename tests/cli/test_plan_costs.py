@@ -32,7 +32,7 @@ def short_scene(scene: str, seconds: float, folder: Path) -> Path:
 
 def counted(file: Path, words: list[str], environment: dict[str, str]) -> int:
     """Instructions of the run alone."""
-    runs = ("SteppedRun", "HardSphereSceneRun")
+    runs = ("SteppedRun", "FallbackRun")  # in steps, and from event to event
     done = subprocess.run(
         [
             "valgrind",
@@ -59,8 +59,8 @@ def counted(file: Path, words: list[str], environment: dict[str, str]) -> int:
 @pytest.mark.parametrize(
     ("scene", "seconds", "effects"),
     [
-        # Forty contacts that may rub, of bodies that might turn.
-        ("stack_of_ten", 0.1, ("friction", "rotation")),
+        # Four contacts that rub, of a body that might turn.
+        ("sliding_block", 0.2, ("friction", "rotation")),
         # One body and a wall: what is asked of each body and part.
         ("bullet_and_wall", 0.01, ("broad-phase", "sleeping")),
         # An uneven body that spins.
