@@ -45,8 +45,8 @@ nlohmann::json json_of(const Decision& decision) {
           {"because", conditions},
           {"error", number_or_null(decision.error)},
           {"error_is", decision.error_is},
-          {"operations", number_or_null(decision.saving.operations)},
-          {"operations_are", decision.saving.is},
+          {"instructions", number_or_null(decision.saving.instructions)},
+          {"instructions_are", decision.saving.is},
           {"value", decision.value ? number_or_null(*decision.value) : nlohmann::json(nullptr)}};
 }
 

@@ -38,14 +38,15 @@ std::string switched(const Decision& decision) {
   return decision.on ? "on" : "off";
 }
 
-/// "saves about 4300 operations (6 for each time that a body is moved)".
+/// "Saves about 4300 instructions: 440 for each body and part (10)."
 std::string saving_text(const Decision& decision) {
   const Saving& saving = decision.saving;
   if (saving.is.empty()) return {};
-  if (!(saving.operations > 0)) return decision.on ? "" : "Saved: " + saving.is + ".";
-  const std::string count = "about " + plan_number(saving.operations) + " operations";
-  return decision.on ? "Costs " + count + ": " + saving.is + "."
-                     : "Saves " + count + ": " + saving.is + ".";
+  if (saving.instructions == 0)
+    return std::string(decision.on ? "Costs " : "Saves ") + saving.is + ".";
+  const bool costs = decision.on == (saving.instructions > 0);
+  return std::string(costs ? "Costs" : "Saves") + " about " +
+         plan_number(std::abs(saving.instructions)) + " instructions: " + saving.is + ".";
 }
 
 void add_lines(std::string& text, const std::string& lines) {

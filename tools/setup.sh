@@ -37,6 +37,7 @@ test|munge|command munged|-|MUNGE: vouches for Slurm's messages
 test|git|command git|git|Git: the checks look only at files that are in it
 test|clang-tidy|command clang-tidy|llvm|clang-tidy: a second reading of the C++
 test|shellcheck|command shellcheck|shellcheck|ShellCheck: the same for shell scripts
+test|valgrind|command valgrind|-|Valgrind: counts the instructions of a run
 END
 }
 

@@ -66,7 +66,7 @@ void same(const Plan& a, const Plan& b, double length, double time) {
     REQUIRE(one.on == other.on);
     REQUIRE(one.proven == other.proven);
     REQUIRE(one.error * length == other.error);
-    REQUIRE(one.saving.operations == other.saving.operations);
+    REQUIRE(one.saving.instructions == other.saving.instructions);
     REQUIRE(one.value.has_value() == other.value.has_value());
     if (one.value) REQUIRE(*one.value * time == *other.value);
     REQUIRE(one.because.size() == other.because.size());

@@ -7,6 +7,8 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/bouncing.hpp>
+#include <contact/hard_sphere_compose.hpp>
+#include <contact/hard_sphere_scene.hpp>
 #include <contact/plan.hpp>
 #include <contact/rotation.hpp>
 #include <functional>
@@ -68,7 +70,7 @@ Decision weakened(const Decision& decision, std::size_t proof, std::size_t condi
   auto& conditions = proofs.at(proof).conditions;
   conditions[condition].relation = Relation::at_most;
   conditions[condition].right = std::numeric_limits<double>::infinity();
-  return contact::decide(decision.effect, proofs, {}, "");
+  return contact::decide(decision.effect, proofs, "");
 }
 
 /// Holds a scene at an edge: the effect stays, and would go if the condition were weaker.
@@ -633,8 +635,22 @@ TEST_CASE("the broad phase is a question of cost: few bodies do without, many do
   off(spread(1), Effect::broad_phase);
   off(spread(4), Effect::broad_phase);
   at_edge(spread(200), Effect::broad_phase, 0, 0);
-  const Decision four = plan_scenes::decision(spread(4), Effect::broad_phase);
-  CHECK(four.because.at(0).left == 11 * 6);
+  // From event to event the run asks everybody as long as the plan says so.
+  const auto most = static_cast<int>(contact::cost::most_asked_by_all);
+  off(spread(most), Effect::broad_phase);
+  at_edge(spread(most + 1), Effect::broad_phase, 0, 0);
+  for (const int n : {most, most + 1}) {
+    const auto setup = contact::hard_sphere_setup(spread(n)).setup;
+    CHECK(contact::compose_hard_spheres(setup).effects.grid == (n > most));
+  }
+  // In steps it is a question of comparisons: all of them are n (n - 1)/2.
+  contact::PlanOptions steps;
+  steps.step = 0.01;
+  const Decision four =
+      contact::decision_on(contact::plan_scene(spread(4), steps), Effect::broad_phase);
+  CHECK_FALSE(four.on);
+  CHECK(four.because.at(0).left == contact::cost::box_test * 6);
+  CHECK(contact::decision_on(contact::plan_scene(spread(200), steps), Effect::broad_phase).on);
   // All of them fly alike, so nobody meets anybody.
   const Decision alike = plan_scenes::decision(spread(200, 3), Effect::broad_phase);
   CHECK_FALSE(alike.on);

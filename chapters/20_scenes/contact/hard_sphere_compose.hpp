@@ -8,6 +8,7 @@
 
 #include <contact/hard_sphere_run.hpp>
 #include <contact/hard_sphere_setup.hpp>
+#include <contact/plan_costs.hpp>
 
 namespace contact {
 
@@ -57,7 +58,7 @@ inline HardSphereComposition compose_hard_spheres(const HardSphereSetup& setup) 
                (ball.moves && ball.mass != setup.balls.front().mass);
   }
   for (const double e : setup.restitution) on.restitution = on.restitution || e != 1;
-  on.grid = setup.balls.size() > 24;
+  on.grid = setup.balls.size() > cost::most_asked_by_all;
   return made;
 }
 // [/compose]

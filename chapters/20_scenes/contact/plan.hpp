@@ -12,6 +12,8 @@
 #include <contact/plan_contact.hpp>
 #include <contact/plan_horizon.hpp>
 #include <contact/plan_motion.hpp>
+#include <contact/plan_pairs.hpp>
+#include <contact/plan_savings.hpp>
 #include <contact/plan_time.hpp>
 #include <contact/plan_types.hpp>
 #include <contact/scene.hpp>
@@ -232,11 +234,7 @@ inline Plan plan_scene(const Scene& scene, const PlanOptions& options = {}) {
   // Of its proofs only that of hops which are left out has an error.
   if (event_driven.error > 0) plan.cutoff = contact_time_cutoff(q.left, q.bounds.gravity);
   decide_on(std::move(event_driven));
-  q.hits = expected_hits(q);
   if (!q.events) q.step = steps_asked ? *options.step : step_from_tolerance(q);
-  const auto movers = static_cast<double>(q.bounds.movers);
-  q.moves = q.events ? movers + 2 * q.hits : movers * std::ceil(scene.duration / q.step);
-  decided(Effect::gyroscopic_term).saving = gyroscopic_saving(q);
   decide_on(plan_step_size(q, options));
   decide_on(plan_continuous_detection(q, q.step));
   const Decision& looking = decided(Effect::continuous_detection);
@@ -266,6 +264,7 @@ inline Plan plan_scene(const Scene& scene, const PlanOptions& options = {}) {
   plan.step = q.step;
   plan.pairs = static_cast<std::size_t>(pairs_that_may_meet(q.bounds));
   plan.error = detail::accepted_error(plan);
+  estimate_savings(q, q.events ? detail::frame_step(scene) : q.step, plan);
   detail::add_notices(q, plan);
   return plan;
 }

@@ -1,9 +1,10 @@
 /// @file
 /// The planner's rules on contacts: friction, restitution, what gives way, several at once, rest,
-/// sleep, what passes between two steps, and which pairs are worth sorting out beforehand.
+/// sleep, and what passes between two steps.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -25,7 +26,7 @@ inline Decision plan_friction(const PlanQuestion& q) {
        {{"largest friction between bodies that may meet", most_friction(q.pairs), Relation::equal,
          0, "smooth", ""}}}};
   if (const auto line = proven_line(q)) proofs.push_back(*line);
-  return decide(Effect::friction, std::move(proofs), {q.hits * 45, "45 for each contact"},
+  return decide(Effect::friction, std::move(proofs),
                 "Not proven that nothing slides along what it touches.");
 }
 // [/friction-rule]
@@ -45,7 +46,7 @@ inline Decision plan_restitution(const PlanQuestion& q) {
                             : "With e = 0 the term −e v of the speed after an impact adds a zero.",
                   {{"largest restitution of hard contacts that may happen", most, Relation::equal,
                     0, "nothing comes back", ""}}}},
-                {q.hits * 2, "2 for each contact"}, "What comes back of an impact is not 0.");
+                "What comes back of an impact is not 0.");
 }
 
 namespace detail {
@@ -113,7 +114,7 @@ inline Decision plan_penalty_contact(const PlanQuestion& q) {
       decide(Effect::penalty_contact,
              {{"A spring that nothing touches pushes nothing.",
                {{"pairs that may meet and give way", soft, Relation::equal, 0, "none", ""}}}},
-             {q.hits * 20, "20 for each contact"}, "Some contacts give way like springs.");
+             "Some contacts give way like springs.");
   const double part = longest_spring_part(q);
   if (!decision.on || !(part > 0)) return decision;
   decision.because.push_back({"part of a step while a spring pushes", part, Relation::at_most,
@@ -154,7 +155,6 @@ inline Decision plan_several_contacts(const PlanQuestion& q) {
                     Relation::at_most, 1, "one contact", ""},
                    {"moving bodies other than balls that may touch something",
                     rough_shapes_that_touch(q), Relation::equal, 0, "none", ""}}}},
-                {q.hits * 200, "200 for each contact, to solve for all impulses together"},
                 "Not proven that no body has two contacts at a time.");
 }
 // [/several-contacts-rule]
@@ -358,9 +358,8 @@ bool rests_alone(const PlanQuestion& q, const Lasts& lasts) {
 /// or hit each other, or rub, a hop that is left out may change what comes after, and the plan says
 /// that there is no bound.
 inline Decision plan_resting(const PlanQuestion& q) {
-  Decision decision = decide(Effect::resting, resting_proofs(q),
-                             {0, "nothing; a contact that lasts costs only while it lasts"},
-                             "Not proven that nothing comes to rest.");
+  Decision decision =
+      decide(Effect::resting, resting_proofs(q), "Not proven that nothing comes to rest.");
   if (!decision.on || q.events || !(q.left > 0)) return decision;
   const double height = hops_left_out(q);
   double hop = 0;
@@ -399,7 +398,6 @@ inline Decision plan_sleeping(const PlanQuestion& q) {
   if (proofs.empty()) proofs = resting_proofs(q);
   Decision decision =
       decide(Effect::sleeping, std::move(proofs),
-             {q.moves * 4, "4 for each time that a body is asked whether it moves"},
              "Bodies may come to rest; one in balance at speed 0 stays there exactly.");
   const double share = sleeping_share(q);
   if (!decision.on || q.events || !(share > 0)) return decision;
@@ -510,10 +508,9 @@ inline std::vector<Inequality> tunnelling_conditions(const PlanQuestion& q, doub
 /// an impact at its time.
 inline Decision plan_continuous_detection(const PlanQuestion& q, double h) {
   const double pairs = pairs_that_may_meet(q.bounds);
-  const Saving saving{q.moves * 30, "30 for each body and step, more for boxes"};
   Proof free{"Nothing touches anything, whatever the step.", {nothing_meets(q)}};
   if (q.events && pairs > 0) {
-    Decision decision = decide(Effect::continuous_detection, {free}, saving,
+    Decision decision = decide(Effect::continuous_detection, {free},
                                "From event to event each impact is found at its time; there is no "
                                "step in which it could pass unseen.");
     decision.because.clear();
@@ -529,7 +526,7 @@ inline Decision plan_continuous_detection(const PlanQuestion& q, double h) {
   }
   steps.error_is = "hits up to a step late, and grazing ones that are missed";
   const std::vector<Inequality> all = steps.conditions;
-  Decision decision = decide(Effect::continuous_detection, {free, steps}, saving,
+  Decision decision = decide(Effect::continuous_detection, {free, steps},
                              "Not proven that what goes unseen between two steps is small.");
   if (decision.on) decision.because = all;
   return decision;
@@ -543,6 +540,7 @@ struct Room {
   Vector3<double> size = Vector3<double>::Zero();  ///< m
   double widest = 0;                               ///< largest diameter of a moving body, m
   double mean = 0;                                 ///< mean diameter, m
+  std::array<bool, 3> walled{};                    ///< on both sides, by axis
 };
 
 inline Room room_of(const Scene& scene) {
@@ -571,46 +569,12 @@ inline Room room_of(const Scene& scene) {
   room.mean = sum_in_order(std::move(diameters)) / n;
   for (int k = 0; k < 3; ++k) {
     const bool walled = std::isfinite(floor(k)) && std::isfinite(ceiling(k));
+    room.walled[static_cast<std::size_t>(k)] = walled;
     room.size(k) = std::max(walled ? ceiling(k) - floor(k) : high(k) - low(k), room.widest);
   }
   return room;
 }
 
-inline double halvings(double n) {
-  double count = 0;
-  for (; n > 1; n /= 2) ++count;
-  return count;
-}
-
 }  // namespace detail
-
-// [broad-phase-rule]
-/// A broad phase never changes what happens, so this is a question of cost alone. Testing all pairs
-/// takes 11 operations a pair; a grid takes 60 a body and 11 for each pair in neighbouring cells,
-/// of which there are 13½ times the bodies in a cell for each body if they are spread evenly.
-inline Decision plan_broad_phase(const PlanQuestion& q) {
-  const auto n = static_cast<double>(q.bounds.movers);
-  double still = 0;
-  for (const SceneBody& body : q.scene->bodies) still += body.moves || is_half_space(body) ? 0 : 1;
-  const detail::Room room = detail::room_of(*q.scene);
-  double in_cell = 0;
-  if (n > 0)
-    in_cell = n * (room.widest / room.size.x()) * (room.widest / room.size.y()) *
-              (room.widest / room.size.z());
-  const double all = 11 * (n * (n - 1) / 2 + n * still);
-  const double near = std::min(13.5 * in_cell, (n - 1) / 2);
-  const double grid =
-      60 * (n + still) + 4 * n * detail::halvings(n) + 11 * n * std::max(0.0, near + still / 2);
-  return decide(
-      Effect::broad_phase,
-      {{"A broad phase changes no result; it is left out where it costs more than it saves.",
-        {{"operations to test every pair", all, Relation::at_most, grid,
-          "operations to sort bodies into cells and test neighbours", ""}}},
-       {"Where nothing meets anything, there is no pair to test.", {nothing_meets(q)}}},
-      {n > 0 ? (grid - all) * q.moves / n : 0,
-       "cells against all pairs, for each time that all bodies are moved"},
-      "Sorting bodies into cells costs less than testing every pair.");
-}
-// [/broad-phase-rule]
 
 }  // namespace contact

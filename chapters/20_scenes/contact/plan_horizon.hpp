@@ -1,5 +1,5 @@
 /// @file
-/// Until when places can be predicted, and how many impacts to expect: estimates, not proofs.
+/// Until when places can be predicted: an estimate, not a proof.
 #pragma once
 
 #include <algorithm>
@@ -89,25 +89,6 @@ inline FreePath free_path(const PlanQuestion& q) {
 }
 
 }  // namespace detail
-
-/// Impacts to expect in the whole scene: for the cost, not for a proof.
-inline double expected_hits(const PlanQuestion& q) {
-  const detail::FreePath path = detail::free_path(q);
-  const double t = q.scene->duration;
-  double balls = 0;
-  for (const BodyBound& body : q.bounds.bodies) balls += body.disturbed ? 1 : 0;
-  double hits = path.length > 0 ? balls * t * path.speed / (2 * path.length) : 0;
-  std::vector<double> walls;
-  for (const PairBound& pair : q.pairs) {
-    if (!pair.half_space) continue;
-    const double g = gravity_felt(q);
-    const double flight = pair.closing > 0 ? 2 * pair.closing / g : 0;
-    walls.push_back(flight > 0 && std::isfinite(flight) ? pair.count * (1 + t / flight)
-                                                        : pair.count);
-  }
-  hits += detail::sum_in_order(std::move(walls));
-  return std::isfinite(hits) ? hits : 0;
-}
 
 namespace detail {
 
@@ -337,9 +318,8 @@ inline double first_touch(const PlanQuestion& q) {
 /// turn no estimate is known. All of this begins with the first hit.
 /// @param turning whether the plan has rotation
 inline Decision plan_horizon(const PlanQuestion& q, bool turning) {
-  Decision decision =
-      decide(Effect::horizon, detail::nothing_spreads(q, turning), {0, "no statistics needed"},
-             "Estimated: an ulp grows by 1 + 4 λ/R from hit to hit.");
+  Decision decision = decide(Effect::horizon, detail::nothing_spreads(q, turning),
+                             "Estimated: an ulp grows by 1 + 4 λ/R from hit to hit.");
   if (!decision.on) return decision;
   if (turning && rough_shapes_that_touch(q) > 0) {
     decision.why = "Not known: what turns and has corners may part from its twin at any hit.";

@@ -28,8 +28,6 @@ struct PlanQuestion {
   bool even_spins = false;       ///< no gyroscopic term changes a spin
   bool events = false;           ///< whether the run goes from event to event
   double step = 0;               ///< s; 0 with events
-  double moves = 0;              ///< how often a body is moved, over the whole run
-  double hits = 0;               ///< impacts or contacts to expect, over the whole run
 };
 
 // [error-budget]
@@ -316,9 +314,7 @@ inline Decision plan_gravity(const PlanQuestion& q) {
        {nothing_meets(q), fits_what_is_left(q, "fall in the whole duration, ½ g T²", fall)},
        fall,
        "½ g T², the fall that is left out"});
-  return decide(Effect::gravity, std::move(proofs),
-                {q.moves * 6, "6 for each time that a body is moved"},
-                "Gravity changes velocities.");
+  return decide(Effect::gravity, std::move(proofs), "Gravity changes velocities.");
 }
 // [/gravity-rule]
 
@@ -327,13 +323,7 @@ inline Decision plan_rotation(const PlanQuestion& q) {
   std::vector<Proof> proofs{smooth_balls(q)};
   if (const auto line = proven_line(q)) proofs.push_back(*line);
   return decide(Effect::rotation, std::move(proofs),
-                {q.moves * 110, "110 for each time that a body is turned; 7 numbers a body"},
                 "Not proven that spins and orientations change nothing.");
-}
-
-/// What the gyroscopic term costs.
-inline Saving gyroscopic_saving(const PlanQuestion& q) {
-  return {q.moves * 40, "40 for each time that a body is turned"};
 }
 
 // [gyroscopic-rule]
@@ -374,27 +364,16 @@ inline Decision plan_gyroscopic_term(const PlanQuestion& q) {
         fits_what_is_left(q, "farthest that a point of a body is turned aside, R ½ α T²", aside)},
        aside,
        "R ½ α T², by which a body's points are turned aside"});
-  return decide(Effect::gyroscopic_term, std::move(proofs), gyroscopic_saving(q),
+  return decide(Effect::gyroscopic_term, std::move(proofs),
                 "Not proven that uneven bodies spin steadily.");
 }
 // [/gyroscopic-rule]
-
-namespace detail {
-
-/// What a coordinate less saves. From event to event a coordinate that never changes is not
-/// computed; a step keeps no number of it, but computes with all three.
-inline Saving coordinate_saving(const PlanQuestion& q) {
-  if (q.events) return {q.moves * 6, "6 for each time that a body is moved; 2 numbers a body"};
-  return {0, "steps compute with three coordinates; 2 numbers a body, 2 a spin"};
-}
-
-}  // namespace detail
 
 /// The third dimension is off if the scene is its own mirror image across an axis.
 inline Decision plan_third_dimension(const PlanQuestion& q) {
   std::vector<Proof> proofs;
   for (int axis = 2; axis >= 0; --axis) proofs.push_back(plane_motion(q, axis));
-  return decide(Effect::third_dimension, std::move(proofs), detail::coordinate_saving(q),
+  return decide(Effect::third_dimension, std::move(proofs),
                 "Not proven that motion stays in a plane across x, y or z.");
 }
 
@@ -402,7 +381,7 @@ inline Decision plan_third_dimension(const PlanQuestion& q) {
 inline Decision plan_second_dimension(const PlanQuestion& q) {
   std::vector<Proof> proofs;
   for (int along = 2; along >= 0; --along) proofs.push_back(line_motion(q, along));
-  return decide(Effect::second_dimension, std::move(proofs), detail::coordinate_saving(q),
+  return decide(Effect::second_dimension, std::move(proofs),
                 "Not proven that motion stays on a line along x, y or z.");
 }
 

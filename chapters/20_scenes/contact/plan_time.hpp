@@ -130,7 +130,6 @@ inline Decision plan_event_driven(const PlanQuestion& q) {
   proofs.push_back(std::move(hops));
 
   Decision decision = decide(Effect::event_driven, std::move(proofs),
-                             {0, "a run from event to event computes nothing between impacts"},
                              "Not proven that the number of events is bounded: step by step.");
   // Here a proof switches on.
   decision.on = decision.planned = decision.proven;
@@ -254,7 +253,6 @@ inline Decision plan_double_precision(const PlanQuestion& q) {
          {"numbers whose squares a float does not hold", unfit, Relation::equal, 0, "none", ""}},
         rounding,
         "rounding in float"}},
-      {0, "half the memory of every number"},
       "Not proven that float keeps the tolerance: a hit may make rounding grow.");
 }
 // [/precision-rule]

@@ -120,10 +120,17 @@ inline bool is_proven(const Proof& proof) {
   return true;
 }
 
-/// What a decision saves, counted in additions, products, comparisons and the like.
+/// What an effect costs, by an estimate that is made before the run. The unit is an instruction of
+/// the book's own code, optimised (-O2), as x86-64 has it: contact/plan_costs.hpp says what one of
+/// each thing takes, and how that was counted.
 struct Saving {
-  double operations = 0;  ///< over the whole run, if the effect is off
-  std::string is;         ///< how they were counted
+  /// How many more the whole run takes with the effect than without it: what leaving it out saves.
+  /// Less than 0: so many are saved by having it.
+  double instructions = 0;
+  std::string is;  ///< what was counted
+
+  /// The same, with something said beside it.
+  Saving and_more(const std::string& words) const { return {instructions, is + "; " + words}; }
 };
 
 /// What a plan says of one effect.
@@ -137,7 +144,7 @@ struct Decision {
   std::vector<Inequality> because;  ///< with what numbers; failed ones if nothing is proven
   double error = 0;                 ///< position error accepted, m
   std::string error_is = "none";    ///< the same in words
-  Saving saving;                    ///< if the effect is off
+  Saving saving;                    ///< what leaving it out saves, estimated
   std::optional<double> value;      ///< of a step size (s) or a horizon (s)
   std::vector<Proof> tried;         ///< every proof that the rule tried, in order
 };
@@ -148,11 +155,9 @@ struct Decision {
 /// If none holds the effect stays on, and the decision says of each proof which condition failed
 /// first. So a rule that can prove nothing is never wrong; it only costs time.
 /// @param not_proven what to say then
-inline Decision decide(Effect effect, std::vector<Proof> proofs, Saving saving,
-                       const std::string& not_proven) {
+inline Decision decide(Effect effect, std::vector<Proof> proofs, const std::string& not_proven) {
   Decision decision;
   decision.effect = effect;
-  decision.saving = std::move(saving);
   decision.tried = std::move(proofs);
   for (const Proof& proof : decision.tried) {
     if (!is_proven(proof)) continue;

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <contact/free_turning.hpp>
 #include <contact/rotation.hpp>
 #include <contact/stage_rotation.hpp>
 #include <contact/stepped_state.hpp>
@@ -14,10 +15,6 @@
 namespace contact {
 
 // [gyroscopic-stage]
-/// The largest angle that a body turns by between two looks at its spin: 2^-7 rad. A free body's
-/// turn is then off by less than 2^-28/120 of itself: the fifth-order term of an exponential.
-inline constexpr double gyroscopic_angle = 0x1p-7;
-
 namespace detail {
 
 /// How a body lies that nothing pushes, a time later, by four exponentials of spins on the way: of
@@ -53,23 +50,11 @@ inline Vector3<double> momentum_of_spin(const SteppedBody& body, const Rotor<dou
   return principal * Vector3<double>(seen.cwiseProduct(body.moments));
 }
 
-/// The square of the largest spin that a body comes to by itself, rad²/s². Its energy bounds that,
-/// Σ I ω² ≤ 2 E; so do its energy and momentum together: with the moments I₁ ≤ I₂ ≤ I₃, what
-/// 2 E I₃ − L² leaves for the axis of I₁, and 2 E for the others. A needle that turns across its
-/// axis never comes to turn about it.
+/// largest_free_square() of a body that lies so and spins so, in the world, rad²/s².
 inline double largest_free_square(const SteppedBody& body, const Rotor<double>& q,
                                   const Vector3<double>& spin) {
   const Vector3<double> seen = (matrix_of(q) * body.axes).transpose() * spin;
-  const Vector3<double> square = seen.cwiseProduct(seen);
-  Vector3<double> sorted = body.moments;
-  std::sort(sorted.data(), sorted.data() + 3);
-  const double energy = body.moments.dot(square);  // twice
-  const double by_energy = energy / sorted(0);
-  const double apart = sorted(2) - sorted(0);
-  if (!(apart > 0)) return by_energy;
-  const Vector3<double> less = Vector3<double>::Constant(sorted(2)) - body.moments;
-  const double left = body.moments.cwiseProduct(less).dot(square);
-  return std::min(by_energy, left / (sorted(0) * apart) + energy / sorted(1));
+  return contact::largest_free_square(body.moments, seen);
 }
 
 /// How a mover lies after a part of this length: while contacts push, it turns as with the mean of

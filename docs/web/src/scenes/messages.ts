@@ -38,8 +38,8 @@ export interface Decision {
   readonly says: readonly string[];
   readonly error: number | null;
   readonly error_is: string;
-  readonly operations: number | null;
-  readonly operations_are: string;
+  readonly instructions: number | null;
+  readonly instructions_are: string;
   readonly value: number | null;
 }
 

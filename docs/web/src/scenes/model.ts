@@ -42,11 +42,12 @@ function errorOf({ error, error_is }: Decision): string {
     : "Error accepted: none.";
 }
 
-function costOf({ operations, operations_are, planned }: Decision): string {
-  if (operations_are === "") return "";
-  if (!operations || operations <= 0) return planned ? "" : `Saved: ${operations_are}.`;
-  const count = `about ${pretty(operations, 3)} operations`;
-  return `${planned ? "Costs" : "Saves"} ${count}: ${operations_are}.`;
+function costOf({ instructions, instructions_are, planned }: Decision): string {
+  if (instructions_are === "") return "";
+  if (!instructions) return `${planned ? "Costs" : "Saves"} ${instructions_are}.`;
+  const costs = planned === instructions > 0;
+  const count = `about ${pretty(Math.abs(instructions), 3)} instructions`;
+  return `${costs ? "Costs" : "Saves"} ${count}: ${instructions_are}.`;
 }
 
 export function isMade(side: Side | undefined): side is Composition & { readonly plan?: Plan } {
