@@ -100,11 +100,11 @@ TEST_CASE("gravity: a table is level and bears exactly, in all digits") {
   Scene deep = table();
   deep.bodies[2].position.z() = std::nextafter(0.5, 0);
   CHECK_FALSE(contact::holds(decision(deep, Effect::gravity).tried.at(2).conditions.at(0)));
-  // A normal that is too short by rounding: 4 stands for 4 (1 + 2⁻⁵⁰), an ulp above 4.
+  // A normal that is too short by 2⁻⁵⁰: where a product rounds to a ball that bears, it is within.
   Scene shorter = table();
   shorter.bodies[0].shape = contact::HalfSpaceShape{{0, 0, 1 - 0x1p-50}, 4};
-  for (const std::size_t i : {1U, 2U}) shorter.bodies[i].position.z() = 4.5;
-  CHECK(exact(4.0) / exact(1 - 0x1p-50) > exact(4.0));
+  for (const std::size_t i : {1U, 2U}) shorter.bodies[i].position.z() = 4.5 + 0x1p-48;
+  CHECK(exact(4.5 + 0x1p-48) - exact(4.0) / exact(1 - 0x1p-50) < exact(0.5));
   CHECK(is_on(shorter, Effect::gravity));
   CHECK_FALSE(contact::holds(decision(shorter, Effect::gravity).tried.at(2).conditions.at(0)));
 }
@@ -238,10 +238,13 @@ TEST_CASE("friction, restitution, springs: whichever pair has them, the first as
     // One comes to rest before the end, the others are high up.
     Scene one_rests = one_high;
     one_rests.materials[0].restitution = 0.5;
+    one_rests.bodies[0].material = 1;
     one_rests.bodies[which].position.z() = 1.5;
     for (std::size_t k = 1; k <= 3; ++k)
       if (k != which) one_rests.bodies[k].position.z() = 20.5;
     at_edge(one_rests, Effect::resting, 3, 0);
+    one_rests.tolerance.event_order = true;
+    at_edge(one_rests, Effect::event_driven, 1, 5);
     // One does not return all: the others alone never rest.
     CHECK_FALSE(contact::holds(decision(one_rests, Effect::resting).tried.at(2).conditions.at(0)));
     CHECK_FALSE(
@@ -355,7 +358,7 @@ TEST_CASE("grazing hits: a normal that is late by a step is turned by all of it"
   CHECK(thrown <= said_of_late_hits(scene, h));
   // Whichever of two such pairs comes first.
   Scene two = scene;
-  ball(two, 50, 1, {-120, 500, 0}, {0.5, 0, 0});
+  ball(two, 50, 1, {-104, 500, 0}, {0.5, 0, 0});
   ball(two, 50, 1e9, {0, 500, 0});
   CHECK(thrown <= said_of_late_hits(two, h));
   std::rotate(two.bodies.begin(), two.bodies.begin() + 2, two.bodies.end());
@@ -412,6 +415,10 @@ TEST_CASE("hops that are left out: what bounds them, wall by wall") {
   ball(hit, 0.5, 1, {0, 0, 3});
   ball(hit, 0.5, 1, {0, 0, 0.7});
   REQUIRE(contact::plan_scene(hit).pairs == 2);
+  CHECK(resting(hit) == unbounded);
+  // Nor if that one's hits leave out no hop themselves.
+  hit.materials.push_back({"dull", 0, 0, {}, 0});
+  hit.bodies[1].material = 1;
   CHECK(resting(hit) == unbounded);
   std::swap(hit.bodies[1], hit.bodies[2]);
   REQUIRE(contact::plan_scene(hit).pairs == 2);
@@ -617,4 +624,81 @@ TEST_CASE("the horizon: a die on a floor, and balls that a spring throws up") {
   off(two, Effect::horizon);
   ball(two, 0.5, 2, {0, 0, 3});
   CHECK(is_on(two, Effect::horizon));
+}
+
+TEST_CASE("the horizon does not depend on who is named first") {
+  // Unlike in everything, among posts, on its way down.
+  for (const double g : {0.0, 2.0}) {
+    Scene scene = empty(1, 0, 1000, 1e-6);
+    scene.gravity = {0, 0, -g};
+    plan_scenes::walls(scene, {12, 12, 12});
+    ball(scene, 0.3, 1, {2, 2, 2}, {1, 2, 0});
+    ball(scene, 0.2, 0.25, {5, 2, 3}, {0, 0.5, 0.25});
+    ball(scene, 0.5, 4, {2, 6, 9}, {0.25, 0, 0.5});
+    ball(scene, 0.4, 2, {9, 9, 4});
+    for (const Point& at : {Point(4, 4, 4), Point(8, 4, 4), Point(4, 8, 4), Point(4, 4, 8)})
+      ball(scene, 0.25, 0, at);
+    const auto horizon = [&] { return decision(scene, Effect::horizon).value.value(); };
+    const double right = horizon();
+    for (std::size_t k = 1; k < scene.bodies.size(); ++k) {
+      std::rotate(scene.bodies.begin(), scene.bodies.begin() + 1, scene.bodies.end());
+      CHECK(std::abs(horizon() / right - 1) < 1e-12);
+    }
+  }
+}
+
+TEST_CASE("the horizon: the fastest sets the pace, by its speed or by what it may be given") {
+  const auto pace = [](const Scene& scene) {  // from the first hit on
+    const Decision made = decision(scene, Effect::horizon);
+    return *made.value - made.because[0].right;
+  };
+  const auto gas = [](double others) {
+    Scene scene = empty(1, 0, 1000, 1e-6);
+    plan_scenes::walls(scene, {12, 12, 12});
+    for (int k = 0; k < 8; ++k)
+      ball(scene, 0.5, 1, {2.0 + 4 * (k % 2), 2.0 + 4 * (k / 2 % 2), 2.0 + 4 * (k / 4)},
+           {k == 3 ? 3 : others, 0, 0});
+    return scene;
+  };
+  CHECK(std::abs(pace(gas(0)) / pace(gas(3)) - 1) < 1e-12);
+  // What begins at rest and falls has a pace as well.
+  Scene falls = gas(0);
+  falls.bodies[9].velocity.setZero();
+  falls.gravity = {0, 0, -8};
+  CHECK(decision(falls, Effect::horizon).value.has_value());
+  // A hit of two balls is spread by other hits of theirs: sooner than that of one among posts.
+  Scene alone = gas(0);
+  for (std::size_t k = 6; k < alone.bodies.size(); ++k)
+    if (k != 9) alone.bodies[k].moves = false;
+  CHECK(pace(alone) > pace(gas(0)));
+  // Less tolerance is passed sooner, and gravity makes no horizon longer.
+  Scene strict = gas(3);
+  strict.tolerance.position = 1e-9;
+  CHECK(pace(strict) < pace(gas(3)));
+  Scene pulled = gas(3);
+  pulled.gravity = {0, 0, -0.01};
+  CHECK(pace(pulled) < pace(gas(3)));
+}
+
+TEST_CASE("the horizon: what turns may touch as early as its corners come") {
+  // A rod that turns at 1 rad/s, 2.02 m long to each side, one metre above a floor for its middle.
+  const auto first = [](double spin, bool both) {
+    Scene scene = empty(1, 0, 1000, 1e-6);
+    plan_scenes::add(scene, contact::CapsuleShape{0.25, 2}, 1, {0, 0, 1}, {0, 0, -0.125}).spin = {
+        spin, 0, 0};
+    if (both) {
+      plan_scenes::add(scene, contact::CapsuleShape{0.25, 2}, 1, {0, 6, 1}, {0, -1, 0}).spin = {
+          spin, 0, 0};
+    } else {
+      wall(scene, Point::UnitZ(), -9);
+    }
+    return contact::detail::first_touch(contact::plan_question(scene));
+  };
+  // Surfaces move at 2.25 m/s and more.
+  for (const bool both : {false, true}) {
+    CAPTURE(both);
+    const double still = first(0, both);
+    CHECK(first(1, both) < still / 1.5);
+    CHECK(first(-2, both) <= first(1, both));
+  }
 }
