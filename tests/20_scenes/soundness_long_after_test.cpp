@@ -6,6 +6,7 @@
 #include <cmath>
 #include <contact/plan.hpp>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "plan_scenes.hpp"
@@ -256,6 +257,51 @@ TEST_CASE("long after the horizon steps leave what hits from event to event leav
   within_chance(average_of(upright), 0, 0.4 / root);
   within_chance(average_of(energy), 0, 0.4 / root);
   within_chance(average_of(spread), 0, 1.5 / root);
+}
+
+// Nobody but they themselves pushes them: eight balls that come together from all corners.
+TEST_CASE("long after the horizon what no wall takes is kept in steps and from event to event") {
+  Random random(31);
+  for (int trial = 0; trial < tried(16); ++trial) {
+    const double e = trial % 2 == 0 ? 1 : 0.75;
+    Scene scene = plan_scenes::empty(e, 0, 128, 1e-6);
+    scene.gravity.setZero();
+    for (int i = 0; i < 8; ++i) {
+      const Point corner(i % 2 - 0.5, i / 2 % 2 - 0.5, i / 4 - 0.5);
+      const double push = random.uniform(1, 2);
+      const double aside = random.uniform(-0.2, 0.2);
+      const double mass = random.uniform(1, 4);
+      plan_scenes::ball(scene, 0.5, mass, corner * 3, {aside - push * corner.x(), aside, aside});
+      scene.bodies.back().velocity.y() -= push * corner.y();
+      scene.bodies.back().velocity.z() -= push * corner.z();
+    }
+    const Both both = both_ways(scene, 1.0 / 8);
+    const auto kept = [&](const auto& position, const auto& velocity) {
+      Point momentum = Point::Zero();
+      Point turning = Point::Zero();
+      for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        momentum += scene.bodies[i].mass * velocity(i);
+        turning += scene.bodies[i].mass * Point(position(i).cross(velocity(i)));
+      }
+      return std::pair(momentum, turning);
+    };
+    const auto first = kept([&](std::size_t i) { return scene.bodies[i].position; },
+                            [&](std::size_t i) { return scene.bodies[i].velocity; });
+    for (const SceneRun* run : {both.events.get(), both.steps.get()}) {
+      const auto last = kept([&](std::size_t i) { return run->position(i); },
+                             [&](std::size_t i) { return run->velocity(i); });
+      CAPTURE(trial, run->event_driven());
+      CHECK(run->counts().hits >= 8);
+      // Some hundred roundings of up to 32 kg m/s; as many of that times a place, of 256 m at most,
+      // and two of a place in each step.
+      CHECK((last.first - first.first).norm() <= 100 * 0x1p-53 * 32);
+      const double rounded = 100 + 2 * static_cast<double>(run->counts().steps);
+      CHECK((last.second - first.second).norm() <= rounded * 0x1p-53 * 32 * 256);
+      const double before = contact::scenes::make_run(scene, contact::plan_scene(scene))->energy();
+      if (e == 1) CHECK(std::abs(run->energy() / before - 1) <= 1e-12);
+      if (e < 1) CHECK(run->energy() < before);
+    }
+  }
 }
 
 // A gas that loses energy in hits cools: the slower it is the fewer hits there are.
