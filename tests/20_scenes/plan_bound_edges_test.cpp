@@ -461,6 +461,18 @@ TEST_CASE("a crowd's decisions follow from the worst of its pairs") {
   // ω of the stiffest pair, two of 10⁴ N/m in a row: the soft ball and a hard one.
   CHECK(contact::plan_scene(scene, stepped(1)).spring_part <=
         1 / (128 * std::sqrt(1e4 * (0.5 + 0.5))) * (1 + 1e-12));
+  // Without gravity, elastic, smooth: something soft is enough to go in steps, and so is what is
+  // dull.
+  Scene mixed = scene;
+  mixed.materials[0] = {"dull", 0, 0, {}, 0};
+  for (auto& body : mixed.bodies) body.material = 1;
+  off(mixed, Effect::event_driven);
+  mixed.bodies[100].material = 2;
+  at_edge(mixed, Effect::event_driven, 0, 2);
+  mixed.bodies[100].material = 0;
+  at_edge(mixed, Effect::event_driven, 0, 5);
+  // Nobody asks each pair of them when it meets first: that may be at once.
+  CHECK(decision(mixed, Effect::horizon).because.at(0).right == 0);
   // Nothing but hard balls, most of which return all: one that does not is enough to come to rest.
   for (auto& body : scene.bodies) body.material = 1;
   scene.materials[0] = {"dull", 0, 0, {}, 0};

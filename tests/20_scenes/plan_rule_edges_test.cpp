@@ -9,6 +9,7 @@
 #include <contact/plan.hpp>
 #include <contact/rotation.hpp>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "plan_at_edge.hpp"
@@ -100,11 +101,11 @@ TEST_CASE("gravity: a table is level and bears exactly, in all digits") {
   Scene deep = table();
   deep.bodies[2].position.z() = std::nextafter(0.5, 0);
   CHECK_FALSE(contact::holds(decision(deep, Effect::gravity).tried.at(2).conditions.at(0)));
-  // A normal that is too short by 2⁻⁵⁰: where a product rounds to a ball that bears, it is within.
+  // A normal that is too short by 2⁻⁵⁰: a product rounds to a ball that lies, which is above it.
   Scene shorter = table();
   shorter.bodies[0].shape = contact::HalfSpaceShape{{0, 0, 1 - 0x1p-50}, 4};
-  for (const std::size_t i : {1U, 2U}) shorter.bodies[i].position.z() = 4.5 + 0x1p-48;
-  CHECK(exact(4.5 + 0x1p-48) - exact(4.0) / exact(1 - 0x1p-50) < exact(0.5));
+  for (const std::size_t i : {1U, 2U}) shorter.bodies[i].position.z() = 4.5 + 5 * 0x1p-50;
+  CHECK(exact(4.5 + 5 * 0x1p-50) - exact(4.0) / exact(1 - 0x1p-50) > exact(0.5));
   CHECK(is_on(shorter, Effect::gravity));
   CHECK_FALSE(contact::holds(decision(shorter, Effect::gravity).tried.at(2).conditions.at(0)));
 }
@@ -556,6 +557,8 @@ TEST_CASE("float: only numbers of a size that it squares, and no digit less than
   box(often, {1, 1, 1}, 1, Point::Zero()).spin = {0, 0, 1e5};
   ball(often, 0.5, 1, {0, 0, 4});
   at_edge(often, Effect::double_precision, 0, 1);
+  box(often, {1, 1, 1}, 1, {0, 0, 8}).spin = {0, 0, 1e-3};
+  at_edge(often, Effect::double_precision, 0, 1);
 }
 
 TEST_CASE("float: a flight and a turn are off by less than is said, but not by much less") {
@@ -594,8 +597,10 @@ TEST_CASE("the step: no longer than what is written, nor proven if a hit may be 
   Scene scene = dropped(1, 2, 1.5, 1e-3);
   scene.materials[0].friction = 0.5;
   scene.bodies[1].velocity.x() = 1;
-  scene.output.every = 1e-4;
-  CHECK(contact::plan_scene(scene).step <= 1e-4);
+  scene.tolerance.position = 1e-9;
+  CHECK(contact::plan_scene(scene).step == 1.0 / 60);
+  scene.output.every = 0x1p-8;
+  CHECK(contact::plan_scene(scene).step == 0x1p-8);
   // A crowd whose hits come later than there is room for.
   Scene crowd = empty(1, 0, 2, 1e-3);
   wall(crowd, {1, 0, 0}, -10);
@@ -628,8 +633,9 @@ TEST_CASE("the horizon: a die on a floor, and balls that a spring throws up") {
 
 TEST_CASE("the horizon does not depend on who is named first") {
   // Unlike in everything, among posts, on its way down.
-  for (const double g : {0.0, 2.0}) {
-    Scene scene = empty(1, 0, 1000, 1e-6);
+  for (const auto& [g, tolerance] :
+       {std::pair(0.0, 1e-6), std::pair(2.0, 1e-6), std::pair(0.0, 0.0)}) {
+    Scene scene = empty(1, 0, 1000, tolerance);
     scene.gravity = {0, 0, -g};
     plan_scenes::walls(scene, {12, 12, 12});
     ball(scene, 0.3, 1, {2, 2, 2}, {1, 2, 0});
@@ -671,6 +677,17 @@ TEST_CASE("the horizon: the fastest sets the pace, by its speed or by what it ma
   for (std::size_t k = 6; k < alone.bodies.size(); ++k)
     if (k != 9) alone.bodies[k].moves = false;
   CHECK(pace(alone) > pace(gas(0)));
+  // A large post among them makes nobody rounder, and far away an ulp is longer.
+  Scene post = gas(3);
+  ball(post, 2, 0, {9.5, 9.5, 9.5});
+  CHECK(pace(post) <= pace(gas(3)) * (1 + 1e-12));
+  Scene away = gas(3);
+  for (auto& body : away.bodies) {
+    body.position.x() += 1e6;
+    if (auto* side = std::get_if<contact::HalfSpaceShape>(&body.shape))
+      side->offset += 1e6 * side->normal.x();
+  }
+  CHECK(pace(away) < pace(gas(3)));
   // Less tolerance is passed sooner, and gravity makes no horizon longer.
   Scene strict = gas(3);
   strict.tolerance.position = 1e-9;
@@ -701,4 +718,26 @@ TEST_CASE("the horizon: what turns may touch as early as its corners come") {
     CHECK(first(1, both) < still / 1.5);
     CHECK(first(-2, both) <= first(1, both));
   }
+  CHECK(first(1, true) <= 5.5 / (1 + 2 * 2.25) * (1 + 1e-9));
+  // What is at rest over a ball that stands falls on it after a second.
+  Scene over = empty(1, 0, 1000, 1e-6);
+  over.gravity = {0, 0, -10};
+  ball(over, 0.5, 0, Point::Zero());
+  ball(over, 0.5, 1, {0, 0, 6});
+  CHECK(contact::detail::first_touch(contact::plan_question(over)) <= 1 + 1e-9);
+}
+
+TEST_CASE("the horizon: between two slopes an error grows e times in a third of the time v/g") {
+  // It falls from rest, by less than 3 m to either of them.
+  const auto known = [](double tolerance) {
+    Scene scene = empty(1, 0, 1000, tolerance);
+    scene.gravity = {0, 0, -8};
+    wall(scene, {0.6, 0, 0.8}, 0);
+    wall(scene, {-0.6, 0, 0.8}, 0);
+    ball(scene, 0.5, 1, {0.1, 0, 3});
+    return decision(scene, Effect::horizon).value.value();
+  };
+  const double longer = known(1e-3) - known(1e-6);
+  CHECK(longer > 0);
+  CHECK(longer <= std::log(1000) * std::sqrt(2 * 8 * 3.0) / (3 * 8) * (1 + 1e-9));
 }
