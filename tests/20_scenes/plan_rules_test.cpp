@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "plan_at_edge.hpp"
 #include "plan_scenes.hpp"
 #include "scenes/scene_runs.hpp"
 #include "support/generators.hpp"
@@ -29,95 +30,27 @@ using contact::Scene;
 using oracle::exact;
 using oracle::Rational;
 using oracle::Vector;
+using plan_scenes::at_edge;
 using plan_scenes::ball;
 using plan_scenes::box;
+using plan_scenes::dropped;
 using plan_scenes::empty;
+using plan_scenes::free_ball;
+using plan_scenes::off;
+using plan_scenes::only_lacks;
 using plan_scenes::Point;
+using plan_scenes::stepped;
+using plan_scenes::table;
 using plan_scenes::wall;
 
 namespace {
 
 constexpr double least = std::numeric_limits<double>::denorm_min();
 
-contact::PlanOptions stepped(double h) {
-  contact::PlanOptions options;
-  options.step = h;
-  return options;
-}
-
 /// Where a free ball of a scene is after a time, exactly.
 Vector flight(const Scene& scene, std::size_t i, const Rational& t) {
   const auto& body = scene.bodies[i];
   return oracle::ballistic(exact(body.position), exact(body.velocity), exact(scene.gravity), t);
-}
-
-/// Whether the proof of a rule holds but for one condition, and so would hold if that one were
-/// weakened.
-bool only_lacks(const Decision& decision, std::size_t proof, std::size_t condition) {
-  const Proof& tried = decision.tried.at(proof);
-  for (std::size_t k = 0; k < tried.conditions.size(); ++k) {
-    const auto& one = tried.conditions[k];
-    INFO(one.left_is << ": " << one.left << " against " << one.right << ", " << one.right_is);
-    CHECK(contact::holds(one) == (k != condition));
-    if (contact::holds(one) != (k != condition)) return false;
-  }
-  return condition < tried.conditions.size();
-}
-
-/// The decision of the rule with one condition left out of one proof.
-Decision weakened(const Decision& decision, std::size_t proof, std::size_t condition) {
-  std::vector<Proof> proofs = decision.tried;
-  auto& conditions = proofs.at(proof).conditions;
-  conditions[condition].relation = Relation::at_most;
-  conditions[condition].right = std::numeric_limits<double>::infinity();
-  return contact::decide(decision.effect, proofs, "");
-}
-
-/// Holds a scene at an edge: the effect stays, and would go if the condition were weaker.
-void at_edge(const Scene& scene, Effect effect, std::size_t proof, std::size_t condition,
-             const contact::PlanOptions& options = {}) {
-  INFO("effect " << contact::effect_name(effect) << ", proof " << proof << ", condition "
-                 << condition);
-  const Decision decision = plan_scenes::decision(scene, effect, options);
-  const bool safe = effect != Effect::event_driven;
-  CHECK(decision.on == safe);
-  CHECK_FALSE(decision.proven);
-  REQUIRE(proof < decision.tried.size());
-  CHECK(only_lacks(decision, proof, condition));
-  CHECK(weakened(decision, proof, condition).proven);
-}
-
-void off(const Scene& scene, Effect effect, const contact::PlanOptions& options = {}) {
-  INFO("effect " << contact::effect_name(effect));
-  const Decision decision = plan_scenes::decision(scene, effect, options);
-  CHECK(decision.proven);
-  CHECK(decision.on == (effect == Effect::event_driven));
-  for (const auto& condition : decision.because) CHECK(contact::holds(condition));
-}
-
-Scene free_ball(double g, double duration, double tolerance) {
-  Scene scene = empty(1, 0, duration, tolerance);
-  scene.gravity = {0, 0, -g};
-  ball(scene, 0.5, 1, Point::Zero(), {1, 2, 0});
-  return scene;
-}
-
-/// Balls of radius ½ on a level table, side by side and on their way.
-Scene table(double friction = 0) {
-  Scene scene = empty(1, friction, 2, 1e-6);
-  scene.gravity = {0, 0, -8};
-  wall(scene, Point::UnitZ(), 0);
-  ball(scene, 0.5, 1, {0, 0, 0.5}, {1, 0.25, 0});
-  ball(scene, 0.5, 1, {2, 0, 0.5});
-  return scene;
-}
-
-Scene dropped(double e, double height, double duration, double tolerance = 1e-6) {
-  Scene scene = empty(e, 0, duration, tolerance);
-  scene.gravity = {0, 0, -8};
-  wall(scene, Point::UnitZ(), 0);
-  ball(scene, 0.5, 1, {0, 0, 0.5 + height});
-  return scene;
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // What a plan leaves out is left out rightly: the run that it decides on, beside runs with more in
 // them. Where nothing but a proof of "does nothing" stands behind a decision the bits must be the
-// same; elsewhere places agree within what the decision says, up to the horizon, and after it
-// conserved quantities and statistics do.
+// same; elsewhere places agree within what the decision says, up to the horizon.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -535,81 +534,6 @@ TEST_CASE("from event to event, random balls go where steps with all of physics 
 
 namespace {
 
-/// What many gases are on the average, long after nothing can be said of any of their places.
-struct Average {
-  double mean = 0;
-  double error = 0;  ///< one standard error of the mean
-};
-
-/// Runs gases that each begin elsewhere, so that they are independent, to twice their horizon and
-/// more, and takes the mean of what is measured of them. Energies stay as they are.
-/// @param number_of of a test, so that each has its own gases
-/// @param make a scene from random numbers
-/// @param measure takes the scene as it was and the run at its end
-template <class Make, class Measure>
-Average long_after(std::uint64_t number_of, const Make& make, const Measure& measure) {
-  const int runs = tried(800);
-  Random random(number_of);
-  double sum = 0;
-  double squares = 0;
-  for (int run = 0; run < runs; ++run) {
-    const Scene scene = make(random);
-    const Plan plan = contact::plan_scene(scene);
-    REQUIRE(plan.step == 0);
-    REQUIRE(*contact::decision_on(plan, Effect::horizon).value < scene.duration / 2);
-    const auto gas = contact::scenes::make_run(scene, plan);
-    const double energy = gas->energy();
-    gas->advance(scene.duration);
-    REQUIRE(std::abs(gas->energy() / energy - 1) < 1e-12);
-    const double found = measure(scene, *gas);
-    sum += found;
-    squares += found * found;
-  }
-  const double mean = sum / runs;
-  return {mean, std::sqrt((squares / runs - mean * mean) / (runs - 1))};
-}
-
-/// The mean is within 4.4 standard errors of what must be with a probability of 0.99999.
-void within_chance(const Average& found, double must_be, double largest_error) {
-  CAPTURE(found.mean, must_be, found.error);
-  CHECK(found.error < largest_error / std::sqrt(tried(800)));
-  CHECK(std::abs(found.mean - must_be) < 4.4 * found.error);
-}
-
-/// Sixteen balls in a room of 4 m, or in a plane of it.
-Scene gas_of_sixteen(Random& random, int dimension) {
-  Scene scene = plan_scenes::empty(1, 0, 80, 1e-6);
-  scene.gravity = Point::Zero();
-  plan_scenes::walls(scene, Point(4, 4, 4));
-  for (int i = 0; i < 16; ++i) {
-    Point x(0.6 + i % 3 * 1.4, 0.6 + i / 3 % 3 * 1.4, 0.6 + i / 9 * 1.4);
-    if (dimension == 2) x = Point(0.5 + i % 4, 0.5 + i / 4, 2);
-    Point v = Point::Zero();
-    for (int k = 0; k < dimension; ++k) v(k) = random.uniform(-1, 1);
-    plan_scenes::ball(scene, 0.4, 1, x, v);
-  }
-  return scene;
-}
-
-/// The mean of v⁴ over the square of the mean of v².
-double spread_of_speeds(const Scene& scene, const contact::SceneRun& gas) {
-  double square = 0;
-  double fourth = 0;
-  double count = 0;
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    if (!scene.bodies[i].moves) continue;
-    const double v = gas.velocity(i).squaredNorm();
-    square += v;
-    fourth += v * v;
-    count += 1;
-  }
-  return fourth * count / (square * square);
-}
-
-}  // namespace
-
-namespace {
-
 /// What moves begins an ulp faster or slower, in turns: in the same plane, or on the same line.
 Scene an_ulp_away(Scene scene) {
   double sign = 1;
@@ -720,70 +644,4 @@ TEST_CASE("before the horizon a run that begins an ulp away is within the tolera
   }
   CHECK(asked > tried(300));
   CHECK(parted_later > tried(8));  // the horizon is no safer than it has to be
-}
-
-// The velocities of n elastic balls alike are spread evenly over a sphere in d n dimensions. Then a
-// ball's share of Σ v² has a beta distribution, and the mean of v⁴ over the square of the mean of
-// v² is (d + 2)/d · d n/(d n + 2).
-TEST_CASE("long after the horizon the speeds of a gas are spread as they must be") {
-  const auto found = long_after(
-      22, [](Random& random) { return gas_of_sixteen(random, 3); }, spread_of_speeds);
-  within_chance(found, 5.0 / 3 * 48 / 50, 0.8);
-}
-
-TEST_CASE("long after the horizon the speeds of discs are spread as they must be") {
-  const auto found = long_after(
-      23, [](Random& random) { return gas_of_sixteen(random, 2); }, spread_of_speeds);
-  within_chance(found, 2.0 * 32 / 34, 0.8);
-}
-
-TEST_CASE("long after the horizon light and heavy balls have their shares of the energy") {
-  // All of the energy is in the light ones at first; on the average each ball comes to the same.
-  const auto make = [](Random& random) {
-    Scene scene = gas_of_sixteen(random, 3);
-    scene.duration = 200;
-    for (std::size_t i = 0; i < scene.bodies.size(); i += 4) {
-      if (!scene.bodies[i].moves) continue;
-      scene.bodies[i].mass = 8;
-      scene.bodies[i].inertia *= 8;
-      scene.bodies[i].velocity.setZero();
-    }
-    return scene;
-  };
-  const auto share = [](const Scene& scene, const contact::SceneRun& gas) {
-    double heavy = 0;
-    double all = 0;
-    double count = 0;
-    double heavies = 0;
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-      if (!scene.bodies[i].moves) continue;
-      const double energy = scene.bodies[i].mass * gas.velocity(i).squaredNorm() / 2;
-      const bool is_heavy = scene.bodies[i].mass > 1;
-      all += energy;
-      heavy += is_heavy ? energy : 0;
-      count += 1;
-      heavies += is_heavy ? 1 : 0;
-    }
-    return heavy / all - heavies / count;
-  };
-  within_chance(long_after(24, make, share), 0, 0.2);
-}
-
-TEST_CASE("long after the horizon gravity leaves a third of the motion to each axis") {
-  const auto make = [](Random& random) {
-    Scene scene = gas_of_sixteen(random, 3);
-    scene.gravity = {0, 0, -0.25};
-    return scene;
-  };
-  const auto upright = [](const Scene& scene, const contact::SceneRun& gas) {
-    double along = 0;
-    double all = 0;
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-      if (!scene.bodies[i].moves) continue;
-      along += gas.velocity(i).z() * gas.velocity(i).z();
-      all += gas.velocity(i).squaredNorm();
-    }
-    return along / all;
-  };
-  within_chance(long_after(25, make, upright), 1.0 / 3, 0.2);
 }

@@ -26,18 +26,16 @@ struct EnergyShare {
 
 /// What is known of a body before the scene runs.
 struct BodyBound {
-  bool moves = false;        ///< whether anything can move it
-  bool disturbed = false;    ///< whether it may touch anything
-  std::size_t group = 0;     ///< bodies of one group may give each other energy
-  double inner = 0;          ///< thickness of its core, m
-  double outer = 0;          ///< how far it reaches, m
-  double arm = 0;            ///< how far out spin moves its surface, m
-  double slowness = 0;       ///< 1/m, 1/kg
-  double turning = 0;        ///< arm²/I + 1/m with the least I: of points of its surface, 1/kg
-  double speed = 0;          ///< its centre is never faster, m/s
-  double travel = 0;         ///< its centre never comes farther from where it began, m
-  double spin = 0;           ///< it never spins faster, rad/s
-  std::size_t partners = 0;  ///< how many bodies it may touch
+  bool moves = false;      ///< whether anything can move it
+  bool disturbed = false;  ///< whether it may touch anything
+  std::size_t group = 0;   ///< bodies of one group may give each other energy
+  double inner = 0;        ///< thickness of its core, m
+  double outer = 0;        ///< how far it reaches, m
+  double arm = 0;          ///< how far out spin moves its surface, m
+  double slowness = 0;     ///< 1/m, 1/kg
+  double turning = 0;      ///< arm²/I + 1/m with the least I: of points of its surface, 1/kg
+  double speed = 0;        ///< its centre is never faster, m/s
+  double travel = 0;       ///< its centre never comes farther from where it began, m
 };
 
 /// Two bodies that may meet, or all pairs of a crowd taken together: then each number is the worst
@@ -262,17 +260,13 @@ inline BodyBound body_bound(const SceneBody& body) {
   return bound;
 }
 
-/// Speed, travel and spin of every body from its group's energy.
-inline void spread_energy(const Scene& scene, bool locked, SceneBounds& bounds) {
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    BodyBound& body = bounds.bodies[i];
+/// Speed and travel of every body from its group's energy.
+inline void spread_energy(const Scene& scene, SceneBounds& bounds) {
+  for (BodyBound& body : bounds.bodies) {
     if (!body.moves) continue;
     const EnergyShare& share = bounds.groups[body.group];
     body.speed = speed_at_most(share, body.slowness, bounds.gravity, scene.duration);
     body.travel = travel_at_most(share, body.slowness, bounds.gravity, scene.duration);
-    const double least = moment_range(scene.bodies[i].inertia).least;
-    body.spin = locked ? rounded_up(length_of(scene.bodies[i].spin))
-                       : speed_at_most(share, 1 / least, bounds.gravity, scene.duration);
   }
 }
 
@@ -288,7 +282,7 @@ inline void regroup(const Scene& scene, bool locked, BodySets& sets, SceneBounds
     bounds.groups[g] = energy_of(scene, members[g], locked, bounds.gravity);
     for (const std::size_t i : members[g]) bounds.bodies[i].group = g;
   }
-  spread_energy(scene, locked, bounds);
+  spread_energy(scene, bounds);
 }
 
 /// What two materials add to the worst of a pair.
@@ -512,8 +506,6 @@ inline void separate_pairs(const Scene& scene, bool locked, SceneBounds& bounds)
       const bool still = !scene.bodies[k].moves;
       if (!still && (k <= i || sets.find(i) != sets.find(k))) continue;
       if (!in_reach(i, k)) continue;
-      ++bounds.bodies[i].partners;
-      if (!still) ++bounds.bodies[k].partners;
       bounds.pairs.push_back(pair_bound(scene, bounds, i, k));
     }
   }
@@ -546,7 +538,6 @@ inline SceneBounds scene_bounds(const Scene& scene) {
       first = std::min(first, i);
       sets.unite(first, i);
       bounds.bodies[i].disturbed = true;
-      bounds.bodies[i].partners = scene.bodies.size() - 1;
     }
     detail::regroup(scene, locked, sets, bounds);
     detail::crowd_pairs(scene, bounds);

@@ -136,10 +136,6 @@ inline double most_partners(const PlanQuestion& q) {
   double most = 0;
   for (const PairBound& pair : q.pairs) {
     if (pair.crowd) return static_cast<double>(q.bounds.movers) - 1;
-    if (q.bounds.crowded) {
-      most += 1;  // any body of the crowd may touch this one
-      continue;
-    }
     most = std::max(most, partners[pair.a] += 1);
     if (pair.both_move) most = std::max(most, partners[pair.b] += 1);
   }
@@ -427,7 +423,8 @@ inline double sleep_speed(const PlanQuestion& q, const Decision& sleeping) {
 namespace detail {
 
 inline std::string pair_name(const Scene& scene, const PairBound& pair) {
-  if (pair.crowd) return "any two moving bodies";
+  if (pair.crowd && pair.both_move) return "any two moving bodies";
+  if (pair.crowd) return "any moving body and " + scene.bodies[pair.b].name;
   const std::string& a = scene.bodies[pair.a].name;
   const std::string& b = scene.bodies[pair.b].name;
   return a < b || !pair.both_move ? a + " and " + b : b + " and " + a;
