@@ -53,7 +53,7 @@ nitpicky = True
 nitpick_ignore_regex = [
     (r"cpp:identifier", r"Eigen(::.*)?|std(::.*)?|S|T|Value|u?int\d+_t|size_t"),
     (r"cpp:identifier", r".*<(S|double|E\.dimension)>::.*"),
-    (r"cpp:identifier", r"(contact::)?(detail|internal)(::.*)?|contact(::tolerance)?"),
+    (r"cpp:identifier", r"(contact::)?(detail|internal)(::.*)?|contact(::(tolerance|cost))?"),
 ]
 
 epub_basename = "contact-hours"
