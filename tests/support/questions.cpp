@@ -18,7 +18,7 @@ std::map<std::string, std::vector<std::function<Key()>>>& keys() {
 }
 
 std::string chapter_file(const std::string& chapter, const std::string& file) {
-  return std::string(CONTACT_SOURCE_DIR) + "/chapters/" + chapter + "/" + file;
+  return CONTACT_SOURCE_DIR "/chapters/" + chapter + "/" + file;
 }
 
 std::vector<int> whole_numbers(const toml::table& question, const char* field) {
