@@ -1,26 +1,29 @@
 // A figure's C++ as a native program, to hold its WebAssembly against.
 import { spawnSync } from "node:child_process";
-import fs from "node:fs";
 import path from "node:path";
 import { inRoot } from "./paths.mjs";
 
 const build = inRoot("build", "dev");
-const bin = process.env["CONTACT_PROGRAMS"] ?? path.join(build, "bin");
+const elsewhere = process.env["CONTACT_PROGRAMS"];
+/** @type {Set<string>} */
+const built = new Set();
 
 /**
- * The program of a figure. Nobody but tests runs these, and not all of them at once, so one that is not there is built
- * when it is asked for; one build at a time, as everywhere.
+ * The program of a figure, as its source is now. Nobody but tests runs these, and not all of them at once, so each is
+ * built when it is first asked for; one build at a time, as everywhere.
  * @param {string} name "01_planes/segment_plane" @returns {string} its path
  */
 export function nativeFigure(name) {
   const target = `figure_${name.replace("/", "_")}`;
-  const program = path.join(bin, target);
-  if (fs.existsSync(program)) return program;
+  if (elsewhere) return path.join(elsewhere, target);
+  const program = path.join(build, "bin", target);
+  if (built.has(target)) return program;
   const command = ["cmake", "--build", build, "--target", target];
   const lock = ["flock", inRoot("build", "lock")];
   const canLock = spawnSync("flock", ["--version"]).status === 0;
   const [first = "", ...rest] = canLock ? [...lock, ...command] : command;
   const { status, stdout, stderr } = spawnSync(first, rest, { encoding: "utf8" });
   if (status !== 0) throw new Error(`${target} does not build:\n${stdout}${stderr}`);
+  built.add(target);
   return program;
 }
