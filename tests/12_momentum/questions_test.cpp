@@ -120,13 +120,12 @@ KEY("which-sum") {
 }
 
 KEY("stop-it-gently") {
-  // 0.8 kN held for seven of eight pieces of 8.5 ms: 0.8 · 7/8 · 8.5 = 5.95 N·s for 6 kg·m/s.
-  force_time::Input state{0.8, 0.8, 0.8, 0.8, 0.8, 0.8, 0.8, 8.5, 0.5, 11.9, 0};
+  // 0.8 kN held for all but the ends of 8 ms: 31 · 0.8 · 8/32 = 6.2 N·s for 6.2 kg·m/s.
+  force_time::Input state{{}, 8, 0.5, 12.4, 0};
+  state.drawn.fill(0.8);
   const double winning = force_time::compute(state).stops_gently;
-  state.f1 = state.f7 = 0.2;
-  state.f2 = state.f6 = 0.6;
-  state.f3 = state.f5 = 1.2;
-  state.f4 = 1.6;  // the same area, and too hard
+  state.drawn[15] = 1.6;  // the same area, and too hard
+  state.drawn[10] = state.drawn[20] = 0.4;
   return questions::Construct{winning, force_time::compute(state).stops_gently};
 }
 

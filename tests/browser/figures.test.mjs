@@ -98,13 +98,16 @@ describe("figures", { skip }, () => {
         const now = [(await shown.input())[field]].flat();
         return Math.hypot(...now.map((value, i) => value - start[i]));
       };
-      const step = await size("ArrowRight");
+      // Left and right lead along a curve that is drawn by hand.
+      const drawn = /stroke/.test(/** @type {string} */ (await grip.getAttribute("class")));
+      const [more, less] = drawn ? ["ArrowUp", "ArrowDown"] : ["ArrowRight", "ArrowLeft"];
+      const step = await size(more);
       assert.ok(step > 0);
       // Ten times as large, one way or the other; less only if the whole range is smaller.
-      const left = await size("Shift+ArrowLeft");
-      const right = await size("Shift+ArrowRight");
+      const left = await size(`Shift+${less}`);
+      const right = await size(`Shift+${more}`);
       const larger = Math.max(left, right);
-      const range = await size("Shift+ArrowLeft");
+      const range = await size(`Shift+${less}`);
       assert.ok(Math.abs(larger - 10 * step) < 1e-9 || (larger > 2 * step && larger === range));
       assert.ok(Math.abs((await size("Alt+ArrowUp")) - step / 10) < 1e-9);
       await agrees(each.name, shown);
@@ -197,6 +200,95 @@ describe("figures", { skip }, () => {
       await shown.close();
     });
   }
+
+  /** A figure whose curve is drawn by hand. */
+  const sketch = { page: "chapters/12_momentum.html", name: "12_momentum/force_time" };
+  /** Draws through points of the sheet, given as shares of its width and height. */
+  async function draw(/** @type {any} */ shown, /** @type {[number, number][]} */ points) {
+    const sheet = await shown.figure.locator(".sheet").boundingBox();
+    const at = (/** @type {[number, number]} */ [u, v]) =>
+      /** @type {const} */ ([sheet.x + u * sheet.width, sheet.y + v * sheet.height]);
+    const [first, ...others] = points;
+    await shown.page.mouse.move(...at(/** @type {[number, number]} */ (first)));
+    await shown.page.mouse.down();
+    for (const point of others) await shown.page.mouse.move(...at(point));
+    await shown.page.mouse.up();
+  }
+
+  test("a curve is drawn in one stroke, either way, and only where the stroke goes", async () => {
+    const shown = await show(sketch);
+    const drawn = async () => /** @type {number[]} */ ((await shown.input())["drawn"]);
+    const start = await drawn();
+    // Two moves, far apart: what lies between is on the line that the hand went.
+    await draw(shown, [
+      [0.01, 0.5],
+      [0.5, 0.2],
+      [0.99, 0.5],
+    ]);
+    const there = await drawn();
+    for (const [i, value] of there.entries()) {
+      const mirrored = there[there.length - 1 - i];
+      assert.ok(Math.abs(value - mirrored) < 0.05, `${i}: ${value} and ${mirrored}`);
+      if (i > 0 && i < there.length - 1)
+        assert.ok(
+          Math.abs(there[i - 1] - 2 * value + there[i + 1]) < (i === 15 ? 0.5 : 0.02),
+          `${i}`,
+        );
+    }
+    await agrees(sketch.name, shown);
+    await shown.figure.getByRole("button", { name: "Reset" }).click();
+    await draw(shown, [
+      [0.99, 0.5],
+      [0.5, 0.2],
+      [0.01, 0.5],
+    ]);
+    (await drawn()).forEach((value, i) => {
+      assert.ok(Math.abs(value - there[i]) < 0.02, `${i}: ${value} and ${there[i]}`);
+    });
+    await shown.figure.getByRole("button", { name: "Reset" }).click();
+    await draw(shown, [
+      [0.01, 0.9],
+      [0.4, 0.9],
+    ]);
+    const part = await drawn();
+    assert.ok(
+      part.slice(0, 11).every((value) => value < 0 && value === part[0]),
+      `${part}`,
+    );
+    assert.deepStrictEqual(part.slice(14), start.slice(14));
+    await shown.close();
+  });
+
+  test("a curve stays within its sheet, and keys draw it too", async () => {
+    const shown = await show(sketch);
+    await draw(shown, [
+      [0.5, 0.5],
+      [0.5, -0.4],
+    ]);
+    const before = /** @type {number[]} */ ((await shown.input())["drawn"]);
+    assert.equal(before[15], 4.2);
+    for (const key of ["ArrowLeft", "ArrowLeft", "ArrowDown"]) await shown.page.keyboard.press(key);
+    const after = /** @type {number[]} */ ((await shown.input())["drawn"]);
+    const moved = after.map((value, i) => Math.round((before[i] - value) * 1000) / 1000);
+    assert.deepStrictEqual(
+      moved.slice(8, 19),
+      [0, 0.01, 0.02, 0.03, 0.04, 0.05, 0.04, 0.03, 0.02, 0.01, 0],
+    );
+    assert.match(
+      /** @type {string} */ (await shown.figure.locator(".grip").getAttribute("aria-valuetext")),
+      /point 14 of 31/,
+    );
+    await shown.close();
+  });
+
+  test("what a value means follows the state", async () => {
+    const shown = await show(sketch);
+    const row = shown.figure.locator(".computed tr").last();
+    const before = await row.locator(".meaning").textContent();
+    await shown.figure.evaluate((/** @type {any} */ it) => it.set({ speed: 3 }));
+    assert.notEqual(await row.locator(".meaning").textContent(), before);
+    await shown.close();
+  });
 
   test("a figure in space is turned by pointer and by buttons, and its numbers stay", async () => {
     const shown = await show(figures[0]);

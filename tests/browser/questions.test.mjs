@@ -54,12 +54,17 @@ describe("questions", { skip }, () => {
     }
   }
 
+  /** States that trying at random would not find: here, a curve of 31 numbers with a given area. */
+  const known = {
+    stops_gently: { drawn: Array(31).fill(0.8), duration: 8, mass: 0.5, speed: 12.4, beside: 0 },
+  };
   /** A state of the figure for which its C++ says yes, found by trying. */
   function winning(
     /** @type {string} */ name,
     /** @type {string} */ goal,
     /** @type {any} */ like,
   ) {
+    if (goal in known) return known[/** @type {keyof typeof known} */ (goal)];
     for (let seed = 1; seed <= 20; ++seed) {
       const inputs = inputsLike(like, 5000, seed);
       const found = native(name, inputs).findIndex((output) => Number(output[goal]) >= 1);

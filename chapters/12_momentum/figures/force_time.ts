@@ -4,13 +4,7 @@
 import { defineFigure, pretty, type Vec2 } from "@contact/figure";
 
 interface Input {
-  f1: number;
-  f2: number;
-  f3: number;
-  f4: number;
-  f5: number;
-  f6: number;
-  f7: number;
+  drawn: readonly number[];
   duration: number;
   mass: number;
   speed: number;
@@ -41,35 +35,34 @@ const LOW = -4.4;
 const low = (velocity: number): number => LOW + Math.max(-26, Math.min(26, velocity)) / 10;
 const END = 10.3;
 
-const HANDLES = ["f1", "f2", "f3", "f4", "f5", "f6", "f7"] as const;
+/** The numbers that are drawn; at the two ends the force is 0. */
+const POINTS = 31;
+const share = (index: number): number => (index + 1) / (POINTS + 1);
+const hill = (index: number): number =>
+  Math.round(280 * Math.sin(Math.PI * share(index)) ** 2) / 100;
 
 export default defineFigure<Input, Output>({
   title: "The area under a force–time curve",
   view: { kind: "2d", x: [-0.9, 10.9], y: [-7.3, 4.7] },
   aspect: 1.02,
   initial: {
-    f1: 0.4,
-    f2: 1.2,
-    f3: 2.4,
-    f4: 2.8,
-    f5: 2,
-    f6: 0.9,
-    f7: 0.3,
+    drawn: Array.from({ length: POINTS }, (_, index) => hill(index)),
     duration: 8,
     mass: 0.5,
     speed: 12,
     beside: 0,
   },
-  handles: HANDLES.map((field, i) => ({
-    kind: "slide" as const,
-    field,
-    label: `force after ${i + 1} eighths of the time, kN`,
-    role: "ray" as const,
-    at: (input: Input, output: Output): Vec2 => [output.time[i + 1] ?? 0, input[field]],
-    along: (): Vec2 => [0, 1],
-    step: 0.05,
-    limit: [-1.5, 4.2] as const,
-  })),
+  handles: [
+    {
+      kind: "stroke",
+      field: "drawn",
+      label: "force in the course of time, kN",
+      role: "ray",
+      across: (index, input): number => share(index) * input.duration,
+      step: 0.05,
+      limit: [-1.5, 4.2],
+    },
+  ],
   controls: [
     { kind: "slider", field: "duration", label: "T", min: 3, max: 10, step: 0.1, unit: "ms" },
     { kind: "slider", field: "mass", label: "m", min: 0.1, max: 2, step: 0.05, unit: "kg" },
@@ -121,17 +114,18 @@ export default defineFigure<Input, Output>({
     scene.label([END, LOW], "t, ms", { role: "muted", offset: [0, -10], anchor: "end" });
     if (output.problem) return;
 
-    for (const [i, t] of output.split_time.entries()) {
-      const middle: Vec2 = [t, output.split_force[i] ?? 0];
-      for (const at of [i, i + 1]) {
-        const end: Vec2 = [output.time[at] ?? 0, output.force[at] ?? 0];
-        const below = end[1] + middle[1] < 0;
-        scene.face([[end[0], 0], end, middle, [t, 0]], {
-          role: below ? "miss" : "b",
-          fill: below ? 0.3 : 0.22,
-          outline: false,
-        });
-      }
+    // Where the curve crosses the axis it has a point, so that cutting heights off at 0 cuts there.
+    const curve = output.time.flatMap((t, i): Vec2[] => {
+      const split = output.split_time[i];
+      const here: Vec2 = [t, output.force[i] ?? 0];
+      return split === undefined ? [here] : [here, [split, output.split_force[i] ?? 0]];
+    });
+    for (const [role, fill, cut] of [
+      ["b", 0.22, Math.max],
+      ["miss", 0.3, Math.min],
+    ] as const) {
+      const area = curve.map(([t, f]): Vec2 => [t, cut(0, f)]);
+      if (area.some(([, f]) => f !== 0)) scene.face(area, { role, fill, outline: false });
     }
     scene.path(
       output.time.map((t, i): Vec2 => [t, output.force[i] ?? 0]),

@@ -17,8 +17,9 @@ import { FigureModel, sentence } from "./model.ts";
 import { Scene } from "./scene.ts";
 import { shapesToSvg } from "./shapes.ts";
 import { decodeState, encodeState } from "./state.ts";
+import { Stroke } from "./stroke.ts";
 import { currentValues, makeValues } from "./values.ts";
-import { KEYS_2D, KEYS_3D, type View } from "./view.ts";
+import { KEYS_2D, KEYS_3D, KEYS_STROKE, type View } from "./view.ts";
 import { FlatView } from "./view2.ts";
 import type { Eye, SpaceView } from "./view3.ts";
 
@@ -144,7 +145,11 @@ export class ContactFigure extends HTMLElement {
     const view = this.#view!;
     const hintId = freshId("hint");
     const drawing = svg("g", { class: "drawing", "aria-hidden": "true" });
-    const grips = (figure.handles ?? []).map((handle) => new Grip(handle, model, view, hintId));
+    const grips = (figure.handles ?? []).map((handle) =>
+      handle.kind === "stroke"
+        ? new Stroke(handle, model, view, hintId)
+        : new Grip(handle, model, view, hintId),
+    );
     const stage = svg(
       "svg",
       { class: "stage", role: "group", "aria-label": figure.title },
@@ -270,6 +275,7 @@ export class ContactFigure extends HTMLElement {
 function hintText(figure: AnyFigure): string {
   const turn = figure.view.kind === "3d" ? " Drag the background to turn the view." : "";
   if (figure.handles.length === 0) return turn.trim();
+  if (figure.handles.some(({ kind }) => kind === "stroke")) return KEYS_STROKE;
   const points = figure.handles.some(({ kind }) => kind === "point");
   const keys = figure.view.kind === "3d" && points ? KEYS_3D : KEYS_2D;
   return `Drag a ringed point.${turn} ${keys}; Shift for larger steps, Alt for smaller.`;

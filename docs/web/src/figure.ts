@@ -59,7 +59,24 @@ export interface SlideHandle<Input, Output> {
   readonly limit?: readonly [min: number, max: number];
 }
 
-export type Handle<Input, Output> = PointHandle<Input> | SlideHandle<Input, Output>;
+/** An array of the input, drawn as a curve with pointer or finger: its numbers are heights. */
+export interface StrokeHandle<Input> {
+  readonly kind: "stroke";
+  readonly field: keyof Input & string;
+  readonly label: string;
+  readonly role: Role;
+  /** Where along x the number with an index stands; it must grow with the index. */
+  across(index: number, input: Input): number;
+  readonly step?: number;
+  /** The sheet that is drawn on reaches from the least height to the greatest. */
+  readonly limit: readonly [min: number, max: number];
+}
+
+/** A stroke's sheet is large: put it first, and the grips that lie on it after it. */
+export type Handle<Input, Output> =
+  | PointHandle<Input>
+  | SlideHandle<Input, Output>
+  | StrokeHandle<Input>;
 
 /** How one field of the input is typed or slid beside the drawing. */
 export type Control<Input> =

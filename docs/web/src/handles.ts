@@ -2,7 +2,7 @@
 // under it is redrawn, so that it keeps the focus, the finger and the screen reader's attention.
 
 import { svg } from "./dom.ts";
-import type { Handle, PointHandle, SlideHandle } from "./figure.ts";
+import type { PointHandle, SlideHandle } from "./figure.ts";
 import type { Fields } from "./layout.ts";
 import type { FigureModel } from "./model.ts";
 import { pretty, type Vec2 } from "./numbers.ts";
@@ -10,7 +10,7 @@ import type { Point } from "./scene.ts";
 import type { View } from "./view.ts";
 
 // biome-ignore lint/suspicious/noExplicitAny: fields are checked against the C++ layout at run time
-type AnyHandle = Handle<any, any>;
+type AnyHandle = PointHandle<any> | SlideHandle<any, any>;
 type Slide = SlideHandle<Record<string, unknown>, Fields>;
 type Grab = { readonly pointer: Vec2; readonly place: Vec2; readonly from: Point | number };
 
@@ -151,8 +151,8 @@ export class Grip {
   }
 
   #key(event: KeyboardEvent): void {
-    const size = this.#step * (event.shiftKey ? 10 : 1) * (event.altKey ? 0.1 : 1);
     if (event.ctrlKey || event.metaKey) return;
+    const size = stepSize(event, this.#step);
     const numbers = this.#model.numbers(this.#handle.field);
     if (this.#handle.kind === "slide") {
       const sign = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[event.key];
@@ -170,12 +170,8 @@ export class Grip {
     this.#model.set({ [this.#handle.field]: moved });
   }
 
-  /** Within the limits, and on a round number, so that what is read can be typed. */
   #tidy(value: number, parts = 10): number {
-    const grain = Math.round(parts / this.#step);
-    const round = Math.round(value * grain) / grain;
-    const [low, high] = this.#handle.limit ?? [-Infinity, Infinity];
-    return Math.min(high, Math.max(low, round)) + 0;
+    return tidy(value, this.#step / parts, this.#handle.limit);
   }
 
   #release(): void {
@@ -184,8 +180,21 @@ export class Grip {
   }
 }
 
+/** Within the limits, and on a round number, so that what is read can be typed. */
+export function tidy(value: number, grain: number, limit?: readonly [number, number]): number {
+  const parts = Math.round(1 / grain);
+  const round = Math.round(value * parts) / parts;
+  const [low, high] = limit ?? [-Infinity, Infinity];
+  return Math.min(high, Math.max(low, round)) + 0;
+}
+
+/** How far an arrow key moves: farther with Shift, less far with Alt. */
+export function stepSize(event: KeyboardEvent, step: number): number {
+  return step * (event.shiftKey ? 10 : 1) * (event.altKey ? 0.1 : 1);
+}
+
 /** Takes a key for itself: the book's pages turn by arrow keys elsewhere. */
-function keep(event: KeyboardEvent): void {
+export function keep(event: KeyboardEvent): void {
   event.preventDefault();
   event.stopPropagation();
 }

@@ -21,6 +21,7 @@ export function makeValues(model: FigureModel): { element: HTMLElement; refresh(
   const caption = html("caption", {}, "Computed by the book’s C++");
   const element = html("table", { class: "computed" }, caption, body);
   const cells: HTMLElement[] = [];
+  const meanings: HTMLElement[] = [];
   const refresh = (): void => {
     const values = currentValues(model);
     if (values.length === 0) {
@@ -28,26 +29,24 @@ export function makeValues(model: FigureModel): { element: HTMLElement; refresh(
       return;
     }
     if (values.length !== cells.length) {
-      cells.length = 0;
-      body.replaceChildren(...values.map((value) => valueRow(value, cells)));
+      cells.length = meanings.length = 0;
+      body.replaceChildren(...values.map((value) => valueRow(value, cells, meanings)));
     }
     values.forEach((value, i) => {
       const cell = cells[i]!;
       cell.textContent = valueText(value);
       cell.className = value.role ? `t-${value.role}` : "";
+      meanings[i]!.textContent = value.meaning;
     });
   };
   return { element, refresh };
 }
 
-function valueRow(value: Value, cells: HTMLElement[]): HTMLElement {
+function valueRow(value: Value, cells: HTMLElement[], meanings: HTMLElement[]): HTMLElement {
   const cell = html("td");
+  const meaning = html("span", { class: "meaning" });
   cells.push(cell);
-  const name = html(
-    "th",
-    { scope: "row" },
-    symbol(value.name),
-    html("span", { class: "meaning" }, value.meaning),
-  );
+  meanings.push(meaning);
+  const name = html("th", { scope: "row" }, symbol(value.name), meaning);
   return html("tr", {}, name, cell);
 }

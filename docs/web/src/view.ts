@@ -20,3 +20,5 @@ export interface View {
 /** The keys that move a handle, for its description. */
 export const KEYS_2D = "Arrow keys move it";
 export const KEYS_3D = "Arrow keys move it level with the ground, Page Up and Page Down lift it";
+export const KEYS_STROKE =
+  "Draw the curve anew from left to right, or a part of it. Keys: left and right take another of its points, up and down move it and its neighbours; Shift for larger steps, Alt for smaller.";
