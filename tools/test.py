@@ -12,7 +12,6 @@ import argparse
 import json
 import os
 import re
-import resource
 import shutil
 import signal
 import subprocess
@@ -22,8 +21,9 @@ import time
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+from threading import Lock
 
 import steps
 from sample import sample
@@ -38,6 +38,8 @@ class Tally:
     failed: int = 0
     skipped: int = 0
     why: list[str] = field(default_factory=list)
+    names: list[str] = field(default_factory=list)  # of what failed
+    processor: float = 0.0  # seconds
     explained: bool = False  # `why` says what failed, so nobody has to read the output for it
 
     def add(self, other: Tally) -> None:
@@ -45,6 +47,8 @@ class Tally:
         self.failed += other.failed
         self.skipped += other.skipped
         self.why += other.why
+        self.names += other.names
+        self.processor += other.processor
 
 
 Check = Callable[[float], Tally]  # takes the seconds that are left
@@ -57,6 +61,9 @@ class Stage:
     minutes: float  # a stage is stopped there, and has failed
     checks: Callable[[], Iterator[Check]]
     needs: tuple[str, ...] = ()
+    # The first stages run alone. Then two lanes run beside each other: much of what a browser and
+    # the graded programs do waits, and would leave a core idle.
+    lane: str = "native"
 
 
 # --- Checks ---------------------------------------------------------------------------------------
@@ -71,12 +78,17 @@ def log_name(what: str) -> str:
     return "test-" + re.sub(r"[^a-z0-9]+", "-", what.lower()).strip("-")
 
 
+def one_test(what: str, done: Done) -> Tally:
+    if done.ok:
+        return Tally(passed=1, processor=done.processor)
+    return Tally(failed=1, why=[explain(what, done)], names=[what], processor=done.processor)
+
+
 def once(what: str, command: Sequence[str | Path], cwd: Path = ROOT) -> Check:
     """A command that can only succeed or fail: one test."""
 
     def check(seconds: float) -> Tally:
-        done = steps.run(command, log_name(what), cwd=cwd, limit=seconds)
-        return Tally(passed=1) if done.ok else Tally(failed=1, why=[explain(what, done)])
+        return one_test(what, steps.run(command, log_name(what), cwd=cwd, limit=seconds))
 
     return check
 
@@ -93,15 +105,18 @@ def counted(
         done = steps.run(command, log_name(what), cwd=cwd, limit=seconds)
         tally = count(done)
         if tally is None:
-            return Tally(failed=1, why=[explain(f"{what} reported no counts and", done)])
+            return one_test(f"{what} reported no counts and", replace(done, code=done.code or 1))
+        tally.processor = done.processor
         if tally.failed:
             if not tally.explained:
                 tally.why.append(explain(what, done))
         elif not done.ok:
             tally.failed += 1
+            tally.names.append(what)
             tally.why.append(explain(what, done))
         elif tally.passed + tally.skipped == 0:
             tally.failed += 1
+            tally.names.append(what)
             tally.why.append(f"{what} ran no test at all; its words: {done.log.relative_to(ROOT)}")
         return tally
 
@@ -120,6 +135,7 @@ def count_junit(file: Path) -> Callable[[Done], Tally | None]:
             name = case.get("name", "?")
             if case.find("failure") is not None or case.find("error") is not None:
                 tally.failed += 1
+                tally.names.append(name)
             elif (skip := case.find("skipped")) is not None or case.get("status") in (
                 "notrun",
                 "disabled",
@@ -157,7 +173,9 @@ def count_tap(done: Done) -> Tally | None:
             )
         ]
     if tally.failed:
-        tally.why += [explain(done.log.stem, done), *failures_in_tap(done.output)]
+        failures = failures_in_tap(done.output)
+        tally.why += [explain(done.log.stem, done), *failures]
+        tally.names += [failure.splitlines()[0].removeprefix("FAILED: ") for failure in failures]
         tally.explained = True
     return tally
 
@@ -251,17 +269,16 @@ def cmake_build(preset: str, *targets: str) -> Iterator[Check]:
     yield once(f"configure {preset}", ["cmake", "--preset", preset])
 
     def build(seconds: float) -> Tally:
-        with steps.build_lock():
+        with steps.build_lock(preset):
             done = steps.run(
                 ["cmake", "--build", BUILD / preset, "--", "-k", "0", *targets],
                 log_name(f"build {preset}"),
                 limit=seconds,
             )
-        if done.ok:
-            return Tally(passed=1)
+        tally = one_test(f"building {preset}", done)
         errors = [line for line in done.output.splitlines() if re.search(r"error:|FAILED:", line)]
-        what = explain(f"building {preset}", done)
-        return Tally(failed=1, why=["\n".join([*errors[:12], what])])
+        tally.why = ["\n".join([*errors[:12], why]) for why in tally.why]
+        return tally
 
     yield build
 
@@ -394,6 +411,7 @@ def dev_check() -> Iterator[Check]:
             tally = Tally(report["passed"], report["failed"], explained=True)
             for result in report["results"]:
                 if not result["passed"]:
+                    tally.names.append(f"{result['kind']} {result['name']}")
                     tally.why.append(
                         "\n".join([f"{result['kind']} {result['name']}:", *result["problems"]])
                     )
@@ -426,8 +444,7 @@ def step_checks(book_steps: Sequence[steps.Step]) -> Iterator[Check]:
     for step in book_steps:
 
         def check(_: float, step: steps.Step = step) -> Tally:
-            done = step.run()
-            return Tally(passed=1) if done.ok else Tally(failed=1, why=[explain(step.what, done)])
+            return one_test(step.what, step.run())
 
         yield check
 
@@ -496,8 +513,19 @@ WHOLE_MINUTES = 40
 
 # The minutes are where a stage is stopped on a busy machine; all of them together take far less.
 STAGES = (
-    Stage("style", "format, linters and types of C++, Python, TypeScript and shell", 4, style),
-    Stage("native", "configure and build everything; headers alone", 30, native),
+    Stage(
+        "style",
+        "format, linters and types of C++, Python, TypeScript and shell",
+        4,
+        style,
+        (),
+        "first",
+    ),
+    Stage("native", "configure and build everything; headers alone", 30, native, (), "first"),
+    Stage("grade", "submissions that nobody trusts: boxes, marks, reports", 25, grade, ("native",)),
+    Stage("program", "the contact program from outside", 8, program, ("native",)),
+    Stage("outside", "set-up; the headers in another project", 6, outside, ("native",)),
+    Stage("ladder", "every ladder at a small size", 4, ladder, ("native",)),
     Stage(
         "ctest",
         "references against the oracle, hard cases, examples, questions",
@@ -508,10 +536,7 @@ STAGES = (
     Stage(
         "dev-check", "stubs, solutions, wrong answers and null answers", 12, dev_check, ("native",)
     ),
-    Stage("program", "the contact program from outside", 8, program, ("native",)),
-    Stage("grade", "submissions that nobody trusts: boxes, marks, reports", 25, grade, ("native",)),
-    Stage("outside", "set-up; the headers in another project", 6, outside, ("native",)),
-    Stage("ladder", "every ladder at a small size", 4, ladder, ("native",)),
+    Stage("sanitize", "the reference tests under sanitizers", 25, sanitize),
     Stage(
         "tidy",
         "clang-tidy over the reference headers and the library that judges",
@@ -519,37 +544,84 @@ STAGES = (
         tidy,
         ("native",),
     ),
-    Stage("sanitize", "the reference tests under sanitizers", 25, sanitize),
-    Stage("page", "the page's scripts, figures and ladders in WebAssembly", 15, page, ("native",)),
-    Stage("wasm", "the compiler in the page, and the exercises for it", 20, wasm, ("native",)),
-    Stage("book", "the book without a warning, and served", 15, book, ("page", "wasm")),
-    Stage("browser", "the book in a real browser", 25, browser, ("book",)),
+    Stage(
+        "page",
+        "the page's scripts, figures and ladders in WebAssembly",
+        15,
+        page,
+        ("native",),
+        "page",
+    ),
+    Stage(
+        "wasm", "the compiler in the page, and the exercises for it", 20, wasm, ("native",), "page"
+    ),
+    Stage("book", "the book without a warning, and served", 15, book, ("page", "wasm"), "page"),
+    Stage("browser", "the book in a real browser", 25, browser, ("book",), "page"),
 )
 
 
-def processor_seconds() -> float:
-    """What all commands that have ended took of processors."""
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
-
-
-def run_stage(stage: Stage) -> tuple[Tally, float, float]:
-    """What it found, how long it took on the clock, and of processors."""
+def run_stage(stage: Stage) -> tuple[Tally, float]:
+    """What it found, and how long it took on the clock."""
     began = time.monotonic()
-    used = processor_seconds()
     tally = Tally()
     try:
         for check in stage.checks():
+            if steps.CHILDREN.stopping:
+                break
             left = stage.minutes * 60 - (time.monotonic() - began)
             if left <= 0:
-                tally.add(Tally(failed=1, why=[f"no time was left of {stage.minutes:g} minutes"]))
+                why = f"no time was left of {stage.minutes:g} minutes"
+                tally.add(Tally(failed=1, why=[why], names=[why]))
                 break
             tally.add(check(left))
     except OSError as error:
-        tally.add(Tally(failed=1, why=[f"{stage.name}: {error}"]))
+        tally.add(Tally(failed=1, why=[f"{stage.name}: {error}"], names=[str(error)]))
     if tally.passed + tally.failed + tally.skipped == 0:
-        tally.add(Tally(failed=1, why=[f"{stage.name} found nothing to check"]))
-    return tally, time.monotonic() - began, processor_seconds() - used
+        why = f"{stage.name} found nothing to check"
+        tally.add(Tally(failed=1, why=[why], names=[why]))
+    return tally, time.monotonic() - began
+
+
+@dataclass
+class Run:
+    """The stages that are done, each with what it found and its seconds on the clock."""
+
+    rows: list[tuple[Stage, Tally, float]] = field(default_factory=list)
+    failed: set[str] = field(default_factory=set)
+    printing: Lock = field(default_factory=Lock)
+
+    def stages(self, stages: Sequence[Stage]) -> None:
+        """One after the other."""
+        for stage in stages:
+            if steps.CHILDREN.stopping:
+                return
+            missing = [need for need in stage.needs if need in self.failed]
+            if missing:
+                why = f"{stage.name} was not run: it needs {missing[0]}, which failed"
+                tally, seconds = Tally(failed=1, why=[why], names=[why]), 0.0
+            else:
+                print(f"{stage.name}: {stage.what}")
+                tally, seconds = run_stage(stage)
+            if tally.failed:
+                self.failed.add(stage.name)
+            self.rows.append((stage, tally, seconds))
+            counts = f"{tally.passed} passed, {tally.failed} failed, {tally.skipped} skipped"
+            said = [f"    {line}" for why in tally.why for line in why.splitlines()]
+            said.append(f"{stage.name}: {result(tally)} in {seconds:.0f} s ({counts})")
+            with self.printing:
+                print("\n".join(said))
+
+    def lanes(self, stages: Sequence[Stage]) -> None:
+        """Both lanes at once, each its stages one after the other."""
+        lanes = [[stage for stage in stages if stage.lane == lane] for lane in ("page", "native")]
+        with ThreadPoolExecutor(len(lanes)) as pool:
+            done = [pool.submit(self.stages, lane) for lane in lanes]
+            try:
+                for one in done:
+                    one.result()
+            except BaseException:
+                steps.CHILDREN.stop_all()
+                raise
 
 
 def chosen(names: Sequence[str]) -> list[Stage]:
@@ -583,36 +655,25 @@ def main() -> int:
         return 0
 
     sys.stdout.reconfigure(line_buffering=True)  # type: ignore[union-attr]
-    rows: list[tuple[Stage, Tally, float, float]] = []
-    failed: set[str] = set()
-    for stage in chosen(arguments.stages):
-        missing = [need for need in stage.needs if need in failed]
-        if missing:
-            why = f"{stage.name} was not run: it needs {missing[0]}, which failed"
-            tally, seconds, used = Tally(failed=1, why=[why]), 0.0, 0.0
-        else:
-            print(f"{stage.name}: {stage.what}")
-            tally, seconds, used = run_stage(stage)
-        if tally.failed:
-            failed.add(stage.name)
-        rows.append((stage, tally, seconds, used))
-        for why in tally.why:
-            print("\n".join(f"    {line}" for line in why.splitlines()))
-        counts = f"{tally.passed} passed, {tally.failed} failed, {tally.skipped} skipped"
-        print(f"{stage.name}: {result(tally)} in {seconds:.0f} s ({counts})")
+    began = time.monotonic()
+    wanted = chosen(arguments.stages)
+    run = Run()
+    run.stages([stage for stage in wanted if stage.lane == "first"])
+    run.lanes([stage for stage in wanted if stage.lane != "first"])
+    clock = time.monotonic() - began
 
     total = Tally()
     head = ("stage", "seconds", "cpu", "limit", "passed", "failed", "skipped")
     line = "{:10} {:>8} {:>8} {:>6} {:>7} {:>7} {:>8}  {}"
     print("\n" + line.format(*head, "result"))
-    for stage, tally, seconds, used in rows:
+    for stage, tally, seconds in sorted(run.rows, key=lambda row: STAGES.index(row[0])):
         total.add(tally)
         numbers = (tally.passed, tally.failed, tally.skipped)
-        times = (f"{seconds:.1f}", f"{used:.1f}", int(stage.minutes * 60))
+        times = (f"{seconds:.1f}", f"{tally.processor:.1f}", int(stage.minutes * 60))
         print(line.format(stage.name, *times, *numbers, result(tally)))
-    clock = sum(seconds for _, _, seconds, _ in rows)
-    processors = sum(used for _, _, _, used in rows)
-    print(f"{'all':10} {clock:8.1f} {processors:8.1f} {WHOLE_MINUTES * 60:6}\n")
+    print(f"{'all':10} {clock:8.1f} {total.processor:8.1f} {WHOLE_MINUTES * 60:6}\n")
+    for name in total.names:
+        print(f"failed: {name}")
     print(f"{total.passed} passed, {total.failed} failed, {total.skipped} skipped")
     return 1 if total.failed else 0
 
