@@ -16,7 +16,8 @@ PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
 SCENES = ROOT / "chapters" / "20_scenes" / "scenes"
 
 # An estimate says how many digits a cost has. benchmarks/scene_stages.py holds more scenes to it,
-# and prints by how much each estimate is off.
+# and prints by how much each estimate is off. These are off by at most 2.2 on one machine: another
+# one's libraries take other instructions.
 FACTOR = 4.0
 
 
@@ -65,13 +66,13 @@ def counted(file: Path, words: list[str], environment: dict[str, str]) -> int:
     ("scene", "seconds", "effects"),
     [
         # Four contacts that rub, of a body that might turn.
-        ("sliding_block", 0.2, ("friction", "rotation")),
+        ("sliding_block", 0.5, ("friction", "rotation")),
         # One body and a wall: what is asked of each body and part.
         ("bullet_and_wall", 0.01, ("broad-phase", "sleeping")),
         # An uneven body that spins.
         ("tennis_racket", 0.1, ("gyroscopic-term",)),
         # Balls from event to event, and the same in steps.
-        ("billiards_break", 0.5, ("event-driven",)),
+        ("billiards_break", 2.0, ("event-driven",)),
     ],
 )
 def test_estimates_are_of_the_size_of_counts(
