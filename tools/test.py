@@ -522,8 +522,8 @@ STAGES = (
         "first",
     ),
     Stage("native", "configure and build everything; headers alone", 30, native, (), "first"),
-    Stage("grade", "submissions that nobody trusts: boxes, marks, reports", 25, grade, ("native",)),
-    Stage("program", "the contact program from outside", 8, program, ("native",)),
+    Stage("grade", "submissions that nobody trusts: boxes, marks, reports", 30, grade, ("native",)),
+    Stage("program", "the contact program from outside", 12, program, ("native",)),
     Stage("outside", "set-up; the headers in another project", 6, outside, ("native",)),
     Stage("ladder", "every ladder at a small size", 4, ladder, ("native",)),
     Stage(
@@ -536,27 +536,27 @@ STAGES = (
     Stage(
         "dev-check", "stubs, solutions, wrong answers and null answers", 12, dev_check, ("native",)
     ),
-    Stage("sanitize", "the reference tests under sanitizers", 25, sanitize),
+    Stage("sanitize", "the reference tests under sanitizers", 40, sanitize),
     Stage(
         "tidy",
         "clang-tidy over the reference headers and the library that judges",
-        15,
+        20,
         tidy,
         ("native",),
     ),
     Stage(
         "page",
         "the page's scripts, figures and ladders in WebAssembly",
-        15,
+        20,
         page,
         ("native",),
         "page",
     ),
     Stage(
-        "wasm", "the compiler in the page, and the exercises for it", 20, wasm, ("native",), "page"
+        "wasm", "the compiler in the page, and the exercises for it", 30, wasm, ("native",), "page"
     ),
-    Stage("book", "the book without a warning, and served", 15, book, ("page", "wasm"), "page"),
-    Stage("browser", "the book in a real browser", 25, browser, ("book",), "page"),
+    Stage("book", "the book without a warning, and served", 20, book, ("page", "wasm"), "page"),
+    Stage("browser", "the book in a real browser", 30, browser, ("book",), "page"),
 )
 
 
