@@ -195,7 +195,9 @@ describe("figures", { skip }, () => {
       for (const by of [6, 12, 18, 24]) await touch("touchMove", [{ x: x + by, y: y + by }]);
       await touch("touchEnd", []);
       assert.notDeepStrictEqual(await shown.input(), start);
-      assert.equal(await shown.page.evaluate(() => scrollY), scrolled);
+      // A page that still settles above the figure moves it by a pixel; a finger that scrolls, by many.
+      const by = (await shown.page.evaluate(() => scrollY)) - scrolled;
+      assert.ok(Math.abs(by) <= 2, `the page went by ${by} pixels`);
       await agrees(each.name, shown);
       await shown.close();
     });
