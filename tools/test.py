@@ -612,19 +612,10 @@ class Run:
                 print("\n".join(said))
 
     def lanes(self, stages: Sequence[Stage]) -> None:
-        """Both lanes at once, each its stages one after the other.
-
-        That of the page, which ends with the browser, goes first where both want a core: what the
-        browser leaves idle is then there for the other.
-        """
-
-        def lane(name: str) -> None:
-            if name != "page" and sys.platform == "linux":  # there it is of this thread alone
-                os.setpriority(os.PRIO_PROCESS, 0, 5)
-            self.stages([stage for stage in stages if stage.lane == name])
-
-        with ThreadPoolExecutor(2) as pool:
-            done = [pool.submit(lane, name) for name in ("page", "native")]
+        """Both lanes at once, each its stages one after the other."""
+        lanes = [[stage for stage in stages if stage.lane == lane] for lane in ("page", "native")]
+        with ThreadPoolExecutor(len(lanes)) as pool:
+            done = [pool.submit(self.stages, lane) for lane in lanes]
             try:
                 for one in done:
                     one.result()
