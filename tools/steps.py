@@ -8,7 +8,6 @@ import re
 import signal
 import subprocess
 import sys
-import threading
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -40,7 +39,6 @@ class Done:
     output: str
     seconds: float
     log: Path
-    processor: float = 0.0  # seconds of processors, its own and of all that it waited for
 
     @property
     def ok(self) -> bool:
@@ -71,8 +69,6 @@ class Children:
 
     def start(self, process: subprocess.Popen[bytes]) -> None:
         self._running.add(process)
-        if self.stopping:
-            stop(process)
 
     def end(self, process: subprocess.Popen[bytes]) -> None:
         self._running.discard(process)
@@ -100,26 +96,6 @@ def stop(process: subprocess.Popen[bytes]) -> None:
         return
 
 
-def wait(process: subprocess.Popen[bytes], limit: float | None) -> tuple[int, float]:
-    """How a command ends, and its seconds of processors: Popen.wait tells the former alone."""
-    ended: list[tuple[int, float]] = []
-
-    def reap() -> None:
-        try:
-            _, status, used = os.wait4(process.pid, 0)
-        except ChildProcessError:  # stop() was there first
-            return
-        process.returncode = os.waitstatus_to_exitcode(status)
-        ended.append((process.returncode, used.ru_utime + used.ru_stime))
-
-    reaper = threading.Thread(target=reap, daemon=True)
-    reaper.start()
-    reaper.join(limit)
-    if reaper.is_alive():
-        raise subprocess.TimeoutExpired(process.args, limit or 0.0)
-    return ended[0] if ended else (process.wait(), 0.0)
-
-
 def run(
     command: Sequence[str | Path],
     log: str,
@@ -133,7 +109,6 @@ def run(
     path = LOGS / f"{log}.log"
     began = time.monotonic()
     code: int | None
-    processor = 0.0
     with path.open("wb") as output:
         try:
             process = subprocess.Popen(
@@ -151,7 +126,7 @@ def run(
             return Done(127, path.read_text(), time.monotonic() - began, path)
         CHILDREN.start(process)
         try:
-            code, processor = wait(process, limit)
+            code = process.wait(limit)
         except subprocess.TimeoutExpired:
             stop(process)
             code = None
@@ -162,17 +137,17 @@ def run(
         finally:
             CHILDREN.end(process)
     text = _ESCAPES.sub("", path.read_text(encoding="utf-8", errors="replace"))
-    return Done(code, text, time.monotonic() - began, path, processor)
+    return Done(code, text, time.monotonic() - began, path)
 
 
 @contextmanager
-def build_lock(preset: str = "dev") -> Iterator[None]:
-    """One native build at a time in a folder: two Ninjas in it spoil each other's work.
+def build_lock() -> Iterator[None]:
+    """One native build at a time: two Ninjas in one folder spoil each other's work.
 
-    For build/dev ./contact takes the same lock.
+    ./contact takes the same lock.
     """
     BUILD.mkdir(exist_ok=True)
-    with (BUILD / ("lock" if preset == "dev" else f"lock-{preset}")).open("w") as file:
+    with (BUILD / "lock").open("w") as file:
         fcntl.flock(file, fcntl.LOCK_EX)
         yield
 

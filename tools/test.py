@@ -12,6 +12,7 @@ import argparse
 import json
 import os
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -21,9 +22,8 @@ import time
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
-from threading import Lock
 
 import steps
 from sample import sample
@@ -39,7 +39,6 @@ class Tally:
     skipped: int = 0
     why: list[str] = field(default_factory=list)
     names: list[str] = field(default_factory=list)  # of what failed
-    processor: float = 0.0  # seconds
     explained: bool = False  # `why` says what failed, so nobody has to read the output for it
 
     def add(self, other: Tally) -> None:
@@ -48,7 +47,6 @@ class Tally:
         self.skipped += other.skipped
         self.why += other.why
         self.names += other.names
-        self.processor += other.processor
 
 
 Check = Callable[[float], Tally]  # takes the seconds that are left
@@ -61,9 +59,6 @@ class Stage:
     minutes: float  # a stage is stopped there, and has failed
     checks: Callable[[], Iterator[Check]]
     needs: tuple[str, ...] = ()
-    # The first stages run alone. Then two lanes run beside each other: much of what a browser and
-    # the graded programs do waits, and would leave a core idle.
-    lane: str = "native"
 
 
 # --- Checks ---------------------------------------------------------------------------------------
@@ -80,8 +75,8 @@ def log_name(what: str) -> str:
 
 def one_test(what: str, done: Done) -> Tally:
     if done.ok:
-        return Tally(passed=1, processor=done.processor)
-    return Tally(failed=1, why=[explain(what, done)], names=[what], processor=done.processor)
+        return Tally(passed=1)
+    return Tally(failed=1, why=[explain(what, done)], names=[what])
 
 
 def once(what: str, command: Sequence[str | Path], cwd: Path = ROOT) -> Check:
@@ -105,8 +100,8 @@ def counted(
         done = steps.run(command, log_name(what), cwd=cwd, limit=seconds)
         tally = count(done)
         if tally is None:
-            return one_test(f"{what} reported no counts and", replace(done, code=done.code or 1))
-        tally.processor = done.processor
+            why = explain(f"{what} reported no counts and", done)
+            return Tally(failed=1, why=[why], names=[what])
         if tally.failed:
             if not tally.explained:
                 tally.why.append(explain(what, done))
@@ -269,7 +264,7 @@ def cmake_build(preset: str, *targets: str) -> Iterator[Check]:
     yield once(f"configure {preset}", ["cmake", "--preset", preset])
 
     def build(seconds: float) -> Tally:
-        with steps.build_lock(preset):
+        with steps.build_lock():
             done = steps.run(
                 ["cmake", "--build", BUILD / preset, "--", "-k", "0", *targets],
                 log_name(f"build {preset}"),
@@ -513,19 +508,8 @@ WHOLE_MINUTES = 40
 
 # The minutes are where a stage is stopped on a busy machine; all of them together take far less.
 STAGES = (
-    Stage(
-        "style",
-        "format, linters and types of C++, Python, TypeScript and shell",
-        4,
-        style,
-        (),
-        "first",
-    ),
-    Stage("native", "configure and build everything; headers alone", 30, native, (), "first"),
-    Stage("grade", "submissions that nobody trusts: boxes, marks, reports", 30, grade, ("native",)),
-    Stage("program", "the contact program from outside", 12, program, ("native",)),
-    Stage("outside", "set-up; the headers in another project", 6, outside, ("native",)),
-    Stage("ladder", "every ladder at a small size", 4, ladder, ("native",)),
+    Stage("style", "format, linters and types of C++, Python, TypeScript and shell", 4, style),
+    Stage("native", "configure and build everything; headers alone", 30, native),
     Stage(
         "ctest",
         "references against the oracle, hard cases, examples, questions",
@@ -536,92 +520,51 @@ STAGES = (
     Stage(
         "dev-check", "stubs, solutions, wrong answers and null answers", 12, dev_check, ("native",)
     ),
-    Stage("sanitize", "the reference tests under sanitizers", 40, sanitize),
+    Stage("program", "the contact program from outside", 8, program, ("native",)),
+    Stage("grade", "submissions that nobody trusts: boxes, marks, reports", 25, grade, ("native",)),
+    Stage("outside", "set-up; the headers in another project", 6, outside, ("native",)),
+    Stage("ladder", "every ladder at a small size", 4, ladder, ("native",)),
     Stage(
         "tidy",
         "clang-tidy over the reference headers and the library that judges",
-        20,
+        15,
         tidy,
         ("native",),
     ),
-    Stage(
-        "page",
-        "the page's scripts, figures and ladders in WebAssembly",
-        20,
-        page,
-        ("native",),
-        "page",
-    ),
-    Stage(
-        "wasm", "the compiler in the page, and the exercises for it", 30, wasm, ("native",), "page"
-    ),
-    Stage("book", "the book without a warning, and served", 20, book, ("page", "wasm"), "page"),
-    Stage("browser", "the book in a real browser", 30, browser, ("book",), "page"),
+    Stage("sanitize", "the reference tests under sanitizers", 25, sanitize),
+    Stage("page", "the page's scripts, figures and ladders in WebAssembly", 15, page, ("native",)),
+    Stage("wasm", "the compiler in the page, and the exercises for it", 20, wasm, ("native",)),
+    Stage("book", "the book without a warning, and served", 15, book, ("page", "wasm")),
+    Stage("browser", "the book in a real browser", 25, browser, ("book",)),
 )
 
 
-def run_stage(stage: Stage) -> tuple[Tally, float]:
-    """What it found, and how long it took on the clock."""
+def processor_seconds() -> float:
+    """What all commands that have ended took of processors."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def run_stage(stage: Stage) -> tuple[Tally, float, float]:
+    """What it found, how long it took on the clock, and of processors."""
     began = time.monotonic()
+    used = processor_seconds()
     tally = Tally()
     try:
         for check in stage.checks():
-            if steps.CHILDREN.stopping:
-                break
             left = stage.minutes * 60 - (time.monotonic() - began)
             if left <= 0:
                 why = f"no time was left of {stage.minutes:g} minutes"
-                tally.add(Tally(failed=1, why=[why], names=[why]))
+                tally.add(Tally(failed=1, why=[why], names=[f"{stage.name}: {why}"]))
                 break
             tally.add(check(left))
     except OSError as error:
-        tally.add(Tally(failed=1, why=[f"{stage.name}: {error}"], names=[str(error)]))
+        why = f"{stage.name}: {error}"
+        tally.add(Tally(failed=1, why=[why], names=[why]))
     if tally.passed + tally.failed + tally.skipped == 0:
         why = f"{stage.name} found nothing to check"
         tally.add(Tally(failed=1, why=[why], names=[why]))
-    return tally, time.monotonic() - began
-
-
-@dataclass
-class Run:
-    """The stages that are done, each with what it found and its seconds on the clock."""
-
-    rows: list[tuple[Stage, Tally, float]] = field(default_factory=list)
-    failed: set[str] = field(default_factory=set)
-    printing: Lock = field(default_factory=Lock)
-
-    def stages(self, stages: Sequence[Stage]) -> None:
-        """One after the other."""
-        for stage in stages:
-            if steps.CHILDREN.stopping:
-                return
-            missing = [need for need in stage.needs if need in self.failed]
-            if missing:
-                why = f"{stage.name} was not run: it needs {missing[0]}, which failed"
-                tally, seconds = Tally(failed=1, why=[why], names=[why]), 0.0
-            else:
-                print(f"{stage.name}: {stage.what}")
-                tally, seconds = run_stage(stage)
-            if tally.failed:
-                self.failed.add(stage.name)
-            self.rows.append((stage, tally, seconds))
-            counts = f"{tally.passed} passed, {tally.failed} failed, {tally.skipped} skipped"
-            said = [f"    {line}" for why in tally.why for line in why.splitlines()]
-            said.append(f"{stage.name}: {result(tally)} in {seconds:.0f} s ({counts})")
-            with self.printing:
-                print("\n".join(said))
-
-    def lanes(self, stages: Sequence[Stage]) -> None:
-        """Both lanes at once, each its stages one after the other."""
-        lanes = [[stage for stage in stages if stage.lane == lane] for lane in ("page", "native")]
-        with ThreadPoolExecutor(len(lanes)) as pool:
-            done = [pool.submit(self.stages, lane) for lane in lanes]
-            try:
-                for one in done:
-                    one.result()
-            except BaseException:
-                steps.CHILDREN.stop_all()
-                raise
+    return tally, time.monotonic() - began, processor_seconds() - used
 
 
 def chosen(names: Sequence[str]) -> list[Stage]:
@@ -655,23 +598,36 @@ def main() -> int:
         return 0
 
     sys.stdout.reconfigure(line_buffering=True)  # type: ignore[union-attr]
-    began = time.monotonic()
-    wanted = chosen(arguments.stages)
-    run = Run()
-    run.stages([stage for stage in wanted if stage.lane == "first"])
-    run.lanes([stage for stage in wanted if stage.lane != "first"])
-    clock = time.monotonic() - began
+    rows: list[tuple[Stage, Tally, float, float]] = []
+    failed: set[str] = set()
+    for stage in chosen(arguments.stages):
+        missing = [need for need in stage.needs if need in failed]
+        if missing:
+            why = f"{stage.name} was not run: it needs {missing[0]}, which failed"
+            tally, seconds, used = Tally(failed=1, why=[why], names=[why]), 0.0, 0.0
+        else:
+            print(f"{stage.name}: {stage.what}")
+            tally, seconds, used = run_stage(stage)
+        if tally.failed:
+            failed.add(stage.name)
+        rows.append((stage, tally, seconds, used))
+        for why in tally.why:
+            print("\n".join(f"    {line}" for line in why.splitlines()))
+        counts = f"{tally.passed} passed, {tally.failed} failed, {tally.skipped} skipped"
+        print(f"{stage.name}: {result(tally)} in {seconds:.0f} s ({counts})")
 
     total = Tally()
     head = ("stage", "seconds", "cpu", "limit", "passed", "failed", "skipped")
     line = "{:10} {:>8} {:>8} {:>6} {:>7} {:>7} {:>8}  {}"
     print("\n" + line.format(*head, "result"))
-    for stage, tally, seconds in sorted(run.rows, key=lambda row: STAGES.index(row[0])):
+    for stage, tally, seconds, used in rows:
         total.add(tally)
         numbers = (tally.passed, tally.failed, tally.skipped)
-        times = (f"{seconds:.1f}", f"{tally.processor:.1f}", int(stage.minutes * 60))
+        times = (f"{seconds:.1f}", f"{used:.1f}", int(stage.minutes * 60))
         print(line.format(stage.name, *times, *numbers, result(tally)))
-    print(f"{'all':10} {clock:8.1f} {total.processor:8.1f} {WHOLE_MINUTES * 60:6}\n")
+    clock = sum(seconds for _, _, seconds, _ in rows)
+    processors = sum(used for _, _, _, used in rows)
+    print(f"{'all':10} {clock:8.1f} {processors:8.1f} {WHOLE_MINUTES * 60:6}\n")
     for name in total.names:
         print(f"failed: {name}")
     print(f"{total.passed} passed, {total.failed} failed, {total.skipped} skipped")
