@@ -27,29 +27,13 @@ export class Grip {
     this.#handle = handle;
     this.#model = model;
     this.#view = view;
-    this.element = svg(
-      "g",
-      {
-        class: `grip r-${handle.role} ${handle.kind}`,
-        tabindex: "0",
-        role: "slider",
-        "aria-label": handle.label,
-        "aria-describedby": hintId,
-        "data-field": handle.field,
-      },
-      svg("circle", { class: "reach", r: "16" }),
-      svg("circle", { class: "ring", r: "11" }),
-      svg("circle", { class: "knob", r: "6.5" }),
-    );
-    this.element.addEventListener("pointerdown", (event) => this.#down(event));
-    this.element.addEventListener("pointermove", (event) => this.#move(event));
-    for (const end of ["pointerup", "pointercancel"] as const)
-      this.element.addEventListener(end, () => this.#release());
-    // A finger on a grip drags it; without this some browsers scroll the page as well.
-    this.element.addEventListener("touchstart", (event) => event.preventDefault(), {
-      passive: false,
+    this.element = gripElement(handle, hintId, rings());
+    listen(this.element, {
+      down: (event) => this.#down(event),
+      move: (event) => this.#move(event),
+      release: () => this.#release(),
+      key: (event) => this.#key(event),
     });
-    this.element.addEventListener("keydown", (event) => this.#key(event));
   }
 
   /** Puts the grip where its point is now, and says so to assistive technology. */
@@ -178,6 +162,55 @@ export class Grip {
     this.#grab = undefined;
     this.element.classList.remove("held");
   }
+}
+
+/** What is taken hold of, with what a screen reader says of it. */
+export function gripElement(
+  handle: Pick<AnyHandle, "field" | "label" | "role"> & { readonly kind: string },
+  hintId: string,
+  ...parts: SVGElement[]
+): SVGGElement {
+  return svg(
+    "g",
+    {
+      class: `grip r-${handle.role} ${handle.kind}`,
+      tabindex: "0",
+      role: "slider",
+      "aria-label": handle.label,
+      "aria-describedby": hintId,
+      "data-field": handle.field,
+    },
+    ...parts,
+  );
+}
+
+/** A grip as it is drawn: a ring about a knob, and room for a finger. */
+export function rings(): SVGGElement {
+  return svg(
+    "g",
+    {},
+    svg("circle", { class: "reach", r: "16" }),
+    svg("circle", { class: "ring", r: "11" }),
+    svg("circle", { class: "knob", r: "6.5" }),
+  );
+}
+
+export function listen(
+  element: SVGGElement,
+  on: {
+    down(event: PointerEvent): void;
+    move(event: PointerEvent): void;
+    release(): void;
+    key(event: KeyboardEvent): void;
+  },
+): void {
+  element.addEventListener("pointerdown", on.down);
+  element.addEventListener("pointermove", on.move);
+  for (const end of ["pointerup", "pointercancel"] as const)
+    element.addEventListener(end, on.release);
+  // A finger on a grip drags it; without this some browsers scroll the page as well.
+  element.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
+  element.addEventListener("keydown", on.key);
 }
 
 /** Within the limits, and on a round number, so that what is read can be typed. */

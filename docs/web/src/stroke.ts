@@ -3,7 +3,7 @@
 
 import { svg } from "./dom.ts";
 import type { StrokeHandle } from "./figure.ts";
-import { keep, stepSize, tidy } from "./handles.ts";
+import { gripElement, keep, listen, rings, stepSize, tidy } from "./handles.ts";
 import type { Fields } from "./layout.ts";
 import type { FigureModel } from "./model.ts";
 import { pretty, type Vec2 } from "./numbers.ts";
@@ -21,13 +21,7 @@ export class Stroke {
   readonly #model: FigureModel;
   readonly #view: View;
   readonly #sheet = svg("rect", { class: "sheet" });
-  readonly #grip = svg(
-    "g",
-    {},
-    svg("circle", { class: "reach", r: "16" }),
-    svg("circle", { class: "ring", r: "11" }),
-    svg("circle", { class: "knob", r: "6.5" }),
-  );
+  readonly #grip = rings();
   /** The number that the keyboard changes. */
   #index: number;
   /** Where the pointer was last, while it draws. */
@@ -38,28 +32,13 @@ export class Stroke {
     this.#model = model;
     this.#view = view;
     this.#index = Math.floor(model.size(handle.field) / 2);
-    this.element = svg(
-      "g",
-      {
-        class: `grip r-${handle.role} stroke`,
-        tabindex: "0",
-        role: "slider",
-        "aria-label": handle.label,
-        "aria-describedby": hintId,
-        "data-field": handle.field,
-      },
-      this.#sheet,
-      this.#grip,
-    );
-    this.element.addEventListener("pointerdown", (event) => this.#down(event));
-    this.element.addEventListener("pointermove", (event) => this.#move(event));
-    for (const end of ["pointerup", "pointercancel"] as const)
-      this.element.addEventListener(end, () => this.#release());
-    // As for the other grips: a finger here draws, and does not scroll.
-    this.element.addEventListener("touchstart", (event) => event.preventDefault(), {
-      passive: false,
+    this.element = gripElement(handle, hintId, this.#sheet, this.#grip);
+    listen(this.element, {
+      down: (event) => this.#down(event),
+      move: (event) => this.#move(event),
+      release: () => this.#release(),
+      key: (event) => this.#key(event),
     });
-    this.element.addEventListener("keydown", (event) => this.#key(event));
   }
 
   place(): void {
