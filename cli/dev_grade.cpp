@@ -77,7 +77,8 @@ int grade_units(Context& context, const Options& options) {
 // The same program asks, once beside what answers and once with a box around each.
 int call_time(Context& context, bool json) {
   const grading::Book& book = context.book();
-  grading::build_target(context.loop(), book, {"remote_calls", "remote_specimen", "contact-box"});
+  grading::build_target(context.loop(), book,
+                        {"remote_calls", "remote_specimen", "contact-box", "contact-explain"});
   const fs::path asks = book.build_dir() / "bin" / "remote_calls";
   const fs::path answers = book.build_dir() / "bin" / "remote_specimen";
 

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "near_names.hpp"
+
 namespace contact::grading {
 
 /// Something the reader or author must put right in the book's own files or in the set-up.
@@ -179,12 +181,6 @@ std::filesystem::path find_root();
 
 /// Where the student's copies live: CONTACT_WORK if set, else work/ in the root.
 std::filesystem::path find_work(const std::filesystem::path& root);
-
-/// How many letters must be added, dropped or changed to make one name of another.
-std::size_t edit_distance(std::string_view a, std::string_view b);
-
-/// The names nearest to `name` by edit distance, nearest first, at most three.
-std::vector<std::string> nearest(std::string_view name, const std::vector<std::string>& names);
 
 /// The whole file as text. @throws BookError if it cannot be read.
 std::string read_text(const std::filesystem::path& file);

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
 #include <nlohmann/json.hpp>
+
+#include "diagnosis/exercise_contract.hpp"
 
 namespace fs = std::filesystem;
 
@@ -98,17 +101,33 @@ class BuildLock {
 };
 
 // The student's file as it stands now; one that cannot be read is talked about without its text.
-Answer answer_in(const fs::path& file) {
+Diagnosis diagnosis_of(const fs::path& file, const Exercise& exercise) {
+  std::string text;
   try {
-    return {file, SourceText(read_text(file))};
+    text = read_text(file);
   } catch (const BookError&) {
-    return {file, SourceText("")};
+  }
+  return {file.string(), std::move(text), contract_of(exercise)};
+}
+
+Explained compiler_said(const ProcessResult& result, const BuildDescription& build,
+                        const Exercise& exercise, const fs::path& file) {
+  if (result.succeeded() && result.errors.empty()) return {};
+  try {
+    return diagnosis_of(file, exercise)
+        .of_compile(result.errors, !result.succeeded(), columns_of(build));
+  } catch (const std::exception&) {
+    return unexplained(result.errors, !result.succeeded(), file.string());
   }
 }
 
-// g++ counts columns as a terminal shows them, clang++ in bytes.
-Columns columns_of(const std::string& compiler) {
-  return compiler.find("clang") == std::string::npos ? Columns::displayed : Columns::bytes;
+Explained linker_said(const ProcessResult& result, const Exercise& exercise, const fs::path& file) {
+  if (result.succeeded()) return {};
+  try {
+    return diagnosis_of(file, exercise).of_link(result.errors);
+  } catch (const std::exception&) {
+    return unexplained(result.errors, true, file.string());
+  }
 }
 
 std::vector<std::string> link_with(const BuildDescription& build,
@@ -221,7 +240,7 @@ BuildDescription ready_to_grade(Loop& loop, const Book& book,
   if (!fs::exists(book.build_dir() / "build.ninja") && !fs::exists(book.build_dir() / "Makefile"))
     throw BookError("nothing is built yet in " + book.build_dir().string() +
                     ": run ./contact setup");
-  std::vector<std::string> targets{"contact_prelude", "contact-box"};
+  std::vector<std::string> targets{"contact_prelude", "contact-box", "contact-explain"};
   std::vector<fs::file_time_type> times;
   for (const Exercise* exercise : exercises) {
     targets.push_back("exercise_" + exercise->chapter + "_" + exercise->name);
@@ -265,20 +284,14 @@ CompiledFile compile(Loop& loop, const Book& book, const BuildDescription& build
     compiled.said.error->message = "the compiler did not finish within 60 s";
     compiled.said.error->full = result.errors;
   } else {
-    compiled.said = compiler_said(result, build, exercise, answer_in(source));
+    compiled.said = compiler_said(result, build, exercise, source);
   }
   return compiled;
 }
 
-Explained compiler_said(const ProcessResult& result, const BuildDescription& build,
-                        const Exercise& exercise, const Answer& answer) {
-  if (result.succeeded() && result.errors.empty()) return {};
-  return explain_compile(result.errors, !result.succeeded(), exercise, answer,
-                         columns_of(build.compiler));
-}
-
-Explained linker_said(const ProcessResult& result, const Exercise& exercise, const Answer& answer) {
-  return result.succeeded() ? Explained{} : explain_link(result.errors, exercise, answer);
+// g++ counts columns as a terminal shows them, clang++ in bytes.
+Columns columns_of(const BuildDescription& build) {
+  return build.compiler.find("clang") == std::string::npos ? Columns::displayed : Columns::bytes;
 }
 
 std::vector<std::pair<std::string, std::string>> compiler_environment() {
@@ -311,7 +324,7 @@ LinkedProgram link(Loop& loop, const Book& book, const BuildDescription& build,
   spec.output_limit = 8u << 20;
   const ProcessResult result = run_process(loop, spec);
   linked.seconds = result.seconds;
-  linked.said = linker_said(result, exercise, answer_in(source));
+  linked.said = linker_said(result, exercise, source);
   return linked;
 }
 

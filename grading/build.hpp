@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "book.hpp"
-#include "explain.hpp"
+#include "diagnosis/diagnosis.hpp"
 #include "run_process.hpp"
 #include "verdict.hpp"
 
@@ -82,10 +82,8 @@ CompiledFile compile(Loop& loop, const Book& book, const BuildDescription& build
                      const std::filesystem::path& folder,
                      const std::vector<std::string>& more_include = {});
 
-/// What a compiler or a linker that has ended said of a student's file.
-Explained compiler_said(const ProcessResult& result, const BuildDescription& build,
-                        const Exercise& exercise, const Answer& answer);
-Explained linker_said(const ProcessResult& result, const Exercise& exercise, const Answer& answer);
+/// How the compiler of this build counts columns.
+Columns columns_of(const BuildDescription& build);
 
 struct LinkedProgram {
   std::filesystem::path program;

@@ -21,15 +21,23 @@ const flags = [
 /** What of grading/ the page needs: no file is written there, no process started. */
 const sources = [
   "book.cpp",
-  "build_messages.cpp",
-  "build_text.cpp",
-  "contract_text.cpp",
-  "explain.cpp",
-  "mistakes.cpp",
+  "near_names.cpp",
   "progress_record.cpp",
   "progress_report.cpp",
-  "source_text.cpp",
   "verdict.cpp",
+  "diagnosis/claims.cpp",
+  "diagnosis/compiler_messages.cpp",
+  "diagnosis/contract_text.cpp",
+  "diagnosis/diagnosis.cpp",
+  "diagnosis/exercise_contract.cpp",
+  "diagnosis/explained.cpp",
+  "diagnosis/message_text.cpp",
+  "diagnosis/sieve.cpp",
+  "diagnosis/source_structure.cpp",
+  "diagnosis/source_text.cpp",
+  ...["definitions", "eigen", "link", "members", "missing", "names", "rules", "signs", "types", "warnings"].map(
+    (kind) => `diagnosis/mistakes/${kind}.cpp`,
+  ),
   "page/judge.cpp",
 ];
 

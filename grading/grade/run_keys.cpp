@@ -60,6 +60,7 @@ BuildDescription current_build(Loop& loop, const Book& book,
   if (fs::exists(book.build_dir() / "exercises.json")) {
     BuildDescription build = read_build_description(book.build_dir());
     if (fs::exists(own_program().parent_path() / "contact-box") &&
+        fs::exists(own_program().parent_path() / "contact-explain") &&
         std::all_of(exercises.begin(), exercises.end(),
                     [&](const Exercise* exercise) { return is_current(book, build, *exercise); }))
       return build;
@@ -88,8 +89,10 @@ fs::path own_program() {
 RunKeys::RunKeys(Loop& loop, const BuildDescription& build) : build_(build) {
   Sha256 sum;
   sum.add_part(read_text("/proc/self/exe"));
-  if (const fs::path launcher = own_program().parent_path() / "contact-box"; fs::exists(launcher))
-    sum.add_part(read_text(launcher));
+  for (const char* helper : {"contact-box", "contact-explain"}) {
+    if (const fs::path program = own_program().parent_path() / helper; fs::exists(program))
+      sum.add_part(read_text(program));
+  }
   sum.add_part(compiler_version(loop, build));
   for (const auto* flags : {&build.compile_flags, &build.server_link_flags}) {
     for (const std::string& flag : *flags) sum.add_part(flag);

@@ -193,8 +193,8 @@ UnitResult grade_unit(Loop& loop, const Book& book, const BuildDescription& buil
     seat.give(path);
 
   UnitResult unit;
-  CompiledUnit compiled = compile_unit(loop, book, build, machine, seat, exercise,
-                                       {file, SourceText(text)}, folder.path(), settings.limits);
+  CompiledUnit compiled = compile_unit(loop, book, build, machine, seat, exercise, file, text,
+                                       folder.path(), settings.limits);
   unit.near_limit = compiled.near_limit;
   const Clock::time_point run_start = Clock::now();
   if (compiled.said.error) {

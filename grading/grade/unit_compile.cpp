@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <optional>
 #include <string_view>
 #include <utility>
 
-#include "../build_text.hpp"
+#include "../diagnosis/exercise_contract.hpp"
+#include "../diagnosis/message_text.hpp"
+#include "explain_box.hpp"
 
 namespace fs = std::filesystem;
 
@@ -18,14 +21,6 @@ constexpr std::size_t kMessageFlood = 8u << 20;
 
 bool contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
-}
-
-// Whole lines, no more than `most` bytes.
-std::string first_lines(std::string text, std::size_t most) {
-  if (text.size() <= most) return text;
-  const std::size_t end = text.rfind('\n', most);
-  text.resize(end == std::string::npos ? most : end + 1);
-  return text;
 }
 
 BoxSpec compile_box(const Book& book, const BuildDescription& build, const Exercise& exercise,
@@ -83,43 +78,12 @@ std::string limit_met(const BoxEnd& end, const fs::path& answer, const GradeLimi
   return {};
 }
 
-void replace_all(std::string& text, std::string_view part, std::string_view by) {
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at))
-    text.replace(at, part.size(), by);
-}
-
-// What a student reads names the book's files from its root on, and not where they lie here.
-class Shortened {
- public:
-  explicit Shortened(const Book& book) : prefix_((book.root() / "").string()) {}
-
-  void operator()(std::string& text) const { replace_all(text, prefix_, ""); }
-  void operator()(Explained& said) const {
-    for (Remark& remark : said.remarks) {
-      for (std::string* text : {&remark.file, &remark.message, &remark.words}) (*this)(*text);
-    }
-    for (std::string& warning : said.warnings) (*this)(warning);
-    if (!said.error) return;
-    CompileError& error = *said.error;
-    for (std::string* text :
-         {&error.file, &error.message, &error.excerpt, &error.explanation, &error.full})
-      (*this)(*text);
-    for (ContractLine& line : error.contract) (*this)(line.file);
-  }
-
- private:
-  std::string prefix_;
-};
-
-// The linker's complaint about a name that the student's file defines and the C library has too.
-// Where libraries are shared, as in a check, the student's goes before it without a word.
-bool only_library_twice(const ProcessResult& process) {
-  if (process.succeeded()) return false;
-  const LinkFaults faults = parse_link_faults(process.errors);
-  return faults.missing.empty() && !faults.twice.empty() &&
-         std::none_of(faults.twice.begin(), faults.twice.end(), [](const std::string& name) {
-           return name == "main" || contains(name, "::");
-         });
+CompileError error_without_place(const fs::path& file, std::string message, std::string full) {
+  CompileError error;
+  error.file = file.string();
+  error.message = std::move(message);
+  error.full = std::move(full);
+  return error;
 }
 
 bool is_program(const fs::path& file, const GradeLimits& limits) {
@@ -132,52 +96,68 @@ bool is_program(const fs::path& file, const GradeLimits& limits) {
 
 CompiledUnit compile_unit(Loop& loop, const Book& book, const BuildDescription& build,
                           const Machine& machine, const Seat& seat, const Exercise& exercise,
-                          const Answer& answer, const fs::path& folder, const GradeLimits& limits) {
+                          const fs::path& file, std::string_view text, const fs::path& folder,
+                          const GradeLimits& limits) {
   CompiledUnit unit;
-  const Shortened shorten(book);
+  const std::string root = (book.root() / "").string();
   const fs::path object = exercise.name + ".o";
   const auto run = [&](std::vector<std::string> command, double& seconds) {
     BoxSpec spec = compile_box(book, build, exercise, folder, limits);
     spec.command = std::move(command);
     BoxEnd end = run_box(loop, machine, seat, std::move(spec));
     seconds += end.process.seconds;
-    end.process.errors = first_lines(std::move(end.process.errors), limits.diagnostics_bytes);
-    const std::string limit = limit_met(end, answer.file, limits);
+    end.process.errors = std::string(first_lines(end.process.errors, limits.diagnostics_bytes));
+    const std::string limit = limit_met(end, file, limits);
     unit.near_limit = unit.near_limit || !limit.empty() || end.process.ended != Ended::by_itself ||
                       end.cpu_seconds > limits.compile_cpu_seconds / 2;
-    if (!limit.empty()) {
-      unit.said.error = CompileError{};
-      unit.said.error->message = limit;
-      unit.said.error->file = answer.file.string();
-      unit.said.error->full = end.process.errors;
-    }
+    if (!limit.empty()) unit.said.error = error_without_place(file, limit, end.process.errors);
     return end.process;
+  };
+  const auto explained = [&](ExplainRequest::Step step, const ProcessResult& process) {
+    ExplainRequest request;
+    request.step = step;
+    request.failed = !process.succeeded();
+    request.columns = columns_of(build);
+    request.file = file.string();
+    request.source = text;
+    request.log = process.errors;
+    request.headers = headers_of(exercise);
+    request.root = root;
+    return explain_in_box(loop, machine, seat, request);
   };
 
   const ProcessResult compiled =
-      run(compile_command(build, exercise, answer.file, object), unit.seconds.compile);
-  if (!unit.said.error) unit.said = compiler_said(compiled, build, exercise, answer);
+      run(compile_command(build, exercise, file, object), unit.seconds.compile);
+  if (!unit.said.error && !(compiled.succeeded() && compiled.errors.empty()))
+    unit.said = explained(ExplainRequest::Step::compile, compiled);
   if (!unit.said.error) {
     std::vector<std::string> command = server_link_command(build, exercise, object, exercise.name);
     ProcessResult linked = run(command, unit.seconds.link);
-    if (only_library_twice(linked)) {
+    std::optional<Explained> said;
+    const auto explain_link = [&] {
+      said.reset();
+      if (!unit.said.error && !linked.succeeded())
+        said = explained(ExplainRequest::Step::link, linked);
+    };
+    explain_link();
+    if (said && said->only_library_twice) {
       command.emplace_back("-Wl,-z,muldefs");
       linked = run(command, unit.seconds.link);
+      explain_link();
     }
-    if (!unit.said.error) {
-      Explained said = linker_said(linked, exercise, answer);
-      unit.said.error = std::move(said.error);
-      unit.said.remarks.insert(unit.said.remarks.begin(), said.remarks.begin(), said.remarks.end());
+    if (said) {
+      unit.said.error = std::move(said->error);
+      unit.said.remarks.insert(unit.said.remarks.begin(), said->remarks.begin(),
+                               said->remarks.end());
     }
   }
-  shorten(unit.said);
-  if (unit.said.error) return unit;
+  if (unit.said.error) {
+    replace_all(unit.said.error->full, root, "");
+    return unit;
+  }
   unit.program = folder / exercise.name;
-  if (!is_program(unit.program, limits)) {
-    unit.said.error = CompileError{};
-    unit.said.error->message = "the linker made no program of it";
-    unit.said.error->file = answer.file.string();
-  }
+  if (!is_program(unit.program, limits))
+    unit.said.error = error_without_place(file, "the linker made no program of it", "");
   return unit;
 }
 

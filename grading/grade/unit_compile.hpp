@@ -2,7 +2,8 @@
 
 // The first step of grading a unit: a stranger's file, compiled and linked in a box.
 
-#include <optional>
+#include <filesystem>
+#include <string_view>
 
 #include "unit.hpp"
 
@@ -17,11 +18,12 @@ struct CompiledUnit {
   bool near_limit = false;
 };
 
-/// Compiles `answer`, known by a relative path, in `folder`, and links it with the server of the
-/// exercise's contract.
+/// Compiles `file`, known by a relative path, in `folder`, and links it with the server of the
+/// exercise's contract. What the compiler says is explained in a box of its own.
+/// @param text what the file holds
 CompiledUnit compile_unit(Loop& loop, const Book& book, const BuildDescription& build,
                           const Machine& machine, const Seat& seat, const Exercise& exercise,
-                          const Answer& answer, const std::filesystem::path& folder,
-                          const GradeLimits& limits);
+                          const std::filesystem::path& file, std::string_view text,
+                          const std::filesystem::path& folder, const GradeLimits& limits);
 
 }  // namespace contact::grading

@@ -13,7 +13,8 @@
 #include <nlohmann/json.hpp>
 
 #include "../book.hpp"
-#include "../explain.hpp"
+#include "../diagnosis/diagnosis.hpp"
+#include "../diagnosis/exercise_contract.hpp"
 #include "../progress_record.hpp"
 #include "../progress_report.hpp"
 #include "../verdict.hpp"
@@ -36,38 +37,38 @@ const Exercise& exercise_of(const json& request) {
 }
 
 // The student's file lies in the root, under the name of its contract.
-Answer answer_of(const json& request) {
-  return {exercise_of(request).name + ".cpp", SourceText(text(request, "source"))};
+Diagnosis diagnosis_of(const json& request) {
+  const Exercise& exercise = exercise_of(request);
+  return {exercise.name + ".cpp", text(request, "source"), contract_of(exercise)};
 }
 
-json told(Verdict verdict, Explained said, const Answer& answer) {
-  verdict.file = answer.file.string();
+json told(Verdict verdict, Explained said, const std::string& file) {
+  verdict.file = file;
   verdict.warnings = std::move(said.warnings);
   verdict.remarks = std::move(said.remarks);
   return to_json(verdict);
 }
 
 json uncompiled(const json& request) {
-  const Exercise& exercise = exercise_of(request);
-  const Answer answer = answer_of(request);
+  const Diagnosis diagnosis = diagnosis_of(request);
   const std::string log = text(request, "log");
   Explained said = text(request, "step") == "link"
-                       ? explain_link(log, exercise, answer)
-                       : explain_compile(log, true, exercise, answer, Columns::bytes);
+                       ? diagnosis.of_link(log)
+                       : diagnosis.of_compile(log, true, Columns::bytes);
   CompileError error = *said.error;
-  return told(judge_uncompiled(exercise, std::move(error)), std::move(said), answer);
+  return told(judge_uncompiled(exercise_of(request), std::move(error)), std::move(said),
+              diagnosis.file());
 }
 
 json judged(const json& request) {
   const Exercise& exercise = exercise_of(request);
-  const Answer answer = answer_of(request);
   std::vector<TestResult> results;
   for (const json& result : request.at("results")) results.push_back(result_from_json(result));
   Verdict verdict = judge(exercise, book(), results);
   verdict.output = text(request, "output");
-  return told(std::move(verdict),
-              explain_compile(text(request, "log"), false, exercise, answer, Columns::bytes),
-              answer);
+  const Diagnosis diagnosis = diagnosis_of(request);
+  return told(std::move(verdict), diagnosis.of_compile(text(request, "log"), false, Columns::bytes),
+              diagnosis.file());
 }
 
 json recorded(const json& request) {

@@ -216,7 +216,8 @@ def test_another_grader_grades_all_again(graded: Grader) -> None:
     before = graded.document()
     own = graded.folder.parent / "bin"
     own.mkdir()
-    shutil.copy2(graded.program.parent / "contact-box", own)
+    for helper in ("contact-box", "contact-explain"):
+        shutil.copy2(graded.program.parent / helper, own)
     program = own / "contact"
     shutil.copy2(graded.program, program)
     graded.program = program

@@ -1,7 +1,8 @@
 #pragma once
 
 // Small tools for reading what a compiler printed. No regular expressions and no streams: the
-// page's judge is made of this too, and they would double its size.
+// page's judge is made of this too, and they would double its size. Each takes time linear in its
+// text, but for readable(), which is given no more than max_message_bytes.
 
 #include <cstddef>
 #include <string>
@@ -10,7 +11,18 @@
 
 namespace contact::grading {
 
+/// Of a message, no more than this many bytes are looked at.
+inline constexpr std::size_t max_message_bytes = 8000;
+
 std::vector<std::string> split_lines(std::string_view text);
+
+/// The beginning of a text, at most `most` bytes of it and whole characters, with " ..." if there
+/// was more.
+std::string cut(std::string_view text, std::size_t most);
+
+/// The first lines of a text that together have at most `most` bytes; of a first line that is
+/// longer, its beginning.
+std::string_view first_lines(std::string_view text, std::size_t most);
 
 bool is_identifier_character(char c);
 
@@ -27,11 +39,11 @@ bool matches(std::string_view pattern, std::string_view text, std::vector<std::s
 std::string with_plain_quotes(std::string text);
 
 /// Without what a compiler adds of a type that has two names: " {aka ...}" (g++), " (aka '...')".
-std::string without_aliases(std::string text);
+std::string without_aliases(std::string_view text);
 
 /// Types as a reader writes them: Vector3<double>, not Eigen::Matrix<double, 3, 1, 0, 3, 1>;
 /// std::optional<contact::Ray<double>>, not that and what it is short for.
-std::string readable(std::string text);
+std::string readable(std::string_view message);
 
 /// A readable type without the const before it and the & after it.
 std::string bare_type(std::string_view type);

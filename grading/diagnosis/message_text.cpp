@@ -1,4 +1,4 @@
-#include "build_text.hpp"
+#include "message_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,11 +17,15 @@ std::size_t end_of_brackets(std::string_view text, std::size_t open) {
 
 namespace {
 
-void cut_between(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos;) {
-    const std::size_t end = text.find(to, at + from.size());
-    if (end == std::string::npos) return;
-    text.erase(at, end + to.size() - at);
+std::string without_between(std::string_view text, std::string_view from, std::string_view to) {
+  std::string kept;
+  std::size_t begin = 0;
+  while (true) {
+    const std::size_t at = text.find(from, begin);
+    const std::size_t end = at == std::string_view::npos ? at : text.find(to, at + from.size());
+    kept += text.substr(begin, end == std::string_view::npos ? end : at - begin);
+    if (end == std::string_view::npos) return kept;
+    begin = end + to.size();
   }
 }
 
@@ -59,12 +63,18 @@ std::string matrix_name(std::string_view list) {
   return {};
 }
 
+// A message in which more types than these are named is read by nobody.
+constexpr int max_named_types = 200;
+
 void name_matrices(std::string& text) {
   constexpr std::string_view start = "Matrix<";
+  int named = 0;
   for (std::size_t at = 0; (at = text.find(start, at)) != std::string::npos; ++at) {
     if (at > 0 && is_identifier_character(text[at - 1])) continue;
+    if (++named > max_named_types) return;
     const std::size_t open = at + start.size() - 1;
     const std::size_t end = end_of_brackets(text, open);
+    if (text[end - 1] != '>') continue;
     const std::string name = matrix_name(std::string_view(text).substr(open + 1, end - open - 2));
     if (name.empty()) continue;
     constexpr std::string_view scope = "Eigen::";
@@ -81,9 +91,11 @@ void name_expressions(std::string& text) {
   constexpr std::array<std::string_view, 10> expressions{
       "CwiseBinaryOp<", "CwiseUnaryOp<", "CwiseNullaryOp<", "CwiseTernaryOp<", "Product<",
       "Transpose<",     "VectorBlock<",  "Block<",          "Diagonal<",       "ReturnByValue<"};
+  int named = 0;
   for (const std::string_view start : expressions) {
     for (std::size_t at = 0; (at = text.find(start, at)) != std::string::npos; ++at) {
       if (at > 0 && is_identifier_character(text[at - 1])) continue;
+      if (++named > max_named_types) return;
       const std::size_t end = end_of_brackets(text, at + start.size() - 1);
       std::size_t begin = at;
       while (begin > 0 && (is_identifier_character(text[begin - 1]) || text[begin - 1] == ':'))
@@ -113,33 +125,52 @@ bool is_identifier_character(char c) {
 }
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-    text.replace(at, from.size(), to);
+  std::size_t at = from.empty() ? std::string::npos : text.find(from);
+  if (at == std::string::npos) return;
+  std::string result;
+  std::size_t begin = 0;
+  for (; at != std::string::npos; at = text.find(from, begin)) {
+    result.append(text, begin, at - begin).append(to);
+    begin = at + from.size();
+  }
+  result.append(text, begin);
+  text = std::move(result);
 }
 
+std::string cut(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return std::string(text);
+  std::size_t end = most;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  return std::string(text.substr(0, end)) + " ...";
+}
+
+std::string_view first_lines(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return text;
+  const std::size_t end = text.rfind('\n', most - 1);
+  return text.substr(0, end == std::string_view::npos ? most : end + 1);
+}
+
+// The words between two holes are looked for from the left, once; only those at the end have a
+// place given. So no part of the text is read twice for a hole.
 bool matches(std::string_view pattern, std::string_view text, std::vector<std::string>& holes) {
   holes.clear();
-  const std::size_t hole = pattern.find("{}");
+  constexpr std::string_view mark = "{}";
+  std::size_t hole = pattern.find(mark);
   if (text.substr(0, std::min(hole, text.size())) != pattern.substr(0, hole)) return false;
   if (hole == std::string_view::npos) return true;
-  const std::string_view rest = pattern.substr(hole + 2);
-  const std::string_view tail = text.substr(hole);
-  if (rest.empty()) {
-    holes.emplace_back(tail);
-    return true;
+  text.remove_prefix(hole);
+  while (true) {
+    pattern.remove_prefix(hole + mark.size());
+    hole = pattern.find(mark);
+    if (hole == std::string_view::npos) break;
+    const std::size_t at = text.find(pattern.substr(0, hole));
+    if (at == std::string_view::npos) return false;
+    holes.emplace_back(text.substr(0, at));
+    text.remove_prefix(at + hole);
   }
-  const std::string_view next = rest.substr(0, rest.find("{}"));
-  for (std::size_t at = tail.find(next); at != std::string_view::npos;
-       at = tail.find(next, at + 1)) {
-    std::vector<std::string> more;
-    if (matches(rest, tail.substr(at), more)) {
-      holes.emplace_back(tail.substr(0, at));
-      holes.insert(holes.end(), more.begin(), more.end());
-      return true;
-    }
-    if (next.empty()) break;
-  }
-  return false;
+  if (!text.ends_with(pattern)) return false;
+  holes.emplace_back(text.substr(0, text.size() - pattern.size()));
+  return true;
 }
 
 std::string with_plain_quotes(std::string text) {
@@ -148,14 +179,12 @@ std::string with_plain_quotes(std::string text) {
   return text;
 }
 
-std::string without_aliases(std::string text) {
-  cut_between(text, " {aka ", "}");
-  cut_between(text, " (aka '", "')");
-  return text;
+std::string without_aliases(std::string_view text) {
+  return without_between(without_between(text, " {aka ", "}"), " (aka '", "')");
 }
 
-std::string readable(std::string text) {
-  text = without_aliases(std::move(text));
+std::string readable(std::string_view message) {
+  std::string text = without_aliases(cut(message, max_message_bytes));
   for (const std::string_view kind : {"struct ", "class "}) {
     for (const std::string_view before : {"'", "\xE2\x80\x98", "const "})
       replace_all(text, std::string(before) + std::string(kind), before);
@@ -172,7 +201,7 @@ std::string readable(std::string text) {
 }
 
 std::string bare_type(std::string_view type) {
-  std::string text = readable(std::string(type));
+  std::string text = readable(type);
   for (const std::string_view before : {"const ", "struct ", "class "}) {
     if (text.starts_with(before)) text.erase(0, before.size());
   }

@@ -1,25 +1,30 @@
-#include "build_messages.hpp"
+#include "compiler_messages.hpp"
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
+#include <cstdint>
 #include <optional>
 
-#include "build_text.hpp"
+#include "message_text.hpp"
 
 namespace contact::grading {
 
 namespace {
 
+constexpr std::size_t max_file_name = 1024;
+constexpr std::size_t max_excerpt_line = 400;
+constexpr int max_excerpt_lines = 6;
+constexpr std::size_t max_symbol = 1000;
+
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-// Takes a number from the start of a text.
+// Takes a number from the start of a text; one that is too large becomes max_claimed.
 std::optional<int> take_number(std::string_view& text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || text.empty() || !is_digit(text.front())) return std::nullopt;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  return number;
+  if (text.empty() || !is_digit(text.front())) return std::nullopt;
+  std::int64_t number = 0;
+  for (; !text.empty() && is_digit(text.front()); text.remove_prefix(1))
+    number = std::min<std::int64_t>(10 * number + (text.front() - '0'), max_claimed);
+  return static_cast<int>(number);
 }
 
 bool take(std::string_view& text, std::string_view start) {
@@ -52,7 +57,7 @@ std::optional<Range> take_range(std::string_view& text) {
 bool parse_head(std::string_view text, Diagnostic& head, std::string_view& rest) {
   if (text.empty() || text.front() == ' ' || text.front() == '\t') return false;
   const std::size_t colon = text.find(':');
-  if (colon == 0 || colon == std::string_view::npos) return false;
+  if (colon == 0 || colon == std::string_view::npos || colon > max_file_name) return false;
   head.file = std::string(text.substr(0, colon));
   text.remove_prefix(colon + 1);
   const std::optional<int> line = take_number(text);
@@ -107,20 +112,24 @@ bool contains(std::string_view text, std::string_view part) {
 
 }  // namespace
 
-std::vector<Diagnostic> parse_diagnostics(std::string_view text) {
-  std::vector<Diagnostic> result;
+Diagnostics parse_diagnostics(std::string_view text) {
+  Diagnostics result;
+  std::vector<Diagnostic>& messages = result.messages;
   std::vector<Step> required_from;
   Diagnostic* latest = nullptr;  // where excerpt lines belong
+  int excerpt_lines = 0;
   for (const std::string& line : split_lines(text)) {
     if (is_excerpt(line)) {
-      if (latest == nullptr) continue;
+      if (latest == nullptr || ++excerpt_lines > max_excerpt_lines) continue;
       take_underline(line, *latest);
-      latest->excerpt += (latest->excerpt.empty() ? "" : "\n") + line;
+      latest->excerpt += (latest->excerpt.empty() ? "" : "\n") + cut(line, max_excerpt_line);
       continue;
     }
     Diagnostic diagnostic;
     std::string_view rest;
     if (!parse_head(line, diagnostic, rest)) continue;
+    latest = nullptr;
+    excerpt_lines = 0;
     for (const char* severity : {"fatal error", "error", "warning", "note"}) {
       if (take(rest, std::string(severity) + ": ")) {
         diagnostic.severity = severity;
@@ -128,23 +137,26 @@ std::vector<Diagnostic> parse_diagnostics(std::string_view text) {
       }
     }
     if (diagnostic.severity.empty()) {
-      if (contains(rest, "required from") || contains(rest, "required by"))
+      if ((contains(rest, "required from") || contains(rest, "required by")) &&
+          required_from.size() < max_notes)
         required_from.push_back({diagnostic.file, diagnostic.line, diagnostic.column});
-      latest = nullptr;
       continue;
     }
-    diagnostic.message = std::string(rest);
-    if (diagnostic.severity == "note" && !result.empty()) {
+    diagnostic.message = cut(rest, max_message_bytes);
+    if (diagnostic.severity == "note" && !messages.empty()) {
+      Diagnostic& about = messages.back();
+      if (result.more > 0 || about.notes.size() >= max_notes) continue;
       if (contains(rest, "requested here") || contains(rest, "required from here"))
-        result.back().required_from.push_back(
-            {diagnostic.file, diagnostic.line, diagnostic.column});
-      result.back().notes.push_back(std::move(diagnostic));
-      latest = &result.back().notes.back();
+        about.required_from.push_back({diagnostic.file, diagnostic.line, diagnostic.column});
+      about.notes.push_back(std::move(diagnostic));
+      latest = &about.notes.back();
+    } else if (messages.size() >= max_messages) {
+      ++result.more;
     } else {
       diagnostic.required_from = std::move(required_from);
       required_from.clear();
-      result.push_back(std::move(diagnostic));
-      latest = &result.back();
+      messages.push_back(std::move(diagnostic));
+      latest = &messages.back();
     }
   }
   return result;
@@ -158,6 +170,8 @@ LinkFaults parse_link_faults(std::string_view text) {
       name.remove_prefix(at + 2);
     if (const std::size_t quote = name.find('\''); quote != std::string_view::npos)
       name = name.substr(0, quote);
+    name = name.substr(0, max_symbol);
+    if (name.empty() || name.front() == ' ' || list.size() >= max_symbols) return;
     if (std::find(list.begin(), list.end(), name) == list.end()) list.emplace_back(name);
   };
   for (const std::string& raw : split_lines(text)) {

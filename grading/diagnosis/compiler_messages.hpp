@@ -1,6 +1,8 @@
 #pragma once
 
-// What a compiler or linker printed, as data.
+// What a compiler or linker printed, as data. Whoever wrote the source can have it print anything,
+// so all of it is a claim: numbers are no larger than max_claimed, and claims.hpp holds them
+// against the files that they speak of.
 
 #include <string>
 #include <string_view>
@@ -8,11 +10,19 @@
 
 namespace contact::grading {
 
+/// A larger number is read as this one.
+inline constexpr int max_claimed = 1'000'000'000;
+/// More messages, notes or symbols than these are passed over.
+inline constexpr std::size_t max_messages = 100;
+inline constexpr std::size_t max_notes = 40;
+inline constexpr std::size_t max_symbols = 50;
+
 /// A step on the way from the student's line into a library.
 struct Step {
   std::string file;
   int line = 0;
   int column = 0;
+  bool own = false;  ///< as in Diagnostic
 };
 
 /// One message of g++ or clang++ in its plain text form.
@@ -23,9 +33,11 @@ struct Diagnostic {
   /// Where what it is about ends, one past its last column; 0 if the compiler did not say.
   int end_line = 0;
   int end_column = 0;
+  /// Whether it is about the student's file, which claims.hpp finds out.
+  bool own = false;
   std::string severity;  ///< "error", "fatal error", "warning" or "note"
   std::string message;
-  std::string excerpt;  ///< source line and caret, as printed
+  std::string excerpt;  ///< source line and caret, as printed; at most a few short lines
   /// Places given before (g++) or after (clang++) that lead from the student's line to here.
   std::vector<Step> required_from;
   std::vector<Diagnostic> notes;
@@ -33,7 +45,13 @@ struct Diagnostic {
   [[nodiscard]] bool is_error() const { return severity == "error" || severity == "fatal error"; }
 };
 
-std::vector<Diagnostic> parse_diagnostics(std::string_view text);
+struct Diagnostics {
+  std::vector<Diagnostic> messages;
+  /// Errors and warnings that were passed over, since there are so many.
+  std::size_t more = 0;
+};
+
+Diagnostics parse_diagnostics(std::string_view text);
 
 /// What a linker could not find, or found twice: in the words of GNU ld, gold, mold, lld and
 /// wasm-ld.

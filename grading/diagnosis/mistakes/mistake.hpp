@@ -1,24 +1,28 @@
 #pragma once
 
 // The commonest mistakes of beginners, recognised in what g++ and clang++ say, and said in words.
+// A kind of mistake has a file: how its messages look, and what is told of them. rules.cpp asks
+// them in order.
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "build_messages.hpp"
-#include "source_text.hpp"
-#include "verdict.hpp"
+#include "../compiler_messages.hpp"
+#include "../contract_text.hpp"
+#include "../source_text.hpp"
 
 namespace contact::grading {
 
-/// A message about the student's file, with what it takes to understand it.
+/// A message about the student's file, with what it takes to understand it. Its numbers, and those
+/// of its notes, have been held against the files (claims.hpp): 0 where they are not true.
 struct Said {
   const Diagnostic& diagnostic;
-  /// Where in the student's file; the column in bytes, 0 if it is not known.
+  /// Where in the student's file; 0 where it is not known.
   Place place;
   const SourceText& source;
-  const Exercise& exercise;
+  const ContractText& contract;
 };
 
 struct Mistake {
@@ -26,11 +30,11 @@ struct Mistake {
   std::string id;
   std::string words;
   /// Where to point, if not where the compiler does.
-  std::optional<Place> place;
+  std::optional<Place> place = std::nullopt;
 };
 
 /// A message in which the type of a cross product is the vector that it is.
-std::string with_vectors(std::string message);
+std::string with_vectors(std::string_view message);
 
 /// The mistake behind a message; nothing if it is none of the known.
 std::optional<Mistake> recognise(const Said& said);
@@ -40,6 +44,6 @@ bool derails(const std::string& mistake);
 
 /// The mistake behind a failed link; nothing if it is none of the known.
 std::optional<Mistake> recognise_link(const LinkFaults& faults, const SourceText& source,
-                                      const Exercise& exercise);
+                                      const ContractText& contract);
 
 }  // namespace contact::grading

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <system_error>
+#include <utility>
 
-#include "build_text.hpp"
-#include "source_text.hpp"
+#include "message_text.hpp"
 
 namespace fs = std::filesystem;
 
@@ -68,82 +67,86 @@ std::string declared_name(std::string_view declaration) {
   return std::string(declaration.substr(first, last + 1 - first));
 }
 
-}  // namespace
+constexpr std::size_t max_remembered = 500;
+constexpr int max_declaration_lines = 12;
 
-std::vector<fs::path> contract_files(const Exercise& exercise) {
-  std::vector<fs::path> files{exercise.contract};
-  const fs::path root = exercise.folder.parent_path().parent_path().parent_path();
-  std::error_code error;
-  for (const fs::directory_entry& chapter : fs::directory_iterator(root / "chapters", error)) {
-    fs::path shapes = chapter.path() / "contact" / "shapes.hpp";
-    if (fs::exists(shapes, error)) files.push_back(std::move(shapes));
-  }
-  return files;
-}
-
-bool same_file(const fs::path& a, const fs::path& b) {
-  return a.lexically_normal().relative_path() == b.lexically_normal().relative_path();
-}
-
-std::string line_of_file(const fs::path& file, int number) {
-  try {
-    return std::string(SourceText(read_text(file)).line(number));
-  } catch (const BookError&) {
-    return {};  // a header that cannot be read has no line to show
-  }
-}
-
-std::string declaration_at(const fs::path& file, int line) {
-  std::string text;
-  for (int next = line; next < line + 8; ++next) {
-    const std::string part = line_of_file(file, next);
-    text += (next > line ? "\n" : "") + part;
-    if (part.empty() || part.find_first_of(";{") != std::string::npos) break;
-  }
-  return text;
-}
-
-std::optional<ContractLine> declaration_of(const fs::path& header, const std::string& name) {
-  std::string text;
-  try {
-    text = read_text(header);
-  } catch (const BookError&) {
-    return std::nullopt;
-  }
-  const SourceText source(text);
+std::optional<ContractLine> declared_in(const ContractText::Header& header,
+                                        const std::string& name) {
+  const SourceText& source = header.source;
   for (int line = 1; line <= source.line_count(); ++line) {
     const bool is_type = declares_type(source.code(line), name);
     if (!is_type && !declares_function(source.code(line), name)) continue;
     std::string declaration;
     bool block = false;
-    for (int next = line; next <= source.line_count() && next < line + 12; ++next) {
+    for (int next = line; next <= source.line_count() && next < line + max_declaration_lines;
+         ++next) {
       const std::string_view code = source.code(next);
       declaration += (next > line ? "\n" : "") + std::string(source.line(next));
       block = block || (is_type && code.find('{') != std::string_view::npos);
       if (code.find(block ? "};" : ";") != std::string_view::npos) break;
     }
-    return ContractLine{header.string(), line, declaration};
+    return ContractLine{header.file, line, declaration};
   }
   return std::nullopt;
 }
 
-std::optional<ContractLine> declaration_of(const Exercise& exercise, const std::string& name) {
-  for (const fs::path& file : contract_files(exercise)) {
-    if (std::optional<ContractLine> found = declaration_of(file, name)) return found;
-  }
-  return std::nullopt;
+}  // namespace
+
+bool same_file(const fs::path& a, const fs::path& b) {
+  return a.lexically_normal().relative_path() == b.lexically_normal().relative_path();
 }
 
-bool mentions(const fs::path& file, std::string_view text) {
-  try {
-    return read_text(file).find(text) != std::string::npos;
-  } catch (const BookError&) {
-    return false;  // what cannot be read says nothing
-  }
+ContractText::ContractText(HeaderText contract, std::vector<HeaderText> shapes) {
+  headers_.push_back({std::move(contract.file), SourceText(std::move(contract.text))});
+  for (HeaderText& shape : shapes)
+    headers_.push_back({std::move(shape.file), SourceText(std::move(shape.text))});
 }
 
-std::vector<std::string> members_of(const Exercise& exercise, const std::string& structure) {
-  const std::optional<ContractLine> declared = declaration_of(exercise, structure);
+std::string ContractText::name() const { return fs::path(contract().file).filename().string(); }
+
+const ContractText::Header* ContractText::header(const std::string& file) const {
+  const auto found = std::find_if(headers_.begin(), headers_.end(), [&](const Header& header) {
+    return same_file(header.file, file);
+  });
+  return found == headers_.end() ? nullptr : &*found;
+}
+
+bool ContractText::mentions(std::string_view text) const {
+  return contract().source.text().find(text) != std::string::npos;
+}
+
+std::optional<ContractLine> ContractText::declaration_of(const std::string& name) const {
+  if (name.empty() || name.size() > max_name_bytes) return std::nullopt;
+  if (const auto known = known_.find(name); known != known_.end()) return known->second;
+  std::optional<ContractLine> found;
+  for (const Header& header : headers_) {
+    found = declared_in(header, name);
+    if (found) break;
+  }
+  if (known_.size() < max_remembered) known_[name] = found;
+  return found;
+}
+
+// What the contract declares comes before what the shapes do.
+std::optional<ContractLine> ContractText::declared_by_contract(const std::string& name) const {
+  std::optional<ContractLine> found = declaration_of(name);
+  if (found && found->file != contract().file) found.reset();
+  return found;
+}
+
+ContractLine ContractText::declaration_at(int line) const {
+  const SourceText& source = contract().source;
+  std::string text;
+  for (int next = line; next < line + 8; ++next) {
+    const std::string_view part = source.line(next);
+    text += (next > line ? "\n" : "") + std::string(part);
+    if (part.empty() || part.find_first_of(";{") != std::string_view::npos) break;
+  }
+  return {contract().file, line, text};
+}
+
+std::vector<std::string> ContractText::members_of(const std::string& structure) const {
+  const std::optional<ContractLine> declared = declaration_of(structure);
   if (!declared) return {};
   std::string code;
   const SourceText text(declared->text);

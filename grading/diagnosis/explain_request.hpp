@@ -1,0 +1,37 @@
+#pragma once
+
+// What contact-explain is asked: a compile or a link, the file, and the headers, all as text. It
+// comes as bytes on standard input, because the box in which it runs shows it no file.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "contract_text.hpp"
+#include "explained.hpp"
+
+namespace contact::grading {
+
+struct ExplainRequest {
+  enum class Step { compile, link };
+  Step step = Step::compile;
+  bool failed = true;
+  Columns columns = Columns::displayed;
+  std::string file;
+  std::string source;
+  std::string log;
+  /// The contract first.
+  std::vector<HeaderText> headers;
+  /// Where the book lies here: what is told names its files from there on.
+  std::string root;
+};
+
+/// Fields, each with its length before it.
+std::string to_bytes(const ExplainRequest& request);
+/// @throws std::invalid_argument if the bytes are not what to_bytes() makes
+ExplainRequest request_from(std::string_view bytes);
+
+/// The answer, as the reply's JSON.
+std::string explain(ExplainRequest request);
+
+}  // namespace contact::grading
