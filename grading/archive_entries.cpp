@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include <archive.h>
 #include <archive_entry.h>
@@ -12,43 +11,6 @@ namespace fs = std::filesystem;
 namespace contact::grading {
 
 std::string mebibytes(std::size_t bytes) { return std::to_string(bytes / mebibyte) + " MiB"; }
-
-std::string shown_name(std::string_view name) {
-  std::string text = "'";
-  for (const char c : name.substr(0, 80)) {
-    if (c >= ' ' && c <= '~') {
-      text += c;
-      continue;
-    }
-    std::array<char, 8> escaped{};
-    std::snprintf(escaped.data(), escaped.size(), "\\x%02x", static_cast<unsigned char>(c));
-    text += escaped.data();
-  }
-  return text + (name.size() > 80 ? "...'" : "'");
-}
-
-bool is_utf8(std::string_view text) {
-  for (std::size_t at = 0; at < text.size();) {
-    const auto byte = [&](std::size_t i) {
-      return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u;
-    };
-    const unsigned first = byte(0);
-    const std::size_t length = first < 0x80                     ? 1
-                               : first >= 0xC2 && first <= 0xDF ? 2
-                               : first >= 0xE0 && first <= 0xEF ? 3
-                               : first >= 0xF0 && first <= 0xF4 ? 4
-                                                                : 0;
-    if (length == 0) return false;
-    for (std::size_t i = 1; i < length; ++i) {
-      if ((byte(i) & 0xC0) != 0x80) return false;
-    }
-    if ((first == 0xE0 && byte(1) < 0xA0) || (first == 0xED && byte(1) > 0x9F) ||
-        (first == 0xF0 && byte(1) < 0x90) || (first == 0xF4 && byte(1) > 0x8F))
-      return false;
-    at += length;
-  }
-  return true;
-}
 
 std::string problem_of_text(std::string_view text) {
   if (text.size() > most_in_file) return "is larger than " + mebibytes(most_in_file);

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "book.hpp"
+#include "shown_text.hpp"
 
 namespace contact::grading {
 
@@ -28,12 +29,6 @@ constexpr std::size_t most_entries = 1000;
 
 /// "20 MiB" for 20 * mebibyte.
 std::string mebibytes(std::size_t bytes);
-
-/// A stranger's name, fit to be shown: quoted, short, on one line, without a terminal's commands.
-std::string shown_name(std::string_view name);
-
-/// Strict, as the page's decoder is: no overlong form, no half of a surrogate pair.
-bool is_utf8(std::string_view text);
 
 /// Why a text cannot be a reader's work, such as "is not text in UTF-8"; empty if it can.
 std::string problem_of_text(std::string_view text);
