@@ -21,6 +21,7 @@
 #include "../grading/grade/sha256.hpp"
 #include "../grading/grade/slurm.hpp"
 #include "../grading/progress.hpp"
+#include "../grading/shown_text.hpp"
 #include "commands.hpp"
 #include "grade_report.hpp"
 #include "terminal.hpp"
@@ -229,7 +230,7 @@ class Grading {
     constexpr std::size_t most = 10;
     std::string text;
     for (std::size_t i = 0; i < names.size() && i < most; ++i)
-      text += (i == 0 ? "" : ", ") + printable(names[i]);
+      text += (i == 0 ? "" : ", ") + grading::escaped(names[i]);
     return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more"
                                : text;
   }

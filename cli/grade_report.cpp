@@ -7,6 +7,8 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
+#include "../grading/shown_text.hpp"
+
 namespace contact::cli {
 
 namespace {
@@ -30,6 +32,14 @@ std::string time_text(double seconds) {
 
 std::string text_of(const nlohmann::json& json, const char* name) {
   return printable(json.at(name).get<std::string>());
+}
+
+// The id, and the name too if the id is made of one that cannot be read in it.
+std::string shown_id(const nlohmann::json& submission) {
+  const std::string id = text_of(submission, "id");
+  const std::string name = submission.value("name", "");
+  if (name.empty() || id.find('~') == std::string::npos) return id;
+  return id + " (" + grading::escaped(name) + ")";
 }
 
 }  // namespace
@@ -88,7 +98,7 @@ void GradeProgress::clear() {
 std::string refusals(const nlohmann::json& results) {
   std::string text;
   for (const nlohmann::json& submission : results.at("submissions")) {
-    const std::string id = text_of(submission, "id");
+    const std::string id = shown_id(submission);
     if (submission.contains("problem"))
       text += "  " + id + ": " + text_of(submission, "problem") + "\n";
     for (const nlohmann::json& unit : submission.at("exercises")) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
+#include <optional>
 
 #include <archive.h>
 #include <archive_entry.h>
@@ -12,43 +12,6 @@ namespace fs = std::filesystem;
 namespace contact::grading {
 
 std::string mebibytes(std::size_t bytes) { return std::to_string(bytes / mebibyte) + " MiB"; }
-
-std::string shown_name(std::string_view name) {
-  std::string text = "'";
-  for (const char c : name.substr(0, 80)) {
-    if (c >= ' ' && c <= '~') {
-      text += c;
-      continue;
-    }
-    std::array<char, 8> escaped{};
-    std::snprintf(escaped.data(), escaped.size(), "\\x%02x", static_cast<unsigned char>(c));
-    text += escaped.data();
-  }
-  return text + (name.size() > 80 ? "...'" : "'");
-}
-
-bool is_utf8(std::string_view text) {
-  for (std::size_t at = 0; at < text.size();) {
-    const auto byte = [&](std::size_t i) {
-      return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u;
-    };
-    const unsigned first = byte(0);
-    const std::size_t length = first < 0x80                     ? 1
-                               : first >= 0xC2 && first <= 0xDF ? 2
-                               : first >= 0xE0 && first <= 0xEF ? 3
-                               : first >= 0xF0 && first <= 0xF4 ? 4
-                                                                : 0;
-    if (length == 0) return false;
-    for (std::size_t i = 1; i < length; ++i) {
-      if ((byte(i) & 0xC0) != 0x80) return false;
-    }
-    if ((first == 0xE0 && byte(1) < 0xA0) || (first == 0xED && byte(1) > 0x9F) ||
-        (first == 0xF0 && byte(1) < 0x90) || (first == 0xF4 && byte(1) > 0x8F))
-      return false;
-    at += length;
-  }
-  return true;
-}
 
 std::string problem_of_text(std::string_view text) {
   if (text.size() > most_in_file) return "is larger than " + mebibytes(most_in_file);
@@ -76,16 +39,25 @@ struct ArchiveEntries::State {
   };
   std::unique_ptr<archive, End> reader{archive_read_new()};
   archive_entry* entry = nullptr;
+  std::optional<ZipNames> names;
 };
+
+namespace {
+
+ArchiveError too_many_entries() {
+  return ArchiveError("it has more than " + std::to_string(most_entries) + " entries");
+}
+
+}  // namespace
 
 // Only these two, so that no rare reader of libarchive's sees a stranger's bytes: a zip through the
 // directory at its end, without which it is cut off, and one layer of gzip around a tar.
-ArchiveEntries::ArchiveEntries(const std::string& bytes)
-    : bytes_(bytes), state_(std::make_unique<State>()) {
+ArchiveEntries::ArchiveEntries(const std::string& bytes) : state_(std::make_unique<State>()) {
   archive* reader = state_->reader.get();
   if (reader == nullptr) throw std::bad_alloc();
   if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06")) {
     archive_read_support_format_zip_seekable(reader);
+    if (state_->names.emplace(bytes).size() > most_entries) throw too_many_entries();
   } else if (bytes.starts_with("\x1f\x8b")) {
     archive_read_append_filter(reader, ARCHIVE_FILTER_GZIP);
     archive_read_support_format_tar(reader);
@@ -103,46 +75,54 @@ bool ArchiveEntries::next() {
   if (status == ARCHIVE_EOF) return false;
   if (status != ARCHIVE_OK && status != ARCHIVE_WARN)
     throw ArchiveError("it is broken or cut off after " + last_);
-  if (++entries_ > most_entries)
-    throw ArchiveError("it has more than " + std::to_string(most_entries) + " entries");
-  const char* path = archive_entry_pathname_utf8(state_->entry);
-  if (path == nullptr) path = archive_entry_pathname(state_->entry);
-  if (path == nullptr)
-    throw ArchiveError("an entry whose name is not in plain letters has no place in it");
-  path_ = path;
-  last_ = shown_name(path_);
+  if (++entries_ > most_entries) throw too_many_entries();
+  const char* raw = archive_entry_pathname(state_->entry);
+  ZipName name;
+  if (state_->names) {
+    // libarchive has read the entry's header and stands at its data.
+    const la_int64_t position = archive_filter_bytes(state_->reader.get(), 0);
+    name = state_->names->before(static_cast<std::size_t>(std::max<la_int64_t>(position, 0)));
+  } else {
+    name.as_written = true;
+  }
+  as_written_ = name.as_written;
+  readings_ = std::move(name.readings);
+  if (raw != nullptr && std::find(readings_.begin(), readings_.end(), raw) == readings_.end())
+    readings_.emplace_back(raw);
+  if (readings_.empty()) throw ArchiveError("the entry after " + last_ + " has no name");
+  last_ = shown_name(path());
   return true;
 }
 
-bool ArchiveEntries::is_folder() const { return archive_entry_filetype(state_->entry) == AE_IFDIR; }
-
-bool ArchiveEntries::as_written() const {
-  return bytes_.find(path_) != std::string::npos || !bytes_.starts_with("PK");
+bool ArchiveEntries::is_folder() const {
+  // libarchive does not see the slash at the end of a name that it cannot convert.
+  return archive_entry_filetype(state_->entry) == AE_IFDIR ||
+         (state_->names && path().ends_with('/'));
 }
 
 void ArchiveEntries::require_plain() const {
   if (archive_entry_is_encrypted(state_->entry) != 0)
-    throw ArchiveError(shown_name(path_) + " is encrypted");
+    throw ArchiveError(shown_name(path()) + " is encrypted");
   if (archive_entry_hardlink(state_->entry) != nullptr ||
       archive_entry_symlink(state_->entry) != nullptr ||
       archive_entry_filetype(state_->entry) != AE_IFREG)
-    throw ArchiveError(shown_name(path_) + " is a link or a device, not a plain file");
+    throw ArchiveError(shown_name(path()) + " is a link or a device, not a plain file");
   archive* reader = state_->reader.get();
   if ((archive_format(reader) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_ZIP) {
     const std::string method = archive_format_name(reader);
     if (method.find("(uncompressed)") == std::string::npos &&
         method.find("(deflation)") == std::string::npos)
-      throw ArchiveError(shown_name(path_) +
+      throw ArchiveError(shown_name(path()) +
                          " is compressed in a way that is not read here: " + method);
   }
 }
 
 void ArchiveEntries::require_room(std::size_t size, bool in_file) const {
   if (in_file && size > most_in_file)
-    throw ArchiveError(shown_name(path_) + " is larger than " + mebibytes(most_in_file));
+    throw ArchiveError(shown_name(path()) + " is larger than " + mebibytes(most_in_file));
   if (size > left_)
     throw ArchiveError("it unpacks to more than " + mebibytes(most_in_all) + ", at " +
-                       shown_name(path_));
+                       shown_name(path()));
 }
 
 std::size_t ArchiveEntries::size() const {

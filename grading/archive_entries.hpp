@@ -8,8 +8,11 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "book.hpp"
+#include "shown_text.hpp"
+#include "zip_names.hpp"
 
 namespace contact::grading {
 
@@ -28,12 +31,6 @@ constexpr std::size_t most_entries = 1000;
 
 /// "20 MiB" for 20 * mebibyte.
 std::string mebibytes(std::size_t bytes);
-
-/// A stranger's name, fit to be shown: quoted, short, on one line, without a terminal's commands.
-std::string shown_name(std::string_view name);
-
-/// Strict, as the page's decoder is: no overlong form, no half of a surrogate pair.
-bool is_utf8(std::string_view text);
 
 /// Why a text cannot be a reader's work, such as "is not text in UTF-8"; empty if it can.
 std::string problem_of_text(std::string_view text);
@@ -55,11 +52,14 @@ class ArchiveEntries {
 
   /// Goes to the next entry; false at the end.
   bool next();
-  [[nodiscard]] const std::string& path() const { return path_; }
+  /// In UTF-8 if the archive's name is, or is CP437 as old zips have it; else the bytes as they
+  /// are.
+  [[nodiscard]] const std::string& path() const { return readings_.front(); }
+  /// The path, and what another program may call the entry instead.
+  [[nodiscard]] const std::vector<std::string>& readings() const { return readings_; }
   [[nodiscard]] bool is_folder() const;
-  /// Whether the path stands in the archive as path() says it: libarchive makes slashes of the
-  /// backslashes in a zip's names.
-  [[nodiscard]] bool as_written() const;
+  /// Whether the path stands in the archive as path() says it, and there is no other reading.
+  [[nodiscard]] bool as_written() const { return as_written_; }
   /// Refuses links, devices, encryption, and compressions that may ask for gigabytes to unpack a
   /// few bytes.
   void require_plain() const;
@@ -74,9 +74,9 @@ class ArchiveEntries {
   struct State;
   void require_room(std::size_t size, bool in_file) const;
 
-  const std::string& bytes_;
   std::unique_ptr<State> state_;
-  std::string path_;
+  std::vector<std::string> readings_{""};
+  bool as_written_ = false;
   std::string last_ = "its beginning";
   std::size_t entries_ = 0;
   std::size_t left_ = most_in_all;

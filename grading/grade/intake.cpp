@@ -42,7 +42,7 @@ bool is_handed_in(const std::string& name) {
   return endings.count(ending) != 0;
 }
 
-std::string shown_file(const fs::path& file) { return file.filename().string(); }
+std::string shown_file(const fs::path& file) { return escaped(file.filename().string()); }
 
 std::string listed(const std::vector<const Entry*>& entries) {
   std::string text;
@@ -54,7 +54,6 @@ std::string listed(const std::vector<const Entry*>& entries) {
 void identify(Entry& entry, const IdTable* ids, const Exercise* only) {
   const std::string name = shown_name(entry.name);
   entry.identity = entry.said.identity;
-  if (!is_utf8(entry.name)) entry.problem = "the name " + name + " is not text in UTF-8";
   if (ids != nullptr) {
     if (const Identity* found = ids->find(entry.name))
       entry.identity = *found;
@@ -97,7 +96,7 @@ std::vector<Entry> entries_in(const Book& book, const fs::path& submissions, con
     const bool known = ids != nullptr && ids->find(entry.name) != nullptr;
     if (!known && is_junk(entry.name)) continue;
     if (entry.kind == Kind::other_file && !known && !is_handed_in(entry.name)) {
-      intake.passed_over.push_back(entry.name);
+      intake.passed_over.push_back(as_utf8(entry.name));
       continue;
     }
     entry.said = read_entry_name(entry.name, entry.kind == Kind::folder, names);
@@ -123,13 +122,11 @@ Entrant entrant_of(const std::vector<const Entry*>& entries) {
   Entrant entrant;
   const Identity& identity = entries.front()->identity;
   entrant.id = safe_id(identity.id);
-  entrant.name = !identity.name.empty()                              ? identity.name
-                 : entrant.id != identity.id && is_utf8(identity.id) ? identity.id
-                                                                     : "";
+  entrant.name = as_utf8(!identity.name.empty()      ? identity.name
+                         : entrant.id != identity.id ? identity.id
+                                                     : "");
   for (const Entry* entry : entries) {
-    // What is not UTF-8 is shown as it can be.
-    entrant.entry += (entrant.entry.empty() ? "" : ", ") +
-                     (is_utf8(entry->name) ? entry->name : shown_name(entry->name));
+    entrant.entry += (entrant.entry.empty() ? "" : ", ") + as_utf8(entry->name);
     if (entrant.problem.empty()) entrant.problem = entry->problem;
   }
   return entrant;
@@ -146,7 +143,7 @@ void read_files(const Book& book, const fs::path& submissions,
       if (entry->kind == Kind::archive) files.add_archive(path);
       if (entry->kind == Kind::file &&
           !files.add_file(path, entry->said.file.empty() ? entry->name : entry->said.file, only))
-        ignored.push_back(entry->name);
+        ignored.push_back(as_utf8(entry->name));
     } catch (const ArchiveError& error) {
       entrant.problem = shown_name(entry->name) + " cannot be used: " + error.what();
       return;
@@ -160,8 +157,8 @@ void read_files(const Book& book, const fs::path& submissions,
       [](const std::string& path) { return is_archive_name(path) || is_handed_in(path); });
   if (entrant.files.empty() && packed_again != entrant.ignored.end() &&
       !fs::path(*packed_again).extension().string().starts_with(".h"))
-    entrant.problem = entrant.entry + " holds no answer, but " + shown_name(*packed_again) +
-                      ", which is not opened: unpack it";
+    entrant.problem = escaped(entrant.entry) + " holds no answer, but " +
+                      shown_name(*packed_again) + ", which is not opened: unpack it";
 }
 
 }  // namespace
@@ -188,8 +185,8 @@ Intake take_in(const Book& book, const fs::path& submissions, const IdTable* ids
       Entrant entrant = entrant_of({entry});
       // No id that is made of a name has two of these.
       entrant.id += "~~" + std::to_string(++number);
-      entrant.problem = listed(theirs) + " are of one student, '" + entry->identity.id +
-                        "': put away those that do not count, or give --ids";
+      entrant.problem = listed(theirs) + " are of one student, " + shown_name(entry->identity.id) +
+                        ": put away those that do not count, or give --ids";
       keep(entrant);
       intake.entrants.push_back(std::move(entrant));
     }
@@ -197,13 +194,9 @@ Intake take_in(const Book& book, const fs::path& submissions, const IdTable* ids
   std::sort(intake.entrants.begin(), intake.entrants.end(),
             [](const Entrant& a, const Entrant& b) { return a.id < b.id; });
   if (ids != nullptr) {
-    for (const auto& line : ids->entries()) {
-      const std::string& entry = line.first;
-      if (std::none_of(entries.begin(), entries.end(), [&](const Entry& there) {
-            return there.name == entry || without_suffix(there.name) == entry;
-          }))
-        intake.absent.push_back(entry);
-    }
+    std::vector<std::string> names;
+    for (const Entry& entry : entries) names.push_back(entry.name);
+    intake.absent = ids->missing_in(names);
   }
   return intake;
 }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <regex>
+#include <set>
 
 #include "../archive_entries.hpp"
+#include "decomposition.hpp"
 #include "sha256.hpp"
 
 namespace fs = std::filesystem;
@@ -87,6 +89,12 @@ std::string lower(std::string text) {
   return text;
 }
 
+// What a table may call an entry, composed as it is there.
+std::vector<std::string> names_of(const std::string& entry) {
+  const std::string name = as_utf8(entry);
+  return {name, without_suffix(name)};
+}
+
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t");
   return first == std::string::npos ? ""
@@ -146,13 +154,32 @@ IdTable::IdTable(const fs::path& file) : file_(file) {
     if (identity.id.empty()) throw BookError(where + "the id of '" + entry + "' is empty");
     if (!entries_.emplace(entry, std::move(identity)).second)
       throw BookError(where + "the entry '" + entry + "' is there twice");
+    by_form_.emplace(decomposed(entry), entry);
   }
 }
 
 const Identity* IdTable::find(const std::string& entry) const {
-  auto found = entries_.find(entry);
-  if (found == entries_.end()) found = entries_.find(without_suffix(entry));
-  return found == entries_.end() ? nullptr : &found->second;
+  const std::vector<std::string> names = names_of(entry);
+  for (const std::string& name : names) {
+    if (const auto found = entries_.find(name); found != entries_.end()) return &found->second;
+  }
+  for (const std::string& name : names) {
+    if (const auto found = by_form_.find(decomposed(name)); found != by_form_.end())
+      return &entries_.at(found->second);
+  }
+  return nullptr;
+}
+
+std::vector<std::string> IdTable::missing_in(const std::vector<std::string>& entries) const {
+  std::set<std::string> there;
+  for (const std::string& entry : entries) {
+    for (const std::string& name : names_of(entry)) there.insert(decomposed(name));
+  }
+  std::vector<std::string> missing;
+  for (const auto& line : entries_) {
+    if (there.count(decomposed(line.first)) == 0) missing.push_back(line.first);
+  }
+  return missing;
 }
 
 std::string without_suffix(const std::string& entry) {

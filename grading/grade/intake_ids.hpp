@@ -29,13 +29,17 @@ class IdTable {
   explicit IdTable(const std::filesystem::path& file);
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
-  /// Of an entry of SUBMISSIONS by its name, with or without what an archive's name ends with.
+  /// Of an entry of SUBMISSIONS by its name as UTF-8, composed or decomposed, with or without what
+  /// an archive's name ends with.
   [[nodiscard]] const Identity* find(const std::string& entry) const;
-  [[nodiscard]] const std::map<std::string, Identity>& entries() const { return entries_; }
+  /// What the table names and what is not among the entries.
+  [[nodiscard]] std::vector<std::string> missing_in(const std::vector<std::string>& entries) const;
 
  private:
   std::filesystem::path file_;
   std::map<std::string, Identity> entries_;
+  /// The entries of the table by how they are decomposed.
+  std::map<std::string, std::string> by_form_;
 };
 
 /// What the name of an entry says:

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <memory>
+#include <set>
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -35,6 +36,28 @@ std::string joined(const std::vector<std::string>& parts) {
   std::string path;
   for (const std::string& part : parts) path += (path.empty() ? "" : "/") + part;
   return path;
+}
+
+bool starts_with_drive(std::string_view name) {
+  return name.size() > 1 && name[1] == ':' &&
+         ((name[0] >= 'a' && name[0] <= 'z') || (name[0] >= 'A' && name[0] <= 'Z'));
+}
+
+// Nothing is unpacked here, but who looks at the submission may well unpack it, on any system: both
+// slashes count, and so do spaces at the end of a name, which Windows drops.
+void require_harmless(std::string_view name) {
+  if (name.find('\0') != std::string_view::npos)
+    throw ArchiveError("the name " + shown_name(name) + " has a zero byte in it");
+  bool outside = name.starts_with('/') || name.starts_with('\\') || starts_with_drive(name);
+  int depth = 0;
+  for (std::string_view rest = name; !rest.empty() && !outside;) {
+    const std::string_view part = rest.substr(0, rest.find_first_of("/\\"));
+    rest.remove_prefix(std::min(part.size() + 1, rest.size()));
+    outside = part.substr(0, part.find_last_not_of(' ') + 1) == "..";
+    if (!part.empty() && part != "." && ++depth > deepest)
+      throw ArchiveError("its folders lie more than " + std::to_string(deepest) + " deep");
+  }
+  if (outside) throw ArchiveError(shown_name(name) + " would lie outside of it");
 }
 
 bool looks_like_chapter(const std::string& name) {
@@ -175,8 +198,6 @@ class SubmissionFiles::Folder {
 
  private:
   void enter(int folder, const std::string& name, const std::string& path, int depth) {
-    if (!is_utf8(path))
-      throw ArchiveError("the name " + shown_name(path) + " is not text in UTF-8");
     struct stat status {};
     if (::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0)
       throw ArchiveError(shown_name(path) + " cannot be read: " + std::strerror(errno));
@@ -187,7 +208,7 @@ class SubmissionFiles::Folder {
     if (!S_ISREG(status.st_mode))
       throw ArchiveError(shown_name(path) + " is a link or a device, not a plain file");
     if (const Exercise* exercise = files_.exercise_of(path)) {
-      Found found{path, "", ""};
+      Found found{as_utf8(path), "", ""};
       found.text = read_plain(folder, name, path, found.problem);
       total_ += found.text.size();
       if (total_ > most_in_all)
@@ -195,7 +216,7 @@ class SubmissionFiles::Folder {
                            shown_name(path));
       files_.add(*exercise, std::move(found));
     } else if (!is_of_export(parts_of(path))) {
-      files_.ignored_.push_back(path);
+      files_.ignored_.push_back(as_utf8(path));
     }
   }
 
@@ -211,32 +232,30 @@ void SubmissionFiles::add_folder(const fs::path& folder) {
 void SubmissionFiles::add_archive(const fs::path& file) {
   const std::string bytes = packed(file);
   ArchiveEntries entries(bytes);
-  std::map<std::string, int> seen;
+  std::set<std::string> seen;
   while (entries.next()) {
-    if (!is_utf8(entries.path()))
-      throw ArchiveError("the name " + shown_name(entries.path()) + " is not text in UTF-8");
-    const std::string& name = entries.path();
-    const std::vector<std::string> parts = parts_of(name);
-    const bool drive = name.size() > 1 && name[1] == ':';
-    if (name.starts_with("/") || name.starts_with("\\") || drive ||
-        std::find(parts.begin(), parts.end(), "..") != parts.end())
-      throw ArchiveError(shown_name(name) + " would lie outside of it");
-    if (parts.size() > deepest)
-      throw ArchiveError("its folders lie more than " + std::to_string(deepest) + " deep");
+    for (const std::string& name : entries.readings()) require_harmless(name);
+    const std::vector<std::string> parts = parts_of(entries.path());
     if (entries.is_folder()) continue;
-    entries.require_plain();
-    const std::string path = joined(parts);
-    if (++seen[path] > 1) throw ArchiveError(shown_name(path) + " is in it twice");
+    const std::string path = as_utf8(joined(parts));
+    const Exercise* exercise = exercise_of(path);
+    for (const std::string& name : entries.readings()) {
+      if (exercise_of(name) != exercise)
+        throw ArchiveError(shown_name(path) + " has another name in it too, " + shown_name(name) +
+                           ": programs that unpack it do not agree on which counts. Pack it anew");
+    }
+    // A link in .venv is not followed either, so it need not be plain.
     if (parts.empty() || std::any_of(parts.begin(), parts.end(), is_junk)) {
       entries.pass();
       continue;
     }
-    const Exercise* exercise = exercise_of(path);
+    entries.require_plain();
     if (exercise == nullptr) {
       entries.pass();
       if (!is_of_export(parts)) ignored_.push_back(path);
       continue;
     }
+    if (!seen.insert(path).second) throw ArchiveError(shown_name(path) + " is in it twice");
     Found found{path, "", ""};
     if (entries.size() > most_in_file) {
       entries.pass();
@@ -255,7 +274,7 @@ bool SubmissionFiles::add_file(const fs::path& file, const std::string& name,
   const Exercise* exercise = exercise_of(name);
   if (exercise == nullptr) exercise = only;
   if (exercise == nullptr) return false;
-  Found found{name, "", ""};
+  Found found{as_utf8(name), "", ""};
   found.text = read_plain(AT_FDCWD, file.string(), name, found.problem);
   add(*exercise, std::move(found));
   return true;

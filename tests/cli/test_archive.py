@@ -11,6 +11,7 @@ import shutil
 import signal
 import stat
 import subprocess
+import sys
 import tarfile
 import time
 import zipfile
@@ -19,6 +20,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "grade"))
+
+from zip_bytes import Member, unicode_path, zip_bytes
 
 Run = Callable[..., subprocess.CompletedProcess[str]]
 Files = Mapping[str, str | bytes]
@@ -614,6 +619,19 @@ def test_a_path_with_no_place_in_it(
     pairs: list[tuple[str | zipfile.ZipInfo, str | bytes]] = [*of_page({PLANE: "int x;"}).items()]
     file = zipped(tmp_path / "a.zip", [*pairs, (entry, "" if name.endswith("/") else "int x;")])
     refused(contact, work, tmp_path, file, "has no place in it")
+
+
+@pytest.mark.parametrize("place", ["extra", "directory"])
+def test_an_entry_with_two_names(contact: Run, work: Path, tmp_path: Path, place: str) -> None:
+    """Whoever unpacks it with another program may find another file."""
+    name, other = COPY.encode(), f"work/{PLANE}.cpp".encode()
+    two = {"extra": unicode_path(name, other)} if place == "extra" else {"central_name": other}
+    file = tmp_path / "a.zip"
+    manifest = Member(b"contact-submission.json", MANIFEST.encode())
+    file.write_bytes(zip_bytes([manifest, Member(name, b"int x;", **two)]))  # type: ignore[arg-type]
+    refused(contact, work, tmp_path, file, "has no place in it")
+    file.write_bytes(zip_bytes([manifest, Member(name, b"int x;", extra=unicode_path(name, name))]))
+    assert contact("import", str(file)).returncode == 0
 
 
 @pytest.mark.parametrize(

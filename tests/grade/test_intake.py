@@ -329,10 +329,11 @@ def test_what_answers_to_no_exercise_is_named(taken: Grader) -> None:
         ]
 
 
-def test_a_name_that_is_no_text_is_refused(taken: Grader) -> None:
-    submission = entry(taken, r"'\xff\xfe'")
+def test_a_name_that_is_no_text_is_shown_escaped(taken: Grader) -> None:
+    submission = entry(taken, r"\xff\xfe")
     assert submission["id"] == "~FF~FE"
-    assert "is not text in UTF-8" in submission["problem"]
+    assert "problem" not in submission
+    assert statuses(submission) == {EXERCISE: "missing", SPHERE: "missing"}
 
 
 def test_ids_are_unique_whatever_the_case_of_letters(taken: Grader) -> None:
