@@ -23,6 +23,8 @@ struct BoxLimits {
   double cpu_seconds = 5.0;
   /// Seconds on the clock; for what waits without working.
   double wall_seconds = 30.0;
+  /// Seconds in which everything in it may be asleep (idle.hpp); 0 for no limit.
+  double idle_seconds = 0.0;
   int memory_mb = 512;
   /// Processes and threads at a time. 1 lets the box start none at all.
   int processes = 1;
@@ -110,6 +112,10 @@ class Box {
   [[nodiscard]] bool ended() const;
   /// Processor time used so far by everything in it.
   [[nodiscard]] double cpu_seconds() const;
+  /// The process that keeps it; all that is in it was started by that one.
+  [[nodiscard]] int pid() const;
+  /// Whether it has written what is not read yet.
+  [[nodiscard]] bool has_unread_output() const;
   /// Ends it now.
   void end(Ended why);
   /// Turns the loop until it has ended.

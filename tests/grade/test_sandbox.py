@@ -102,6 +102,7 @@ def managed(end: End) -> bool:
         ["vfork"],
         ["clone3"],
         ["thread"],
+        ["membarrier"],
         ["exec"],
         ["socket"],
         ["unix-socket"],
@@ -206,6 +207,42 @@ def test_waiting(box: Box) -> None:
     assert managed(box("nap", limits=("--wall", 5)))
 
 
+@pytest.mark.parametrize("attempt", [["sleep"], ["stop"], ["nap-and-work", 5000]], ids=str)
+def test_doing_nothing(box: Box, attempt: list[str | int]) -> None:
+    end = box(*attempt, limits=("--idle", 0.5, "--wall", 60))
+    assert end["ended"] == "idle"
+    assert end["seconds"] < 20
+    assert managed(box("nap", limits=("--idle", 0.5)))
+
+
+def test_working_is_not_doing_nothing(box: Box) -> None:
+    assert box("spin", limits=("--idle", 0.3, "--cpu", 0.8))["ended"] == "time"
+    threads = ("--processes", 4, "--idle", 0.3)
+    assert managed(box("work-beside", limits=threads))
+    assert box("sleep-beside", limits=(*threads, "--wall", 60))["ended"] == "idle"
+    assert box("flood", limits=("--idle", 0.3, "--output", 100_000))["ended"] == "output"
+
+
+def test_who_waits_for_a_core_is_not_idle(box: Box) -> None:
+    cores = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, {min(cores)})
+    try:
+        loop = ["sh", "-c", "while :; do :; done"]
+        others = [subprocess.Popen(loop, start_new_session=True) for _ in range(6)]
+        try:
+            # A seventh of the time is its own: it waits for the rest.
+            end = box("spin", limits=("--idle", 0.3, "--cpu", 0.5, "--wall", 90))
+            assert end["ended"] == "time"
+            assert end["seconds"] > 1
+            assert box("sleep", limits=("--idle", 0.3, "--wall", 90))["ended"] == "idle"
+        finally:
+            for other in others:
+                other.kill()
+                other.wait()
+    finally:
+        os.sched_setaffinity(0, cores)
+
+
 @pytest.mark.parametrize("attempt", ["flood", "flood-errors"])
 def test_output(box: Box, attempt: str) -> None:
     end = box(attempt, limits=("--output", 100_000))
@@ -226,6 +263,8 @@ def test_processes_where_some_are_allowed(box: Box) -> None:
     allowed = ("--processes", 4)
     assert managed(box("fork", limits=allowed))
     assert managed(box("thread", limits=allowed))
+    # Whoever waits for a child in this way looks like one that waits for a disk.
+    assert refused(box("vfork", limits=allowed))
     assert managed(box("fork-many", 2, limits=allowed))
     assert not managed(box("fork-many", 100, limits=allowed))
 

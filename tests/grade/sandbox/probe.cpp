@@ -146,6 +146,34 @@ long start_thread() {
   return answer == 42 ? 0 : -1;
 }
 
+// Works in one thread while another waits for it.
+long work_beside() {
+  try {
+    std::thread([] {
+      timespec used{};
+      do clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+      while (used.tv_nsec < 900'000'000);
+    }).join();
+  } catch (const std::exception&) {
+    return -1;
+  }
+  return 0;
+}
+
+// Ends its first thread, so that only another is left to sleep.
+long sleep_beside() {
+  std::thread([] { sleep(1000); }).detach();
+  return syscall(SYS_exit, 0);
+}
+
+// Naps for as many microseconds, works a little, and again.
+long nap_and_work() {
+  for (;;) {
+    usleep(static_cast<useconds_t>(value));
+    for (volatile int i = 0; i < 1000; ++i) static_cast<void>(i);
+  }
+}
+
 int overflow(int depth) {
   if (depth < 0) return 0;
   volatile char frame[4096]{};
@@ -224,6 +252,11 @@ const std::map<std::string, std::function<long()>> attempts = {
     {"x32", call_x32},
 #endif
     {"sleep", [] { return static_cast<long>(sleep(1000)); }},
+    {"stop", [] { return static_cast<long>(raise(SIGSTOP)); }},
+    {"membarrier", [] { return syscall(SYS_membarrier, 1, 0, 0); }},
+    {"nap-and-work", nap_and_work},
+    {"work-beside", work_beside},
+    {"sleep-beside", sleep_beside},
     {"nap", [] { return static_cast<long>(usleep(1000)); }},
     {"spin",
      []() -> long {
