@@ -34,8 +34,7 @@ const Names& own_affairs() {
       // Time.
       "clock_gettime", "clock_gettime64", "clock_getres", "clock_getres_time64", "clock_nanosleep",
       "clock_nanosleep_time64", "nanosleep", "gettimeofday", "time", "times", "getrusage",
-      "sched_yield", "sched_getaffinity", "getcpu", "sysinfo", "uname", "alarm", "setitimer",
-      "getitimer", "pause",
+      "sched_yield", "sched_getaffinity", "getcpu", "sysinfo", "uname", "pause",
       // Who it is.
       "getpid", "gettid", "getppid", "getuid", "geteuid", "getgid", "getegid", "getresuid",
       "getresgid", "getpgrp", "getgroups", "getrlimit",

@@ -9,6 +9,7 @@
 
 #include <dirent.h>
 #include <fcntl.h>
+#include <sched.h>
 #include <unistd.h>
 
 namespace contact::grading {
@@ -138,6 +139,12 @@ std::optional<std::size_t> woken(const Sleepers& before, const Sleepers& after) 
 // every few microseconds is caught by this. Two that wake each other are both excepted.
 std::optional<Sleepers> asleep_at_once(std::initializer_list<int> processes) {
   std::optional<Sleepers> first = asleep(processes);
+  if (!first) {
+    // The timer that woke this program may have woken one that only wanted to sleep again, which
+    // then stands behind it on the same core.
+    ::sched_yield();
+    first = asleep(processes);
+  }
   if (!first) return std::nullopt;
   const std::optional<Sleepers> second = asleep(processes);
   if (!second) return std::nullopt;

@@ -104,6 +104,7 @@ def managed(end: End) -> bool:
         ["thread"],
         ["membarrier"],
         ["exec"],
+        ["interval-timer"],
         ["socket"],
         ["unix-socket"],
         ["netlink"],
@@ -207,7 +208,9 @@ def test_waiting(box: Box) -> None:
     assert managed(box("nap", limits=("--wall", 5)))
 
 
-@pytest.mark.parametrize("attempt", [["sleep"], ["stop"], ["nap-and-work", 5000]], ids=str)
+@pytest.mark.parametrize(
+    "attempt", [["sleep"], ["stop"], ["nap-and-work", 5000], ["nap-and-work", 1]], ids=str
+)
 def test_doing_nothing(box: Box, attempt: list[str | int]) -> None:
     end = box(*attempt, limits=("--idle", 0.5, "--wall", 60))
     assert end["ended"] == "idle"

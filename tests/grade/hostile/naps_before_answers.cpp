@@ -1,4 +1,4 @@
-// Tries:     sleeps half a millisecond before each answer, which is right: slow, but not idle for long
+// Tries:     naps before every fourth answer, which is right: slow, but not idle for long
 // Exercise:  01_planes/signed_distance
 // Points:    8 of 8
 // Tests:     all passed
@@ -11,6 +11,8 @@
 namespace {
 
 void nap() {
+  static int calls = 0;
+  if (++calls % 4 != 0) return;
   const timespec half_a_millisecond{0, 500'000};
   nanosleep(&half_a_millisecond, nullptr);
 }

@@ -28,6 +28,7 @@
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/un.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -272,6 +273,11 @@ const std::map<std::string, std::function<long()>> attempts = {
     {"segfault",
      [] {
        volatile int* nowhere = nullptr;
+    {"interval-timer",
+     [] {
+       const itimerval often{{0, 50}, {0, 50}};
+       return static_cast<long>(setitimer(ITIMER_REAL, &often, nullptr));
+     }},
        *nowhere = 1;
        return 0L;
      }},
