@@ -58,7 +58,8 @@ struct BoxSpec {
   BoxMount writable;
   /// Also the system, read-only: its libraries for a judge that is linked dynamically; for the
   /// compiler its programs too, and of /usr/include the standard libraries and Eigen. There is no
-  /// /usr/local, no /usr/share, no /usr/src.
+  /// /usr/local, no /usr/share, no /usr/src. Without namespaces it has all that is installed where
+  /// a compiler searches for headers, /usr/local/include as well.
   bool system = false;
   /// All that it has, but for PATH=/usr/bin:/bin where it compiles and PWD, which bubblewrap sets.
   std::vector<std::pair<std::string, std::string>> environment;

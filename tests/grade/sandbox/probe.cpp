@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -27,8 +28,8 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
-#include <sys/un.h>
 #include <sys/time.h>
+#include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -99,6 +100,22 @@ long list_descriptors() {
 
 long list_environment() {
   for (char** entry = environ; *entry != nullptr; ++entry) std::printf("variable %s\n", *entry);
+  return 0;
+}
+
+// Of the files that a list names, those that are in sight and cannot be read.
+long open_all() {
+  std::ifstream list(text);
+  int seen = 0;
+  for (std::string name; std::getline(list, name);) {
+    struct stat found {};
+    if (stat(name.c_str(), &found) != 0) continue;
+    ++seen;
+    const int file = open(name.c_str(), O_RDONLY);
+    if (file < 0) std::printf("closed %s: %s\n", name.c_str(), std::strerror(errno));
+    if (file >= 0) close(file);
+  }
+  std::printf("seen %d\n", seen);
   return 0;
 }
 
@@ -214,6 +231,7 @@ const std::map<std::string, std::function<long()>> attempts = {
     {"netlink", [] { return static_cast<long>(socket(AF_NETLINK, SOCK_RAW, 0)); }},
     {"connect", connect_out},
     {"open", [] { return static_cast<long>(open(text.c_str(), O_RDONLY)); }},
+    {"open-all", open_all},
     {"list", [] { return opendir(text.c_str()) != nullptr ? 0L : -1L; }},
     {"create", [] { return static_cast<long>(open(text.c_str(), O_CREAT | O_WRONLY, 0600)); }},
     {"write-file", write_file},
@@ -255,6 +273,11 @@ const std::map<std::string, std::function<long()>> attempts = {
     {"sleep", [] { return static_cast<long>(sleep(1000)); }},
     {"stop", [] { return static_cast<long>(raise(SIGSTOP)); }},
     {"membarrier", [] { return syscall(SYS_membarrier, 1, 0, 0); }},
+    {"interval-timer",
+     [] {
+       const itimerval often{{0, 50}, {0, 50}};
+       return static_cast<long>(setitimer(ITIMER_REAL, &often, nullptr));
+     }},
     {"nap-and-work", nap_and_work},
     {"work-beside", work_beside},
     {"sleep-beside", sleep_beside},
@@ -273,11 +296,6 @@ const std::map<std::string, std::function<long()>> attempts = {
     {"segfault",
      [] {
        volatile int* nowhere = nullptr;
-    {"interval-timer",
-     [] {
-       const itimerval often{{0, 50}, {0, 50}};
-       return static_cast<long>(setitimer(ITIMER_REAL, &often, nullptr));
-     }},
        *nowhere = 1;
        return 0L;
      }},
