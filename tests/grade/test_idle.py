@@ -25,11 +25,15 @@ WAITED = (
 Result = dict[str, Any]
 
 
-def grade(*names: str, profile: Path | None = None) -> list[Result]:
+def hostile(name: str) -> Path:
+    return HOSTILE / f"{name}.cpp"
+
+
+def grade(*files: Path, profile: Path | None = None) -> list[Result]:
     limits = [] if profile is None else ["--profile", str(profile)]
     words = ["dev", "grade-unit", "--as-built", "--json", "--exercise", EXERCISE, *limits]
     done = subprocess.run(
-        [str(PROGRAM), *words, *(str(HOSTILE / f"{name}.cpp") for name in names)],
+        [str(PROGRAM), *words, *map(str, files)],
         capture_output=True,
         text=True,
         env={**os.environ, "CONTACT_ROOT": str(ROOT)},
@@ -64,9 +68,10 @@ def ends(result: Result) -> list[tuple[str, str]]:
 
 def test_verdicts_do_not_depend_on_what_else_the_machine_does() -> None:
     names = ("sleeper", "naps_before_answers", "slow_but_right", "sleeps_when_it_ends")
-    alone = grade(*names)
+    files = [hostile(name) for name in names]
+    alone = grade(*files)
     with busy_core():
-        beside = grade(*names)
+        beside = grade(*files)
     passed, stopped = ("passed", ""), ("stopped", WAITED.format("1 second"))
     one_stopped = [passed] * 3 + [stopped] + [passed] * 2
     expected = [one_stopped, [passed] * 6, [passed] * 6, one_stopped]
@@ -80,10 +85,21 @@ def test_verdicts_do_not_depend_on_what_else_the_machine_does() -> None:
     assert beside[2]["seconds"]["run"] > 3 * worked
 
 
+def test_who_answers_at_once_is_never_idle(tmp_path: Path) -> None:
+    """However often tests and answers wait for each other, and for a core."""
+    profile = tmp_path / "profile.toml"
+    profile.write_text("idle_seconds = 0.1\n")
+    with busy_core(count=3):
+        results = grade(
+            *[ROOT / "solutions" / EXERCISE / "signed_distance.cpp"] * 3, profile=profile
+        )
+    assert [result["verdict"] for result in results] == ["passed"] * 3
+
+
 def test_once_some_tests_have_waited_the_others_may_only_a_little(tmp_path: Path) -> None:
     profile = tmp_path / "profile.toml"
     profile.write_text("idle_seconds = 0.4\nidle_seconds_in_all = 0.8\n")
-    (result,) = grade("sleeps_before_main", profile=profile)
+    (result,) = grade(hostile("sleeps_before_main"), profile=profile)
     long, short = WAITED.format("0.4 seconds"), WAITED.format("0.04 seconds")
     assert ends(result) == [("stopped", long)] * 2 + [("stopped", short)] * 4
     assert not result["near_limit"]
@@ -92,10 +108,10 @@ def test_once_some_tests_have_waited_the_others_may_only_a_little(tmp_path: Path
 def test_whoever_must_wait_is_given_the_time(tmp_path: Path) -> None:
     profile = tmp_path / "profile.toml"
     profile.write_text("idle_seconds = 0.1\n")
-    (result,) = grade("naps_before_answers", profile=profile)
+    (result,) = grade(hostile("naps_before_answers"), profile=profile)
     assert ("stopped", WAITED.format("0.1 seconds")) in ends(result)
     profile.write_text("idle_seconds = 30\n")
-    (result,) = grade("naps_before_answers", profile=profile)
+    (result,) = grade(hostile("naps_before_answers"), profile=profile)
     assert result["verdict"] == "passed"
 
 
