@@ -453,7 +453,9 @@ def test_the_attack_gets_what_it_earned(
 
 
 @pytest.mark.parametrize("name", [name for name in TAKEN if SPECIMENS[name].seconds is not None])
-def test_who_only_waits_holds_nobody_up(name: str, request: pytest.FixtureRequest) -> None:
+def test_who_only_waits_holds_nobody_up(
+    name: str, request: pytest.FixtureRequest, level: str
+) -> None:
     specimen = SPECIMENS[name]
     folder = run_of(name, request).results / ".grade/units" / name
     (file,) = folder.glob("*.json")
