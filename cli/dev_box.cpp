@@ -39,6 +39,8 @@ std::string_view words(grading::Ended ended) {
   switch (ended) {
     case grading::Ended::time:
       return "time";
+    case grading::Ended::idle:
+      return "idle";
     case grading::Ended::output:
       return "output";
     case grading::Ended::unwanted:
@@ -98,6 +100,7 @@ void add_dev_box(Command dev, Action& action) {
   box.add_option("--folder", options->folder, "Where it starts");
   box.add_option("--cpu", options->limits.cpu_seconds, "Seconds of processor time");
   box.add_option("--wall", options->limits.wall_seconds, "Seconds on the clock");
+  box.add_option("--idle", options->limits.idle_seconds, "Seconds in which all of it may sleep");
   box.add_option("--memory", options->limits.memory_mb, "Megabytes");
   box.add_option("--processes", options->limits.processes, "Processes and threads at a time");
   box.add_option("--output", options->limits.output_bytes, "Bytes that it may print");

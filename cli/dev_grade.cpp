@@ -7,6 +7,7 @@
 
 #include "../grading/grade/broker.hpp"
 #include "../grading/grade/calibrate.hpp"
+#include "../grading/grade/profile.hpp"
 #include "commands.hpp"
 #include "report.hpp"
 #include "terminal.hpp"
@@ -23,6 +24,7 @@ struct Options {
   std::vector<std::string> files;
   std::string exercise;
   std::string seed;
+  std::string profile;
   double seconds = 0.0;
   double compile_seconds = 0.0;
   bool json = false;
@@ -49,6 +51,7 @@ int grade_units(Context& context, const Options& options) {
     const Exercise& exercise = *exercises[i];
     grading::UnitSettings settings;
     settings.seed = options.seed;
+    if (!options.profile.empty()) settings.limits = grading::read_profile(options.profile);
     if (options.compile_seconds > 0.0)
       settings.limits.compile_cpu_seconds = options.compile_seconds;
     settings.test_cpu_seconds = options.seconds > 0.0 ? options.seconds : exercise.time_limit;
@@ -92,7 +95,9 @@ int call_time(Context& context, bool json) {
   grading::BoxSpec answer;
   answer.command = {"/answer", "behaves"};
   answer.read_only = {{answers, "/answer"}};
-  grading::Broker broker(context.loop(), machine, seat, answer, 60.0);
+  grading::AnswerTime time;
+  time.cpu_seconds = 60.0;
+  grading::Broker broker(context.loop(), machine, seat, answer, time);
   grading::BoxSpec judge;
   judge.kind = grading::BoxKind::judge;
   judge.command = {"/tests"};
@@ -103,7 +108,7 @@ int call_time(Context& context, bool json) {
   broker.let_go_of_judge_end();
   while (!box.ended()) {
     context.loop().run_once();
-    broker.serve();
+    broker.serve(box);
   }
   const grading::ProcessResult boxed = box.wait().process;
   for (const grading::ProcessResult* ran : {&unboxed, &boxed}) {
@@ -133,6 +138,8 @@ void add_dev_grade(Command dev, Action& action) {
       .existing_file();
   unit.add_option("--exercise", options->exercise, "The exercise that all of them answer");
   unit.add_option("--seed", options->seed, "Seed of the random cases");
+  unit.add_option("--profile", options->profile, "Limits, as `contact grade` takes them")
+      .existing_file();
   unit.add_option("--seconds", options->seconds, "Processor time of a test");
   unit.add_option("--compile-seconds", options->compile_seconds,
                   "Processor time of the compiler and of the linker");

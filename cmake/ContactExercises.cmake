@@ -16,6 +16,8 @@ function(contact_student_flags out)
   get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
   set(flags -std=c++20 -O1 -pipe -D_GLIBCXX_ASSERTIONS -ffp-contract=off -DEIGEN_DONT_VECTORIZE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-unused-parameter
+    # Else <algorithm> and others include the headers of TBB wherever those happen to be installed.
+    -D_GLIBCXX_USE_TBB_PAR_BACKEND=0
     # What a function without its return does differs between compilers, so that none may judge it.
     -Werror=return-type)
   foreach(dir IN LISTS eigen)

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -349,6 +350,18 @@ Process::~Process() { state_->release(); }
 int Process::pid() const { return state_->process.pid; }
 
 bool Process::ended() const { return state_->ended; }
+
+bool Process::has_unread_output() const {
+  for (const Pipe* pipe : {&state_->output, &state_->errors, &state_->events}) {
+    uv_os_fd_t descriptor = -1;
+    int bytes = 0;
+    if (pipe->open &&
+        uv_fileno(reinterpret_cast<const uv_handle_t*>(&pipe->handle), &descriptor) == 0 &&
+        ::ioctl(descriptor, FIONREAD, &bytes) == 0 && bytes > 0)
+      return true;
+  }
+  return false;
+}
 
 void Process::end(Ended why) { state_->end(why); }
 

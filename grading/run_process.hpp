@@ -54,7 +54,7 @@ class Loop {
 };
 
 /// Why a process was ended from outside.
-enum class Ended { by_itself, time, output, unwanted };
+enum class Ended { by_itself, time, idle, output, unwanted };
 
 struct ProcessSpec {
   std::vector<std::string> command;
@@ -121,6 +121,8 @@ class Process {
   [[nodiscard]] int pid() const;
   /// Whether it has ended and all that it wrote is read.
   [[nodiscard]] bool ended() const;
+  /// Whether it has written what is not read yet, so that it may be waiting for a full pipe.
+  [[nodiscard]] bool has_unread_output() const;
   /// Ends it, as the specification's `grace` says; the first reason given is the one told.
   void end(Ended why);
   /// Turns the loop until it has ended.

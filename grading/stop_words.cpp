@@ -61,6 +61,10 @@ std::string why_stopped(const ProcessResult& process, double seconds) {
   switch (process.ended) {
     case Ended::time:
       return "no answer after " + seconds_text(seconds) + ": an endless loop, or far too much work";
+    case Ended::idle:
+      return "waited for " + seconds_text(seconds) +
+             " in all and did nothing: a sleep, a lock that it holds itself, or a read of "
+             "something that never comes";
     case Ended::output:
       return printed_too_much;
     case Ended::by_itself:

@@ -24,6 +24,10 @@ using Clock = std::chrono::steady_clock;
 
 // Words of the student's own code, in an exception, are cut here.
 constexpr std::size_t kMaxWords = 2000;
+// An answer is sent at once and arrives in large pieces. In small ones it could take as long as the
+// sender likes, which then would neither work nor sleep for long.
+constexpr std::size_t kMostSmallPieces = 256;
+constexpr std::size_t kSmallPiece = 256;
 constexpr std::string_view kUnasked = "sent bytes that nobody asked for";
 
 /// What the far side may send, and how often it is asked in one test.
@@ -87,6 +91,7 @@ class Conversation {
   int socket_ = -1;
   std::uint64_t test_ = 0;
   std::uint64_t calls_ = 0;
+  std::size_t small_pieces_ = 0;
   std::optional<Clock::time_point> deadline_;
   // No reply can be written before its question is known: the numbers do not follow one another.
   std::mt19937_64 sequence_{std::random_device{}()};
@@ -104,6 +109,7 @@ class Conversation {
 
   std::pair<Reply, Bytes> receive(const Contract& contract, std::uint64_t sequence) {
     std::size_t have = 0;
+    small_pieces_ = 0;
     while (have < sizeof(Header)) have += receive_some(have);
     Header reply;
     std::memcpy(&reply, buffer_.data(), sizeof reply);
@@ -146,7 +152,12 @@ class Conversation {
       wait_for(POLLIN);
       const ssize_t n =
           recv(socket_, buffer_.data() + kept, buffer_.size() - kept, deadline_ ? MSG_DONTWAIT : 0);
-      if (n > 0) return static_cast<std::size_t>(n);
+      if (n > 0) {
+        const auto size = static_cast<std::size_t>(n);
+        if (size < kSmallPiece && ++small_pieces_ > kMostSmallPieces)
+          stop_because("sent its answer in too many small pieces");
+        return size;
+      }
       if (n == 0 || (errno != EAGAIN && errno != EINTR)) stop_because(why_it_ended());
     }
   }

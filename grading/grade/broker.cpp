@@ -15,6 +15,7 @@
 #include "../book.hpp"
 #include "../contact/remote_broker.hpp"
 #include "../contact/remote_frames.hpp"
+#include "../sandbox/idle.hpp"
 #include "../stop_words.hpp"
 
 namespace contact::grading {
@@ -56,12 +57,12 @@ std::pair<Descriptor, Descriptor> socket_pair(int type) {
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
-std::string words_of(const BoxEnd& end, const BoxLimits& limits, double cpu_seconds) {
+std::string words_of(const BoxEnd& end, const BoxLimits& limits, double seconds) {
   if (end.out_of_memory)
     return "ran out of memory: it may use " + std::to_string(limits.memory_mb) + " MB";
   if (end.process.signal == 0 && end.process.exit_code == not_started)
     return "it could not be started, or ended by itself with exit code 127";
-  return why_stopped(end.process, cpu_seconds);
+  return why_stopped(end.process, seconds);
 }
 
 }  // namespace
@@ -71,18 +72,21 @@ struct Broker::State {
   const Machine& machine;
   const Seat& seat;
   const BoxSpec answer;
-  const double cpu_seconds;
+  AnswerTime& time;
   Descriptor ours;
   Descriptor judges;
   // Their close callbacks run on the loop, so they outlive this.
   uv_poll_t* poll = new uv_poll_t{};
   uv_timer_t* timer = new uv_timer_t{};
   std::unique_ptr<Box> box;
+  // The box's own, from its start on.
+  IdleClock idle;
+  double idle_limit = 0.0;
   std::uint64_t test = 0;
   std::vector<Answered> answered;
 
-  State(Loop& on, const Machine& here, const Seat& at, BoxSpec spec, double seconds)
-      : loop(on), machine(here), seat(at), answer(std::move(spec)), cpu_seconds(seconds) {
+  State(Loop& on, const Machine& here, const Seat& at, BoxSpec spec, AnswerTime& may_take)
+      : loop(on), machine(here), seat(at), answer(std::move(spec)), time(may_take) {
     std::tie(ours, judges) = socket_pair(SOCK_SEQPACKET);
     uv_poll_init(loop.get(), poll, ours.get());
     // That something happened is enough: a turn of the loop ends, and serve() is called.
@@ -124,27 +128,46 @@ struct Broker::State {
     BoxSpec spec = answer;
     spec.descriptors.emplace_back(far.get(), remote::kServerDescriptor);
     box = std::make_unique<Box>(loop, machine, seat, std::move(spec));
+    idle = IdleClock();
+    idle_limit =
+        time.idle_so_far < time.idle_seconds_in_all ? time.idle_seconds : time.idle_seconds / 10.0;
     reply(BrokerReply::Kind::given, {}, near.get());
   }
 
-  void tell_why() {
+  void tell_why(const Box& judge) {
     if (box == nullptr) return reply(BrokerReply::Kind::words, "there is no program to answer");
     const Clock::time_point start = Clock::now();
     while (!box->ended() && Clock::now() - start < kPatience) {
       loop.run_once();
-      watch();
+      watch(judge);
     }
     if (!box->ended()) {
       end_box();
       return reply(BrokerReply::Kind::words, "closed its connection");
     }
     end_box();
-    reply(BrokerReply::Kind::words, words_of(answered.back().end, answer.limits, cpu_seconds));
+    const BoxEnd& end = answered.back().end;
+    reply(BrokerReply::Kind::words,
+          words_of(end, answer.limits,
+                   end.process.ended == Ended::idle ? idle_limit : time.cpu_seconds));
   }
 
-  // The kernel counts whole seconds; this is exact to a few milliseconds.
-  void watch() const {
-    if (box != nullptr && !box->ended() && box->cpu_seconds() > cpu_seconds) box->end(Ended::time);
+  void watch(const Box& judge) {
+    if (box == nullptr || box->ended() || judge.ended()) return;
+    // The kernel counts whole seconds; this is exact to a few milliseconds.
+    if (box->cpu_seconds() > time.cpu_seconds) return box->end(Ended::time);
+    const double before = idle.seconds();
+    idle.sample({box->pid(), judge.pid()}, [&] {
+      return box->has_unread_output() || judge.has_unread_output() || is_asked();
+    });
+    time.idle_so_far += idle.seconds() - before;
+    if (idle.seconds() > idle_limit) box->end(Ended::idle);
+  }
+
+  // Whether the judge waits for a reply of ours, and not for an answer.
+  [[nodiscard]] bool is_asked() const {
+    char byte = 0;
+    return ::recv(ours.get(), &byte, 1, MSG_DONTWAIT | MSG_PEEK) > 0;
   }
 
   void end_box() {
@@ -156,22 +179,22 @@ struct Broker::State {
 };
 
 Broker::Broker(Loop& loop, const Machine& machine, const Seat& seat, BoxSpec answer,
-               double cpu_seconds)
-    : state_(std::make_unique<State>(loop, machine, seat, std::move(answer), cpu_seconds)) {}
+               AnswerTime& time)
+    : state_(std::make_unique<State>(loop, machine, seat, std::move(answer), time)) {}
 
 Broker::~Broker() = default;
 
 int Broker::judge_end() const { return state_->judges.get(); }
 void Broker::let_go_of_judge_end() { state_->judges.close(); }
 
-void Broker::serve() {
+void Broker::serve(const Box& judge) {
   while (const std::optional<BrokerRequest> request = state_->request()) {
     switch (request->kind) {
       case BrokerRequest::Kind::start:
         state_->start(request->test);
         break;
       case BrokerRequest::Kind::why:
-        state_->tell_why();
+        state_->tell_why(judge);
         break;
       case BrokerRequest::Kind::done:
         // It is waited for when the next is started, so that the judge need not.
@@ -179,7 +202,7 @@ void Broker::serve() {
         break;
     }
   }
-  state_->watch();
+  state_->watch(judge);
 }
 
 std::vector<Answered> Broker::finish() {

@@ -13,6 +13,18 @@
 
 namespace contact::grading {
 
+/// How long the submissions that one unit starts, one a test, may take.
+struct AnswerTime {
+  /// Seconds of processor time of one.
+  double cpu_seconds = 5.0;
+  /// Seconds in which one may only wait (sandbox/idle.hpp), and in which all may before the next
+  /// has a tenth: one that sleeps in every test must not take as long as all its tests together.
+  double idle_seconds = 1.0;
+  double idle_seconds_in_all = 6.0;
+  /// What all have waited so far.
+  double idle_so_far = 0.0;
+};
+
 /// A submission that was started, and how it ended.
 struct Answered {
   /// For which test, counted from 1 as they began in the judge.
@@ -23,8 +35,8 @@ struct Answered {
 class Broker {
  public:
   /// @param answer the submission's box, but for the socket that it answers on
-  /// @param cpu_seconds of processor time that one may use
-  Broker(Loop& loop, const Machine& machine, const Seat& seat, BoxSpec answer, double cpu_seconds);
+  /// @param time outlives this, which adds to what all have waited
+  Broker(Loop& loop, const Machine& machine, const Seat& seat, BoxSpec answer, AnswerTime& time);
   ~Broker();
   Broker(const Broker&) = delete;
   Broker& operator=(const Broker&) = delete;
@@ -33,10 +45,11 @@ class Broker {
   [[nodiscard]] int judge_end() const;
   void let_go_of_judge_end();
 
-  /// Does what the judge has asked for, and ends a submission that is out of time. To be called
-  /// after every turn of the loop, which returns every few milliseconds while there is a broker.
+  /// Does what the judge has asked for, and ends a submission that is out of time or only waits
+  /// while the judge, too, waits. To be called after every turn of the loop, which returns every
+  /// few milliseconds while there is a broker.
   /// @throws BookError if a submission cannot be started
-  void serve();
+  void serve(const Box& judge);
 
   /// Ends the submission that still runs, if any, and returns all that there were, in order.
   std::vector<Answered> finish();

@@ -29,16 +29,19 @@ struct Key {
 constexpr double mebibyte = 1 << 20;
 
 // What a profile may say, and within what: beyond these a number is a slip of the pen.
-const std::array<Key, 15> keys{{
+const std::array<Key, 18> keys{{
     {"test_cpu_seconds", &GradeLimits::test_cpu_seconds, 0.0, 3600.0},
     {"wall_factor", &GradeLimits::wall_factor, 1.0, 100.0},
     {"wall_extra", &GradeLimits::wall_extra, 1.0, 3600.0},
+    {"idle_seconds", &GradeLimits::idle_seconds, 0.1, 3600.0},
+    {"idle_seconds_in_all", &GradeLimits::idle_seconds_in_all, 0.0, 3600.0},
     {"memory_mb", &GradeLimits::memory_mb, 32, 65536},
     {"processes", &GradeLimits::processes, 1, 1024},
     {"output_bytes", &GradeLimits::output_bytes, 0, 64 * mebibyte},
     {"files_mb", &GradeLimits::files_mb, 1, 4096},
     {"files", &GradeLimits::files, 16, 100000},
     {"compile_cpu_seconds", &GradeLimits::compile_cpu_seconds, 1.0, 3600.0},
+    {"compile_idle_seconds", &GradeLimits::compile_idle_seconds, 1.0, 3600.0},
     {"compile_memory_mb", &GradeLimits::compile_memory_mb, 256, 65536},
     {"compile_processes", &GradeLimits::compile_processes, 4, 1024},
     {"diagnostics_bytes", &GradeLimits::diagnostics_bytes, 1024, 16 * mebibyte},
@@ -49,7 +52,7 @@ const std::array<Key, 15> keys{{
 
 // A limit that is added to GradeLimits and not to the list above stops the compiler here.
 [[maybe_unused]] std::size_t count_members(const GradeLimits& limits) {
-  [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = limits;
+  [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r] = limits;
   return keys.size();
 }
 
@@ -131,6 +134,8 @@ nlohmann::json to_json(const GradeLimits& limits) {
 GradeLimits limits_from_json(const nlohmann::json& json) {
   GradeLimits limits;
   for (const Key& key : keys) {
+    // A version of the program that did not have it yet had no other limit in its place.
+    if (!json.contains(key.name)) continue;
     std::visit([&](auto member) { json.at(key.name).get_to(limits.*member); }, key.member);
   }
   return limits;

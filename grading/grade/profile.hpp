@@ -15,6 +15,7 @@ GradeLimits read_profile(const std::filesystem::path& file);
 
 /// Every limit by the name that it has in a profile.
 nlohmann::json to_json(const GradeLimits& limits);
+/// A limit that is not there has its default.
 /// @throws nlohmann::json::exception if it is not what to_json() makes.
 GradeLimits limits_from_json(const nlohmann::json& json);
 

@@ -76,7 +76,9 @@ class Judging {
         seat_(seat),
         exercise_(exercise),
         settings_(settings),
-        answer_(answer_box(program, settings)) {}
+        answer_(answer_box(program, settings)),
+        time_{settings.test_cpu_seconds, settings.limits.idle_seconds,
+              settings.limits.idle_seconds_in_all} {}
 
   void run(const fs::path& tests) {
     std::vector<TestResult> results = run_in_turns(
@@ -90,13 +92,13 @@ class Judging {
 
  private:
   Turn turn(const fs::path& tests, const std::vector<std::string>& names) {
-    Broker broker(loop_, machine_, seat_, answer_, settings_.test_cpu_seconds);
+    Broker broker(loop_, machine_, seat_, answer_, time_);
     Box judge(loop_, machine_, seat_,
               judge_box(tests, exercise_, settings_, names, broker.judge_end()));
     broker.let_go_of_judge_end();
     while (!judge.ended()) {
       loop_.run_once();
-      broker.serve();
+      broker.serve(judge);
     }
     const BoxEnd end = judge.wait();
     Turn turn;
@@ -142,6 +144,7 @@ class Judging {
     for (TestResult& result : reader.results()) result.seconds = 0.0;
     for (const Answered& one : answered) {
       const ProcessResult& process = one.end.process;
+      // That it was idle is believed at once: no neighbour can make it sleep.
       near_limit_ = near_limit_ || one.end.out_of_memory || process.ended == Ended::time ||
                     one.end.cpu_seconds > settings_.test_cpu_seconds / 2;
       TestResult* const asked = result_of(one, reader);
@@ -165,6 +168,7 @@ class Judging {
   const Exercise& exercise_;
   const UnitSettings& settings_;
   const BoxSpec answer_;
+  AnswerTime time_;
   std::vector<TestResult> results_;
   std::string output_;
   bool near_limit_ = false;

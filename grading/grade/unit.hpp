@@ -22,12 +22,16 @@ struct GradeLimits {
   /// On the clock, as a multiple of the processor's, and seconds on top.
   double wall_factor = 4.0;
   double wall_extra = 10.0;
+  /// In which a test may only wait, and all tests of an exercise before each has a tenth of that.
+  double idle_seconds = 1.0;
+  double idle_seconds_in_all = 6.0;
   int memory_mb = 512;
   int processes = 1;
   std::size_t output_bytes = 64u << 10;
   int files_mb = 16;
   int files = 64;
   double compile_cpu_seconds = 30.0;
+  double compile_idle_seconds = 3.0;
   int compile_memory_mb = 1024;
   int compile_processes = 32;
   std::size_t diagnostics_bytes = 64u << 10;

@@ -41,6 +41,7 @@ BoxSpec compile_box(const Book& book, const BuildDescription& build, const Exerc
   show(build.exercises.at(exercise.id()).server);
   spec.limits.cpu_seconds = limits.compile_cpu_seconds;
   spec.limits.wall_seconds = limits.wall_factor * limits.compile_cpu_seconds + limits.wall_extra;
+  spec.limits.idle_seconds = limits.compile_idle_seconds;
   spec.limits.memory_mb = limits.compile_memory_mb;
   spec.limits.processes = limits.compile_processes;
   spec.limits.output_bytes = kMessageFlood;
@@ -60,6 +61,9 @@ std::string said_of_itself(const std::string& errors, const fs::path& answer) {
 // Why there is no object, if it is not for what the file says.
 std::string limit_met(const BoxEnd& end, const fs::path& answer, const GradeLimits& limits) {
   const ProcessResult& process = end.process;
+  if (process.ended == Ended::idle)
+    return "the compiler waited for " + points_text(limits.compile_idle_seconds) +
+           " s in all and did nothing: does the file include what is no file?";
   if (process.ended == Ended::output) return "the compiler's messages did not end";
   if (process.succeeded()) return {};
   const std::string said = said_of_itself(process.errors, answer);

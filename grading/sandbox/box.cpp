@@ -12,6 +12,7 @@
 #include "../book.hpp"
 #include "box_command.hpp"
 #include "filter.hpp"
+#include "idle.hpp"
 #include "seat.hpp"
 
 namespace fs = std::filesystem;
@@ -115,12 +116,14 @@ struct Box::State {
   Report report;
   double cpu_seconds = 0.0;
   int turns = 0;
+  IdleClock idle;
   std::unique_ptr<Process> process;
 
   void start(Loop& loop);
   [[nodiscard]] std::vector<std::string> command();
   [[nodiscard]] bool in_namespaces() const { return machine.namespaces; }
   void measure(int pid);
+  [[nodiscard]] Ended limit_met(int pid);
   void finish(BoxEnd& end);
 };
 
@@ -171,7 +174,7 @@ void Box::State::start(Loop& loop) {
   started.watchdog = [this](int pid) {
     // Every other tick, which comes each hundredth of a second.
     if (++turns % 2 == 0) measure(pid);
-    return cpu_seconds > spec.limits.cpu_seconds ? Ended::time : Ended::by_itself;
+    return limit_met(pid);
   };
   started.grace = 2.0;
   started.keeps_others = true;
@@ -183,6 +186,13 @@ void Box::State::measure(int pid) {
     cpu_seconds = group->cpu_seconds();
   else
     cpu_seconds = std::max(cpu_seconds, family_seconds(pid));
+}
+
+Ended Box::State::limit_met(int pid) {
+  if (cpu_seconds > spec.limits.cpu_seconds) return Ended::time;
+  if (spec.limits.idle_seconds <= 0.0) return Ended::by_itself;
+  idle.sample({pid}, [this] { return process->has_unread_output(); });
+  return idle.seconds() > spec.limits.idle_seconds ? Ended::idle : Ended::by_itself;
 }
 
 void Box::State::finish(BoxEnd& end) {
@@ -236,6 +246,10 @@ double Box::cpu_seconds() const {
   if (!ended()) state_->measure(state_->process->pid());
   return state_->cpu_seconds;
 }
+
+int Box::pid() const { return state_->process->pid(); }
+
+bool Box::has_unread_output() const { return state_->process->has_unread_output(); }
 
 void Box::end(Ended why) { state_->process->end(why); }
 

@@ -23,6 +23,8 @@ struct BoxLimits {
   double cpu_seconds = 5.0;
   /// Seconds on the clock; for what waits without working.
   double wall_seconds = 30.0;
+  /// Seconds in which everything in it may be asleep (idle.hpp); 0 for no limit.
+  double idle_seconds = 0.0;
   int memory_mb = 512;
   /// Processes and threads at a time. 1 lets the box start none at all.
   int processes = 1;
@@ -56,7 +58,8 @@ struct BoxSpec {
   BoxMount writable;
   /// Also the system, read-only: its libraries for a judge that is linked dynamically; for the
   /// compiler its programs too, and of /usr/include the standard libraries and Eigen. There is no
-  /// /usr/local, no /usr/share, no /usr/src.
+  /// /usr/local, no /usr/share, no /usr/src. Without namespaces it has all that is installed where
+  /// a compiler searches for headers, /usr/local/include as well.
   bool system = false;
   /// All that it has, but for PATH=/usr/bin:/bin where it compiles and PWD, which bubblewrap sets.
   std::vector<std::pair<std::string, std::string>> environment;
@@ -110,6 +113,10 @@ class Box {
   [[nodiscard]] bool ended() const;
   /// Processor time used so far by everything in it.
   [[nodiscard]] double cpu_seconds() const;
+  /// The process that keeps it; all that is in it was started by that one.
+  [[nodiscard]] int pid() const;
+  /// Whether it has written what is not read yet.
+  [[nodiscard]] bool has_unread_output() const;
   /// Ends it now.
   void end(Ended why);
   /// Turns the loop until it has ended.

@@ -202,9 +202,8 @@ std::vector<std::string> command_without_namespaces(const Machine& machine, Seat
       for (const fs::path& path : top_folders(spec.kind)) add(words, {"--open-run", path.string()});
       add(words, {"--open-write", "/dev/null"});
       if (spec.kind == BoxKind::compile) {
-        const SystemHeaders headers = system_headers();
-        for (const fs::path& file : headers.files) add(words, {"--open", file.string()});
-        for (const fs::path& folder : headers.folders) add(words, {"--open", folder.string()});
+        if (seat.searched_folders.empty()) seat.searched_folders = searched_folders();
+        for (const fs::path& path : seat.searched_folders) add(words, {"--open", path.string()});
       }
     }
   }

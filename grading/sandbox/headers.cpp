@@ -102,6 +102,11 @@ bool wanted(const fs::path& path) {
   return std::find(names.begin(), names.end(), path.stem().string()) != names.end();
 }
 
+bool lies_below(const fs::path& path, const fs::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
+         folder.end();
+}
+
 void look_in(const fs::path& folder, SystemHeaders& headers) {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
@@ -126,6 +131,39 @@ SystemHeaders system_headers() {
   std::sort(headers.files.begin(), headers.files.end());
   std::sort(headers.folders.begin(), headers.folders.end());
   return headers;
+}
+
+std::vector<fs::path> searched_folders() {
+  // What is installed is for everybody to read. A link into somebody's own files opens nothing.
+  constexpr auto installed = std::to_array<std::string_view>(
+      {"/usr", "/opt", "/lib", "/lib32", "/lib64", "/nix/store", "/gnu/store"});
+  std::vector<fs::path> result;
+  const auto add = [&](const fs::path& path) {
+    std::error_code error;
+    const fs::path target = fs::canonical(path, error);
+    if (error || std::none_of(installed.begin(), installed.end(), [&](std::string_view folder) {
+          return target != folder && lies_below(target, folder);
+        }))
+      return;
+    if (std::none_of(result.begin(), result.end(),
+                     [&](const fs::path& folder) { return lies_below(target, folder); }))
+      result.push_back(target);
+  };
+  add(top);
+  add("/usr/local/include");
+  // What is added on the way is gone through, too.
+  for (std::size_t at = 0; at < result.size(); ++at) {
+    const fs::path folder = result[at];
+    std::error_code error;
+    if (!fs::is_directory(folder, error)) continue;
+    fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
+                                           error);
+    for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+      std::error_code unknown;
+      if (entry->is_symlink(unknown)) add(entry->path());
+    }
+  }
+  return result;
 }
 
 void copy_headers(const SystemHeaders& headers, const fs::path& folder) {

@@ -17,6 +17,11 @@ struct SystemHeaders {
 
 SystemHeaders system_headers();
 
+/// Where g++ searches for headers of the system, whole, and what links in there lead to: for a box
+/// that can hide no file. A header that is seen and cannot be read would not compile even where it
+/// is only used if it is there, as the standard library does with others.
+std::vector<std::filesystem::path> searched_folders();
+
 /// A folder that can stand for /usr/include: the files copied, the folders empty, to be shown
 /// there.
 void copy_headers(const SystemHeaders& headers, const std::filesystem::path& folder);

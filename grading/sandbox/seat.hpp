@@ -37,6 +37,9 @@ struct Seat::State {
   /// folders that are shown from the system itself.
   std::unique_ptr<TemporaryFolder> headers;
   std::vector<std::filesystem::path> header_folders;
+  /// What they may read of the system's headers where none can be hidden, found when first asked
+  /// for.
+  std::vector<std::filesystem::path> searched_folders;
 
   /// A group for one box, which gives it back with `groups.push_back()`; null if there are none.
   std::unique_ptr<BoxGroup> take_group(const Machine& machine);

@@ -11,6 +11,8 @@ lines say what it tries and what it must get:
     // Points:    0 of 8
     // Tests:     all stopped | 1-3 passed, 4-6 stopped or failed | does not compile
     // Says:      words | other words            (each of its failures holds one of them)
+    // Seconds:   10                          (it costs no more on the clock, and is not graded
+    //                                        again alone; left out if it may)
     // Reduced:   what the reduced level cannot keep from it; left out if nothing
 
 What must not succeed prints "GOT IT: ..." where it does. Words like @SECRET@ stand for what exists
@@ -28,7 +30,7 @@ from typing import Any
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 REGION = re.compile(r"^ *//\[attack\n.*?^ *//\]attack\n", re.DOTALL | re.MULTILINE)
-KEYS = ("Tries", "Exercise", "Ordinary", "Points", "Tests", "Says", "Reduced")
+KEYS = ("Tries", "Exercise", "Ordinary", "Points", "Tests", "Says", "Seconds", "Reduced")
 NO_COMPILE = "does not compile"
 
 
@@ -42,6 +44,7 @@ class Specimen:
     max_points: float
     tests: str
     says: tuple[str, ...]
+    seconds: float | None
     reduced: str
     text: str
 
@@ -93,6 +96,7 @@ def read(file: Path) -> Specimen:
         max_points=float(most),
         tests=header["Tests"],
         says=tuple(words for words in says if words),
+        seconds=float(header["Seconds"]) if "Seconds" in header else None,
         reduced=header.get("Reduced", ""),
         text=text,
     )

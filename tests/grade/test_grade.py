@@ -259,6 +259,7 @@ def test_one_coordinator_at_a_time(grader: Grader) -> None:
         ("wall_factor = true", "wall_factor must be a number"),
         ("memory_mb = 1", "memory_mb must be between 32 and 65536"),
         ("test_cpu_seconds = -1", "test_cpu_seconds must be between 0.0 and 3600.0"),
+        ("idle_seconds = 0", "idle_seconds must be between 0.1 and 3600.0"),
         ("wall_extra = nan", "wall_extra must be between"),
         ("calls = ", "profile.toml:1: "),
     ],
@@ -280,8 +281,19 @@ def test_a_profile_is_printed_in_the_results_and_holds(grader: Grader) -> None:
     grader.grade("--profile", str(profile))
     limits = grader.document()["limits"]
     assert (limits["memory_mb"], limits["test_cpu_seconds"]) == (100, 2.0)
-    assert len(limits) == 15
+    assert len(limits) == 18
     assert grader.points() == {"ada": 0}
+    grader.grade()
+    assert grader.points() == {"ada": 8}
+
+
+def test_results_of_a_version_with_fewer_limits_are_graded_into(grader: Grader) -> None:
+    grader.hand_in("ada")
+    grader.grade()
+    file = grader.results / ".grade/RUN.json"
+    run = json.loads(file.read_text())
+    del run["limits"]["idle_seconds"]
+    file.write_text(json.dumps(run))
     grader.grade()
     assert grader.points() == {"ada": 8}
 
@@ -319,6 +331,7 @@ def test_the_same_bytes_with_any_number_of_workers_and_under_load(tmp_path: Path
         "dan": STUB,
         "eve": SOLUTION + "\nstruct Crash { Crash() { __builtin_trap(); } } crash;\n",
         "fay": SOLUTION.replace(HEAD, HEAD + "  for (volatile int i = 0;; i = i) {}\n"),
+        "gil": "#include <unistd.h>\n" + SOLUTION.replace(HEAD, HEAD + "  sleep(1000);\n"),
     }
     seen = []
     for name, workers, busy in (("1", 1, False), ("2", 2, False), ("8", 8, False), ("b", 2, True)):

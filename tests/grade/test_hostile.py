@@ -32,6 +32,7 @@ import hull_book  # noqa: E402
 import recorded_answers  # noqa: E402
 from hostile_archives import ANSWER, PACKED, Packed  # noqa: E402
 from hostile_corpus import (  # noqa: E402
+    NO_COMPILE,
     Specimen,
     corpus,
     different_twins,
@@ -449,6 +450,21 @@ def test_the_attack_gets_what_it_earned(
         return
     assert misses(specimen, entry) == []
     assert loot(entry) == []
+
+
+@pytest.mark.parametrize("name", [name for name in TAKEN if SPECIMENS[name].seconds is not None])
+def test_who_only_waits_holds_nobody_up(
+    name: str, request: pytest.FixtureRequest, level: str
+) -> None:
+    specimen = SPECIMENS[name]
+    folder = run_of(name, request).results / ".grade/units" / name
+    (file,) = folder.glob("*.json")
+    unit = json.loads(file.read_text())
+    # Compiling it waits for the machine, too, and is believed only when it was tried alone.
+    compiles = specimen.tests != NO_COMPILE
+    assert specimen.seconds is not None
+    assert unit["seconds"] * (1 if compiles else 2) < specimen.seconds
+    assert not (compiles and unit["near_limit"])
 
 
 @pytest.mark.parametrize("name", TWINS)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import os
 import subprocess
+import textwrap
 from pathlib import Path
 from typing import Any
 
@@ -221,6 +222,20 @@ def test_a_test_near_its_limit_is_not_believed_at_once(tmp_path: Path) -> None:
     assert result["verdict"] == "passed"
     assert not result["near_limit"]
     assert result["slowest_test"] >= 1
+
+
+def test_what_else_is_installed_does_not_matter(tmp_path: Path) -> None:
+    # The standard library would ask whether tbb/tbb.h is there.
+    text = """
+      #include <algorithm>
+      #include <string_view>
+      #define TEXT_OF(x) #x
+      #define TEXT(x) TEXT_OF(x)
+      static_assert(std::string_view(TEXT(_GLIBCXX_USE_TBB_PAR_BACKEND)) == "0");
+    """
+    file = answer(tmp_path, textwrap.dedent(text) + SOLUTION)
+    for (result,) in (check(file), grade(file)):
+        assert result["verdict"] == "passed", result.get("compile_error")
 
 
 def test_memory_is_limited(tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import platform
+import shutil
 import signal
 import socket
 import subprocess
@@ -102,6 +103,8 @@ def managed(end: End) -> bool:
         ["vfork"],
         ["clone3"],
         ["thread"],
+        ["membarrier"],
+        ["interval-timer"],
         ["exec"],
         ["socket"],
         ["unix-socket"],
@@ -206,6 +209,44 @@ def test_waiting(box: Box) -> None:
     assert managed(box("nap", limits=("--wall", 5)))
 
 
+@pytest.mark.parametrize(
+    "attempt", [["sleep"], ["stop"], ["nap-and-work", 5000], ["nap-and-work", 1]], ids=str
+)
+def test_doing_nothing(box: Box, attempt: list[str | int]) -> None:
+    end = box(*attempt, limits=("--idle", 0.5, "--wall", 60))
+    assert end["ended"] == "idle"
+    assert end["seconds"] < 20
+    assert managed(box("nap", limits=("--idle", 0.5)))
+
+
+def test_working_is_not_doing_nothing(box: Box) -> None:
+    assert box("spin", limits=("--idle", 0.3, "--cpu", 0.8))["ended"] == "time"
+    threads = ("--processes", 4, "--idle", 0.3)
+    assert managed(box("work-beside", limits=threads))
+    assert box("sleep-beside", limits=(*threads, "--wall", 60))["ended"] == "idle"
+    assert box("flood", limits=("--idle", 0.3, "--output", 100_000))["ended"] == "output"
+
+
+def test_who_waits_for_a_core_is_not_idle(box: Box) -> None:
+    cores = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, {min(cores)})
+    try:
+        loop = ["sh", "-c", "while :; do :; done"]
+        others = [subprocess.Popen(loop, start_new_session=True) for _ in range(6)]
+        try:
+            # A seventh of the time is its own: it waits for the rest.
+            end = box("spin", limits=("--idle", 0.3, "--cpu", 0.5, "--wall", 90))
+            assert end["ended"] == "time"
+            assert end["seconds"] > 1
+            assert box("sleep", limits=("--idle", 0.3, "--wall", 90))["ended"] == "idle"
+        finally:
+            for other in others:
+                other.kill()
+                other.wait()
+    finally:
+        os.sched_setaffinity(0, cores)
+
+
 @pytest.mark.parametrize("attempt", ["flood", "flood-errors"])
 def test_output(box: Box, attempt: str) -> None:
     end = box(attempt, limits=("--output", 100_000))
@@ -226,6 +267,8 @@ def test_processes_where_some_are_allowed(box: Box) -> None:
     allowed = ("--processes", 4)
     assert managed(box("fork", limits=allowed))
     assert managed(box("thread", limits=allowed))
+    # Whoever waits for a child in this way looks like one that waits for a disk.
+    assert refused(box("vfork", limits=allowed))
     assert managed(box("fork-many", 2, limits=allowed))
     assert not managed(box("fork-many", 100, limits=allowed))
 
@@ -378,8 +421,6 @@ def test_the_standard_library_compiles(
     [
         '"/etc/passwd"',
         f'"{ROOT}/tests/02_triangles/ray_triangle_test.cpp"',
-        "<nlohmann/json.hpp>",
-        "<catch2/catch_all.hpp>",
         '"/proc/self/environ"',
         "</dev/zero>",
     ],
@@ -389,6 +430,95 @@ def test_a_compiler_includes_nothing_else(compile_text: Callable[..., End], head
     assert end["exit_code"] == 1
     assert "No such file" in end["errors"] or "Permission denied" in end["errors"]
     assert "root:" not in end["errors"]
+
+
+HEADERS = (Path("/usr/include"), Path("/usr/local/include"))
+
+
+def installed_headers() -> list[Path]:
+    """What is installed where a compiler searches, and may be read by everybody."""
+    found = []
+    visited = set()
+    for top in HEADERS:
+        for folder, folders, files in os.walk(top, followlinks=True):
+            if os.path.realpath(folder) in visited:
+                folders.clear()
+                continue
+            visited.add(os.path.realpath(folder))
+            found += [Path(folder) / file for file in files]
+    return [file for file in found if file.exists() and file.stat().st_mode & 0o004]
+
+
+def test_a_header_that_is_seen_can_be_read(level: str, probe: Path) -> None:
+    headers = installed_headers()
+    assert len(headers) > 500
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder).chmod(0o755)
+        names = Path(folder) / "names"
+        names.write_text("".join(f"{header}\n" for header in headers))
+        program = shutil.copy(probe, folder)
+        shown = ("--kind", "compile", "--show", names, "--show", program)
+        end = run_box(level, *shown, program, "open-all", names)
+    assert "closed" not in end["output"]
+    assert managed(end)
+    seen = int(end["output"].split("seen ")[1].split()[0])
+    # At level full some are hidden; where nothing can be, all are open.
+    assert seen == len(headers) if level == "reduced" else 500 < seen <= len(headers)
+
+
+@pytest.fixture
+def installed() -> Iterator[Path]:
+    """A folder of headers that somebody installed."""
+    top = Path("/usr/local/include")
+    if not os.access(top, os.W_OK):
+        pytest.skip("only root installs headers")
+    with tempfile.TemporaryDirectory(prefix="contact-test-", dir=top) as made:
+        Path(made).chmod(0o755)
+        yield Path(made)
+
+
+def test_what_happens_to_be_installed_changes_nothing(
+    compile_text: Callable[..., End], installed: Path, level: str
+) -> None:
+    (installed / "other.h").write_text("enum { of_the_other };\n")
+    (installed / "library.h").write_text(
+        "#include <other.h>\nenum { found };\n".replace("other.h", f"{installed.name}/other.h")
+    )
+    header = f"<{installed.name}/library.h>"
+    # As the standard library does with TBB.
+    text = f"#if __has_include({header})\n#include {header}\nint seen = found;\n#endif\n"
+    end = compile_text(text)
+    assert (end["exit_code"], end["errors"]) == (0, "")
+    named = compile_text(f"#include {header}\n")
+    assert named["exit_code"] == (0 if level == "reduced" else 1), named["errors"]
+
+
+def test_a_link_among_headers_opens_what_is_installed_and_nothing_else(
+    compile_text: Callable[..., End], installed: Path, level: str
+) -> None:
+    with (
+        tempfile.TemporaryDirectory(prefix="contact-test-", dir="/usr/local/share") as library,
+        tempfile.TemporaryDirectory(prefix="contact-test-", dir="/var/tmp") as somebodys,
+    ):
+        for name, folder in (("library", library), ("own", somebodys)):
+            Path(folder).chmod(0o755)
+            (Path(folder) / "header.h").write_text("enum { found };\n")
+            (installed / name).symlink_to(folder)
+        linked = compile_text(f"#include <{installed.name}/library/header.h>\n")
+        assert linked["exit_code"] == (0 if level == "reduced" else 1), linked["errors"]
+        own = compile_text(f"#include <{installed.name}/own/header.h>\n")
+        assert own["exit_code"] == 1
+        assert "No such file" in own["errors"] or "Permission denied" in own["errors"]
+
+
+@pytest.mark.parametrize("header", ["<nlohmann/json.hpp>", "<catch2/catch_all.hpp>"])
+def test_namespaces_hide_what_a_submission_does_not_need(
+    compile_text: Callable[..., End], level: str, header: str
+) -> None:
+    errors = compile_text(f"#include {header}\n")["errors"]
+    # Without them no file can be hidden, so that all are open.
+    assert ("No such file" in errors) == (level == "full"), errors
+    assert "Permission denied" not in errors
 
 
 def test_an_assembler_includes_nothing_else(compile_text: Callable[..., End]) -> None:

@@ -84,12 +84,12 @@ int main(int, char* argv[]) {
       }
       continue;
     }
-    if (how == "dribbles without end") {
+    if (how == "dribbles" || how == "dribbles slowly") {
       header.length = 1u << 20;
       write_all(&header, sizeof header);
       while (true) {
         write_all("x", 1);
-        usleep(1000);
+        usleep(how == "dribbles" ? 100 : 100'000);
       }
     }
     if (how == "announces 64 MB") {

@@ -3,6 +3,8 @@
 // Exercise:  01_planes/signed_distance
 // Points:    7 of 8
 // Tests:     1-3 passed, 4 stopped, 5-6 passed
+// Says:      waited for 1 second in all and did nothing
+// Seconds:   10
 #include "signed_distance.hpp"
 
 //[attack

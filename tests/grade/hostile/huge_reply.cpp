@@ -2,7 +2,8 @@
 // Exercise:  01_planes/signed_distance
 // Points:    1 of 8
 // Tests:     1-4 stopped, 5 passed, 6 stopped
-// Says:      more than is allowed|no answer after
+// Says:      more than is allowed | waited for 1 second in all and did nothing
+// Seconds:   10
 #include "signed_distance.hpp"
 
 //[attack

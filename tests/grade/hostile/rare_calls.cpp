@@ -31,6 +31,8 @@ void attempt() {
   };
   call("userfaultfd", SYS_userfaultfd);
   call("io_uring", 425, 8, at);
+  // Waits for all processors, and looks like waiting for a disk.
+  call("membarrier", SYS_membarrier, 1);
   call("bpf", SYS_bpf, 0, at, sizeof space);
   call("perf events", SYS_perf_event_open, at, 0, -1, -1);
   call("unshare", SYS_unshare, CLONE_NEWUSER);

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -27,6 +28,7 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/time.h>
 #include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -101,6 +103,22 @@ long list_environment() {
   return 0;
 }
 
+// Of the files that a list names, those that are in sight and cannot be read.
+long open_all() {
+  std::ifstream list(text);
+  int seen = 0;
+  for (std::string name; std::getline(list, name);) {
+    struct stat found {};
+    if (stat(name.c_str(), &found) != 0) continue;
+    ++seen;
+    const int file = open(name.c_str(), O_RDONLY);
+    if (file < 0) std::printf("closed %s: %s\n", name.c_str(), std::strerror(errno));
+    if (file >= 0) close(file);
+  }
+  std::printf("seen %d\n", seen);
+  return 0;
+}
+
 long connect_out() {
   const int socket_number = socket(AF_INET, SOCK_STREAM, 0);
   if (socket_number < 0) return -1;
@@ -146,6 +164,34 @@ long start_thread() {
   return answer == 42 ? 0 : -1;
 }
 
+// Works in one thread while another waits for it.
+long work_beside() {
+  try {
+    std::thread([] {
+      timespec used{};
+      do clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+      while (used.tv_nsec < 900'000'000);
+    }).join();
+  } catch (const std::exception&) {
+    return -1;
+  }
+  return 0;
+}
+
+// Ends its first thread, so that only another is left to sleep.
+long sleep_beside() {
+  std::thread([] { sleep(1000); }).detach();
+  return syscall(SYS_exit, 0);
+}
+
+// Naps for as many microseconds, works a little, and again.
+long nap_and_work() {
+  for (;;) {
+    usleep(static_cast<useconds_t>(value));
+    for (volatile int i = 0; i < 1000; ++i) static_cast<void>(i);
+  }
+}
+
 int overflow(int depth) {
   if (depth < 0) return 0;
   volatile char frame[4096]{};
@@ -185,6 +231,7 @@ const std::map<std::string, std::function<long()>> attempts = {
     {"netlink", [] { return static_cast<long>(socket(AF_NETLINK, SOCK_RAW, 0)); }},
     {"connect", connect_out},
     {"open", [] { return static_cast<long>(open(text.c_str(), O_RDONLY)); }},
+    {"open-all", open_all},
     {"list", [] { return opendir(text.c_str()) != nullptr ? 0L : -1L; }},
     {"create", [] { return static_cast<long>(open(text.c_str(), O_CREAT | O_WRONLY, 0600)); }},
     {"write-file", write_file},
@@ -224,6 +271,16 @@ const std::map<std::string, std::function<long()>> attempts = {
     {"x32", call_x32},
 #endif
     {"sleep", [] { return static_cast<long>(sleep(1000)); }},
+    {"stop", [] { return static_cast<long>(raise(SIGSTOP)); }},
+    {"membarrier", [] { return syscall(SYS_membarrier, 1, 0, 0); }},
+    {"interval-timer",
+     [] {
+       const itimerval often{{0, 50}, {0, 50}};
+       return static_cast<long>(setitimer(ITIMER_REAL, &often, nullptr));
+     }},
+    {"nap-and-work", nap_and_work},
+    {"work-beside", work_beside},
+    {"sleep-beside", sleep_beside},
     {"nap", [] { return static_cast<long>(usleep(1000)); }},
     {"spin",
      []() -> long {
