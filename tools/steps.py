@@ -182,10 +182,10 @@ class Step:
 
 
 def _page_programs() -> Done:
-    """The programs whose output the pages show: hard cases, and ladders without a kept result."""
+    """The programs whose output the pages show: ladders without a kept result."""
     kept = {file.name.split(".")[0] for file in (ROOT / "benchmarks" / "results").glob("*.json")}
-    names = native_targets(["hard_cases_", "ladder_"])
-    wanted = [name for name in names if name.removeprefix("ladder_") not in kept]
+    ladders = {file.parent.name for file in ROOT.glob("chapters/*/ladder.cpp")} - kept
+    wanted = sorted(f"ladder_{slug}" for slug in ladders)
     return build_native(wanted, "book-native")
 
 
