@@ -447,7 +447,7 @@ def step_checks(book_steps: Sequence[steps.Step]) -> Iterator[Check]:
 def page() -> Iterator[Check]:
     """Everything the book is made of, as ./contact serve makes it, and the tests of the scripts."""
     docs = ROOT / "docs"
-    yield from step_checks([steps.FIGURES_AND_LADDERS, *steps.FIRST[2:3]])
+    yield from step_checks([steps.FIGURES_AND_LADDERS, steps.SCRIPTS])
     yield from node_tests("test of docs/web:", sorted(docs.glob("web/test/*.test.mjs")), docs)
 
 
@@ -469,7 +469,7 @@ def wasm() -> Iterator[Check]:
         return
     if shutil.which("apt-get"):
         yield once("Catch2's source", [ROOT / "tools" / "fetch_catch2_source.sh"])
-    yield from step_checks([*steps.BEHIND[1:2], NATIVE_FIGURES])
+    yield from step_checks([steps.COMPILER, NATIVE_FIGURES])
     tests = [*sorted(docs.glob("wasm/*.test.mjs")), *sorted(docs.glob("web/test/cpp/*.test.mjs"))]
     # As docs/wasm/pool.mjs starts the compiler.
     engine = "--single-threaded-gc --liftoff-only"
@@ -477,7 +477,7 @@ def wasm() -> Iterator[Check]:
 
 
 def book() -> Iterator[Check]:
-    yield from step_checks(steps.FIRST[3:] + steps.BEHIND[3:4])
+    yield from step_checks([steps.PAGES, steps.EBOOK_STEP])
     yield from pytest("tests/docs", beside=TWO)
     yield from pytest("tests/serve")
 
