@@ -45,6 +45,7 @@ void add_scene(Command app, Action& action);
 void add_plan(Command app, Action& action);
 void add_simulate(Command app, Action& action);
 void add_new(Command app, Action& action);
+void add_where(Command app, Action& action);
 void add_grade(Command app, Action& action);
 void add_grade_worker(Command app, Action& action);
 void add_doctor(Command app, Action& action);

@@ -54,7 +54,7 @@ int run(int argc, char** argv) {
 #ifdef CONTACT_GRADE
         add_grade, add_grade_worker,
 #endif
-        add_ladder, add_scene, add_plan, add_simulate, add_new, add_doctor, add_dev})
+        add_ladder, add_scene, add_plan, add_simulate, add_new, add_where, add_doctor, add_dev})
     add(line.top(), action);
   int exit_code = exit_passed;
   if (!line.parse(argc, argv, exit_code)) return exit_code;
