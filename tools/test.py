@@ -25,6 +25,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import landing
 import steps
 from sample import sample
 from steps import BUILD, DEV, PROGRAM, ROOT, Done
@@ -318,6 +319,21 @@ def style() -> Iterator[Check]:
             once("shellcheck", ["shellcheck", *scripts]),
         ]
     )
+    yield looked_at("the turn", landing.check_turn)
+
+
+def looked_at(what: str, look: Callable[[Path], landing.Found]) -> Check:
+    """What git knows of the change; skipped where it knows too little."""
+
+    def check(_: float) -> Tally:
+        found = look(ROOT)
+        if found.problems:
+            return Tally(failed=1, why=found.problems, names=[what])
+        if not found.looked:
+            return Tally(skipped=1, why=[f"not run: {found.says}"])
+        return Tally(passed=1)
+
+    return check
 
 
 def web_style(names: Sequence[str]) -> list[str]:
@@ -339,9 +355,11 @@ def is_shell(file: Path) -> bool:
 
 
 def native() -> Iterator[Check]:
-    """Everything; of the chapters whose headers must compile alone, a third with each commit."""
+    """Everything; of the chapters whose headers must compile alone, a third in each turn."""
     chapters = sorted(folder.parent.name for folder in ROOT.glob("chapters/*/contact"))
-    alone = [f"headers_alone_{slug}" for slug in sample(chapters, 3)]
+    alone = [
+        f"headers_alone_{slug}" for slug in sample(chapters, 3, "headers alone", kind="headers")
+    ]
     yield from cmake_build("dev", "all", *alone)
 
 
@@ -354,11 +372,12 @@ KINDS_OF_TESTS = ("reference_tests", "hard_cases")
 
 
 def sanitize() -> Iterator[Check]:
-    """A third of the chapters, others with other commits: it takes the compiler long."""
+    """A third of the chapters, others in other turns: it takes the compiler long."""
     chapters = sorted(file.parent.name for file in ROOT.glob("tests/[0-9]*/hard_cases.cpp"))
-    names = [f"{kind}_{slug}" for slug in sample(chapters, 3) for kind in KINDS_OF_TESTS]
+    taken = sample(chapters, 3, "tests under sanitizers", kind="tests")
+    names = [f"{kind}_{slug}" for slug in taken for kind in KINDS_OF_TESTS]
     names.append("support_tests")
-    print(f"    {', '.join(sample(chapters, 3))}")
+    print(f"    {', '.join(taken)}")
     yield from cmake_build("sanitize", *names)
     yield ctest("sanitize", "--tests-regex", f"^({'|'.join(names)})(:|$)")
 
@@ -452,8 +471,8 @@ def page() -> Iterator[Check]:
 
 
 def _native_figures() -> steps.Done:
-    """Of those that loader.test.mjs compares with WebAssembly; the others with other commits."""
-    figures = sample(steps.native_targets(["figure_"]), 3)
+    """Of those that loader.test.mjs compares with WebAssembly; the others in other turns."""
+    figures = sample(steps.native_targets(["figure_"]), 3, "", kind="figures")
     return steps.build_native(figures, "native-figures")
 
 

@@ -104,7 +104,10 @@ const initial = initialStates(figures().map(({ name }) => name));
 
 describe("every figure computes what its native program computes, bit for bit", () => {
   // tools/test.py builds the native programs of the same sample.
-  for (const { name, recipe } of sample(figures(), 3)) {
+  for (const { name, recipe } of sample(figures(), 3, "figures in WebAssembly", {
+    kind: "figures",
+    name: (figure) => figure.name,
+  })) {
     test(name, async () => {
       const figure = await loadFigure(bytes(recipe));
       const program = nativeFigure(name);

@@ -58,7 +58,10 @@ describe("figures", { skip }, () => {
     assert.deepStrictEqual(await shown.output(), wanted);
   }
 
-  for (const each of sample(figures, 6)) {
+  for (const each of sample(figures, 6, "figures in a browser", {
+    kind: "figures",
+    name: ({ name }) => name,
+  })) {
     test(`${each.name}: dragged by pointer`, async () => {
       const shown = await show(each);
       for (const grip of await shown.figure.locator(".grip").all()) {
