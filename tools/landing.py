@@ -66,10 +66,15 @@ def turn_at(root: Path, revision: str) -> int | None:
 
 
 def previous_landing(root: Path) -> str | None:
-    """The commit that raised the turn before the landing that HEAD is at, if it is known."""
+    """The commit that raised the turn before the landing that HEAD is at, if it is known.
+
+    Of the landing that began to count, the commit before.
+    """
     listed = git(root, "log", "--first-parent", "--format=%H", "-2", "--", TURN) or ""
     raised = listed.split()
-    return raised[1] if len(raised) == 2 else None
+    if len(raised) == 2:
+        return raised[1]
+    return commit(root, f"{raised[0]}^") if raised else None
 
 
 def check_turn(root: Path) -> Found:
