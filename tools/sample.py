@@ -24,6 +24,9 @@ from typing import TypeVar
 
 Item = TypeVar("Item")
 
+# Kinds of which the chapters that are asked for say nothing.
+OF_NO_CHAPTER = ("hostile", "explain")
+
 TURN = Path(__file__).resolve().parent / "turn"
 
 
@@ -55,6 +58,17 @@ def touches(names: Iterable[str], item: str) -> bool:
     return any(name == "*" or name in item for name in names)
 
 
+def chapters_asked_for() -> list[str]:
+    """The chapters that alone are checked; none: all of them."""
+    return [one for one in os.environ.get("CONTACT_CHAPTERS", "").split(",") if one]
+
+
+def wanted(item: str) -> bool:
+    """Whether something with this name is checked."""
+    chapters = chapters_asked_for()
+    return not chapters or touches(chapters, item)
+
+
 def sample(
     of: Sequence[Item],
     each: int,
@@ -71,12 +85,11 @@ def sample(
     checks of one chapter too.
     """
     every = "CONTACT_ALL" in os.environ
-    chapters = [one for one in os.environ.get("CONTACT_CHAPTERS", "").split(",") if one]
     touched: Sequence[str] = ()
     if kind is not None:
         touched = json.loads(os.environ.get("CONTACT_TOUCHED") or "{}").get(kind, ())
-        if chapters:
-            of = [one for one in of if touches(chapters, name(one))]
+        if chapters_asked_for() and kind not in OF_NO_CHAPTER:
+            of = [one for one in of if wanted(name(one))]
             every = True
     number = turn()
     taken = [

@@ -243,3 +243,10 @@ FIGURES_AND_LADDERS = Step(
     "the figures' and the ladders' C++ for the page",
     _node("book-figures", "wasm/build.mjs", "figures", "ladders"),
 )
+
+
+def figures_and_ladders_of(chapter: str) -> Step:
+    return Step(
+        f"the figures' and the ladder's C++ of {chapter} for the page",
+        _node("book-figures", "wasm/build.mjs", "figures", "ladders", "--only", chapter),
+    )

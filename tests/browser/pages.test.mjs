@@ -4,10 +4,10 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { launch, lessons, loadFigures, notRun, open, pages, require, serve } from "./browser.mjs";
-import { sample } from "./sample.mjs";
+import { sample, wanted } from "./sample.mjs";
 
 const skip = notRun();
-const all = skip ? [] : pages();
+const all = skip ? [] : pages().filter(wanted);
 
 describe("pages", { skip }, () => {
   /** @type {Awaited<ReturnType<typeof serve>>} */
@@ -119,7 +119,7 @@ describe("pages", { skip }, () => {
       await close();
     });
 
-  for (const where of skip ? [] : lessons()) {
+  for (const where of skip ? [] : lessons().filter(wanted)) {
     test(`${where}: complete without a script`, async () => {
       const { page, trouble, close } = await open(chromium.browser, url(where), {
         javaScriptEnabled: false,

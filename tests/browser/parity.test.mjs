@@ -11,7 +11,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { launch, notRun, open, root, serve } from "./browser.mjs";
-import { sample } from "./sample.mjs";
+import { sample, wanted } from "./sample.mjs";
 
 /** @typedef {import("../../docs/web/src/cpp/types.ts").VerdictJson} Verdict */
 /** @typedef {import("../../docs/web/src/cpp/types.ts").TestVerdict} TestVerdict */
@@ -47,7 +47,10 @@ const EACH = 6;
 /** One wrong answer, another one whenever the exercise is taken. @param {string} exercise @returns {string[]} */
 function wrongOf(exercise) {
   const all = sources(`solutions/${exercise}/wrong`);
-  return sample(all, all.length, "parity of wrong answers", { within: EACH });
+  return sample(all, all.length, "parity of wrong answers", {
+    within: EACH,
+    name: (file) => `${exercise}/${path.basename(file, ".cpp")}`,
+  });
 }
 
 /** @returns {Answer[]} */
@@ -66,13 +69,15 @@ function answers() {
       ];
     },
   );
-  const endings = exercisesIn("tests/browser/endings").flatMap((exercise) =>
-    sources(`tests/browser/endings/${exercise}`).map((file) => ({
-      exercise,
-      kind: /** @type {const} */ ("ending"),
-      file,
-    })),
-  );
+  const endings = exercisesIn("tests/browser/endings")
+    .filter(wanted)
+    .flatMap((exercise) =>
+      sources(`tests/browser/endings/${exercise}`).map((file) => ({
+        exercise,
+        kind: /** @type {const} */ ("ending"),
+        file,
+      })),
+    );
   return [...all, ...endings];
 }
 

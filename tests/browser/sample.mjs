@@ -2,6 +2,7 @@
 // it takes from the environment.
 
 import fs from "node:fs";
+import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 
 const file = fileURLToPath(new URL("../../tools/turn", import.meta.url));
@@ -28,6 +29,9 @@ const touches = (names, item) => names.some((name) => name === "*" || item.inclu
 /** Whether something with this name is looked at: it belongs to one of `chapters`, if there are any. @param {string} name */
 export const wanted = (name) => chapters.length === 0 || touches(chapters, name);
 
+/** Declares a test of what all chapters share: none where some of them alone are checked. */
+export const ofAll = chapters.length > 0 ? () => {} : test;
+
 /** @param {string} what @param {string[]} ran @param {string[]} left */
 function record(what, ran, left) {
   const slices = process.env["CONTACT_SLICES"];
@@ -50,7 +54,7 @@ export function sample(list, each, what, { kind, within = 1, name = String } = {
   let touched = [];
   if (kind !== undefined) {
     touched = JSON.parse(process.env["CONTACT_TOUCHED"] || "{}")[kind] ?? [];
-    if (chapters.length > 0) {
+    if (chapters.length > 0 && !["hostile", "explain"].includes(kind)) {
       of = list.filter((item) => wanted(name(item)));
       every = true;
     }
