@@ -325,6 +325,7 @@ def style() -> Iterator[Check]:
         ]
     )
     yield looked_at("the turn", landing.check_turn)
+    yield looked_at("subjects of commits", landing.check_subjects)
 
 
 def looked_at(what: str, look: Callable[[Path], landing.Found]) -> Check:
