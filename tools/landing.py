@@ -3,6 +3,7 @@ are called. Where there is no history to look at, it says so and finds no fault.
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 from dataclasses import dataclass, field
@@ -65,6 +66,16 @@ def turn_at(root: Path, revision: str) -> int | None:
     return None if text is None else read_turn(text, f"{TURN} of {revision}")
 
 
+def begins_at(root: Path) -> str | None:
+    """Where this landing begins, if that is said: by $CONTACT_SINCE, or by origin/main."""
+    head = commit(root, "HEAD")
+    for name in (os.environ.get("CONTACT_SINCE", ""), MAIN):
+        base = commit(root, name) if name and head else None
+        if base and head and base != head and is_ancestor(root, base, head):
+            return name
+    return None
+
+
 def previous_landing(root: Path) -> str | None:
     """The commit that raised the turn before the landing that HEAD is at, if it is known.
 
@@ -87,18 +98,17 @@ def check_turn(root: Path) -> Found:
 
 def _check_turn(root: Path) -> Found:
     now = read_turn((root / TURN).read_text(), TURN)
-    head, main = commit(root, "HEAD"), commit(root, MAIN)
-    if head is None:
+    if commit(root, "HEAD") is None:
         return Found(f"{TURN} was not checked: there is no git history here")
-    if main and main != head and is_ancestor(root, main, head):
-        before = turn_at(root, MAIN)
+    if begin := begins_at(root):
+        before = turn_at(root, begin)
         if before is None:
-            return Found(f"{MAIN} has no {TURN} yet", 1)
+            return Found(f"{begin} has no {TURN} yet", 1)
         problem = (
-            f"{TURN} holds {now}, and that of {MAIN} holds {before}: a landing raises it by exactly"
-            f" one. Write {before + 1} into it."
+            f"{TURN} holds {now}, and that of {begin} holds {before}: a landing raises it by"
+            f" exactly one. Write {before + 1} into it."
         )
-        return Found(f"against {MAIN}", 1, [problem] if now != before + 1 else [])
+        return Found(f"against {begin}", 1, [problem] if now != before + 1 else [])
     committed = turn_at(root, "HEAD")
     if committed is not None and now not in (committed, committed + 1):
         problem = (

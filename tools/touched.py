@@ -11,7 +11,6 @@ A file of tests that is no chapter's own touches none: its lists go by turns.
 from __future__ import annotations
 
 import json
-import os
 import re
 import sys
 from collections.abc import Iterable, Mapping, Sequence
@@ -19,7 +18,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from landing import MAIN, commit, git, is_ancestor, previous_landing
+from landing import begins_at, git, previous_landing
 
 ROOT = Path(__file__).resolve().parent.parent
 EVERYTHING = "*"
@@ -90,13 +89,7 @@ def changed_since(root: Path, base: str) -> list[str] | None:
 
 def base_of_landing(root: Path) -> str | None:
     """Where this landing begins: $CONTACT_SINCE, or at origin/main, or at the turn before."""
-    given = os.environ.get("CONTACT_SINCE", "")
-    if given and commit(root, given):
-        return given
-    head, main = commit(root, "HEAD"), commit(root, MAIN)
-    if main and head and main != head and is_ancestor(root, main, head):
-        return MAIN
-    return previous_landing(root)
+    return begins_at(root) or previous_landing(root)
 
 
 # --- What they touch ------------------------------------------------------------------------------

@@ -45,7 +45,8 @@ class Project:
 
 
 @pytest.fixture
-def project(tmp_path: Path) -> Project:
+def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Project:
+    monkeypatch.delenv("CONTACT_SINCE", raising=False)
     return Project(tmp_path / "project")
 
 
@@ -88,6 +89,17 @@ def test_without_a_published_branch_the_history_of_the_file_counts(project: Proj
     assert check_turn(project.folder).problems == []
     project.write(11)
     assert "Write 10 into it" in check_turn(project.folder).problems[0]
+
+
+def test_what_was_pushed_is_a_landing(project: Project, monkeypatch: pytest.MonkeyPatch) -> None:
+    before = git(project.folder, "rev-parse", "HEAD")
+    project.commit("docs: name the source")
+    project.is_published()
+    monkeypatch.setenv("CONTACT_SINCE", before)
+    assert f"that of {before} holds 5" in check_turn(project.folder).problems[0]
+    # A new branch was nowhere before.
+    monkeypatch.setenv("CONTACT_SINCE", "0" * 40)
+    assert check_turn(project.folder).problems == []
 
 
 def test_of_a_merge_the_landing_counts(project: Project) -> None:
