@@ -58,7 +58,7 @@ describe("figures", { skip }, () => {
     assert.deepStrictEqual(await shown.output(), wanted);
   }
 
-  for (const each of sample(figures, 6, "figures in a browser", {
+  for (const each of sample(figures, 3, "figures in a browser", {
     kind: "figures",
     name: ({ name }) => name,
   })) {

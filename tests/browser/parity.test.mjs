@@ -1,4 +1,4 @@
-// The page and the command line give the same verdict. Of a sixth of the exercises, another sixth
+// The page and the command line give the same verdict. Of a third of the exercises, another third
 // in each turn, the stub, the solution and a wrong answer are checked both ways, in a real browser
 // by the page's own checker and by `contact check`, and so are answers that end badly (endings/). With
 // CONTACT_ALL=1 it is every exercise and every wrong answer of the book. Verdicts, points, hints and words
@@ -42,7 +42,7 @@ const sources = (folder) =>
     : [];
 
 /** One exercise of so many is taken in a turn. */
-const EACH = 6;
+const EACH = 3;
 
 /** One wrong answer, another one whenever the exercise is taken. @param {string} exercise @returns {string[]} */
 function wrongOf(exercise) {

@@ -24,7 +24,7 @@ EXERCISES = sorted(
 )
 NAME = "01_planes/signed_distance"
 # One exercise of so many is taken in a turn.
-EACH = 6
+EACH = 3
 SOLUTION = (ROOT / "solutions" / NAME / "signed_distance.cpp").read_text()
 DISTANCE = "return (normal.dot(point) + plane.d) / normal.norm();"
 
