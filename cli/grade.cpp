@@ -20,6 +20,8 @@
 #include "../grading/grade/run_keys.hpp"
 #include "../grading/grade/sha256.hpp"
 #include "../grading/grade/slurm.hpp"
+#include "../grading/grade/unit_time.hpp"
+#include "../grading/grade/watchdog.hpp"
 #include "../grading/progress.hpp"
 #include "../grading/shown_text.hpp"
 #include "commands.hpp"
@@ -133,8 +135,7 @@ class Grading {
     take_in();
     calibrate();
     keep_run();
-    const std::vector<grading::JobTrouble> troubles = grade();
-    if (!troubles.empty()) return tell_troubles(troubles);
+    grade();
     return finish();
   }
 
@@ -235,6 +236,15 @@ class Grading {
                                : text;
   }
 
+  // Nothing if it cannot be read, which is no reason to grade nobody.
+  static std::optional<std::string> readable_text(const fs::path& file) {
+    try {
+      return grading::read_text(file);
+    } catch (const BookError&) {
+      return {};
+    }
+  }
+
   // A text that gives way to another was handed in once, so it is kept.
   void keep(const grading::Entrant& entrant) {
     for (const Exercise* exercise : exercises_) {
@@ -242,9 +252,15 @@ class Grading {
       const fs::path file = folder_.text_file(job);
       const auto found = entrant.files.find(job.exercise);
       const bool taken = found != entrant.files.end() && found->second.problem.empty();
-      const bool same = taken && fs::exists(file) && grading::read_text(file) == found->second.text;
-      if (fs::exists(file) && !same) {
-        earlier_.keep(file, fs::path("submissions") / job.submission / (job.exercise + ".cpp"));
+      const bool there = fs::exists(file);
+      const std::optional<std::string> before = there ? readable_text(file) : std::nullopt;
+      const bool same = taken && before && *before == found->second.text;
+      if (there && !same) {
+        const fs::path as = fs::path("submissions") / job.submission / (job.exercise + ".cpp");
+        if (before)
+          earlier_.keep(file, as);
+        else
+          earlier_.put_away(file, as);
         if (!taken) fs::remove(file);
       }
       if (found == entrant.files.end()) continue;
@@ -301,8 +317,20 @@ class Grading {
   void settle(const grading::RunKeys& keys, const Solution& solution) {
     const std::string id = solution.exercise->id();
     run_.test_seconds[id] = *solution.seconds;
+    grading::UnitSettings settings = solution.settings;
+    settings.test_cpu_seconds = *solution.seconds;
+    run_.unit_seconds[id] = grading::declared_seconds(*solution.exercise, settings);
     run_.keys[id] = keys.of(*solution.exercise, run_.private_tests.of(id), run_.seed, run_.limits,
                             *solution.seconds);
+  }
+
+  // Nothing can end a thread that hangs, so the whole program ends. Boxes end with it, and the next
+  // run removes their folder.
+  [[noreturn]] static void end_out_of_time(const std::string& what) {
+    if (::write(STDERR_FILENO, what.data(), what.size()) < 0) {
+      // Nobody reads it; the exit code says that nothing was graded.
+    }
+    ::_exit(exit_trouble);
   }
 
   // Several at a time, each thread with a loop and a seat of its own. The first in the book's order
@@ -312,6 +340,7 @@ class Grading {
     const grading::TemporaryPlace place(temporary.path());
     std::vector<std::exception_ptr> wrong(solutions.size());
     std::atomic<std::size_t> next{0};
+    grading::Watchdog watchdog(end_out_of_time);
     const auto work = [&] {
       std::size_t at = next++;
       try {
@@ -319,6 +348,13 @@ class Grading {
         const grading::Seat seat(machine_);
         for (; at < solutions.size(); at = next++) {
           Solution& solution = solutions[at];
+          const double may_take =
+              grading::calibrating_seconds(*solution.exercise, solution.settings);
+          const grading::Watchdog::Watch watch(
+              watchdog, may_take,
+              "contact: the book's own solution of " + solution.exercise->id() +
+                  " cannot be graded here, so nothing is: " + grading::out_of_time_words(may_take) +
+                  "\n");
           const double measured = grading::calibrate(loop, book_, build_, machine_, seat,
                                                      *solution.exercise, solution.settings);
           if (!solution.seconds) solution.seconds = measured;
@@ -378,6 +414,7 @@ class Grading {
       setting.worker = {grading::own_program().string(), "grade-worker",
                         folder_.run_file().string()};
       setting.memory_mb = run_.limits.memory_mb + run_.limits.compile_memory_mb;
+      setting.time = [this](const Job& job) { return run_.unit_seconds.at(job.exercise); };
       setting.has_result = [this](const Job& job) { return has_result(job); };
       setting.note = [this](const std::string& text) {
         if (progress_)
@@ -393,10 +430,12 @@ class Grading {
     if (workers < options_.workers)
       note("Only " + std::to_string(workers) +
            " at a time: on this machine more would share a quota, and marks would vary.");
-    return std::make_unique<grading::LocalEngine>(loop_, folder_, machine_, workers);
+    return std::make_unique<grading::LocalEngine>(
+        loop_, folder_, machine_, workers,
+        [this](const Job& job) { return run_.unit_seconds.at(job.exercise); });
   }
 
-  std::vector<grading::JobTrouble> grade() {
+  void grade() {
     // It first ends what another run has on a cluster, which could still write results.
     const std::unique_ptr<grading::Engine> engine = this->engine();
     engine_ = engine->name();
@@ -409,52 +448,56 @@ class Grading {
     if (reused_ > 0)
       note(std::to_string(reused_) + " of " + std::to_string(all.size()) +
            " units are graded already.");
-    std::vector<grading::JobTrouble> troubles = graded_by(*engine, jobs);
-    if (!troubles.empty()) return troubles;
+    graded_by(*engine, jobs);
 
     // A time that comes near its limit beside others is only believed of a unit that ran alone.
     std::vector<Job> again;
     for (Job job : all) {
+      if (!has_result(job) || folder_.unit(job)->believed()) continue;
       job.alone = true;
-      const std::optional<grading::Unit> unit = folder_.unit(job);
-      if (unit && !unit->believed()) again.push_back(std::move(job));
+      again.push_back(std::move(job));
     }
-    alone_ = again.size();
     if (!again.empty())
       note(std::to_string(again.size()) + (again.size() == 1 ? " unit was" : " units were") +
            " near a limit of time: once more, alone ...");
-    return graded_by(*engine, again);
+    graded_by(*engine, again);
+
+    for (const Job& job : all) {
+      if (has_result(job) && folder_.unit(job)->believed()) {
+        class_.troubles.erase(job);
+        continue;
+      }
+      class_.standings[job] = grading::Standing::not_graded;
+      class_.troubles.emplace(job, "its result is gone from " + folder_.grade().string());
+    }
   }
 
-  std::vector<grading::JobTrouble> graded_by(grading::Engine& engine,
-                                             const std::vector<Job>& jobs) {
-    if (jobs.empty()) return {};
+  void graded_by(grading::Engine& engine, const std::vector<Job>& jobs) {
+    if (jobs.empty()) return;
     progress_.emplace(jobs.size(), jobs.front().alone ? 1 : engine.workers());
     const auto finished = [this](const Job& job) {
-      ++graded_;
+      ++(job.alone ? alone_ : graded_);
       progress_->finished(job);
     };
     try {
-      std::vector<grading::JobTrouble> troubles = engine.run(jobs, finished);
+      for (const grading::JobTrouble& trouble : engine.run(jobs, finished))
+        class_.troubles[trouble.job] = trouble.what;
       progress_.reset();
-      return troubles;
     } catch (...) {
       progress_.reset();
       throw;
     }
   }
 
-  // No marks at all rather than marks with holes, which somebody would read as zero.
-  int tell_troubles(const std::vector<grading::JobTrouble>& troubles) {
-    for (const grading::JobTrouble& trouble : troubles)
-      note(style_.bad("contact: ") + trouble.job.submission + ", " + trouble.job.exercise +
-           " could not be graded here: " + printable(trouble.what));
-    note("That is this machine's fault and no mark. Nothing is written to " +
-         shown(folder_.results()) +
-         " before all units are graded; what is graded is kept. Put the machine right and run the "
-         "same command again to go on, or take that submission out of " +
-         options_.submissions + ".");
-    return exit_trouble;
+  void tell_troubles() const {
+    for (const auto& [job, what] : class_.troubles)
+      note(style_.bad("contact: ") + printable(job.submission) + ", " + job.exercise +
+           " could not be graded: " + printable(what));
+    const bool one = class_.troubles.size() == 1;
+    note(std::string(one ? "That is" : "Those are") +
+         " not the student's fault and no mark: reports leave it empty. All other marks are "
+         "written. Once the cause is mended, this grades what is missing and nothing else:\n  " +
+         command_again(book_.root()));
   }
 
   // The weakest of the machines that graded a part.
@@ -490,11 +533,32 @@ class Grading {
         grading::results_json({class_, run_, folder_, with_private_, machine, CONTACT_VERSION});
     const std::optional<nlohmann::json> changes =
         grading::write_results(folder_, results, earlier_);
-    write_reports();
+    try {
+      write_reports();
+    } catch (const BookError&) {
+      if (!class_.troubles.empty()) tell_troubles();
+      throw;
+    }
     const grading::Summary summary = grading::summary_of(results);
     write_record(summary);
     tell(results, summary, changes);
+    if (!class_.troubles.empty()) {
+      tell_troubles();
+      return exit_trouble;
+    }
     return summary.refused + summary.refused_files > 0 ? exit_not_passed : exit_passed;
+  }
+
+  nlohmann::json units_json() const {
+    return {{"graded", graded_}, {"reused", reused_}, {"alone", alone_}};
+  }
+
+  nlohmann::json troubles_json() const {
+    nlohmann::json troubles = nlohmann::json::array();
+    for (const auto& [job, what] : class_.troubles)
+      troubles.push_back(
+          {{"submission", job.submission}, {"exercise", job.exercise}, {"problem", what}});
+    return troubles;
   }
 
   void write_record(const grading::Summary& summary) {
@@ -510,7 +574,7 @@ class Grading {
         {"workers", workers_},
         {"host", host.data()},
         {"counts", grading::to_json(summary)},
-        {"units", {{"graded", graded_ - alone_}, {"reused", reused_}, {"alone", alone_}}}};
+        {"units", units_json()}};
     if (!earlier_.place().empty()) record["earlier"] = earlier_.place().string();
     grading::write_text(folder_.results() / "run.json", record.dump(1) + "\n");
   }
@@ -523,6 +587,7 @@ class Grading {
       words.insert(words.end(), {"--formats", list});
     }
     if (!options_.due.empty()) words.insert(words.end(), {"--due", options_.due});
+    if (!class_.troubles.empty()) words.push_back("--again=" + command_again(book_.root()));
     return words;
   }
 
@@ -575,7 +640,9 @@ class Grading {
       document["format"] = "contact-grade-summary/1";
       document["results"] = folder_.results().string();
       document["machine"] = results.at("machine");
-      document["units"] = {{"graded", graded_ - alone_}, {"reused", reused_}, {"alone", alone_}};
+      document["units"] = units_json();
+      document["could_not_be_graded"] = troubles_json();
+      if (!class_.troubles.empty()) document["again"] = command_again(book_.root());
       if (changes) document["changes"] = changes->at("changes");
       say(document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
       return;

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
+#include "../grading/book.hpp"
 #include "../grading/shown_text.hpp"
 
 namespace contact::cli {
@@ -40,6 +42,21 @@ std::string shown_id(const nlohmann::json& submission) {
   const std::string name = submission.value("name", "");
   if (name.empty() || id.find('~') == std::string::npos) return id;
   return id + " (" + grading::escaped(name) + ")";
+}
+
+// A word as a POSIX shell reads it back.
+std::string quoted_for_shell(const std::string& word) {
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+=:,./-";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) {
+    if (c == '\'')
+      text += "'\\''";
+    else
+      text += c;
+  }
+  return text + "'";
 }
 
 }  // namespace
@@ -95,6 +112,37 @@ void GradeProgress::clear() {
   drawn_ = 0;
 }
 
+std::string command_again(const std::filesystem::path& root) {
+  std::string all = grading::read_text("/proc/self/cmdline");
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin < all.size();) {
+    const std::size_t end = std::min(all.find('\0', begin), all.size());
+    words.push_back(all.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  std::error_code error;
+  const std::filesystem::path script = root / "contact";
+  std::string text;
+  if (std::filesystem::equivalent(words.front(), root / "build" / "dev" / "bin" / "contact",
+                                  error) &&
+      std::filesystem::exists(script, error)) {
+    const bool here = std::filesystem::equivalent(root, ".", error);
+    text = here ? "./contact" : quoted_for_shell(script.string());
+  } else {
+    if (const char* given = std::getenv("CONTACT_ROOT"))
+      text = "CONTACT_ROOT=" + quoted_for_shell(given) + " ";
+    text += quoted_for_shell(words.front());
+  }
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (words[i] == "--recalibrate" || words[i].starts_with("--seed=")) continue;
+    if (words[i] == "--seed")
+      ++i;
+    else
+      text += " " + quoted_for_shell(words[i]);
+  }
+  return text;
+}
+
 std::string refusals(const nlohmann::json& results) {
   std::string text;
   for (const nlohmann::json& submission : results.at("submissions")) {
@@ -102,7 +150,7 @@ std::string refusals(const nlohmann::json& results) {
     if (submission.contains("problem"))
       text += "  " + id + ": " + text_of(submission, "problem") + "\n";
     for (const nlohmann::json& unit : submission.at("exercises")) {
-      if (unit.contains("problem"))
+      if (unit.at("status") == "refused")
         text += "  " + id + ", " + text_of(unit, "id") + ": " + text_of(unit, "problem") + "\n";
     }
   }
@@ -118,10 +166,17 @@ std::string grade_summary(const nlohmann::json& results, const grading::Summary&
       (summary.refused_files > 0
            ? ", " + style.bad(count_of(summary.refused_files, "file", "files") + " refused")
            : "") +
+      (summary.not_graded > 0 ? ", " + style.bad(count_of(summary.not_graded, "unit", "units") +
+                                                 " could not be graded")
+                              : "") +
       ".";
-  if (summary.graded > 0)
-    text += " Mean: " + two_places(summary.mean) + " of " +
-            grading::points_text(summary.max_points) + " points.";
+  if (summary.in_mean > 0)
+    text += " Mean" +
+            (summary.in_mean < summary.graded
+                 ? " of the " + std::to_string(summary.in_mean) + " with a whole mark"
+                 : std::string()) +
+            ": " + two_places(summary.mean) + " of " + grading::points_text(summary.max_points) +
+            " points.";
   std::string missing;
   for (const nlohmann::json& measure : results.at("machine").at("measures")) {
     if (!measure.at("enforced").get<bool>())

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 
 #include <nlohmann/json_fwd.hpp>
@@ -44,6 +45,12 @@ class GradeProgress {
 /// How many were graded and refused, the mean, and what this machine could not enforce.
 std::string grade_summary(const nlohmann::json& results, const grading::Summary& summary,
                           const Style& style);
+
+/// The command that this program was started with, to be typed into a shell. What it keeps by
+/// itself is left out: the seed, which a reader of reports must not see, and --recalibrate, which
+/// would change the marks of others.
+/// @param root the book's, whose ./contact starts the program
+std::string command_again(const std::filesystem::path& root);
 
 /// Every refusal, a line each.
 std::string refusals(const nlohmann::json& results);

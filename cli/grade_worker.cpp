@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <new>
 #include <optional>
 
 #include <poll.h>
@@ -18,6 +19,8 @@
 #include "../grading/grade/intake_ids.hpp"
 #include "../grading/grade/run_state.hpp"
 #include "../grading/grade/sha256.hpp"
+#include "../grading/grade/unit_time.hpp"
+#include "../grading/grade/watchdog.hpp"
 #include "commands.hpp"
 #include "terminal.hpp"
 
@@ -110,6 +113,19 @@ grading::Machine machine_from(grading::Loop& loop, const std::string& file) {
   return grading::machine_from_coordinator(nlohmann::json::parse(grading::read_text(file)));
 }
 
+std::string line_of(const nlohmann::json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+// Says a line that was made before, and ends this process as it is: what hangs may hold any lock.
+// Its boxes end with it, and whoever started it removes its folder.
+[[noreturn]] void end_out_of_time(const std::string& line) {
+  if (::write(STDOUT_FILENO, line.data(), line.size()) < 0) {
+    // Nobody listens any more; that it ended is seen all the same.
+  }
+  ::_exit(exit_trouble);
+}
+
 class Worker {
  public:
   Worker(grading::Loop& loop, const grading::Run& run, const std::string& machine)
@@ -119,7 +135,8 @@ class Worker {
         book_(run.root, run.root / "work"),
         build_(grading::read_build_description(run.build)),
         machine_(machine_from(loop, machine)),
-        seat_(machine_) {
+        seat_(machine_),
+        watchdog_(end_out_of_time) {
     if (machine_.level == grading::Level::none && !run.accept_weak)
       throw grading::BookError(
           "this machine cannot keep a submission apart from everything else; `contact doctor` says "
@@ -140,6 +157,8 @@ class Worker {
     folder_.log("start", job);
     nlohmann::json said = {{"submission", job.submission}, {"exercise", job.exercise}};
     try {
+      const grading::Watchdog::Watch watch(watchdog_, run_.unit_seconds.at(job.exercise),
+                                           out_of_time(job));
       const grading::Unit unit = graded(job);
       folder_.write_unit(unit);
       said["event"] = "finished";
@@ -147,15 +166,34 @@ class Worker {
       said["near_limit"] = unit.near_limit;
       said["seconds"] = unit.seconds;
       folder_.log("finish", job);
+    } catch (const grading::Interrupted&) {
+      throw;
+    } catch (const std::bad_alloc&) {
+      trouble(said, "the grader itself ran out of memory", job);
     } catch (const std::exception& error) {
-      said["event"] = "trouble";
-      said["what"] = error.what();
-      folder_.log("trouble", job);
+      trouble(said, error.what(), job);
+    } catch (...) {
+      trouble(said, "the grader failed and did not say why", job);
     }
     return said;
   }
 
  private:
+  void trouble(nlohmann::json& said, const std::string& what, const Job& job) const {
+    said["event"] = "trouble";
+    said["what"] = what;
+    folder_.log("trouble", job);
+  }
+
+  // What is said of a unit that outlives its time, made while there is still somebody to make it.
+  [[nodiscard]] std::string out_of_time(const Job& job) const {
+    return line_of({{"event", "trouble"},
+                    {"submission", job.submission},
+                    {"exercise", job.exercise},
+                    {"what", grading::out_of_time_words(run_.unit_seconds.at(job.exercise))},
+                    {"out_of_time", true}});
+  }
+
   grading::Unit graded(const Job& job) {
     const Exercise& own = book_.exercise(job.exercise);
     const Exercise exercise = grading::with_private_tests(own, run_.private_tests);
@@ -189,6 +227,7 @@ class Worker {
   grading::BuildDescription build_;
   grading::Machine machine_;
   grading::Seat seat_;
+  grading::Watchdog watchdog_;
 };
 
 int run(Context& context, const Options& options) {
@@ -199,7 +238,9 @@ int run(Context& context, const Options& options) {
   // After the seat is taken, whose lock lies where all programs of this machine look for it.
   temporary.use();
   const auto tell = [](const nlohmann::json& json) {
-    say(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    std::string line = line_of(json);
+    line.pop_back();
+    say(line);
   };
   tell(worker.ready());
   Orders orders(context.loop());

@@ -84,7 +84,7 @@ struct Remark {
   std::string message;
   /// The same for a beginner.
   std::string words;
-  /// The id of the mistake (mistakes.cpp) if it is one of the known.
+  /// The id of the mistake (diagnosis/mistakes/) if it is one of the known.
   std::string mistake;
 };
 

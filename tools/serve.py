@@ -1,7 +1,7 @@
 """./contact serve: builds the book and serves it on this machine.
 
-The prose and the figures come first and are served as soon as they are there; what takes longer is
-built behind, and a line says when it is done. Ctrl-C stops the server and every build.
+The lessons come first: nothing has to be compiled for them. Everything else is built behind, in the
+order in which somebody wants it. Ctrl-C stops the server and every build.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ import argparse
 import functools
 import http.client
 import http.server
+import json
 import signal
 import socket
 import sys
@@ -17,12 +18,40 @@ import threading
 import time
 from html.parser import HTMLParser
 from http import HTTPStatus
-from urllib.parse import quote, unquote, urldefrag, urljoin, urlsplit
+from typing import ClassVar
+from urllib.parse import parse_qs, quote, unquote, urldefrag, urljoin, urlsplit
 
 import steps
 from steps import SITE
 
 DEFAULT_PORT = 8000
+
+
+class Waiting:
+    """What is waiting to be built, in order; what an open page asks for goes first."""
+
+    def __init__(self, names: list[str]) -> None:
+        self._names = names
+        self._lock = threading.Lock()
+
+    def want(self, name: str) -> None:
+        with self._lock:
+            # The first is being built already.
+            if name in self._names[1:]:
+                self._names.remove(name)
+                self._names.insert(1, name)
+
+    def first(self) -> str | None:
+        with self._lock:
+            return self._names[0] if self._names else None
+
+    def drop(self, name: str) -> None:
+        with self._lock:
+            self._names.remove(name)
+
+    def names(self) -> list[str]:
+        with self._lock:
+            return list(self._names)
 
 
 class Handler(http.server.SimpleHTTPRequestHandler):
@@ -39,6 +68,23 @@ class Handler(http.server.SimpleHTTPRequestHandler):
         ".gz": "application/gzip",
         ".epub": "application/epub+zip",
     }
+
+    waiting: ClassVar[Waiting]
+
+    def do_GET(self) -> None:
+        """Files, and what is being built (docs/web/src/pending.ts asks)."""
+        address = urlsplit(self.path)
+        if address.path != "/building.json":
+            super().do_GET()
+            return
+        for name in parse_qs(address.query).get("want", [])[:1]:
+            self.waiting.want(name)
+        text = json.dumps({"waiting": self.waiting.names()}).encode()
+        self.send_response(HTTPStatus.OK)
+        self.send_header("Content-Type", "application/json")
+        self.send_header("Content-Length", str(len(text)))
+        self.end_headers()
+        self.wfile.write(text)
 
     def end_headers(self) -> None:
         # What is rebuilt behind must be seen at the next load.
@@ -64,7 +110,8 @@ class Server(http.server.ThreadingHTTPServer):
             super().handle_error(request, client_address)  # type: ignore[arg-type]
 
 
-def open_server(port: int) -> Server:
+def open_server(port: int, waiting: Waiting) -> Server:
+    Handler.waiting = waiting
     handler = functools.partial(Handler, directory=str(SITE))
     if is_taken(port):
         print(f"Port {port} is taken; using a free one.")
@@ -85,38 +132,56 @@ def is_taken(port: int) -> bool:
 # --- Building -------------------------------------------------------------------------------------
 
 
-def build(book_steps: tuple[steps.Step, ...]) -> bool:
-    """Runs steps in order, each with a line. False at the first that fails, after its own words."""
-    for step in book_steps:
-        if steps.CHILDREN.stopping:
-            return False
-        print(f"Building {step.what} ...", flush=True)
-        done = step.run()
-        if steps.CHILDREN.stopping:
-            return False
-        if not done.ok:
-            print(f"{done.tail()}\n", file=sys.stderr)
-            print(f"contact: building {step.what} failed; all of it: {done.log}", file=sys.stderr)
-            return False
-        print(f"Built {step.what} in {done.seconds:.0f} s.", flush=True)
+def build(step: steps.Step) -> bool:
+    """Runs a step, with a line. False if it fails, after its own words and what to do."""
+    if steps.CHILDREN.stopping:
+        return False
+    print(f"Building {step.what} ...", flush=True)
+    done = step.run()
+    if steps.CHILDREN.stopping:
+        return False
+    if not done.ok:
+        print(f"{done.tail()}\n", file=sys.stderr)
+        log = done.log.relative_to(steps.ROOT)
+        again = "Put it right and start ./contact serve again: what is built is kept."
+        print(
+            f"contact: building {step.what} failed; all of it: {log}. {again}",
+            file=sys.stderr,
+            flush=True,
+        )
+        return False
+    print(f"Built {step.what} in {done.seconds:.0f} s.", flush=True)
     return True
 
 
 class Behind(threading.Thread):
-    """Builds what the reader can begin without."""
+    """Builds what the reader can begin without. One step that fails stops no other."""
 
-    def __init__(self) -> None:
+    def __init__(self, waiting: Waiting, *, ebook: bool) -> None:
         super().__init__(daemon=True)
+        self._waiting = waiting
+        self._ebook = ebook
         self.ok = False
 
     def run(self) -> None:
         began = time.monotonic()
-        self.ok = build(steps.BEHIND)
+        if first := self._figures():
+            print(f"Built the figures ({time.monotonic() - began:.0f} s).", flush=True)
+        rest = [*steps.BEHIND, *([steps.EBOOK_STEP] if self._ebook else []), steps.PROGRAM_STEP]
+        self.ok = all([first, *(build(step) for step in rest)])
         if self.ok:
             took = time.monotonic() - began
             print(f"Everything is built ({took:.0f} s). Reload a page to see it.", flush=True)
         elif not steps.CHILDREN.stopping:
             print("The book is served without what failed.", flush=True)
+
+    def _figures(self) -> bool:
+        ok = True
+        while (name := self._waiting.first()) is not None and not steps.CHILDREN.stopping:
+            figure = steps.Step(f"the figure {name}", functools.partial(steps.build_figure, name))
+            ok = build(figure) and ok
+            self._waiting.drop(name)
+        return ok
 
 
 # --- --once ---------------------------------------------------------------------------------------
@@ -165,13 +230,16 @@ def fetch_all(port: int) -> list[str]:
 # --- Where things lie -----------------------------------------------------------------------------
 
 
-def where_things_lie(address: str) -> str:
-    ebook = steps.EBOOK.relative_to(steps.ROOT)
-    there = "" if steps.EBOOK.exists() else ", as soon as everything is built"
+def where_things_lie(address: str, *, ebook: bool) -> str:
+    name = steps.EBOOK.relative_to(steps.ROOT)
+    if steps.EBOOK.exists():
+        where = f"{name}; {address}{steps.EBOOK.name}"
+    else:
+        where = f"{name}, as soon as it is built" if ebook else "./contact serve --ebook makes it"
     lines = (
         f"The book: {address}",
         f"Search:   {address}search.html, or press / on any page",
-        f"E-book:   {ebook}{there}; {address}{steps.EBOOK.name}",
+        f"E-book:   {where}",
         "Dark:     as your system has it; the button at the top right of every page changes it",
         "Phone:    the same pages, which fold to a narrow window; only this machine is answered",
         "On paper: print a page from the browser (Ctrl-P); its controls stay behind",
@@ -182,16 +250,17 @@ def where_things_lie(address: str) -> str:
 # --- Together -------------------------------------------------------------------------------------
 
 
-def serve(port: int, once: bool) -> int:
-    if not build(steps.FIRST):
+def serve(port: int, *, once: bool, ebook: bool) -> int:
+    if not all(build(step) for step in steps.FIRST):
         return 1
-    server = open_server(port)
+    waiting = Waiting(steps.waiting_figures())
+    server = open_server(port, waiting)
     port = server.server_address[1]
-    behind = Behind()
+    behind = Behind(waiting, ebook=once or ebook)
     thread = threading.Thread(target=server.serve_forever, daemon=True)
     try:
         thread.start()
-        print(where_things_lie(f"http://127.0.0.1:{port}/"), flush=True)
+        print(where_things_lie(f"http://127.0.0.1:{port}/", ebook=once or ebook), flush=True)
         behind.start()
         if once:
             behind.join()
@@ -217,13 +286,14 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="./contact serve", description=__doc__)
     parser.add_argument("--port", type=port_number, default=DEFAULT_PORT)
     parser.add_argument("--once", action="store_true")
+    parser.add_argument("--ebook", action="store_true")
     arguments = parser.parse_args()
     # Also when started in the background, where a shell has interrupts ignored; and a plain kill is
     # as clean as Ctrl-C.
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, signal.default_int_handler)
     try:
-        return serve(arguments.port, arguments.once)
+        return serve(arguments.port, once=arguments.once, ebook=arguments.ebook)
     except KeyboardInterrupt:
         steps.CHILDREN.stop_all()
         print("\nStopped.", flush=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import fcntl
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -182,10 +183,10 @@ class Step:
 
 
 def _page_programs() -> Done:
-    """The programs whose output the pages show: hard cases, and ladders without a kept result."""
+    """The programs whose output the pages show: ladders without a kept result."""
     kept = {file.name.split(".")[0] for file in (ROOT / "benchmarks" / "results").glob("*.json")}
-    names = native_targets(["hard_cases_", "ladder_"])
-    wanted = [name for name in names if name.removeprefix("ladder_") not in kept]
+    ladders = {file.parent.name for file in ROOT.glob("chapters/*/ladder.cpp")} - kept
+    wanted = sorted(f"ladder_{slug}" for slug in ladders)
     return build_native(wanted, "book-native")
 
 
@@ -223,20 +224,77 @@ def build_ebook() -> Done:
     )
 
 
-# What a reader needs to begin, in order.
-FIRST = (
-    Step("the programs whose results the pages show", _page_programs),
-    Step("the figures' C++ for the page", _node("book-figures", "wasm/build.mjs", "figures")),
-    Step("the page's scripts", _node("book-web", "web/build.mjs")),
-    Step("the pages", build_book),
-)
-# What can come while they read. The pages are built again, to take the ladders in.
+def build_lessons() -> Done:
+    """The pages with whatever is built already; the API's only if they were built before."""
+    command: list[str | Path] = [sys.executable, ROOT / "docs" / "build.py"]
+    if not (BUILD / "doxygen").is_dir():
+        command.append("--skip-api")
+    return run(command, "book-lessons", limit=STEP_LIMIT)
+
+
+def configure() -> Done:
+    """Says what is to be built natively, unless that is said already."""
+    if (DEV / "build.ninja").is_file():
+        return Done(0, "", 0.0, LOGS / "configure.log")
+    with build_lock():
+        return run(["cmake", "-S", ROOT, "--preset", "dev"], "configure", limit=STEP_LIMIT)
+
+
+def waiting_figures() -> list[str]:
+    """The figures and players that the page runs and that are not built, in the book's order.
+
+    The names are those of docs/wasm/build.mjs. One that is built may be out of date: it works, and
+    is brought up to date with all the others.
+    """
+    made = BUILD / "web"
+    found = []
+    for source in sorted(ROOT.glob("chapters/*/figures/*.cpp")):
+        slug, name = source.parts[-3], source.stem
+        if not (made / "figures" / slug / f"{name}.wasm").is_file():
+            found.append(f"{slug}/{name}")
+    for scenes in ROOT.glob("chapters/*/scenes"):
+        if not (made / "scenes" / "player.wasm").is_file():
+            found.append(f"{scenes.parent.name}/scene_player")
+    return found
+
+
+def build_figure(name: str) -> Done:
+    """One of waiting_figures(), and a copy of it beside the pages."""
+    done = _node("book-figure", "wasm/build.mjs", "figures", "--only", name, "--quiet")()
+    file = "scenes/player.wasm" if name.endswith("/scene_player") else f"figures/{name}.wasm"
+    target = SITE / "_static" / "contact" / file
+    if done.ok:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        beside = target.with_name(f".{target.name}")
+        shutil.copy2(BUILD / "web" / file, beside)
+        beside.replace(target)
+    return done
+
+
+SCRIPTS_ONLY = Step("the page's scripts", _node("book-web", "web/build.mjs", "--scripts-only"))
+SCRIPTS = Step("the page's scripts and pictures", _node("book-web", "web/build.mjs"))
+FIGURES = Step("the figures' C++ for the page", _node("book-figures", "wasm/build.mjs", "figures"))
+LADDERS = Step("the ladders' C++ for the page", _node("book-ladders", "wasm/build.mjs", "ladders"))
+COMPILER = Step("the compiler and the exercises for the page", _page_exercises)
+PAGE_PROGRAMS = Step("the programs whose results the pages show", _page_programs)
+PAGES = Step("the pages with all that", build_book)
+EBOOK_STEP = Step("the e-book", build_ebook)
+
+# What a reader needs to begin, in order: nothing of it is compiled.
+FIRST = (SCRIPTS_ONLY, Step("the lessons", build_lessons))
+# What can come while they read, after the figures. The pages are built again, to take it all in.
 BEHIND = (
-    Step("the ladders' C++ for the page", _node("book-ladders", "wasm/build.mjs", "ladders")),
-    Step("the compiler and the exercises for the page", _page_exercises),
-    Step("the pages with all that", build_book),
-    Step("the e-book", build_ebook),
-    Step("the program, for the exercises", lambda: build_native(["contact"], "book-program")),
+    FIGURES,
+    LADDERS,
+    COMPILER,
+    SCRIPTS,
+    Step("the configuration of the programs", configure),
+    PAGE_PROGRAMS,
+    PAGES,
+)
+# Last, and for who asks: the e-book takes a minute.
+PROGRAM_STEP = Step(
+    "the program, for the exercises", lambda: build_native(["contact"], "book-program")
 )
 # Where nobody waits to read, both at once, so that neither core rests.
 FIGURES_AND_LADDERS = Step(

@@ -492,10 +492,10 @@ def page() -> Iterator[Check]:
     if asked and (steps.SITE / "index.html").exists():
         # The rest of the book is there, and stays as it is.
         yield from step_checks(
-            [steps.figures_and_ladders_of(slug) for slug in asked] + [*steps.FIRST[2:3]]
+            [*(steps.figures_and_ladders_of(slug) for slug in asked), steps.SCRIPTS]
         )
         return
-    yield from step_checks([steps.FIGURES_AND_LADDERS, *steps.FIRST[2:3]])
+    yield from step_checks([steps.FIGURES_AND_LADDERS, steps.SCRIPTS])
     yield from node_tests("test of docs/web:", sorted(docs.glob("web/test/*.test.mjs")), docs)
 
 
@@ -517,7 +517,7 @@ def wasm() -> Iterator[Check]:
         return
     if shutil.which("apt-get"):
         yield once("Catch2's source", [ROOT / "tools" / "fetch_catch2_source.sh"])
-    yield from step_checks([*steps.BEHIND[1:2], NATIVE_FIGURES])
+    yield from step_checks([steps.COMPILER, NATIVE_FIGURES])
     tests = [*sorted(docs.glob("wasm/*.test.mjs")), *sorted(docs.glob("web/test/cpp/*.test.mjs"))]
     if chapters_asked_for():
         # The figures and the ladders. The exercises are checked in a browser: parity.test.mjs.
@@ -529,9 +529,9 @@ def wasm() -> Iterator[Check]:
 
 def book() -> Iterator[Check]:
     if chapters_asked_for():
-        yield from step_checks([*steps.FIRST[:1], *steps.FIRST[3:]])
+        yield from step_checks([steps.PAGE_PROGRAMS, steps.PAGES])
         return
-    yield from step_checks(steps.FIRST[3:] + steps.BEHIND[3:4])
+    yield from step_checks([steps.PAGES, steps.EBOOK_STEP])
     yield from pytest("tests/docs", beside=TWO)
     yield from pytest("tests/serve")
 

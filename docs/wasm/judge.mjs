@@ -35,9 +35,18 @@ const sources = [
   "diagnosis/sieve.cpp",
   "diagnosis/source_structure.cpp",
   "diagnosis/source_text.cpp",
-  ...["definitions", "eigen", "link", "members", "missing", "names", "rules", "signs", "types", "warnings"].map(
-    (kind) => `diagnosis/mistakes/${kind}.cpp`,
-  ),
+  ...[
+    "definitions",
+    "eigen",
+    "link",
+    "members",
+    "missing",
+    "names",
+    "rules",
+    "signs",
+    "types",
+    "warnings",
+  ].map((kind) => `diagnosis/mistakes/${kind}.cpp`),
   "page/judge.cpp",
 ];
 

@@ -4,6 +4,8 @@
 // so all of it is a claim: numbers are no larger than max_claimed, and claims.hpp holds them
 // against the files that they speak of.
 
+#include <cstddef>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +13,7 @@
 namespace contact::grading {
 
 /// A larger number is read as this one.
-inline constexpr int max_claimed = 1'000'000'000;
+inline constexpr int max_claimed = std::numeric_limits<int>::max();
 /// More messages, notes or symbols than these are passed over.
 inline constexpr std::size_t max_messages = 100;
 inline constexpr std::size_t max_notes = 40;

@@ -19,7 +19,7 @@ std::size_t index_before(int column) { return static_cast<std::size_t>(std::max(
 
 // "7" of "7 "other.cpp"", at most `most`.
 std::optional<int> take_line_number(std::string_view& text) {
-  constexpr int most = 2'000'000'000;
+  constexpr int most = std::numeric_limits<int>::max();
   if (text.empty() || !is_digit(text.front())) return std::nullopt;
   std::int64_t number = 0;
   while (!text.empty() && is_digit(text.front())) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "unit_time.hpp"
+
 namespace contact::grading {
 
 namespace {
@@ -21,13 +23,17 @@ std::string what_went_wrong(const Verdict& verdict) {
          (why.empty() ? "" : ": " + why);
 }
 
+double least_seconds(const Exercise& exercise, const UnitSettings& settings) {
+  return settings.limits.test_cpu_seconds > 0.0 ? settings.limits.test_cpu_seconds
+                                                : exercise.time_limit;
+}
+
 }  // namespace
 
 double calibrate(Loop& loop, const Book& book, const BuildDescription& build,
                  const Machine& machine, const Seat& seat, const Exercise& exercise,
                  UnitSettings settings) {
-  const double least = settings.limits.test_cpu_seconds > 0.0 ? settings.limits.test_cpu_seconds
-                                                              : exercise.time_limit;
+  const double least = least_seconds(exercise, settings);
   settings.test_cpu_seconds = kTimesSolution * least;
   const UnitResult solution = grade_unit(loop, book, build, machine, seat, exercise,
                                          read_text(exercise.solution), settings);
@@ -38,6 +44,11 @@ double calibrate(Loop& loop, const Book& book, const BuildDescription& build,
                     " points here, so nothing is graded: " + what_went_wrong(solution.verdict));
   // To a tenth of a second, so that noise changes it seldom.
   return std::max(least, std::ceil(kTimesSolution * kTimesSolution * solution.slowest_test) / 10.0);
+}
+
+double calibrating_seconds(const Exercise& exercise, UnitSettings settings) {
+  settings.test_cpu_seconds = kTimesSolution * least_seconds(exercise, settings);
+  return declared_seconds(exercise, settings);
 }
 
 }  // namespace contact::grading

@@ -15,4 +15,7 @@ double calibrate(Loop& loop, const Book& book, const BuildDescription& build,
                  const Machine& machine, const Seat& seat, const Exercise& exercise,
                  UnitSettings settings);
 
+/// How long that may take on the clock.
+double calibrating_seconds(const Exercise& exercise, UnitSettings settings);
+
 }  // namespace contact::grading

@@ -3,6 +3,7 @@
 // Workers on this machine: each a process of its own, given one unit at a time.
 
 #include <optional>
+#include <utility>
 
 #include "../run_process.hpp"
 #include "engine.hpp"
@@ -12,8 +13,13 @@ namespace contact::grading {
 
 class LocalEngine : public Engine {
  public:
-  LocalEngine(Loop& loop, const RunFolder& folder, const Machine& machine, int workers)
-      : loop_(loop), folder_(folder), machine_(machine), workers_(workers) {}
+  LocalEngine(Loop& loop, const RunFolder& folder, const Machine& machine, int workers,
+              TimeOfJob time)
+      : loop_(loop),
+        folder_(folder),
+        machine_(machine),
+        workers_(workers),
+        time_(std::move(time)) {}
 
   [[nodiscard]] std::string name() const override { return "local"; }
   [[nodiscard]] int workers() const override { return workers_; }
@@ -25,6 +31,7 @@ class LocalEngine : public Engine {
   const RunFolder& folder_;
   const Machine& machine_;
   int workers_;
+  TimeOfJob time_;
 };
 
 /// A temporary folder whose name is kept in the run's folder, so that it is removed even if every

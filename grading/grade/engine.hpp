@@ -32,6 +32,14 @@ struct JobTrouble {
   std::string what;
 };
 
+/// How often a job that fails is given before it is a JobTrouble. A job that outlives its time
+/// counts twice, since each time costs as long as a unit may take at most.
+inline constexpr int most_tries = 3;
+inline constexpr int tries_out_of_time = 2;
+
+/// The seconds on the clock that a job may take.
+using TimeOfJob = std::function<double(const Job&)>;
+
 class Engine {
  public:
   Engine() = default;
@@ -45,8 +53,9 @@ class Engine {
   [[nodiscard]] virtual int workers() const = 0;
 
   /// Has every job graded: its unit file is written and holds the key that the run asks for. A
-  /// worker that dies is replaced and its job given again, at most twice. Jobs that are `alone` are
-  /// graded one after the other with nothing beside them.
+  /// worker that dies is replaced and its job given again, at most twice; one whose job outlives
+  /// its time is ended, and that job given again once at most. Jobs that are `alone` are graded one
+  /// after the other with nothing beside them.
   /// @param finished called when a unit's file is there
   /// @returns jobs without a result, and why
   /// @throws Interrupted on Ctrl-C, after every worker is gone; BookError if none can be started

@@ -65,7 +65,7 @@ Explained explain_in_box(Loop& loop, const Machine& machine, const Seat& seat,
     try {
       Explained said = explained_from_json(nlohmann::json::parse(end.process.output));
       if (said.error.has_value() == request.failed) {
-        if (said.error) said.error->full = kept_log(request.log);
+        if (said.error) said.error->full = request.log;
         return said;
       }
     } catch (const std::exception&) {

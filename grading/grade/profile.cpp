@@ -29,7 +29,7 @@ struct Key {
 constexpr double mebibyte = 1 << 20;
 
 // What a profile may say, and within what: beyond these a number is a slip of the pen.
-const std::array<Key, 18> keys{{
+const std::array<Key, 19> keys{{
     {"test_cpu_seconds", &GradeLimits::test_cpu_seconds, 0.0, 3600.0},
     {"wall_factor", &GradeLimits::wall_factor, 1.0, 100.0},
     {"wall_extra", &GradeLimits::wall_extra, 1.0, 3600.0},
@@ -48,11 +48,12 @@ const std::array<Key, 18> keys{{
     {"object_mb", &GradeLimits::object_mb, 1, 4096},
     {"answer_bytes", &GradeLimits::answer_bytes, 1024, 256 * mebibyte},
     {"calls", &GradeLimits::calls, 1, 1e9},
+    {"unit_seconds", &GradeLimits::unit_seconds, 0.0, 86400.0},
 }};
 
 // A limit that is added to GradeLimits and not to the list above stops the compiler here.
 [[maybe_unused]] std::size_t count_members(const GradeLimits& limits) {
-  [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r] = limits;
+  [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s] = limits;
   return keys.size();
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <ctime>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "../progress.hpp"
@@ -23,7 +24,8 @@ const nlohmann::json none;
 
 // One exercise of one submission.
 struct Mark {
-  double points = 0.0;
+  /// Nothing if it could not be graded.
+  std::optional<double> points = 0.0;
   bool refused = false;
   const nlohmann::json* unit = &none;
 };
@@ -41,9 +43,12 @@ Marks marks_of(const nlohmann::json& results) {
         marks[{id, exercise.at("id").get<std::string>()}] = {0.0, true, &none};
       continue;
     }
-    for (const nlohmann::json& unit : submission.at("exercises"))
-      marks[{id, unit.at("id").get<std::string>()}] = {unit.at("points").get<double>(),
-                                                       unit.at("status") == "refused", &unit};
+    for (const nlohmann::json& unit : submission.at("exercises")) {
+      std::optional<double> points;
+      if (!unit.at("points").is_null()) points = unit.at("points").get<double>();
+      marks[{id, unit.at("id").get<std::string>()}] = {points, unit.at("status") == "refused",
+                                                       &unit};
+    }
   }
   return marks;
 }
@@ -83,6 +88,8 @@ nlohmann::json changed_tests(const nlohmann::json& before, const nlohmann::json&
 
 // A file that came, went or was refused is a change of code.
 std::vector<std::string> reasons(const Mark& before, const Mark& after) {
+  if (!after.points) return {"could not be graded"};
+  if (!before.points) return {"could not be graded before"};
   if (after.refused) return {"code", "refused"};
   const nlohmann::json& then = *before.unit;
   const nlohmann::json& now = *after.unit;
@@ -91,8 +98,13 @@ std::vector<std::string> reasons(const Mark& before, const Mark& after) {
 }
 
 std::vector<std::string> reasons_to_come(const Mark& after) {
+  if (!after.points) return {"new", "could not be graded"};
   if (after.refused) return {"new", "refused"};
   return {"new"};
+}
+
+nlohmann::json points_json(const Mark& mark) {
+  return mark.points ? nlohmann::json(*mark.points) : none;
 }
 
 std::string date_time() { return now_utc("%Y-%m-%dT%H-%M-%SZ"); }
@@ -140,8 +152,8 @@ nlohmann::json changes_between(const nlohmann::json& before, const nlohmann::jso
                                              : std::vector<std::string>{"not asked for any more"};
     changes.push_back({{"submission", which.first},
                        {"exercise", which.second},
-                       {"before", was ? nlohmann::json(then->second.points) : none},
-                       {"after", is ? nlohmann::json(found->second.points) : none},
+                       {"before", was ? points_json(then->second) : none},
+                       {"after", is ? points_json(found->second) : none},
                        {"max_points", (asked ? most : most_before).at(which.second)},
                        {"why", why},
                        {"tests", changed_tests(was ? *then->second.unit : none,
@@ -150,7 +162,7 @@ nlohmann::json changes_between(const nlohmann::json& before, const nlohmann::jso
   return {{"format", changes_format}, {"changes", std::move(changes)}};
 }
 
-void Earlier::keep(const fs::path& file, const fs::path& as) {
+fs::path Earlier::target(const fs::path& as) {
   if (place_.empty()) {
     const fs::path all = folder_.results() / "earlier";
     fs::create_directories(all);
@@ -159,9 +171,19 @@ void Earlier::keep(const fs::path& file, const fs::path& as) {
     for (int i = 2; !fs::create_directory(place_); ++i)
       place_ = all / (stamp + "-" + std::to_string(i));
   }
-  const fs::path target = place_ / as;
+  fs::path target = place_ / as;
   fs::create_directories(target.parent_path());
-  write_durably(target, read_text(file));
+  return target;
+}
+
+void Earlier::keep(const fs::path& file, const fs::path& as) {
+  write_durably(target(as), read_text(file));
+}
+
+void Earlier::put_away(const fs::path& file, const fs::path& as) {
+  std::error_code error;
+  fs::rename(file, target(as), error);
+  if (error) throw BookError("cannot move " + file.string() + ": " + error.message());
 }
 
 std::optional<nlohmann::json> write_results(const RunFolder& folder, const nlohmann::json& results,

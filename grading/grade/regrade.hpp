@@ -21,7 +21,7 @@ bool of_another_class(const nlohmann::json& earlier, const std::set<std::string>
 
 /// "contact-grade-changes/1": each mark of an exercise that moved, came or went, and why. One that
 /// moved says what its unit depends on that is no longer the same; a submission that is refused
-/// whole has no points in any exercise.
+/// whole has no points in any exercise. What could not be graded has no mark.
 nlohmann::json changes_between(const nlohmann::json& before, const nlohmann::json& after);
 
 /// Keeps files of this run's folder that are about to give way, in RESULTS/earlier/DATE-TIME/.
@@ -31,10 +31,14 @@ class Earlier {
   /// @param file below RESULTS
   /// @param as where it is kept, below RESULTS/earlier/DATE-TIME
   void keep(const std::filesystem::path& file, const std::filesystem::path& as);
+  /// Moves it there as it is, where it cannot be read.
+  void put_away(const std::filesystem::path& file, const std::filesystem::path& as);
   /// Where; empty if nothing was kept.
   [[nodiscard]] const std::filesystem::path& place() const { return place_; }
 
  private:
+  std::filesystem::path target(const std::filesystem::path& as);
+
   const RunFolder& folder_;
   std::filesystem::path place_;
 };

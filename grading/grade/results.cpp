@@ -45,6 +45,10 @@ nlohmann::json unit_json(const Graded& graded, const Entrant& entrant, const Exe
     case Standing::untouched:
       json = {{"status", "untouched"}};
       break;
+    case Standing::not_graded:
+      json = {
+          {"status", "not_graded"}, {"problem", graded.of.troubles.at(job)}, {"points", nullptr}};
+      break;
     case Standing::refused:
       json = {{"status", "refused"}, {"problem", entrant.files.at(exercise.id()).problem}};
       break;
@@ -58,17 +62,21 @@ nlohmann::json unit_json(const Graded& graded, const Entrant& entrant, const Exe
 
 nlohmann::json submission_json(const Graded& graded, const Entrant& entrant) {
   double points = 0.0;
+  bool known = true;
   double max_points = 0.0;
   nlohmann::json exercises = nlohmann::json::array();
   for (const Exercise& exercise : graded.exercises) {
     max_points += exercise.max_points();
     if (!entrant.problem.empty()) continue;
     exercises.push_back(unit_json(graded, entrant, exercise));
-    points += exercises.back()["points"].get<double>();
+    const nlohmann::json& mark = exercises.back()["points"];
+    known = known && !mark.is_null();
+    if (!mark.is_null()) points += mark.get<double>();
   }
   nlohmann::json json = {{"id", entrant.id},           {"entry", entrant.entry},
-                         {"ignored", entrant.ignored}, {"points", points},
+                         {"ignored", entrant.ignored}, {"points", nullptr},
                          {"max_points", max_points},   {"exercises", std::move(exercises)}};
+  if (known) json["points"] = points;
   if (!entrant.name.empty()) json["name"] = entrant.name;
   if (!entrant.problem.empty()) json["problem"] = entrant.problem;
   return json;
@@ -108,20 +116,22 @@ Summary summary_of(const nlohmann::json& results) {
       continue;
     }
     ++summary.graded;
-    points += submission.at("points").get<double>();
-    for (const nlohmann::json& unit : submission.at("exercises"))
+    for (const nlohmann::json& unit : submission.at("exercises")) {
       summary.refused_files += unit.at("status") == "refused" ? 1 : 0;
+      summary.not_graded += unit.at("status") == "not_graded" ? 1 : 0;
+    }
+    if (submission.at("points").is_null()) continue;
+    ++summary.in_mean;
+    points += submission.at("points").get<double>();
   }
-  if (summary.graded > 0) summary.mean = points / summary.graded;
+  if (summary.in_mean > 0) summary.mean = points / summary.in_mean;
   return summary;
 }
 
 nlohmann::json to_json(const Summary& summary) {
-  return {{"submissions", summary.submissions},
-          {"graded", summary.graded},
-          {"refused", summary.refused},
-          {"refused_files", summary.refused_files},
-          {"mean", summary.mean},
+  return {{"submissions", summary.submissions}, {"graded", summary.graded},
+          {"refused", summary.refused},         {"refused_files", summary.refused_files},
+          {"not_graded", summary.not_graded},   {"mean", summary.mean},
           {"max_points", summary.max_points}};
 }
 

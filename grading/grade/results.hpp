@@ -1,6 +1,8 @@
 #pragma once
 
-// RESULTS/results.json, "contact-grade/1": every mark of a run, from which all reports are made.
+// RESULTS/results.json, "contact-grade/1": every mark of a run, from which all reports are made. A
+// unit that could not be graded has no points (null), and neither has its submission: no sum can
+// take that for a zero.
 
 #include <map>
 #include <string>
@@ -18,7 +20,8 @@ enum class Standing {
   missing,    ///< no file answers to it
   untouched,  ///< the file is as the book gives it
   refused,    ///< there is a file, and it cannot be taken
-  handed_in   ///< to be graded
+  handed_in,  ///< to be graded
+  not_graded  ///< handed in, and it could not be graded for a reason that is not the student's
 };
 
 /// The submissions of a run and what each holds.
@@ -27,6 +30,8 @@ struct Class {
   std::map<Job, Standing> standings;
   /// SHA-256 of the text of what is handed in.
   std::map<Job, std::string> codes;
+  /// Why what is not graded could not be.
+  std::map<Job, std::string> troubles;
 
   [[nodiscard]] Standing standing(const Job& job) const;
 };
@@ -51,7 +56,10 @@ struct Summary {
   int graded = 0;   ///< submissions that were not refused whole
   int refused = 0;  ///< submissions
   int refused_files = 0;
-  double mean = 0.0;  ///< points of those that were not refused
+  int not_graded = 0;  ///< units that could not be graded
+  /// Points of those that were not refused and have a mark for everything.
+  double mean = 0.0;
+  int in_mean = 0;  ///< of how many that is the mean
   double max_points = 0.0;
 };
 Summary summary_of(const nlohmann::json& results);

@@ -118,6 +118,7 @@ nlohmann::json to_json(const Run& run) {
           {"accept_weak", run.accept_weak},
           {"least_seconds", run.least_seconds},
           {"test_seconds", run.test_seconds},
+          {"unit_seconds", run.unit_seconds},
           {"keys", keys},
           {"private", to_json(run.private_tests)},
           {"exercises", run.exercises},
@@ -140,6 +141,8 @@ Run read_run(const fs::path& file) {
     json.at("accept_weak").get_to(run.accept_weak);
     json.at("least_seconds").get_to(run.least_seconds);
     json.at("test_seconds").get_to(run.test_seconds);
+    // A folder that an earlier version graded into has none; it is computed anew before it counts.
+    if (json.contains("unit_seconds")) json.at("unit_seconds").get_to(run.unit_seconds);
     for (const auto& [exercise, key] : json.at("keys").items())
       run.keys[exercise] = key_from_json(key);
     run.private_tests = private_tests_from_json(json.at("private"));

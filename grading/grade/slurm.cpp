@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sha256.hpp"
+#include "unit_time.hpp"
 
 namespace fs = std::filesystem;
 
@@ -15,8 +16,13 @@ namespace {
 using Names = std::vector<std::string>;
 using Duration = std::chrono::duration<double>;
 
-// How often a task may end at the same job, or a job be in tasks while nothing gets done.
-constexpr int most_failures = 3;
+// A worker ends itself if a unit outlives its time, unless it cannot: then its task is cancelled
+// from here, this much later. A shared folder may show late what a worker has done.
+constexpr double after_its_own = 20.0;
+// Seconds of a task that runs until its worker says that it is ready.
+constexpr double starting = 600.0;
+// The queue is asked more often than this; a longer step was one in which this program was stopped.
+constexpr double most_between_looks = 20.0;
 // A shared folder may show a file some seconds after it was written elsewhere.
 constexpr Duration patience{5.0};
 // Controllers are restarted now and then; jobs go on meanwhile.
@@ -134,6 +140,7 @@ void SlurmEngine::grade() {
     pause();
     ask_queue();
     collect(false);
+    end_late();
     submit(settle());
   }
   wait_for_rest();
@@ -198,6 +205,7 @@ void SlurmEngine::watch(const SlurmArrayRecord& array,
     task.index = static_cast<int>(index);
     task.state = {"PENDING", ""};
     task.results_before = results_;
+    task.quiet_clock = FairClock(most_between_looks);
     for (const Job& job : slices[index]) {
       const auto found = waiting_.find(job);
       // The same unit may have been asked for alone since.
@@ -324,6 +332,39 @@ void SlurmEngine::ask_queue() {
   silent_since_.reset();
 }
 
+// A task that runs and whose worker says nothing for longer than a unit may take hangs, and its
+// worker does not end it: it may be stopped, or its node be in trouble.
+void SlurmEngine::end_late() {
+  for (Task& task : tasks_) {
+    if (task.ended || task.late) continue;
+    if (task.state.state != "RUNNING") {
+      task.quiet_clock.pause();
+      continue;
+    }
+    const double now = task.quiet_clock.tick();
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(record_.log(task.array, task.index), error);
+    const std::uintmax_t told = error ? 0 : size;
+    if (told != task.told) {
+      task.told = told;
+      task.quiet_since = now;
+    }
+    double may_take = told == 0 ? starting : 0.0;
+    for (const Job& job : waiting_in(task))
+      may_take = std::max(may_take, setting_.time(job) + after_its_own);
+    if (may_take == 0.0 || now - task.quiet_since <= may_take) continue;
+    task.late = true;
+    setting_.note("Task " + task.job + "_" + std::to_string(task.index) +
+                  " of Slurm takes longer than a unit may, and is cancelled.");
+    try {
+      commands_.cancel({task.job + "_" + std::to_string(task.index)});
+    } catch (const SlurmError&) {
+      // The controller does not answer; the next look finds the task as late as this one.
+      task.late = false;
+    }
+  }
+}
+
 // How a task ended that the queue has no more.
 SlurmTask SlurmEngine::forgotten(const Task& task) {
   if (const auto accounted = commands_.accounted(task.job, task.index)) return *accounted;
@@ -394,30 +435,38 @@ std::vector<Job> SlurmEngine::settle() {
 // What is left of a task goes into the queue again, but not for ever.
 std::vector<Job> SlurmEngine::lost(const Task& task, const std::vector<Job>& jobs) {
   const bool barren = results_ == task.results_before;
-  const std::map<Job, std::string> told = troubles_of(task);
+  const std::map<Job, Told> told = troubles_of(task);
+  // A worker takes its orders in turn: if it did not end itself, it was at the first unit that has
+  // no result and of which it has said nothing.
+  const bool ended_itself =
+      std::any_of(told.begin(), told.end(), [](const auto& one) { return one.second.out_of_time; });
+  const auto at =
+      std::find_if(jobs.begin(), jobs.end(), [&](const Job& job) { return !told.contains(job); });
   std::vector<Job> again;
   for (const Job& job : jobs) {
     // Whoever cancels a job does not want it submitted again.
-    if (task.state.state == "CANCELLED") {
+    if (task.state.state == "CANCELLED" && !task.late) {
       give_up(job, end_of(task) + ". It was cancelled from outside");
       continue;
     }
-    // A worker takes its orders in turn: if it has not said where it failed, it was at the first
-    // that has no result.
     const auto found = told.find(job);
-    const bool failed = found != told.end() || (told.empty() && &job == &jobs.front());
-    if (failed && ++failures_[job] >= most_failures) {
-      give_up(job, found != told.end() ? found->second : end_of(task));
+    const bool said = found != told.end();
+    const bool ended_here = !said && !ended_itself && at != jobs.end() && &job == &*at;
+    const bool hung = ended_here && task.late;
+    if (said || ended_here)
+      failures_[job] += hung || (said && found->second.out_of_time) ? tries_out_of_time : 1;
+    if (failures_[job] >= most_tries) {
+      give_up(job, said   ? found->second.what
+                   : hung ? out_of_time_words(setting_.time(job))
+                          : end_of(task));
       continue;
     }
     barren_[job] = barren ? barren_[job] + 1 : 0;
-    if (barren_[job] >= most_failures) {
-      // Its log goes when everything is cancelled.
-      const std::string end = end_of(task);
-      withdraw();
-      throw BookError("nothing gets done on the cluster: " + end +
-                      ". Every node must see the results' folder and this program's under the same "
-                      "path, and have what `contact doctor` asks for");
+    if (barren_[job] >= most_tries) {
+      give_up(job, "nothing gets done on the cluster: " + end_of(task) +
+                       ". Every node must see the results' folder and this program's under the "
+                       "same path, and have what `contact doctor` asks for");
+      continue;
     }
     waiting_[job].reset();
     again.push_back(job);
@@ -431,14 +480,14 @@ void SlurmEngine::give_up(const Job& job, const std::string& why) {
 }
 
 // The units that a worker could not grade, and what it said about each.
-std::map<Job, std::string> SlurmEngine::troubles_of(const Task& task) const {
-  std::map<Job, std::string> troubles;
+std::map<Job, SlurmEngine::Told> SlurmEngine::troubles_of(const Task& task) const {
+  std::map<Job, Told> troubles;
   std::ifstream stream(record_.log(task.array, task.index));
   for (std::string line; std::getline(stream, line);) {
     const nlohmann::json said = nlohmann::json::parse(line, nullptr, false);
     if (said.is_object() && said.value("event", "") == "trouble")
-      troubles[{said.value("submission", ""), said.value("exercise", "")}] =
-          said.value("what", "it does not say why");
+      troubles[{said.value("submission", ""), said.value("exercise", "")}] = {
+          said.value("what", "it does not say why"), said.value("out_of_time", false)};
   }
   return troubles;
 }

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -17,6 +18,7 @@
 #include "run_state.hpp"
 #include "slurm_commands.hpp"
 #include "slurm_record.hpp"
+#include "watchdog.hpp"
 
 namespace contact::grading {
 
@@ -25,6 +27,7 @@ struct SlurmSetting {
   std::vector<std::string> worker;
   /// What one worker with its boxes may need.
   int memory_mb = 0;
+  TimeOfJob time;
   /// Whether a unit's file holds what the run asks for.
   std::function<bool(const Job&)> has_result;
   /// Is told what an instructor may want to know meanwhile, a line at a time.
@@ -64,6 +67,18 @@ class SlurmEngine final : public Engine {
     bool settled = false;
     /// How many results there were when it was submitted.
     std::size_t results_before = 0;
+    /// Time in which it ran and was done with no unit, and how long its log was then.
+    FairClock quiet_clock;
+    double quiet_since = 0.0;
+    std::uintmax_t told = 0;
+    /// Cancelled from here, because it was quiet for longer than a unit may take.
+    bool late = false;
+  };
+
+  // What a worker said about a unit that it could not grade.
+  struct Told {
+    std::string what;
+    bool out_of_time = false;
   };
 
   void grade();
@@ -76,12 +91,13 @@ class SlurmEngine final : public Engine {
 
   void pause();
   void ask_queue();
+  void end_late();
   void collect(bool all);
   std::vector<Job> settle();
   std::vector<Job> lost(const Task& task, const std::vector<Job>& jobs);
   [[nodiscard]] std::vector<Job> waiting_in(const Task& task) const;
   void give_up(const Job& job, const std::string& why);
-  [[nodiscard]] std::map<Job, std::string> troubles_of(const Task& task) const;
+  [[nodiscard]] std::map<Job, Told> troubles_of(const Task& task) const;
   [[nodiscard]] std::string end_of(const Task& task) const;
   SlurmTask forgotten(const Task& task);
   void wait_for_rest();

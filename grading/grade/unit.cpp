@@ -7,6 +7,7 @@
 #include "../stop_words.hpp"
 #include "broker.hpp"
 #include "unit_compile.hpp"
+#include "unit_time.hpp"
 
 namespace fs = std::filesystem;
 
@@ -22,10 +23,6 @@ constexpr int kJudgeMemory = 1024;
 constexpr double kJudgeSecondsATest = 10.0;
 constexpr std::size_t kJudgeEvents = 32u << 20;
 
-double wall_seconds(const UnitSettings& settings) {
-  return settings.limits.wall_factor * settings.test_cpu_seconds + settings.limits.wall_extra;
-}
-
 BoxSpec answer_box(const fs::path& program, const UnitSettings& settings) {
   const GradeLimits& limits = settings.limits;
   BoxSpec spec;
@@ -34,7 +31,7 @@ BoxSpec answer_box(const fs::path& program, const UnitSettings& settings) {
   spec.read_only = {{program, "/answer"}};
   // The broker ends it to the millisecond; this is for when it cannot.
   spec.limits.cpu_seconds = settings.test_cpu_seconds + 1.0;
-  spec.limits.wall_seconds = wall_seconds(settings);
+  spec.limits.wall_seconds = test_wall_seconds(settings);
   spec.limits.memory_mb = limits.memory_mb;
   spec.limits.processes = limits.processes;
   spec.limits.output_bytes = limits.output_bytes;
@@ -44,7 +41,7 @@ BoxSpec answer_box(const fs::path& program, const UnitSettings& settings) {
 }
 
 BoxSpec judge_box(const fs::path& tests, const Exercise& exercise, const UnitSettings& settings,
-                  const std::vector<std::string>& names, int broker) {
+                  const std::vector<std::string>& names, double seconds, int broker) {
   BoxSpec spec;
   spec.kind = BoxKind::judge;
   spec.command = {"/tests", "-r", "contact"};
@@ -58,7 +55,7 @@ BoxSpec judge_box(const fs::path& tests, const Exercise& exercise, const UnitSet
   spec.descriptors = {{broker, 3}};
   const auto tests_in_it = static_cast<double>(exercise.tests.size());
   spec.limits.cpu_seconds = kJudgeSecondsATest * tests_in_it;
-  spec.limits.wall_seconds = (wall_seconds(settings) + 4.0 * kJudgeSecondsATest) * tests_in_it;
+  spec.limits.wall_seconds = seconds;
   spec.limits.memory_mb = kJudgeMemory;
   spec.limits.processes = 1;
   spec.limits.output_bytes = kJudgeEvents;
@@ -77,10 +74,12 @@ class Judging {
         exercise_(exercise),
         settings_(settings),
         answer_(answer_box(program, settings)),
-        time_{settings.test_cpu_seconds, settings.limits.idle_seconds,
-              settings.limits.idle_seconds_in_all} {}
+        answer_time_{settings.test_cpu_seconds, settings.limits.idle_seconds,
+                     settings.limits.idle_seconds_in_all},
+        time_(exercise, settings) {}
 
   void run(const fs::path& tests) {
+    time_ = JudgingTime(exercise_, settings_);
     std::vector<TestResult> results = run_in_turns(
         exercise_, [&](const std::vector<std::string>& names) { return turn(tests, names); });
     for (TestResult& result : results) results_.push_back(std::move(result));
@@ -92,15 +91,16 @@ class Judging {
 
  private:
   Turn turn(const fs::path& tests, const std::vector<std::string>& names) {
-    Broker broker(loop_, machine_, seat_, answer_, time_);
+    Broker broker(loop_, machine_, seat_, answer_, answer_time_);
     Box judge(loop_, machine_, seat_,
-              judge_box(tests, exercise_, settings_, names, broker.judge_end()));
+              judge_box(tests, exercise_, settings_, names, time_.next(), broker.judge_end()));
     broker.let_go_of_judge_end();
     while (!judge.ended()) {
       loop_.run_once();
       broker.serve(judge);
     }
     const BoxEnd end = judge.wait();
+    time_.spend(end.process.seconds);
     Turn turn;
     turn.reader.feed(end.process.output);
     turn.died =
@@ -168,7 +168,8 @@ class Judging {
   const Exercise& exercise_;
   const UnitSettings& settings_;
   const BoxSpec answer_;
-  AnswerTime time_;
+  AnswerTime answer_time_;
+  JudgingTime time_;
   std::vector<TestResult> results_;
   std::string output_;
   bool near_limit_ = false;

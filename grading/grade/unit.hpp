@@ -39,6 +39,8 @@ struct GradeLimits {
   /// Of one answer that comes back, and of calls in one test.
   std::size_t answer_bytes = 16u << 20;
   long calls = 1'000'000;
+  /// Of a whole unit on the clock; 0 adds up what its boxes may take (unit_time.hpp).
+  double unit_seconds = 0.0;
 };
 
 struct UnitSettings {

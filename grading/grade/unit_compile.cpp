@@ -9,6 +9,7 @@
 #include "../diagnosis/exercise_contract.hpp"
 #include "../diagnosis/message_text.hpp"
 #include "explain_box.hpp"
+#include "unit_time.hpp"
 
 namespace fs = std::filesystem;
 
@@ -40,7 +41,7 @@ BoxSpec compile_box(const Book& book, const BuildDescription& build, const Exerc
   show(exercise.contract);
   show(build.exercises.at(exercise.id()).server);
   spec.limits.cpu_seconds = limits.compile_cpu_seconds;
-  spec.limits.wall_seconds = limits.wall_factor * limits.compile_cpu_seconds + limits.wall_extra;
+  spec.limits.wall_seconds = compile_wall_seconds(limits);
   spec.limits.idle_seconds = limits.compile_idle_seconds;
   spec.limits.memory_mb = limits.compile_memory_mb;
   spec.limits.processes = limits.compile_processes;

@@ -42,6 +42,23 @@ Diagnosis diagnosis_of(const json& request) {
   return {exercise.name + ".cpp", text(request, "source"), contract_of(exercise)};
 }
 
+// As in a check: what cannot be explained is told in the compiler's own words.
+Explained said_of_compile(const Diagnosis& diagnosis, const std::string& log, bool failed) {
+  try {
+    return diagnosis.of_compile(log, failed, Columns::bytes);
+  } catch (const std::exception&) {
+    return unexplained(log, failed, diagnosis.file());
+  }
+}
+
+Explained said_of_link(const Diagnosis& diagnosis, const std::string& log) {
+  try {
+    return diagnosis.of_link(log);
+  } catch (const std::exception&) {
+    return unexplained(log, true, diagnosis.file());
+  }
+}
+
 json told(Verdict verdict, Explained said, const std::string& file) {
   verdict.file = file;
   verdict.warnings = std::move(said.warnings);
@@ -52,9 +69,8 @@ json told(Verdict verdict, Explained said, const std::string& file) {
 json uncompiled(const json& request) {
   const Diagnosis diagnosis = diagnosis_of(request);
   const std::string log = text(request, "log");
-  Explained said = text(request, "step") == "link"
-                       ? diagnosis.of_link(log)
-                       : diagnosis.of_compile(log, true, Columns::bytes);
+  Explained said = text(request, "step") == "link" ? said_of_link(diagnosis, log)
+                                                   : said_of_compile(diagnosis, log, true);
   CompileError error = *said.error;
   return told(judge_uncompiled(exercise_of(request), std::move(error)), std::move(said),
               diagnosis.file());

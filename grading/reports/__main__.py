@@ -31,12 +31,18 @@ def main(arguments: list[str] | None = None) -> int:
         metavar="TIME",
         help="when work is due, as 2026-12-01T23:59+01:00; this machine's zone if none is given",
     )
+    parser.add_argument(
+        "--again",
+        default="",
+        metavar="COMMAND",
+        help="what grades again what could not be graded, for the class page",
+    )
     parser.add_argument("--now", type=moment, metavar="TIME", help="take this for the time now")
     given = parser.parse_args(arguments)
     now = given.now or datetime.now(UTC)
     try:
         count = write_reports(
-            read_results(given.results), given.results, given.formats, given.due, now
+            read_results(given.results), given.results, given.formats, given.due, now, given.again
         )
     except ReportError as error:
         print(f"reports: {error}", file=sys.stderr)

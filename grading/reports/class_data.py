@@ -6,16 +6,17 @@ Only what a student may see is counted test by test, since the page is made to b
 from __future__ import annotations
 
 import os
+import re
 import statistics
 import tomllib
 from collections import Counter, defaultdict
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from reports.mistakes import MISTAKES, OTHER
 from reports.results import Exercise
-from reports.visibility import SeenSubmission, SeenUnit
+from reports.visibility import NOT_GRADED, SeenSubmission, SeenUnit
 from reports.words import unit_state
 
 # How an exercise stands, best first, as its bar shows it.
@@ -28,6 +29,8 @@ STATES = (
     "untouched",
     "missing",
 )
+# Stands for a reason that names a student.
+UNTOLD = "results.json and gradebook.csv say why"
 BINS = 10
 MOST_TROUBLES = 5
 # Of those who fail a test, so large a part must believe the same for it to be worth a word.
@@ -56,7 +59,15 @@ class ExerciseRow:
     later: list[str] = field(default_factory=list)
     hidden_points: float = 0.0
     hidden_most: float = 0.0
+    # Units that could not be graded. Nothing else here counts them.
+    not_graded: int = 0
+    reasons: Counter[str] = field(default_factory=Counter)
     mistakes: Counter[str] = field(default_factory=Counter)
+
+    @property
+    def unknown(self) -> bool:
+        """Nothing of it could be graded."""
+        return bool(self.not_graded) and not self.points
 
     @property
     def mean(self) -> float:
@@ -114,9 +125,14 @@ class ClassData:
     not_enforced: tuple[str, ...]
 
     @property
+    def not_graded(self) -> list[ExerciseRow]:
+        """The exercises of which something could not be graded."""
+        return [row for row in self.rows if row.not_graded]
+
+    @property
     def weakest(self) -> list[ExerciseRow]:
-        """The exercises, fewest points first."""
-        return sorted(self.rows, key=lambda row: (row.share, row.exercise.id))
+        """The exercises, fewest points first; last those of which nothing is known."""
+        return sorted(self.rows, key=lambda row: (row.unknown, row.share, row.exercise.id))
 
     @property
     def refused_exercises(self) -> int:
@@ -132,8 +148,10 @@ def class_data(
     submissions: Sequence[SeenSubmission],
     exercises: Sequence[Exercise],
     not_enforced: tuple[str, ...],
+    reasons: Mapping[tuple[str, str], str],
 ) -> ClassData:
-    """Counts over all submissions."""
+    """Counts over all submissions. `reasons` says, by submission and exercise, why something could
+    not be graded."""
     book = book_of_misconceptions()
     rows = {exercise.id: ExerciseRow(exercise) for exercise in exercises}
     believed: dict[str, set[int]] = defaultdict(set)
@@ -144,6 +162,11 @@ def class_data(
     for number, submission in enumerate(submissions):
         for unit in submission.units:
             row = rows[unit.exercise.id]
+            if unit.status == NOT_GRADED:
+                row.not_graded += 1
+                reason = reasons.get((submission.id, unit.exercise.id), "")
+                row.reasons[reason if nameless(reason, submissions) else UNTOLD] += 1
+                continue
             _count(row, unit)
             for test in unit.tests:
                 failure = test.failure
@@ -172,7 +195,11 @@ def class_data(
         for words, who in mistaken.items()
     ]
     mistakes.sort(key=lambda one: (one.words == OTHER, -one.files, one.words))
-    shares = [one.points / one.max_points if one.max_points else 0.0 for one in submissions]
+    shares = [
+        one.points / one.max_points if one.max_points else 0.0
+        for one in submissions
+        if one.points is not None
+    ]
     ordered = [rows[exercise.id] for exercise in exercises]
     return ClassData(
         students=len(submissions),
@@ -188,6 +215,16 @@ def class_data(
         max_points=max((one.max_points for one in submissions), default=0.0),
         not_enforced=not_enforced,
     )
+
+
+def nameless(text: str, submissions: Sequence[SeenSubmission]) -> bool:
+    """Whether a text of the grader's names no student."""
+    words = set(re.split(r"[^\w.@+~-]+", text.casefold()))
+    for one in submissions:
+        names = [one.id, *one.name.split()]
+        if any(name.casefold() in words or (len(name) > 3 and name in text) for name in names):
+            return False
+    return True
 
 
 def book_of_misconceptions() -> dict[str, tuple[str, str]]:
@@ -206,7 +243,7 @@ def book_of_misconceptions() -> dict[str, tuple[str, str]]:
 
 def _count(row: ExerciseRow, unit: SeenUnit) -> None:
     row.states[unit_state(unit)] += 1
-    row.points.append(unit.points)
+    row.points.append(unit.points or 0.0)
     if unit.hidden:
         row.hidden_points += unit.hidden.points
         row.hidden_most += unit.hidden.max_points

@@ -19,11 +19,12 @@ HEIGHT = 192
 BASE = 150
 
 
-def class_page(data: ClassData) -> str:
-    """The whole page."""
+def class_page(data: ClassData, again: str = "") -> str:
+    """The whole page. `again` is the command that grades what could not be."""
     return render(
         "class.html",
         data=data,
+        again=again,
         states=STATES,
         fills=list(FILLS.items()),
         histogram=histogram(data.bins),

@@ -2,7 +2,8 @@
 
 Scores there are whole numbers. Where points are not, all are multiplied by the same number, and
 `points-factor` says by which. Who handed in what is known to the runner, which puts it in the
-environment; without one the submission's id stands in its place.
+environment; without one the submission's id stands in its place. A result there has a score, so
+none is written where something could not be graded.
 """
 
 from __future__ import annotations

@@ -2,10 +2,10 @@
 
     id            as the submission is called
     name          if the list of identifiers has one
-    NN_slug/NAME  points in that exercise, one column each
-    total         the sum
+    NN_slug/NAME  points in that exercise, one column each; empty if it could not be graded
+    total         the sum; empty if something could not be graded, so that nothing imports a zero
     max_points    what could be had
-    remarks       what could not be graded, and why
+    remarks       what was refused or could not be graded, and why
     not_enforced  what the machine could not enforce; empty if it enforced everything
 
 UTF-8 without a byte order mark, commas, every cell quoted, lines end with CR LF (RFC 4180). A cell
@@ -17,17 +17,21 @@ from __future__ import annotations
 import csv
 import io
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
-from reports.visibility import SeenSubmission, SeenUnit
+from reports.visibility import NOT_GRADED, SeenSubmission, SeenUnit
 from reports.words import points_text
 
 # What begins a formula, at the start of a cell or behind what another locale takes for its end.
 _FORMULA = re.compile(r"(?:^|(?<=[,;|\t\"']))(\s*)(?=[=+\-@\t\r＝＋－＠−])")
 
 
-def gradebook(submissions: Sequence[SeenSubmission], exercises: Sequence[str]) -> str:
-    """The whole file."""
+def gradebook(
+    submissions: Sequence[SeenSubmission],
+    exercises: Sequence[str],
+    reasons: Mapping[tuple[str, str], str],
+) -> str:
+    """The whole file. `reasons` says, by submission and exercise, why something is not graded."""
     text = io.StringIO()
     writer = csv.writer(text, quoting=csv.QUOTE_ALL, lineterminator="\r\n")
     header = ["id", "name", *exercises, "total", "max_points", "remarks", "not_enforced"]
@@ -38,14 +42,18 @@ def gradebook(submissions: Sequence[SeenSubmission], exercises: Sequence[str]) -
             [
                 defused(submission.id),
                 defused(submission.name),
-                *(points_text(units[one].points) if one in units else "" for one in exercises),
-                points_text(submission.points),
+                *(_cell(units[one].points) if one in units else "" for one in exercises),
+                _cell(submission.points),
                 points_text(submission.max_points),
-                defused("; ".join(_remarks(submission))),
+                defused("; ".join(_remarks(submission, reasons))),
                 defused("; ".join(submission.not_enforced)),
             ]
         )
     return text.getvalue()
+
+
+def _cell(points: float | None) -> str:
+    return "" if points is None else points_text(points)
 
 
 def defused(cell: str) -> str:
@@ -54,16 +62,21 @@ def defused(cell: str) -> str:
     return _FORMULA.sub(r"'\1", one_line)
 
 
-def _remarks(submission: SeenSubmission) -> list[str]:
+def _remarks(submission: SeenSubmission, reasons: Mapping[tuple[str, str], str]) -> list[str]:
     if submission.problem:
         return [f"refused: {submission.problem}"]
-    remarks = [_remark(unit) for unit in submission.units]
+    remarks = [
+        _remark(unit, reasons.get((submission.id, unit.exercise.id), ""))
+        for unit in submission.units
+    ]
     if submission.ignored:
         remarks.append(f"{len(submission.ignored)} files answer to no exercise")
     return [remark for remark in remarks if remark]
 
 
-def _remark(unit: SeenUnit) -> str:
+def _remark(unit: SeenUnit, reason: str) -> str:
+    if unit.status == NOT_GRADED:
+        return f"{unit.exercise.id} could not be graded and has no mark: {reason}"
     if unit.status == "refused":
         return f"{unit.exercise.id} refused: {unit.problem}"
     if unit.status == "missing":

@@ -4,6 +4,10 @@ Every text is of format "text": nothing of a submission is ever rendered. Grades
 date and its exceptions, so a test that is shown after it is handed over whole, marked
 `after_due_date`, unless --due says that it has passed. Hidden tests are one entry an exercise with
 the sum of their points: an entry marked `hidden` would also hide the student's total.
+
+Where something could not be graded there is no score at all, neither of the whole nor of a test.
+Gradescope asks for one or the other, so it takes such a file for a run that failed, and no mark is
+made of it.
 """
 
 from __future__ import annotations
@@ -15,6 +19,7 @@ from reports.words import (
     HIDDEN_NAME,
     HIDDEN_WORDS,
     REFUSED_NAME,
+    not_graded_sentence,
     number,
     test_text,
     unit_problem,
@@ -31,8 +36,8 @@ def gradescope(submission: SeenSubmission) -> Json:
         tests.append(refusal)
     for place, unit in enumerate(submission.units, start=1):
         tests += _unit_tests(place, unit)
-    return {
-        "score": number(submission.points),
+    document: Json = {
+        "score": number(submission.points or 0.0),
         "execution_time": round(sum(unit.seconds for unit in submission.units), 3),
         "output": "\n\n".join(_overview(submission)),
         "output_format": "text",
@@ -47,10 +52,23 @@ def gradescope(submission: SeenSubmission) -> Json:
         },
         "tests": tests,
     }
+    return without_score(document) if submission.not_graded else document
+
+
+def without_score(document: Json) -> Json:
+    """The same as no mark."""
+    tests = [
+        {name: value for name, value in test.items() if name not in ("score", "max_score")}
+        for test in document["tests"]
+    ]
+    kept = {name: value for name, value in document.items() if name != "score"}
+    return kept | {"tests": tests, "extra_data": {**document["extra_data"], "graded": False}}
 
 
 def _overview(submission: SeenSubmission) -> list[str]:
     parts = []
+    if sentence := not_graded_sentence(submission):
+        parts.append(sentence)
     if submission.problem:
         parts.append(f"{REFUSED_NAME}: {submission.problem}")
     uncompiled = [
@@ -108,6 +126,7 @@ def _why(unit: SeenUnit) -> str:
         "refused": "refused",
         "missing": "not handed in",
         "untouched": "as it was given",
+        "not_graded": "could not be graded",
     }.get(unit.status, "does not compile")
 
 
@@ -156,11 +175,10 @@ def not_graded(reason: str) -> Json:
     """When grading itself fails: the student is told that this is no mark."""
     words = (
         "Your files have arrived, but they could not be graded: something failed on our side, not"
-        " on yours. The 0 here is no mark. Your teacher can see why and start the grading again;"
+        " on yours. This is no mark. Your teacher can see why and start the grading again;"
         " you need not hand in anything new."
     )
     return {
-        "score": 0,
         "output": words,
         "output_format": "text",
         "visibility": "visible",

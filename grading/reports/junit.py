@@ -9,13 +9,22 @@ from __future__ import annotations
 
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
-from reports.visibility import OUTPUT_WITHHELD, SeenSubmission, SeenTest, SeenUnit, machine_sentence
+from reports.visibility import (
+    NOT_GRADED,
+    OUTPUT_WITHHELD,
+    SeenSubmission,
+    SeenTest,
+    SeenUnit,
+    machine_sentence,
+)
 from reports.words import (
     HIDDEN_NAME,
     HIDDEN_WORDS,
     LATER_NAME,
     LATER_WORDS,
+    NOT_GRADED_WORDS,
     REFUSED_NAME,
+    UNIT_WORDS,
     points_text,
     sum_text,
     test_text,
@@ -50,8 +59,9 @@ def _refusal(root: Element, submission: SeenSubmission) -> None:
 def _suite(root: Element, submission: SeenSubmission, unit: SeenUnit) -> None:
     suite = SubElement(root, "testsuite", name=unit.exercise.id)
     properties = SubElement(suite, "properties")
+    told = {} if unit.told_points is None else {"points": points_text(unit.told_points)}
     facts = {
-        "points": points_text(unit.told_points),
+        **told,
         "max_points": points_text(unit.max_points),
         "gradable": "true" if unit.gradable else "false",
     }
@@ -60,6 +70,9 @@ def _suite(root: Element, submission: SeenSubmission, unit: SeenUnit) -> None:
     for what in submission.not_enforced:
         SubElement(properties, "property", name="not_enforced", value=what)
     problem = submission.problem or unit_problem(unit)
+    if unit.status == NOT_GRADED:
+        case = _bare_case(suite, unit, UNIT_WORDS[NOT_GRADED])
+        SubElement(case, "error", type=NOT_GRADED, message=NOT_GRADED_WORDS)
     for test in unit.tests:
         _case(suite, unit, test, problem)
     if unit.hidden:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 OTHER = "Another mistake"
 
-# By the ids of grading/mistakes.cpp; a test holds the two lists together.
+# By the ids of grading/diagnosis/mistakes/; a test holds the two lists together.
 MISTAKES = {
     "another-return-type": "The function returns another type than the contract says",
     "another-signature": "The function takes other arguments than the contract says",

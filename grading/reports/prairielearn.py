@@ -1,7 +1,8 @@
 """results.json for PrairieLearn's external graders.
 
-What does not compile is `gradable: false`, so it costs no attempt and no points. PrairieLearn takes
-a megabyte at most; what is too long is cut where most of it is, and the message says so.
+What does not compile is `gradable: false`, so it costs no attempt and no points. So is a submission
+of which something could not be graded, and it has no score. PrairieLearn takes a megabyte at most;
+what is too long is cut where most of it is, and the message says so.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from reports.words import (
     LATER_WORDS,
     STATUS_WORDS,
     UNIT_WORDS,
+    not_graded_sentence,
     number,
     of,
     test_text,
@@ -56,21 +58,29 @@ def _document(submission: SeenSubmission) -> Json:
     tests: list[Json] = []
     for unit in submission.units:
         tests += _unit_tests(unit)
+    points = submission.points or 0.0
     document: Json = {
         "gradable": submission.gradable,
-        "score": min(1.0, round(submission.points / most, 6)) if most > 0 else 0.0,
+        "score": min(1.0, round(points / most, 6)) if most > 0 else 0.0,
         "message": _message(submission),
         "output": "\n\n".join(_outputs(submission)),
         "tests": tests,
     }
-    if not submission.gradable:
+    if submission.not_graded:
+        # A score of the rest would stand for the whole.
+        document["gradable"] = False
+        del document["score"]
+        document["format_errors"] = [not_graded_sentence(submission)]
+    elif not submission.gradable:
         document["format_errors"] = _format_errors(submission)
     return document
 
 
 def _message(submission: SeenSubmission) -> str:
-    parts = [f"{of(submission.points, submission.max_points)} points."]
-    if not submission.gradable:
+    parts = [f"{of(submission.points or 0.0, submission.max_points)} points."]
+    if submission.not_graded:
+        parts = [not_graded_sentence(submission), "This costs you no attempt."]
+    elif not submission.gradable:
         parts = ["There is nothing here that can be graded; this costs you no attempt."]
     if submission.later:
         parts.append("Some results are shown after the due date.")
@@ -163,7 +173,6 @@ def not_graded(reason: str) -> Json:
     """When grading itself fails: nothing that counts."""
     return {
         "gradable": False,
-        "score": 0.0,
         "message": (
             "Your files have arrived, but they could not be graded: something failed on our side,"
             " not on yours. This costs you no attempt."

@@ -98,7 +98,8 @@ class Unit:
     status: str
     problem: str
     gradable: bool
-    points: float
+    # None if it could not be graded; then `problem` is the instructor's to read.
+    points: float | None
     max_points: float
     verdict: Verdict | None
 
@@ -109,7 +110,8 @@ class Submission:
     name: str
     problem: str
     ignored: tuple[str, ...]
-    points: float
+    # None if some unit of it has none.
+    points: float | None
     max_points: float
     units: tuple[Unit, ...]
 
@@ -227,10 +229,14 @@ def _submission(entry: dict[str, Any]) -> Submission:
         name=clean_line(entry.get("name", "")),
         problem=clean(entry.get("problem", "")),
         ignored=tuple(clean_line(path) for path in entry.get("ignored", [])),
-        points=float(entry["points"]),
+        points=_mark(entry["points"]),
         max_points=float(entry["max_points"]),
         units=tuple(_unit(unit) for unit in entry["exercises"]),
     )
+
+
+def _mark(points: float | None) -> float | None:
+    return None if points is None else float(points)
 
 
 def _unit(entry: dict[str, Any]) -> Unit:
@@ -240,7 +246,7 @@ def _unit(entry: dict[str, Any]) -> Unit:
         status=entry["status"],
         problem=clean(entry.get("problem", "")),
         gradable=entry["gradable"],
-        points=float(entry["points"]),
+        points=_mark(entry["points"]),
         max_points=float(entry["max_points"]),
         verdict=_verdict(verdict) if verdict else None,
     )

@@ -5,13 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from reports.page import render
-from reports.visibility import OUTPUT_WITHHELD, SeenSubmission, SeenUnit
+from reports.visibility import NOT_GRADED, OUTPUT_WITHHELD, SeenSubmission, SeenUnit
 from reports.words import (
     HIDDEN_NAME,
     HIDDEN_WORDS,
     LATER_WORDS,
     compile_text,
+    not_graded_sentence,
     points_text,
+    unit_points,
     unit_problem,
     unit_state,
 )
@@ -44,8 +46,8 @@ def student_page(submission: SeenSubmission) -> str:
         hidden_words=HIDDEN_WORDS,
         later_words=LATER_WORDS,
         output_withheld=OUTPUT_WITHHELD,
-        told_most=submission.max_points
-        - (submission.later.max_points if submission.later else 0.0),
+        unit_points=unit_points,
+        not_graded=not_graded_sentence(submission),
     )
 
 
@@ -57,6 +59,8 @@ def next_steps(submission: SeenSubmission) -> list[Step]:
     for unit in submission.units:
         title = unit.exercise.title
         worth = points_text(unit.max_points)
+        if unit.status == NOT_GRADED:
+            continue
         if unit.status == "refused":
             compile_first.append(Step(unit, f"Hand in a file for “{title}” again", unit.problem))
         elif unit.status != "graded" or unit.outcome == "not_attempted":

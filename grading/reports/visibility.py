@@ -33,6 +33,8 @@ from reports.results import (
     Verdict,
 )
 
+# The status of what could not be graded for a reason that is not the student's.
+NOT_GRADED = "not_graded"
 OUTPUT_WITHHELD = (
     "What your program printed is not shown, because some tests here do not show their values."
 )
@@ -83,7 +85,8 @@ class SeenUnit:
     outcome: str | None
     problem: str
     gradable: bool
-    points: float
+    # None if it could not be graded. Then there are no tests either, and why is not told here.
+    points: float | None
     max_points: float
     seconds: float
     tests: tuple[SeenTest, ...]
@@ -97,9 +100,16 @@ class SeenUnit:
     output_withheld: bool
 
     @property
-    def told_points(self) -> float:
+    def told_points(self) -> float | None:
         """The mark as far as it may be told before the due date."""
+        if self.points is None:
+            return None
         return self.points - (self.later.points if self.later else 0.0)
+
+    @property
+    def told_most(self) -> float:
+        """Of how many points that is."""
+        return self.max_points - (self.later.max_points if self.later else 0.0)
 
 
 @dataclass(frozen=True)
@@ -108,10 +118,16 @@ class SeenSubmission:
     name: str
     problem: str
     ignored: tuple[str, ...]
-    points: float
+    # None if some unit could not be graded.
+    points: float | None
     max_points: float
     units: tuple[SeenUnit, ...]
     not_enforced: tuple[str, ...]
+
+    @property
+    def not_graded(self) -> tuple[SeenUnit, ...]:
+        """What could not be graded, through no fault of the student's."""
+        return tuple(unit for unit in self.units if unit.status == NOT_GRADED)
 
     @property
     def later(self) -> Sum | None:
@@ -122,7 +138,16 @@ class SeenSubmission:
 
     @property
     def told_points(self) -> float:
+        """The points of all that could be graded, as far as they may be told."""
+        if self.points is None:
+            return sum(unit.told_points or 0.0 for unit in self.units)
         return self.points - (self.later.points if self.later else 0.0)
+
+    @property
+    def told_most(self) -> float:
+        """Of how many points that is."""
+        missing = sum(unit.max_points for unit in self.not_graded)
+        return self.max_points - missing - (self.later.max_points if self.later else 0.0)
 
     @property
     def gradable(self) -> bool:
@@ -149,6 +174,8 @@ def see(submission: Submission, results: Results, policy: Policy) -> SeenSubmiss
 def see_unit(unit: Unit, results: Results, policy: Policy) -> SeenUnit:
     """All of one exercise of a submission that its student may see."""
     exercise = results.exercise(unit.exercise)
+    if unit.status == NOT_GRADED:
+        return _without_result(unit, exercise)
     verdict = unit.verdict
     given = {test.name: test for test in verdict.tests} if verdict else {}
     listed = {spec.name: effective(spec, policy) for spec in exercise.tests}
@@ -188,6 +215,28 @@ def see_unit(unit: Unit, results: Results, policy: Policy) -> SeenUnit:
         warnings=verdict.warnings if verdict else (),
         output=output if everything else "",
         output_withheld=bool(output) and not everything,
+    )
+
+
+def _without_result(unit: Unit, exercise: Exercise) -> SeenUnit:
+    """A unit that could not be graded. Why is about the machine, and not for the student."""
+    return SeenUnit(
+        exercise=exercise,
+        status=unit.status,
+        outcome=None,
+        problem="",
+        gradable=False,
+        points=None,
+        max_points=unit.max_points,
+        seconds=0.0,
+        tests=(),
+        hidden=None,
+        later=None,
+        compile_error=None,
+        diagnostics=(),
+        warnings=(),
+        output="",
+        output_withheld=False,
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from reports.results import Failure
-from reports.visibility import SeenTest, SeenUnit, Sum
+from reports.visibility import NOT_GRADED, SeenSubmission, SeenTest, SeenUnit, Sum
 
 STATUS_WORDS = {
     "passed": "passed",
@@ -17,12 +17,16 @@ UNIT_WORDS = {
     "missing": "nothing was handed in",
     "untouched": "as it was given",
     "refused": "refused",
+    "not_graded": "could not be graded",
     "passed": "passed",
     "failed": "not passed yet",
     "not_attempted": "not attempted",
     "does_not_compile": "does not compile",
 }
 
+NOT_GRADED_WORDS = (
+    "This could not be graded, and it is no mark. This is not your fault; ask your instructor."
+)
 REFUSED_NAME = "This submission was refused"
 HIDDEN_NAME = "Hidden tests"
 HIDDEN_WORDS = "Tests that are not shown. Only their points in sum are."
@@ -102,6 +106,8 @@ def unit_problem(unit: SeenUnit) -> str:
     """Why an exercise has no tests to show; empty if it has."""
     if unit.status == "refused":
         return unit.problem or "This file was refused."
+    if unit.status == NOT_GRADED:
+        return NOT_GRADED_WORDS
     if unit.status == "missing":
         return "Nothing was handed in for this exercise."
     if unit.status == "untouched":
@@ -109,6 +115,25 @@ def unit_problem(unit: SeenUnit) -> str:
     if unit.outcome == "does_not_compile":
         return compile_text(unit)
     return ""
+
+
+def unit_points(unit: SeenUnit) -> str:
+    """The mark as it is told; no number where there is none."""
+    if unit.told_points is None:
+        return f"no mark of {points_text(unit.told_most)}"
+    return of(unit.told_points, unit.told_most)
+
+
+def not_graded_sentence(submission: SeenSubmission) -> str:
+    """Which exercises could not be graded; empty if all were."""
+    titles = [f"“{unit.exercise.title}”" for unit in submission.not_graded]
+    if not titles:
+        return ""
+    it = "it is" if len(titles) == 1 else "they are"
+    return (
+        f"{', '.join(titles)} could not be graded, and {it} no mark. This is not your fault; ask"
+        " your instructor."
+    )
 
 
 def sum_text(points: Sum) -> str:

@@ -10,7 +10,7 @@ from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 
-from reports.class_data import class_data
+from reports.class_data import class_data, nameless
 from reports.class_page import class_page
 from reports.classroom50 import classroom50
 from reports.folders import folder_name, put_away
@@ -20,7 +20,7 @@ from reports.junit import junit
 from reports.prairielearn import prairielearn
 from reports.results import ReportError, Results, Submission
 from reports.student_page import student_page
-from reports.visibility import Policy, not_enforced, see
+from reports.visibility import NOT_GRADED, Policy, not_enforced, see
 
 # Each with the file it makes, in the student's folder or in RESULTS.
 FORMATS = {
@@ -40,8 +40,10 @@ def write_reports(
     formats: Sequence[str],
     due: datetime | None,
     now: datetime,
+    again: str = "",
 ) -> int:
-    """Writes these formats; returns how many files that were."""
+    """Writes these formats; returns how many files that were. `again` is the command that grades
+    what could not be."""
     policy = Policy(due, now)
     folders = _folders(results.submissions)
     put_away(folder, folders.values())
@@ -56,7 +58,11 @@ def write_reports(
         if "prairielearn" in formats:
             texts["prairielearn"] = _json(prairielearn(shown))
         if "classroom50" in formats:
-            texts["classroom50"] = _json(classroom50(shown, os.environ, now))
+            if shown.not_graded:
+                # There is no result without a score, and one of an earlier run is none of this.
+                (here / FORMATS["classroom50"]).unlink(missing_ok=True)
+            else:
+                texts["classroom50"] = _json(classroom50(shown, os.environ, now))
         if "junit" in formats:
             texts["junit"] = junit(shown)
         if "html" in formats:
@@ -64,13 +70,20 @@ def write_reports(
         for name, text in texts.items():
             _write(here / FORMATS[name], text)
         written += len(texts)
+    reasons = {
+        (one.id, unit.exercise): unit.problem
+        for one in results.submissions
+        for unit in one.units
+        if unit.status == NOT_GRADED
+    }
     if "gradebook" in formats:
-        text = gradebook(seen, [exercise.id for exercise in results.exercises])
+        text = gradebook(seen, [exercise.id for exercise in results.exercises], reasons)
         _write(folder / FORMATS["gradebook"], text)
         written += 1
     if "class" in formats:
-        data = class_data(seen, results.exercises, not_enforced(results.machine))
-        _write(folder / FORMATS["class"], class_page(data))
+        data = class_data(seen, results.exercises, not_enforced(results.machine), reasons)
+        told = again if nameless(again, seen) else ""
+        _write(folder / FORMATS["class"], class_page(data, told))
         written += 1
     return written
 

@@ -51,17 +51,18 @@ def test_a_chapter_is_found_by_its_folder_and_gone_with_it(sample: Sample) -> No
 def test_programs_run_only_when_newer_than_what_they_said(sample: Sample) -> None:
     programs = sample.root / "bin"
     programs.mkdir()
-    program = programs / "hard_cases_01_lines"
-    program.write_text(f"#!/bin/sh\ncat {sample.root}/products/hard_cases/01_lines.json\n", "utf-8")
+    program = programs / "ladder_01_lines"
+    kept = sample.root / "products" / "ladders" / "01_lines.json"
+    program.write_text(f'#!/bin/sh\ncp {kept} "$6"\n', "utf-8")
     program.chmod(0o755)
-    said = sample.build / "docs-data" / "hard_cases" / "01_lines.json"
+    said = sample.build / "docs-data" / "ladders" / "01_lines.json"
     os.utime(said, (0, 0))
     first = sample.make("--skip-api", "--programs", str(programs))
-    assert "hard cases of 01_lines" in first.stdout
+    assert "ladder of 01_lines" in first.stdout
     again = sample.make("--skip-api", "--programs", str(programs))
-    assert "hard cases of 01_lines" not in again.stdout
-    program.write_text("#!/bin/sh\necho 'case on-the-line has changed' >&2\nexit 1\n", "utf-8")
+    assert "ladder of 01_lines" not in again.stdout
+    program.write_text("#!/bin/sh\necho 'the method slide is gone' >&2\nexit 1\n", "utf-8")
     os.utime(program)
     failing = sample.make("--skip-api", "--programs", str(programs))
     assert failing.returncode == 1
-    assert "case on-the-line has changed" in failing.stderr
+    assert "the method slide is gone" in failing.stderr

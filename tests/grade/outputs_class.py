@@ -118,13 +118,19 @@ def absent(listed: Json, status: str, problem: str = "") -> Json:
     return entry | ({"problem": problem} if problem else {})
 
 
+def not_graded(listed: Json, why: str) -> Json:
+    """One exercise of a submission that could not be graded, through no fault of the student's."""
+    return absent(listed, "not_graded", why) | {"points": None}
+
+
 def submission(id_: str, units: list[Json], **more: object) -> Json:
-    """One submission; points are those of its exercises."""
+    """One submission; points are those of its exercises, if all of them have some."""
+    points = [one["points"] for one in units]
     return {
         "id": id_,
         "entry": f"{id_}.zip",
         "ignored": [],
-        "points": sum(one["points"] for one in units),
+        "points": None if None in points else sum(points),
         "max_points": sum(one["max_points"] for one in units),
         "exercises": units,
         **more,

@@ -78,6 +78,7 @@ def test_the_largest_submission_is_explained_within_the_limits() -> None:
     [
         ("int a;\nint b = c;\n", 2),
         ("int a;\n#line 90\nint b = c;\n", 3),
+        ("int a;\n#line 2147483600\n\n\nint b = c;\n", 5),
         ('int a;\n#line 90 "other.cpp"\nint b = c;\n', 3),
         ("int a;\n# 90\nint b = c;\n", 3),
         ("int a;\n/* */ %:line 90\nint b = c;\n", 3),

@@ -281,7 +281,7 @@ def test_a_profile_is_printed_in_the_results_and_holds(grader: Grader) -> None:
     grader.grade("--profile", str(profile))
     limits = grader.document()["limits"]
     assert (limits["memory_mb"], limits["test_cpu_seconds"]) == (100, 2.0)
-    assert len(limits) == 18
+    assert len(limits) == 19
     assert grader.points() == {"ada": 0}
     grader.grade()
     assert grader.points() == {"ada": 8}

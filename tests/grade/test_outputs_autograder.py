@@ -223,6 +223,7 @@ def test_when_grading_fails_the_student_is_told_that_it_is_no_mark(unpacked: Pat
     given = result(unpacked)
     assert "no mark" in given["output"]
     assert given["extra_data"]["graded"] is False
+    assert "score" not in given
     assert "setup.sh did not build it" in said, "the teacher reads why"
     assert str(broken) not in json.dumps(given)
 
@@ -232,6 +233,7 @@ def test_when_not_even_python_is_there_a_result_is_left(unpacked: Path) -> None:
     given = result(unpacked)
     assert "no mark" in given["output"]
     assert given["extra_data"]["graded"] is False
+    assert "score" not in given
     assert "did not start" in said
     (unpacked / "student").mkdir()
     run(unpacked, "source/run_prairielearn", CONTACT_ROOT=str(unpacked / "source" / "contact"))
@@ -242,7 +244,7 @@ def test_an_earlier_result_never_stands_for_a_later_submission(unpacked: Path) -
     (unpacked / "results").mkdir()
     (unpacked / "results" / "results.json").write_text('{"score": 12}')
     run(unpacked, CONTACT_ROOT=str(unpacked / "source" / "contact"))
-    assert result(unpacked)["score"] == 0
+    assert "score" not in result(unpacked)
 
 
 def test_a_grader_that_is_killed_leaves_no_mark(unpacked: Path, tmp_path: Path) -> None:

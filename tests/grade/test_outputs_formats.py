@@ -101,6 +101,7 @@ def test_a_result_that_is_no_mark_is_valid_too() -> None:
     schema("gradescope").validate(given)
     assert "no mark" in given["output"]
     assert given["extra_data"]["graded"] is False
+    assert "score" not in json.dumps(given)
 
 
 def test_prairielearn_has_the_fields_of_its_page(graded: Path, document: Json) -> None:

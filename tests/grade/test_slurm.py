@@ -4,12 +4,14 @@ Skipped where Slurm is not installed, but not in CI."""
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import shutil
 import signal
 import subprocess
 import sys
+import threading
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
@@ -326,10 +328,98 @@ def test_what_is_cancelled_from_outside_is_not_submitted_again(
     code, errors = ended(run)
     assert code == 3, errors
     assert "cancelled from outside" in errors
-    assert not (grading.results / "results.json").exists()
+    # What was done counts, and what was not is no zero.
+    points = {entry["id"]: entry["points"] for entry in grading.marks()["submissions"]}
+    known = {entry["id"]: entry["points"] for entry in local["submissions"]}
+    assert None in points.values()
+    assert {id_: known[id_] for id_ in grading.log("finish")}.items() <= points.items()
+    assert all(mark is None or mark == known[id_] for id_, mark in points.items())
     code, errors = ended(grading.on_slurm())
     assert code == 0, errors
     assert grading.marks() == local
+
+
+class Struck:
+    """Each worker that begins this student's unit is struck as soon as it has."""
+
+    def __init__(self, grading: Grading, student: str, number: int) -> None:
+        self.grading, self.student, self.number = grading, student, number
+        self.over = threading.Event()
+        self.thread = threading.Thread(target=self.hunt)
+
+    def hunt(self) -> None:
+        file = self.grading.results / ".grade" / "log"
+        struck: set[int] = set()
+        while not self.over.wait(0.002):
+            for line in file.read_text().splitlines() if file.exists() else []:
+                words = line.split("\t")
+                pid = int(words[-1].rpartition(":")[2])
+                if words[:2] == ["start", self.student] and pid not in struck:
+                    struck.add(pid)
+                    with contextlib.suppress(ProcessLookupError):
+                        os.kill(pid, self.number)
+
+    def __enter__(self) -> None:
+        self.thread.start()
+
+    def __exit__(self, *_: object) -> None:
+        self.over.set()
+        self.thread.join()
+
+
+@pytest.mark.parametrize(
+    ("number", "starts", "reason"),
+    [
+        (signal.SIGKILL, 3, "of Slurm ended as"),
+        (signal.SIGSTOP, 2, "grading it took longer than the 15 seconds"),
+    ],
+)
+def test_a_unit_that_no_task_survives_costs_no_other_mark(
+    grading: Grading,
+    local: dict[str, Any],
+    tmp_path: Path,
+    number: signal.Signals,
+    starts: int,
+    reason: str,
+) -> None:
+    student = "student_1"
+    profile = tmp_path / "profile.toml"
+    profile.write_text("unit_seconds = 15\n")
+    with Struck(grading, student, number):
+        code, errors = ended(grading.on_slurm("--profile", str(profile)))
+    assert code == 3, errors
+    assert f"{student}, {EXERCISE} could not be graded: " in errors
+    assert reason in errors
+    assert Counter(grading.log("start"))[student] == starts
+    before = {entry["id"]: entry for entry in local["submissions"]}
+    for entry in grading.marks()["submissions"]:
+        if entry["id"] == student:
+            assert entry["points"] is None
+        else:
+            assert entry == before[entry["id"]]
+    code, errors = ended(grading.on_slurm("--profile", str(profile)))
+    assert code == 0, errors
+    assert grading.marks()["submissions"] == local["submissions"]
+    grading.assert_clean()
+
+
+def test_two_units_that_no_task_survives_stop_no_grading(
+    grading: Grading, local: dict[str, Any]
+) -> None:
+    """They are all that is left in the end, so nothing gets done any more."""
+    with (
+        Struck(grading, "student_2", signal.SIGKILL),
+        Struck(grading, "student_3", signal.SIGKILL),
+    ):
+        code, errors = ended(grading.on_slurm())
+    assert code == 3, errors
+    known = {entry["id"]: entry["points"] for entry in local["submissions"]}
+    points = {entry["id"]: entry["points"] for entry in grading.marks()["submissions"]}
+    assert points == known | {"student_2": None, "student_3": None}
+    code, errors = ended(grading.on_slurm())
+    assert code == 0, errors
+    assert grading.marks() == local
+    grading.assert_clean()
 
 
 def test_slurm_says_what_is_wrong_with_a_job(grading: Grading) -> None:

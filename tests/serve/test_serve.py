@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import http.client
+import json
 import os
 import re
 import signal
 import socket
 import subprocess
+import sys
 import threading
 from pathlib import Path
 from queue import Empty, Queue
@@ -15,6 +17,9 @@ from queue import Empty, Queue
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+
+from serve import Waiting, open_server  # noqa: E402
 
 
 def lines_of(process: subprocess.Popen[str]) -> Queue[str]:
@@ -46,9 +51,11 @@ def children_of(pid: int) -> list[int]:
     return [int(word) for text in listed for word in text.split()]
 
 
-def ebook_if_built(file: Path) -> list[tuple[str, int, str]]:
-    """It comes last, so the first time it may not be there yet."""
-    return [(f"/{file.name}", 200, "application/epub+zip")] if file.exists() else []
+def ebook_if_built(said: str) -> list[tuple[str, int, str]]:
+    """It is made only where somebody asks for it; otherwise the line says how to."""
+    built = re.match(r"build/site/(\S+\.epub);", said)
+    assert built or "./contact serve --ebook" in said
+    return [(f"/{built[1]}", 200, "application/epub+zip")] if built else []
 
 
 def test_a_taken_port_what_is_served_and_an_interrupt() -> None:
@@ -71,7 +78,7 @@ def test_a_taken_port_what_is_served_and_an_interrupt() -> None:
             wait_for(f"Port {port} is taken", lines, 240)
             served = int(wait_for(r"The book: http://127\.0\.0\.1:(\d+)/", lines, 30)[1])
             search = wait_for(rf"Search: +http://127\.0\.0\.1:{served}(/search\.html)", lines, 5)[1]
-            ebook = wait_for(r"E-book: +(build/site/\S+\.epub)", lines, 5)[1]
+            ebook = wait_for(r"E-book: +(\S.*)", lines, 5)[1]
             wait_for(r"On paper: .*print", lines, 5)
             connection = http.client.HTTPConnection("127.0.0.1", served, timeout=10)
             wasm = next((ROOT / "build/site").rglob("*.wasm")).relative_to(ROOT / "build/site")
@@ -79,7 +86,8 @@ def test_a_taken_port_what_is_served_and_an_interrupt() -> None:
                 ("/", 200, "text/html"),
                 (f"/{wasm.as_posix()}", 200, "application/wasm"),
                 (search, 200, "text/html"),
-                *ebook_if_built(ROOT / ebook),
+                *ebook_if_built(ebook),
+                ("/building.json", 200, "application/json"),
                 ("/../../contact", 404, None),
             ):
                 connection.request("GET", path)
@@ -96,3 +104,36 @@ def test_a_taken_port_what_is_served_and_an_interrupt() -> None:
         finally:
             if process.poll() is None:
                 os.killpg(process.pid, signal.SIGKILL)
+
+
+def test_what_a_page_asks_for_is_built_next() -> None:
+    waiting = Waiting(["a", "b", "c", "d"])
+    waiting.want("c")
+    assert waiting.names() == ["a", "c", "b", "d"]
+    waiting.want("d")
+    assert waiting.names() == ["a", "d", "c", "b"]
+    for name in ("a", "nobody knows this"):
+        waiting.want(name)
+    assert waiting.names() == ["a", "d", "c", "b"]
+    assert waiting.first() == "a"
+    waiting.drop("a")
+    assert waiting.first() == "d"
+
+
+def test_the_server_says_what_is_waiting() -> None:
+    server = open_server(0, Waiting(["01/a", "01/b", "01/c"]))
+    thread = threading.Thread(target=server.serve_forever, daemon=True)
+    thread.start()
+    try:
+        connection = http.client.HTTPConnection("127.0.0.1", server.server_address[1], timeout=10)
+        for address, said in (
+            ("/building.json", ["01/a", "01/b", "01/c"]),
+            ("/building.json?want=01%2Fc", ["01/a", "01/c", "01/b"]),
+        ):
+            connection.request("GET", address)
+            answer = connection.getresponse()
+            assert answer.headers["Content-Type"] == "application/json"
+            assert json.loads(answer.read()) == {"waiting": said}
+    finally:
+        server.shutdown()
+        server.server_close()

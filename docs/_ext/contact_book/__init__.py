@@ -73,7 +73,8 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.add_config_value("contact_web", "", "env", str)
     app.add_config_value("contact_node", "", "env", str)
     app.add_config_value("contact_plotter", "", "env", str)
-    app.add_config_value("contact_complete", False, "env", bool)
+    # A page that lacks something is read again each time (home.py), so this makes none stale.
+    app.add_config_value("contact_complete", False, "", bool)
     for name, directive in DIRECTIVES.items():
         app.add_directive(name, directive, override=True)
     app.add_role("chapter", ChapterRole())

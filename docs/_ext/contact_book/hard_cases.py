@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 from typing import Any
 
 from docutils import nodes
@@ -10,6 +11,25 @@ from docutils import nodes
 from contact_book.directive import BookDirective
 from contact_book.errors import BookError
 from contact_book.tables import scrolled, table
+
+# What a page shows of a case.
+_SHOWN = ("name", "why", "answer_text", "verdicts")
+
+
+def told_file(root: Path, slug: str) -> Path:
+    """What the chapter's program said of its hard cases, checked in so that pages need no program.
+
+    tests/docs/test_told.py holds it against what the program says today.
+    """
+    return root / "tests" / slug / "hard_cases.told.json"
+
+
+def told(said: str) -> str:
+    """Of what a program says with --json, what a page shows: the file's text."""
+    data = json.loads(said)
+    cases = [{key: case[key] for key in _SHOWN} for case in data["cases"]]
+    kept = {"methods": data["methods"], "cases": cases}
+    return json.dumps(kept, indent=1, ensure_ascii=False) + "\n"
 
 
 def _verdict(word: str) -> nodes.Node:
@@ -27,11 +47,11 @@ class HardCases(BookDirective):
         corpus = self.book.root / "tests" / slug / "hard_cases.json"
         if not corpus.is_file():
             raise BookError(f"tests/{slug}/hard_cases.json is missing")
-        path = self.book.products / "hard_cases" / f"{chapter.slug}.json"
+        path = told_file(self.book.root, chapter.slug)
         self.depends(path)
         if not path.is_file():
-            self.missing_product(f"hard_cases_{slug} has not run: {path}")
-            words = "The table of hard cases is still being built."
+            self.missing_product(f"{path} is missing: docs/tell_hard_cases.py {slug} writes it")
+            words = "Nothing is known of the hard cases yet."
             return [nodes.paragraph("", words, classes=["not-built"])]
         return self.tables(json.loads(path.read_text(encoding="utf-8")))
 

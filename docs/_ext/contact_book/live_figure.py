@@ -60,7 +60,7 @@ def live_figure_html(translator: HTML5Translator, node: component) -> str:
         source = f"{base}figures/{data['name']}.svg"
         inner = f"<img{attributes(src=source, alt=data['describe'], width=width, height=height)}/>"
     else:
-        inner = '<p class="not-built">The picture of this figure is still being built.</p>'
+        inner = '<p class="not-built">This figure is still being built.</p>'
     if can_run_scripts(translator):
         inner = (
             f"<contact-figure{attributes(name=data['name'], base=base)}>{inner}</contact-figure>"

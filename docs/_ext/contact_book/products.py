@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
@@ -25,18 +24,6 @@ def _run(command: list[str]) -> str:
     return done.stdout
 
 
-def _hard_cases(book: Book, chapter: Chapter, programs: Path) -> Iterator[str]:
-    program = programs / f"hard_cases_{chapter.slug}"
-    target = book.products / "hard_cases" / f"{chapter.slug}.json"
-    if not program.is_file() or not _stale(target, program):
-        return
-    text = _run([str(program), "--json"])
-    json.loads(text)
-    target.parent.mkdir(parents=True, exist_ok=True)
-    target.write_text(text, encoding="utf-8")
-    yield f"hard cases of {chapter.slug}"
-
-
 def _ladder(book: Book, chapter: Chapter, programs: Path) -> Iterator[str]:
     program = programs / f"ladder_{chapter.slug}"
     target = book.products / "ladders" / f"{chapter.slug}.json"
@@ -51,5 +38,4 @@ def _ladder(book: Book, chapter: Chapter, programs: Path) -> Iterator[str]:
 def run_programs(book: Book, programs: Path) -> Iterator[str]:
     """Runs every program whose output is older than the program, and says which."""
     for chapter in book.chapters.values():
-        yield from _hard_cases(book, chapter, programs)
         yield from _ladder(book, chapter, programs)

@@ -71,7 +71,7 @@ def scene_player_html(translator: HTML5Translator, node: component) -> str:
         source = f"{base}scenes/first.svg"
         inner = f"<img{attributes(src=source, alt=data['describe'], width=width, height=height)}/>"
     else:
-        inner = '<p class="not-built">The picture of this player is still being built.</p>'
+        inner = '<p class="not-built">The scene player is still being built.</p>'
     command = f"./contact simulate {data['first']}"
     offered = (
         f'<p class="unplayed">The {len(data["scenes"])} scenes of the book run here in a browser '

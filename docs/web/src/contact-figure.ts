@@ -14,6 +14,7 @@ import type { AnyFigure } from "./figure.ts";
 import { Grip } from "./handles.ts";
 import type { Fields } from "./layout.ts";
 import { FigureModel, sentence } from "./model.ts";
+import { untilBuilt } from "./pending.ts";
 import { Scene } from "./scene.ts";
 import { shapesToSvg } from "./shapes.ts";
 import { decodeState, encodeState } from "./state.ts";
@@ -102,6 +103,13 @@ export class ContactFigure extends HTMLElement {
 
   async #load(): Promise<void> {
     const base = new URL(this.getAttribute("base") ?? "./", document.baseURI).href;
+    const missing = this.querySelector<HTMLElement>(".not-built");
+    if (missing) {
+      missing.setAttribute("role", "status");
+      await untilBuilt(this.name, base, (words) => {
+        if (missing.textContent !== words) missing.textContent = words;
+      });
+    }
     const [module, engine] = await Promise.all([
       import(`${base}figures/${this.name}.js`) as Promise<{ default: AnyFigure }>,
       startEngine(`${base}figures/${this.name}.wasm`),

@@ -7,6 +7,7 @@
 // `contact-change` after each picture.
 
 import { button, html } from "./dom.ts";
+import { untilBuilt } from "./pending.ts";
 import type { Player } from "./scenes/player.ts";
 
 /** What the page says of the scenes that can be picked. */
@@ -34,7 +35,9 @@ export class ContactPlayer extends HTMLElement {
     const start = button("Start the scene player", () => {
       start.disabled = true;
       status.textContent = "Loading …";
-      this.ready = this.#start(list);
+      this.ready = this.#start(list, (words) => {
+        status.textContent = words;
+      });
       this.ready.catch((error: unknown) => {
         console.warn("scene player:", error);
         start.disabled = false;
@@ -48,8 +51,10 @@ export class ContactPlayer extends HTMLElement {
     this.#player?.close();
   }
 
-  async #start(list: SceneList): Promise<void> {
+  async #start(list: SceneList, say: (words: string) => void): Promise<void> {
     const base = new URL(this.getAttribute("base") ?? "./", document.baseURI).href;
+    if (this.querySelector(".not-built"))
+      await untilBuilt(`${this.getAttribute("name")}/scene_player`, base, say);
     const { Player } = await import("./scenes/player.ts");
     const scenes = `${base}scenes/${this.getAttribute("name")}/`;
     const player = new Player(list, base, scenes, () =>

@@ -203,6 +203,7 @@ class Case {
   }
 
   ExplainRequest make() {
+    if (random_.below(1500) == 0) request_.source = huge();
     for (std::size_t i = random_.chance(50) ? random_.below(4) : 0; i > 0; --i) spoil_source();
     grading::SourceText source(request_.source);
     source_ = &source;
@@ -219,6 +220,22 @@ class Case {
 
  private:
   // ---- The source
+
+  // What costs too much only where there is much of it: up to the largest submission.
+  std::string huge() {
+    std::string text;
+    for (std::size_t i = 1 + random_.below(4); i > 0; --i) {
+      const std::string piece = random_.chance(20)   ? std::string(" ")
+                                : random_.chance(25) ? std::string("a")
+                                                     : std::string(random_.of(snippets));
+      if (random_.chance(20))
+        text += "namespace " + std::string(random_.below(100'000), 'b') + " {";
+      text += repeated(piece, (1 + random_.below(250'000)) / piece.size());
+      if (random_.chance(30)) text += repeated("void f() {}\n", random_.below(20'000));
+      if (random_.chance(30)) text += "@";
+    }
+    return text.substr(0, 1u << 20);
+  }
 
   void spoil_source() {
     std::string& text = request_.source;

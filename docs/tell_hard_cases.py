@@ -1,0 +1,61 @@
+"""docs/tell_hard_cases.py [CHAPTER...]: writes what the lessons show of hard cases.
+
+Runs each chapter's program build/dev/bin/hard_cases_CHAPTER, which must be built, and writes
+tests/CHAPTER/hard_cases.told.json. With --check nothing is written: it fails if a file is not what
+the program says.
+"""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "docs" / "_ext"))
+
+from contact_book.hard_cases import told, told_file  # noqa: E402
+
+
+def chapters() -> list[str]:
+    """Those whose lesson shows a table of hard cases."""
+    lessons = sorted(ROOT.glob("chapters/*/lesson.md"))
+    return [file.parent.name for file in lessons if "{hard-cases}" in file.read_text("utf-8")]
+
+
+def says(slug: str) -> str:
+    program = ROOT / "build" / "dev" / "bin" / f"hard_cases_{slug}"
+    if not program.is_file():
+        sys.exit(f"{program} is not built: cmake --build build/dev --target {program.name}")
+    done = subprocess.run([program, "--json"], capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        sys.exit(f"{program.name} failed: {(done.stderr or done.stdout).strip()}")
+    return told(done.stdout)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description="Writes what the lessons show of hard cases.")
+    parser.add_argument("chapters", nargs="*", metavar="CHAPTER")
+    parser.add_argument("--check", action="store_true", help="write nothing; fail where it differs")
+    arguments = parser.parse_args()
+    for name in arguments.chapters:
+        if name not in chapters():
+            parser.error(f'no lesson "{name}" shows hard cases')
+    wrong = []
+    for slug in arguments.chapters or chapters():
+        file, text = told_file(ROOT, slug), says(slug)
+        if file.is_file() and file.read_text("utf-8") == text:
+            continue
+        wrong.append(slug)
+        if not arguments.check:
+            file.write_text(text, "utf-8")
+            print(f"wrote {file.relative_to(ROOT)}")
+    if arguments.check and wrong:
+        print(f"not what the programs say: run docs/tell_hard_cases.py {' '.join(wrong)}")
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

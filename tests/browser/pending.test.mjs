@@ -1,0 +1,75 @@
+// A page that is read while the book is still being built: a figure that is not there yet says how
+// many are before it, and appears by itself.
+
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import path from "node:path";
+import { test } from "node:test";
+import { launch, lessons, notRun, open, serve, site } from "./browser.mjs";
+
+const skip = notRun();
+const name = /<contact-figure[^>]* name="([^"]+)"/;
+
+/** A lesson with its first figure as it is served before the figure is built. */
+function unbuilt() {
+  for (const page of lessons()) {
+    const text = fs.readFileSync(path.join(site, page), "utf8");
+    const figure = name.exec(text)?.[1];
+    if (!figure) continue;
+    const html = text.replace(
+      /(<contact-figure[^>]*>)<img[^>]*>/,
+      '$1<p class="not-built">This figure is still being built.</p>',
+    );
+    assert.ok(html.includes("not-built"), `${page} has a picture in its first figure`);
+    return { page, figure, html };
+  }
+  throw new Error("no lesson has a figure");
+}
+
+test("a figure that is not built yet waits for its turn, and appears", { skip }, async () => {
+  const { browser, close } = await launch();
+  const served = await serve();
+  try {
+    const { page: lesson, figure, html } = unbuilt();
+    const queue = ["other/one", figure];
+    served.answer = (pathname, response) => {
+      if (pathname !== `/${lesson}`) return false;
+      response.end(html);
+      return true;
+    };
+    // A worker would ask the server itself.
+    const {
+      page,
+      trouble,
+      close: leave,
+    } = await open(browser, "about:blank", {
+      serviceWorkers: "block",
+    });
+    /** @type {(string | null)[]} */
+    const wanted = [];
+    await page.route("**/building.json*", (route) => {
+      wanted.push(new URL(route.request().url()).searchParams.get("want"));
+      return route.fulfill({ json: { waiting: queue } });
+    });
+    await page.goto(`${served.origin}/${lesson}`);
+    const element = page.locator("contact-figure").first();
+    await element.scrollIntoViewIfNeeded();
+    await element.getByText("This is not built yet: one other is before it.").waitFor();
+    assert.equal(await element.getAttribute("name"), figure);
+    queue.shift();
+    await element.getByText("This is being built now.").waitFor();
+    assert.equal(await element.locator(".stage").count(), 0);
+    queue.shift();
+    await element.locator(".stage").waitFor();
+    assert.ok(await element.evaluate((/** @type {any} */ live) => live.output !== undefined));
+    assert.deepEqual([...new Set(wanted)], [figure]);
+    assert.deepEqual(
+      trouble.filter((what) => !what.startsWith("off the origin")),
+      [],
+    );
+    await leave();
+  } finally {
+    served.close();
+    await close();
+  }
+});
