@@ -56,6 +56,21 @@ def test_a_chapter_is_all_of_it_and_nothing_else() -> None:
     assert os.environ["CONTACT_CHAPTERS"] == "02_triangles"
 
 
+@pytest.mark.parametrize("chapter", checks.CHAPTERS)
+def test_a_chapter_is_asked_for_what_it_has(chapter: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CONTACT_CHAPTERS", chapter)
+    monkeypatch.setattr(checks, "node_tests", lambda _what, files, _cwd, **_: iter(files))
+    files = {file.name.split(".")[0] for file in checks.browser()}
+    folder = ROOT / "chapters" / chapter
+    lesson = (folder / "lesson.md").exists()
+    exercises = any((ROOT / "exercises" / chapter).glob("*/exercise.toml"))
+    assert ("pages" in files) == ("questions" in files) == lesson
+    assert ("figures" in files) == (lesson and any(folder.glob("figures/*.cpp")))
+    assert ("parity" in files) == exercises
+    assert len(list(checks.dev_check())) == exercises
+    assert files <= {"pages", "figures", "questions", "ladder", "parity"}
+
+
 def test_a_stage_brings_what_it_needs() -> None:
     assert names("ctest") == ["native", "ctest"]
     assert "CONTACT_CHAPTERS" not in os.environ
