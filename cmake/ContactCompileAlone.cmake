@@ -23,7 +23,7 @@ endfunction()
 
 # Each reference header must compile alone: one generated source a header, all in one object library a chapter, with
 # nothing on the include path but that chapter and those it builds on. Only built when it is asked for, as tools/test.py
-# does: some chapters with each commit.
+# does: some chapters in each turn.
 function(contact_compile_headers_alone chapter)
   file(GLOB headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/chapters/${chapter}/contact/*.hpp")
   set(sources "")

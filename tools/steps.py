@@ -276,6 +276,7 @@ SCRIPTS = Step("the page's scripts and pictures", _node("book-web", "web/build.m
 FIGURES = Step("the figures' C++ for the page", _node("book-figures", "wasm/build.mjs", "figures"))
 LADDERS = Step("the ladders' C++ for the page", _node("book-ladders", "wasm/build.mjs", "ladders"))
 COMPILER = Step("the compiler and the exercises for the page", _page_exercises)
+PAGE_PROGRAMS = Step("the programs whose results the pages show", _page_programs)
 PAGES = Step("the pages with all that", build_book)
 EBOOK_STEP = Step("the e-book", build_ebook)
 
@@ -288,7 +289,7 @@ BEHIND = (
     COMPILER,
     SCRIPTS,
     Step("the configuration of the programs", configure),
-    Step("the programs whose results the pages show", _page_programs),
+    PAGE_PROGRAMS,
     PAGES,
 )
 # Last, and for who asks: the e-book takes a minute.
@@ -300,3 +301,10 @@ FIGURES_AND_LADDERS = Step(
     "the figures' and the ladders' C++ for the page",
     _node("book-figures", "wasm/build.mjs", "figures", "ladders"),
 )
+
+
+def figures_and_ladders_of(chapter: str) -> Step:
+    return Step(
+        f"the figures' and the ladder's C++ of {chapter} for the page",
+        _node("book-figures", "wasm/build.mjs", "figures", "ladders", "--only", chapter),
+    )

@@ -20,13 +20,16 @@ import sys
 import textwrap
 import time
 import xml.etree.ElementTree as ElementTree
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import landing
 import steps
-from sample import sample
+import touched
+from sample import chapters_asked_for, sample, turn, wanted
+from slices import SLICES, Slice, read_slices, slice_in_words
 from steps import BUILD, DEV, PROGRAM, ROOT, Done
 
 
@@ -262,7 +265,10 @@ def ctest(preset: str, *more: str) -> Check:
 def cmake_build(preset: str, *targets: str) -> Iterator[Check]:
     """Configures and builds; everything, unless targets are named."""
     yield once(f"configure {preset}", ["cmake", "--preset", preset])
+    yield build_of(preset, *targets)
 
+
+def build_of(preset: str, *targets: str) -> Check:
     def build(seconds: float) -> Tally:
         with steps.build_lock():
             done = steps.run(
@@ -275,7 +281,7 @@ def cmake_build(preset: str, *targets: str) -> Iterator[Check]:
         tally.why = ["\n".join([*errors[:12], why]) for why in tally.why]
         return tally
 
-    yield build
+    return build
 
 
 # --- What each stage checks -----------------------------------------------------------------------
@@ -295,6 +301,20 @@ def tracked(*patterns: str) -> list[str]:
     ]
     listed = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
     return sorted({name for name in listed.split("\0") if name and (ROOT / name).is_file()})
+
+
+# What a chapter may have.
+LESSON, LADDER = "chapters/{}/lesson.md", "chapters/{}/ladder.cpp"
+FIGURE, EXERCISE = "chapters/{}/figures/*.cpp", "exercises/{}/*/exercise.toml"
+
+
+def having(*patterns: str) -> list[str]:
+    """Of the chapters that are asked for, those that have one of these."""
+    return [
+        slug
+        for slug in chapters_asked_for()
+        if any(any(ROOT.glob(pattern.format(slug))) for pattern in patterns)
+    ]
 
 
 def style() -> Iterator[Check]:
@@ -318,6 +338,22 @@ def style() -> Iterator[Check]:
             once("shellcheck", ["shellcheck", *scripts]),
         ]
     )
+    yield looked_at("the turn", landing.check_turn)
+    yield looked_at("subjects of commits", landing.check_subjects)
+
+
+def looked_at(what: str, look: Callable[[Path], landing.Found]) -> Check:
+    """What git knows of the change; skipped where it knows too little."""
+
+    def check(_: float) -> Tally:
+        found = look(ROOT)
+        if found.problems:
+            return Tally(failed=1, why=found.problems, names=[what])
+        if not found.looked:
+            return Tally(skipped=1, why=[f"not run: {found.says}"])
+        return Tally(passed=1)
+
+    return check
 
 
 def web_style(names: Sequence[str]) -> list[str]:
@@ -339,13 +375,29 @@ def is_shell(file: Path) -> bool:
 
 
 def native() -> Iterator[Check]:
-    """Everything; of the chapters whose headers must compile alone, a third with each commit."""
+    """Everything; of the chapters whose headers must compile alone, a third in each turn."""
+    if asked := chapters_asked_for():
+        yield once("configure dev", ["cmake", "--preset", "dev"])
+        kinds = (*KINDS_OF_TESTS, "example", "figure", "ladder", "headers_alone")
+        names = steps.native_targets([f"{kind}_{slug}" for kind in kinds for slug in asked])
+        for slug in asked:
+            exercises = sorted((ROOT / "exercises" / slug).glob("*/exercise.toml"))
+            names += [f"exercise_{slug}_{toml.parent.name}" for toml in exercises]
+        yield build_of("dev", "contact", *names)
+        return
     chapters = sorted(folder.parent.name for folder in ROOT.glob("chapters/*/contact"))
-    alone = [f"headers_alone_{slug}" for slug in sample(chapters, 3)]
+    alone = [
+        f"headers_alone_{slug}" for slug in sample(chapters, 3, "headers alone", kind="headers")
+    ]
     yield from cmake_build("dev", "all", *alone)
 
 
 def native_tests() -> Iterator[Check]:
+    if asked := chapters_asked_for():
+        slugs = "|".join(asked)
+        names = rf"reference_tests_({slugs}): |hard_cases_({slugs})$|example_({slugs})_"
+        yield ctest("dev", "--tests-regex", rf"^({names}|contract_(linked|proxy)_({slugs})_)")
+        return
     yield ctest("dev")
 
 
@@ -354,11 +406,12 @@ KINDS_OF_TESTS = ("reference_tests", "hard_cases")
 
 
 def sanitize() -> Iterator[Check]:
-    """A third of the chapters, others with other commits: it takes the compiler long."""
+    """A third of the chapters, others in other turns: it takes the compiler long."""
     chapters = sorted(file.parent.name for file in ROOT.glob("tests/[0-9]*/hard_cases.cpp"))
-    names = [f"{kind}_{slug}" for slug in sample(chapters, 3) for kind in KINDS_OF_TESTS]
+    taken = sample(chapters, 3, "tests under sanitizers", kind="tests")
+    names = [f"{kind}_{slug}" for slug in taken for kind in KINDS_OF_TESTS]
     names.append("support_tests")
-    print(f"    {', '.join(sample(chapters, 3))}")
+    print(f"    {', '.join(taken)}")
     yield from cmake_build("sanitize", *names)
     yield ctest("sanitize", "--tests-regex", f"^({'|'.join(names)})(:|$)")
 
@@ -416,7 +469,9 @@ def dev_check() -> Iterator[Check]:
         print("    " + ", ".join(f"{number} {kind}" for kind, number in counts.items()))
         return tally
 
-    yield counted("contact dev check", [PROGRAM, "dev", "check", "--json"], count)
+    asked = having(EXERCISE)
+    if asked or not chapters_asked_for():
+        yield counted("contact dev check", [PROGRAM, "dev", "check", "--json", *asked], count)
 
 
 def outside() -> Iterator[Check]:
@@ -447,13 +502,20 @@ def step_checks(book_steps: Sequence[steps.Step]) -> Iterator[Check]:
 def page() -> Iterator[Check]:
     """Everything the book is made of, as ./contact serve makes it, and the tests of the scripts."""
     docs = ROOT / "docs"
+    asked = chapters_asked_for()
+    if asked and (steps.SITE / "index.html").exists():
+        # The rest of the book is there, and stays as it is.
+        yield from step_checks(
+            [*map(steps.figures_and_ladders_of, having(FIGURE, LADDER)), steps.SCRIPTS]
+        )
+        return
     yield from step_checks([steps.FIGURES_AND_LADDERS, steps.SCRIPTS])
     yield from node_tests("test of docs/web:", sorted(docs.glob("web/test/*.test.mjs")), docs)
 
 
 def _native_figures() -> steps.Done:
-    """Of those that loader.test.mjs compares with WebAssembly; the others with other commits."""
-    figures = sample(steps.native_targets(["figure_"]), 3)
+    """Of those that loader.test.mjs compares with WebAssembly; the others in other turns."""
+    figures = sample(steps.native_targets(["figure_"]), 3, "", kind="figures")
     return steps.build_native(figures, "native-figures")
 
 
@@ -471,12 +533,18 @@ def wasm() -> Iterator[Check]:
         yield once("Catch2's source", [ROOT / "tools" / "fetch_catch2_source.sh"])
     yield from step_checks([steps.COMPILER, NATIVE_FIGURES])
     tests = [*sorted(docs.glob("wasm/*.test.mjs")), *sorted(docs.glob("web/test/cpp/*.test.mjs"))]
+    if chapters_asked_for():
+        # The figures and the ladders. The exercises are checked in a browser: parity.test.mjs.
+        tests = [docs / "wasm" / "loader.test.mjs"]
     # As docs/wasm/pool.mjs starts the compiler.
     engine = "--single-threaded-gc --liftoff-only"
     yield from node_tests("test of docs/wasm:", tests, docs, flags=engine)
 
 
 def book() -> Iterator[Check]:
+    if chapters_asked_for():
+        yield from step_checks([steps.PAGE_PROGRAMS, steps.PAGES])
+        return
     yield from step_checks([steps.PAGES, steps.EBOOK_STEP])
     yield from pytest("tests/docs", beside=TWO)
     yield from pytest("tests/serve")
@@ -489,6 +557,8 @@ def ladder() -> Iterator[Check]:
     folder.mkdir(parents=True)
     for file in sorted(ROOT.glob("chapters/*/ladder.cpp")):
         chapter = file.parent.name
+        if not wanted(chapter):
+            continue
         out = folder / f"{chapter}.json"
         ladder = DEV / "bin" / f"ladder_{chapter}"
         sized = ["--size", "200", "--repeats", "2", "--json", str(out)]
@@ -497,6 +567,12 @@ def ladder() -> Iterator[Check]:
 
 def browser() -> Iterator[Check]:
     files = sorted((ROOT / "tests" / "browser").glob("*.test.mjs"))
+    if chapters_asked_for():
+        of_lessons = ("pages", "questions", "ladder") if having(LESSON) else ()
+        of_figures = ("figures",) if set(having(LESSON)) & set(having(FIGURE)) else ()
+        of_exercises = ("parity",) if having(EXERCISE) else ()
+        names = {*of_lessons, *of_figures, *of_exercises}
+        files = [file for file in files if file.name.split(".")[0] in names]
     first = ("exercises", "pages", "figures", "parity")
     yield from node_tests("test in a browser:", files, ROOT / "docs", first=first)
 
@@ -505,6 +581,30 @@ def browser() -> Iterator[Check]:
 
 # What all of them together are meant to stay under, on two cores.
 WHOLE_MINUTES = 40
+
+CHAPTERS = sorted(file.parent.name for file in ROOT.glob("chapters/*/chapter.toml"))
+# The stages of `./contact test CHAPTER`. Each takes of its lists what is in CONTACT_CHAPTERS.
+OF_ONE_CHAPTER = ("native", "ctest", "dev-check", "ladder", "page", "wasm", "book", "browser")
+# Beside what chapters are touched: files that a stage reads. Such a stage is run with all that it
+# needs.
+READS = {
+    name: re.compile(pattern)
+    for name, pattern in {
+        "native": r"(cli|grading|cmake|benchmarks)/|CMake|tests/(support|CMakeLists)",
+        "ctest": r"(grading|cmake)/|CMake|tests/(support|grading|CMakeLists)",
+        "dev-check": r"(grading|cli|cmake)/|tests/support/",
+        "program": r"(cli|grading|cmake)/|tests/cli/",
+        "grade": r"(cli|grading|cmake)/|tests/(grade|grading)/",
+        "outside": r"(contact|CMake.*)$|(tools|cmake|tests/(setup|package))/|docs/(package|req)",
+        "tidy": r"(grading|chapters/[^/]+/contact)/|\.clang-tidy$",
+        "page": r"docs/(web|figure)/|docs/package",
+        "wasm": r"docs/wasm/|docs/web/(src|test)/cpp|docs/package|grading/",
+        "book": r"docs/|tests/(docs|serve)/|tools/(serve|steps)\.py$",
+        "browser": r"tests/browser/|docs/(web|_ext|_static)/",
+    }.items()
+}
+# Stages that check more than chapters: where one of them is called for, nothing is narrowed.
+BEYOND_CHAPTERS = tuple(name for name in READS if name != "tidy")
 
 # The minutes are where a stage is stopped on a busy machine; all of them together take far less.
 STAGES = (
@@ -545,11 +645,22 @@ def processor_seconds() -> float:
     return used.ru_utime + used.ru_stime
 
 
-def run_stage(stage: Stage) -> tuple[Tally, float, float]:
-    """What it found, how long it took on the clock, and of processors."""
+@dataclass
+class Row:
+    """What a stage found, how long it took on the clock and of processors, and what it left out."""
+
+    stage: Stage
+    tally: Tally
+    seconds: float = 0.0
+    used: float = 0.0
+    slices: dict[str, Slice] = field(default_factory=dict)
+
+
+def run_stage(stage: Stage) -> Row:
     began = time.monotonic()
     used = processor_seconds()
     tally = Tally()
+    SLICES.unlink(missing_ok=True)
     try:
         for check in stage.checks():
             left = stage.minutes * 60 - (time.monotonic() - began)
@@ -561,22 +672,72 @@ def run_stage(stage: Stage) -> tuple[Tally, float, float]:
     except OSError as error:
         why = f"{stage.name}: {error}"
         tally.add(Tally(failed=1, why=[why], names=[why]))
-    if tally.passed + tally.failed + tally.skipped == 0:
+    # A chapter by itself may have no ladder, or no exercise.
+    nothing = tally.passed + tally.failed + tally.skipped == 0
+    if nothing and not chapters_asked_for():
         why = f"{stage.name} found nothing to check"
         tally.add(Tally(failed=1, why=[why], names=[why]))
-    return tally, time.monotonic() - began, processor_seconds() - used
+    slices = read_slices(SLICES)
+    # What waits for another turn was not run.
+    tally.skipped += sum(len(of.left) for of in slices.values())
+    return Row(stage, tally, time.monotonic() - began, processor_seconds() - used, slices)
 
 
-def chosen(names: Sequence[str]) -> list[Stage]:
-    """The stages named and what they need, in order; all, if none is named."""
+def chosen(names: Sequence[str], since: str | None) -> list[Stage]:
+    """The stages to run, in order; the environment then says what they take of their lists."""
+    if since is not None:
+        if names:
+            sys.exit("contact: --since takes no stages and no chapters")
+        return since_revision(since)
+    chapters = [name for name in names if name in CHAPTERS]
+    if chapters:
+        if other := [name for name in names if name not in CHAPTERS]:
+            sys.exit(f'contact: "{other[0]}" is no chapter; name stages or chapters, not both')
+        os.environ["CONTACT_CHAPTERS"] = ",".join(chapters)
+        return [stage for stage in STAGES if stage.name in OF_ONE_CHAPTER]
     known = {stage.name: stage for stage in STAGES}
     for name in names:
         if name not in known:
-            sys.exit(f'contact: no stage "{name}"; ./contact test --list shows them')
-    wanted = list(names) or list(known)
+            sys.exit(f'contact: no stage or chapter "{name}"; ./contact test --list shows them')
+    tell_what_is_touched()
+    return with_needs(names or list(known))
+
+
+def with_needs(names: Iterable[str]) -> list[Stage]:
+    """These stages and what they need, in order."""
+    known = {stage.name: stage for stage in STAGES}
+    wanted = list(names)
     for name in wanted:
         wanted += [need for need in known[name].needs if need not in wanted]
     return [stage for stage in STAGES if stage.name in wanted]
+
+
+def since_revision(revision: str) -> list[Stage]:
+    """What the change since a revision can touch."""
+    files = touched.changed_since(ROOT, revision)
+    if files is None:
+        sys.exit(
+            f'contact: git does not know "{revision}", or what it has in common with this commit; '
+            "a shallow clone must fetch the history first (git fetch --unshallow)"
+        )
+    found = touched.touched_by(files, touched.this_book())
+    chapters = touched.chapters_of(found, touched.this_book())
+    names = {"style", *(name for name, reads in READS.items() if any(map(reads.match, files)))}
+    os.environ["CONTACT_TOUCHED"] = touched.as_json(found)
+    print(f"{len(files)} files have changed since {revision}. They touch:")
+    for line in touched.in_words(found):
+        print(f"    {line}")
+    if not names & set(BEYOND_CHAPTERS) and set(chapters) != set(CHAPTERS):
+        # Only the chapters' own checks, and only of these.
+        if chapters:
+            os.environ["CONTACT_CHAPTERS"] = ",".join(chapters)
+            names |= set(OF_ONE_CHAPTER)
+            if "tests" in found:
+                names |= {"sanitize"}
+        return [stage for stage in STAGES if stage.name in names]
+    if chapters:
+        names |= {*OF_ONE_CHAPTER, "sanitize"}
+    return with_needs(names)
 
 
 def result(tally: Tally) -> str:
@@ -585,53 +746,89 @@ def result(tally: Tally) -> str:
     return "passed" if tally.passed else "not run"
 
 
+def tell_what_is_touched() -> None:
+    """Puts what the change touches where tools/sample.py looks for it; one who has set it knows."""
+    if "CONTACT_TOUCHED" in os.environ or "CONTACT_ALL" in os.environ:
+        return
+    base = touched.base_of_landing(ROOT)
+    files = touched.changed_since(ROOT, base) if base else None
+    if files is None:
+        print("git does not tell what this landing changed: the turn alone says what is taken")
+        return
+    found = touched.touched_by(files, touched.this_book())
+    os.environ["CONTACT_TOUCHED"] = touched.as_json(found)
+    print(f"Always taken is what {len(files)} files touch that have changed since {base}:")
+    for line in touched.in_words(found):
+        print(f"    {line}")
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(
         prog="./contact test", description="Runs every check there is."
     )
-    parser.add_argument("stages", nargs="*", metavar="STAGE", help="only these, and what they need")
+    parser.add_argument(
+        "names", nargs="*", metavar="STAGE|CHAPTER", help="only these stages, or these chapters"
+    )
+    parser.add_argument("--since", metavar="REV", help="what the change since REV can touch")
     parser.add_argument("--list", action="store_true", help="show the stages and stop")
     arguments = parser.parse_args()
     if arguments.list:
         for stage in STAGES:
             print(f"{stage.name:10} at most {stage.minutes:4g} min  {stage.what}")
+        print("A chapter's name checks all of that chapter alone:")
+        print(textwrap.fill(", ".join(CHAPTERS), 100, initial_indent="  ", subsequent_indent="  "))
         return 0
 
     sys.stdout.reconfigure(line_buffering=True)  # type: ignore[union-attr]
-    rows: list[tuple[Stage, Tally, float, float]] = []
+    steps.LOGS.mkdir(parents=True, exist_ok=True)
+    os.environ["CONTACT_SLICES"] = str(SLICES)
+    stages = chosen(arguments.names, arguments.since)
+    rows: list[Row] = []
     failed: set[str] = set()
-    for stage in chosen(arguments.stages):
+    for stage in stages:
         missing = [need for need in stage.needs if need in failed]
         if missing:
             why = f"{stage.name} was not run: it needs {missing[0]}, which failed"
-            tally, seconds, used = Tally(failed=1, why=[why], names=[why]), 0.0, 0.0
+            row = Row(stage, Tally(failed=1, why=[why], names=[why]))
         else:
             print(f"{stage.name}: {stage.what}")
-            tally, seconds, used = run_stage(stage)
+            row = run_stage(stage)
+        tally = row.tally
         if tally.failed:
             failed.add(stage.name)
-        rows.append((stage, tally, seconds, used))
+        rows.append(row)
         for why in tally.why:
             print("\n".join(f"    {line}" for line in why.splitlines()))
         counts = f"{tally.passed} passed, {tally.failed} failed, {tally.skipped} skipped"
-        print(f"{stage.name}: {result(tally)} in {seconds:.0f} s ({counts})")
+        print(f"{stage.name}: {result(tally)} in {row.seconds:.0f} s ({counts})")
+    total = closing_table(rows)
+    return 1 if total.failed else 0
 
+
+def closing_table(rows: Sequence[Row]) -> Tally:
+    """Prints what each stage took, what went by turns, what failed, and last the sum."""
     total = Tally()
     head = ("stage", "seconds", "cpu", "limit", "passed", "failed", "skipped")
     line = "{:10} {:>8} {:>8} {:>6} {:>7} {:>7} {:>8}  {}"
     print("\n" + line.format(*head, "result"))
-    for stage, tally, seconds, used in rows:
-        total.add(tally)
-        numbers = (tally.passed, tally.failed, tally.skipped)
-        times = (f"{seconds:.1f}", f"{used:.1f}", int(stage.minutes * 60))
-        print(line.format(stage.name, *times, *numbers, result(tally)))
-    clock = sum(seconds for _, _, seconds, _ in rows)
-    processors = sum(used for _, _, _, used in rows)
+    for row in rows:
+        total.add(row.tally)
+        numbers = (row.tally.passed, row.tally.failed, row.tally.skipped)
+        times = (f"{row.seconds:.1f}", f"{row.used:.1f}", int(row.stage.minutes * 60))
+        print(line.format(row.stage.name, *times, *numbers, result(row.tally)))
+    clock = sum(row.seconds for row in rows)
+    processors = sum(row.used for row in rows)
     print(f"{'all':10} {clock:8.1f} {processors:8.1f} {WHOLE_MINUTES * 60:6}\n")
+    if any(row.slices for row in rows):
+        print(f"What goes by turns, in turn {turn()}; what did not run is counted as skipped:")
+        for row in rows:
+            for what, of in row.slices.items():
+                print(slice_in_words(what, of))
+        print()
     for name in total.names:
         print(f"failed: {name}")
     print(f"{total.passed} passed, {total.failed} failed, {total.skipped} skipped")
-    return 1 if total.failed else 0
+    return total
 
 
 if __name__ == "__main__":

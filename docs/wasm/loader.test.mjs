@@ -6,7 +6,7 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { before, describe, test } from "node:test";
-import { sample } from "../../tests/browser/sample.mjs";
+import { sample, wanted } from "../../tests/browser/sample.mjs";
 import { importLoader } from "./import_loader.mjs";
 import { initialStates } from "./initial_states.mjs";
 import { nativeFigure } from "./native_figure.mjs";
@@ -24,7 +24,9 @@ const { loadFigure, loadLadder, Stopped } = await importLoader();
 /** @type {Map<string, string>} */
 let failed = new Map();
 before(async () => {
-  const recipes = [...figures(), ...ladders()].map(({ recipe }) => recipe);
+  const recipes = [...figures(), ...ladders()]
+    .filter(({ name }) => wanted(name))
+    .map(({ recipe }) => recipe);
   ({ failed } = await makeAll([stops, ...recipes]));
 });
 
@@ -104,7 +106,10 @@ const initial = initialStates(figures().map(({ name }) => name));
 
 describe("every figure computes what its native program computes, bit for bit", () => {
   // tools/test.py builds the native programs of the same sample.
-  for (const { name, recipe } of sample(figures(), 3)) {
+  for (const { name, recipe } of sample(figures(), 3, "figures in WebAssembly", {
+    kind: "figures",
+    name: (figure) => figure.name,
+  })) {
     test(name, async () => {
       const figure = await loadFigure(bytes(recipe));
       const program = nativeFigure(name);
@@ -156,7 +161,7 @@ describe("every figure computes what its native program computes, bit for bit", 
 });
 
 describe("every ladder finds the wrong answers that its native program finds", () => {
-  for (const { name, recipe } of ladders()) {
+  for (const { name, recipe } of ladders().filter((ladder) => wanted(ladder.name))) {
     test(name, async () => {
       const size = 200;
       const folder = fs.mkdtempSync(path.join(os.tmpdir(), "contact-ladder-"));

@@ -7,7 +7,7 @@ import path from "node:path";
 import { after, before, describe, test } from "node:test";
 import { fieldsOf, launch, lessons, loadFigure, notRun, open, serve, site } from "./browser.mjs";
 import { inputsLike, native } from "./native.mjs";
-import { sample } from "./sample.mjs";
+import { ofAll, sample } from "./sample.mjs";
 
 const skip = notRun();
 /** Which figures there are, read from the built pages. */
@@ -58,7 +58,10 @@ describe("figures", { skip }, () => {
     assert.deepStrictEqual(await shown.output(), wanted);
   }
 
-  for (const each of sample(figures, 6)) {
+  for (const each of sample(figures, 3, "figures in a browser", {
+    kind: "figures",
+    name: ({ name }) => name,
+  })) {
     test(`${each.name}: dragged by pointer`, async () => {
       const shown = await show(each);
       for (const grip of await shown.figure.locator(".grip").all()) {
@@ -217,7 +220,7 @@ describe("figures", { skip }, () => {
     await shown.page.mouse.up();
   }
 
-  test("a curve is drawn in one stroke, either way, and only where the stroke goes", async () => {
+  ofAll("a curve is drawn in one stroke, either way, and only where the stroke goes", async () => {
     const shown = await show(sketch);
     const drawn = async () => /** @type {number[]} */ ((await shown.input())["drawn"]);
     const start = await drawn();
@@ -261,7 +264,7 @@ describe("figures", { skip }, () => {
     await shown.close();
   });
 
-  test("a curve stays within its sheet, and keys draw it too", async () => {
+  ofAll("a curve stays within its sheet, and keys draw it too", async () => {
     const shown = await show(sketch);
     await draw(shown, [
       [0.5, 0.5],
@@ -283,7 +286,7 @@ describe("figures", { skip }, () => {
     await shown.close();
   });
 
-  test("what a value means follows the state", async () => {
+  ofAll("what a value means follows the state", async () => {
     const shown = await show(sketch);
     const row = shown.figure.locator(".computed tr").last();
     const before = await row.locator(".meaning").textContent();
@@ -292,7 +295,7 @@ describe("figures", { skip }, () => {
     await shown.close();
   });
 
-  test("a figure in space is turned by pointer and by buttons, and its numbers stay", async () => {
+  ofAll("a figure in space is turned by pointer and by buttons, and its numbers stay", async () => {
     const shown = await show(figures[0]);
     const stage = shown.figure.locator(".stage");
     const picture = () => shown.figure.locator(".drawing").innerHTML();
@@ -317,7 +320,7 @@ describe("figures", { skip }, () => {
     await shown.close();
   });
 
-  test("a figure whose C++ does not load leaves its picture and says so", async () => {
+  ofAll("a figure whose C++ does not load leaves its picture and says so", async () => {
     const context = await chromium.browser.newContext();
     const page = await context.newPage();
     await page.route("**/*.wasm", (route) => route.abort());

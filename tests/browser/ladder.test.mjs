@@ -1,5 +1,5 @@
 // "Run it here": the chapter's ladder, timed as WebAssembly in the reader's browser. Every third one is run and
-// every third stopped, others with each commit. (What each computes: docs/wasm/loader.test.mjs.)
+// every third stopped, others in each turn. (What each computes: docs/wasm/loader.test.mjs.)
 
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
@@ -23,7 +23,7 @@ describe("ladders", { skip }, () => {
   });
 
   const all = skip ? [] : lessons();
-  for (const where of sample(all, 3))
+  for (const where of sample(all, 3, "ladders run in the page", { kind: "ladder" }))
     test(`${where}: run here`, { timeout: 60_000 }, async () => {
       const { page, trouble, close } = await open(chromium.browser, `${server.origin}/${where}`);
       const ladder = page.locator("contact-ladder").first();
@@ -54,7 +54,7 @@ describe("ladders", { skip }, () => {
       await close();
     });
 
-  for (const where of sample(all, 3))
+  for (const where of sample(all, 3, "ladders stopped in the page", { kind: "ladder" }))
     test(`${where}: cancelled`, async () => {
       const { page, close } = await open(chromium.browser, `${server.origin}/${where}`);
       const ladder = page.locator("contact-ladder").first();

@@ -4,10 +4,10 @@
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { launch, lessons, loadFigures, notRun, open, pages, require, serve } from "./browser.mjs";
-import { sample } from "./sample.mjs";
+import { sample, wanted } from "./sample.mjs";
 
 const skip = notRun();
-const all = skip ? [] : pages();
+const all = skip ? [] : pages().filter(wanted);
 
 describe("pages", { skip }, () => {
   /** @type {Awaited<ReturnType<typeof serve>>} */
@@ -25,11 +25,12 @@ describe("pages", { skip }, () => {
   const url = (/** @type {string} */ where) => `${server.origin}/${where}`;
 
   const schemes = /** @type {const} */ (["light", "dark"]);
-  // The other one first on every second pair of pages, so that each run has both.
-  const seen = all.flatMap((where, place) =>
-    (place % 4 < 2 ? schemes : [...schemes].reverse()).map((scheme) => ({ where, scheme })),
-  );
-  const looked = sample(seen, 4);
+  // Every third of these is now light and now dark, so each run has both.
+  const seen = all.flatMap((where) => schemes.map((scheme) => ({ where, scheme })));
+  const looked = sample(seen, 3, "pages with axe", {
+    kind: "page",
+    name: ({ where, scheme }) => `${where} ${scheme}`,
+  });
 
   for (const where of all) {
     test(`${where}: no console error, no request off the origin`, async () => {
@@ -118,7 +119,7 @@ describe("pages", { skip }, () => {
       await close();
     });
 
-  for (const where of skip ? [] : lessons()) {
+  for (const where of skip ? [] : lessons().filter(wanted)) {
     test(`${where}: complete without a script`, async () => {
       const { page, trouble, close } = await open(chromium.browser, url(where), {
         javaScriptEnabled: false,

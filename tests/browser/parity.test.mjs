@@ -1,5 +1,5 @@
-// The page and the command line give the same verdict. Of a sixth of the exercises, another sixth
-// with each commit, the stub, the solution and a wrong answer are checked both ways, in a real browser
+// The page and the command line give the same verdict. Of a third of the exercises, another third
+// in each turn, the stub, the solution and a wrong answer are checked both ways, in a real browser
 // by the page's own checker and by `contact check`, and so are answers that end badly (endings/). With
 // CONTACT_ALL=1 it is every exercise and every wrong answer of the book. Verdicts, points, hints and words
 // are equal, numbers to 12 digits. How a program dies differs between machines (a signal, a trap,
@@ -11,7 +11,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { launch, notRun, open, root, serve } from "./browser.mjs";
-import { one, sample } from "./sample.mjs";
+import { sample, wanted } from "./sample.mjs";
 
 /** @typedef {import("../../docs/web/src/cpp/types.ts").VerdictJson} Verdict */
 /** @typedef {import("../../docs/web/src/cpp/types.ts").TestVerdict} TestVerdict */
@@ -41,27 +41,43 @@ const sources = (folder) =>
         .map((name) => `${folder}/${name}`)
     : [];
 
+/** One exercise of so many is taken in a turn. */
+const EACH = 3;
+
+/** One wrong answer, another one whenever the exercise is taken. @param {string} exercise @returns {string[]} */
+function wrongOf(exercise) {
+  const all = sources(`solutions/${exercise}/wrong`);
+  return sample(all, all.length, "parity of wrong answers", {
+    within: EACH,
+    name: (file) => `${exercise}/${path.basename(file, ".cpp")}`,
+  });
+}
+
 /** @returns {Answer[]} */
 function answers() {
-  const all = sample(exercisesIn("exercises"), 6).flatMap((exercise) => {
-    const file = `${exercise}/${path.basename(exercise)}.cpp`;
-    return [
-      { exercise, kind: /** @type {const} */ ("stub"), file: `exercises/${file}` },
-      { exercise, kind: /** @type {const} */ ("solution"), file: `solutions/${file}` },
-      ...one(sources(`solutions/${exercise}/wrong`)).map((wrong) => ({
-        exercise,
-        kind: /** @type {const} */ ("wrong"),
-        file: wrong,
-      })),
-    ];
-  });
-  const endings = exercisesIn("tests/browser/endings").flatMap((exercise) =>
-    sources(`tests/browser/endings/${exercise}`).map((file) => ({
-      exercise,
-      kind: /** @type {const} */ ("ending"),
-      file,
-    })),
+  const all = sample(exercisesIn("exercises"), EACH, "parity", { kind: "exercises" }).flatMap(
+    (exercise) => {
+      const file = `${exercise}/${path.basename(exercise)}.cpp`;
+      return [
+        { exercise, kind: /** @type {const} */ ("stub"), file: `exercises/${file}` },
+        { exercise, kind: /** @type {const} */ ("solution"), file: `solutions/${file}` },
+        ...wrongOf(exercise).map((wrong) => ({
+          exercise,
+          kind: /** @type {const} */ ("wrong"),
+          file: wrong,
+        })),
+      ];
+    },
   );
+  const endings = exercisesIn("tests/browser/endings")
+    .filter(wanted)
+    .flatMap((exercise) =>
+      sources(`tests/browser/endings/${exercise}`).map((file) => ({
+        exercise,
+        kind: /** @type {const} */ ("ending"),
+        file,
+      })),
+    );
   return [...all, ...endings];
 }
 

@@ -1,11 +1,11 @@
-// Every question of a third of the lessons, another third with each commit, is answered wrong, then right, by the means
-// its kind has. With CONTACT_ALL=1 it is every question of the book.
+// Every question of a third of the lessons, another third in each turn, is answered wrong, then right, by the means its
+// kind has. With CONTACT_ALL=1 it is every question of the book.
 
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { fieldsOf, launch, lessons, loadFigure, notRun, open, serve, settle } from "./browser.mjs";
 import { inputsLike, native } from "./native.mjs";
-import { sample } from "./sample.mjs";
+import { ofAll, sample } from "./sample.mjs";
 
 const skip = notRun();
 
@@ -106,7 +106,7 @@ describe("questions", { skip }, () => {
     },
   };
 
-  for (const where of skip ? [] : sample(lessons(), 4))
+  for (const where of skip ? [] : sample(lessons(), 3, "questions", { kind: "page" }))
     test(`${where}: every question, wrong then right`, async () => {
       const { page, trouble, close } = await open(chromium.browser, `${server.origin}/${where}`);
       await page.evaluate(() => customElements.whenDefined("contact-question"));
@@ -136,7 +136,7 @@ describe("questions", { skip }, () => {
       await close();
     });
 
-  test("the book has questions of each kind, and no other", async () => {
+  ofAll("the book has questions of each kind, and no other", async () => {
     const kinds = new Set();
     for (const where of lessons()) {
       const { page, close } = await open(chromium.browser, `${server.origin}/${where}`);
@@ -164,7 +164,7 @@ describe("questions", { skip }, () => {
     throw new Error(`no question to ${kind}`);
   }
 
-  test("a prediction without its unit is not judged, and nonsense is refused", async () => {
+  ofAll("a prediction without its unit is not judged, and nonsense is refused", async () => {
     const { page, element, question, close } = await first("predict");
     const box = element.locator('input[type="text"]');
     await box.fill("soon");
@@ -186,7 +186,7 @@ describe("questions", { skip }, () => {
     await close();
   });
 
-  test("steps are moved by arrow keys and by dragging", async () => {
+  ofAll("steps are moved by arrow keys and by dragging", async () => {
     const { page, element, close } = await first("order");
     const rows = element.locator("ol.steps > li");
     const order = () => rows.locator(".step").allTextContents();

@@ -1,19 +1,75 @@
-// What a run tests of what is too much for every run: another part of it with each commit, so that a few commits have
-// tested all. With CONTACT_ALL=1 it is everything.
+// What a run tests of what is too much for every run: it goes by turns, as tools/sample.py says, which also says what
+// it takes from the environment.
 
-import { execFileSync } from "node:child_process";
-import path from "node:path";
+import fs from "node:fs";
+import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 
-const here = path.dirname(fileURLToPath(import.meta.url));
-const all = Boolean(process.env["CONTACT_ALL"]);
-const commit = Number.parseInt(
-  execFileSync("git", ["-C", here, "rev-parse", "HEAD"]).toString().slice(0, 8),
-  16,
-);
+const file = fileURLToPath(new URL("../../tools/turn", import.meta.url));
 
-/** Every `each`-th of a list. @template T @param {readonly T[]} list @param {number} each @returns {T[]} */
-export const sample = (list, each) => list.filter((_, i) => all || (i + commit) % each === 0);
+/** @param {string} text @param {string} where */
+function readTurn(text, where) {
+  if (!/^\s*\d+\s*$/.test(text))
+    throw new Error(`${where} must hold one whole number, and holds ${JSON.stringify(text)}`);
+  return Number(text);
+}
 
-/** One of a list. @template T @param {readonly T[]} list @returns {T[]} */
-export const one = (list) => sample(list, list.length);
+const given = process.env["CONTACT_TURN"];
+const turn =
+  given === undefined
+    ? readTurn(fs.readFileSync(file, "utf8"), file)
+    : readTurn(given, "CONTACT_TURN");
+
+/** The chapters whose checks alone are run; none: all of them. */
+export const chapters = (process.env["CONTACT_CHAPTERS"] ?? "").split(",").filter(Boolean);
+
+/** @param {readonly string[]} names @param {string} item */
+const touches = (names, item) => names.some((name) => name === "*" || item.includes(name));
+
+/** Whether something with this name is looked at: it belongs to one of `chapters`, if there are any. @param {string} name */
+export const wanted = (name) => chapters.length === 0 || touches(chapters, name);
+
+/** Declares a test of what all chapters share: none where some of them alone are checked. */
+export const ofAll = chapters.length > 0 ? () => {} : test;
+
+/** @param {string} what @param {string[]} ran @param {string[]} left */
+function record(what, ran, left) {
+  const slices = process.env["CONTACT_SLICES"];
+  if (slices && ran.length + left.length > 0)
+    fs.appendFileSync(slices, `${JSON.stringify({ what, ran, left })}\n`);
+}
+
+/**
+ * Every `each`-th of a list, and what the change touches.
+ * @template T @param {readonly T[]} list @param {number} each
+ * @param {string} what its name in the table at the end of a run; "" keeps it out of the table
+ * @param {{ kind?: string, within?: number, name?: (item: T) => string }} [options]
+ *   `kind`: what CONTACT_TOUCHED calls them; `within`: how seldom the list itself is taken
+ * @returns {T[]}
+ */
+export function sample(list, each, what, { kind, within = 1, name = String } = {}) {
+  let of = list;
+  let every = process.env["CONTACT_ALL"] !== undefined;
+  /** @type {string[]} */
+  let touched = [];
+  if (kind !== undefined) {
+    touched = JSON.parse(process.env["CONTACT_TOUCHED"] || "{}")[kind] ?? [];
+    if (chapters.length > 0 && !["hostile", "explain"].includes(kind)) {
+      of = list.filter((item) => wanted(name(item)));
+      every = true;
+    }
+  }
+  const taken = of.map(
+    (item, i) =>
+      every || (i + Math.floor(turn / within)) % each === 0 || touches(touched, name(item)),
+  );
+  if (what) {
+    const names = of.map(name);
+    record(
+      what,
+      names.filter((_, i) => taken[i]),
+      names.filter((_, i) => !taken[i]),
+    );
+  }
+  return of.filter((_, i) => taken[i]);
+}

@@ -51,16 +51,17 @@ SPECIMENS = {specimen.name: specimen for specimen in corpus()}
 ALL_OF_THE_BOOK = [
     name for name, specimen in SPECIMENS.items() if specimen.exercise != hull_book.EXERCISE
 ]
-# Half of the attacks with each commit: some are ended only at their limit of time, at two levels.
-BOOKS_OWN = sample(ALL_OF_THE_BOOK, 2)
-HULLS = sample([name for name in SPECIMENS if name not in ALL_OF_THE_BOOK], 2)
+# Half of the attacks in each turn: some are ended only at their limit of time, at two levels.
+BOOKS_OWN = sample(ALL_OF_THE_BOOK, 2, "attacks", kind="hostile")
+OF_HULLS = [name for name in SPECIMENS if name not in ALL_OF_THE_BOOK]
+HULLS = sample(OF_HULLS, 2, "attacks on hulls", kind="hostile")
 TAKEN = [*BOOKS_OWN, *HULLS]
 # Without its attack nearly every one is the same answer, which need not be graded for each of them;
 # nor what is packed honestly in the same way.
 TWINS = [specimen.name for specimen in different_twins([SPECIMENS[name] for name in TAKEN])]
 PACKED_TWINS = list({packed.twin: packed for packed in PACKED}.values())
 # Attacks with an honest answer right behind them, which would be harmed first.
-HARMED = sample(BOOKS_OWN, 6)
+HARMED = sample(BOOKS_OWN, 6, "attacks before honest answers", within=2)
 SEED = "hostile"
 
 # Of what is kept from them in another way where no user id can be changed.

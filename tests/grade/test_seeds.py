@@ -125,7 +125,9 @@ def test_questions_change_with_the_seed(exercise: str, tmp_path: Path) -> None:
     assert asked(program, tmp_path, "") == by_seed[0]
 
 
-@pytest.mark.parametrize("exercise", sample(EXERCISES, 6))
+@pytest.mark.parametrize(
+    "exercise", sample(EXERCISES, 3, "exercises under many seeds", kind="exercises")
+)
 def test_solutions_pass_and_wrong_answers_fail_under_any_seed(
     exercise: str, tmp_path: Path
 ) -> None:

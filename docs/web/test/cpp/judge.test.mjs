@@ -1,6 +1,6 @@
 // The judge of the page says what `contact check`, `contact hint`, `contact solution` and `contact progress` say;
-// and the commonest mistakes are recognised by the words of both compilers: a third of them, another third with each
-// commit, and all with CONTACT_ALL=1. (The program's own words for all of them: tests/cli/test_mistakes.py.)
+// and the commonest mistakes are recognised by the words of both compilers: a third of them, another third in each
+// turn, and all with CONTACT_ALL=1. (The program's own words for all of them: tests/cli/test_mistakes.py.)
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
@@ -69,20 +69,26 @@ function inFolder(use) {
   }
 }
 
+/** @param {string} folder */
+const names = (folder) => fs.readdirSync(folder).sort();
+
 /** The mistakes, each a file that says which it is. */
 const everyMistake = ["01_planes", "02_triangles"]
   .map((slug) => inRoot("tests", "grading", "mistakes", slug))
   .filter((folder) => fs.existsSync(folder))
   .flatMap((folder) =>
-    fs.readdirSync(folder).flatMap((short) =>
-      fs.readdirSync(path.join(folder, short)).map((file) => ({
+    names(folder).flatMap((short) =>
+      names(path.join(folder, short)).map((file) => ({
         id: `${path.basename(folder)}/${short}`,
         file: path.join(folder, short, file),
       })),
     ),
   );
 
-const mistakes = sample(everyMistake, 3);
+const mistakes = sample(everyMistake, 3, "mistakes in the page", {
+  kind: "explain",
+  name: ({ id, file }) => `${id}/${path.basename(file)}`,
+});
 
 /** What the first error (or else the first warning) must be. @param {string} text */
 function expected(text) {

@@ -1,0 +1,189 @@
+"""Which stages `./contact test` runs for a chapter and for a change, and what its table tells."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+
+from slices import Slice, read_slices, slice_in_words  # noqa: E402
+
+
+def load() -> ModuleType:
+    # By its path: Python has a package of that name.
+    spec = importlib.util.spec_from_file_location("contact_test", ROOT / "tools" / "test.py")
+    assert spec
+    assert spec.loader
+    module = importlib.util.module_from_spec(spec)
+    sys.modules["contact_test"] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+checks = load()
+
+
+@pytest.fixture(autouse=True)
+def environment(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What `chosen` sets there goes afterwards."""
+    for name in ("CONTACT_CHAPTERS", "CONTACT_TOUCHED", "CONTACT_ALL"):
+        monkeypatch.setenv(name, "")
+        monkeypatch.delenv(name)
+
+
+def names(*words: str, since: str | None = None) -> list[str]:
+    return [stage.name for stage in checks.chosen(words, since)]
+
+
+def changed(monkeypatch: pytest.MonkeyPatch, *files: str) -> list[str]:
+    monkeypatch.setattr(checks.touched, "changed_since", lambda _root, _base: list(files))
+    return names(since="somewhere")
+
+
+def test_a_chapter_is_all_of_it_and_nothing_else() -> None:
+    assert names("02_triangles") == [
+        *("native", "ctest", "dev-check", "ladder", "page", "wasm", "book", "browser")
+    ]
+    assert os.environ["CONTACT_CHAPTERS"] == "02_triangles"
+
+
+@pytest.mark.parametrize("chapter", checks.CHAPTERS)
+def test_a_chapter_is_asked_for_what_it_has(chapter: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CONTACT_CHAPTERS", chapter)
+    monkeypatch.setattr(checks, "node_tests", lambda _what, files, _cwd, **_: iter(files))
+    files = {file.name.split(".")[0] for file in checks.browser()}
+    folder = ROOT / "chapters" / chapter
+    lesson = (folder / "lesson.md").exists()
+    exercises = any((ROOT / "exercises" / chapter).glob("*/exercise.toml"))
+    assert ("pages" in files) == ("questions" in files) == lesson
+    assert ("figures" in files) == (lesson and any(folder.glob("figures/*.cpp")))
+    assert ("parity" in files) == exercises
+    assert len(list(checks.dev_check())) == exercises
+    assert files <= {"pages", "figures", "questions", "ladder", "parity"}
+
+
+def test_a_stage_brings_what_it_needs() -> None:
+    assert names("ctest") == ["native", "ctest"]
+    assert "CONTACT_CHAPTERS" not in os.environ
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["02_triangle"], 'no stage or chapter "02_triangle"'),
+        (["02_triangles", "style"], '"style" is no chapter'),
+        (["--since", "HEAD", "style"], "--since takes no stages"),
+        (["--since", "no-such-revision"], 'does not know "no-such-revision"'),
+    ],
+)
+def test_what_is_not_understood_is_told(words: list[str], told: str) -> None:
+    command = [sys.executable, str(ROOT / "tools" / "test.py"), *words]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd="/")
+    assert done.returncode == 1
+    assert told in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_a_change_of_one_chapter_is_checked_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    stages = changed(monkeypatch, "chapters/20_scenes/contact/plan_costs.hpp")
+    assert os.environ["CONTACT_CHAPTERS"] == "20_scenes"
+    assert {"style", "ctest", "tidy", "sanitize", "browser"} <= set(stages)
+    assert not {"grade", "program", "outside"} & set(stages)
+
+
+def test_a_header_is_checked_wherever_it_is_built_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    changed(monkeypatch, "chapters/12_momentum/contact/momentum.hpp")
+    asked = os.environ["CONTACT_CHAPTERS"].split(",")
+    assert {"12_momentum", "13_collisions_1d", "17_rigid_impulse", "20_scenes"} <= set(asked)
+    assert "01_planes" not in asked
+
+
+def test_a_change_beyond_chapters_narrows_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    stages = changed(monkeypatch, "grading/sandbox/box.cpp", "chapters/01_planes/lesson.md")
+    assert "CONTACT_CHAPTERS" not in os.environ
+    assert json.loads(os.environ["CONTACT_TOUCHED"]) == {"page": ["01_planes"]}
+    assert {"style", "native", "ctest", "grade", "program", "tidy", "browser"} <= set(stages)
+
+
+def test_a_change_of_nothing_built_is_a_matter_of_style(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert changed(monkeypatch, "README.md") == ["style"]
+
+
+@pytest.mark.parametrize(
+    ("file", "stage"),
+    [
+        ("cli/list.cpp", "program"),
+        ("tests/grade/test_resume.py", "grade"),
+        ("contact", "outside"),
+        ("tools/setup.sh", "outside"),
+        ("tests/support/oracle.cpp", "ctest"),
+        ("docs/web/test/order.test.mjs", "page"),
+        ("docs/wasm/pool.mjs", "wasm"),
+        ("tests/serve/test_serve.py", "book"),
+        ("tests/browser/home.test.mjs", "browser"),
+        ("cmake/ContactTargets.cmake", "dev-check"),
+    ],
+)
+def test_a_file_is_checked_by_the_stage_that_reads_it(
+    monkeypatch: pytest.MonkeyPatch, file: str, stage: str
+) -> None:
+    assert stage in changed(monkeypatch, file)
+
+
+# --- The table ------------------------------------------------------------------------------------
+
+
+def test_what_several_processes_say_of_one_list_is_counted_once(tmp_path: Path) -> None:
+    file = tmp_path / "slices"
+    said = [
+        {"what": "figures", "ran": ["a"], "left": ["b", "c"]},
+        {"what": "figures", "ran": ["a"], "left": ["b", "c"]},
+        {"what": "wrong", "ran": ["x"], "left": []},
+        # Another file of tests took another one of the same list.
+        {"what": "figures", "ran": ["c"], "left": ["a", "b"]},
+    ]
+    file.write_text("".join(json.dumps(line) + "\n" for line in said))
+    assert read_slices(file) == {
+        "figures": Slice(ran=["a", "c"], left=["b"]),
+        "wrong": Slice(ran=["x"]),
+    }
+    assert read_slices(tmp_path / "none") == {}
+
+
+def test_the_table_names_what_ran_and_what_did_not() -> None:
+    told = slice_in_words("figures", Slice(ran=["a", "c"], left=["b"]))
+    assert told == "  figures: 2 of 3 ran: a, c; not run: b"
+    assert slice_in_words("figures", Slice(left=["b"])) == "  figures: 0 of 1 ran: none; not run: b"
+    assert slice_in_words("figures", Slice(ran=["a", "b"])) == "  figures: all 2 ran"
+    long = slice_in_words("many", Slice(ran=[f"{i:02}_ran" for i in range(40)], left=["z"]))
+    assert max(map(len, long.splitlines())) <= 120
+    assert long.endswith("not run: z")
+
+
+def test_what_did_not_run_is_skipped_in_the_last_line(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(checks, "SLICES", tmp_path / "slices")
+    monkeypatch.setenv("CONTACT_SLICES", str(tmp_path / "slices"))
+    monkeypatch.setenv("CONTACT_TURN", "7")
+
+    def draw() -> object:
+        taken = checks.sample(["a", "b", "c"], 3, "letters")
+        yield lambda _: checks.Tally(passed=len(taken), skipped=1)
+
+    row = checks.run_stage(checks.Stage("some", "", 1, draw))
+    total = checks.closing_table([row])
+    assert (total.passed, total.failed, total.skipped) == (1, 0, 3)
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[-1] == "1 passed, 0 failed, 3 skipped"
+    assert "  letters: 1 of 3 ran: c; not run: a, b" in lines
+    assert any("in turn 7" in line for line in lines)

@@ -1,0 +1,257 @@
+"""What a change touches: held against what the compiler saw included, and against cases by hand."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = ROOT / "build" / "dev"
+sys.path.insert(0, str(ROOT / "tools"))
+
+from touched import (  # noqa: E402
+    CODE,
+    EVERYTHING,
+    Book,
+    base_of_landing,
+    changed_since,
+    chapters_of,
+    read_book,
+    touched_by,
+)
+
+BOOK = read_book(ROOT)
+CHAPTERS = sorted(BOOK.builds_on)
+
+
+def touched(*files: str, book: Book = BOOK) -> dict[str, set[str]]:
+    return touched_by(files, book)
+
+
+# --- Against the tree -----------------------------------------------------------------------------
+
+
+def included_in_the_build() -> dict[str, set[str]]:
+    """Of each header of tests and chapters, the chapters whose objects the compiler made of it."""
+    if not (BUILD / "build.ninja").exists() or not shutil.which("ninja"):
+        pytest.skip("nothing is built in build/dev")
+    command = ["ninja", "-C", str(BUILD), "-t", "deps"]
+    listed = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    of_a_chapter = re.compile(
+        r"(?:reference_tests|hard_cases|example|figure|ladder|exercise|headers_alone)_(\d\d_\w+)\.dir/"
+    )
+    found: dict[str, set[str]] = {}
+    chapter = None
+    for line in listed.splitlines():
+        if not line.startswith(" "):
+            fits = of_a_chapter.search(line) if line.endswith("(VALID)") else None
+            chapter = next((c for c in CHAPTERS if fits and fits[1].startswith(c)), None)
+        elif chapter:
+            # Some are named from the root, and some from the build's folder.
+            name = os.path.relpath(BUILD / line[4:], ROOT)
+            if re.match(r"(chapters|tests)/.*\.hpp$", name):
+                found.setdefault(name, set()).add(chapter)
+    return found
+
+
+def test_who_compiles_a_header_is_touched_by_it() -> None:
+    included = included_in_the_build()
+    if not included:
+        pytest.skip("no chapter is built in build/dev")
+    missed = {}
+    for header, chapters in included.items():
+        if not (ROOT / header).exists():
+            continue
+        found = touched(header)
+        names = {name for kind in CODE for name in found.get(kind, ())}
+        if EVERYTHING not in names and not chapters <= names:
+            missed[header] = chapters - names
+    assert missed == {}
+
+
+def test_every_header_touches_who_includes_it_by_its_text() -> None:
+    # The same without a build: a closure of its own over names, which in contact/ are unique.
+    text = {
+        file: set(re.findall(r"#include <contact/(\w+)\.hpp>", file.read_text()))
+        for folder in ("chapters", "tests", "docs/figure")
+        for file in (ROOT / folder).rglob("*.[ch]pp")
+    }
+    headers = sorted(ROOT.glob("chapters/*/contact/*.hpp"))
+    assert len({header.stem for header in headers}) == len(headers) > 50
+    for header in headers:
+        closed = {header.stem}
+        while True:
+            more = {f.stem for f in headers if text[f] & closed} - closed
+            if not more:
+                break
+            closed |= more
+        using = {
+            file.relative_to(ROOT).parts[1]
+            for file, names in text.items()
+            if names & closed and re.match(r"\d\d_", file.relative_to(ROOT).parts[1])
+        }
+        found = touched(header.relative_to(ROOT).as_posix())
+        assert using <= found["tests"], header
+        assert header.parent.parent.name in found["headers"]
+
+
+def test_every_file_of_a_chapter_touches_it() -> None:
+    for chapter in CHAPTERS:
+        for folder in ("chapters", "exercises", "solutions", "tests"):
+            for file in (ROOT / folder / chapter).rglob("*"):
+                if file.is_file() and "__pycache__" not in file.parts:
+                    name = file.relative_to(ROOT).as_posix()
+                    assert chapter in chapters_of(touched(name), BOOK), name
+
+
+# --- By hand --------------------------------------------------------------------------------------
+
+
+SMALL = Book(
+    builds_on={
+        "00_a": frozenset(),
+        "01_b": frozenset({"00_a"}),
+        "02_c": frozenset({"01_b"}),
+        "03_d": frozenset({"00_a"}),
+    },
+    included_by={"tests/01_b/truth.hpp": frozenset({"tests/03_d/hard_cases.cpp"})},
+    with_scenes=frozenset({"03_d"}),
+)
+
+
+def small(*files: str) -> dict[str, set[str]]:
+    return touched(*files, book=SMALL)
+
+
+def test_a_header_touches_whatever_builds_on_it() -> None:
+    found = small("chapters/01_b/contact/plane.hpp")
+    assert found == {kind: {"01_b", "02_c"} for kind in CODE}
+    assert small("chapters/00_a/contact/x.hpp")["figures"] == {"00_a", "01_b", "02_c", "03_d"}
+
+
+def test_a_lesson_touches_its_page_alone() -> None:
+    assert small("chapters/01_b/lesson.md") == {"page": {"01_b"}}
+
+
+def test_an_exercise_touches_its_chapter() -> None:
+    assert small("exercises/01_b/x/x.hpp") == {"exercises": {"01_b"}, "page": {"01_b"}}
+    assert small("solutions/02_c/x/wrong/y.cpp")["exercises"] == {"02_c"}
+
+
+def test_a_header_of_tests_touches_who_includes_it() -> None:
+    found = small("tests/01_b/truth.hpp")
+    assert found["tests"] == {"01_b", "03_d"}
+    assert found["page"] == {"01_b"}
+
+
+@pytest.mark.parametrize(
+    ("file", "kinds"),
+    [
+        ("tests/support/oracle.hpp", {"tests", "exercises"}),
+        ("tests/support/ladder.cpp", {"ladder"}),
+        ("grading/contact/value.hpp", {"tests", "exercises"}),
+        ("grading/diagnosis/claims.cpp", {"explain"}),
+        ("cmake/ContactTargets.cmake", set(CODE)),
+        ("docs/wasm/flags.mjs", {"figures", "ladder", "exercises", "page"}),
+        ("docs/web/src/figure.ts", {"figures", "ladder", "exercises", "page"}),
+        ("docs/_ext/contact_book/ask.py", {"page"}),
+    ],
+)
+def test_what_all_share_touches_all(file: str, kinds: set[str]) -> None:
+    found = small(file)
+    assert {kind for kind, names in found.items() if EVERYTHING in names} == kinds
+    if kinds != {"explain"}:
+        assert chapters_of(found, SMALL) == sorted(SMALL.builds_on)
+
+
+@pytest.mark.parametrize(
+    "file", ["README.md", "tools/serve.py", "tests/docs/test_map.py", "docs/wasm/loader.test.mjs"]
+)
+def test_what_no_chapter_is_made_of_touches_none(file: str) -> None:
+    assert small(file) == {}
+
+
+def test_an_attack_touches_itself() -> None:
+    assert small("tests/grade/hostile/fork_bomb.cpp") == {"hostile": {"fork_bomb"}}
+
+
+def test_scenes_of_the_program_touch_the_chapters_that_show_them() -> None:
+    assert small("cli/scenes/scene_file.cpp") == {"tests": {"03_d"}, "page": {"03_d"}}
+
+
+# --- Which files have changed ---------------------------------------------------------------------
+
+
+def git(folder: Path, *words: str) -> str:
+    identity = ("-c", "user.name=A", "-c", "user.email=a@b.c", "-c", "commit.gpgsign=false")
+    command = ["git", "-C", str(folder), *identity, *words]
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
+
+
+def put(file: Path, text: str) -> None:
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(text)
+
+
+def landed(folder: Path, turn: int, **files: str) -> str:
+    for name, text in {"tools/turn": f"{turn}\n", **files}.items():
+        put(folder / name, text)
+    git(folder, "add", "-A")
+    git(folder, "commit", "-q", "-m", "docs: go on")
+    return git(folder, "rev-parse", "HEAD")
+
+
+def test_committed_changed_new_and_deleted_files_count(tmp_path: Path) -> None:
+    git(tmp_path, "init", "-q", "-b", "main")
+    first = landed(tmp_path, 1, gone="a", kept="a", changed="a", **{"with space": "a"})
+    (tmp_path / "gone").unlink()
+    landed(tmp_path, 2, committed="a")
+    put(tmp_path / "changed", "b")
+    put(tmp_path / "with space", "b")
+    put(tmp_path / "new/file", "b")
+    assert changed_since(tmp_path, first) == [
+        "changed",
+        "committed",
+        "gone",
+        "new/file",
+        "tools/turn",
+        "with space",
+    ]
+    assert changed_since(tmp_path, "0123456789") is None
+
+
+def test_only_what_this_branch_changed_counts(tmp_path: Path) -> None:
+    git(tmp_path, "init", "-q", "-b", "main")
+    landed(tmp_path, 1)
+    git(tmp_path, "switch", "-q", "-c", "other")
+    landed(tmp_path, 2, mine="a")
+    git(tmp_path, "switch", "-q", "main")
+    landed(tmp_path, 2, theirs="a")
+    git(tmp_path, "switch", "-q", "other")
+    assert changed_since(tmp_path, "main") == ["mine", "tools/turn"]
+
+
+def test_a_landing_begins_where_the_last_one_ended(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("CONTACT_SINCE", raising=False)
+    git(tmp_path, "init", "-q", "-b", "main")
+    assert base_of_landing(tmp_path) is None
+    first = landed(tmp_path, 1)
+    assert base_of_landing(tmp_path) is None
+    second = landed(tmp_path, 2, a="a")
+    assert base_of_landing(tmp_path) == first
+    git(tmp_path, "update-ref", "refs/remotes/origin/main", second)
+    landed(tmp_path, 3, b="b")
+    assert base_of_landing(tmp_path) == "origin/main"
+    monkeypatch.setenv("CONTACT_SINCE", first)
+    assert base_of_landing(tmp_path) == first
+    # What a push to a new branch gives.
+    monkeypatch.setenv("CONTACT_SINCE", "0" * 40)
+    assert base_of_landing(tmp_path) == "origin/main"

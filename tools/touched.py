@@ -1,0 +1,227 @@
+"""What a change touches: which files it changed, and of each kind of check, which chapters.
+
+A reference header touches every chapter that builds on its chapter. A header of tests touches the
+chapters whose sources include it. What all chapters share (tests/support, grading/contact, cmake)
+touches all of them, and so does for the page what its scripts are made of (docs/web, docs/wasm).
+A file of tests that is no chapter's own touches none: its lists go by turns.
+
+  python3 tools/touched.py [REV]   what the change since REV touches, or that of this landing
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from landing import begins_at, git, previous_landing
+
+ROOT = Path(__file__).resolve().parent.parent
+EVERYTHING = "*"
+
+# Kinds of checks that go by turns, as tools/sample.py and tests/browser/sample.mjs call them.
+HEADERS, TESTS, FIGURES, LADDER, EXERCISES, PAGE = KINDS = (
+    "headers",  # each compiled alone
+    "tests",  # of references, hard cases, examples; under sanitizers
+    "figures",  # in WebAssembly and in a browser
+    "ladder",
+    "exercises",  # checked natively, graded, and in the page
+    "page",  # how the lesson looks and is read
+)
+HOSTILE = "hostile"  # submissions that attack the grader
+EXPLAIN = "explain"  # a compiler's messages, explained
+CODE = (HEADERS, TESTS, FIGURES, LADDER, EXERCISES)
+
+Touched = dict[str, set[str]]  # of each kind, names of chapters; "*" is all of them
+
+# Where a chapter's files are, and what such a file touches of its chapter. The first that fits.
+OF_A_CHAPTER: Sequence[tuple[str, Sequence[str]]] = (
+    (r"chapters/([^/]+)/contact/", CODE),
+    (r"chapters/([^/]+)/chapter\.toml$", KINDS),
+    (r"chapters/([^/]+)/figures/", (TESTS, FIGURES, PAGE)),
+    (r"chapters/([^/]+)/ladder\.cpp$", (LADDER, PAGE)),
+    (r"chapters/([^/]+)/(?:examples|scenes)/", (TESTS, PAGE)),
+    (r"chapters/([^/]+)/questions\.toml$", (TESTS, PAGE)),
+    (r"chapters/([^/]+)/", (PAGE,)),
+    (r"exercises/([^/]+)/", (EXERCISES, PAGE)),
+    (r"solutions/([^/]+)/", (EXERCISES, PAGE)),
+    (r"tests/(\d\d_[^/]+)/", (TESTS, EXERCISES, PAGE)),
+    (r"benchmarks/results/(\d\d_[^.]+)\.", (PAGE,)),
+    (r"tests/browser/endings/([^/]+)/", (EXERCISES,)),
+)
+
+# What is no chapter's own, and of which kinds it touches everything. All that fit.
+SHARED: Sequence[tuple[str, Sequence[str]]] = (
+    (r"(cmake/|CMakeLists\.txt$|CMakePresets\.json$|tests/CMakeLists\.txt$)", CODE),
+    (r"tests/support/(?!ladder|exercise|runner)", (TESTS, EXERCISES)),
+    (r"tests/support/(exercise|runner)", (EXERCISES,)),
+    (r"tests/support/ladder", (LADDER,)),
+    (r"grading/contact/", (TESTS, EXERCISES)),
+    (r"grading/diagnosis/|tests/grading/(diagnosis|mistakes)/", (EXPLAIN,)),
+    (r"docs/figure/", (TESTS, FIGURES)),
+    (r"docs/(wasm/(?!.*\.test\.mjs$)|web/src/)", (FIGURES, LADDER, EXERCISES, PAGE)),
+    (r"docs/web/[^/]+$|docs/package(-lock)?\.json$", (FIGURES, LADDER, EXERCISES, PAGE)),
+    (r"docs/(_ext|_static)/|docs/[^/]+\.(py|in|txt)$", (PAGE,)),
+)
+
+
+# --- Which files a change changed -----------------------------------------------------------------
+
+
+def changed_since(root: Path, base: str) -> list[str] | None:
+    """Files that differ from where HEAD left `base`; what is not committed counts, and new files.
+
+    None, if git does not know of it.
+    """
+    begin = (git(root, "merge-base", base, "HEAD") or "").strip()
+    if not begin:
+        return None
+    differ = git(root, "diff", "--name-only", "--no-renames", "-z", begin)
+    new = git(root, "ls-files", "--others", "--exclude-standard", "-z")
+    if differ is None or new is None:
+        return None
+    return sorted({name for name in f"{differ}\0{new}".split("\0") if name})
+
+
+def base_of_landing(root: Path) -> str | None:
+    """Where this landing begins: $CONTACT_SINCE, or at origin/main, or at the turn before."""
+    return begins_at(root) or previous_landing(root)
+
+
+# --- What they touch ------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Book:
+    """The chapters of a tree, what they build on, and what its sources include."""
+
+    builds_on: Mapping[str, frozenset[str]]  # of each chapter, those that it names
+    included_by: Mapping[str, frozenset[str]]  # of each file, those that include it
+    with_scenes: frozenset[str]  # chapters whose scenes are read by cli/scenes
+
+    def above(self, chapter: str) -> set[str]:
+        """The chapter, and all that build on it."""
+        found = {chapter}
+        while more := {c for c, below in self.builds_on.items() if below & found} - found:
+            found |= more
+        return found
+
+    def includers(self, file: str) -> set[str]:
+        """The files that include this one, by themselves or through others."""
+        found: set[str] = set()
+        waiting = [file]
+        while waiting:
+            for one in self.included_by.get(waiting.pop(), frozenset()) - found:
+                found.add(one)
+                waiting.append(one)
+        return found
+
+
+def read_book(root: Path) -> Book:
+    builds_on = {}
+    for toml in sorted(root.glob("chapters/*/chapter.toml")):
+        line = re.search(r"^builds_on *=(.*)$", toml.read_text(), re.M)
+        builds_on[toml.parent.name] = frozenset(re.findall(r'"([^"]+)"', line[1] if line else ""))
+    with_scenes = frozenset(folder.parent.name for folder in root.glob("chapters/*/scenes"))
+    return Book(builds_on, _included_by(root), with_scenes)
+
+
+def _included_by(root: Path) -> dict[str, frozenset[str]]:
+    sources = [
+        file
+        for folder in ("chapters", "exercises", "solutions", "tests", "docs/figure")
+        for file in (root / folder).rglob("*")
+        if file.suffix in (".cpp", ".hpp")
+    ]
+    # Where a name may be found besides beside the file that names it.
+    folders = [root / "tests", root / "grading", root / "docs/figure", *root.glob("chapters/*")]
+    known = {file: file.relative_to(root).as_posix() for file in sources}
+    found: dict[str, set[str]] = {}
+    for file, name in known.items():
+        for words in re.findall(r'^#include [<"]([^>"]+)[>"]', file.read_text(), re.M):
+            for folder in (file.parent, *folders):
+                if (target := folder / words) in known:
+                    found.setdefault(known[target], set()).add(name)
+                    break
+    return {name: frozenset(by) for name, by in found.items()}
+
+
+def _own(file: str) -> tuple[str, Sequence[str]] | None:
+    """The chapter that a file belongs to, and what it touches of it."""
+    for pattern, kinds in OF_A_CHAPTER:
+        if fits := re.match(pattern, file):
+            return fits[1], kinds
+    return None
+
+
+def touched_by(files: Iterable[str], book: Book) -> Touched:
+    """Of each kind, the chapters that a change of these files touches."""
+    touched: Touched = {}
+
+    def add(kinds: Sequence[str], names: Iterable[str]) -> None:
+        for kind in kinds:
+            touched.setdefault(kind, set()).update(names)
+
+    for file in files:
+        for pattern, kinds in SHARED:
+            if re.match(pattern, file):
+                add(kinds, [EVERYTHING])
+        if file.startswith("cli/scenes/"):
+            add((TESTS, PAGE), book.with_scenes)
+        if specimen := re.match(r"tests/grade/hostile/(\w+)\.cpp$", file):
+            add((HOSTILE,), [specimen[1]])
+        if own := _own(file):
+            chapter, kinds = own
+            add(kinds, [chapter])
+            if re.match(r"chapters/[^/]+/(contact/|chapter\.toml$)", file):
+                add(CODE, book.above(chapter))
+        for includer in book.includers(file):
+            if own := _own(includer):
+                # What includes it is looked at as code; how its page looks does not change.
+                add([kind for kind in own[1] if kind != PAGE], [own[0]])
+    return touched
+
+
+def chapters_of(touched: Touched, book: Book) -> list[str]:
+    """All chapters of which something is touched."""
+    names = {name for kind in KINDS for name in touched.get(kind, ())}
+    return sorted(book.builds_on if EVERYTHING in names else names & book.builds_on.keys())
+
+
+def as_json(touched: Touched) -> str:
+    """As CONTACT_TOUCHED holds it."""
+    return json.dumps({kind: sorted(names) for kind, names in sorted(touched.items())})
+
+
+def in_words(touched: Touched) -> list[str]:
+    """A line of each kind."""
+    return [
+        f"{kind}: {'all' if EVERYTHING in names else ', '.join(sorted(names))}"
+        for kind, names in sorted(touched.items())
+    ] or ["nothing that goes by turns"]
+
+
+@cache
+def this_book() -> Book:
+    return read_book(ROOT)
+
+
+def main() -> int:
+    base = sys.argv[1] if len(sys.argv) > 1 else base_of_landing(ROOT)
+    files = changed_since(ROOT, base) if base else None
+    if files is None:
+        since = base or "the landing before"
+        print(f"git does not know what has changed since {since}", file=sys.stderr)
+        return 2
+    for file in files:
+        print(file)
+    print("\n".join(in_words(touched_by(files, this_book()))))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
