@@ -48,13 +48,13 @@ int run(int argc, char** argv) {
       "Contact Hours: exercises in collision detection and response, checked as you save.",
       "contact", CONTACT_VERSION, footer);
   Action action;
-  for (const auto& add :
-       {add_list, add_start, add_watch, add_check, add_hint, add_solution, add_reset, add_progress,
-        add_export, add_import,
+  for (const auto& add : {add_list,     add_start,        add_watch,    add_check,    add_hint,
+                          add_solution, add_reset,        add_progress, add_export,   add_import,
 #ifdef CONTACT_GRADE
-        add_grade, add_grade_worker,
+                          add_grade,    add_grade_worker,
 #endif
-        add_ladder, add_scene, add_plan, add_simulate, add_new, add_where, add_doctor, add_dev})
+                          add_ladder,   add_scene,        add_plan,     add_simulate, add_new,
+                          add_where,    add_doctor,       add_dev})
     add(line.top(), action);
   int exit_code = exit_passed;
   if (!line.parse(argc, argv, exit_code)) return exit_code;
