@@ -15,6 +15,7 @@ contact_products = str(_build / "docs-data")
 contact_web = os.environ.get("CONTACT_BOOK_WEB", str(_build / "web"))
 contact_node = str(DOCS)
 contact_plotter = os.environ.get("CONTACT_BOOK_PLOTTER", str(DOCS / "web" / "ladder_svg.mjs"))
+contact_ebook = os.environ.get("CONTACT_BOOK_EBOOK", "1") == "1"
 contact_complete = os.environ.get("CONTACT_BOOK_COMPLETE") == "1"
 
 project = "Contact Hours"

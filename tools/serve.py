@@ -11,6 +11,7 @@ import functools
 import http.client
 import http.server
 import json
+import os
 import signal
 import socket
 import sys
@@ -251,6 +252,8 @@ def where_things_lie(address: str, *, ebook: bool) -> str:
 
 
 def serve(port: int, *, once: bool, ebook: bool) -> int:
+    # The home page leads to the e-book only where there is one, or will be.
+    os.environ["CONTACT_BOOK_EBOOK"] = "1" if once or ebook or steps.EBOOK.exists() else "0"
     if not all(build(step) for step in steps.FIRST):
         return 1
     waiting = Waiting(steps.waiting_figures())

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 
+import pytest
 from sample_book import Sample
 
 
@@ -66,3 +67,16 @@ def test_programs_run_only_when_newer_than_what_they_said(sample: Sample) -> Non
     failing = sample.make("--skip-api", "--programs", str(programs))
     assert failing.returncode == 1
     assert "the method slide is gone" in failing.stderr
+
+
+def test_without_an_e_book_the_home_page_says_how_to_make_it(
+    sample: Sample, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with (sample.root / "docs" / "index.md").open("a", encoding="utf-8") as index:
+        index.write("\n:::{e-book-link}\n:::\n")
+    assert sample.make("--skip-api").returncode == 0
+    assert 'href="contact-hours.epub"' in sample.page("index.html")
+    monkeypatch.setenv("CONTACT_BOOK_EBOOK", "0")
+    assert sample.make("--skip-api").returncode == 0
+    assert 'href="contact-hours.epub"' not in sample.page("index.html")
+    assert "./contact serve --ebook" in sample.page("index.html")

@@ -70,6 +70,8 @@ def e_book_link_html(translator: HTML5Translator, node: component) -> str:
     if not can_run_scripts(translator):
         return ""
     builder = translator.builder
+    if not builder.config.contact_ebook:
+        return "<p>It is not built here: <code>./contact serve --ebook</code> builds it.</p>\n"
     root = "../" * builder.current_docname.count("/")
     return f'<p><a href="{root}{EBOOK}" download="">Contact Hours as an EPUB file</a></p>\n'
 
