@@ -1,6 +1,6 @@
 // contact plan: which effects a scene calls for, with the inequality and the numbers that decide.
 
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
 
 #include "commands.hpp"
 #include "plan_measure.hpp"

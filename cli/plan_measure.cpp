@@ -8,9 +8,9 @@
 #include <memory>
 #include <optional>
 
-#include <contact/plan.hpp>
-#include <contact/scene_run.hpp>
-#include <contact/scene_solids.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/scene/scene_run.hpp>
+#include <contact/scene/scene_solids.hpp>
 
 #include "plan_report.hpp"
 #include "scenes/scene_runs.hpp"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include <contact/plan_types.hpp>
-#include <contact/scene.hpp>
+#include <contact/plan/plan_types.hpp>
+#include <contact/scene/scene.hpp>
 
 #include "progress_line.hpp"
 

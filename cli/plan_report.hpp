@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <contact/plan.hpp>
-#include <contact/scene.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/scene/scene.hpp>
 
 #include "plan_measure.hpp"
 #include "terminal.hpp"

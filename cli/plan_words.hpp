@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <contact/plan_types.hpp>
+#include <contact/plan/plan_types.hpp>
 
 #include "command_line.hpp"
 

@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <contact/plan_shapes.hpp>
+#include <contact/plan/plan_bounds.hpp>
 
 #include "../grading/book.hpp"
 #include "scenes/scene_file.hpp"

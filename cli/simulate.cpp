@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
 
 #include "commands.hpp"
 #include "run_output.hpp"

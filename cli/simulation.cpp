@@ -8,8 +8,8 @@
 #include <memory>
 #include <optional>
 
-#include <contact/free_flight_run.hpp>
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/scene/free_flight_run.hpp>
 
 #include "commands.hpp"
 #include "run_output.hpp"

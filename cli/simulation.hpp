@@ -11,8 +11,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <contact/plan_types.hpp>
-#include <contact/scene.hpp>
+#include <contact/plan/plan_types.hpp>
+#include <contact/scene/scene.hpp>
 
 #include "exit_codes.hpp"
 #include "plan_words.hpp"

@@ -7,8 +7,8 @@
 //
 // benchmarks/scene_stages.py runs it and counts the instructions of run_scene(), stage by stage.
 #include <algorithm>
-#include <contact/hard_sphere_scene.hpp>
-#include <contact/plan.hpp>
+#include <contact/events/hard_sphere_scene.hpp>
+#include <contact/plan/plan.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>

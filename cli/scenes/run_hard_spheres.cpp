@@ -1,6 +1,6 @@
 #include "scenes/run_hard_spheres.hpp"
 
-#include <contact/hard_sphere_make.hpp>
+#include <contact/events/hard_sphere_make.hpp>
 
 namespace contact::scenes {
 

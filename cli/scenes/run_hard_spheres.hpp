@@ -2,9 +2,8 @@
 
 #include <memory>
 
-#include <contact/hard_sphere_compose.hpp>
-#include <contact/hard_sphere_run.hpp>
-#include <contact/hard_sphere_setup.hpp>
+#include <contact/events/hard_sphere_compose.hpp>
+#include <contact/events/hard_sphere_run.hpp>
 
 namespace contact::scenes {
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include <contact/scene.hpp>
-#include <contact/scene_check.hpp>
+#include <contact/scene/scene.hpp>
+#include <contact/scene/scene_check.hpp>
 
 namespace contact::scenes {
 

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include <contact/rotation.hpp>
+#include <contact/scene/scene_solids.hpp>
 
 #include "scenes/json_tree.hpp"
 #include "scenes/scene_file.hpp"

@@ -1,7 +1,9 @@
 #include "scene_runs.hpp"
 
-#include <contact/make_scene_run.hpp>
-#include <contact/scene_quantity.hpp>
+#include <contact/events/hard_sphere_scene.hpp>
+#include <contact/scene/free_flight_run.hpp>
+#include <contact/scene/make_scene_run.hpp>
+#include <contact/stepped/stepped_run.hpp>
 
 #include "run_hard_spheres.hpp"
 

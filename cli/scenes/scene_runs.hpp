@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
-#include <contact/hard_sphere_run.hpp>
-#include <contact/plan_types.hpp>
-#include <contact/scene.hpp>
-#include <contact/scene_run.hpp>
+#include <contact/events/hard_sphere_run.hpp>
+#include <contact/plan/plan_types.hpp>
+#include <contact/scene/scene.hpp>
+#include <contact/scene/scene_run.hpp>
 
 namespace contact::scenes {
 

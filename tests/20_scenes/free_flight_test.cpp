@@ -4,7 +4,7 @@
 #include <bit>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <contact/free_flight_run.hpp>
+#include <contact/scene/free_flight_run.hpp>
 #include <contact/tolerance.hpp>
 #include <filesystem>
 #include <stdexcept>

@@ -1,8 +1,8 @@
 // From a scene to a setup, and from a setup to the least composition: what is left out, why, and
 // that it makes no difference.
 #include <catch2/catch_test_macros.hpp>
-#include <contact/hard_sphere_compose.hpp>
-#include <contact/hard_sphere_scene.hpp>
+#include <contact/events/hard_sphere_compose.hpp>
+#include <contact/events/hard_sphere_scene.hpp>
 #include <stdexcept>
 #include <string>
 

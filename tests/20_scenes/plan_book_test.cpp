@@ -2,7 +2,7 @@
 // the scene, not by what a plan once said.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/plan/plan_bounds.hpp>
 #include <limits>
 #include <vector>
 

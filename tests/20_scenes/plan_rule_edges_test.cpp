@@ -6,8 +6,10 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/bouncing.hpp>
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/plan/plan_rules.hpp>
 #include <contact/rotation.hpp>
+#include <contact/scene/scene_solids.hpp>
 #include <limits>
 #include <utility>
 #include <vector>

@@ -4,8 +4,9 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/rotation.hpp>
-#include <contact/scene.hpp>
-#include <contact/scene_check.hpp>
+#include <contact/scene/scene.hpp>
+#include <contact/scene/scene_check.hpp>
+#include <contact/scene/scene_solids.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>

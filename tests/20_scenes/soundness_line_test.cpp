@@ -6,7 +6,7 @@
 #include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
 #include <optional>
 #include <tuple>
 #include <vector>

@@ -4,7 +4,7 @@
 // comparison of a hundred thousand fails though nothing is wrong, and seeds are fixed.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
 #include <memory>
 #include <utility>
 #include <vector>

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <contact/hard_sphere_compose.hpp>
-#include <contact/hard_sphere_scene.hpp>
-#include <contact/plan.hpp>
+#include <contact/events/hard_sphere_compose.hpp>
+#include <contact/events/hard_sphere_scene.hpp>
+#include <contact/plan/plan.hpp>
 #include <filesystem>
 #include <limits>
 #include <memory>

@@ -4,7 +4,7 @@
 #include <bit>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <contact/step_solver.hpp>
+#include <contact/stepped/step_solver.hpp>
 #include <contact/trampoline.hpp>
 #include <cstdint>
 #include <filesystem>

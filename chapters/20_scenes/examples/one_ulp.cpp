@@ -1,7 +1,7 @@
 // Billiards on a level table, and the same with one ball a single ulp too high: what can no longer
 // be proven is on.
 #include <cmath>
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
 #include <cstdio>
 #include <scenes/scene_file.hpp>
 

@@ -1,7 +1,7 @@
 // Which effects the planner leaves out of six scenes, before any of them runs.
 #include <array>
 #include <cmath>
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
 #include <cstdio>
 #include <scenes/scene_file.hpp>
 

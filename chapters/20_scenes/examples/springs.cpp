@@ -1,7 +1,7 @@
 // A ball on a floor that gives way like a spring: in how short parts the spring pushes, what they
 // are estimated to leave, and what they leave when the ball comes down for the second time.
 #include <cmath>
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
 #include <contact/trampoline.hpp>
 #include <cstdio>
 #include <scenes/scene_file.hpp>

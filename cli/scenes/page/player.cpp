@@ -16,7 +16,7 @@
 #include <variant>
 #include <vector>
 
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
 #include <nlohmann/json.hpp>
 
 #include "../../plan_report.hpp"

@@ -8,6 +8,6 @@
 #include <string>
 #include <vector>
 
-#include <contact/plan.hpp>
-#include <contact/scene_check.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/scene/scene_check.hpp>
 #include <nlohmann/json.hpp>

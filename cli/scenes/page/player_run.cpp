@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include <contact/hard_sphere_compose.hpp>
-#include <contact/hard_spheres.hpp>
-#include <contact/make_scene_run.hpp>
+#include <contact/events/hard_sphere_compose.hpp>
+#include <contact/events/hard_spheres.hpp>
+#include <contact/scene/make_scene_run.hpp>
 
 namespace contact::scenes {
 

@@ -5,9 +5,9 @@
 
 #include <memory>
 
-#include <contact/plan_types.hpp>
-#include <contact/scene.hpp>
-#include <contact/scene_run.hpp>
+#include <contact/plan/plan_types.hpp>
+#include <contact/scene/scene.hpp>
+#include <contact/scene/scene_run.hpp>
 
 namespace contact::scenes {
 
