@@ -3,11 +3,10 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/plan/plan.hpp>
+#include <contact/scene/scene_file.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
-
-#include "scenes/scene_file.hpp"
 
 using contact::Decision;
 using contact::Effect;

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <contact/plan/plan.hpp>
 #include <contact/plan/plan_bounds.hpp>
+#include <contact/scene/scene_runs.hpp>
 #include <limits>
 #include <vector>
 
 #include "plan_scenes.hpp"
-#include "scenes/scene_runs.hpp"
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
 

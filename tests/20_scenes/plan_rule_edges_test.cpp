@@ -9,6 +9,7 @@
 #include <contact/plan/plan.hpp>
 #include <contact/plan/plan_rules.hpp>
 #include <contact/rotation.hpp>
+#include <contact/scene/scene_runs.hpp>
 #include <contact/scene/scene_solids.hpp>
 #include <limits>
 #include <utility>
@@ -16,7 +17,6 @@
 
 #include "plan_at_edge.hpp"
 #include "plan_scenes.hpp"
-#include "scenes/scene_runs.hpp"
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
 

@@ -13,6 +13,7 @@
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/plan/plan_costs.hpp>
 #include <contact/rotation.hpp>
+#include <contact/scene/scene_runs.hpp>
 #include <contact/scene/scene_solids.hpp>
 #include <functional>
 #include <limits>
@@ -21,7 +22,6 @@
 
 #include "plan_at_edge.hpp"
 #include "plan_scenes.hpp"
-#include "scenes/scene_runs.hpp"
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
 

@@ -7,13 +7,12 @@
 #include <contact/events/hard_spheres.hpp>
 #include <contact/plan/plan.hpp>
 
-#include "scenes/scene_file.hpp"
-
 #define CONTACT_FIGURE_NO_MAIN
 #include <contact/figure.hpp>
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/plan/plan_rules.hpp>
 #include <contact/rotation.hpp>
+#include <contact/scene/scene_file.hpp>
 namespace passing {
 #include "figures/passing.cpp"
 }

@@ -6,6 +6,7 @@
 #include <contact/rotation.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_check.hpp>
+#include <contact/scene/scene_file.hpp>
 #include <contact/scene/scene_solids.hpp>
 #include <cstdint>
 #include <filesystem>
@@ -17,7 +18,6 @@
 #include <string>
 #include <vector>
 
-#include "scenes/scene_file.hpp"
 #include "support/generators.hpp"
 
 using contact::Matrix3;

@@ -4,8 +4,8 @@
 #include <contact/events/hard_spheres.hpp>
 #include <contact/plan/plan.hpp>
 #include <contact/plan/plan_rules.hpp>
+#include <contact/scene/scene_file.hpp>
 #include <cstdio>
-#include <scenes/scene_file.hpp>
 
 int main() {
   contact::Scene scene =

@@ -2,8 +2,8 @@
 // be proven is on.
 #include <cmath>
 #include <contact/plan/plan.hpp>
+#include <contact/scene/scene_file.hpp>
 #include <cstdio>
-#include <scenes/scene_file.hpp>
 
 int main() {
   contact::Scene scene =

@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 #include <contact/plan/plan.hpp>
+#include <contact/scene/scene_file.hpp>
 #include <cstdio>
-#include <scenes/scene_file.hpp>
 
 int main() {
   const std::array names{"high_drop",       "billiards_break", "elastic_spheres",

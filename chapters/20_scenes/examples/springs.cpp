@@ -2,10 +2,10 @@
 // are estimated to leave, and what they leave when the ball comes down for the second time.
 #include <cmath>
 #include <contact/plan/plan.hpp>
+#include <contact/scene/scene_file.hpp>
+#include <contact/scene/scene_runs.hpp>
 #include <contact/trampoline.hpp>
 #include <cstdio>
-#include <scenes/scene_file.hpp>
-#include <scenes/scene_runs.hpp>
 
 int main() {
   contact::Scene scene =

@@ -1,5 +1,6 @@
 #include <contact/events/hard_sphere_make.hpp>
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -7,12 +8,29 @@
 
 #include <contact/events/hard_sphere_compose.hpp>
 #include <contact/events/hard_sphere_run.hpp>
+#include <contact/events/hard_spheres.hpp>
 #include <contact/invalid_argument.hpp>
 #include <contact/scene/compiled.hpp>
 
 namespace contact {
 
 namespace detail {
+
+constexpr HardSphereEffects numbered_effects(std::size_t number) {
+  return {static_cast<int>(number / 16) + 1, (number & 1) != 0, (number & 2) != 0,
+          (number & 4) != 0, (number & 8) != 0};
+}
+
+template <std::size_t Number>
+std::unique_ptr<HardSphereRun> make_numbered(const HardSphereSetup& setup,
+                                             const std::array<int, 3>& axes) {
+  return std::make_unique<HardSpheres<numbered_effects(Number)>>(setup, axes);
+}
+
+template <std::size_t... Number>
+constexpr auto makers(std::index_sequence<Number...> /*numbers*/) {
+  return std::array{&make_numbered<Number>...};
+}
 
 /// All compositions, numbered.
 constexpr std::size_t hard_sphere_compositions = 48;

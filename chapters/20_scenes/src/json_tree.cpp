@@ -1,17 +1,19 @@
-#include "scenes/json_tree.hpp"
+#include "json_tree.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
 #include <iterator>
 
+#include <contact/scene/compiled.hpp>
+#include <contact/scene/scene_file.hpp>
 #include <nlohmann/json.hpp>
 
 namespace contact::scenes {
 
-namespace {
+namespace detail {
 
-constexpr std::size_t deepest_nesting = 16;
+inline constexpr std::size_t deepest_nesting = 16;
 
 /// Where the parser has come to.
 struct Place {
@@ -49,7 +51,7 @@ class CountedChar {
   Place* place_;
 };
 
-std::string excerpt(const std::string& text, std::size_t most) {
+CONTACT_SCENES_INLINE std::string excerpt(const std::string& text, std::size_t most) {
   if (text.size() <= most) return text;
   std::size_t end = most;  // not within a character of several bytes
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;
@@ -57,7 +59,7 @@ std::string excerpt(const std::string& text, std::size_t most) {
 }
 
 /// The word of a text about a place in it: letters, digits, signs and points.
-std::string word_at(std::string_view text, const char* place) {
+CONTACT_SCENES_INLINE std::string word_at(std::string_view text, const char* place) {
   const auto in_word = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '+' || c == '-' || c == '.';
   };
@@ -70,7 +72,7 @@ std::string word_at(std::string_view text, const char* place) {
 }
 
 /// Whether a word means a number that JSON has no word for: NaN, -inf, +1, .5.
-bool is_foreign_number(std::string word) {
+CONTACT_SCENES_INLINE bool is_foreign_number(std::string word) {
   if (word.empty()) return false;
   if (word.front() == '+' || word.front() == '.') return true;
   if (word.front() == '-') word.erase(0, 1);
@@ -80,7 +82,7 @@ bool is_foreign_number(std::string word) {
 }
 
 /// Whether a number's text has a digit other than 0 before its exponent.
-bool has_value(const std::string& text) {
+CONTACT_SCENES_INLINE bool has_value(const std::string& text) {
   return text.find_first_of("123456789") < text.find_first_of("eE");
 }
 
@@ -227,24 +229,24 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   std::vector<std::string> keys_;
 };
 
-}  // namespace
+}  // namespace detail
 
-const JsonNode* JsonNode::find(std::string_view key) const {
+CONTACT_SCENES_INLINE const JsonNode* JsonNode::find(std::string_view key) const {
   const auto found = std::find_if(members.begin(), members.end(),
                                   [&](const auto& member) { return member.first == key; });
   return found == members.end() ? nullptr : &found->second;
 }
 
-std::string JsonNode::shown() const {
+CONTACT_SCENES_INLINE std::string JsonNode::shown() const {
   switch (kind) {
     case JsonKind::null:
       return "null";
     case JsonKind::boolean:
       return truth ? "true" : "false";
     case JsonKind::number:
-      return excerpt(text, 40);
+      return detail::excerpt(text, 40);
     case JsonKind::text:
-      return excerpt(nlohmann::json(text).dump(), 60);
+      return detail::excerpt(nlohmann::json(text).dump(), 60);
     case JsonKind::object:
       return members.empty() ? "{}" : "{...}";
     case JsonKind::array:
@@ -259,23 +261,23 @@ std::string JsonNode::shown() const {
   return list + "]";
 }
 
-JsonNode parse_json(std::string_view text, const std::string& file) {
-  Place place;
-  Builder builder(text, file, place);
-  const CountedChar begin(text.data(), &place);
-  const CountedChar end(text.data() + text.size(), &place);
+CONTACT_SCENES_INLINE JsonNode parse_json(std::string_view text, const std::string& file) {
+  detail::Place place;
+  detail::Builder builder(text, file, place);
+  const detail::CountedChar begin(text.data(), &place);
+  const detail::CountedChar end(text.data() + text.size(), &place);
   nlohmann::json::sax_parse(begin, end, &builder);
   return builder.take();
 }
 
-std::string path_step(const std::string& key) {
+CONTACT_SCENES_INLINE std::string path_step(const std::string& key) {
   const bool plain = !key.empty() && std::all_of(key.begin(), key.end(), [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '_';
   });
-  return plain ? '.' + key : '[' + excerpt(nlohmann::json(key).dump(), 60) + ']';
+  return plain ? '.' + key : '[' + detail::excerpt(nlohmann::json(key).dump(), 60) + ']';
 }
 
-const JsonNode& deepest(const JsonNode& root, std::string_view path) {
+CONTACT_SCENES_INLINE const JsonNode& deepest(const JsonNode& root, std::string_view path) {
   const JsonNode* node = &root;
   while (!path.empty()) {
     if (path.front() == '.') path.remove_prefix(1);

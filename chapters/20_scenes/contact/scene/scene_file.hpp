@@ -1,6 +1,7 @@
+/// @file
+/// Scenes as JSON files: chapters/20_scenes/scene.schema.json is the format, contact-scene/1. Its
+/// sources need nlohmann's json.hpp.
 #pragma once
-
-// Scenes as JSON files: chapters/20_scenes/scene.schema.json is the format, contact-scene/1.
 
 #include <filesystem>
 #include <stdexcept>
@@ -15,14 +16,16 @@ namespace contact::scenes {
 
 /// A fault of a file, and where it is.
 struct FileFault {
-  int line = 0;  ///< counted from 1; 0 if it is no line's
-  SceneFault fault;
+  int line = 0;      ///< counted from 1; 0 if it is no line's
+  SceneFault fault;  ///< what is wrong there
 };
 
 /// Why a file is no scene: everything that is wrong with it at once. what() is one line a fault,
 /// "FILE:12: bodies[3].mass = -1: must be ...", at most a hundred of them.
 class SceneFileError : public std::runtime_error {
  public:
+  /// @param file what to call it
+  /// @param faults in the order of the file
   SceneFileError(const std::string& file, std::vector<FileFault> faults);
   /// In the order of the file.
   [[nodiscard]] const std::vector<FileFault>& faults() const { return faults_; }
@@ -54,3 +57,9 @@ void write_scene(const std::filesystem::path& file, const Scene& scene);
 std::vector<std::filesystem::path> scenes_in(const std::filesystem::path& folder);
 
 }  // namespace contact::scenes
+
+#ifndef CONTACT_SCENES_COMPILED
+#include "../../src/json_tree.cpp"
+#include "../../src/scene_reader.cpp"
+#include "../../src/scene_writer.cpp"
+#endif

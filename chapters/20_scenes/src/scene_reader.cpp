@@ -13,19 +13,20 @@
 #include <sstream>
 
 #include <contact/rotation.hpp>
+#include <contact/scene/compiled.hpp>
+#include <contact/scene/scene_file.hpp>
 #include <contact/scene/scene_solids.hpp>
 
-#include "scenes/json_tree.hpp"
-#include "scenes/scene_file.hpp"
-#include "scenes/scene_random.hpp"
+#include "json_tree.hpp"
+#include "scene_random.hpp"
 
 namespace contact::scenes {
 
-namespace {
+namespace detail {
 
 using Keys = std::vector<std::string_view>;
 
-std::size_t distance(std::string_view a, std::string_view b) {
+CONTACT_SCENES_INLINE std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t k = 0; k <= b.size(); ++k) row[k] = k;
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -40,14 +41,14 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-std::string joined(const Keys& words) {
+CONTACT_SCENES_INLINE std::string joined(const Keys& words) {
   std::string all;
   for (const std::string_view word : words) all += (all.empty() ? "" : ", ") + std::string(word);
   return all;
 }
 
 /// The nearest of some words, if it is near: at most a third of its letters differ, or one.
-std::string hint(std::string_view word, const Keys& words) {
+CONTACT_SCENES_INLINE std::string hint(std::string_view word, const Keys& words) {
   if (word.size() > 64) return "";
   std::string_view best;
   std::size_t least = 0;
@@ -66,7 +67,7 @@ const char* const kind_names[] = {"null",   "true or false", "a number",
                                   "a text", "an array",      "an object"};
 
 /// cos and sin of half an angle in degrees; multiples of 90° come out exactly.
-SineCosine<double> half_of_degrees(double degrees) {
+CONTACT_SCENES_INLINE SineCosine<double> half_of_degrees(double degrees) {
   constexpr double pi = 3.141592653589793;
   const double half = std::fmod(degrees, 720.0) / 2;
   const double quarters = std::nearbyint(half / 90);
@@ -675,7 +676,8 @@ class Reader {
   std::set<std::size_t> repeated_;
 };
 
-std::string all_lines(const std::string& file, const std::vector<FileFault>& faults) {
+CONTACT_SCENES_INLINE std::string all_lines(const std::string& file,
+                                            const std::vector<FileFault>& faults) {
   constexpr std::size_t most = 100;
   std::string lines;
   for (std::size_t i = 0; i < faults.size() && i < most; ++i) {
@@ -694,17 +696,18 @@ std::string all_lines(const std::string& file, const std::vector<FileFault>& fau
   return lines;
 }
 
-}  // namespace
+}  // namespace detail
 
-SceneFileError::SceneFileError(const std::string& file, std::vector<FileFault> faults)
-    : std::runtime_error(all_lines(file, faults)), faults_(std::move(faults)) {}
+CONTACT_SCENES_INLINE SceneFileError::SceneFileError(const std::string& file,
+                                                     std::vector<FileFault> faults)
+    : std::runtime_error(detail::all_lines(file, faults)), faults_(std::move(faults)) {}
 
-Scene scene_from_text(std::string_view text, const std::string& file) {
+CONTACT_SCENES_INLINE Scene scene_from_text(std::string_view text, const std::string& file) {
   const JsonNode root = parse_json(text, file);
-  return Reader(root, file).read();
+  return detail::Reader(root, file).read();
 }
 
-Scene read_scene(const std::filesystem::path& file) {
+CONTACT_SCENES_INLINE Scene read_scene(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   if (!std::filesystem::is_directory(file)) text << stream.rdbuf();
@@ -713,7 +716,8 @@ Scene read_scene(const std::filesystem::path& file) {
   return scene_from_text(text.str(), file.string());
 }
 
-std::vector<std::filesystem::path> scenes_in(const std::filesystem::path& folder) {
+CONTACT_SCENES_INLINE std::vector<std::filesystem::path> scenes_in(
+    const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() == ".json") files.push_back(entry.path());

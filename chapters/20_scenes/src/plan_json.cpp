@@ -1,18 +1,22 @@
-// A plan as JSON.
+#include <contact/plan/plan_report.hpp>
 
 #include <cmath>
+#include <vector>
 
-#include "plan_report.hpp"
+#include <contact/plan/plan_types.hpp>
+#include <contact/scene/compiled.hpp>
+#include <contact/scene/scene.hpp>
+#include <nlohmann/json.hpp>
 
-namespace contact::cli {
+namespace contact::scenes {
 
-namespace {
+namespace detail {
 
-nlohmann::json number_or_null(double x) {
+CONTACT_SCENES_INLINE nlohmann::json number_or_null(double x) {
   return std::isfinite(x) ? nlohmann::json(x) : nlohmann::json(nullptr);
 }
 
-const char* relation_name(Relation relation) {
+CONTACT_SCENES_INLINE const char* relation_name(Relation relation) {
   switch (relation) {
     case Relation::less:
       return "<";
@@ -23,7 +27,7 @@ const char* relation_name(Relation relation) {
   }
 }
 
-nlohmann::json json_of(const Inequality& condition) {
+CONTACT_SCENES_INLINE nlohmann::json json_of(const Inequality& condition) {
   return {{"left", number_or_null(condition.left)},
           {"left_is", condition.left_is},
           {"relation", relation_name(condition.relation)},
@@ -33,7 +37,7 @@ nlohmann::json json_of(const Inequality& condition) {
           {"holds", holds(condition)}};
 }
 
-nlohmann::json json_of(const Decision& decision) {
+CONTACT_SCENES_INLINE nlohmann::json json_of(const Decision& decision) {
   nlohmann::json conditions = nlohmann::json::array();
   for (const Inequality& condition : decision.because) conditions.push_back(json_of(condition));
   return {{"effect", effect_name(decision.effect)},
@@ -50,7 +54,7 @@ nlohmann::json json_of(const Decision& decision) {
           {"value", decision.value ? number_or_null(*decision.value) : nlohmann::json(nullptr)}};
 }
 
-nlohmann::json json_of(const MeasuredEffect& measured) {
+CONTACT_SCENES_INLINE nlohmann::json json_of(const MeasuredEffect& measured) {
   if (!measured.refused.empty()) return {{"refused", measured.refused}};
   if (const auto& horizon = measured.horizon) {
     return {{"time", horizon->time},
@@ -68,25 +72,25 @@ nlohmann::json json_of(const MeasuredEffect& measured) {
   return json;
 }
 
-}  // namespace
+}  // namespace detail
 
-nlohmann::json plan_json(const Scene& scene, const Plan& plan,
-                         const std::vector<MeasuredEffect>& measured) {
+CONTACT_SCENES_INLINE nlohmann::json plan_json(const Scene& scene, const Plan& plan,
+                                               const std::vector<MeasuredEffect>& measured) {
   nlohmann::json decisions = nlohmann::json::array();
   for (const Decision& decision : plan.decisions) {
-    decisions.push_back(json_of(decision));
+    decisions.push_back(detail::json_of(decision));
     for (const MeasuredEffect& one : measured)
-      if (one.effect == decision.effect) decisions.back()["measured"] = json_of(one);
+      if (one.effect == decision.effect) decisions.back()["measured"] = detail::json_of(one);
   }
   return {{"format", "contact-plan/1"},
           {"scene", scene.name},
           {"pairs", plan.pairs},
-          {"speed", number_or_null(plan.speed)},
-          {"step", number_or_null(plan.step)},
+          {"speed", detail::number_or_null(plan.speed)},
+          {"step", detail::number_or_null(plan.step)},
           {"tolerance", plan.tolerance},
-          {"error", number_or_null(plan.error)},
+          {"error", detail::number_or_null(plan.error)},
           {"decisions", decisions},
           {"notices", plan.notices}};
 }
 
-}  // namespace contact::cli
+}  // namespace contact::scenes

@@ -17,10 +17,10 @@
 #include <vector>
 
 #include <contact/plan/plan.hpp>
+#include <contact/plan/plan_report.hpp>
+#include <contact/scene/scene_file.hpp>
 #include <nlohmann/json.hpp>
 
-#include "../../plan_report.hpp"
-#include "../scene_file.hpp"
 #include "player_run.hpp"
 
 #define CONTACT_PLAYER_EXPORT(name) __attribute__((export_name(name)))
@@ -66,13 +66,13 @@ json json_of(const Scene& scene) {
 
 /// The plan as `contact plan --json` says it, and beside each decision its conditions in words.
 json told(const Scene& scene, const Plan& plan) {
-  json all = cli::plan_json(scene, plan);
-  all["accepted"] = cli::accepted_text(plan);
+  json all = plan_json(scene, plan);
+  all["accepted"] = accepted_text(plan);
   for (std::size_t i = 0; i < plan.decisions.size(); ++i) {
     const Decision& decision = plan.decisions[i];
     std::vector<std::string> says;  // two proofs may fail for the same reason
     for (const Inequality& condition : decision.because) {
-      std::string line = cli::inequality_text(condition);
+      std::string line = inequality_text(condition);
       if (std::find(says.begin(), says.end(), line) == says.end()) says.push_back(std::move(line));
     }
     all["decisions"][i]["says"] = says;

@@ -3,19 +3,21 @@
 #include <fstream>
 #include <stdexcept>
 
+#include <contact/scene/compiled.hpp>
+#include <contact/scene/scene_file.hpp>
 #include <nlohmann/json.hpp>
-
-#include "scenes/scene_file.hpp"
 
 namespace contact::scenes {
 
-namespace {
+namespace detail {
 
 using Json = nlohmann::ordered_json;
 
-Json list(const Vector3<double>& v) { return Json::array({v.x(), v.y(), v.z()}); }
+CONTACT_SCENES_INLINE Json list(const Vector3<double>& v) {
+  return Json::array({v.x(), v.y(), v.z()});
+}
 
-Json shape_json(const SceneShape& shape) {
+CONTACT_SCENES_INLINE Json shape_json(const SceneShape& shape) {
   if (const auto* ball = std::get_if<BallShape>(&shape))
     return {{"type", "sphere"}, {"radius", ball->radius}};
   if (const auto* box = std::get_if<BoxShape>(&shape))
@@ -32,7 +34,7 @@ Json shape_json(const SceneShape& shape) {
   return {{"type", "half_space"}, {"normal", list(ground.normal)}, {"offset", ground.offset}};
 }
 
-Json material_json(const SceneMaterial& material) {
+CONTACT_SCENES_INLINE Json material_json(const SceneMaterial& material) {
   Json json{{"name", material.name},
             {"restitution", material.restitution},
             {"friction", material.friction}};
@@ -43,7 +45,7 @@ Json material_json(const SceneMaterial& material) {
   return json;
 }
 
-Json body_json(const Scene& scene, const SceneBody& body) {
+CONTACT_SCENES_INLINE Json body_json(const Scene& scene, const SceneBody& body) {
   Json json{{"name", body.name},
             {"shape", shape_json(body.shape)},
             {"material", scene.materials[body.material].name}};
@@ -63,7 +65,7 @@ Json body_json(const Scene& scene, const SceneBody& body) {
   return json;
 }
 
-Json expectation_json(const SceneExpectation& wanted) {
+CONTACT_SCENES_INLINE Json expectation_json(const SceneExpectation& wanted) {
   Json json = Json::object();
   json["quantity"] = wanted.quantity;
   if (!wanted.body.empty()) json["body"] = wanted.body;
@@ -74,7 +76,7 @@ Json expectation_json(const SceneExpectation& wanted) {
   return json;
 }
 
-Json scene_json(const Scene& scene) {
+CONTACT_SCENES_INLINE Json scene_json(const Scene& scene) {
   Json json{{"format", "contact-scene/1"},
             {"units", "SI"},
             {"name", scene.name},
@@ -100,7 +102,7 @@ Json scene_json(const Scene& scene) {
 }
 
 /// What holds no other array or object, or is short, stands on one line.
-void print(const Json& json, std::size_t indent, std::string& text) {
+CONTACT_SCENES_INLINE void print(const Json& json, std::size_t indent, std::string& text) {
   const std::string flat = json.dump();
   if (!json.is_structured() || flat.size() + indent <= 90) {
     text += flat;
@@ -121,18 +123,18 @@ void print(const Json& json, std::size_t indent, std::string& text) {
   text += object ? "}" : "]";
 }
 
-}  // namespace
+}  // namespace detail
 
-std::string text_of_scene(const Scene& scene) {
+CONTACT_SCENES_INLINE std::string text_of_scene(const Scene& scene) {
   std::vector<FileFault> faults;
   for (SceneFault& fault : check_scene(scene)) faults.push_back({0, std::move(fault)});
   if (!faults.empty()) throw SceneFileError(scene.name, std::move(faults));
   std::string text;
-  print(scene_json(scene), 0, text);
+  detail::print(detail::scene_json(scene), 0, text);
   return text + '\n';
 }
 
-void write_scene(const std::filesystem::path& file, const Scene& scene) {
+CONTACT_SCENES_INLINE void write_scene(const std::filesystem::path& file, const Scene& scene) {
   const std::string text = text_of_scene(scene);
   std::ofstream stream(file, std::ios::binary);
   stream << text << std::flush;

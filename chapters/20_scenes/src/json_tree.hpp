@@ -8,8 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "scenes/scene_file.hpp"
-
 namespace contact::scenes {
 
 enum class JsonKind { null, boolean, number, text, array, object };

@@ -1,3 +1,6 @@
+/// @file
+/// Runs of scenes with any composition of hard balls. Without the chapter's library all of these
+/// are compiled here, which takes a minute: link it, or hand make_scene_run() those that you need.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +16,7 @@
 
 namespace contact::scenes {
 
-/// make_scene_run() of contact/make_scene_run.hpp: here every stage is compiled, once.
+/// make_scene_run() with make_hard_spheres().
 std::unique_ptr<SceneRun> make_run(
     const Scene& scene, const Plan& plan,
     std::uint64_t event_budget = std::numeric_limits<std::uint64_t>::max());
@@ -21,10 +24,11 @@ std::unique_ptr<SceneRun> make_run(
 /// Why a scene can be run neither from event to event nor step by step; nothing if it can.
 std::optional<std::string> run_refusal(const Scene& scene, const Plan& plan);
 
-/// scene_quantity() of contact/scene_quantity.hpp.
-double quantity_of_run(const Scene& scene, const SceneRun& run, const SceneExpectation& wanted);
-
 /// Of which effects a run of hard balls is composed; nothing if it goes step by step.
 std::optional<HardSphereEffects> hard_sphere_effects(const SceneRun& run);
 
 }  // namespace contact::scenes
+
+#ifndef CONTACT_SCENES_COMPILED
+#include "../../src/scene_runs.cpp"
+#endif
