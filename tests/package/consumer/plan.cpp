@@ -1,4 +1,5 @@
-// What a user of the planner writes, who links no library of ours: does gravity matter to this ball?
+// What a user of the planner writes, who links no library of ours: does gravity matter to this
+// ball?
 #include <contact/plan/plan.hpp>
 #include <iostream>
 
