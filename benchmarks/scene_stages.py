@@ -30,7 +30,8 @@ SCENES = ROOT / "chapters" / "20_scenes" / "scenes"
 FACTOR = 4.0  # that an estimate may be off
 SMALL = 0.002  # of a run: too little to compare
 
-# The functions of chapters/20_scenes/contact/stage_*.hpp by the names that a run gives its stages.
+# The functions of chapters/20_scenes/contact/stepped/stage_*.hpp by the names that a run gives its
+# stages.
 FUNCTIONS = {
     "broad phase": "sort_into_cells",
     "pairs": "compare_all_pairs",

@@ -159,7 +159,7 @@ void check_includes(const Book& book, const Chapter& chapter,
     const std::string text = text_or_empty(entry.path());
     for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) {
       const std::string header = (*it)[1];
-      const auto found = home.find(header);
+      const auto found = home.find(fs::path(header).filename().string());
       // What belongs to no chapter is the figure's machinery or the like; the compiler says if it
       // is missing.
       if (found != home.end() && allowed.count(found->second) == 0)
@@ -199,9 +199,9 @@ DevResult check_chapter(const Book& book, const Chapter& chapter,
   const Questions questions = read_questions(chapter);
   problems.insert(problems.end(), questions.problems.begin(), questions.problems.end());
   check_includes(book, chapter, home, problems);
-  static const std::set<std::string> known{"chapter.toml",   "lesson.md", "contact",
-                                           "figures",        "examples",  "ladder.cpp",
-                                           "questions.toml", "scenes",    "scene.schema.json"};
+  static const std::set<std::string> known{
+      "chapter.toml", "lesson.md", "contact",           "src",           "figures", "examples",
+      "ladder.cpp",   "scenes",    "scene.schema.json", "questions.toml"};
   check_written(chapter.folder, problems);
   for (const fs::path& file : entries_of(book.root() / "tests" / chapter.slug)) {
     if (text_or_empty(file).find("TO WRITE") != std::string::npos)
@@ -355,11 +355,14 @@ std::vector<DevResult> check_book_files(const Book& book) {
   std::map<std::string, std::string> home;
   Problems names;
   for (const Chapter& chapter : book.chapters()) {
-    for (const fs::path& header : entries_of(chapter.folder / "contact")) {
-      const auto [earlier, is_new] = home.emplace(header.filename().string(), chapter.slug);
+    std::error_code error;
+    for (const fs::directory_entry& entry :
+         fs::recursive_directory_iterator(chapter.folder / "contact", error)) {
+      if (entry.path().extension() != ".hpp") continue;
+      const std::string header = entry.path().filename().string();
+      const auto [earlier, is_new] = home.emplace(header, chapter.slug);
       if (!is_new)
-        names.push_back(header.filename().string() + " is in " + earlier->second + " and in " +
-                        chapter.slug);
+        names.push_back(header + " is in " + earlier->second + " and in " + chapter.slug);
     }
   }
   results.push_back({"header names", "chapters", names});

@@ -1,13 +1,13 @@
 // contact plan: which effects a scene calls for, with the inequality and the numbers that decide.
 
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/plan/plan_report.hpp>
+#include <contact/scene/scene_file.hpp>
+#include <contact/scene/scene_runs.hpp>
 
 #include "commands.hpp"
 #include "plan_measure.hpp"
-#include "plan_report.hpp"
-#include "plan_words.hpp"
-#include "scenes/scene_file.hpp"
-#include "scenes/scene_runs.hpp"
+#include "plan_options.hpp"
 #include "terminal.hpp"
 
 namespace contact::cli {
@@ -16,13 +16,24 @@ namespace {
 
 struct Words {
   std::string scene;
-  PlanWords plan;
+  scenes::PlanWords plan;
   bool measure = false;
   bool json = false;
 };
 
+scenes::TableStyle style_of_table(const Style& style) {
+  scenes::TableStyle table;
+  table.bold = [style](std::string_view text) { return style.bold(text); };
+  table.dim = [style](std::string_view text) { return style.dim(text); };
+  table.good = [style](std::string_view text) { return style.good(text); };
+  table.warn = [style](std::string_view text) { return style.warn(text); };
+  table.padded = padded;
+  table.wrapped = wrapped;
+  return table;
+}
+
 int run(const Words& words) {
-  const PlanOptions options = plan_options(words.plan);
+  const PlanOptions options = typed_plan_options(words.plan);
   const std::filesystem::path file = scene_path(words.scene);
   Scene scene;
   try {
@@ -34,15 +45,15 @@ int run(const Words& words) {
   Plan plan = plan_scene(scene, options);
   if (const auto refusal = scenes::run_refusal(scene, plan))
     plan.notices.push_back("This plan cannot be simulated: " + *refusal + ".");
-  std::vector<MeasuredEffect> measured;
+  std::vector<scenes::MeasuredEffect> measured;
   if (words.measure) {
     ProgressLine progress(1);
     measured = measure_effects(scene, plan, options, progress);
   }
   if (words.json)
-    say(plan_json(scene, plan, measured).dump(1));
+    say(scenes::plan_json(scene, plan, measured).dump(1));
   else
-    say(plan_text(scene, plan, measured, Style(stdout)));
+    say(scenes::plan_text(scene, plan, measured, style_of_table(Style(stdout))));
   return exit_passed;
 }
 

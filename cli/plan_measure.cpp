@@ -8,14 +8,15 @@
 #include <memory>
 #include <optional>
 
-#include <contact/plan.hpp>
-#include <contact/scene_run.hpp>
-#include <contact/scene_solids.hpp>
-
-#include "plan_report.hpp"
-#include "scenes/scene_runs.hpp"
+#include <contact/plan/plan.hpp>
+#include <contact/scene/scene_run.hpp>
+#include <contact/scene/scene_runs.hpp>
+#include <contact/scene/scene_solids.hpp>
 
 namespace contact::cli {
+
+using scenes::MeasuredEffect;
+using scenes::MeasuredHorizon;
 
 namespace {
 
@@ -117,12 +118,6 @@ MeasuredHorizon measured_horizon(const Scene& scene, const Plan& plan, double se
   return measured;
 }
 
-std::string horizon_text(const MeasuredHorizon& measured) {
-  return "Measured: a run that begins an ulp away is off by " + plan_number(measured.apart) +
-         " m at " + plan_number(measured.time) + " s, " + (measured.parted() ? "more" : "no more") +
-         " than the " + plan_number(measured.allowed) + " m allowed.";
-}
-
 }  // namespace
 
 std::vector<MeasuredEffect> measure_effects(const Scene& scene, const Plan& plan,
@@ -170,22 +165,6 @@ std::vector<MeasuredEffect> measure_effects(const Scene& scene, const Plan& plan
     measured.other_seconds = median(other_costs);
   }
   return all;
-}
-
-std::string measured_text(const MeasuredEffect& measured, bool on) {
-  if (!measured.refused.empty()) return "Not measured: " + measured.refused + ".";
-  if (measured.horizon) return horizon_text(*measured.horizon);
-  const std::string other = on ? "without" : "with";
-  if (measured.same_stages) return "Measured: the run " + other + " it is composed alike.";
-  const auto milliseconds = [](double seconds) { return plan_number(1000 * seconds) + " ms"; };
-  std::string text = "Measured: " + milliseconds(measured.planned_seconds) +
-                     " of the processor a second as planned, " +
-                     milliseconds(measured.other_seconds) + " " + other + " it (" +
-                     plan_number(measured.other_seconds / measured.planned_seconds) + " times)";
-  if (measured.planned_bytes != measured.other_bytes)
-    text += "; " + std::to_string(measured.planned_bytes) + " and " +
-            std::to_string(measured.other_bytes) + " bytes a body";
-  return text + ".";
 }
 
 }  // namespace contact::cli

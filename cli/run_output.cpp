@@ -10,10 +10,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include <contact/plan_shapes.hpp>
+#include <contact/plan/plan_bounds.hpp>
+#include <contact/scene/scene_file.hpp>
 
 #include "../grading/book.hpp"
-#include "scenes/scene_file.hpp"
 
 namespace fs = std::filesystem;
 

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
-#include <contact/scene.hpp>
-#include <contact/scene_run.hpp>
+#include <contact/scene/scene.hpp>
+#include <contact/scene/scene_run.hpp>
 
 namespace contact::cli {
 

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <contact/scene/scene_file.hpp>
 #include "commands.hpp"
-#include "scenes/scene_file.hpp"
 #include "terminal.hpp"
 
 namespace contact::cli {

@@ -10,11 +10,11 @@
 #include <thread>
 #include <vector>
 
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/scene/scene_file.hpp>
 
 #include "commands.hpp"
 #include "run_output.hpp"
-#include "scenes/scene_file.hpp"
 #include "simulation.hpp"
 #include "terminal.hpp"
 
@@ -77,7 +77,7 @@ int run(const Options& options) {
   for (const auto& [option, text] :
        {std::pair("--until", &options.until), std::pair("--every", &options.every)})
     if (!text->empty()) seconds_of(option, *text, true);
-  const PlanOptions wanted = plan_options(options.plan);
+  const PlanOptions wanted = typed_plan_options(options.plan);
   std::vector<Planned> all;
   for (const std::string& name : options.scenes) {
     Scene scene = scenes::read_scene(scene_path(name));

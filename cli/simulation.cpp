@@ -8,13 +8,14 @@
 #include <memory>
 #include <optional>
 
-#include <contact/free_flight_run.hpp>
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/scene/free_flight_run.hpp>
+#include <contact/scene/make_scene_run.hpp>
+#include <contact/scene/scene_file.hpp>
+#include <contact/scene/scene_runs.hpp>
 
 #include "commands.hpp"
 #include "run_output.hpp"
-#include "scenes/scene_file.hpp"
-#include "scenes/scene_runs.hpp"
 #include "terminal.hpp"
 
 namespace contact::cli {
@@ -177,7 +178,7 @@ class Simulation {
       progress();
       for (Checked& checked : checked_)
         if (checked.wanted->time == target && !checked.got)
-          checked.got = scenes::quantity_of_run(scene_, *run_, *checked.wanted);
+          checked.got = contact::scene_quantity(scene_, *run_, *checked.wanted);
       if (target == next_frame()) {
         ++frames_;
         if (output_) add_frame();

@@ -11,11 +11,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include <contact/plan_types.hpp>
-#include <contact/scene.hpp>
+#include <contact/plan/plan_types.hpp>
+#include <contact/scene/scene.hpp>
 
 #include "exit_codes.hpp"
-#include "plan_words.hpp"
+#include "plan_options.hpp"
 #include "progress_line.hpp"
 
 namespace contact::cli {
@@ -27,7 +27,7 @@ struct SimulateOptions {
   std::string events;
   std::string checkpoint;
   std::string resume;
-  PlanWords plan;
+  scenes::PlanWords plan;
   std::string until;
   std::string every;
   std::uint64_t max_events = std::numeric_limits<std::uint64_t>::max();

@@ -47,14 +47,72 @@ function(contact_add_chapter_targets)
   endforeach()
 endfunction()
 
+# A chapter whose code is large has headers that declare and src/*.cpp that define. Without more, each program that
+# includes such a header takes its source in. The tree's own programs link a library in which they are compiled once:
+# of chapters/20_scenes, contact_scenes, which defines CONTACT_SCENES_COMPILED for whoever links it.
+function(contact_add_chapter_libraries)
+  find_package(nlohmann_json 3.11 REQUIRED)
+  foreach(chapter IN LISTS CONTACT_CHAPTERS)
+    file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/chapters/${chapter}/src/*.cpp")
+    if(NOT sources)
+      continue()
+    endif()
+    contact_chapter_name("${chapter}" name)
+    string(TOUPPER "CONTACT_${name}_COMPILED" compiled)
+    add_library(contact_${name} STATIC ${sources})
+    target_compile_definitions(contact_${name} PUBLIC ${compiled})
+    target_link_libraries(contact_${name} PUBLIC contact_${chapter} nlohmann_json::nlohmann_json PRIVATE contact_warnings)
+    contact_compile_by_first_word(contact_${name} ${sources})
+    target_precompile_headers(contact_${name} PRIVATE <Eigen/Core> <Eigen/Geometry> <filesystem> <functional> <map>
+      <memory> <optional> <string> <vector> <nlohmann/json.hpp>)
+    # Who runs a scene waits for it: optimised, also where the rest is built for finding faults.
+    if(NOT CONTACT_SANITIZE AND NOT CONTACT_COVERAGE)
+      target_compile_options(contact_${name} PRIVATE -O2)
+    endif()
+  endforeach()
+endfunction()
+
+# 20_scenes: scenes.
+function(contact_chapter_name chapter out)
+  string(REGEX REPLACE "^[0-9]+_" "" name "${chapter}")
+  set(${out} "${name}" PARENT_SCOPE)
+endfunction()
+
+# What a program of the tree links to use a chapter: its library if it has one, else its headers.
+function(contact_chapter_library chapter out)
+  contact_chapter_name("${chapter}" name)
+  if(TARGET contact_${name})
+    set(${out} contact_${name} PARENT_SCOPE)
+  else()
+    set(${out} contact_${chapter} PARENT_SCOPE)
+  endif()
+endfunction()
+
+# Files whose names begin with the same word are compiled as one: they use the same headers, whose inline functions would
+# be compiled again for each.
+function(contact_compile_by_first_word target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  foreach(source IN LISTS ARGN)
+    get_filename_component(file "${source}" NAME)
+    string(REGEX MATCH "^[a-z0-9]+" word "${file}")
+    set_property(SOURCE "${source}" PROPERTY UNITY_GROUP ${word})
+  endforeach()
+endfunction()
+
+# In a folder of their own, contact/ beside src/: a header takes its source in as ../../src/NAME.cpp.
 function(contact_install_headers)
   include(GNUInstallDirs)
   include(CMakePackageConfigHelpers)
-  target_include_directories(ContactHours INTERFACE "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
+  set(folder "${CMAKE_INSTALL_INCLUDEDIR}/ContactHours")
+  target_include_directories(ContactHours INTERFACE "$<INSTALL_INTERFACE:${folder}>")
   foreach(chapter IN LISTS CONTACT_CHAPTERS)
     if(IS_DIRECTORY "${PROJECT_SOURCE_DIR}/chapters/${chapter}/contact")
       install(DIRECTORY "${PROJECT_SOURCE_DIR}/chapters/${chapter}/contact"
-        DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.hpp")
+        DESTINATION "${folder}" FILES_MATCHING PATTERN "*.hpp")
+    endif()
+    if(IS_DIRECTORY "${PROJECT_SOURCE_DIR}/chapters/${chapter}/src")
+      install(DIRECTORY "${PROJECT_SOURCE_DIR}/chapters/${chapter}/src"
+        DESTINATION "${folder}" FILES_MATCHING PATTERN "*.cpp" PATTERN "*.hpp")
     endif()
   endforeach()
   set(config_dir "${CMAKE_INSTALL_LIBDIR}/cmake/ContactHours")

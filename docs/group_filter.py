@@ -22,10 +22,19 @@ def group_of(header: Path) -> str:
     return f"header_{header.stem}"
 
 
+def include_name(header: Path) -> str:
+    """What a program writes between < and >: the path from the chapter's folder contact/."""
+    folders = header.parts[:-1]
+    if "contact" not in folders:
+        return f"contact/{header.name}"
+    last = len(folders) - 1 - folders[::-1].index("contact")
+    return "/".join(header.parts[last:])
+
+
 def grouped(text: str, header: Path) -> str:
     """The header with its group opened and closed just inside the namespace."""
     name = group_of(header)
-    text = _OPEN.sub(rf"\1 /** @addtogroup {name} contact/{header.name} */ /** @{{ */", text)
+    text = _OPEN.sub(rf"\1 /** @addtogroup {name} {include_name(header)} */ /** @{{ */", text)
     while _HEADED.search(text):
         text = _HEADED.sub(lambda m: f"{m[1]}@{m[2].lower()} ", text)
     return _CLOSE.sub(r"/** @} */ \1", text)

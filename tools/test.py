@@ -423,13 +423,17 @@ def tidy() -> Iterator[Check]:
     """
     folder = BUILD / "tidy"
     folder.mkdir(parents=True, exist_ok=True)
-    headers = sorted(ROOT.glob("chapters/*/contact/*.hpp"))
+    chapters = sorted(path.parent for path in ROOT.glob("chapters/*/contact"))
     everything = folder / "headers.cpp"
-    everything.write_text("".join(f"#include <contact/{file.name}>\n" for file in headers))
+    names = [
+        file.relative_to(chapter).as_posix()
+        for chapter in chapters
+        for file in sorted(chapter.glob("contact/**/*.hpp"))
+    ]
+    everything.write_text("".join(f"#include <{name}>\n" for name in names))
     commands = json.loads((DEV / "compile_commands.json").read_text())
-    chapters = sorted({str(file.parent.parent) for file in headers})
     command = ["c++", "-std=c++20", "-ffp-contract=off", "-DEIGEN_DONT_VECTORIZE"]
-    command += [word for chapter in chapters for word in ("-I", chapter)]
+    command += [word for chapter in chapters for word in ("-I", str(chapter))]
     command += ["-isystem", "/usr/include/eigen3", "-c", str(everything)]
     own = [
         entry for entry in commands if re.match(r"grading/", os.path.relpath(entry["file"], ROOT))

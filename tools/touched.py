@@ -1,7 +1,7 @@
 """What a change touches: which files it changed, and of each kind of check, which chapters.
 
-A reference header touches every chapter that builds on its chapter. A header of tests touches the
-chapters whose sources include it. What all chapters share (tests/support, grading/contact, cmake)
+A reference header, or its source, touches every chapter that builds on its chapter. A header of
+tests touches the chapters whose sources include it. What all chapters share (tests/support, grading/contact, cmake)
 touches all of them, and so does for the page what its scripts are made of (docs/web, docs/wasm).
 A file of tests that is no chapter's own touches none: its lists go by turns.
 
@@ -40,7 +40,7 @@ Touched = dict[str, set[str]]  # of each kind, names of chapters; "*" is all of 
 
 # Where a chapter's files are, and what such a file touches of its chapter. The first that fits.
 OF_A_CHAPTER: Sequence[tuple[str, Sequence[str]]] = (
-    (r"chapters/([^/]+)/contact/", CODE),
+    (r"chapters/([^/]+)/(?:contact|src)/", CODE),
     (r"chapters/([^/]+)/chapter\.toml$", KINDS),
     (r"chapters/([^/]+)/figures/", (TESTS, FIGURES, PAGE)),
     (r"chapters/([^/]+)/ladder\.cpp$", (LADDER, PAGE)),
@@ -101,7 +101,6 @@ class Book:
 
     builds_on: Mapping[str, frozenset[str]]  # of each chapter, those that it names
     included_by: Mapping[str, frozenset[str]]  # of each file, those that include it
-    with_scenes: frozenset[str]  # chapters whose scenes are read by cli/scenes
 
     def above(self, chapter: str) -> set[str]:
         """The chapter, and all that build on it."""
@@ -126,8 +125,7 @@ def read_book(root: Path) -> Book:
     for toml in sorted(root.glob("chapters/*/chapter.toml")):
         line = re.search(r"^builds_on *=(.*)$", toml.read_text(), re.M)
         builds_on[toml.parent.name] = frozenset(re.findall(r'"([^"]+)"', line[1] if line else ""))
-    with_scenes = frozenset(folder.parent.name for folder in root.glob("chapters/*/scenes"))
-    return Book(builds_on, _included_by(root), with_scenes)
+    return Book(builds_on, _included_by(root))
 
 
 def _included_by(root: Path) -> dict[str, frozenset[str]]:
@@ -170,14 +168,12 @@ def touched_by(files: Iterable[str], book: Book) -> Touched:
         for pattern, kinds in SHARED:
             if re.match(pattern, file):
                 add(kinds, [EVERYTHING])
-        if file.startswith("cli/scenes/"):
-            add((TESTS, PAGE), book.with_scenes)
         if specimen := re.match(r"tests/grade/hostile/(\w+)\.cpp$", file):
             add((HOSTILE,), [specimen[1]])
         if own := _own(file):
             chapter, kinds = own
             add(kinds, [chapter])
-            if re.match(r"chapters/[^/]+/(contact/|chapter\.toml$)", file):
+            if re.match(r"chapters/[^/]+/(contact/|src/|chapter\.toml$)", file):
                 add(CODE, book.above(chapter))
         for includer in book.includers(file):
             if own := _own(includer):

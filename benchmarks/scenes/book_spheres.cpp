@@ -1,6 +1,6 @@
 // The book's hard balls, with only the effects that these scenes call for.
 #include <array>
-#include <contact/hard_spheres.hpp>
+#include <contact/events/hard_spheres.hpp>
 
 #include "programs.hpp"
 

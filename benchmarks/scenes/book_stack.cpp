@@ -1,8 +1,9 @@
 // The book's boxes, step by step as their plan says, and with what the plan leaves out.
-#include <contact/plan.hpp>
-#include <contact/scene.hpp>
-#include <contact/scene_check.hpp>
-#include <contact/stepped_run.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/scene/scene.hpp>
+#include <contact/scene/scene_check.hpp>
+#include <contact/scene/scene_solids.hpp>
+#include <contact/stepped/stepped_run.hpp>
 #include <string>
 
 #include "programs.hpp"

@@ -3,7 +3,7 @@
 //
 // benchmarks/scene_growth.py runs it for growing N and counts the instructions of run_gas().
 #include <chrono>
-#include <contact/hard_spheres.hpp>
+#include <contact/events/hard_spheres.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>

@@ -7,8 +7,11 @@
 //
 // benchmarks/scene_stages.py runs it and counts the instructions of run_scene(), stage by stage.
 #include <algorithm>
-#include <contact/hard_sphere_scene.hpp>
-#include <contact/plan.hpp>
+#include <contact/events/hard_sphere_make.hpp>
+#include <contact/events/hard_sphere_scene.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/scene/scene_file.hpp>
+#include <contact/scene/scene_runs.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -16,10 +19,6 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
-
-#include "scenes/run_hard_spheres.hpp"
-#include "scenes/scene_file.hpp"
-#include "scenes/scene_runs.hpp"
 
 /// What is counted; its name is how valgrind finds it.
 extern "C" void run_scene(const void* work);
@@ -64,7 +63,7 @@ nlohmann::json of_hard_balls(
     const contact::Scene& scene, double seconds,
     const std::function<contact::HardSphereComposition(const contact::HardSphereSetup&)>& compose) {
   const contact::HardSphereScene found = contact::hard_sphere_setup(scene);
-  const auto run = contact::scenes::compose_run(found.setup, compose(found.setup));
+  const auto run = contact::make_hard_spheres(found.setup, compose(found.setup));
   contact::Vector3<double> sum = contact::Vector3<double>::Zero();
   const std::function<void()> work = [&] {
     run->advance(seconds);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <contact/double_double.hpp>
-#include <contact/hard_spheres.hpp>
+#include <contact/events/hard_spheres.hpp>
 
 namespace {
 

@@ -64,6 +64,24 @@ test("other flags make another product", () => {
   assert.notEqual(key(recipe), key({ ...recipe, flags: [...recipe.flags, "-DOTHER"] }));
 });
 
+test("a source that a header takes in counts unless the flags say that it is compiled", () => {
+  const taken = path.join(folder, "taken.cpp");
+  fs.writeFileSync(taken, "int taken();\n");
+  fs.writeFileSync(
+    header,
+    '#pragma once\n#ifdef OTHER\n#endif\n#ifndef CONTACT_SCENES_COMPILED\n#include "taken.cpp"\n#endif\n',
+  );
+  const alone = small("int f() { return 1; }");
+  const linked = { ...alone, flags: [...alone.flags, "-DCONTACT_SCENES_COMPILED"] };
+  const other = { ...alone, flags: [...alone.flags, "-DCONTACT_RAYS_COMPILED"] };
+  const before = [alone, linked, other].map(key);
+  fs.writeFileSync(taken, "int taken(int);\n");
+  forgetSources();
+  const changed = [alone, linked, other].map((recipe, k) => key(recipe) !== before[k]);
+  assert.deepEqual(changed, [true, false, true]);
+  fs.writeFileSync(header, "#pragma once\n");
+});
+
 test("a C++ error is told in the compiler's words, and the rest is built", async () => {
   fs.writeFileSync(header, "#pragma once\n");
   const wrong = small(`int wrong_${mark}() { return undeclared; }`);

@@ -16,14 +16,36 @@ const systemPackages = [
   { start: "catch2/", dir: "/usr/include", as: systemRoot },
 ];
 
-/** @typedef {{ bytes: Buffer, hash: string, includes: { name: string, quoted: boolean }[] }} Source */
+/**
+ * `unless`: the definition under which a header does not take its source in, as CONTACT_SCENES_COMPILED.
+ * @typedef {{ name: string, quoted: boolean, unless: string | undefined }} Include
+ * @typedef {{ bytes: Buffer, hash: string, includes: Include[] }} Source
+ */
 
 /** @type {Map<string, Source | null>} */
 const sources = new Map();
 
-const includeLine = /^[ \t]*#[ \t]*include(?:_next)?[ \t]*(["<])([^">\n]+)[">]/gm;
+const directive =
+  /^[ \t]*#[ \t]*(?:(if)(?:n?def)?\b(?:[ \t]+(CONTACT_[A-Z]+_COMPILED)\b)?|(endif)|include(?:_next)?[ \t]*(["<])([^">\n]+)[">])/gm;
 
-/** A file with its hash and what it names after #include, whatever conditions stand round it; read once.
+/** What a text names after #include, whatever conditions stand round it, and whether a header takes its source in
+ * there. @param {string} text @returns {Include[]} */
+function includesOf(text) {
+  const includes = [];
+  /** @type {(string | undefined)[]} */
+  const open = [];
+  for (const [line, start, compiled, end, mark, name] of text.matchAll(directive)) {
+    if (start) open.push(line.includes("ifndef") ? compiled : undefined);
+    else if (end) open.pop();
+    else {
+      const unless = open.find((condition) => condition !== undefined);
+      includes.push({ name: String(name), quoted: mark === '"', unless });
+    }
+  }
+  return includes;
+}
+
+/** A file with its hash and its includes; read once.
  * @param {string} file @returns {Source | null} */
 function source(file) {
   const known = sources.get(file);
@@ -32,10 +54,7 @@ function source(file) {
   let found = null;
   if (fs.statSync(file, { throwIfNoEntry: false })?.isFile()) {
     const bytes = fs.readFileSync(file);
-    const includes = [...bytes.toString("latin1").matchAll(includeLine)].map((match) => ({
-      name: String(match[2]),
-      quoted: match[1] === '"',
-    }));
+    const includes = includesOf(bytes.toString("latin1"));
     found = { bytes, hash: createHash("sha256").update(bytes).digest("hex"), includes };
   }
   sources.set(file, found);
@@ -81,13 +100,15 @@ function resolve(name, quoted, from, folders) {
 /**
  * Every file that compiling `start` may read, itself first.
  * @param {string} start @param {string[]} folders searched for headers, in order
+ * @param {string[]} flags with -DCONTACT_SCENES_COMPILED a header's source is no part of it
  * @returns {{ file: string, virtual: string, hash: string, bytes: Buffer }[]}
  */
-export function closure(start, folders) {
+export function closure(start, folders, flags = []) {
   if (!source(start)) throw new Error(`no such file: ${start}`);
   const seen = new Set([start]);
   for (const file of seen)
-    for (const { name, quoted } of source(file)?.includes ?? []) {
+    for (const { name, quoted, unless } of source(file)?.includes ?? []) {
+      if (unless !== undefined && flags.includes(`-D${unless}`)) continue;
       const next = resolve(name, quoted, file, folders);
       if (next) seen.add(next);
     }

@@ -14,50 +14,29 @@ const flags = (level) => [
   level,
   "-DNDEBUG",
   "-DJSON_NO_IO",
+  // Each source of the chapter is in one of the parts; no header takes it in.
+  "-DCONTACT_SCENES_COMPILED",
   ...quiet,
 ];
 
-/** What reads and tells is small; what runs is quick. */
-const small = [
-  "plan_json.cpp",
-  "plan_text.cpp",
-  "scenes/json_tree.cpp",
-  "scenes/scene_reader.cpp",
-  "scenes/page/player.cpp",
-];
-const quick = ["scenes/page/player_run.cpp"];
-
-const folders = () => [inRoot("cli"), ...chapterFolders("20_scenes")];
-
-/** What the small ones share is read once. @returns {import('./recipes.mjs').Precompile} */
-const prelude = () => ({
-  tool: "precompile",
-  what: "what the scene player's files share",
-  flags: flags("-Oz"),
-  folders: folders(),
-  source: inRoot("cli", "scenes", "page", "player_prelude.hpp"),
-});
+/** A part of the player: the chapter's sources that it needs, and its own. @param {string} file @param {string} level */
+function part(file, level) {
+  const source = inRoot("docs", "wasm", "player", file);
+  /** @type {Compile} */
+  const recipe = {
+    tool: "compile",
+    what: path.relative(inRoot(), source),
+    language: "c++",
+    flags: flags(level),
+    folders: chapterFolders("20_scenes"),
+    source,
+  };
+  return recipe;
+}
 
 /** @returns {import('./recipes.mjs').Link} */
 export function playerRecipe() {
-  const part = (/** @type {string} */ file, /** @type {string} */ level) => {
-    const source = inRoot("cli", file);
-    /** @type {Compile} */
-    const recipe = {
-      tool: "compile",
-      what: path.relative(inRoot(), source),
-      language: "c++",
-      flags: flags(level),
-      folders: folders(),
-      source,
-    };
-    return level === "-Oz" ? { ...recipe, pch: prelude() } : recipe;
-  };
-  const parts = [
-    ...small.map((file) => part(file, "-Oz")),
-    ...quick.map((file) => part(file, "-O2")),
-    exceptionRuntime,
-  ];
+  const parts = [part("quick.cpp", "-O2"), part("small.cpp", "-Oz"), exceptionRuntime];
   // Binaryen would take as long as half of the compiling, and save a thirtieth of what is sent.
   const before = [...moduleLink.before, "--compress-relocations"];
   return { tool: "link", what: "the scene player", before, after: moduleLink.after, parts };

@@ -33,7 +33,7 @@ export function needs(recipe) {
 
 /** Every file that is read. @param {Compile | Precompile} recipe */
 function filesOf({ source, folders, flags }) {
-  const files = closure(source, folders);
+  const files = closure(source, folders, flags);
   // A header of our own in the place of one of the compiler's.
   if (flags.includes(`/${assertionsFolder}`)) files.push(sourceFile(assertionHandler));
   return files;

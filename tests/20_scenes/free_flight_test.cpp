@@ -4,15 +4,16 @@
 #include <bit>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <contact/free_flight_run.hpp>
+#include <contact/scene/free_flight_run.hpp>
+#include <contact/scene/make_scene_run.hpp>
+#include <contact/scene/scene_file.hpp>
+#include <contact/scene/scene_runs.hpp>
 #include <contact/tolerance.hpp>
 #include <filesystem>
 #include <stdexcept>
 #include <vector>
 
 #include "plan_scenes.hpp"
-#include "scenes/scene_file.hpp"
-#include "scenes/scene_runs.hpp"
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
 
@@ -275,7 +276,7 @@ TEST_CASE("the book's scenes that fly freely do what they say") {
     for (const auto& wanted : scene.expect) {
       auto run = run_of(scene);
       run->advance(wanted.time);
-      const double got = contact::scenes::quantity_of_run(scene, *run, wanted);
+      const double got = contact::scene_quantity(scene, *run, wanted);
       CHECK(std::abs(got - wanted.value) <= wanted.within);
     }
   }

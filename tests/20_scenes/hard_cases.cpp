@@ -9,8 +9,8 @@
 #include "support/hard_cases.hpp"
 
 #include <cmath>
-#include <contact/hard_sphere_times.hpp>
-#include <contact/hard_spheres.hpp>
+#include <contact/events/hard_sphere_times.hpp>
+#include <contact/events/hard_spheres.hpp>
 #include <cstdlib>
 #include <optional>
 #include <tuple>

@@ -1,19 +1,19 @@
 // From a scene to a setup, and from a setup to the least composition: what is left out, why, and
 // that it makes no difference.
 #include <catch2/catch_test_macros.hpp>
-#include <contact/hard_sphere_compose.hpp>
-#include <contact/hard_sphere_scene.hpp>
+#include <contact/events/hard_sphere_compose.hpp>
+#include <contact/events/hard_sphere_make.hpp>
+#include <contact/events/hard_sphere_scene.hpp>
 #include <stdexcept>
 #include <string>
 
-#include "scenes/run_hard_spheres.hpp"
 #include "support/generators.hpp"
 
 using contact::compose_hard_spheres;
 using contact::HardSphereEffects;
 using contact::HardSphereSetup;
+using contact::make_hard_spheres;
 using contact::Vector3;
-using contact::scenes::compose_run;
 using generators::Random;
 
 namespace {
@@ -93,12 +93,12 @@ TEST_CASE("the least composition gives the bits of all effects, in all 48") {
       REQUIRE(composition.effects ==
               HardSphereEffects{dimension, gravity, radii || masses, (number & 8) != 0, false});
       contact::HardSphereComposition all;
-      const auto full = compose_run(setup, all);
+      const auto full = make_hard_spheres(setup, all);
       full->advance(5);
       REQUIRE(full->counts().hits > 5);
       for (const bool grid : {false, true}) {
         composition.effects.grid = grid;
-        const auto least = compose_run(setup, composition);
+        const auto least = make_hard_spheres(setup, composition);
         least->advance(5);
         REQUIRE(least->counts().hits == full->counts().hits);
         REQUIRE(least->bytes_per_state() <= full->bytes_per_state());

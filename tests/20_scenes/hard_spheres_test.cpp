@@ -3,9 +3,9 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/bouncing.hpp>
-#include <contact/earliest_queue.hpp>
-#include <contact/hard_sphere_times.hpp>
-#include <contact/hard_spheres.hpp>
+#include <contact/events/earliest_queue.hpp>
+#include <contact/events/hard_sphere_times.hpp>
+#include <contact/events/hard_spheres.hpp>
 #include <limits>
 #include <optional>
 #include <stdexcept>

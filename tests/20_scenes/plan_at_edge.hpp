@@ -3,7 +3,7 @@
 #pragma once
 
 #include <catch2/catch_test_macros.hpp>
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
 #include <limits>
 #include <vector>
 

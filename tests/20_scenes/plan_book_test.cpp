@@ -2,12 +2,11 @@
 // the scene, not by what a plan once said.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/scene/scene_file.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
-
-#include "scenes/scene_file.hpp"
 
 using contact::Decision;
 using contact::Effect;

@@ -6,15 +6,17 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/bouncing.hpp>
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/plan/plan_rules.hpp>
 #include <contact/rotation.hpp>
+#include <contact/scene/scene_runs.hpp>
+#include <contact/scene/scene_solids.hpp>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "plan_at_edge.hpp"
 #include "plan_scenes.hpp"
-#include "scenes/scene_runs.hpp"
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
 

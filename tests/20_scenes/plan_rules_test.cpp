@@ -7,10 +7,14 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/bouncing.hpp>
-#include <contact/hard_sphere_compose.hpp>
-#include <contact/hard_sphere_scene.hpp>
-#include <contact/plan.hpp>
+#include <contact/events/hard_sphere_compose.hpp>
+#include <contact/events/hard_sphere_scene.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/plan/plan_bounds.hpp>
+#include <contact/plan/plan_costs.hpp>
 #include <contact/rotation.hpp>
+#include <contact/scene/scene_runs.hpp>
+#include <contact/scene/scene_solids.hpp>
 #include <functional>
 #include <limits>
 #include <string>
@@ -18,7 +22,6 @@
 
 #include "plan_at_edge.hpp"
 #include "plan_scenes.hpp"
-#include "scenes/scene_runs.hpp"
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
 

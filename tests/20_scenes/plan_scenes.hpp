@@ -6,9 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include <contact/plan.hpp>
-#include <contact/scene.hpp>
-#include <contact/scene_check.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/scene/scene.hpp>
+#include <contact/scene/scene_check.hpp>
+#include <contact/scene/scene_solids.hpp>
 
 namespace plan_scenes {
 

@@ -4,14 +4,15 @@
 #include <set>
 #include <vector>
 
-#include <contact/hard_spheres.hpp>
-#include <contact/plan.hpp>
-
-#include "scenes/scene_file.hpp"
+#include <contact/events/hard_spheres.hpp>
+#include <contact/plan/plan.hpp>
 
 #define CONTACT_FIGURE_NO_MAIN
 #include <contact/figure.hpp>
+#include <contact/plan/plan_bounds.hpp>
+#include <contact/plan/plan_rules.hpp>
 #include <contact/rotation.hpp>
+#include <contact/scene/scene_file.hpp>
 namespace passing {
 #include "figures/passing.cpp"
 }

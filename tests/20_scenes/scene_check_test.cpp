@@ -3,8 +3,9 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/inertia.hpp>
-#include <contact/scene.hpp>
-#include <contact/scene_check.hpp>
+#include <contact/scene/scene.hpp>
+#include <contact/scene/scene_check.hpp>
+#include <contact/scene/scene_solids.hpp>
 #include <functional>
 #include <limits>
 #include <optional>

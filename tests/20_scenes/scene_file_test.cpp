@@ -4,8 +4,10 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/rotation.hpp>
-#include <contact/scene.hpp>
-#include <contact/scene_check.hpp>
+#include <contact/scene/scene.hpp>
+#include <contact/scene/scene_check.hpp>
+#include <contact/scene/scene_file.hpp>
+#include <contact/scene/scene_solids.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -16,7 +18,6 @@
 #include <string>
 #include <vector>
 
-#include "scenes/scene_file.hpp"
 #include "support/generators.hpp"
 
 using contact::Matrix3;

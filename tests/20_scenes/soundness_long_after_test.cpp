@@ -4,13 +4,13 @@
 // comparison of a hundred thousand fails though nothing is wrong, and seeds are fixed.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/scene/scene_runs.hpp>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "plan_scenes.hpp"
-#include "scenes/scene_runs.hpp"
 #include "support/generators.hpp"
 
 using contact::Effect;

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <contact/hard_sphere_compose.hpp>
-#include <contact/hard_sphere_scene.hpp>
-#include <contact/plan.hpp>
+#include <contact/events/hard_sphere_compose.hpp>
+#include <contact/events/hard_sphere_make.hpp>
+#include <contact/events/hard_sphere_scene.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/scene/scene_file.hpp>
+#include <contact/scene/scene_runs.hpp>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -14,9 +17,6 @@
 #include <vector>
 
 #include "plan_scenes.hpp"
-#include "scenes/run_hard_spheres.hpp"
-#include "scenes/scene_file.hpp"
-#include "scenes/scene_runs.hpp"
 #include "support/generators.hpp"
 
 using contact::Effect;
@@ -114,14 +114,14 @@ Scene random_balls(Random& random) {
 
 /// The run of a scene of hard balls with every effect, needed or not.
 std::unique_ptr<contact::HardSphereRun> with_all_effects(const Scene& scene) {
-  return contact::scenes::compose_run(contact::hard_sphere_setup(scene).setup,
-                                      contact::HardSphereComposition());
+  return contact::make_hard_spheres(contact::hard_sphere_setup(scene).setup,
+                                    contact::HardSphereComposition());
 }
 
 /// Whether the least composition of a scene of hard balls has the bits of all effects, at eight
 /// times and in its count of hits.
 bool least_has_the_bits_of_all(const Scene& scene, double end) {
-  const auto least = contact::scenes::compose_run(contact::hard_sphere_setup(scene).setup);
+  const auto least = contact::make_hard_spheres(contact::hard_sphere_setup(scene).setup);
   const auto all = with_all_effects(scene);
   for (int k = 1; k <= 8; ++k) {
     least->advance(end * k / 8);

@@ -4,7 +4,10 @@
 #include <bit>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <contact/step_solver.hpp>
+#include <contact/scene/make_scene_run.hpp>
+#include <contact/scene/scene_file.hpp>
+#include <contact/scene/scene_runs.hpp>
+#include <contact/stepped/step_solver.hpp>
 #include <contact/trampoline.hpp>
 #include <cstdint>
 #include <filesystem>
@@ -13,8 +16,6 @@
 #include <vector>
 
 #include "plan_scenes.hpp"
-#include "scenes/scene_file.hpp"
-#include "scenes/scene_runs.hpp"
 #include "support/generators.hpp"
 
 using contact::Effect;
@@ -140,7 +141,7 @@ TEST_CASE("what the book's scenes expect comes out, where they go step by step")
     CHECK_FALSE(wanted.empty());
     for (const auto& expectation : wanted) {
       REQUIRE(run->advance(expectation.time) == contact::SceneRunEnd::reached);
-      const double got = contact::scenes::quantity_of_run(scene, *run, expectation);
+      const double got = contact::scene_quantity(scene, *run, expectation);
       CAPTURE(expectation.quantity, expectation.body, expectation.time, got, expectation.value);
       CHECK(std::abs(got - expectation.value) <= expectation.within);
     }

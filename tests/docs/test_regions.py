@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from contact_book.errors import BookError
-from contact_book.regions import find_regions, region, without_markers
+from contact_book.regions import find_regions, region, without_inline_macro, without_markers
 
 TEXT = """\
 // [outer]
@@ -15,6 +15,27 @@ TEXT = """\
   int c;
 // [/outer]
 """
+
+
+def test_the_macro_of_an_inline_function_is_not_shown() -> None:
+    text = (
+        "CONTACT_SCENES_INLINE double area(double width,\n"
+        "                                  double height) {\n"
+        "  return product_of_two_numbers(width,\n"
+        "                                height);\n"
+        "}\n"
+        "CONTACT_SCENES_INLINE Room room_of(\n"
+        "    const Scene& scene) {}\n"
+    )
+    assert without_inline_macro(text) == (
+        "double area(double width,\n"
+        "            double height) {\n"
+        "  return product_of_two_numbers(width,\n"
+        "                                height);\n"
+        "}\n"
+        "Room room_of(\n"
+        "    const Scene& scene) {}\n"
+    )
 
 
 def test_a_region_is_what_stands_between_its_markers_dedented() -> None:

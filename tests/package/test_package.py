@@ -7,6 +7,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 CONSUMER = Path(__file__).resolve().parent / "consumer"
+# The point's distance; of gravity, that it is off where there is none and on else.
+PRINTED = "4\n0\n1\n"
 
 
 def run(*command: str | Path) -> str:
@@ -18,10 +20,10 @@ def run(*command: str | Path) -> str:
 
 
 def build_consumer(folder: Path, *options: str) -> str:
-    """Configures and builds the consumer there, and returns what it prints."""
+    """Configures and builds the consumers there, and returns what they print."""
     run("cmake", "-G", "Ninja", "-S", CONSUMER, "-B", folder, "-DCMAKE_BUILD_TYPE=Debug", *options)
     run("cmake", "--build", folder)
-    return run(folder / "consumer")
+    return run(folder / "consumer") + run(folder / "consumer_plan")
 
 
 def test_found_as_a_package(tmp_path: Path) -> None:
@@ -30,21 +32,27 @@ def test_found_as_a_package(tmp_path: Path) -> None:
     run("cmake", "-G", "Ninja", "-S", ROOT, "-B", tmp_path / "build", *off)
     run("cmake", "--install", tmp_path / "build", "--prefix", tmp_path / "prefix")
     out = build_consumer(tmp_path / "consumer", f"-DCMAKE_PREFIX_PATH={tmp_path / 'prefix'}")
-    assert out == "4\n"
+    assert out == PRINTED
 
 
 def test_every_header_is_installed(tmp_path: Path) -> None:
     off = [f"-DCONTACT_BUILD_{part}=OFF" for part in ("TESTS", "PROGRAM", "DOCS")]
     run("cmake", "-G", "Ninja", "-S", ROOT, "-B", tmp_path / "build", *off)
     run("cmake", "--install", tmp_path / "build", "--prefix", tmp_path / "prefix")
-    headers = sorted(file.name for file in ROOT.glob("chapters/*/contact/*.hpp"))
-    installed = sorted(file.name for file in (tmp_path / "prefix/include/contact").glob("*.hpp"))
-    assert headers
-    assert installed == headers
+    folder = tmp_path / "prefix/include/ContactHours"
+    # Headers that declare take in their sources.
+    for pattern in ("contact/**/*.hpp", "src/*.cpp"):
+        files = sorted(
+            file.relative_to(chapter).as_posix()
+            for chapter in (ROOT / "chapters").iterdir()
+            for file in chapter.glob(pattern)
+        )
+        assert files
+        assert sorted(file.relative_to(folder).as_posix() for file in folder.glob(pattern)) == files
 
 
 def test_included_as_a_folder(tmp_path: Path) -> None:
-    assert build_consumer(tmp_path / "consumer", f"-DCONTACT_HOURS={ROOT}") == "4\n"
+    assert build_consumer(tmp_path / "consumer", f"-DCONTACT_HOURS={ROOT}") == PRINTED
     # Only the headers come along: no tests, program or docs of ours in the user's build.
     assert not (tmp_path / "consumer" / "contact_hours" / "tests").exists()
     assert not (tmp_path / "consumer" / "contact_hours" / "cli").exists()

@@ -1,6 +1,6 @@
 // A gas of 512 balls, simulated with the effects that it calls for and with all of them: the same
 // bits, and not the same price.
-#include <contact/hard_spheres.hpp>
+#include <contact/events/hard_spheres.hpp>
 #include <cstdio>
 
 namespace {

@@ -1,10 +1,11 @@
 // A ball that loses a fifth of its speed at each bounce, for 20 s: where its events end, and what
 // that costs.
-#include <contact/hard_sphere_scene.hpp>
-#include <contact/hard_spheres.hpp>
-#include <contact/plan.hpp>
+#include <contact/events/hard_sphere_scene.hpp>
+#include <contact/events/hard_spheres.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/plan/plan_rules.hpp>
+#include <contact/scene/scene_file.hpp>
 #include <cstdio>
-#include <scenes/scene_file.hpp>
 
 int main() {
   contact::Scene scene =

@@ -1,6 +1,6 @@
 // A scene with five mistakes. Each is told with its line, its path, its value and what is allowed.
+#include <contact/scene/scene_file.hpp>
 #include <cstdio>
-#include <scenes/scene_file.hpp>
 
 int main() {
   const char* const text = R"({

@@ -1,7 +1,7 @@
 // Ten discs in a square, twice: the second time one of them begins one ulp farther right.
 #include <algorithm>
 #include <cmath>
-#include <contact/hard_spheres.hpp>
+#include <contact/events/hard_spheres.hpp>
 #include <cstdio>
 
 namespace {

@@ -1,9 +1,9 @@
 // Billiards on a level table, and the same with one ball a single ulp too high: what can no longer
 // be proven is on.
 #include <cmath>
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/scene/scene_file.hpp>
 #include <cstdio>
-#include <scenes/scene_file.hpp>
 
 int main() {
   contact::Scene scene =

@@ -1,9 +1,9 @@
 // Which effects the planner leaves out of six scenes, before any of them runs.
 #include <array>
 #include <cmath>
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/scene/scene_file.hpp>
 #include <cstdio>
-#include <scenes/scene_file.hpp>
 
 int main() {
   const std::array names{"high_drop",       "billiards_break", "elastic_spheres",

@@ -1,11 +1,11 @@
 // A ball on a floor that gives way like a spring: in how short parts the spring pushes, what they
 // are estimated to leave, and what they leave when the ball comes down for the second time.
 #include <cmath>
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/scene/scene_file.hpp>
+#include <contact/scene/scene_runs.hpp>
 #include <contact/trampoline.hpp>
 #include <cstdio>
-#include <scenes/scene_file.hpp>
-#include <scenes/scene_runs.hpp>
 
 int main() {
   contact::Scene scene =

@@ -1,6 +1,8 @@
 // Four bodies before a wall one centimetre thick: no two surface points close faster than energy
 // allows, and with steps up to the last column nothing can pass through.
-#include <contact/plan.hpp>
+#include <contact/plan/plan.hpp>
+#include <contact/plan/plan_bounds.hpp>
+#include <contact/plan/plan_rules.hpp>
 #include <cstdio>
 
 namespace {

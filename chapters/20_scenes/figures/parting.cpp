@@ -1,7 +1,7 @@
 // A billiard with four posts, played twice from places that lie very close together.
 #include <algorithm>
+#include <contact/events/hard_spheres.hpp>
 #include <contact/figure.hpp>
-#include <contact/hard_spheres.hpp>
 
 using Vector2 = Eigen::Matrix<double, 2, 1>;
 

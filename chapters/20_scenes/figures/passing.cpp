@@ -2,7 +2,7 @@
 // of them before.
 #include <algorithm>
 #include <contact/figure.hpp>
-#include <contact/plan_bounds.hpp>
+#include <contact/plan/plan_bounds.hpp>
 #include <contact/rotation.hpp>
 
 struct Input {

@@ -72,7 +72,7 @@ class Chapter:
 
     @property
     def headers(self) -> list[Path]:
-        return sorted((self.folder / "contact").glob("*.hpp"))
+        return sorted((self.folder / "contact").rglob("*.hpp"))
 
     @property
     def figures(self) -> list[str]:

@@ -9,7 +9,7 @@ from docutils import nodes
 
 from contact_book.directive import BookDirective
 from contact_book.errors import BookError, unknown
-from contact_book.regions import region, without_markers
+from contact_book.regions import region, without_inline_macro, without_markers
 
 
 def listing(text: str, language: str, caption: list[nodes.Node]) -> nodes.Element:
@@ -67,6 +67,7 @@ class Code(BookDirective):
             text = region(text, self.arguments[1], where).text
         else:
             text = without_markers(text)
+        text = without_inline_macro(text)
         own = path == self.book.root / name
         title = path.name if own else name
         return [listing(text, language_of(path), [nodes.literal(title, title)])]

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from contact_book.errors import BookError, unknown
 
+_INLINE = re.compile(r"^\s*(?P<macro>CONTACT_[A-Z]+_INLINE )")
 _MARKER = re.compile(r"^\s*//\s*\[(?P<close>/?)(?P<name>[a-z0-9][a-z0-9_-]*)\]\s*$")
 
 
@@ -59,6 +60,25 @@ def region(text: str, name: str, where: str) -> Region:
     if name not in regions:
         raise unknown("region", name, regions, where)
     return regions[name]
+
+
+def without_inline_macro(text: str) -> str:
+    """A source file's functions as a reader wants them: without the macro that says whether they
+    are inline, and with the rest of their heads as far to the left as before it."""
+    lines = []
+    shift = depth = 0
+    for line in text.split("\n"):
+        match = _INLINE.match(line)
+        if match is not None:
+            line = line.replace(match["macro"], "", 1)
+            shift, depth = len(match["macro"]), 0
+        elif shift > 0 and line.startswith(" " * (shift + 1)):
+            line = line[shift:]
+        depth += line.count("(") - line.count(")")
+        if depth == 0:
+            shift = 0
+        lines.append(line)
+    return "\n".join(lines)
 
 
 def without_markers(text: str) -> str:

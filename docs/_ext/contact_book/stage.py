@@ -9,6 +9,7 @@ from contact_book.book import Book, Chapter
 
 _LESSON_LINK = re.compile(r"\(\.\./(\d\d_[a-z0-9_]+)/lesson\.md")
 _CONCEPT = re.compile(r"^template <[^\n]*>\nconcept (?P<name>\w+) =.*?;\n(?!\s)", re.M | re.S)
+_DECLARES = re.compile(r"^namespace contact", re.M)
 _ABOUT = re.compile(r"\A/// @file\n(?P<about>(?:///[^\n]*\n)+)")
 
 
@@ -17,11 +18,12 @@ def lesson_page(text: str) -> str:
     return _LESSON_LINK.sub(r"(\1.md", text)
 
 
-def header_section(header: Path, *, full: bool) -> str:
+def header_section(chapter: Chapter, header: Path, *, full: bool) -> str:
     """One header's part of the API page. Breathe drops a concept's body, so it is shown as code."""
+    name = header.relative_to(chapter.folder).as_posix()
     text = header.read_text(encoding="utf-8")
     label = header.name.replace("_", "__").replace(".", "_8")
-    parts = [f"({label})=\n## `contact/{header.name}`"]
+    parts = [f"({label})=\n## `{name}`"]
     about = _ABOUT.match(text)
     if about:
         parts.append(re.sub(r"^/// ?", "", about["about"], flags=re.M).strip())
@@ -30,7 +32,8 @@ def header_section(header: Path, *, full: bool) -> str:
     for match in _CONCEPT.finditer(text):
         parts.append(f":::{{doxygenconcept}} contact::{match['name']}\n:::")
         parts.append(f"```cpp\n{match[0]}```")
-    parts.append(f":::{{doxygennamespace}} header_{header.stem}\n:content-only:\n:::")
+    if _DECLARES.search(text):
+        parts.append(f":::{{doxygennamespace}} header_{header.stem}\n:content-only:\n:::")
     return "\n\n".join(parts)
 
 
@@ -39,7 +42,7 @@ def api_page(chapter: Chapter, *, full: bool) -> str:
     parts = [f"# {chapter.title}: the code"]
     if chapter.has_lesson:
         parts.append(f"What it is for is told in {{chapter}}`{chapter.slug}`.")
-    parts += [header_section(header, full=full) for header in chapter.headers]
+    parts += [header_section(chapter, header, full=full) for header in chapter.headers]
     return "\n\n".join(parts) + "\n"
 
 

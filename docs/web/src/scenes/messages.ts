@@ -1,4 +1,4 @@
-// What the scene player's C++ says (cli/scenes/page/player.cpp), and what page and worker tell each
+// What the scene player's C++ says (docs/wasm/player/player.cpp), and what page and worker tell each
 // other.
 
 import type { Vec3 } from "../numbers.ts";

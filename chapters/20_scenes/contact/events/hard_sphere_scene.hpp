@@ -1,0 +1,118 @@
+/// @file
+/// From a scene to a setup of hard, smooth balls, or the reason why it is not one.
+/// A run of hard balls from event to event, asked in terms of a scene's bodies.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <contact/events/hard_sphere_run.hpp>
+#include <contact/rotation.hpp>
+#include <contact/scene/scene.hpp>
+#include <contact/scene/scene_run.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+/// Hard, smooth balls, and which body of the scene each is.
+struct HardSphereScene {
+  HardSphereSetup setup;               ///< what runs
+  std::vector<std::size_t> ball_body;  ///< index into Scene::bodies of each ball
+  std::vector<std::size_t> wall_body;  ///< the same of each wall
+};
+
+/// Why a scene is not one of hard, smooth balls, or nothing if it is: its bodies are balls and
+/// half-spaces, at least one ball moves, no half-space moves, and no contact has friction or gives
+/// way. Without friction nothing turns a ball, so that its spin is nobody's business.
+/// @param scene checked
+std::optional<std::string> hard_sphere_refusal(const Scene& scene);
+
+/// The setup of a scene for which hard_sphere_refusal() has nothing to say.
+/// @throws std::invalid_argument if it has
+HardSphereScene hard_sphere_setup(const Scene& scene);
+
+/// Makes the run of a setup: make_hard_spheres() of contact/hard_sphere_make.hpp, or another
+/// that somebody has compiled already.
+using ComposeHardSpheres = std::unique_ptr<HardSphereRun> (*)(const HardSphereSetup&);
+
+/// Hard, smooth balls of a scene. Spins and orientations stay as at first: nothing turns a smooth
+/// ball.
+class HardSphereSceneRun final : public SceneRun {
+ public:
+  /// @param scene for which hard_sphere_refusal() has nothing to say
+  /// @param compose what makes the run
+  /// @param cutoff s; shorter hops are left out; 0: those that time can hardly tell
+  HardSphereSceneRun(const Scene& scene, ComposeHardSpheres compose, double cutoff = 0);
+
+  bool event_driven() const override { return true; }
+  double step() const override { return 0; }
+  std::vector<SceneStage> stages() const override;
+
+  /// @cond
+  using SceneRun::advance;
+  /// @endcond
+  SceneRunEnd advance(double until, std::uint64_t budget, SceneObserver* observer) override;
+
+  double now() const override { return run_->now(); }
+  Vector3<double> position(std::size_t body) const override {
+    return is_ball_here(body) ? run_->position(ball_of_[body]) : scene_.bodies[body].position;
+  }
+  Rotor<double> orientation(std::size_t body) const override {
+    return scene_.bodies[body].orientation;
+  }
+  Vector3<double> velocity(std::size_t body) const override {
+    return is_ball_here(body) ? run_->velocity(ball_of_[body]) : Vector3<double>::Zero();
+  }
+  Vector3<double> spin(std::size_t body) const override { return scene_.bodies[body].spin; }
+  double energy() const override { return detail::energy_of_run(scene_, *this); }
+
+  SceneRunCounts counts() const override;
+  std::size_t bytes() const override { return run_->bytes(); }
+  std::size_t bytes_per_body() const override { return run_->bytes_per_state(); }
+
+  SceneCheckpoint checkpoint() const override;
+  void restore(const SceneCheckpoint& from) override;
+
+  /// Of which effects of hard balls it is composed.
+  const HardSphereEffects& effects() const { return run_->effects(); }
+
+ private:
+  static constexpr std::size_t no_ball = std::numeric_limits<std::size_t>::max();
+
+  /// Tells of balls' hits as of bodies'.
+  class Teller final : public HardSphereObserver {
+   public:
+    Teller(const HardSphereSceneRun& of, SceneObserver* to) : of_(of), to_(to) {}
+    bool on_hit(const HardSphereHit& hit) override {
+      return to_->on_hit({hit.time, of_.balls_.ball_body[hit.ball], of_.body_of(hit.partner),
+                          of_.touching_point(hit), hit.impulse});
+    }
+
+   private:
+    const HardSphereSceneRun& of_;
+    SceneObserver* to_;
+  };
+
+  bool is_ball_here(std::size_t body) const { return ball_of_[body] != no_ball; }
+  std::size_t body_of(std::size_t partner) const {
+    const std::size_t count = balls_.ball_body.size();
+    return partner < count ? balls_.ball_body[partner] : balls_.wall_body[partner - count];
+  }
+  Vector3<double> touching_point(const HardSphereHit& hit) const;
+
+  Scene scene_;
+  HardSphereScene balls_;
+  std::unique_ptr<HardSphereRun> run_;
+  std::vector<std::size_t> ball_of_;  // by body
+};
+
+}  // namespace contact
+
+#ifndef CONTACT_SCENES_COMPILED
+#include "../../src/hard_sphere_scene.cpp"
+#endif

@@ -1,0 +1,428 @@
+/// @file
+/// When a hard ball touches another or a wall: roots of polynomials, without cancellation and
+/// without a case that has no answer.
+///
+/// A contact is a moment at which there is no gap and the gap does not open: what touches and parts
+/// is no contact, what touches and closes is one now.
+/// A grid of cells, each at least as wide as two balls: who touches a ball is in its cell or a
+/// neighbouring one, so what a ball asks does not grow with the number of balls.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace contact {
+
+/// A column of as many coordinates as a motion needs: one on a line, two in a plane, three.
+template <int Dimension>
+using Column = Eigen::Matrix<double, Dimension, 1>;
+
+/// The time of what never happens, s.
+inline constexpr double never = std::numeric_limits<double>::infinity();
+
+/// When something is reached, and how fast it is approached then.
+struct Arrival {
+  double after = never;  ///< s, not negative
+  double speed = 0;      ///< of approach, along the normal, m/s, not negative
+};
+
+namespace detail {
+
+// What follows is written out, and not left to Eigen or to a loop, since it is asked for more often
+
+// than anything else: at -O2 compilers call Eigen's functions for columns of three, and count to
+
+// three.
+
+/// x + v t.
+template <int Dimension>
+[[gnu::always_inline]] inline Column<Dimension> along(const Column<Dimension>& x,
+                                                      const Column<Dimension>& v, double t) {
+  Column<Dimension> to;
+  to(0) = x(0) + v(0) * t;
+  if constexpr (Dimension > 1) to(1) = x(1) + v(1) * t;
+  if constexpr (Dimension > 2) to(2) = x(2) + v(2) * t;
+  return to;
+}
+
+/// x + (v t + a s).
+template <int Dimension>
+[[gnu::always_inline]] inline Column<Dimension> along(const Column<Dimension>& x,
+                                                      const Column<Dimension>& v, double t,
+                                                      const Column<Dimension>& a, double s) {
+  Column<Dimension> to;
+  to(0) = x(0) + (v(0) * t + a(0) * s);
+  if constexpr (Dimension > 1) to(1) = x(1) + (v(1) * t + a(1) * s);
+  if constexpr (Dimension > 2) to(2) = x(2) + (v(2) * t + a(2) * s);
+  return to;
+}
+
+/// The way from x to y.
+template <int Dimension>
+[[gnu::always_inline]] inline Column<Dimension> between(const Column<Dimension>& x,
+                                                        const Column<Dimension>& y) {
+  Column<Dimension> way;
+  way(0) = y(0) - x(0);
+  if constexpr (Dimension > 1) way(1) = y(1) - x(1);
+  if constexpr (Dimension > 2) way(2) = y(2) - x(2);
+  return way;
+}
+
+/// d · w, in the order in which Eigen adds.
+template <int Dimension>
+[[gnu::always_inline]] inline double dot(const Column<Dimension>& d, const Column<Dimension>& w) {
+  if constexpr (Dimension == 1) return d(0) * w(0);
+  if constexpr (Dimension == 2) return d(0) * w(0) + d(1) * w(1);
+  if constexpr (Dimension == 3) return d(0) * w(0) + (d(1) * w(1) + d(2) * w(2));
+}
+
+/// |d × w|², in as many dimensions as there are: R² w² − |d × w|² is the discriminant of a meeting,
+/// and no difference of two large squares of distances.
+template <int Dimension>
+[[gnu::always_inline]] inline double cross_squared(const Column<Dimension>& d,
+                                                   const Column<Dimension>& w) {
+  if constexpr (Dimension == 1) return 0;
+  const double first = d(0) * w(1) - d(1) * w(0);
+  if constexpr (Dimension == 2) return first * first;
+  const double second = d(0) * w(2) - d(2) * w(0);
+  const double third = d(1) * w(2) - d(2) * w(1);
+  return first * first + second * second + third * third;
+}
+
+}  // namespace detail
+
+// [meeting]
+/// What decides whether two balls that move evenly as seen from each other touch, and when: a root
+/// is taken only where they do. Under a common gravity they move so: it bends both paths alike.
+struct Encounter {
+  double approach = 0;  ///< d · w: below 0 while they come closer, m²/s
+  double gap = 0;       ///< d² − R², m²
+  double depth = 0;     ///< R² w² − |d × w|²: below 0 if they pass each other by, m⁴/s²
+
+  /// Whether they touch, now or later. One question, mostly answered no, and not three that a
+  /// processor cannot foresee.
+  bool meets() const { return (approach < 0) & ((depth >= 0) | (gap <= 0)); }
+  /// How long until they do, if they do: the first t ≥ 0 with |d + w t| = R, s.
+  double after() const { return gap <= 0 ? 0 : gap / (std::sqrt(depth) - approach); }
+};
+
+/// @param d from one centre to the other, m
+/// @param w relative velocity, the rate of d, m/s
+/// @param reach R, the sum of the radii, m
+template <int Dimension>
+[[gnu::always_inline]] inline Encounter encounter(const Column<Dimension>& d,
+                                                  const Column<Dimension>& w, double reach) {
+  return {detail::dot<Dimension>(d, w), detail::dot<Dimension>(d, d) - reach * reach,
+          reach * reach * detail::dot<Dimension>(w, w) - detail::cross_squared<Dimension>(d, w)};
+}
+
+/// How long until two balls touch.
+/// @return s; 0 if they touch or overlap and approach; `never` if they part, or pass each other by.
+/// Off by a few u of itself, times R² w² / (R² w² − |d × w|²) at most: close to grazing, rounding
+/// decides whether they touch, and then the push is small too
+/// @note Fourth powers of lengths and of √(length × speed) must neither overflow nor underflow:
+/// sizes from 1e-70 to 1e70.
+template <int Dimension>
+double meeting(const Column<Dimension>& d, const Column<Dimension>& w, double reach) {
+  const Encounter met = encounter<Dimension>(d, w, reach);
+  return met.meets() ? met.after() : never;
+}
+// [/meeting]
+
+/// When something with a gap to a plane arrives there, and how fast.
+///
+/// The speed is a root of the energy, √(v² + 2 p · gap), and never a velocity that was advanced in
+/// time: so a ball that leaves a floor comes back exactly as fast, as often as it likes.
+/// @param gap to the plane, m; below 0 is inside
+/// @param velocity of the gap, m/s
+/// @param acceleration of the gap, m/s²; below 0 pulls towards the plane
+/// @return `never` if the plane is not reached. If it is touched or passed already: now if the gap
+/// closes, else when it next begins to close while the plane is touched
+Arrival arrival_at_plane(double gap, double velocity, double acceleration);
+
+namespace detail {
+
+/// A polynomial of the fourth degree, the constant first.
+using Quartic = std::array<double, 5>;
+
+inline double value_at(const Quartic& p, double t) {
+  return (((p[4] * t + p[3]) * t + p[2]) * t + p[1]) * t + p[0];
+}
+
+/// The last number of [low, high] on whose near side a monotone polynomial has the sign that it has
+/// at low: halved until no number lies between.
+double sign_change(const Quartic& p, double low, double high);
+
+/// Ends of the pieces of [0, end] on which a polynomial is monotone: 0, its turns in order, end.
+struct Pieces {
+  std::array<double, 6> ends{};  ///< s
+  std::size_t count = 0;         ///< how many of them
+};
+
+/// Between the turns of the derivative there is at most one root of it, so a polynomial's pieces
+/// follow from those of its derivative; a constant has one piece.
+Pieces monotone_pieces(const Quartic& p, double end, int degree);
+
+}  // namespace detail
+
+// [bent]
+/// How long until two balls touch of which gravity bends one path only, as when the other lies on a
+/// floor or never moves: the first t ≥ 0 at which f(t) = |d + w t + a t²/2|² − R² is not positive
+/// and falls.
+///
+/// f is cut where it turns; on a falling piece its zero is found by halving, down to the last bit.
+/// @param d from one centre to the other, m
+/// @param w rate of d, m/s
+/// @param a rate of w, m/s², not 0
+/// @param reach R, the sum of the radii, m
+/// @param parting whether the two have just pushed each other apart, so that they do not approach
+/// now, whatever rounding says
+/// @return s, or `never`
+template <int Dimension>
+double bent_meeting(const Column<Dimension>& d, const Column<Dimension>& w,
+                    const Column<Dimension>& a, double reach, bool parting) {
+  const double pull = a.norm();
+  const double speed = w.norm();
+  // From here on the bent path alone keeps them apart.
+  const double end = 2 * (speed + std::sqrt(speed * speed + 2 * pull * (d.norm() + reach))) / pull;
+  detail::Quartic f{d.dot(d) - reach * reach, 2 * d.dot(w), w.dot(w) + d.dot(a), w.dot(a),
+                    a.dot(a) / 4};
+  if (parting) f[1] = std::max(f[1], 0.0);
+  const detail::Pieces pieces = detail::monotone_pieces(f, end, 4);
+  for (std::size_t i = 0; i + 1 < pieces.count; ++i) {
+    const double low = pieces.ends[i];
+    const double high = pieces.ends[i + 1];
+    const double at_low = detail::value_at(f, low);
+    const double at_high = detail::value_at(f, high);
+    if (!(at_high < at_low) || at_high > 0) continue;
+    return at_low <= 0 ? low : detail::sign_change(f, low, high);
+  }
+  return never;
+}
+// [/bent]
+
+/// When a ball leaves its cell, and through which face.
+struct Crossing {
+  double time = never;      ///< s
+  std::int8_t axis = 0;     ///< along which it leaves
+  std::int8_t towards = 0;  ///< +1 or −1
+};
+
+/// Balls in cells. The outermost cells reach to infinity, so a ball that leaves the grid is still
+/// in one; there it is only more work.
+///
+/// A cell is a little wider than two balls (by a part in 2^16), so that a crossing whose time is
+/// rounded is still long before a contact beyond it.
+template <int Dimension>
+class HardSphereCells {
+ public:
+  using Point = Column<Dimension>;  ///< m
+
+  HardSphereCells() = default;
+
+  /// @param low, high corners of where balls are expected, m
+  /// @param widest diameter of the largest ball, m, greater than 0
+  /// @param balls how many
+  HardSphereCells(const Point& low, const Point& high, double widest, std::size_t balls)
+      : origin_(low), next_(balls, none), previous_(balls, none), cell_(balls), list_(balls + 1) {
+    width_ = widest * (1 + 0x1p-16);
+    // Not many more cells than balls: memory is for what is there.
+    while (!fits(high, 4 * balls + 64)) width_ *= 1.125;
+    head_.assign(count_[0] * count_[1] * count_[2], none);
+  }
+
+  /// Puts a ball into the cell in which it is.
+  void insert(std::size_t ball, const Point& position) {
+    for (int k = 0; k < Dimension; ++k) {
+      const double cell = std::floor((position(k) - origin_(k)) / width_);
+      const auto last = static_cast<double>(count_[at(k)] - 1);
+      cell_[ball][at(k)] = static_cast<std::int32_t>(std::clamp(cell, 0.0, last));
+    }
+    enter(ball);
+  }
+
+  // [crossing]
+  /// When a ball next leaves its cell.
+  /// @param ball which; its cell may be one that it reached later than `time`
+  /// @param position, velocity, acceleration its flight since `time`, m, m/s, m/s²
+  /// @param now s, not before `time`
+  Crossing next_crossing(std::size_t ball, const Point& position, const Point& velocity,
+                         const Point& acceleration, double time, double now) const {
+    Crossing first;
+    for (int k = 0; k < Dimension; ++k) {
+      const auto offer = [&](double after, int towards) {
+        const double when = std::max(now, time + after);
+        if (when < first.time)
+          first = {when, static_cast<std::int8_t>(k), static_cast<std::int8_t>(towards)};
+      };
+      const std::int32_t cell = cell_[ball][at(k)];
+      const double below = position(k) - (origin_(k) + cell * width_);
+      const double above = (origin_(k) + (cell + 1) * width_) - position(k);
+      const bool has_lower = cell > 0;
+      const bool has_upper = at(cell) + 1 < count_[at(k)];
+      const double v = velocity(k);
+      const double a = acceleration(k);
+      if (a == 0) {
+        if (v > 0 && has_upper) offer(above / v, 1);
+        if (v < 0 && has_lower) offer(below / -v, -1);
+      } else if (a < 0) {
+        across(above, below, v, -a, now - time, has_upper, has_lower,
+               [&](double after, int towards) { offer(after, towards); });
+      } else {
+        across(below, above, -v, a, now - time, has_lower, has_upper,
+               [&](double after, int towards) { offer(after, -towards); });
+      }
+    }
+    return first;
+  }
+  // [/crossing]
+
+  /// Moves a ball into the next cell.
+  void cross(std::size_t ball, const Crossing& crossing) {
+    leave(ball);
+    cell_[ball][at(crossing.axis)] += crossing.towards;
+    enter(ball);
+  }
+
+  /// Every ball in the cells round a ball's, itself included. Overwritten by the next call.
+  /// @param f called for each
+  template <class F>
+  std::span<const std::int32_t> near(std::size_t ball, const F& f) {
+    return listed(cell_[ball], -1, 0, f);
+  }
+
+  /// Every ball in the cells that became neighbours with a crossing, in the same way.
+  template <class F>
+  std::span<const std::int32_t> newly_near(std::size_t ball, const Crossing& crossing, const F& f) {
+    return listed(cell_[ball], crossing.axis, crossing.towards, f);
+  }
+
+  /// Bytes that it holds.
+  std::size_t bytes() const {
+    const std::size_t numbers =
+        head_.capacity() + next_.capacity() + previous_.capacity() + list_.capacity();
+    return numbers * sizeof(std::int32_t) + cell_.capacity() * sizeof(cell_[0]);
+  }
+
+ private:
+  static constexpr std::int32_t none = -1;
+
+  static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
+
+  bool fits(const Point& high, std::size_t most) {
+    double all = 1;
+    for (int k = 0; k < Dimension; ++k) {
+      const double cells = std::max(1.0, std::ceil((high(k) - origin_(k)) / width_));
+      all *= cells;
+      if (!(all <= static_cast<double>(most))) return false;
+      count_[at(k)] = static_cast<std::size_t>(cells);
+    }
+    return true;
+  }
+
+  /// Offers the times at which a flight leaves a cell along an axis on which it is pulled back by
+  /// `pull`: through the face ahead while it rises, else through the one behind. Both faces are
+  /// given by their distance at the flight's begin.
+  template <class Offer>
+  static void across(double ahead, double behind, double v, double pull, double flown,
+                     bool has_ahead, bool has_behind, const Offer& offer) {
+    // Rounding is monotone: a flight that fell through a face has `flown` at least as long as its
+    // rise, so it is never asked for a face ahead again.
+    if (has_ahead && v > 0 && flown < v / pull) {
+      const double rest = v * v - 2 * pull * ahead;
+      if (rest >= 0) {
+        offer(2 * ahead / (v + std::sqrt(rest)), 1);
+        return;
+      }
+    }
+    if (!has_behind) return;
+    const double speed = std::sqrt(std::max(0.0, v * v + 2 * pull * behind));
+    offer(v < 0 ? 2 * behind / (speed - v) : (speed + v) / pull, -1);
+  }
+
+  std::size_t index(const std::array<std::int32_t, 3>& cell) const {
+    return (static_cast<std::size_t>(cell[2]) * count_[1] + static_cast<std::size_t>(cell[1])) *
+               count_[0] +
+           static_cast<std::size_t>(cell[0]);
+  }
+
+  std::int32_t& head_of(std::size_t ball) {
+    std::array<std::int32_t, 3> cell{};
+    for (int k = 0; k < Dimension; ++k) cell[at(k)] = cell_[ball][at(k)];
+    return head_[index(cell)];
+  }
+
+  void enter(std::size_t ball) {
+    std::int32_t& head = head_of(ball);
+    previous_[ball] = none;
+    next_[ball] = head;
+    if (head != none) previous_[static_cast<std::size_t>(head)] = static_cast<std::int32_t>(ball);
+    head = static_cast<std::int32_t>(ball);
+  }
+
+  void leave(std::size_t ball) {
+    const std::int32_t next = next_[ball];
+    const std::int32_t previous = previous_[ball];
+    (previous == none ? head_of(ball) : next_[static_cast<std::size_t>(previous)]) = next;
+    if (next != none) previous_[static_cast<std::size_t>(next)] = previous;
+  }
+
+  /// Who is in all neighbouring cells, or of an axis only in those on one side.
+  ///
+  /// A cell has no ball, or one, or two: a loop over each would end when no processor expects it.
+  /// So each cell's first ball is written down, and then whoever comes after one that is written,
+  /// and what is nobody is overwritten.
+  template <class F>
+  std::span<const std::int32_t> listed(const std::array<std::int32_t, Dimension>& cell, int axis,
+                                       int towards, const F& f) {
+    std::array<std::int32_t, 3> low{};
+    std::array<std::int32_t, 3> high{};
+    for (int k = 0; k < Dimension; ++k) {
+      const auto last = static_cast<std::int32_t>(count_[at(k)]) - 1;
+      low[at(k)] = std::max(cell[at(k)] + (k == axis ? towards : -1), 0);
+      high[at(k)] = std::min(cell[at(k)] + (k == axis ? towards : 1), last);
+    }
+    std::int32_t* const begin = list_.data();
+    std::int32_t* end = begin;
+    const auto write = [&end](std::int32_t ball) {
+      *end = ball;
+      end += ball != none;
+    };
+    std::array<std::int32_t, 3> c{};
+    for (c[2] = low[2]; c[2] <= high[2]; ++c[2]) {
+      for (c[1] = low[1]; c[1] <= high[1]; ++c[1]) {
+        c[0] = low[0];
+        const std::int32_t* head = head_.data() + index(c);
+        for (; c[0] <= high[0]; ++c[0], ++head) write(*head);
+      }
+    }
+    for (const std::int32_t* ball = begin; ball != end; ++ball) {
+      f(static_cast<std::size_t>(*ball));
+      write(next_[static_cast<std::size_t>(*ball)]);
+    }
+    return {begin, end};
+  }
+
+  Point origin_ = Point::Zero();
+  double width_ = 1;
+  std::array<std::size_t, 3> count_{1, 1, 1};
+  std::vector<std::int32_t> head_;
+  // Each cell's balls are a list: its first ball, and after each ball the next.
+  std::vector<std::int32_t> next_;
+  std::vector<std::int32_t> previous_;
+  std::vector<std::array<std::int32_t, Dimension>> cell_;
+  std::vector<std::int32_t> list_;  // who is near the one who was asked for last, and one more
+};
+
+}  // namespace contact
+
+#ifndef CONTACT_SCENES_COMPILED
+#include "../../src/hard_sphere_times.cpp"
+#endif

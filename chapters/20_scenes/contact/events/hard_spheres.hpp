@@ -1,0 +1,699 @@
+/// @file
+/// Hard, smooth balls from event to event: no step, no penetration, no energy gained.
+///
+/// Between two hits a ball's path is known, so nothing is computed there. Each ball keeps the time
+/// of its own last hit and its state then; an event touches only those that take part. What an
+/// effect needs that a scene does not call for is neither stored nor computed: see
+/// HardSphereEffects.
+///
+/// What happens, and when, depends on the balls' states alone, and never on the grid or on when
+/// something was asked. So grid and all pairs, a run in one go and one that is resumed, give the
+/// same bits.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <contact/events/earliest_queue.hpp>
+#include <contact/events/hard_sphere_run.hpp>
+#include <contact/events/hard_sphere_times.hpp>
+#include <contact/invalid_argument.hpp>
+
+namespace contact {
+
+namespace detail {
+
+/// In place of what no effect needs. Numbered, since two empty members of one type have two
+/// addresses.
+template <int Number>
+struct NotKept {};
+
+template <bool Needed, class T, int Number>
+using KeptIf = std::conditional_t<Needed, T, NotKept<Number>>;
+
+}  // namespace detail
+
+// [state]
+/// A ball as it was at its last hit, with only the members that some effect needs.
+template <HardSphereEffects E>
+struct HardSphereState {
+  Column<E.dimension> position = Column<E.dimension>::Zero();  ///< m
+  Column<E.dimension> velocity = Column<E.dimension>::Zero();  ///< m/s
+  double time = 0;                                             ///< of its last hit, s
+  std::int32_t last = -1;                                      ///< whom it hit last, or −1
+  /// The wall on which it lies, or −1.
+  [[no_unique_address]] detail::KeptIf<E.gravity, std::int32_t, 0> lies_on;
+  /// How many of its last hits followed each other sooner than the cutoff.
+  [[no_unique_address]] detail::KeptIf<E.restitution, std::int32_t, 1> short_flights;
+  [[no_unique_address]] detail::KeptIf<E.restitution, std::uint32_t, 2> material;  ///< row
+  [[no_unique_address]] detail::KeptIf<E.sizes, double, 3> radius;                 ///< m
+  [[no_unique_address]] detail::KeptIf<E.sizes, double, 4> mass;                   ///< kg
+};
+// [/state]
+
+/// Balls, simulated with the effects E and no others. Make one with the least effects that a setup
+/// calls for by make_hard_spheres().
+template <HardSphereEffects E>
+class HardSpheres final : public HardSphereRun {
+ public:
+  static constexpr int dimension = E.dimension;  ///< of the motion
+  using Point = Column<dimension>;               ///< m
+
+  /// @param setup checked by require_hard_sphere_setup()
+  /// @param axes which of the world's axes are kept; `dimension` of them count
+  /// @throws std::invalid_argument if the setup is none, or calls for an effect that E has not
+  explicit HardSpheres(const HardSphereSetup& setup,
+                       const std::array<int, 3>& axes = std::array<int, 3>{0, 1, 2})
+      : HardSphereRun(E, axes), moving_(moving_balls(setup)), queue_(moving_) {
+    require_hard_sphere_setup(setup);
+    require_effects(setup);
+    gravity_ = kept(setup.gravity);
+    cutoff_ = setup.cutoff;
+    if constexpr (E.restitution) {
+      restitution_ = setup.restitution;
+      while (materials_ * materials_ < restitution_.size()) ++materials_;
+    }
+    radius_ = setup.balls.front().radius;
+    mass_ = setup.balls.front().mass;
+    aside_ = setup.balls.front().position;
+    balls_.reserve(setup.balls.size());
+    hits_.assign(setup.balls.size(), 0);
+    for (const HardBall& ball : setup.balls) add(ball);
+    for (const HardWall& wall : setup.walls) {
+      const Point normal = kept(wall.normal);
+      const double pull = normal.dot(gravity_);
+      walls_.push_back({normal, gravity_ - normal * pull, wall.offset, wall.material});
+    }
+    predict_all();
+  }
+
+  /// Goes back, or on, to the states that checkpoint() gave.
+  void restore(const HardSphereCheckpoint& from) override {
+    if (from.balls.size() != balls_.size()) {
+      throw_invalid_argument("checkpoint", std::to_string(from.balls.size()) + " balls",
+                             "this run has " + std::to_string(balls_.size()));
+    }
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+      const HardSphereCheckpoint::Ball& was = from.balls[i];
+      State& ball = balls_[i];
+      ball.position = kept(was.position);
+      ball.velocity = kept(was.velocity);
+      ball.time = was.time;
+      ball.last = was.last;
+      if constexpr (E.gravity) ball.lies_on = was.lies_on;
+      if constexpr (E.restitution) ball.short_flights = was.short_flights;
+    }
+    now_ = from.now;
+    at_once_ = from.at_once;
+    counts_ = from.counts;
+    predict_all();
+  }
+
+  /// @name See HardSphereRun
+  /// @{
+  HardSphereCheckpoint checkpoint() const override {
+    HardSphereCheckpoint to;
+    to.now = now_;
+    to.at_once = at_once_;
+    to.counts = counts_;
+    for (const State& ball : balls_) {
+      HardSphereCheckpoint::Ball is;
+      is.position = spread(ball.position);
+      is.velocity = spread(ball.velocity);
+      is.time = ball.time;
+      is.last = ball.last;
+      if constexpr (E.gravity) is.lies_on = ball.lies_on;
+      if constexpr (E.restitution) is.short_flights = ball.short_flights;
+      to.balls.push_back(is);
+    }
+    return to;
+  }
+
+  // [run]
+  HardSphereEnd advance(double until, std::uint64_t budget, HardSphereObserver* observer) override {
+    for (;;) {
+      const std::size_t i = queue_.first();
+      const double time = plan_time(i);
+      if (!(time <= until)) {
+        now_ = std::max(now_, until);
+        return HardSphereEnd::reached;
+      }
+      if (crosses_first(i)) {
+        cross(i, time);
+        continue;
+      }
+      const std::int32_t partner = plans_[i].partner;
+      const bool is_ball = partner < static_cast<std::int32_t>(balls_.size());
+      const auto other = static_cast<std::size_t>(partner);
+      if (is_ball && hits_[other] != plans_[i].partner_hits) {
+        ++counts_.stale;
+        predict(i);
+        queue_.update(i, comes_first());
+        continue;
+      }
+      if (budget-- == 0) return HardSphereEnd::out_of_events;
+      const bool new_time = time > now_;
+      at_once_ = new_time ? 0 : at_once_ + 1;
+      now_ = std::max(now_, time);
+      // Of two balls the one with the lower number is the first, whoever had planned the hit.
+      const std::size_t first = is_ball ? std::min(i, other) : i;
+      const std::size_t second = is_ball ? std::max(i, other) : other;
+      const Point change =
+          is_ball ? hit_ball(first, second, time) : hit_wall(first, second - balls_.size(), time);
+      after_hit(first);
+      if (is_ball && second < moving_) after_hit(second);
+      ++counts_.hits;
+      const bool second_too = is_ball && second < moving_ && endless(second);
+      if (endless(first) || second_too) {
+        counts_.endless_ball = endless(first) ? first : second;
+        counts_.endless_partner = static_cast<std::int32_t>(endless(first) ? second : first);
+        return HardSphereEnd::endless_hits;
+      }
+      if (observer == nullptr) continue;
+      if (!observer->on_hit({time, first, second, spread(change * mass(balls_[first]))}))
+        return HardSphereEnd::stopped;
+    }
+  }
+  // [/run]
+  /// @cond
+  using HardSphereRun::advance;
+  /// @endcond
+
+  double now() const override { return now_; }
+  std::size_t moving() const override { return moving_; }
+
+  Vector3<double> position(std::size_t ball) const override {
+    const State& b = balls_[ball];
+    Vector3<double> x = aside_;
+    const Point here = position_at(b, now_ - b.time, acceleration(ball));
+    for (int k = 0; k < dimension; ++k) x(axes()[index(k)]) = here(k) + 0.0;  // no −0
+    return x;
+  }
+  Vector3<double> velocity(std::size_t ball) const override {
+    const State& b = balls_[ball];
+    return spread(velocity_at(b, now_ - b.time, acceleration(ball)));
+  }
+
+  std::int32_t lies_on(std::size_t ball) const override {
+    if constexpr (E.gravity) return balls_[ball].lies_on;
+    (void)ball;
+    return -1;
+  }
+
+  double energy() const override {
+    double sum = 0;
+    for (std::size_t i = 0; i < moving_; ++i) {
+      const State& ball = balls_[i];
+      const double after = now_ - ball.time;
+      const Point x = position_at(ball, after, acceleration(i));
+      const Point v = velocity_at(ball, after, acceleration(i));
+      sum += mass(ball) * (v.dot(v) / 2 - gravity_.dot(x));
+    }
+    return sum;
+  }
+
+  HardSphereCounts counts() const override { return counts_; }
+
+  std::size_t bytes() const override {
+    std::size_t all = balls_.capacity() * sizeof(State) + plans_.capacity() * sizeof(Plan) +
+                      walls_.capacity() * sizeof(Wall) + queue_.bytes();
+    all += hits_.capacity() * sizeof(std::uint32_t) + restitution_.capacity() * sizeof(double);
+    all += candidates_.capacity() * sizeof(Candidate);
+    if constexpr (E.grid) all += cells_.bytes();
+    if constexpr (!E.grid) all += everybody_.capacity() * sizeof(std::int32_t);
+    return all;
+  }
+  std::size_t bytes_per_state() const override { return sizeof(State); }
+  /// @}
+
+ private:
+  using State = HardSphereState<E>;
+
+  /// What a ball will do next, as far as is known. If whom it meets was hit since, it is void.
+  struct HitPlan {
+    double hit_time = never;         // s
+    std::int32_t partner = -1;       // whom it hits
+    std::uint32_t partner_hits = 0;  // how often that one had been hit when this was predicted
+  };
+  struct CellPlan : HitPlan {
+    Crossing crossing;
+  };
+  using Plan = std::conditional_t<E.grid, CellPlan, HitPlan>;
+
+  /// Somebody whom a ball may hit, as seen from `since` on.
+  struct Candidate {
+    Encounter met;
+    double since = 0;        // s
+    std::int32_t other = 0;  // who
+  };
+
+  struct Wall {
+    Point normal;
+    Point slide;  // what is left of gravity for a ball that lies on it, m/s²
+    double offset;
+    std::size_t material;
+  };
+
+  static constexpr std::size_t index(int k) { return static_cast<std::size_t>(k); }
+
+  Point kept(const Vector3<double>& v) const {
+    Point p;
+    for (int k = 0; k < dimension; ++k) p(k) = v(axes()[index(k)]);
+    return p;
+  }
+  Vector3<double> spread(const Point& p) const {
+    Vector3<double> v = Vector3<double>::Zero();
+    for (int k = 0; k < dimension; ++k) v(axes()[index(k)]) = p(k) + 0.0;
+    return v;
+  }
+
+  void add(const HardBall& from) {
+    State ball;
+    ball.position = kept(from.position);
+    ball.velocity = kept(from.velocity);
+    if constexpr (E.gravity) ball.lies_on = -1;
+    if constexpr (E.restitution) {
+      ball.short_flights = 0;
+      ball.material = static_cast<std::uint32_t>(from.material);
+    }
+    if constexpr (E.sizes) {
+      ball.radius = from.radius;
+      ball.mass = from.mass;
+    }
+    balls_.push_back(ball);
+  }
+
+  // What an effect that is on keeps for each ball, and one that is off keeps once.
+  double radius(const State& ball) const {
+    if constexpr (E.sizes) return ball.radius;
+    return radius_;
+  }
+  double mass(const State& ball) const {
+    if constexpr (E.sizes) return ball.mass;
+    return mass_;
+  }
+  double restitution(const State& ball, std::size_t material) const {
+    if constexpr (E.restitution) return restitution_[ball.material * materials_ + material];
+    return 1;
+  }
+  std::size_t material(const State& ball) const {
+    if constexpr (E.restitution) return ball.material;
+    return 0;
+  }
+  Point acceleration(std::size_t i) const {
+    if constexpr (E.gravity) {
+      if (i >= moving_) return Point::Zero();
+      const std::int32_t wall = balls_[i].lies_on;
+      return wall < 0 ? gravity_ : walls_[static_cast<std::size_t>(wall)].slide;
+    } else {
+      return Point::Zero();
+    }
+  }
+
+  // [flight]
+  [[gnu::always_inline]] static Point position_at(const State& ball, double after,
+                                                  const Point& acceleration) {
+    if constexpr (E.gravity)
+      return detail::along<dimension>(ball.position, ball.velocity, after, acceleration,
+                                      after * after / 2);
+    else
+      return detail::along<dimension>(ball.position, ball.velocity, after);
+  }
+  [[gnu::always_inline]] static Point velocity_at(const State& ball, double after,
+                                                  const Point& acceleration) {
+    if constexpr (E.gravity)
+      return detail::along<dimension>(ball.velocity, acceleration, after);
+    else
+      return ball.velocity;
+  }
+  /// A ball's state at a later time.
+  static void fly(State& ball, double to, const Point& acceleration) {
+    const double after = to - ball.time;
+    ball.position = position_at(ball, after, acceleration);
+    ball.velocity = velocity_at(ball, after, acceleration);
+    ball.time = to;
+  }
+  // [/flight]
+
+  // [predict]
+  /// Whether and when two balls meet: a function of their two states alone, the same for (i, k) and
+  /// (k, i). The one that was hit earlier is brought to the time of the other. Asked more often
+  /// than anything else, so it is inlined.
+  /// @param pull acceleration of both
+  [[gnu::always_inline]] Candidate candidate(const State& a, const State& b, std::size_t k,
+                                             const Point& pull) const {
+    const double after = a.time - b.time;
+    Point d;
+    Point w;
+    if (after >= 0) {
+      w = detail::between<dimension>(a.velocity, velocity_at(b, after, pull));
+      d = detail::between<dimension>(a.position, position_at(b, after, pull));
+    } else {
+      w = detail::between<dimension>(velocity_at(a, -after, pull), b.velocity);
+      d = detail::between<dimension>(position_at(a, -after, pull), b.position);
+    }
+    return {encounter<dimension>(d, w, radius(a) + radius(b)), after >= 0 ? a.time : b.time,
+            static_cast<std::int32_t>(k)};
+  }
+
+  /// When two balls meet of which gravity bends one path only.
+  double bent_meeting_time(std::size_t i, std::size_t k, bool just_hit) const {
+    const bool first_is_later = balls_[i].time >= balls_[k].time;
+    const State& late = balls_[first_is_later ? i : k];
+    const State& early = balls_[first_is_later ? k : i];
+    const Point of_late = acceleration(first_is_later ? i : k);
+    const Point of_early = acceleration(first_is_later ? k : i);
+    const double after = late.time - early.time;
+    const Point d = late.position - position_at(early, after, of_early);
+    const Point w = late.velocity - velocity_at(early, after, of_early);
+    return late.time + bent_meeting<dimension>(d, w, of_late - of_early,
+                                               radius(late) + radius(early), just_hit);
+  }
+
+  /// @param a one that moves
+  /// @param pull its acceleration
+  bool bend_differently(const State& a, const State& b, std::size_t k, const Point& pull) const {
+    if (k < moving_ && a.lies_on == b.lies_on) return false;
+    return pull != acceleration(k);
+  }
+
+  /// @param pull acceleration of the ball
+  [[gnu::always_inline]] Arrival wall_arrival(const State& ball, std::size_t w,
+                                              const Point& pull) const {
+    if constexpr (E.gravity)
+      if (ball.lies_on == static_cast<std::int32_t>(w)) return {};
+    const Wall& wall = walls_[w];
+    double gap = detail::dot<dimension>(wall.normal, ball.position) - wall.offset - radius(ball);
+    double velocity = detail::dot<dimension>(wall.normal, ball.velocity);
+    if (ball.last == wall_id(w)) {  // it has just been there: rounding must not send it back
+      gap = 0;
+      velocity = std::max(velocity, 0.0);
+    }
+    return arrival_at_plane(gap, velocity, detail::dot<dimension>(wall.normal, pull));
+  }
+
+  /// Keeps the earlier of what a ball has planned and a hit at `time`; of two at once, the one with
+  /// the lower numbers.
+  void offer(std::size_t i, double time, std::int32_t partner) {
+    HitPlan& plan = plans_[i];
+    if (time > plan.hit_time || time == never) return;
+    const auto self = static_cast<std::int32_t>(i);
+    if (time == plan.hit_time && std::minmax(self, plan.partner) <= std::minmax(self, partner))
+      return;
+    const bool is_ball = partner < static_cast<std::int32_t>(balls_.size());
+    plan.hit_time = time;
+    plan.partner = partner;
+    plan.partner_hits = is_ball ? hits_[static_cast<std::size_t>(partner)] : 0;
+  }
+
+  /// Whom of some balls a ball hits first. It is written down first who is hit at all, without a
+  /// branch that no processor can foresee, and then when.
+  void offer_hits(std::size_t i, std::span<const std::int32_t> others) {
+    const State ball = balls_[i];
+    const Point pull = acceleration(i);
+    const auto self = static_cast<std::int32_t>(i);
+    if (candidates_.size() <= others.size()) candidates_.resize(others.size() + 1);
+    Candidate* end = candidates_.data();
+    for (const std::int32_t other : others) {
+      const auto k = static_cast<std::size_t>(other);
+      const State& met = balls_[k];
+      const bool just_hit = (ball.last == other) & (met.last == self);
+      if constexpr (E.gravity) {
+        if (bend_differently(ball, met, k, pull)) {
+          offer(i, bent_meeting_time(i, k, just_hit), other);
+          continue;
+        }
+      }
+      // Their paths bend alike, so seen from each other they fly straight: after a hit they have
+      // parted for good. From itself a ball does not move.
+      *end = candidate(ball, met, k, pull);
+      end += end->met.meets() & !just_hit;
+    }
+    for (const Candidate* c = candidates_.data(); c != end; ++c) {
+      const double time = c->since + c->met.after();
+      if (time <= plans_[i].hit_time) offer(i, time, c->other);
+    }
+  }
+
+  /// All that a ball may hit, and when it leaves its cell.
+  void predict(std::size_t i) {
+    const State& ball = balls_[i];
+    const Point pull = acceleration(i);
+    plans_[i].hit_time = never;
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+      const double time = ball.time + wall_arrival(ball, w, pull).after;
+      if (time <= plans_[i].hit_time) offer(i, time, wall_id(w));
+    }
+    if constexpr (E.grid) {
+      // First who, then when: so that the memory of one is on its way while another is computed.
+      offer_hits(i, cells_.near(i, fetch()));
+    } else {
+      offer_hits(i, everybody_);
+    }
+  }
+  auto fetch() const {
+    return [this](std::size_t ball) { __builtin_prefetch(&balls_[ball]); };
+  }
+  void predict_crossing(std::size_t i) {
+    if constexpr (E.grid) {
+      const State& ball = balls_[i];
+      plans_[i].crossing =
+          cells_.next_crossing(i, ball.position, ball.velocity, acceleration(i), ball.time, now_);
+    }
+  }
+  // [/predict]
+
+  void predict_all() {
+    plans_.assign(moving_, Plan());
+    if constexpr (!E.grid) {
+      everybody_.resize(balls_.size());
+      std::iota(everybody_.begin(), everybody_.end(), 0);
+    } else {
+      make_cells();
+      for (std::size_t i = 0; i < balls_.size(); ++i)
+        cells_.insert(i, position_at(balls_[i], now_ - balls_[i].time, acceleration(i)));
+    }
+    for (std::size_t i = 0; i < moving_; ++i) {
+      predict(i);
+      predict_crossing(i);
+    }
+    queue_.play_all(comes_first());
+  }
+
+  /// The grid over the walls' box, or where there is none over what the balls' energy lets them
+  /// reach at once.
+  void make_cells() {
+    constexpr double wide = std::numeric_limits<double>::max();
+    Point low = Point::Constant(wide);
+    Point high = Point::Constant(-wide);
+    double widest = 0;
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+      const State& ball = balls_[i];
+      widest = std::max(widest, 2 * radius(ball));
+      for (int k = 0; k < dimension; ++k) {
+        const double x = ball.position(k);
+        const double v = ball.velocity(k);
+        const double g = gravity_(k);
+        const double rise = g == 0 ? 0 : v * v / (2 * g);  // the way to its top, against gravity
+        low(k) = std::min({low(k), x, x - rise});
+        high(k) = std::max({high(k), x, x - rise});
+      }
+    }
+    for (const Wall& wall : walls_) {
+      for (int k = 0; k < dimension; ++k) {
+        if (wall.normal(k) == 1) low(k) = std::min(high(k), wall.offset);
+        if (wall.normal(k) == -1) high(k) = std::max(low(k), -wall.offset);
+      }
+    }
+    cells_ = HardSphereCells<dimension>(low, high, widest, balls_.size());
+  }
+
+  /// The order of events: by time, then by who takes part.
+  auto comes_first() const {
+    return [this](std::size_t i, std::size_t k) {
+      const double time_i = plan_time(i);
+      const double time_k = plan_time(k);
+      if (time_i != time_k) return time_i < time_k;
+      const auto who_i = participants(i);
+      const auto who_k = participants(k);
+      return who_i != who_k ? who_i < who_k : i < k;
+    };
+  }
+  double plan_time(std::size_t i) const {
+    if constexpr (E.grid) return std::min(plans_[i].hit_time, plans_[i].crossing.time);
+    return plans_[i].hit_time;
+  }
+  bool crosses_first(std::size_t i) const {
+    if constexpr (E.grid) return plans_[i].crossing.time <= plans_[i].hit_time;
+    return i >= moving_;
+  }
+  std::pair<std::int32_t, std::int32_t> participants(std::size_t i) const {
+    const auto self = static_cast<std::int32_t>(i);
+    if (crosses_first(i)) return {-1, self};
+    return std::minmax(self, std::int32_t{plans_[i].partner});
+  }
+  std::int32_t wall_id(std::size_t w) const { return static_cast<std::int32_t>(balls_.size() + w); }
+
+  void cross(std::size_t i, double time) {
+    if constexpr (E.grid) {
+      now_ = std::max(now_, time);
+      ++counts_.crossings;
+      const Crossing crossing = plans_[i].crossing;
+      cells_.cross(i, crossing);
+      offer_hits(i, cells_.newly_near(i, crossing, fetch()));
+      predict_crossing(i);
+      queue_.update(i, comes_first());
+    }
+  }
+
+  // [hits]
+  /// Two balls hit: along the line of their centres the velocity at which they close turns round,
+  /// and becomes e times as large. The push is along the stored line, so that momentum and, for
+  /// e = 1, energy change by rounding only, wherever they are.
+  /// @return the change of the first one's velocity
+  Point hit_ball(std::size_t i, std::size_t k, double time) {
+    State& a = balls_[i];
+    State& b = balls_[k];
+    note_flight(i, time);
+    fly(a, time, acceleration(i));
+    if (k < moving_) {
+      note_flight(k, time);
+      fly(b, time, acceleration(k));
+    } else {
+      b.time = time;
+    }
+    const Point d = b.position - a.position;
+    const Point w = b.velocity - a.velocity;
+    const double square = d.dot(d);
+    const double reach = radius(a) + radius(b);
+    counts_.largest_overlap =
+        std::max(counts_.largest_overlap, (reach * reach - square) / (2 * reach));
+    const double closing = d.dot(w);
+    Point change = Point::Zero();
+    if (closing < 0) {
+      const double both = 1 + restitution(a, material(b));
+      const double push = closing / square;
+      const double share = k < moving_ ? mass(b) / (mass(a) + mass(b)) : 1;
+      change = d * (both * share * push);
+      a.velocity += change;
+      if (k < moving_) b.velocity -= d * (both * (mass(a) / (mass(a) + mass(b))) * push);
+    }
+    a.last = static_cast<std::int32_t>(k);
+    b.last = static_cast<std::int32_t>(i);
+    get_up(a);
+    if (k < moving_) get_up(b);
+    return change;
+  }
+
+  /// A ball hits a wall. What it comes with along the normal is a root of its energy.
+  /// @return the change of its velocity
+  Point hit_wall(std::size_t i, std::size_t w, double time) {
+    State& ball = balls_[i];
+    const Wall& wall = walls_[w];
+    const Point pull = acceleration(i);
+    const double speed = wall_arrival(ball, w, pull).speed;
+    note_flight(i, time);
+    fly(ball, time, pull);
+    const double gap = wall.normal.dot(ball.position) - wall.offset - radius(ball);
+    counts_.largest_overlap = std::max(counts_.largest_overlap, -gap);
+    ball.position -= wall.normal * gap;
+    const Point before = ball.velocity;
+    const Point along = before - wall.normal * wall.normal.dot(before);
+    const double leaving = restitution(ball, wall.material) * speed;
+    ball.last = wall_id(w);
+    if constexpr (E.gravity) {
+      const double pressed = -wall.normal.dot(pull);
+      if (pressed > 0 && 2 * leaving <= pressed * shortest_hop(time)) {
+        ball.velocity = along;
+        ball.lies_on = static_cast<std::int32_t>(w);
+        ++counts_.rests;
+        counts_.rest_error += leaving * leaving / (2 * pressed);
+        return ball.velocity - before;
+      }
+    }
+    ball.velocity = along + wall.normal * leaving;
+    get_up(ball);
+    return ball.velocity - before;
+  }
+  // [/hits]
+
+  /// A hop is over at once if it is shorter than the cutoff, or than what time can resolve.
+  double shortest_hop(double time) const {
+    return std::max(cutoff_, 4 * std::numeric_limits<double>::epsilon() * time);
+  }
+
+  /// A ball that was pushed off its wall, or into it, flies again; one that was pushed along stays.
+  void get_up(State& ball) {
+    if constexpr (E.gravity) {
+      if (ball.lies_on < 0) return;
+      if (walls_[static_cast<std::size_t>(ball.lies_on)].normal.dot(ball.velocity) != 0)
+        ball.lies_on = -1;
+    }
+  }
+
+  void note_flight(std::size_t i, double time) {
+    if constexpr (E.restitution) {
+      State& ball = balls_[i];
+      ball.short_flights = time - ball.time < cutoff_ ? ball.short_flights + 1 : 0;
+    }
+    ++hits_[i];
+  }
+
+  void after_hit(std::size_t i) {
+    predict(i);
+    predict_crossing(i);
+    queue_.update(i, comes_first());
+  }
+
+  /// Whether a ball hits too often: more than 1,000 short flights in a row, or a million hits of
+  /// all balls (and a thousand for each) without time going on.
+  bool endless(std::size_t i) const {
+    if constexpr (E.restitution)
+      if (balls_[i].short_flights > 1000) return true;
+    return at_once_ > 1000000 + 1000 * moving_;
+  }
+
+  void require_effects(const HardSphereSetup& setup) const {
+    const auto refuse = [](const char* effect) {
+      throw_invalid_argument(effect, "off", "this setup calls for it");
+    };
+    if (!E.gravity && !setup.gravity.isZero(0)) refuse("gravity");
+    for (const double e : setup.restitution)
+      if (!E.restitution && e != 1) refuse("restitution");
+    for (std::size_t i = 0; i < setup.balls.size(); ++i) {
+      const bool differs = setup.balls[i].radius != setup.balls.front().radius ||
+                           (i < moving_ && setup.balls[i].mass != setup.balls.front().mass);
+      if (!E.sizes && differs) refuse("sizes");
+    }
+  }
+
+  std::size_t moving_ = 0;
+  double now_ = 0;             // s
+  std::uint64_t at_once_ = 0;  // hits since time last went on
+  double cutoff_ = 0;          // s
+  double radius_ = 0;          // of every ball, if all are the same, m
+  double mass_ = 0;            // the same of masses, kg
+  Point gravity_ = Point::Zero();
+  Vector3<double> aside_ = Vector3<double>::Zero();  // where all are along axes that do not count
+  std::size_t materials_ = 0;
+  std::vector<double> restitution_;
+  std::vector<State> balls_;
+  std::vector<std::uint32_t> hits_;  // of each ball: what was predicted before the last is void
+  [[no_unique_address]] detail::KeptIf<!E.grid, std::vector<std::int32_t>, 6> everybody_;
+  std::vector<Candidate> candidates_;
+  std::vector<Wall> walls_;
+  std::vector<Plan> plans_;
+  EarliestQueue queue_;
+  detail::KeptIf<E.grid, HardSphereCells<dimension>, 5> cells_;
+  HardSphereCounts counts_;
+};
+
+}  // namespace contact

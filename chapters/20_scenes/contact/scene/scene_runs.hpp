@@ -1,0 +1,34 @@
+/// @file
+/// Runs of scenes with any composition of hard balls. Without the chapter's library all of these
+/// are compiled here, which takes a minute: link it, or hand make_scene_run() those that you need.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <contact/events/hard_sphere_run.hpp>
+#include <contact/plan/plan_types.hpp>
+#include <contact/scene/scene.hpp>
+#include <contact/scene/scene_run.hpp>
+
+namespace contact::scenes {
+
+/// make_scene_run() with make_hard_spheres().
+std::unique_ptr<SceneRun> make_run(
+    const Scene& scene, const Plan& plan,
+    std::uint64_t event_budget = std::numeric_limits<std::uint64_t>::max());
+
+/// Why a scene can be run neither from event to event nor step by step; nothing if it can.
+std::optional<std::string> run_refusal(const Scene& scene, const Plan& plan);
+
+/// Of which effects a run of hard balls is composed; nothing if it goes step by step.
+std::optional<HardSphereEffects> hard_sphere_effects(const SceneRun& run);
+
+}  // namespace contact::scenes
+
+#ifndef CONTACT_SCENES_COMPILED
+#include "../../src/scene_runs.cpp"
+#endif

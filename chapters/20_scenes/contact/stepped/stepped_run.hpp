@@ -1,0 +1,35 @@
+/// @file
+/// A scene step by step: a pipeline of stages, put together from a plan. What is off is not in it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <contact/plan/plan_types.hpp>
+#include <contact/scene/scene.hpp>
+#include <contact/scene/scene_run.hpp>
+
+namespace contact {
+
+/// Why a scene cannot be run step by step, or nothing if it can: of convex hulls only those that
+/// meet nothing but half-spaces.
+/// @param plan of the scene; where nothing may meet anything, every shape flies
+std::optional<std::string> stepped_refusal(const Scene& scene, const Plan& plan);
+
+namespace detail {
+
+inline bool is_on(const Plan& plan, Effect effect) { return decision_on(plan, effect).on; }
+
+}  // namespace detail
+
+/// The stepped run of a scene.
+/// @param plan of the scene; where it goes from event to event, a step is a frame
+/// @throws std::invalid_argument with what stepped_refusal() says
+std::unique_ptr<SceneRun> make_stepped_run(const Scene& scene, const Plan& plan);
+
+}  // namespace contact
+
+#ifndef CONTACT_SCENES_COMPILED
+#include "../../src/stepped_run.cpp"
+#endif

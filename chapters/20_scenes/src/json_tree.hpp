@@ -1,0 +1,42 @@
+#pragma once
+
+// JSON with what a reader of files wants to say about it: on which line a value stands, which key
+// stands twice. nlohmann::json parses; its own tree keeps neither.
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace contact::scenes {
+
+enum class JsonKind { null, boolean, number, text, array, object };
+
+/// A value of a JSON document.
+struct JsonNode {
+  JsonKind kind = JsonKind::null;
+  int line = 0;
+  bool truth = false;           ///< of a boolean
+  double number = 0;            ///< of a number
+  std::string text;             ///< of a text; of a number, as it stands in the file
+  std::vector<JsonNode> items;  ///< of an array
+  std::vector<std::pair<std::string, JsonNode>> members;  ///< of an object, also those that repeat
+
+  /// The first member of this name, or null.
+  [[nodiscard]] const JsonNode* find(std::string_view key) const;
+  /// The value as a few characters for an error: `-1`, `"ball"`, `[1, 2]`, `{...}`.
+  [[nodiscard]] std::string shown() const;
+};
+
+/// Reads a document.
+/// @throws SceneFileError with the line and the path of what is no JSON, or of a number that no
+/// double holds
+JsonNode parse_json(std::string_view text, const std::string& file);
+
+/// A key as it continues a path: `.mass`, or `["two words"]`.
+std::string path_step(const std::string& key);
+
+/// The value that a path of the form "bodies[3].mass" names, or the last on the way that is there.
+const JsonNode& deepest(const JsonNode& root, std::string_view path);
+
+}  // namespace contact::scenes

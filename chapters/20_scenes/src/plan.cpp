@@ -1,0 +1,248 @@
+#include <contact/plan/plan.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <contact/aabb.hpp>
+#include <contact/ballistic.hpp>
+#include <contact/broad_phase_cost.hpp>
+#include <contact/invalid_argument.hpp>
+#include <contact/plan/plan_bounds.hpp>
+#include <contact/plan/plan_costs.hpp>
+#include <contact/plan/plan_rules.hpp>
+#include <contact/plan/plan_types.hpp>
+#include <contact/scene/compiled.hpp>
+#include <contact/scene/scene.hpp>
+#include <contact/sphere_sphere_impact.hpp>
+#include <contact/stepped/stepped_state.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+namespace detail {
+
+/// Gives a decision the last word that somebody wants to have.
+CONTACT_SCENES_INLINE void override_decision(Decision& decision, const Overrides& overrides) {
+  const bool with = is_listed(overrides.with, decision.effect);
+  const bool without = is_listed(overrides.without, decision.effect);
+  if (!with && !without) return;
+  decision.overridden = true;
+  decision.on = with;
+}
+
+/// Whether a switch that somebody set changes nothing in the run: from event to event nothing is
+/// looked for between steps, and what a hard, smooth ball does not have is not simulated; steps
+/// compute in double, with every coordinate that is not proven to stay.
+CONTACT_SCENES_INLINE bool is_idle(const Plan& plan, const Decision& switched) {
+  if (!switched.overridden || plan.pairs == 0) return false;
+  switch (switched.effect) {
+    case Effect::double_precision:
+    case Effect::third_dimension:
+    case Effect::second_dimension:
+      return decision_on(plan, Effect::event_driven).on || (switched.planned && !switched.on);
+    case Effect::gravity:
+    case Effect::friction:
+    case Effect::restitution:
+      return decision_on(plan, Effect::event_driven).on && switched.on;
+    case Effect::event_driven:
+      return false;
+    default:
+      return decision_on(plan, Effect::event_driven).on;
+  }
+}
+
+/// Whether somebody has forced off what the plan has on, so that nothing bounds the error. Bodies
+/// may always stay awake, pairs unsorted, and what goes from event to event may go in steps.
+CONTACT_SCENES_INLINE bool has_no_bound(const Plan& plan, const Decision& decision) {
+  if (!decision.overridden || decision.on || !decision.planned) return false;
+  if (is_idle(plan, decision)) return false;
+  return decision.effect != Effect::sleeping && decision.effect != Effect::broad_phase &&
+         decision.effect != Effect::event_driven;
+}
+
+/// The errors that decisions accept and nobody has overridden, all together. Each was taken from
+/// what others had left of the tolerance, so without rounding the sum is at most that; but ∞ if one
+/// has no bound.
+CONTACT_SCENES_INLINE double accepted_error(const Plan& plan) {
+  std::vector<double> errors;
+  for (const Decision& decision : plan.decisions) {
+    if (has_no_bound(plan, decision)) return infinite;
+    if (decision.on == decision.planned) errors.push_back(decision.error);
+  }
+  const double sum = sum_in_order(std::move(errors));
+  return std::isfinite(sum) ? std::min(sum, plan.tolerance) : infinite;
+}
+
+/// A crowd takes its hits a few times a step only, though it looks for them continuously: what that
+/// puts a body off by is an error of the step.
+/// @param taken whether the same error is taken already, for not looking for hits
+CONTACT_SCENES_INLINE void charge_crowd(PlanQuestion& q, bool taken, Decision& step) {
+  if (q.events || q.pairs.empty() || q.bounds.movers <= most_one_by_one) return;
+  step.proven = false;
+  step.because.push_back({"bodies that move", static_cast<double>(q.bounds.movers),
+                          Relation::at_most, static_cast<double>(most_one_by_one),
+                          "impacts taken one by one", ""});
+  const double late = rounded_up(worst_bounces(q).late * q.step);
+  step.error = taken || late <= q.left ? late : infinite;
+  step.error_is = "a crowd's hits that come up to a step late";
+  if (!taken) take_from_what_is_left(q, step);
+}
+
+/// When steps take impacts, one clause.
+CONTACT_SCENES_INLINE std::string how_impacts_are_taken(const PlanQuestion& q, const Plan& plan) {
+  if (q.bounds.movers > most_one_by_one) {
+    return "more than " + std::to_string(most_one_by_one) +
+           " bodies move, so impacts are taken at least " + std::to_string(crowd_parts) +
+           " times a step, all at once.";
+  }
+  bool edges = false;
+  for (const SceneBody& body : q.scene->bodies)
+    edges = edges || (body.moves && spin_arm(body.shape) > 0);
+  edges = edges && decision_on(plan, Effect::rotation).on;
+  return "impacts are found between steps, up to " +
+         std::to_string(most_impacts(q.bounds.movers, edges)) + " in each.";
+}
+
+CONTACT_SCENES_INLINE void add_notices(const PlanQuestion& q, Plan& plan) {
+  const Decision& horizon = decision_on(plan, Effect::horizon);
+  if (horizon.value && *horizon.value < q.scene->duration) {
+    plan.notices.push_back("The tolerance holds up to about t = " + short_number(*horizon.value) +
+                           " s, by an estimate on the safe side; after that only conserved "
+                           "quantities and statistics do.");
+  }
+  if (horizon.on && !horizon.value && q.bounds.movers > 0)
+    plan.notices.push_back("Until when the tolerance holds is not known. " + horizon.why);
+  const Decision& step = decision_on(plan, Effect::step_size);
+  if (step.on && !step.proven && q.bounds.movers > 0) {
+    plan.notices.push_back("Not proven that a step of " + short_number(q.step) +
+                           " s keeps the tolerance; " + how_impacts_are_taken(q, plan));
+  }
+  if (plan.spring_part > 0) {
+    const double off = springs_off(q, plan.spring_part);
+    std::string notice = "Springs push in parts of " + short_number(plan.spring_part) + " s: ";
+    if (!std::isfinite(off)) {
+      notice += "no error is estimated where something gives way and rubs, or is damped.";
+    } else if (decision_on(plan, Effect::penalty_contact).error > 0) {
+      notice += "by an estimate that keeps the tolerance; it is not proven.";
+    } else {
+      notice += "by an estimate that leaves " + short_number(off) + " m at the end" +
+                (q.tolerance > 0 ? "; to keep the tolerance takes more than 1024 parts a step."
+                                 : ", and no error is accepted.");
+    }
+    plan.notices.push_back(std::move(notice));
+  }
+  if (q.events && decision_on(plan, Effect::several_contacts).on) {
+    plan.notices.push_back(
+        "Hits that fall on one instant are taken one after the other; which comes first then "
+        "decides.");
+  }
+  std::string idle;
+  for (const Decision& decision : plan.decisions) {
+    if (!is_idle(plan, decision)) continue;
+    idle += (idle.empty() ? "" : ", ") + std::string(effect_name(decision.effect));
+  }
+  if (!idle.empty()) {
+    plan.notices.push_back(
+        "Forced, but changes nothing in this run: " + idle +
+        (decision_on(plan, Effect::event_driven).on ? ". Without event-driven it may." : "."));
+  }
+  const Decision& events = decision_on(plan, Effect::event_driven);
+  if (events.overridden && events.on && !events.planned) {
+    plan.notices.push_back(
+        "Event-driven is forced on; a scene that is not one of hard, smooth balls goes step by "
+        "step all the same.");
+  }
+  for (const Decision& decision : plan.decisions) {
+    if (!has_no_bound(plan, decision)) continue;
+    plan.notices.push_back("Without " + std::string(effect_name(decision.effect)) +
+                           " the error has no bound: the plan has it on.");
+  }
+}
+
+}  // namespace detail
+
+// [plan]
+CONTACT_SCENES_INLINE Plan plan_scene(const Scene& scene, const PlanOptions& options) {
+  if (options.step && !(std::isfinite(*options.step) && *options.step > 0))
+    throw_invalid_argument("step", number_text(*options.step), "must be finite and greater than 0");
+  for (const auto& list : {options.overrides.with, options.overrides.without}) {
+    for (const Effect effect : list) {
+      if (!can_be_switched(effect))
+        throw_invalid_argument("effect", std::string(effect_name(effect)),
+                               "is a value; it is not switched on or off");
+    }
+  }
+  PlanQuestion q = plan_question(scene);
+  Plan plan;
+  plan.tolerance = q.tolerance;
+  plan.decisions.resize(all_effects.size());
+  const auto decided = [&](Effect effect) -> Decision& {
+    return plan.decisions[static_cast<std::size_t>(effect)];
+  };
+  const auto decide_on = [&](Decision decision) {
+    const Effect effect = decision.effect;
+    take_from_what_is_left(q, decision);
+    decided(effect) = std::move(decision);
+    if (effect != Effect::event_driven)
+      detail::override_decision(decided(effect), options.overrides);
+  };
+
+  decide_on(plan_gyroscopic_term(q));
+  q.even_spins = !decided(Effect::gyroscopic_term).planned;
+  Decision event_driven = plan_event_driven(q);
+  const bool steps_asked = options.step.has_value();
+  if (steps_asked) {
+    event_driven.on = event_driven.planned = false;
+    event_driven.why = "A step is asked for, so the run goes step by step.";
+    event_driven.because.clear();
+  }
+  detail::override_decision(event_driven, options.overrides);
+  q.events = event_driven.on;
+  if (!q.events) {
+    event_driven.error = 0;
+    event_driven.error_is = "none";
+  }
+  // Of its proofs only that of hops which are left out has an error.
+  if (event_driven.error > 0) plan.cutoff = contact_time_cutoff(q.left, q.bounds.gravity);
+  decide_on(std::move(event_driven));
+  if (!q.events) q.step = steps_asked ? *options.step : step_from_tolerance(q);
+  decide_on(plan_step_size(q, options));
+  decide_on(plan_continuous_detection(q, q.step));
+  const Decision& looking = decided(Effect::continuous_detection);
+  if (looking.on) detail::charge_crowd(q, !looking.planned, decided(Effect::step_size));
+  decide_on(plan_gravity(q));
+  plan.spring_part = longest_spring_part(q);
+  decide_on(plan_penalty_contact(q));
+  // Half the cutoff up, half of it down: what a run in steps does with the same hops.
+  plan.rest_height = q.bounds.gravity * plan.cutoff * plan.cutoff / 8;
+  Decision resting = plan_resting(q);
+  if (!q.events && resting.planned) plan.rest_height = hops_left_out(q);
+  decide_on(std::move(resting));
+  Decision sleeping = plan_sleeping(q);
+  plan.sleep_speed = sleep_speed(q, sleeping);
+  decide_on(std::move(sleeping));
+  decide_on(plan_double_precision(q));
+
+  decide_on(plan_rotation(q));
+  decide_on(plan_friction(q));
+  decide_on(plan_restitution(q));
+  decide_on(plan_broad_phase(q));
+  decide_on(plan_several_contacts(q));
+  decide_on(plan_third_dimension(q));
+  decide_on(plan_second_dimension(q));
+  decide_on(plan_horizon(q, decided(Effect::rotation).planned));
+  plan.speed = q.bounds.speed;
+  plan.step = q.step;
+  plan.pairs = static_cast<std::size_t>(pairs_that_may_meet(q.bounds));
+  plan.error = detail::accepted_error(plan);
+  estimate_savings(q, q.events ? detail::frame_step(scene) : q.step, plan);
+  detail::add_notices(q, plan);
+  return plan;
+}
+// [/plan]
+
+}  // namespace contact

@@ -1,0 +1,522 @@
+#include <contact/plan/plan_bounds.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <contact/rotation.hpp>
+#include <contact/scene/compiled.hpp>
+#include <contact/scene/scene.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+namespace detail {
+
+CONTACT_SCENES_INLINE int only_axis(const Vector3<double>& v) {
+  int axis = -1;
+  for (int k = 0; k < 3; ++k) {
+    if (v(k) == 0) continue;
+    if (axis >= 0) return -1;
+    axis = k;
+  }
+  return axis;
+}
+
+/// How far a normal's or a quaternion's rounding can misplace a point, as a share of its distance:
+/// a scene's need only be as long as 1 to 1e-12.
+inline constexpr double pose_slack = 4e-12;
+
+}  // namespace detail
+
+CONTACT_SCENES_INLINE double outer_radius(const SceneShape& shape) {
+  using detail::rounded_up;
+  if (const auto* ball = std::get_if<BallShape>(&shape)) return ball->radius;
+  if (const auto* box = std::get_if<BoxShape>(&shape))
+    return rounded_up(detail::length_of(box->half_lengths));
+  if (const auto* capsule = std::get_if<CapsuleShape>(&shape))
+    return rounded_up(capsule->radius + capsule->half_length);
+  if (const auto* hull = std::get_if<HullShape>(&shape)) {
+    double farthest = 0;
+    for (const Vector3<double>& point : hull->points)
+      farthest = std::max(farthest, point.dot(point));
+    return rounded_up(std::sqrt(farthest));
+  }
+  return detail::infinite;
+}
+
+// [distance]
+CONTACT_SCENES_INLINE double distance_at_least(const SceneBody& body, const Vector3<double>& p) {
+  const Vector3<double> d = p - body.position;
+  double size = detail::coordinate_size(p) + detail::coordinate_size(body.position);
+  double distance = 0;
+  if (const auto* half_space = std::get_if<HalfSpaceShape>(&body.shape)) {
+    distance = half_space->normal.dot(p) - half_space->offset;
+    if (detail::level_axis(half_space->normal) < 0)
+      distance -= detail::pose_slack * std::abs(distance);
+    size = detail::coordinate_size(p) + std::abs(half_space->offset);
+  } else if (const auto* box = std::get_if<BoxShape>(&body.shape)) {
+    const Vector3<double> seen = matrix_of(body.orientation).transpose() * d;
+    const Vector3<double> outside =
+        (seen.cwiseAbs() - box->half_lengths).cwiseMax(Vector3<double>::Zero());
+    distance = detail::length_of(outside);
+    size += detail::coordinate_size(box->half_lengths);
+    if (!body.orientation.v.isZero(0)) distance -= detail::pose_slack * detail::length_of(d);
+  } else if (const auto* capsule = std::get_if<CapsuleShape>(&body.shape)) {
+    const Vector3<double> axis = matrix_of(body.orientation).col(2);
+    const double along = std::clamp(d.dot(axis), -capsule->half_length, capsule->half_length);
+    distance = detail::length_of(d - axis * along) - capsule->radius;
+    size += capsule->radius + capsule->half_length;
+    if (!body.orientation.v.isZero(0)) distance -= detail::pose_slack * detail::length_of(d);
+  } else {
+    const double radius = outer_radius(body.shape);
+    distance = detail::length_of(d) - radius;
+    size += radius;
+  }
+  return distance - 128 * detail::plan_u * size;
+}
+// [/distance]
+
+CONTACT_SCENES_INLINE MomentRange moment_range(const Matrix3<double>& inertia) {
+  bool diagonal = true;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) diagonal = diagonal && (i == k || inertia(i, k) == 0);
+  }
+  if (diagonal) return {inertia.diagonal().minCoeff(), inertia.diagonal().maxCoeff()};
+  const Vector3<double> moments = principal_axes<double>(inertia).moments;
+  const double doubt = 64 * detail::plan_u * moments.maxCoeff();
+  return {std::max(0.0, moments.minCoeff() - doubt), moments.maxCoeff() + doubt};
+}
+
+namespace detail {
+
+/// Whether no contact of the scene can turn anything: then spins keep their energy to themselves.
+CONTACT_SCENES_INLINE bool spins_are_locked(const Scene& scene) {
+  for (const SceneBody& body : scene.bodies) {
+    if (body.moves && !is_ball(body)) return false;
+  }
+  double rough = 0;
+  for (const SceneMaterial& material : scene.materials) rough = std::max(rough, material.friction);
+  return rough == 0;
+}
+
+// [floor]
+/// How far a body can fall before the highest level floor holds it: a half-space whose normal and
+/// gravity lie on one axis, exactly. Its centre stays above the floor by its core's thickness.
+/// @return J, twice the energy that falling gives, rounded up; with what a soft floor gives way,
+/// (m g)²/k; ∞ without such a floor
+CONTACT_SCENES_INLINE double twice_fall(const Scene& scene, const SceneBody& body, double gravity) {
+  double least = infinite;
+  const int axis = only_axis(scene.gravity);
+  if (gravity == 0) return 0;
+  if (axis < 0) return infinite;
+  for (const SceneBody& floor : scene.bodies) {
+    const auto* half_space = std::get_if<HalfSpaceShape>(&floor.shape);
+    if (half_space == nullptr || level_axis(half_space->normal) != axis) continue;
+    if (half_space->normal(axis) * scene.gravity(axis) > 0) continue;  // a ceiling
+    const double size = coordinate_size(body.position) + std::abs(half_space->offset);
+    double fall = half_space->normal.dot(body.position) - half_space->offset -
+                  inner_radius(body.shape) + 64 * plan_u * size;
+    fall = std::max(fall, 0.0);
+    const double weight = body.mass * gravity;
+    double twice = 2 * weight * fall;
+    const PairMaterial pair =
+        pair_material(scene.materials[body.material], scene.materials[floor.material]);
+    if (pair.stiffness) twice += weight * weight / *pair.stiffness;
+    least = std::min(least, twice);
+  }
+  return rounded_up(least);
+}
+// [/floor]
+
+CONTACT_SCENES_INLINE EnergyShare energy_of(const Scene& scene,
+                                            const std::vector<std::size_t>& members, bool locked,
+                                            double gravity) {
+  std::vector<double> kinetic;
+  std::vector<double> masses;
+  std::vector<double> falls;
+  for (const std::size_t i : members) {
+    const SceneBody& body = scene.bodies[i];
+    double twice = body.mass * body.velocity.dot(body.velocity);
+    if (!locked) twice += moment_range(body.inertia).most * body.spin.dot(body.spin);
+    kinetic.push_back(twice);
+    masses.push_back(body.mass);
+    falls.push_back(twice_fall(scene, body, gravity));
+  }
+  const double n = 32 + static_cast<double>(members.size());
+  EnergyShare share;
+  share.twice_kinetic = rounded_up(sum_in_order(std::move(kinetic)), n);
+  share.mass = rounded_up(sum_in_order(std::move(masses)), n);
+  share.twice_floor = rounded_up(share.twice_kinetic + sum_in_order(std::move(falls)), n);
+  if (!scene.tolerance.event_order)
+    share.twice_dip = rounded_up(2 * share.mass * gravity * scene.tolerance.position.value_or(0));
+  return share;
+}
+
+/// Sets of bodies that grow together.
+class BodySets {
+ public:
+  explicit BodySets(std::size_t n) : parent_(n) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+  std::size_t find(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  /// Makes one set of two; the smaller index stands for both.
+  void unite(std::size_t i, std::size_t k) {
+    const std::size_t a = find(i);
+    const std::size_t b = find(k);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+// [free-flight]
+/// Whether two bodies may touch while both fly freely: gravity pulls both alike, so that one sees
+/// the other move on a straight line.
+CONTACT_SCENES_INLINE bool flights_may_meet(const SceneBody& a, const SceneBody& b, double reach,
+                                            double t) {
+  const Vector3<double> x = a.position - b.position;
+  const Vector3<double> v = a.velocity - b.velocity;
+  const double vv = v.dot(v);
+  const double nearest = vv > 0 ? std::clamp(-x.dot(v) / vv, 0.0, t) : 0.0;
+  const Vector3<double> at = x + v * nearest;
+  const double size = coordinate_size(a.position) + coordinate_size(b.position) +
+                      (coordinate_size(a.velocity) + coordinate_size(b.velocity)) * t + reach;
+  return length_of(at) - 128 * plan_u * size <= reach;
+}
+
+/// Whether a body may touch what stands still while it flies freely: its path is cut into pieces,
+/// each lies within half its length of its middle.
+CONTACT_SCENES_INLINE bool flight_may_meet(const Scene& scene, const SceneBody& body, double outer,
+                                           const SceneBody& still) {
+  constexpr int pieces = 64;
+  const double t = scene.duration;
+  const double gravity = length_of(scene.gravity);
+  const double dt = t / pieces;
+  const double size = coordinate_size(body.position) + coordinate_size(body.velocity) * t +
+                      coordinate_size(scene.gravity) * t * t;
+  for (int k = 0; k < pieces; ++k) {
+    const double middle = (k + 0.5) * dt;
+    const Vector3<double> at =
+        body.position + body.velocity * middle + scene.gravity * (middle * middle / 2);
+    const Vector3<double> velocity = body.velocity + scene.gravity * middle;
+    double aside = length_of(velocity) * dt / 2 + gravity * dt * dt / 8;
+    if (const auto* wall = std::get_if<HalfSpaceShape>(&still.shape))
+      aside = std::abs(wall->normal.dot(velocity)) * dt / 2 + gravity * dt * dt / 8;
+    if (distance_at_least(still, at) - 64 * plan_u * size <= outer + rounded_up(aside)) return true;
+  }
+  return false;
+}
+// [/free-flight]
+
+/// Fills in what a body alone says of itself.
+CONTACT_SCENES_INLINE BodyBound body_bound(const SceneBody& body) {
+  BodyBound bound;
+  bound.moves = body.moves;
+  bound.inner = inner_radius(body.shape);
+  bound.outer = outer_radius(body.shape);
+  bound.arm = spin_arm(body.shape);
+  if (!body.moves) return bound;
+  bound.slowness = rounded_up(1 / body.mass);
+  const double least = moment_range(body.inertia).least;
+  bound.turning = bound.slowness;
+  if (bound.arm > 0) bound.turning = rounded_up(bound.slowness + bound.arm * bound.arm / least);
+  return bound;
+}
+
+/// Speed and travel of every body from its group's energy.
+CONTACT_SCENES_INLINE void spread_energy(const Scene& scene, SceneBounds& bounds) {
+  for (BodyBound& body : bounds.bodies) {
+    if (!body.moves) continue;
+    const EnergyShare& share = bounds.groups[body.group];
+    body.speed = speed_at_most(share, body.slowness, bounds.gravity, scene.duration);
+    body.travel = travel_at_most(share, body.slowness, bounds.gravity, scene.duration);
+  }
+}
+
+/// Groups as the sets say, with their energies; a body's group is its set's smallest index.
+CONTACT_SCENES_INLINE void regroup(const Scene& scene, bool locked, BodySets& sets,
+                                   SceneBounds& bounds) {
+  std::vector<std::vector<std::size_t>> members(scene.bodies.size());
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (scene.bodies[i].moves) members[sets.find(i)].push_back(i);
+  }
+  bounds.groups.assign(scene.bodies.size(), EnergyShare{});
+  for (std::size_t g = 0; g < members.size(); ++g) {
+    if (members[g].empty()) continue;
+    bounds.groups[g] = energy_of(scene, members[g], locked, bounds.gravity);
+    for (const std::size_t i : members[g]) bounds.bodies[i].group = g;
+  }
+  spread_energy(scene, bounds);
+}
+
+/// What two materials add to the worst of a pair.
+CONTACT_SCENES_INLINE void add_materials(const Scene& scene, std::size_t a, std::size_t b,
+                                         PairBound& pair) {
+  const PairMaterial material = pair_material(scene.materials[a], scene.materials[b]);
+  pair.friction = std::max(pair.friction, material.friction);
+  if (material.stiffness) {
+    pair.soft = true;
+    pair.stiffness = std::max(pair.stiffness, *material.stiffness);
+    pair.damping = std::max(pair.damping, material.damping);
+    return;
+  }
+  pair.hard = true;
+  pair.restitution_least = std::min(pair.restitution_least, material.restitution);
+  pair.restitution_most = std::max(pair.restitution_most, material.restitution);
+}
+
+/// Whether a ball and a half-space on an axis do not touch, or part: exactly.
+CONTACT_SCENES_INLINE bool begins_apart(const SceneBody& body, const SceneBody& other) {
+  const auto* ball = std::get_if<BallShape>(&body.shape);
+  const auto* wall = std::get_if<HalfSpaceShape>(&other.shape);
+  if (ball == nullptr) return false;
+  if (wall == nullptr) {
+    const auto* second = std::get_if<BallShape>(&other.shape);
+    if (second == nullptr) return false;
+    return distance_at_least(other, body.position) > rounded_up(ball->radius);
+  }
+  const int axis = level_axis(wall->normal);
+  if (axis < 0) return distance_at_least(other, body.position) > rounded_up(ball->radius);
+  const double side = wall->normal(axis);
+  const int gap = sign_of_rest(side * body.position(axis), wall->offset, ball->radius);
+  return gap > 0 || (gap == 0 && side * body.velocity(axis) > 0);
+}
+
+/// The bound on one pair.
+CONTACT_SCENES_INLINE PairBound pair_bound(const Scene& scene, const SceneBounds& bounds,
+                                           std::size_t a, std::size_t b) {
+  const BodyBound& first = bounds.bodies[a];
+  const BodyBound& second = bounds.bodies[b];
+  const SceneBody& body = scene.bodies[a];
+  const SceneBody& other = scene.bodies[b];
+  PairBound pair;
+  pair.a = a;
+  pair.b = b;
+  pair.both_move = other.moves;
+  pair.half_space = is_half_space(other);
+  pair.round = is_ball(body) && (is_ball(other) || pair.half_space);
+  pair.hard = false;
+  add_materials(scene, body.material, other.material, pair);
+  pair.apart = begins_apart(body, other);
+  pair.core = rounded_down(first.inner + second.inner);
+  const bool bodies_are_round = is_ball(body) || is_ball(other);
+  if (bodies_are_round && !pair.half_space) {
+    pair.graze = is_ball(body) ? first.inner : second.inner;
+    if (pair.round || std::holds_alternative<CapsuleShape>(other.shape) ||
+        std::holds_alternative<CapsuleShape>(body.shape))
+      pair.graze = pair.core;
+  }
+  pair.slowness = first.slowness + second.slowness;
+  pair.closing = speed_at_most(bounds.groups[first.group], first.turning + second.turning,
+                               bounds.gravity, scene.duration);
+  return pair;
+}
+
+/// Whether any two balls of many touch at the beginning, or may: by cells as wide as the largest.
+CONTACT_SCENES_INLINE bool crowd_begins_apart(const Scene& scene) {
+  struct Placed {
+    std::array<double, 3> cell;
+    std::size_t body;
+  };
+  double widest = 0;
+  for (const SceneBody& body : scene.bodies) {
+    if (!body.moves) continue;
+    if (!is_ball(body)) return false;
+    widest = std::max(widest, 2 * inner_radius(body.shape));
+  }
+  widest = rounded_up(widest);
+  std::vector<Placed> placed;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (!scene.bodies[i].moves) continue;
+    const Vector3<double>& x = scene.bodies[i].position;
+    placed.push_back(
+        {{std::floor(x.x() / widest), std::floor(x.y() / widest), std::floor(x.z() / widest)}, i});
+  }
+  const auto before = [](const Placed& a, const Placed& b) {
+    return a.cell != b.cell ? a.cell < b.cell : a.body < b.body;
+  };
+  std::sort(placed.begin(), placed.end(), before);
+  for (const Placed& one : placed) {
+    for (int near = 0; near < 27; ++near) {
+      const int right = near % 3 - 1;
+      const int ahead = near / 3 % 3 - 1;
+      const int up = near / 9 - 1;
+      const std::array<double, 3> cell{one.cell[0] + right, one.cell[1] + ahead, one.cell[2] + up};
+      auto other = std::lower_bound(placed.begin(), placed.end(), Placed{cell, 0}, before);
+      for (; other != placed.end() && other->cell == cell; ++other) {
+        if (other->body <= one.body) continue;
+        if (!begins_apart(scene.bodies[one.body], scene.bodies[other->body])) return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// All pairs of a crowd as one bound, and one for each body that stands still.
+CONTACT_SCENES_INLINE void crowd_pairs(const Scene& scene, SceneBounds& bounds) {
+  PairBound all;
+  all.crowd = all.both_move = all.round = true;
+  all.hard = false;
+  all.core = infinite;
+  double least_inner = infinite;
+  double most_turning = 0;
+  double most_slowness = 0;
+  std::vector<std::size_t> materials;
+  std::size_t first = scene.bodies.size();
+  std::size_t group = 0;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (!scene.bodies[i].moves) continue;
+    first = std::min(first, i);
+    const BodyBound& body = bounds.bodies[i];
+    group = body.group;
+    all.round = all.round && is_ball(scene.bodies[i]);
+    least_inner = std::min(least_inner, body.inner);
+    most_turning = std::max(most_turning, body.turning);
+    most_slowness = std::max(most_slowness, body.slowness);
+    materials.push_back(scene.bodies[i].material);
+  }
+  std::sort(materials.begin(), materials.end());
+  materials.erase(std::unique(materials.begin(), materials.end()), materials.end());
+  const auto n = static_cast<double>(bounds.movers);
+  PairBound still = all;
+  all.a = all.b = first;
+  all.count = n * (n - 1) / 2;
+  for (const std::size_t a : materials) {
+    for (const std::size_t b : materials) add_materials(scene, a, b, all);
+  }
+  all.core = rounded_down(2 * least_inner);
+  all.graze = all.round ? all.core : 0.0;
+  all.slowness = 2 * most_slowness;
+  const EnergyShare& share = bounds.groups[group];
+  all.closing = speed_at_most(share, 2 * most_turning, bounds.gravity, scene.duration);
+  all.apart = crowd_begins_apart(scene);
+  bounds.pairs.push_back(all);
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    const SceneBody& other = scene.bodies[k];
+    if (other.moves) continue;
+    PairBound pair = still;
+    pair.a = first;
+    pair.b = k;
+    pair.count = n;
+    pair.both_move = false;
+    pair.half_space = is_half_space(other);
+    pair.round = all.round && (pair.half_space || is_ball(other));
+    for (const std::size_t a : materials) add_materials(scene, a, other.material, pair);
+    pair.core = rounded_down(least_inner + bounds.bodies[k].inner);
+    if (all.round && !pair.half_space) pair.graze = least_inner;
+    pair.slowness = most_slowness;
+    pair.closing = speed_at_most(share, most_turning, bounds.gravity, scene.duration);
+    pair.apart = true;
+    for (std::size_t i = 0; i < scene.bodies.size() && pair.apart; ++i) {
+      if (scene.bodies[i].moves) pair.apart = begins_apart(scene.bodies[i], other);
+    }
+    bounds.pairs.push_back(pair);
+  }
+}
+
+/// Every pair on its own: which may meet follows from where each body can come.
+///
+/// The first touch of all is made by bodies that fly freely. Who may be in it is disturbed, and may
+/// then come as far as its energy allows; whom it may reach there is disturbed too, and shares its
+/// energy; and so on until nothing changes. If a touch were left out, the first such touch would
+/// happen while every bound still held: between bodies that are too far apart for it.
+CONTACT_SCENES_INLINE void separate_pairs(const Scene& scene, bool locked, SceneBounds& bounds) {
+  const std::size_t n = scene.bodies.size();
+  BodySets sets(n);
+  const auto meet = [&](std::size_t i, std::size_t k) {
+    bounds.bodies[i].disturbed = true;
+    if (!scene.bodies[k].moves) return;
+    bounds.bodies[k].disturbed = true;
+    sets.unite(i, k);
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!scene.bodies[i].moves) continue;
+    const double outer = bounds.bodies[i].outer;
+    for (std::size_t k = 0; k < n; ++k) {
+      const SceneBody& other = scene.bodies[k];
+      if (other.moves ? k > i && flights_may_meet(scene.bodies[i], other,
+                                                  rounded_up(outer + bounds.bodies[k].outer),
+                                                  scene.duration)
+                      : flight_may_meet(scene, scene.bodies[i], outer, other))
+        meet(i, k);
+    }
+  }
+  const auto in_reach = [&](std::size_t i, std::size_t k) {
+    const BodyBound& body = bounds.bodies[i];
+    const BodyBound& other = bounds.bodies[k];
+    if (!other.moves)
+      return distance_at_least(scene.bodies[k], scene.bodies[i].position) <=
+             rounded_up(body.outer + body.travel);
+    const Vector3<double> d = scene.bodies[i].position - scene.bodies[k].position;
+    const double size =
+        coordinate_size(scene.bodies[i].position) + coordinate_size(scene.bodies[k].position);
+    return length_of(d) - 64 * plan_u * size <=
+           rounded_up(body.outer + body.travel + other.outer + other.travel);
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    regroup(scene, locked, sets, bounds);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t k = 0; k < n; ++k) {
+        if (i == k || !bounds.bodies[i].disturbed || !scene.bodies[k].moves) continue;
+        if (sets.find(i) == sets.find(k) || !in_reach(i, k)) continue;
+        meet(i, k);
+        changed = true;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!bounds.bodies[i].disturbed) continue;
+    for (std::size_t k = 0; k < n; ++k) {
+      const bool still = !scene.bodies[k].moves;
+      if (!still && (k <= i || sets.find(i) != sets.find(k))) continue;
+      if (!in_reach(i, k)) continue;
+      bounds.pairs.push_back(pair_bound(scene, bounds, i, k));
+    }
+  }
+}
+
+}  // namespace detail
+
+// [scene-bounds]
+CONTACT_SCENES_INLINE SceneBounds scene_bounds(const Scene& scene) {
+  SceneBounds bounds;
+  const int axis = detail::only_axis(scene.gravity);
+  bounds.gravity = axis >= 0 ? std::abs(scene.gravity(axis))
+                             : detail::rounded_up(detail::length_of(scene.gravity), 4);
+  for (const SceneBody& body : scene.bodies) {
+    bounds.bodies.push_back(detail::body_bound(body));
+    if (body.moves) ++bounds.movers;
+  }
+  const bool locked = detail::spins_are_locked(scene);
+  bounds.crowded = bounds.movers > crowd_size;
+  if (bounds.crowded) {
+    detail::BodySets sets(scene.bodies.size());
+    std::size_t first = scene.bodies.size();
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+      if (!scene.bodies[i].moves) continue;
+      first = std::min(first, i);
+      sets.unite(first, i);
+      bounds.bodies[i].disturbed = true;
+    }
+    detail::regroup(scene, locked, sets, bounds);
+    detail::crowd_pairs(scene, bounds);
+  } else {
+    detail::separate_pairs(scene, locked, bounds);
+  }
+  for (const BodyBound& body : bounds.bodies) bounds.speed = std::max(bounds.speed, body.speed);
+  return bounds;
+}
+// [/scene-bounds]
+
+}  // namespace contact

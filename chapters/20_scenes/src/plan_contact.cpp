@@ -1,0 +1,458 @@
+#include <contact/plan/plan_rules.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <contact/plan/plan_bounds.hpp>
+#include <contact/plan/plan_types.hpp>
+#include <contact/scene/compiled.hpp>
+#include <contact/scene/scene.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+// [friction-rule]
+CONTACT_SCENES_INLINE Decision plan_friction(const PlanQuestion& q) {
+  std::vector<Proof> proofs{
+      {"An impulse along a surface is at most μ times the normal one; with μ = 0 there is none.",
+       {{"largest friction between bodies that may meet", most_friction(q.pairs), Relation::equal,
+         0, "smooth", ""}}}};
+  if (const auto line = proven_line(q)) proofs.push_back(*line);
+  return decide(Effect::friction, std::move(proofs),
+                "Not proven that nothing slides along what it touches.");
+}
+// [/friction-rule]
+
+CONTACT_SCENES_INLINE Decision plan_restitution(const PlanQuestion& q) {
+  double most = 0;
+  double hard = 0;
+  for (const PairBound& pair : q.pairs) {
+    if (!pair.hard) continue;
+    hard += pair.count;
+    most = std::max(most, pair.restitution_most);
+  }
+  return decide(Effect::restitution,
+                {{hard == 0 ? "Without hard impacts nothing bounces."
+                            : "With e = 0 the term −e v of the speed after an impact adds a zero.",
+                  {{"largest restitution of hard contacts that may happen", most, Relation::equal,
+                    0, "nothing comes back", ""}}}},
+                "What comes back of an impact is not 0.");
+}
+
+namespace detail {
+
+CONTACT_SCENES_INLINE double fastest_spring(const PlanQuestion& q) {
+  double most = 0;
+  for (const PairBound& pair : q.pairs) {
+    if (pair.soft) most = std::max(most, pair.stiffness * pair.slowness);
+  }
+  return std::sqrt(most);
+}
+
+}  // namespace detail
+
+// [spring-rule]
+CONTACT_SCENES_INLINE double springs_off(const PlanQuestion& q, double part) {
+  constexpr double half_turn = 3.141592653589793;
+  const double t = q.scene->duration;
+  const double swing = detail::fastest_spring(q);
+  double fastest = 0;
+  for (const PairBound& pair : q.pairs) {
+    if (!pair.soft) continue;
+    if (pair.friction > 0 || pair.damping > 0) return detail::infinite;
+    fastest = std::max(fastest, pair.closing);
+  }
+  const double contacts = 1 + swing * t / half_turn;
+  const double share = swing * part * (swing * part);
+  return detail::rounded_up(fastest * t * share * (1.0 / 24 + contacts / 8));
+}
+
+CONTACT_SCENES_INLINE double longest_spring_part(const PlanQuestion& q) {
+  const double swing = detail::fastest_spring(q);
+  if (q.events || !(swing > 0)) return 0;
+  const double longest = std::min(q.step, 1 / (128 * swing));
+  const double off = springs_off(q, longest);
+  if (!(q.left > 0) || !(off > chosen_share(q))) return longest;
+  const double part = detail::rounded_down(longest * std::sqrt(chosen_share(q) / off), 256);
+  return part < q.step / 1024 ? longest : part;
+}
+
+CONTACT_SCENES_INLINE Decision plan_penalty_contact(const PlanQuestion& q) {
+  double soft = 0;
+  for (const PairBound& pair : q.pairs) soft += pair.soft ? pair.count : 0;
+  Decision decision =
+      decide(Effect::penalty_contact,
+             {{"A spring that nothing touches pushes nothing.",
+               {{"pairs that may meet and give way", soft, Relation::equal, 0, "none", ""}}}},
+             "Some contacts give way like springs.");
+  const double part = longest_spring_part(q);
+  if (!decision.on || !(part > 0)) return decision;
+  decision.because.push_back({"part of a step while a spring pushes", part, Relation::at_most,
+                              1 / (128 * detail::fastest_spring(q)),
+                              "1/128 of a radian of the stiffest", "s"});
+  const double off = springs_off(q, part);
+  decision.because.push_back(
+      fits_what_is_left(q, "off at the end by what leapfrog leaves, by an estimate", off));
+  if (!holds(decision.because.back())) return decision;
+  decision.error = off;
+  decision.error_is = "what leapfrog leaves of springs, by an estimate; no bound for many bodies";
+  return decision;
+}
+// [/spring-rule]
+
+CONTACT_SCENES_INLINE double most_partners(const PlanQuestion& q) {
+  std::vector<double> partners(q.scene->bodies.size(), 0.0);
+  double most = 0;
+  for (const PairBound& pair : q.pairs) {
+    if (pair.crowd) return static_cast<double>(q.bounds.movers) - 1;
+    most = std::max(most, partners[pair.a] += 1);
+    if (pair.both_move) most = std::max(most, partners[pair.b] += 1);
+  }
+  return most;
+}
+
+// [several-contacts-rule]
+CONTACT_SCENES_INLINE Decision plan_several_contacts(const PlanQuestion& q) {
+  return decide(Effect::several_contacts,
+                {{"A ball touches another body at one point; with one partner it has one contact.",
+                  {{"most bodies that one moving body may touch", most_partners(q),
+                    Relation::at_most, 1, "one contact", ""},
+                   {"moving bodies other than balls that may touch something",
+                    rough_shapes_that_touch(q), Relation::equal, 0, "none", ""}}}},
+                "Not proven that no body has two contacts at a time.");
+}
+// [/several-contacts-rule]
+
+// [bounce-range]
+CONTACT_SCENES_INLINE BounceRange bounce_range(const PlanQuestion& q, const PairBound& pair) {
+  using detail::infinite;
+  using detail::rounded_down;
+  using detail::rounded_up;
+  constexpr double most_counted = 1e6;
+  const BounceRange unknown{0, infinite, infinite};
+  const Scene& scene = *q.scene;
+  const SceneBody& body = scene.bodies[pair.a];
+  const auto* wall = std::get_if<HalfSpaceShape>(&scene.bodies[pair.b].shape);
+  const auto* ball = std::get_if<BallShape>(&body.shape);
+  if (wall == nullptr || ball == nullptr || pair.soft || !pair.apart) return unknown;
+  const double doubt = 16 * detail::plan_u * q.bounds.gravity;
+  const double g = -wall->normal.dot(scene.gravity) + doubt;
+  const double e = pair.restitution_most;
+  if (g <= 2 * doubt) {  // nothing pulls it back
+    if (q.bounds.gravity > 0 && g > 0 && detail::level_axis(wall->normal) < 0) return unknown;
+    return {infinite, 1, rounded_up((1 + e) * (1 + pair.friction) * pair.closing)};
+  }
+  const double height = std::max(
+      0.0, distance_at_least(scene.bodies[pair.b], body.position) - rounded_up(ball->radius));
+  double away = wall->normal.dot(body.velocity);
+  if (detail::level_axis(wall->normal) < 0) {
+    const double off = 16 * detail::plan_u * detail::length_of(body.velocity);
+    away = away > 0 ? std::max(0.0, away - off) : std::min(0.0, away + off);
+  }
+  const double w = rounded_down(std::sqrt(away * away + 2 * g * height), 256);
+  const double most =
+      speed_at_most(q.bounds.groups[q.bounds.bodies[pair.a].group],
+                    q.bounds.bodies[pair.a].slowness, q.bounds.gravity, scene.duration);
+  const double first = away > 0 ? (away + w) / g : (w - away > 0 ? 2 * height / (w - away) : 0.0);
+  BounceRange range;
+  const double flight = rounded_down(2 * e * w / g, 256);
+  range.rest = e < 1 ? rounded_down(first + flight / (1 - e), 512) : infinite;
+  if (w == 0) return unknown;
+  double time = rounded_down(first, 512);
+  double length = flight;
+  double share = 1;
+  for (; time <= scene.duration; time += length, length *= e, share *= e) {
+    if (++range.hits > most_counted || !(range.rest > scene.duration)) {
+      range.hits = infinite;
+      break;
+    }
+    range.late += (1 + e) * (most + pair.friction * g * scene.duration);
+  }
+  // A ball that leaves late leaves from too deep: gravity takes more of its speed than it should,
+  // unless it has all of it.
+  if (pair.restitution_least < 1 || range.hits == infinite) range.late = infinite;
+  range.late = rounded_up(range.late);
+  return range;
+}
+// [/bounce-range]
+
+CONTACT_SCENES_INLINE BounceRange worst_bounces(const PlanQuestion& q) {
+  BounceRange worst;
+  if (most_partners(q) > 1) return {0, detail::infinite, detail::infinite};
+  for (const PairBound& pair : q.pairs) {
+    BounceRange range;
+    if (pair.half_space) {
+      range = bounce_range(q, pair);
+    } else if (pair.both_move && pair.round && !pair.soft) {
+      // Both fly alike: they meet once, on a straight line seen from each other.
+      range = {detail::infinite, 1, detail::rounded_up((1 + pair.restitution_most) * pair.closing)};
+    } else {
+      range = {0, detail::infinite, detail::infinite};
+    }
+    worst.rest = std::min(worst.rest, range.rest);
+    worst.hits = std::max(worst.hits, range.hits);
+    worst.late = std::max(worst.late, range.late);
+  }
+  return worst;
+}
+
+// [resting-rule]
+CONTACT_SCENES_INLINE std::vector<Proof> resting_proofs(const PlanQuestion& q) {
+  double hard = 0;
+  double lossy = 0;
+  double uneven = 0;
+  double touching = 0;
+  for (const PairBound& pair : q.pairs) {
+    if (!pair.hard) continue;
+    hard += pair.count;
+    lossy = std::max(lossy, 1 - pair.restitution_least);
+    uneven += pair.round ? 0 : pair.count;
+    touching += pair.apart ? 0 : 1;
+  }
+  const BounceRange bounces = worst_bounces(q);
+  return {
+      {"Nothing presses bodies together, so a contact that lasts carries no force.",
+       {{"gravity that no table cancels", gravity_felt(q), Relation::equal, 0, "none", "m/s²"},
+        {"moving bodies other than balls that may turn and touch something",
+         proven_line(q) ? 0.0 : rough_shapes_that_touch(q), Relation::equal, 0, "none", ""}}},
+      {"What never touches, or gives way like a spring, never rests on anything hard.",
+       {{"hard contacts that may happen", hard, Relation::equal, 0, "none", ""}}},
+      {"Elastic balls leave at the speed at which they came, and that is never 0: a flight that "
+       "only grazes what gravity presses it on would have come from inside.",
+       {{"largest share of speed lost, 1 − e, between bodies that may meet", lossy, Relation::equal,
+         0, "elastic", ""},
+        {"pairs that may meet other than balls and half-spaces", uneven, Relation::equal, 0, "none",
+         ""},
+        {"kinds of pairs that touch at the beginning and do not part", touching, Relation::equal, 0,
+         "none", ""}}},
+      {"The bounces on a half-space end at t₁ + 2 e w/(g (1 − e)), and the scene ends before.",
+       {{"duration", q.scene->duration, Relation::less, bounces.rest,
+         "earliest that a ball can rest", "s"}}}};
+}
+
+CONTACT_SCENES_INLINE double hops_left_out(const PlanQuestion& q) {
+  if (all_fall_alike(q)) return 0;
+  double size = 0;
+  for (const SceneBody& body : q.scene->bodies)
+    size = std::max(size, body.moves ? detail::coordinate_size(body.position) : 0.0);
+  return q.left > 0 ? chosen_share(q) : detail::plan_u * size;
+}
+
+namespace detail {
+
+/// The highest hop that a pair leaves out in steps, m: what leaves at e times the slowest bounce.
+/// @param height what hops_left_out() says, m
+CONTACT_SCENES_INLINE double pair_hop(const PlanQuestion& q, const PairBound& pair, double height) {
+  if (!pair.hard) return 0;
+  const double e = pair.restitution_most;
+  const double in_a_step = pair_pressing(q, pair) * q.step * q.step / 8;
+  return rounded_up(e * e * std::min(in_a_step, height));
+}
+
+}  // namespace detail
+
+CONTACT_SCENES_INLINE Decision plan_resting(const PlanQuestion& q) {
+  Decision decision =
+      decide(Effect::resting, resting_proofs(q), "Not proven that nothing comes to rest.");
+  if (!decision.on || q.events || !(q.left > 0)) return decision;
+  const double height = hops_left_out(q);
+  double hop = 0;
+  for (const PairBound& pair : q.pairs) hop = std::max(hop, detail::pair_hop(q, pair, height));
+  if (!(hop > 0)) return decision;
+  decision.because.push_back(fits_what_is_left(q, "height of a hop that steps leave out", hop));
+  if (rests_alone(q,
+                  [&](const PairBound& pair) { return detail::pair_hop(q, pair, height) > 0; })) {
+    decision.error = hop;
+    decision.error_is = "height of the hops that steps leave out";
+  } else {
+    decision.error = detail::infinite;
+    decision.error_is =
+        "hops that are left out may add up where bodies lie on or hit each other, or rub";
+  }
+  return decision;
+}
+// [/resting-rule]
+
+CONTACT_SCENES_INLINE Decision plan_sleeping(const PlanQuestion& q) {
+  std::vector<Proof> proofs;
+  for (Proof& proof : resting_proofs(q)) {
+    if (!is_proven(proof)) continue;
+    proof.why = "What never rests never sleeps. " + proof.why;
+    proofs.push_back(std::move(proof));
+    break;
+  }
+  if (proofs.empty()) proofs = resting_proofs(q);
+  Decision decision =
+      decide(Effect::sleeping, std::move(proofs),
+             "Bodies may come to rest; one in balance at speed 0 stays there exactly.");
+  const double share = sleeping_share(q);
+  if (!decision.on || q.events || !(share > 0)) return decision;
+  if (gravity_felt(q) > 0 && all_fall_alike(q)) return decision;
+  decision.because.push_back(fits_what_is_left(
+      q, "way of what sleeps, if it went on as slowly, or as slowly pushed", share));
+  if (rests_alone(q, [&](const PairBound& pair) {
+        const bool glides = pair.half_space && pair.round && !pair.soft && pair.friction == 0;
+        return !glides || detail::pair_pressing(q, pair) > 0;
+      })) {
+    decision.error = share;
+    decision.error_is = "what sleeps would creep";
+  } else {
+    decision.error = detail::infinite;
+    decision.error_is = "what sleeps may balance, and would fall later";
+  }
+  return decision;
+}
+
+namespace detail {
+
+CONTACT_SCENES_INLINE std::string pair_name(const Scene& scene, const PairBound& pair) {
+  if (pair.crowd && pair.both_move) return "any two moving bodies";
+  if (pair.crowd) return "any moving body and " + scene.bodies[pair.b].name;
+  const std::string& a = scene.bodies[pair.a].name;
+  const std::string& b = scene.bodies[pair.b].name;
+  return a < b || !pair.both_move ? a + " and " + b : b + " and " + a;
+}
+
+}  // namespace detail
+
+// [tunnelling]
+/// What can go unseen between two steps of length h, if contacts are looked for at steps only.
+///
+/// *Passing through.* Each body holds a core and all points within its thickness of it. While the
+/// bodies do not touch, their cores are farther apart than both thicknesses together, R. For the
+/// cores to meet in between and part again, the surfaces must move by R and by R again: more than
+/// 2 R in one step. Spin and acceleration are in the speed that energy allows.
+///
+/// *Late.* A hit is noticed up to a step late, and each misplaces a body by (1 + e) v h at most. On
+/// a floor that holds for e = 1 only: what left it slower would leave from too deep, slower still.
+/// Friction along the floor sees an impulse that is off by what gravity adds meanwhile, and leaves
+/// μ (1 + e) g h of velocity.
+///
+/// *At a slant.* Two rounds that meet late have a normal that is turned by asin(d/R) at most, with
+/// d what they have moved in the step and R both radii together. So the impulse is off by
+/// (1 + e) v asin(d/R), for the rest of the time T. A chord that is missed altogether leaves less:
+/// its length is d at most, and along the normal there is v d/(2 R). With friction nothing is
+/// proven. A path that gravity bends away from a wall dips into it with g h/2 at most; lateness is
+/// charged with more, since a body that falls for T has a v of at least g T/2.
+///
+/// *Beside other errors.* There are none. Late hits have a bound only where something touches and
+/// nothing comes to rest; where hops, sleep, gravity, a gyroscopic term or float are left out
+/// within the tolerance, nothing touches or something rests. A path of late hits is the right one,
+/// delayed, but for dips into a floor that are shorter than the error: EnergyShare::twice_dip is
+/// what a body gains in them.
+/// @param h s
+CONTACT_SCENES_INLINE std::vector<Inequality> tunnelling_conditions(const PlanQuestion& q,
+                                                                    double h) {
+  using detail::rounded_up;
+  const Scene& scene = *q.scene;
+  std::vector<Inequality> conditions;
+  double edged = 0;
+  double grazing = 0;
+  double worst = -1;
+  Inequality passing;
+  for (const PairBound& pair : q.pairs) {
+    edged += pair.half_space ? (pair.round ? 0 : pair.count) : (pair.graze > 0 ? 0 : pair.count);
+    if (pair.half_space) continue;
+    const double moved = rounded_up(pair.closing * h);
+    const double thrown = (1 + pair.restitution_most) * scene.duration * pair.closing;
+    if (pair.graze > 0 && pair.friction == 0) {
+      const double turned = std::asin(std::min(1.0, rounded_up(moved / pair.graze)));
+      grazing = std::max(grazing, rounded_up(thrown * turned));
+    } else if (pair.friction > 0) {
+      grazing = detail::infinite;
+    }
+    const double ratio = pair.core > 0 ? moved / (2 * pair.core) : detail::infinite;
+    const std::string name = detail::pair_name(scene, pair);
+    const std::string words = name + " towards each other in a step";
+    if (ratio < worst || (ratio == worst && passing.left_is < words)) continue;
+    worst = ratio;
+    passing = {words, moved, Relation::less, 2 * pair.core, "twice the thickness of both together",
+               "m"};
+  }
+  if (worst >= 0) {
+    conditions.push_back(passing);
+  } else {
+    conditions.push_back({"pairs that may meet and of which none is a half-space", 0,
+                          Relation::equal, 0, "nothing has another side to come out on", ""});
+  }
+  const double late = q.pairs.empty() ? 0.0 : rounded_up(worst_bounces(q).late * h);
+  conditions.push_back(fits_what_is_left(
+      q, "off at the end by hits that are late, or missed at a slant", rounded_up(late + grazing)));
+  conditions.push_back(
+      {"pairs with corners or edges that may meet, whose missed grazes have no bound", edged,
+       Relation::equal, 0, "none", ""});
+  return conditions;
+}
+
+/// Continuous detection is off if nothing can pass through anything between two steps, and what
+/// comes late or is missed stays within the tolerance. From event to event it is on: an event is
+/// an impact at its time.
+CONTACT_SCENES_INLINE Decision plan_continuous_detection(const PlanQuestion& q, double h) {
+  const double pairs = pairs_that_may_meet(q.bounds);
+  Proof free{"Nothing touches anything, whatever the step.", {nothing_meets(q)}};
+  if (q.events && pairs > 0) {
+    Decision decision = decide(Effect::continuous_detection, {free},
+                               "From event to event each impact is found at its time; there is no "
+                               "step in which it could pass unseen.");
+    decision.because.clear();
+    return decision;
+  }
+  Proof steps{
+      "To pass through, two bodies must come towards each other by twice the thickness of "
+      "their cores in one step.",
+      tunnelling_conditions(q, h)};
+  for (const Inequality& condition : steps.conditions) {
+    if (condition.relation == Relation::at_most)
+      steps.error = std::max(steps.error, condition.left);
+  }
+  steps.error_is = "hits up to a step late, and grazing ones that are missed";
+  const std::vector<Inequality> all = steps.conditions;
+  Decision decision = decide(Effect::continuous_detection, {free, steps},
+                             "Not proven that what goes unseen between two steps is small.");
+  if (decision.on) decision.because = all;
+  return decision;
+}
+// [/tunnelling]
+
+namespace detail {
+
+CONTACT_SCENES_INLINE Room room_of(const Scene& scene) {
+  Room room;
+  Vector3<double> low = Vector3<double>::Constant(infinite);
+  Vector3<double> high = Vector3<double>::Constant(-infinite);
+  Vector3<double> floor = Vector3<double>::Constant(-infinite);
+  Vector3<double> ceiling = Vector3<double>::Constant(infinite);
+  std::vector<double> diameters;
+  for (const SceneBody& body : scene.bodies) {
+    if (const auto* wall = std::get_if<HalfSpaceShape>(&body.shape)) {
+      const int axis = level_axis(wall->normal);
+      if (axis < 0) continue;
+      if (wall->normal(axis) > 0) floor(axis) = std::max(floor(axis), wall->offset);
+      if (wall->normal(axis) < 0) ceiling(axis) = std::min(ceiling(axis), -wall->offset);
+    }
+    if (!body.moves) continue;
+    const double reach = outer_radius(body.shape);
+    diameters.push_back(2 * reach);
+    room.widest = std::max(room.widest, 2 * reach);
+    low = low.cwiseMin(body.position - Vector3<double>::Constant(reach));
+    high = high.cwiseMax(body.position + Vector3<double>::Constant(reach));
+  }
+  if (diameters.empty()) return room;
+  const auto n = static_cast<double>(diameters.size());
+  room.mean = sum_in_order(std::move(diameters)) / n;
+  for (int k = 0; k < 3; ++k) {
+    const bool walled = std::isfinite(floor(k)) && std::isfinite(ceiling(k));
+    room.walled[static_cast<std::size_t>(k)] = walled;
+    room.size(k) = std::max(walled ? ceiling(k) - floor(k) : high(k) - low(k), room.widest);
+  }
+  return room;
+}
+
+}  // namespace detail
+
+}  // namespace contact

@@ -1,0 +1,350 @@
+#include <contact/plan/plan_rules.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <contact/ballistic.hpp>
+#include <contact/closest_points.hpp>
+#include <contact/convex_hull.hpp>
+#include <contact/gap.hpp>
+#include <contact/inertia.hpp>
+#include <contact/plan/plan_bounds.hpp>
+#include <contact/plan/plan_types.hpp>
+#include <contact/rotation.hpp>
+#include <contact/scene/compiled.hpp>
+#include <contact/scene/scene.hpp>
+#include <contact/scene/scene_solids.hpp>
+#include <contact/sphere_sphere_impact.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+namespace detail {
+
+/// What a body meets on its way: how fast it goes, how far from hit to hit.
+struct FreePath {
+  double speed = 0;   ///< of who is fast, m/s: at first, or when all have shared their energy
+  double length = 0;  ///< mean free path, m
+  double radius = 0;  ///< the least on which a centre turns from hit to hit nearby, m
+};
+
+/// The speed of who is fast: the largest at the beginning, or the root mean square of the lightest
+/// of a group when each of its n bodies has 1/n of the energy. Gravity adds to it.
+CONTACT_SCENES_INLINE double pace_of_the_fast(const PlanQuestion& q) {
+  struct Share {
+    double count = 0;
+    double lightest = infinite;
+  };
+  std::vector<Share> shares(q.bounds.groups.size());
+  double speed = 0;
+  for (std::size_t i = 0; i < q.scene->bodies.size(); ++i) {
+    const SceneBody& body = q.scene->bodies[i];
+    if (!body.moves) continue;
+    Share& share = shares[q.bounds.bodies[i].group];
+    share.count += 1;
+    share.lightest = std::min(share.lightest, body.mass);
+    speed = std::max(speed, body.velocity.norm());
+  }
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    if (shares[i].count == 0) continue;
+    const EnergyShare& energy = q.bounds.groups[i];
+    const double mass = shares[i].count * shares[i].lightest;
+    const double with_time =
+        std::sqrt(energy.twice_kinetic / mass) + gravity_felt(q) * q.scene->duration;
+    speed = std::max(speed, std::min(std::sqrt(energy.twice_floor / mass), with_time));
+  }
+  return speed;
+}
+
+/// The mean free path of a gas, V/(√2 π D² N), but no longer than the room is wide.
+CONTACT_SCENES_INLINE FreePath free_path(const PlanQuestion& q) {
+  FreePath path;
+  const Room room = room_of(*q.scene);
+  double balls = 0;
+  double least = infinite;
+  for (const SceneBody& body : q.scene->bodies)
+    if (body.moves) least = std::min(least, outer_radius(body.shape));
+  path.speed = pace_of_the_fast(q);
+  path.radius = infinite;
+  for (const PairBound& pair : q.pairs) {
+    if (pair.half_space) continue;
+    const SceneShape& other = q.scene->bodies[pair.b].shape;
+    const bool post = !pair.both_move && std::holds_alternative<BallShape>(other);
+    path.radius = std::min(path.radius, least + (post ? outer_radius(other) : 0));
+  }
+  if (std::isinf(path.radius)) return path;
+  for (const BodyBound& body : q.bounds.bodies) balls += body.disturbed ? 1 : 0;
+  const double widest = room.size.maxCoeff();
+  const double volume = room.size.x() * room.size.y() * room.size.z();
+  const double area = 4.442882938158366 * room.mean * room.mean;  // √2 π D²
+  path.length = std::min(volume / (area * std::max(1.0, balls)), widest);
+  return path;
+}
+
+/// The least of four gaps that close in on a moving body: to the nearest four bodies that stand
+/// still, half-spaces among them. Fewer than four leave it a way out.
+CONTACT_SCENES_INLINE double narrowest_cage(const PlanQuestion& q) {
+  std::map<std::size_t, std::vector<double>> gaps;  // of each body that moves
+  for (const PairBound& pair : q.pairs) {
+    if (pair.both_move) continue;
+    const SceneBody& mover = q.scene->bodies[pair.a];
+    if (const auto gap = starting_gap(mover, q.scene->bodies[pair.b]))
+      gaps[pair.a].push_back(std::max(0.0, *gap));
+  }
+  double narrowest = infinite;
+  for (auto& [mover, list] : gaps) {
+    if (list.size() < 4) continue;
+    std::nth_element(list.begin(), list.begin() + 3, list.end());
+    narrowest = std::min(narrowest, list[3]);
+  }
+  return narrowest;
+}
+
+/// How wide the middle half of some numbers spreads, twice: as wide as all of them if they are
+/// spread evenly, and no wider for a few that lie far away.
+CONTACT_SCENES_INLINE double middle_width(std::vector<double>& numbers) {
+  const std::size_t quarter = numbers.size() / 4;
+  std::sort(numbers.begin(), numbers.end());
+  const double width = numbers[numbers.size() - 1 - quarter] - numbers[quarter];
+  return quarter == 0 ? width : 2 * width;
+}
+
+/// How far a body goes from hit to hit where it is most crowded at the beginning: in a gas that
+/// fills no more than the box round most of what moves, and no farther than its cage is wide.
+CONTACT_SCENES_INLINE double crowded_path(const PlanQuestion& q, const FreePath& even) {
+  std::array<std::vector<double>, 3> places;
+  for (const SceneBody& body : q.scene->bodies)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (body.moves) places[k].push_back(body.position(static_cast<int>(k)));
+  const auto balls = static_cast<double>(places[0].size());
+  const Room room = room_of(*q.scene);
+  double volume = 1;
+  for (std::vector<double>& along : places) volume *= middle_width(along) + room.widest;
+  const double area = 4.442882938158366 * room.mean * room.mean;  // √2 π D²
+  // One ball is no gas.
+  const double among = balls > 1 ? volume / (area * balls) : infinite;
+  return std::min({even.length, among, narrowest_cage(q)});
+}
+
+/// By how much faster than an average error the largest of n balls that hit each other grows.
+///
+/// Whoever the ball that is off most hits is off as much, and the next hit of either adds to it: of
+/// very many balls the largest error grows as if it hit 2 e^γ = 4.311 times as often, where
+/// e^γ (1 − γ) = ½. Of n it is 2 e^γ (1 − γ π²/(2 ln² n)) times. All hits together are n/2 times as
+/// many as a ball's; of a few that is taken, up to twice.
+///
+/// Sources: van Zon, van Beijeren and Dellago, *Largest Lyapunov exponent for many particle systems
+/// at low densities*, Physical Review Letters 80 (1998); for n Brunet and Derrida, *Shift in the
+/// velocity of a front due to a cutoff*, Physical Review E 56 (1997).
+CONTACT_SCENES_INLINE double leading_growth(double n) {
+  constexpr double half_of_pi_squared = 4.934802200544679;
+  const double digits = std::log(std::max(n, 2.0));
+  return std::max(std::min(n / 2, 2.0),
+                  4.311 * (1 - 0.768 * half_of_pi_squared / (digits * digits)));
+}
+
+/// Until when places are known where nothing holds the balls together: each pair meets once, and
+/// no way from hit to hit is longer than all of the time.
+CONTACT_SCENES_INLINE double horizon_in_the_open(const FreePath& path, double pairs,
+                                                 double growth) {
+  return (std::pow(growth, 1 / pairs) - 1) * path.radius / (4 * path.speed);
+}
+
+/// How many half-spaces slant as gravity sees it, if there are others beside them: between two such
+/// walls a ball that bounces under gravity does not come back to where it was.
+CONTACT_SCENES_INLINE double slanting_walls(const PlanQuestion& q) {
+  if (!(gravity_felt(q) > 0)) return 0;
+  std::vector<std::size_t> walls;
+  for (const PairBound& pair : q.pairs)
+    if (pair.half_space) walls.push_back(pair.b);
+  std::sort(walls.begin(), walls.end());
+  walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
+  double slanting = 0;
+  for (const std::size_t wall : walls) {
+    const Vector3<double>& n = std::get<HalfSpaceShape>(q.scene->bodies[wall].shape).normal;
+    const Vector3<double>& g = q.scene->gravity;
+    const bool level = n.cross(g) == Vector3<double>::Zero();
+    slanting += level || n.dot(g) == 0 ? 0 : 1;
+  }
+  return walls.size() > 1 ? slanting : 0;
+}
+
+/// How many pairs rub where somebody may meet more than one body.
+CONTACT_SCENES_INLINE double rubbing_among_several(const PlanQuestion& q) {
+  double rubbing = 0;
+  for (const PairBound& pair : q.pairs) rubbing += pair.friction > 0 ? pair.count : 0;
+  return most_partners(q) > 1 ? rubbing : 0;
+}
+
+/// Why nothing makes small differences grow faster than time, if nothing does.
+CONTACT_SCENES_INLINE std::vector<Proof> nothing_spreads(const PlanQuestion& q, bool turning) {
+  double lenses = 0;
+  for (const PairBound& pair : q.pairs) lenses += pair.half_space ? 0 : pair.count;
+  const Inequality corners{"moving bodies other than balls that turn and may touch something",
+                           turning ? rough_shapes_that_touch(q) : 0.0,
+                           Relation::equal,
+                           0,
+                           "none",
+                           ""};
+  std::vector<Proof> proofs{
+      {"Flat walls do not spread paths that lie close together; rounding only adds up.",
+       {{"pairs that may meet and of which none is a half-space", lenses, Relation::equal, 0,
+         "none", ""},
+        corners,
+        {"half-spaces neither level nor upright, beside others", slanting_walls(q), Relation::equal,
+         0, "none", ""},
+        {"pairs that rub, where a body may meet several", rubbing_among_several(q), Relation::equal,
+         0, "none", ""}}}};
+  if (auto line = proven_line(q)) {
+    line->why = "On a line no hit spreads paths; rounding only adds up.";
+    line->conditions.push_back(corners);
+    double rebound = 0;
+    for (const PairBound& pair : q.pairs)
+      rebound = std::max(rebound, pair.soft ? 1.0 : pair.restitution_most);
+    const bool columns = gravity_felt(q) > 0 && rebound > 0;
+    line->conditions.push_back({"moving bodies that fall and bounce on the line",
+                                columns ? static_cast<double>(q.bounds.movers) : 0.0,
+                                Relation::at_most, 1, "none among others", ""});
+    proofs.push_back(*line);
+  }
+  return proofs;
+}
+
+/// How fast something falls that falls from where it begins to the farthest wall below, m/s.
+CONTACT_SCENES_INLINE double falling_speed(const PlanQuestion& q) {
+  double drop = 0;
+  double speed = 0;
+  for (const SceneBody& body : q.scene->bodies)
+    speed = std::max(speed, body.moves ? body.velocity.norm() : 0.0);
+  for (const PairBound& pair : q.pairs) {
+    if (!pair.half_space) continue;
+    const auto gap = starting_gap(q.scene->bodies[pair.a], q.scene->bodies[pair.b]);
+    drop = std::max(drop, gap.value_or(0));
+  }
+  return std::sqrt(speed * speed + 2 * gravity_felt(q) * drop);
+}
+
+/// How often an error grows by a factor e, 1/s: by hits on rounds, and by falling.
+CONTACT_SCENES_INLINE double spreading(const PlanQuestion& q, const FreePath& path) {
+  double pace = 0;
+  if (std::isfinite(path.radius)) {
+    bool gas = false;
+    bool posts = false;
+    for (const PairBound& pair : q.pairs) {
+      gas = gas || pair.both_move;
+      posts = posts || !(pair.both_move || pair.half_space);
+    }
+    const double way = crowded_path(q, path);
+    // Where the way is short, ln(1 + 4 λ/R)/λ is 4/R.
+    const double widening = 4 * way / path.radius;
+    const double a_way = widening < 1e-6 ? 4 / path.radius : std::log(1 + widening) / way;
+    // A ball alone may meet more slanting hits than the average: half as much again.
+    const double leading = gas ? leading_growth(static_cast<double>(q.bounds.movers)) : 1;
+    pace = std::max(leading, posts ? 1.5 : 1) * a_way * path.speed;
+  }
+  if (!(gravity_felt(q) > 0)) return pace;
+  return pace + 3 * gravity_felt(q) / std::min(path.speed, falling_speed(q));
+}
+
+/// When a pair may touch at the earliest, if nothing else does before; nothing: never. Of two balls
+/// it is known. Any other gap closes no faster than both surfaces move, and gravity pulls those
+/// together of which one stands still.
+CONTACT_SCENES_INLINE std::optional<double> earliest_touch(const PlanQuestion& q,
+                                                           const PairBound& pair, double gap) {
+  const SceneBody& a = q.scene->bodies[pair.a];
+  const SceneBody& b = q.scene->bodies[pair.b];
+  const auto swing = [](const SceneBody& body) {
+    return body.moves ? body.spin.norm() * spin_arm(body.shape) : 0;
+  };
+  const bool falls = gravity_felt(q) > 0;
+  const auto* ball = std::get_if<BallShape>(&a.shape);
+  const auto* other = std::get_if<BallShape>(&b.shape);
+  if (ball && other && (pair.both_move || !falls)) {
+    return sphere_sphere_impact<double>({a.position, ball->radius}, a.velocity,
+                                        {b.position, other->radius}, b.velocity);
+  }
+  const Vector3<double> relative = a.velocity - b.velocity;
+  double rate = -relative.norm();
+  double pull = pair.both_move ? 0 : -gravity_felt(q);
+  if (const auto* ground = std::get_if<HalfSpaceShape>(&b.shape)) {
+    rate = ground->normal.dot(relative);
+    pull = falls ? ground->normal.dot(q.scene->gravity) : 0;
+  }
+  return closing_time<double>(std::max(gap, 0.0), rate - swing(a) - swing(b), pull);
+}
+
+CONTACT_SCENES_INLINE double first_touch(const PlanQuestion& q) {
+  if (q.bounds.crowded) return 0;
+  double first = q.scene->duration;
+  for (const PairBound& pair : q.pairs) {
+    const auto gap = starting_gap(q.scene->bodies[pair.a], q.scene->bodies[pair.b]);
+    if (!gap) return 0;
+    const auto time = earliest_touch(q, pair, *gap);
+    if (time) first = std::min(first, *time);
+  }
+  return first;
+}
+
+}  // namespace detail
+
+// [horizon-rule]
+/// Until when places can be predicted: an estimate on the safe side, not a proof.
+///
+/// Two balls spread what is uncertain as a lens does: an error across the path grows by about
+/// 1 + 2 λ/(R cos θ) from hit to hit, with the way λ and the radius R; 1/cos θ is 2 on the average
+/// of all slants. So an ulp of the largest coordinate grows to the tolerance, at v/λ hits a second;
+/// the largest error of many balls at more. Who falls spreads too, where walls slant or masses
+/// differ: by a factor e in a third of the time v/g at most. Flat walls alone do not spread, and on
+/// a line without gravity nothing does: there rounding only adds up. Of bodies with corners that
+/// turn no estimate is known. All of this begins with the first hit.
+/// @param turning whether the plan has rotation
+CONTACT_SCENES_INLINE Decision plan_horizon(const PlanQuestion& q, bool turning) {
+  Decision decision = decide(Effect::horizon, detail::nothing_spreads(q, turning),
+                             "Estimated: an ulp grows by 1 + 4 λ/R from hit to hit.");
+  if (!decision.on) return decision;
+  if (turning && rough_shapes_that_touch(q) > 0) {
+    decision.why = "Not known: what turns and has corners may part from its twin at any hit.";
+    return decision;
+  }
+  const detail::FreePath path = detail::free_path(q);
+  if (!(path.speed > 0) || !std::isfinite(path.speed)) {
+    decision.why = "Not proven: nothing moves at first, so no pace of hits is known.";
+    return decision;
+  }
+  bool open = !(gravity_felt(q) > 0);
+  double pairs = 0;
+  for (const PairBound& pair : q.pairs) {
+    open = open && pair.both_move;
+    pairs += pair.count;
+  }
+  double size = path.length;
+  double least = detail::infinite;
+  for (const SceneBody& body : q.scene->bodies) {
+    if (!body.moves) continue;
+    size = std::max(size, body.position.cwiseAbs().maxCoeff());
+    least = std::min(least, outer_radius(body.shape));
+  }
+  const double error = size * std::numeric_limits<double>::epsilon();
+  const double growth = std::max(1.0, (q.tolerance > 0 ? q.tolerance : least) / error);
+  double time = std::log(growth) / detail::spreading(q, path);
+  if (open) time = std::max(time, detail::horizon_in_the_open(path, pairs, growth));
+  const double first = detail::first_touch(q);
+  decision.value = first + time;
+  decision.because = {
+      {"the start", 0, Relation::at_most, first, "the first touch there may be", "s"},
+      {"time until an ulp has grown to " +
+           std::string(q.tolerance > 0 ? "the tolerance" : "a radius") + ", by 1 + 4 λ/R a hit",
+       first + time, Relation::at_most, q.scene->duration, "duration", "s"}};
+  return decision;
+}
+// [/horizon-rule]
+
+}  // namespace contact

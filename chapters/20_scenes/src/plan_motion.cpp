@@ -1,0 +1,311 @@
+#include <contact/plan/plan_rules.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <contact/plan/plan_bounds.hpp>
+#include <contact/plan/plan_types.hpp>
+#include <contact/rotation.hpp>
+#include <contact/scene/compiled.hpp>
+#include <contact/scene/scene.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+// [error-budget]
+/// What an error is compared with: what is left of the tolerance.
+///
+/// Errors add up: what is off by a and then by b is off by a + b at most. So the tolerance holds
+/// for their sum, and a rule may take only what those before it have left.
+/// @param error of the effect that is asked about, m
+CONTACT_SCENES_INLINE Inequality fits_what_is_left(const PlanQuestion& q, std::string error_is,
+                                                   double error) {
+  return {std::move(error_is),
+          error,
+          Relation::at_most,
+          q.left,
+          q.left == q.tolerance ? "tolerance of a place" : "what is left of the tolerance",
+          "m"};
+}
+
+/// Takes what a decision accepts from what is left, rounded down: so all that decisions accept is
+/// at most the tolerance, without rounding. What has no bound takes nothing: no share would do.
+CONTACT_SCENES_INLINE void take_from_what_is_left(PlanQuestion& q, const Decision& decision) {
+  if (decision.error > 0 && std::isfinite(decision.error))
+    q.left = std::max(0.0, detail::rounded_down(q.left - decision.error));
+}
+
+/// How much a rule takes that may choose its error: half of what is left, so that others come to
+/// theirs.
+CONTACT_SCENES_INLINE double chosen_share(const PlanQuestion& q) { return q.left / 2; }
+// [/error-budget]
+
+CONTACT_SCENES_INLINE Inequality nothing_meets(const PlanQuestion& q) {
+  return {"pairs of bodies that may meet",
+          pairs_that_may_meet(q.bounds),
+          Relation::equal,
+          0,
+          "none, so that all fly freely",
+          ""};
+}
+
+// [rotation-rule]
+CONTACT_SCENES_INLINE Proof smooth_balls(const PlanQuestion& q) {
+  double spinning = 0;
+  for (const SceneBody& body : q.scene->bodies)
+    spinning += body.moves && !is_ball(body) && !body.spin.isZero(0) ? 1 : 0;
+  return {
+      "A contact's force on a smooth ball runs through its centre and turns nothing; what "
+      "touches nothing and does not spin keeps lying as it lies.",
+      {{"moving bodies other than balls that may touch something", rough_shapes_that_touch(q),
+        Relation::equal, 0, "none", ""},
+       {"moving bodies other than balls that spin", spinning, Relation::equal, 0, "none", ""},
+       {"largest friction between bodies that may meet", most_friction(q.pairs), Relation::equal, 0,
+        "smooth", ""}}};
+}
+// [/rotation-rule]
+
+namespace detail {
+
+/// Whether a reflection across an axis through its centre leaves a body as it lies.
+CONTACT_SCENES_INLINE bool is_mirrored(const SceneBody& body, int axis) {
+  if (is_ball(body)) return true;
+  if (const auto* wall = std::get_if<HalfSpaceShape>(&body.shape)) return wall->normal(axis) == 0;
+  if (std::holds_alternative<HullShape>(body.shape)) return false;
+  for (int k = 0; k < 3; ++k) {
+    if (k != axis && body.orientation.v(k) != 0) return false;
+  }
+  return true;
+}
+
+/// How far along an axis two bodies that may meet are from sharing their mirror. A ball beside a
+/// box that spans it shares it: the box's nearest point is level with the ball's centre.
+CONTACT_SCENES_INLINE double mirrors_apart(const SceneBody& a, const SceneBody& b, int axis) {
+  if (is_half_space(b)) return 0;
+  const double apart = std::abs(a.position(axis) - b.position(axis));
+  const auto* box = std::get_if<BoxShape>(&b.shape);
+  if (!b.moves && box != nullptr && is_ball(a)) return apart < box->half_lengths(axis) ? 0 : apart;
+  return apart;
+}
+
+CONTACT_SCENES_INLINE double mirrors_apart_in(const PlanQuestion& q, const PairBound& pair,
+                                              int axis) {
+  const Scene& scene = *q.scene;
+  if (!pair.crowd) return mirrors_apart(scene.bodies[pair.a], scene.bodies[pair.b], axis);
+  double most = 0;
+  for (const SceneBody& body : scene.bodies) {
+    if (body.moves) most = std::max(most, mirrors_apart(body, scene.bodies[pair.b], axis));
+  }
+  return most;
+}
+
+}  // namespace detail
+
+// [mirror]
+/// A scene that is its own mirror image across an axis.
+///
+/// The laws of motion know no left and right. So a scene that a reflection maps to itself, body by
+/// body, stays so: no velocity and no force ever has a component along the axis, and no spin one
+/// across it. Every number here is exact: one ulp of velocity and there is motion out of the plane.
+/// @param axis 0, 1 or 2: x, y or z
+CONTACT_SCENES_INLINE std::vector<Inequality> mirror_conditions(const PlanQuestion& q, int axis) {
+  const Scene& scene = *q.scene;
+  const bool smooth = is_proven(smooth_balls(q));
+  double velocity = 0;
+  double spin = 0;
+  double askew = 0;
+  double apart = 0;
+  for (const SceneBody& body : scene.bodies) {
+    if (!body.moves) continue;
+    velocity = std::max(velocity, std::abs(body.velocity(axis)));
+    askew += detail::is_mirrored(body, axis) ? 0 : 1;
+    for (int k = 0; k < 3 && !smooth; ++k) {
+      if (k != axis) spin = std::max(spin, std::abs(body.spin(k)));
+    }
+  }
+  for (const PairBound& pair : q.pairs) {
+    if (!pair.both_move && !detail::is_mirrored(scene.bodies[pair.b], axis)) askew += 1;
+    apart = std::max(apart, detail::mirrors_apart_in(q, pair, axis));
+  }
+  const std::string name = axis_name(axis);
+  const double pull = q.table == axis ? 0.0 : std::abs(scene.gravity(axis));
+  return {
+      {q.table == axis ? "gravity along " + name + " that the table does not cancel"
+                       : "gravity along " + name,
+       pull, Relation::equal, 0, "none", "m/s²"},
+      {"fastest motion along " + name + " at the beginning", velocity, Relation::equal, 0, "none",
+       "m/s"},
+      {"largest spin about another axis than " + name, spin, Relation::equal, 0, "none", "rad/s"},
+      {"bodies not their own mirror image across " + name, askew, Relation::equal, 0, "none", ""},
+      {"farthest that centres of bodies that may meet differ along " + name, apart, Relation::equal,
+       0, "one common plane", "m"}};
+}
+// [/mirror]
+
+CONTACT_SCENES_INLINE Proof line_motion(const PlanQuestion& q, int along) {
+  const int first = (along + 1) % 3;
+  const int second = (along + 2) % 3;
+  Proof proof{"The scene is its own mirror image across " + axis_name(first) + " and across " +
+                  axis_name(second) + ", so that all motion is along " + axis_name(along) +
+                  " and nothing spins.",
+              mirror_conditions(q, first)};
+  for (Inequality& condition : mirror_conditions(q, second))
+    proof.conditions.push_back(std::move(condition));
+  return proof;
+}
+
+CONTACT_SCENES_INLINE std::optional<Proof> proven_line(const PlanQuestion& q) {
+  for (int along = 2; along >= 0; --along) {
+    Proof proof = line_motion(q, along);
+    if (is_proven(proof)) return proof;
+  }
+  return std::nullopt;
+}
+
+// [table]
+CONTACT_SCENES_INLINE std::vector<Inequality> table_conditions(const PlanQuestion& q, int axis) {
+  const Scene& scene = *q.scene;
+  double off_table = 0;
+  double soft = 0;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const SceneBody& body = scene.bodies[i];
+    if (!body.moves) continue;
+    bool lies = false;
+    for (const SceneBody& floor : scene.bodies) {
+      const auto* plane = std::get_if<HalfSpaceShape>(&floor.shape);
+      const auto* ball = std::get_if<BallShape>(&body.shape);
+      if (plane == nullptr || ball == nullptr || detail::level_axis(plane->normal) != axis)
+        continue;
+      if (!(plane->normal(axis) * scene.gravity(axis) < 0)) continue;
+      const double height = plane->normal(axis) * body.position(axis);
+      if (detail::sign_of_rest(height, plane->offset, ball->radius) != 0) continue;
+      lies = true;
+      const PairMaterial pair =
+          pair_material(scene.materials[body.material], scene.materials[floor.material]);
+      soft += pair.stiffness ? 1 : 0;
+    }
+    off_table += lies ? 0 : 1;
+  }
+  return {{"moving bodies that are no balls lying exactly on a level floor", off_table,
+           Relation::equal, 0, "none", ""},
+          {"balls that sink into their floor", soft, Relation::equal, 0, "none", ""},
+          {"largest friction between bodies that may meet", most_friction(q.bounds.pairs),
+           Relation::equal, 0, "smooth", ""}};
+}
+
+namespace detail {
+
+/// The pairs without those of balls and the floor that cancels gravity.
+CONTACT_SCENES_INLINE std::vector<PairBound> pairs_off_table(const Scene& scene,
+                                                             const std::vector<PairBound>& pairs,
+                                                             int axis) {
+  std::vector<PairBound> rest;
+  for (const PairBound& pair : pairs) {
+    const auto* plane = std::get_if<HalfSpaceShape>(&scene.bodies[pair.b].shape);
+    const bool table = plane != nullptr && level_axis(plane->normal) == axis &&
+                       plane->normal(axis) * scene.gravity(axis) < 0;
+    if (!table) rest.push_back(pair);
+  }
+  return rest;
+}
+
+}  // namespace detail
+
+CONTACT_SCENES_INLINE PlanQuestion plan_question(const Scene& scene) {
+  PlanQuestion q;
+  q.scene = &scene;
+  q.bounds = scene_bounds(scene);
+  q.pairs = q.bounds.pairs;
+  // Whoever asks for the order of events allows no error of a place: it may turn two of them round.
+  if (!scene.tolerance.event_order) q.tolerance = scene.tolerance.position.value_or(0);
+  q.left = q.tolerance;
+  const int axis = detail::only_axis(scene.gravity);
+  if (axis < 0 || q.bounds.movers == 0 || !is_proven({"", table_conditions(q, axis)})) return q;
+  q.table = axis;
+  q.pairs = detail::pairs_off_table(scene, q.bounds.pairs, axis);
+  if (is_proven(plane_motion(q, axis))) return q;
+  q.table = -1;
+  q.pairs = q.bounds.pairs;
+  return q;
+}
+// [/table]
+
+// [gravity-rule]
+/// Gravity is off if there is none, if nothing moves, if a table cancels it, or if nothing touches
+/// anything and free fall through the whole duration is shorter than what is left of the tolerance:
+/// ½ g T² is then exactly the error. It is that in a run that leaves out a gyroscopic term too, or
+/// goes in float: nothing is looked for that a body could touch, so turning and rounding do not
+/// change the fall that is missing.
+CONTACT_SCENES_INLINE Decision plan_gravity(const PlanQuestion& q) {
+  const Scene& scene = *q.scene;
+  std::vector<Proof> proofs{
+      {"Without gravity its term adds zeros.",
+       {{"size of gravity", q.bounds.gravity, Relation::equal, 0, "none", "m/s²"}}},
+      {"Gravity moves only what can move.",
+       {{"moving bodies", static_cast<double>(q.bounds.movers), Relation::equal, 0, "none", ""}}}};
+  const int axis = detail::only_axis(scene.gravity);
+  if (axis >= 0) {
+    Proof table{"A level table without friction pushes back what gravity presses; both cancel.",
+                table_conditions(q, axis)};
+    PlanQuestion on_table = q;
+    on_table.table = axis;
+    on_table.pairs = detail::pairs_off_table(scene, q.bounds.pairs, axis);
+    for (Inequality& condition : mirror_conditions(on_table, axis))
+      table.conditions.push_back(std::move(condition));
+    proofs.push_back(std::move(table));
+  }
+  const double fall = detail::rounded_up(q.bounds.gravity * scene.duration * scene.duration / 2);
+  proofs.push_back(
+      {"What touches nothing is off by the fall that is left out, ½ g T².",
+       {nothing_meets(q), fits_what_is_left(q, "fall in the whole duration, ½ g T²", fall)},
+       fall,
+       "½ g T², the fall that is left out"});
+  return decide(Effect::gravity, std::move(proofs), "Gravity changes velocities.");
+}
+// [/gravity-rule]
+
+// [gyroscopic-rule]
+CONTACT_SCENES_INLINE Decision plan_gyroscopic_term(const PlanQuestion& q) {
+  const Scene& scene = *q.scene;
+  double uneven = 0;
+  double aside = 0;
+  for (const SceneBody& body : scene.bodies) {
+    if (!body.moves) continue;
+    const MomentRange moments = moment_range(body.inertia);
+    uneven = std::max(uneven, moments.most - moments.least);
+    const double spin = moments.most / moments.least * body.spin.dot(body.spin);
+    const double alpha = (moments.most - moments.least) / moments.least * spin;
+    aside = std::max(aside, detail::rounded_up(spin_arm(body.shape) * alpha * scene.duration *
+                                               scene.duration / 2));
+  }
+  Proof still = smooth_balls(q);
+  still.why = "Nothing turns, or turns as a ball does.";
+  std::vector<Proof> proofs{{"A body whose moments are equal has I ω along ω, and ω × I ω = 0.",
+                             {{"largest difference between two moments of a body", uneven,
+                               Relation::equal, 0, "equal", "kg·m²"}}},
+                            std::move(still)};
+  for (int axis = 2; axis >= 0; --axis) {
+    Proof plane = plane_motion(q, axis);
+    if (!is_proven(plane)) continue;
+    plane.why = "Every spin stays along " + axis_name(axis) +
+                ", which a mirror makes a principal axis of every body; there ω × I ω = 0.";
+    proofs.push_back(std::move(plane));
+  }
+  proofs.push_back(
+      {"What touches nothing turns aside by at most ½ α T², with α = (I₃ − I₁)/I₁ |ω|².",
+       {nothing_meets(q),
+        fits_what_is_left(q, "farthest that a point of a body is turned aside, R ½ α T²", aside)},
+       aside,
+       "R ½ α T², by which a body's points are turned aside"});
+  return decide(Effect::gyroscopic_term, std::move(proofs),
+                "Not proven that uneven bodies spin steadily.");
+}
+// [/gyroscopic-rule]
+
+}  // namespace contact

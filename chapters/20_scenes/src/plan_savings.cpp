@@ -1,0 +1,321 @@
+#include <contact/plan/plan_rules.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <contact/inertia.hpp>
+#include <contact/plan/plan_bounds.hpp>
+#include <contact/plan/plan_costs.hpp>
+#include <contact/plan/plan_types.hpp>
+#include <contact/rotation.hpp>
+#include <contact/scene/compiled.hpp>
+#include <contact/stepped/stepped_state.hpp>
+
+namespace contact {
+
+// [savings]
+/// Sums up an estimate, and says of what: "25 for each body and part (1200)".
+class Tally {
+ public:
+  /// Adds so many of a thing.
+  /// @param each instructions of one of them
+  /// @param of what one of them is
+  /// @param count how many are expected
+  Tally& add(double each, std::string_view of, double count) {
+    const double product = each * count;
+    if (!std::isfinite(product) || product == 0) return *this;
+    saving_.instructions += product;
+    if (!saving_.is.empty()) saving_.is += ", ";
+    saving_.is += digits(each) + " for each " + std::string(of) + " (" + digits(count) + ")";
+    return *this;
+  }
+  /// The sum, and its words.
+  /// @param nothing what to say if there was nothing
+  Saving saving(std::string_view nothing = "nothing") const {
+    return saving_.is.empty() ? Saving{0, std::string(nothing)} : saving_;
+  }
+
+  /// A number for a sentence.
+  static std::string digits(double x) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), std::abs(x) < 1e6 ? "%.0f" : "%.2g", x);
+    return text.data();
+  }
+
+ private:
+  Saving saving_;
+};
+
+namespace detail {
+
+/// How many balls and walls are asked after impacts, from event to event. In the cells about a
+/// ball's and its own, 27, are its neighbours.
+CONTACT_SCENES_INLINE double asked_after_hits(const ExpectedRun& run) {
+  return run.cells ? 2 * run.hits * (27 * run.occupancy + run.walls)
+                   : (2 * run.hits - run.wall_hits) * (run.bounded - 1 + run.walls);
+}
+
+/// What a run costs from event to event.
+CONTACT_SCENES_INLINE Saving events_cost(const ExpectedRun& run) {
+  Tally sum;
+  sum.add(cost::hit, "impact", run.hits);
+  sum.add(cost::asked, "ball or wall asked after one", asked_after_hits(run));
+  if (run.cells) sum.add(cost::crossing, "way from cell to cell", run.crossings);
+  return sum.saving();
+}
+
+/// What a run costs in steps: each of its parts, and what is in it.
+CONTACT_SCENES_INLINE Saving steps_cost(const PlanQuestion& q, const ExpectedRun& run, bool turns,
+                                        bool looks) {
+  const double moved = run.parts * run.movers;
+  Tally sum;
+  if (pairs_that_may_meet(q.bounds) == 0) {
+    sum.add(cost::placed, "step", run.steps);
+  } else {
+    sum.add(cost::part, "part of a step", run.parts);
+    sum.add(cost::swept_box, "body's box", run.bounded * run.parts);
+    sum.add(std::min(run.search.all, run.search.cells), "search for pairs", run.parts);
+  }
+  sum.add(cost::motion, "body moved", moved);
+  if (gravity_felt(q) > 0) sum.add(cost::gravity, "body that falls", moved);
+  if (looks)
+    sum.add(cost::gyroscopic_look, "part of a turn", run.looks);
+  else if (turns)
+    sum.add(cost::turn, "body turned", moved);
+  sum.add(cost::contact, "contact and part", run.contacts * run.parts * run.awake);
+  if (run.touching > 0)
+    sum.add(run.gaps / run.touching, "pair that touches", run.touching * run.parts * run.awake);
+  sum.add(cost::contact + 2 * (cost::round_gap + cost::round_impact), "impact", run.hits);
+  return sum.saving();
+}
+
+inline constexpr std::string_view brought_along =
+    "nothing: the gyroscopic term, which is on, brings it along";
+
+/// What effects cost where nothing may meet anything.
+CONTACT_SCENES_INLINE Saving flight_saving(const PlanQuestion& q, const ExpectedRun& run,
+                                           Effect effect, bool turns, bool looks) {
+  const double moved = run.parts * run.movers;
+  const std::string formula = "nothing: a place is a formula, computed when it is asked for";
+  switch (effect) {
+    case Effect::gravity:
+      return q.events ? Saving{0, formula}
+                      : Tally().add(cost::gravity, "body and step", moved + run.parts).saving();
+    case Effect::rotation:
+      if (!q.events && looks) return {0, std::string(brought_along)};
+      return q.events ? Saving{0, formula}
+                      : Tally().add(cost::turn, "body and step", moved).saving();
+    case Effect::gyroscopic_term: {
+      if (!turns) return {0, "nothing, where nothing turns"};
+      if (!q.events)
+        return Tally().add(cost::gyroscopic_look, "part of a turn", run.looks).saving();
+      const Saving steps = steps_cost(q, run, true, true);
+      return {steps.instructions, "no formula has it, and steps take " + steps.is};
+    }
+    case Effect::event_driven: {
+      if (!q.events) return {0, "nothing: what turns unevenly has no formula"};
+      const Saving steps = steps_cost(q, run, turns, false);
+      return {-steps.instructions, "a formula, in place of " + steps.is};
+    }
+    default:
+      return {0, "nothing: where nothing meets anything there is no such stage"};
+  }
+}
+
+/// Whether the scene is one of hard, smooth balls, so that it can go from event to event.
+CONTACT_SCENES_INLINE bool has_events_alone(const PlanQuestion& q) {
+  const std::vector<Inequality> conditions = event_conditions(q);
+  return std::all_of(conditions.begin(), conditions.end(), holds);
+}
+
+CONTACT_SCENES_INLINE Saving events_in_place_of_steps(const PlanQuestion& q, ExpectedRun run,
+                                                      bool turns) {
+  run.cells = run.bounded > double{cost::most_asked_by_all};
+  const Saving steps = steps_cost(q, run, turns, false);
+  const Saving events = events_cost(run);
+  return {events.instructions - steps.instructions, events.is + "; in place of " + steps.is};
+}
+
+/// What effects cost from event to event.
+CONTACT_SCENES_INLINE Saving event_saving(const PlanQuestion& q, const ExpectedRun& run,
+                                          const Plan& plan, Effect effect) {
+  const auto share = [&](double of_asked, double of_crossings) {
+    Tally sum;
+    sum.add(cost::hit * of_asked, "impact", run.hits);
+    sum.add(cost::asked * of_asked, "ball or wall asked after one", asked_after_hits(run));
+    if (run.cells) sum.add(cost::crossing * of_crossings, "way from cell to cell", run.crossings);
+    return sum.saving();
+  };
+  switch (effect) {
+    case Effect::gravity:
+      return share(cost::asked_in_gravity, cost::crossing_in_gravity);
+    case Effect::third_dimension:
+    case Effect::second_dimension: {
+      const bool two =
+          effect == Effect::third_dimension && !decision_on(plan, Effect::second_dimension).planned;
+      const double axes = two ? 2 : 1;
+      return share(axes * cost::asked_in_coordinate, axes * cost::asked_in_coordinate);
+    }
+    case Effect::broad_phase: {
+      ExpectedRun other = run;
+      other.cells = !run.cells;
+      const double cells = (run.cells ? events_cost(run) : events_cost(other)).instructions;
+      const double all = (run.cells ? events_cost(other) : events_cost(run)).instructions;
+      return {cells - all, "in cells, in place of asking everybody after " +
+                               Tally::digits(run.hits) + " impacts"};
+    }
+    case Effect::event_driven:
+      return events_in_place_of_steps(q, run, false);
+    case Effect::restitution:
+      return {0, "nothing: a hit of which nothing comes back takes as long"};
+    case Effect::continuous_detection:
+      return {0, "nothing: from event to event each impact is found in any case"};
+    case Effect::several_contacts:
+      return {0, "nothing: hits are taken one after the other"};
+    default:
+      return {0, "nothing: from event to event there is no such stage"};
+  }
+}
+
+/// What effects cost in steps where something may meet.
+CONTACT_SCENES_INLINE Saving step_saving(const PlanQuestion& q, const ExpectedRun& run,
+                                         const Plan& plan, Effect effect) {
+  const auto planned = [&](Effect one) { return decision_on(plan, one).planned; };
+  const double moved = run.parts * run.movers * run.awake;
+  const double points = run.contacts * run.parts * run.awake;
+  const double pairs = run.touching * run.parts * run.awake;
+  Tally sum;
+  switch (effect) {
+    case Effect::gravity:
+      sum.add(cost::gravity, "body and part", moved + run.parts);
+      if (planned(effect)) sum.add(cost::pressed, "contact and part", points);
+      return sum.saving();
+    case Effect::rotation:
+      if (planned(Effect::gyroscopic_term)) return {0, std::string(brought_along)};
+      if (!planned(effect))
+        return sum.add(cost::turn_at_rest, "body and part", moved)
+            .add(cost::idle_turned_contact, "contact and part", points)
+            .saving();
+      return sum.add(cost::turn, "body and part", moved)
+          .add(cost::turned_contact, "contact and part", points)
+          .saving();
+    case Effect::gyroscopic_term:
+      if (!planned(Effect::rotation)) {
+        sum.add(cost::turn_at_rest, "body and part", moved);
+        return sum.add(cost::idle_turned_contact, "contact and part", points).saving();
+      }
+      return sum.add(cost::gyroscopic_look, "part of a turn", run.looks)
+          .add(cost::gyroscopic_round, "body and part", moved)
+          .saving();
+    case Effect::friction:
+      if (most_friction(q.pairs) == 0)
+        return {0, "nothing: a coefficient of 0 is a number, and no stage"};
+      return sum.add(cost::friction, "contact and part", points)
+          .add(cost::friction, "impact", run.hits)
+          .saving("nothing: no contact is known to last");
+    case Effect::restitution:
+      sum.add(cost::bounce_stages, "part", run.parts);
+      if (q.bounds.movers > most_one_by_one) sum.add(cost::contact, "impact", run.hits);
+      return sum.saving();
+    case Effect::continuous_detection:
+      sum.add(cost::looking, "part", run.parts)
+          .add(cost::wide_gap, "pair that touches", pairs + run.spring_parts);
+      if (q.bounds.movers > most_one_by_one) return sum.saving();
+      sum.add(2 * run.impact, "impact", run.hits)
+          .add(run.impact, "part and pair that nothing presses", run.unpressed * run.parts);
+      return planned(Effect::rotation) && rough_shapes_that_touch(q) > 0
+                 ? sum.saving().and_more(
+                       "more where corners turn near something, which is not known before")
+                 : sum.saving();
+    case Effect::broad_phase:
+      return sum
+          .add(run.search.cells - run.search.all, "part, in cells in place of all pairs", run.parts)
+          .saving();
+    case Effect::several_contacts:
+      if (!(points > 0)) return {0, "nothing: no contact is known to last"};
+      return sum.add(cost::finish, "contact and part", points)
+          .saving()
+          .and_more(
+              "to finish what sweeps leave costs more or spares sweeps, which is not known before");
+    case Effect::resting:
+      return {0, "nothing: what stops an approach is there without it"};
+    case Effect::sleeping: {
+      sum.add(cost::sleep_stage, "part", run.parts).add(cost::sleep, "body and part", moved);
+      Saving saving = sum.saving();
+      if (run.awake < 1) {
+        const double asleep = run.parts * (1 - run.awake);
+        const double saved =
+            asleep * (run.contacts * cost::contact + run.gaps + run.movers * cost::motion);
+        saving.instructions -= saved;
+        saving.is += "; less what sleeps from the beginning on, and is not looked at";
+      }
+      return saving;
+    }
+    case Effect::penalty_contact:
+      sum.add(cost::spring_stage, "part", run.parts);
+      return sum
+          .add(cost::spring + cost::part + cost::round_gap + cost::motion * run.movers +
+                   cost::swept_box * run.bounded,
+               "part in which a spring pushes", run.spring_parts)
+          .saving();
+    case Effect::third_dimension:
+    case Effect::second_dimension: {
+      if (planned(effect))
+        return {0, "nothing: steps compute with each coordinate that is not proven to stay"};
+      const bool two = effect == Effect::third_dimension && !planned(Effect::second_dimension);
+      // What turns has two coordinates more of its spin.
+      const double axes = (two ? 2 : 1) + (planned(Effect::rotation) ? 2 : 0);
+      return sum.add(axes * cost::coordinate, "body and part", moved)
+          .add(axes * cost::contact_coordinate, "contact and part", points + run.spring_parts)
+          .saving();
+    }
+    case Effect::event_driven:
+      if (!has_events_alone(q))
+        return {0, "nothing: what is no scene of hard, smooth balls goes step by step in any case"};
+      return events_in_place_of_steps(q, run, planned(Effect::rotation));
+    default:
+      return {0, "nothing"};
+  }
+}
+
+}  // namespace detail
+
+CONTACT_SCENES_INLINE void estimate_savings(const PlanQuestion& q, double h, Plan& plan) {
+  const bool turns = decision_on(plan, Effect::rotation).planned;
+  const bool looks = decision_on(plan, Effect::gyroscopic_term).planned;
+  const bool free = pairs_that_may_meet(q.bounds) == 0;
+  const bool events = q.events && (free || detail::has_events_alone(q));
+  ExpectedRun run =
+      expected_run(q, h, plan.spring_part, decision_on(plan, Effect::sleeping).planned);
+  run.cells = events && decision_on(plan, Effect::broad_phase).planned;
+  for (Decision& decision : plan.decisions) {
+    const Effect effect = decision.effect;
+    if (!can_be_switched(effect)) continue;
+    const bool axis = effect == Effect::third_dimension || effect == Effect::second_dimension;
+    Saving& saving = decision.saving;
+    if (effect == Effect::double_precision)
+      saving = {0, free ? "half the memory of every number"
+                        : "nothing: no run but a free flight is in float"};
+    else if (free && (events || !axis))
+      saving = axis ? Saving{0, "nothing but memory"}
+                    : detail::flight_saving(q, run, effect, turns, looks);
+    else
+      saving = events ? detail::event_saving(q, run, plan, effect)
+                      : detail::step_saving(q, run, plan, effect);
+    if (effect == Effect::rotation && saving.instructions > 0)
+      saving = saving.and_more("7 numbers a body");
+    if (axis && (free || saving.instructions > 0)) saving = saving.and_more("2 numbers a body");
+    const bool guessed = saving.is.find("contact and part") != std::string::npos ||
+                         saving.is.find("pair that touches") != std::string::npos;
+    if (run.heap && guessed)
+      saving = saving.and_more("a heap is taken to have three contacts a body");
+  }
+}
+// [/savings]
+
+}  // namespace contact

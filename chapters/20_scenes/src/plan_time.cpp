@@ -1,0 +1,214 @@
+#include <contact/plan/plan_rules.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <contact/plan/plan_bounds.hpp>
+#include <contact/plan/plan_types.hpp>
+#include <contact/rotation.hpp>
+#include <contact/scene/compiled.hpp>
+#include <contact/scene/scene.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+CONTACT_SCENES_INLINE Inequality nothing_turns_unevenly(const PlanQuestion& q) {
+  return {"kinds of spin that a gyroscopic term may change",
+          q.even_spins ? 0.0 : 1.0,
+          Relation::equal,
+          0,
+          "none",
+          ""};
+}
+
+CONTACT_SCENES_INLINE std::vector<Inequality> event_conditions(const PlanQuestion& q) {
+  double still = 0;
+  double soft = 0;
+  for (const PairBound& pair : q.pairs) {
+    soft += pair.soft ? pair.count : 0;
+    still += !pair.both_move && !pair.half_space && !is_ball(q.scene->bodies[pair.b]) ? 1 : 0;
+  }
+  return {{"moving bodies other than balls that may touch something", rough_shapes_that_touch(q),
+           Relation::equal, 0, "none", ""},
+          {"bodies that stand still and may be touched, other than half-spaces and balls", still,
+           Relation::equal, 0, "none", ""},
+          {"pairs that may meet and give way", soft, Relation::equal, 0, "none", ""},
+          {"largest friction between bodies that may meet",
+           proven_line(q) ? 0.0 : most_friction(q.pairs), Relation::equal, 0, "smooth", ""},
+          nothing_turns_unevenly(q)};
+}
+
+// [event-rule]
+CONTACT_SCENES_INLINE Decision plan_event_driven(const PlanQuestion& q) {
+  const std::vector<Inequality> common = event_conditions(q);
+  const auto with = [&](std::string why, const std::vector<Inequality>& more) {
+    Proof proof{std::move(why), common};
+    proof.conditions.insert(proof.conditions.end(), more.begin(), more.end());
+    return proof;
+  };
+  const bool lonely = most_partners(q) <= 1;
+  double lossy = 0;
+  double touching = 0;
+  for (const PairBound& pair : q.pairs) {
+    lossy = std::max(lossy, pair.hard ? 1 - pair.restitution_least : 0.0);
+    touching += pair.apart || lonely ? 0 : 1;
+  }
+  const Inequality elastic{"largest share of speed lost, 1 − e, between bodies that may meet",
+                           lossy,
+                           Relation::equal,
+                           0,
+                           "elastic",
+                           ""};
+  // Bodies that touch hand a hit on at the same instant, and events come one after the other.
+  const Inequality clear{"kinds of pairs that touch at the beginning beside others",
+                         touching,
+                         Relation::equal,
+                         0,
+                         "none",
+                         ""};
+  std::vector<Proof> proofs;
+  for (const Proof& rest : resting_proofs(q)) {
+    if (!is_proven(rest)) continue;
+    std::vector<Inequality> more{elastic, clear};
+    more.insert(more.end(), rest.conditions.begin(), rest.conditions.end());
+    proofs.push_back(
+        with("Elastic balls that never rest hit finitely often in a finite time.", more));
+    break;
+  }
+  if (proofs.empty()) {
+    std::vector<Inequality> more{elastic, clear};
+    const std::vector<Proof> rest = resting_proofs(q);
+    more.insert(more.end(), rest[2].conditions.begin(), rest[2].conditions.end());
+    proofs.push_back(
+        with("Elastic balls that never rest hit finitely often in a finite time.", more));
+  }
+  const BounceRange bounces = worst_bounces(q);
+  proofs.push_back(with("Every ball has a budget of impacts.",
+                        {{"most impacts of one ball", bounces.hits, Relation::less, 1e6,
+                          "as many as a run may take for one ball", ""}}));
+  // A hop that is left out: one half-space each, hard, pressed on by gravity.
+  double other = 0;
+  for (const PairBound& pair : q.pairs) other += pair.half_space && !pair.soft ? 0 : pair.count;
+  const double cutoff = gravity_felt(q) > 0 ? contact_time_cutoff(q.left, q.bounds.gravity) : 0;
+  const double hop = detail::rounded_up(q.bounds.gravity * cutoff * cutoff / 8);
+  Proof hops = with(
+      "A ball on one half-space is followed until its hops are shorter than " +
+          number_text(static_cast<double>(static_cast<float>(cutoff))) + " s; after that it rests.",
+      {{"most bodies that one moving body may touch", most_partners(q), Relation::at_most, 1,
+        "one half-space", ""},
+       {"pairs that may meet other than a ball and a hard half-space", other, Relation::equal, 0,
+        "none", ""},
+       {"a hop of no height", 0, Relation::less, hop, "height of a hop that is left out", "m"},
+       fits_what_is_left(q, "height of a hop that is left out, g t²/8", hop)});
+  hops.error = hop;
+  hops.error_is = "height of the hops that are left out, g t²/8";
+  proofs.push_back(std::move(hops));
+
+  Decision decision = decide(Effect::event_driven, std::move(proofs),
+                             "Not proven that the number of events is bounded: step by step.");
+  // Here a proof switches on.
+  decision.on = decision.planned = decision.proven;
+  return decision;
+}
+// [/event-rule]
+
+// [step-rule]
+CONTACT_SCENES_INLINE double step_from_tolerance(const PlanQuestion& q) {
+  double h = detail::frame_step(*q.scene);
+  if (pairs_that_may_meet(q.bounds) == 0) return h;
+  const double spring = detail::fastest_spring(q);
+  if (spring > 0) h = std::min(h, 1 / (10 * spring));
+  const BounceRange bounces = worst_bounces(q);
+  if (!(q.left > 0) || !std::isfinite(bounces.late) || bounces.late == 0) return h;
+  double shorter = std::min(h, detail::rounded_down(q.left / bounces.late, 256));
+  for (int k = 0; k < 40; ++k, shorter /= 2) {
+    bool all = true;
+    if (shorter < h / 1024) break;
+    for (const Inequality& condition : tunnelling_conditions(q, shorter))
+      all = all && holds(condition);
+    if (all) return shorter;
+  }
+  return h;
+}
+
+CONTACT_SCENES_INLINE Decision plan_step_size(const PlanQuestion& q, const PlanOptions& options) {
+  Decision decision;
+  decision.effect = Effect::step_size;
+  if (q.events) {
+    decision.on = decision.planned = false;
+    decision.proven = true;
+    decision.why = "From event to event there are no steps.";
+    decision.because = {{"steps between two impacts", 0, Relation::equal, 0, "none", ""}};
+    return decision;
+  }
+  decision.value = q.step;
+  const double spring = detail::fastest_spring(q);
+  decision.why =
+      options.step ? "The step is as asked for." : "The step follows from the tolerance.";
+  // What a step would miss if nobody looked between two of them: what it does not hold, and first
+  // of all what it costs.
+  if (!q.pairs.empty()) {
+    const std::vector<Inequality> missed = tunnelling_conditions(q, q.step);
+    for (std::size_t k = 0; k < missed.size(); ++k)
+      if (k == 1 || !holds(missed[k])) decision.because.push_back(missed[k]);
+  }
+  if (spring > 0)
+    decision.because.push_back({"step times the stiffest spring's angular frequency",
+                                q.step * spring, Relation::less, 2,
+                                "limit of Euler's velocity-first step", ""});
+  decision.proven = !decision.because.empty();
+  for (const Inequality& condition : decision.because)
+    decision.proven = decision.proven && holds(condition);
+  if (q.pairs.empty()) {
+    decision.proven = true;
+    decision.why = q.even_spins
+                       ? "Nothing touches anything and flights are exact, so any step does."
+                       : "Nothing touches anything and flights are exact, so any step does; it is "
+                         "cut into as many parts as a turn needs.";
+  }
+  if (!decision.proven && !options.step)
+    decision.why = "Not proven that a step keeps the tolerance: it is a frame, and is looked into.";
+  return decision;
+}
+// [/step-rule]
+
+// [precision-rule]
+CONTACT_SCENES_INLINE Decision plan_double_precision(const PlanQuestion& q) {
+  const Scene& scene = *q.scene;
+  const double t = scene.duration;
+  double size = 0;
+  double turning = 0;
+  // What float cannot square, and a tolerance below the squares that it loses.
+  const auto beyond = [](double x) { return x > 0x1p60 ? 1.0 : 0.0; };
+  double unfit = beyond(t) + beyond(q.bounds.gravity) + (q.left < 0x1p-80 ? 1 : 0);
+  for (const SceneBody& body : scene.bodies) {
+    if (!body.moves) continue;
+    unfit += beyond(body.spin.norm());
+    for (int k = 0; k < 3; ++k) {
+      // The input is rounded too, so each factor is off by u before anything is computed.
+      size = std::max(size, std::abs(body.position(k)) + std::abs(body.velocity(k)) * t +
+                                std::abs(scene.gravity(k)) * t * t / 2);
+    }
+    if (!body.spin.isZero(0))
+      turning = std::max(turning, spin_arm(body.shape) * (1 + body.spin.norm() * t));
+  }
+  const double rounding =
+      detail::rounded_up(tolerance::unit_roundoff<float> * (16 * size + 32 * turning));
+  return decide(
+      Effect::double_precision,
+      {{"A free flight in float is off by its roundings alone.",
+        {nothing_meets(q),
+         fits_what_is_left(q, "rounding of a flight in float", rounding),
+         nothing_turns_unevenly(q),
+         {"numbers whose squares a float does not hold", unfit, Relation::equal, 0, "none", ""}},
+        rounding,
+        "rounding in float"}},
+      "Not proven that float keeps the tolerance: a hit may make rounding grow.");
+}
+// [/precision-rule]
+
+}  // namespace contact

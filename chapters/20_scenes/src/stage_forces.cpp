@@ -1,0 +1,234 @@
+#include <contact/stepped/stage_forces.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <contact/contact_finish.hpp>
+#include <contact/contact_manifold.hpp>
+#include <contact/contact_solver.hpp>
+#include <contact/contact_world.hpp>
+#include <contact/gap.hpp>
+#include <contact/inertia.hpp>
+#include <contact/rigid_body.hpp>
+#include <contact/rotation.hpp>
+#include <contact/scene/compiled.hpp>
+#include <contact/stepped/stage_contacts.hpp>
+#include <contact/stepped/step_solver.hpp>
+#include <contact/stepped/stepped_state.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+namespace detail {
+
+/// The forces of the part before, as impulses of this one: each for the contact of the same pair
+/// that is nearest to where it was.
+CONTACT_SCENES_INLINE std::vector<ContactImpulse<double>> warm_start(
+    const SteppedState& state, const std::vector<BodyContact<double>>& contacts, double length,
+    double margin) {
+  std::vector<ContactImpulse<double>> start(contacts.size());
+  const auto before = [](const BodyContact<double>& x, const BodyContact<double>& y) {
+    return x.a < y.a || (x.a == y.a && x.b < y.b);
+  };
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto [first, last] =
+        std::equal_range(state.touched.begin(), state.touched.end(), contacts[i], before);
+    double nearest = margin * margin;
+    for (auto then = first; then != last; ++then) {
+      const Vector3<double> between = then->point - contacts[i].point;
+      if (!(between.dot(between) < nearest)) continue;
+      nearest = between.dot(between);
+      const auto& force = state.pushed[static_cast<std::size_t>(then - state.touched.begin())];
+      start[i] = {force.normal * length, Vector3<double>(force.tangential * length)};
+    }
+  }
+  return start;
+}
+
+/// How fast two bodies come together at a point, now and at the end of the part, m/s.
+struct Closing {
+  double now = 0;
+  double then = 0;  // had no contact pushed
+
+  /// Where they touch, after a gap. They are accelerated evenly, so the square of the speed grows
+  /// with the way. 0 if they part now.
+  double after(double gap, double time) const {
+    if (!(now > 0)) return 0;
+    return std::sqrt(std::max(now * now + 2 * ((then - now) / time) * gap, 0.0));
+  }
+};
+
+CONTACT_SCENES_INLINE double restitution_of(const SteppedSetup& setup,
+                                            const BodyContact<double>& contact) {
+  const auto row = setup.bodies[index(contact.a)].material * setup.scene.materials.size();
+  return setup.material[row + setup.bodies[index(contact.b)].material].restitution;
+}
+
+CONTACT_SCENES_INLINE Closing closing_of(const SteppedSetup& setup, const SteppedState& state,
+                                         const StepPart& part, const NearPair& pair,
+                                         const Vector3<double>& point) {
+  const auto change = [&](std::size_t place) {
+    if (place >= setup.movers) return Vector3<double>(Vector3<double>::Zero());
+    Vector3<double> of_point = part.end_velocity[place] - state.velocity[place];
+    if (!turned_by_contacts(setup, place)) return of_point;
+    const Vector3<double> arm = point - position_of(setup, state, place);
+    of_point += Vector3<double>(part.end_spin[place] - state.spin[place]).cross(arm);
+    return of_point;
+  };
+  const double now = -parting_speed(setup, state, pair, point);
+  const Vector3<double> changes = change(pair.b) - change(pair.a);
+  return {now, now + pair.manifold.normal.dot(changes)};
+}
+
+/// What is pushed at the start pushes at the start what it touches, and so on: with the mean of two
+/// velocities that would give way too late.
+CONTACT_SCENES_INLINE void push_on(const SteppedSetup& setup, const SteppedState& state,
+                                   StepPart& part, const std::vector<BodyContact<double>>& contacts,
+                                   const std::vector<ContactImpulse<double>>& impulses) {
+  std::vector<BodyContact<double>> pushing;
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (impulses[i].normal > 0) pushing.push_back(contacts[i]);
+  const auto moves = [&](int body) { return index(body) < setup.movers; };
+  const auto at_start = [&](int body) { return moves(body) && part.at_start[index(body)]; };
+  for (const std::vector<std::size_t>& island : islands(setup, state, pushing)) {
+    const bool some = std::any_of(island.begin(), island.end(), [&](std::size_t i) {
+      return at_start(pushing[i].a) || at_start(pushing[i].b);
+    });
+    if (!some) continue;
+    for (const std::size_t i : island)
+      for (const int body : {pushing[i].a, pushing[i].b})
+        if (moves(body)) part.at_start[index(body)] = true;
+  }
+}
+
+/// Whom contacts push at the start falls evenly all the same where none holds it back: across the
+/// normals of all that push it. What rubs it too holds it from all sides.
+CONTACT_SCENES_INLINE void change_evenly(const SteppedSetup& setup, const SteppedState& state,
+                                         StepPart& part,
+                                         const std::vector<BodyContact<double>>& contacts,
+                                         const std::vector<ContactImpulse<double>>& impulses) {
+  std::vector<std::vector<Vector3<double>>> held(setup.movers);  // orthonormal
+  std::vector<bool> rubs(setup.movers, false);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (!(impulses[i].normal > 0)) continue;
+    for (const int body : {contacts[i].a, contacts[i].b}) {
+      const std::size_t place = index(body);
+      if (place >= setup.movers || !part.at_start[place]) continue;
+      rubs[place] = rubs[place] || impulses[i].tangential != Vector3<double>::Zero();
+      Vector3<double> rest = contacts[i].normal;
+      for (const Vector3<double>& n : held[place]) rest -= n * n.dot(rest);
+      const double size = size_of(rest);
+      if (size > 0x1p-20) held[place].push_back(rest / size);
+    }
+  }
+  part.even.assign(setup.movers, Vector3<double>::Zero());
+  for (std::size_t i = 0; i < setup.movers; ++i) {
+    if (!part.at_start[i] || rubs[i]) continue;
+    part.even[i] = part.free_velocity[i] - state.velocity[i];
+    for (const Vector3<double>& n : held[i]) part.even[i] -= n * n.dot(part.even[i]);
+  }
+}
+
+}  // namespace detail
+
+// [forces-stage]
+CONTACT_SCENES_INLINE void solve_forces(const SteppedSetup& setup, SteppedState& state,
+                                        StepPart& part) {
+  part.free_velocity = part.end_velocity;
+  if (part.at_once) part.free_spin = part.end_spin;
+  std::vector<BodyContact<double>> contacts;
+  std::vector<double> gaps;
+  std::vector<detail::Closing> closing;
+  for (const NearPair& pair : part.pairs) {
+    if (pair.material.stiffness || (pair.leaving && !part.at_once)) continue;
+    // Of a gap that is no more than some rounding who rests or slides beside it comes half the way
+    // with the mean of its velocities, and that is not too late.
+    const auto rounds = [&](const ManifoldPoint<double>& point, double gap) {
+      const double way = -parting_speed(setup, state, pair, point.point) * part.planned;
+      return !part.at_once && gap <= 16 * pair.near && way <= gap + 2 * pair.near;
+    };
+    for (const auto& point : pair.manifold.points) {
+      const double gap = std::max(point.distance, 0.0);
+      const bool touches = point.distance <= pair.touch;
+      contacts.push_back(detail::contact_at(pair, point, touches ? 0.0 : -(gap / part.planned)));
+      gaps.push_back(touches || rounds(point, gap) ? 0.0 : gap);
+      if (part.at_once)
+        closing.push_back(detail::closing_of(setup, state, part, pair, point.point));
+    }
+  }
+  if (contacts.empty()) {
+    state.touched.clear();
+    state.pushed.clear();
+    return;
+  }
+  const auto make = [&](std::size_t place) {
+    const bool mover = place < setup.movers;
+    const bool turns = place < part.end_spin.size();
+    return detail::solver_body(
+        setup, state, place,
+        mover ? part.end_velocity[place] : Vector3<double>(Vector3<double>::Zero()),
+        turns ? part.end_spin[place] : Vector3<double>(Vector3<double>::Zero()));
+  };
+  const auto give = [&](std::size_t place, const RigidBody<double>& body) {
+    part.end_velocity.set(place, body.velocity);
+    if (turned_by_contacts(setup, place)) part.end_spin.set(place, body.spin);
+  };
+  double margin = 0;
+  for (const NearPair& pair : part.pairs) margin = std::max(margin, pair.reach);
+  const auto start = detail::warm_start(state, contacts, part.planned, margin);
+  // As long as no impact has cut this step, what rests is worth more sweeps: a stack stands on
+  // forces that have settled.
+  const bool calm = setup.together && setup.one_by_one && part.cuts == 0;
+  const auto impulses = detail::solve_islands(
+      setup, state, contacts, start, part.planned,
+      calm ? detail::SweepsFor::rest : detail::SweepsFor::anything, make, give);
+  // What a very short part needed to stop an approach is no force that lasts.
+  const bool lasts = part.planned * 64 >= setup.step;
+  if (lasts) {
+    state.touched.clear();
+    state.pushed.clear();
+  }
+  std::vector<std::size_t> hit_pairs;  // their contacts
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const ContactImpulse<double>& impulse = impulses[i];
+    if (!(impulse.normal > 0)) continue;
+    const double came = part.at_once ? closing[i].after(gaps[i], part.planned) : 0;
+    const bool still = detail::index(contacts[i].b) >= setup.movers;
+    const bool hits = came > 0 && came > slowest_bounce(setup, still, contacts[i].normal);
+    for (const int body : {contacts[i].a, contacts[i].b}) {
+      const std::size_t place = detail::index(body);
+      if (place >= setup.movers) continue;
+      part.pushed[place] = true;
+      if (gaps[i] > 0 || hits) part.at_start[place] = true;
+    }
+    // A hit is no force that lasts.
+    if (lasts && !hits) {
+      state.touched.push_back(contacts[i]);
+      state.pushed.push_back(
+          {impulse.normal / part.planned, Vector3<double>(impulse.tangential / part.planned)});
+    }
+    if (!part.at_once) continue;
+    const double e = hits ? detail::restitution_of(setup, contacts[i]) : 0;
+    part.bounces.push_back({contacts[i], impulse});
+    part.bounces.back().contact.least_velocity = e * came;
+    if (hits && !(e > 0)) hit_pairs.push_back(i);
+  }
+  if (std::find(part.at_start.begin(), part.at_start.end(), true) != part.at_start.end()) {
+    detail::push_on(setup, state, part, contacts, impulses);
+    detail::change_evenly(setup, state, part, contacts, impulses);
+  }
+  // A pair that hits at several points hits once.
+  for (std::size_t k = 0; k < hit_pairs.size();) {
+    std::size_t next = k;
+    while (next < hit_pairs.size() && contacts[hit_pairs[next]].a == contacts[hit_pairs[k]].a &&
+           contacts[hit_pairs[next]].b == contacts[hit_pairs[k]].b)
+      ++next;
+    detail::note_hit(setup, state, part, contacts, impulses, hit_pairs[k], hit_pairs[next - 1] + 1);
+    k = next;
+  }
+}
+// [/forces-stage]
+
+}  // namespace contact

@@ -1,0 +1,155 @@
+#include <contact/stepped/stage_motion.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <contact/contact_manifold.hpp>
+#include <contact/contact_solver.hpp>
+#include <contact/gap.hpp>
+#include <contact/inertia.hpp>
+#include <contact/rotation.hpp>
+#include <contact/scene/compiled.hpp>
+#include <contact/stepped/stepped_state.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+CONTACT_SCENES_INLINE double largest_free_square(const Vector3<double>& moments,
+                                                 const Vector3<double>& spin) {
+  const Vector3<double> square = spin.cwiseProduct(spin);
+  Vector3<double> sorted = moments;
+  std::sort(sorted.data(), sorted.data() + 3);
+  const double energy = moments.dot(square);  // twice
+  const double by_energy = energy / sorted(0);
+  const double apart = sorted(2) - sorted(0);
+  if (!(apart > 0)) return by_energy;
+  const Vector3<double> less = Vector3<double>::Constant(sorted(2)) - moments;
+  const double left = moments.cwiseProduct(less).dot(square);
+  return std::min(by_energy, left / (sorted(0) * apart) + energy / sorted(1));
+}
+
+// [moving-stage]
+/// Every mover goes on to the end of the part, with an even acceleration: exact for a flight, and
+/// for a block that slides. A part that an impact cuts short ends with the velocity of that moment.
+CONTACT_SCENES_INLINE void move_bodies(const SteppedSetup& setup, SteppedState& state,
+                                       StepPart& part) {
+  const double share = part.length / part.planned;
+  for (std::size_t i = 0; i < setup.movers; ++i) {
+    if (sleeps(state, i)) continue;
+    const Vector3<double> first = first_velocity(state, part, i);
+    const Vector3<double> end = part.end_velocity[i];
+    const Vector3<double> change = end - first;
+    state.position.add(i, Vector3<double>(first + change * (share / 2)) * part.length);
+    state.velocity.set(i, share < 1 ? Vector3<double>(first + change * share) : end);
+  }
+}
+// [/moving-stage]
+
+// [turning-stage]
+CONTACT_SCENES_INLINE void turn_bodies(const SteppedSetup& setup, SteppedState& state,
+                                       StepPart& part) {
+  for (std::size_t i = 0; i < setup.movers; ++i) {
+    if (sleeps(state, i)) continue;
+    state.orientation[i] = detail::turned_evenly(state, part, i, part.length);
+    state.spin.set(i, detail::pushed_spin(state, part, i, part.length));
+  }
+}
+// [/turning-stage]
+
+// [gyroscopic-stage]
+namespace detail {
+
+/// How a body lies that nothing pushes, a time later, by four exponentials of spins on the way: of
+/// order 4, and its angular momentum stays as it is.
+///
+/// Source: Celledoni, Marthinsen and Owren, *Commutator-free Lie group methods*, Future Generation
+/// Computer Systems 19 (2003).
+CONTACT_SCENES_INLINE Rotor<double> free_turn(const Rotor<double>& q,
+                                              const Vector3<double>& momentum,
+                                              const SteppedBody& body, double h) {
+  const auto spin_at = [&](const Rotor<double>& r) {
+    return free_spin<double>(momentum, body.moments, Matrix3<double>(matrix_of(r) * body.axes));
+  };
+  const Vector3<double> k1 = spin_at(q);
+  const Rotor<double> half = exponential<double>(k1 * (h / 2)) * q;
+  const Vector3<double> k2 = spin_at(half);
+  const Vector3<double> k3 = spin_at(exponential<double>(k2 * (h / 2)) * q);
+  const Vector3<double> k4 = spin_at(exponential<double>(k3 * h - k1 * (h / 2)) * half);
+  const Vector3<double> both = (k2 + k3) * 2;
+  const Vector3<double> first = (k1 * 3 + both - k4) * (h / 12);
+  const Vector3<double> second = (k4 * 3 + both - k1) * (h / 12);
+  return normalised(exponential<double>(second) * (exponential<double>(first) * q));
+}
+
+CONTACT_SCENES_INLINE Rotor<double> turned_freely(const SteppedSetup& setup,
+                                                  const SteppedState& state, const StepPart& part,
+                                                  std::size_t i, double length) {
+  const SteppedBody& body = setup.bodies[i];
+  Rotor<double> q = state.orientation[i];
+  const Vector3<double> mean = mean_spin(state, part, i, length);
+  if (body.round || mean == Vector3<double>::Zero())
+    return normalised(exponential_step(q, mean, length));
+  const Vector3<double> momentum = momentum_of_spin(body, q, mean);
+  // Where a needle lies a little otherwise, its spin is another by much: as much as its moments
+  // differ, and what the fourth order leaves grows with that.
+  const double ratio = body.moments.maxCoeff() / body.moments.minCoeff();
+  const double fastest = std::sqrt(largest_free_square(body, q, mean) * ratio);
+  const double looks = std::ceil(fastest * length / gyroscopic_angle);
+  const auto count = static_cast<std::uint64_t>(std::min(std::max(looks, 1.0), 4096.0));
+  const double h = length / static_cast<double>(count);
+  for (std::uint64_t k = 0; k < count; ++k) q = free_turn(q, momentum, body, h);
+  return q;
+}
+
+}  // namespace detail
+
+CONTACT_SCENES_INLINE void turn_with_gyroscopic_term(const SteppedSetup& setup, SteppedState& state,
+                                                     StepPart& part) {
+  for (std::size_t i = 0; i < setup.movers; ++i) {
+    if (sleeps(state, i)) continue;
+    const SteppedBody& body = setup.bodies[i];
+    Vector3<double> spin = detail::pushed_spin(state, part, i, part.length);
+    const Rotor<double> turned = detail::turned_freely(setup, state, part, i, part.length);
+    if (!body.round && spin != Vector3<double>::Zero()) {
+      const Vector3<double> momentum = detail::momentum_of_spin(body, state.orientation[i], spin);
+      const Matrix3<double> principal = matrix_of(turned) * body.axes;
+      spin = free_spin<double>(momentum, body.moments, principal);
+    }
+    state.orientation[i] = turned;
+    state.spin.set(i, spin);
+  }
+}
+// [/gyroscopic-stage]
+
+// [pushing-out-stage]
+CONTACT_SCENES_INLINE void push_out(const SteppedSetup& setup, SteppedState& state,
+                                    StepPart& part) {
+  std::vector<Vector3<double>> moved;  // of each mover, so far
+  const auto lightness = [&](std::size_t place) {
+    return place < setup.movers && !sleeps(state, place) ? 1 / setup.bodies[place].mass : 0.0;
+  };
+  for (int round = 0; round < push_out_rounds; ++round) {
+    for (const NearPair& pair : part.pairs) {
+      const double slack = 0x1p10 * pair.touch;
+      if (pair.material.stiffness || !pair.touching || pair.distance >= -slack) continue;
+      if (moved.empty()) moved.assign(setup.movers, Vector3<double>::Zero());
+      const double a = lightness(pair.a);
+      const double b = lightness(pair.b);
+      const Vector3<double>& n = pair.manifold.normal;
+      double depth = -pair.distance - slack - n.dot(moved[pair.a]);
+      if (pair.b < setup.movers) depth += n.dot(moved[pair.b]);
+      if (!(depth > 0) || !(a + b > 0)) continue;
+      const Vector3<double> way = n * (depth / 2 / (a + b));
+      if (a > 0) moved[pair.a] += way * a;
+      if (b > 0) moved[pair.b] -= way * b;
+    }
+    if (moved.empty()) return;
+  }
+  for (std::size_t i = 0; i < setup.movers; ++i) state.position.add(i, moved[i]);
+}
+// [/pushing-out-stage]
+
+}  // namespace contact

@@ -1,0 +1,176 @@
+#include <contact/stepped/stage_pairs.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <contact/aabb.hpp>
+#include <contact/box_pairs.hpp>
+#include <contact/contact_manifold.hpp>
+#include <contact/contact_solver.hpp>
+#include <contact/convex_shapes.hpp>
+#include <contact/gap.hpp>
+#include <contact/grid_pairs.hpp>
+#include <contact/inertia.hpp>
+#include <contact/plan/plan_bounds.hpp>
+#include <contact/rotation.hpp>
+#include <contact/scene/compiled.hpp>
+#include <contact/stepped/stepped_state.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+namespace detail {
+
+CONTACT_SCENES_INLINE Aabb<double> box_of(const Sphere<double>& shape, const Vector3<double>& x,
+                                          const Matrix3<double>&, double) {
+  return aabb_of_sphere<double>({x, shape.radius});
+}
+
+CONTACT_SCENES_INLINE Aabb<double> box_of(const Capsule<double>& shape, const Vector3<double>& x,
+                                          const Matrix3<double>& turn, double) {
+  return enclosing_box(
+      aabb_of_sphere<double>({Vector3<double>(x + turn * shape.core.start), shape.radius}),
+      aabb_of_sphere<double>({Vector3<double>(x + turn * shape.core.end), shape.radius}));
+}
+
+CONTACT_SCENES_INLINE Aabb<double> box_of(const OrientedBox<double>& shape,
+                                          const Vector3<double>& x, const Matrix3<double>& turn,
+                                          double) {
+  CoordinateFrame<double> frame;
+  frame.origin = x;
+  frame.axes = turn;
+  return aabb_of_turned_box(frame, shape.half_lengths);
+}
+
+template <class Shape>
+Aabb<double> box_of(const Shape&, const Vector3<double>& x, const Matrix3<double>&, double reach) {
+  return aabb_of_sphere<double>({x, reach});
+}
+
+}  // namespace detail
+
+// [sweeping-room]
+CONTACT_SCENES_INLINE double room_of_sweep(const SteppedSetup& setup, const SteppedState& state,
+                                           const StepPart& part, std::size_t place) {
+  const double t = part.left;
+  const double turned = size_of(spin_of(state, place)) * setup.bodies[place].spin_arm * t;
+  const double size =
+      position_of(setup, state, place).cwiseAbs().maxCoeff() + setup.bodies[place].reach;
+  const double flung = place < part.flung.size() ? part.flung[place] : 0.0;
+  return size_of(setup.scene.gravity) * t * t + turned + flung + 0x1p-30 * size;
+}
+
+CONTACT_SCENES_INLINE Aabb<double> swept_box(const SteppedSetup& setup, const SteppedState& state,
+                                             const StepPart& part, std::size_t place) {
+  const Vector3<double> x = position_of(setup, state, place);
+  const Matrix3<double> turn = matrix_of(orientation_of(setup, state, place));
+  const double reach = setup.bodies[place].reach;
+  const Aabb<double> box =
+      std::visit([&](const auto& shape) { return detail::box_of(shape, x, turn, reach); },
+                 setup.bodies[place].shape);
+  if (place >= setup.movers) return box;
+  return aabb_of_swept_box<double>(box, velocity_of(setup, state, place) * part.left,
+                                   room_of_sweep(setup, state, part, place));
+}
+// [/sweeping-room]
+
+namespace detail {
+
+CONTACT_SCENES_INLINE void note_pairs(const SteppedSetup& setup, const SteppedState& state,
+                                      StepPart& part, std::span<const Aabb<double>> boxes,
+                                      std::vector<BoxPair> found) {
+  for (std::size_t k = setup.bounded; k < setup.bodies.size(); ++k) {
+    const auto& wall = std::get<HalfSpace<double>>(setup.bodies[k].shape).boundary;
+    for (std::size_t i = 0; i < setup.movers; ++i) {
+      double lowest = -wall.offset;  // of the box's corners
+      for (int axis = 0; axis < 3; ++axis) {
+        const double n = wall.normal(axis);
+        lowest += n * (n > 0 ? boxes[i].low(axis) : boxes[i].high(axis));
+      }
+      if (lowest <= 0)
+        found.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k)});
+    }
+  }
+  std::sort(found.begin(), found.end());
+  part.pairs.clear();
+  for (const BoxPair& pair : found) {
+    const bool still = pair.b >= setup.movers || sleeps(state, pair.b);
+    if (pair.a >= setup.movers || (sleeps(state, pair.a) && still)) continue;
+    NearPair near;
+    near.a = pair.a;
+    near.b = pair.b;
+    near.material = setup.material[setup.bodies[pair.a].material * setup.scene.materials.size() +
+                                   setup.bodies[pair.b].material];
+    part.pairs.push_back(near);
+  }
+}
+
+CONTACT_SCENES_INLINE double pair_reach(const SteppedSetup& setup, const SteppedState& state,
+                                        const StepPart& part, const NearPair& pair) {
+  const Vector3<double> relative =
+      velocity_of(setup, state, pair.a) - velocity_of(setup, state, pair.b);
+  double reach = size_of(relative) * part.left + room_of_sweep(setup, state, part, pair.a);
+  if (pair.b < setup.movers) reach += room_of_sweep(setup, state, part, pair.b);
+  return reach;
+}
+
+/// Whether the balls about two bodies may come to touch in what is left of the step.
+CONTACT_SCENES_INLINE bool may_reach(const SteppedSetup& setup, const SteppedState& state,
+                                     const StepPart& part, const NearPair& pair) {
+  const double reach = pair_reach(setup, state, part, pair) + setup.bodies[pair.a].reach;
+  const Vector3<double> place = position_of(setup, state, pair.a);
+  if (pair.b >= setup.bounded) {
+    const auto& wall = std::get<HalfSpace<double>>(setup.bodies[pair.b].shape).boundary;
+    return wall.normal.dot(place) - wall.offset <= reach;
+  }
+  const Vector3<double> between = place - position_of(setup, state, pair.b);
+  return size_of(between) <= reach + setup.bodies[pair.b].reach;
+}
+
+}  // namespace detail
+
+// [flung]
+CONTACT_SCENES_INLINE bool flung_at_others(const SteppedSetup& setup, SteppedState& state,
+                                           StepPart& part, StepStage find) {
+  std::vector<bool> farther(setup.movers, false);
+  bool any = false;
+  StepPart wider;
+  for (std::size_t i = 0; i < setup.movers; ++i) {
+    if (!part.pushed[i]) continue;
+    double change = size_of(part.end_velocity[i] - state.velocity[i]);
+    if (i < part.end_spin.size())
+      change += size_of(part.end_spin[i] - state.spin[i]) * setup.bodies[i].spin_arm;
+    const double way = change * part.planned;
+    if (way <= room_of_sweep(setup, state, part, i) + most_flung(setup)) continue;
+    if (wider.flung.empty()) wider.flung = part.flung;
+    wider.flung.resize(setup.movers, 0.0);
+    wider.flung[i] = 2 * way;
+    farther[i] = any = true;
+  }
+  if (!any) return false;
+  wider.left = part.left;
+  const std::uint64_t counted = state.counts.pairs;
+  find(setup, state, wider);
+  state.counts.pairs = counted;
+  const auto at = [&](const NearPair& pair) { return std::pair{pair.a, pair.b}; };
+  std::size_t k = 0;
+  bool found = false;
+  for (const NearPair& pair : wider.pairs) {
+    while (k < part.pairs.size() && at(part.pairs[k]) < at(pair)) ++k;
+    const bool known = k < part.pairs.size() && at(part.pairs[k]) == at(pair);
+    if (known && (!part.pairs[k].manifold.points.empty() || part.pairs[k].material.stiffness))
+      continue;
+    const bool flung = farther[pair.a] || (pair.b < setup.movers && farther[pair.b]);
+    found = found || (flung && detail::may_reach(setup, state, wider, pair));
+  }
+  if (found) part.flung = wider.flung;
+  return found;
+}
+// [/flung]
+
+}  // namespace contact

@@ -1,0 +1,239 @@
+#include <contact/stepped/stage_time_of_impact.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include <contact/ballistic.hpp>
+#include <contact/contact_manifold.hpp>
+#include <contact/contact_solver.hpp>
+#include <contact/contact_world.hpp>
+#include <contact/convex_shapes.hpp>
+#include <contact/gap.hpp>
+#include <contact/inertia.hpp>
+#include <contact/plan/plan_bounds.hpp>
+#include <contact/rotation.hpp>
+#include <contact/scene/compiled.hpp>
+#include <contact/stepped/stage_contacts.hpp>
+#include <contact/stepped/stage_motion.hpp>
+#include <contact/stepped/stepped_state.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+namespace detail {
+
+/// How a body moves through a part: evenly accelerated, and turning as its stage will turn it.
+struct PartMotion {
+  Vector3<double> position = Vector3<double>::Zero();
+  Vector3<double> velocity = Vector3<double>::Zero();
+  Vector3<double> acceleration = Vector3<double>::Zero();
+  bool turns = false;     // not so a ball: it looks alike from all sides
+  double swing = 0;       // how fast turning changes the velocity of a point of it at most, m/s²
+  double unforeseen = 0;  // and how fast it may lead away from what spin_at() says, m/s²
+
+  Vector3<double> position_at(double t) const {
+    return position + (velocity + acceleration * (t / 2)) * t;
+  }
+};
+
+/// How a mover lies after a time of the part, to the bit as its stage would turn it.
+CONTACT_SCENES_INLINE Rotor<double> orientation_at(const SteppedSetup& setup,
+                                                   const SteppedState& state, const StepPart& part,
+                                                   std::size_t place, double t) {
+  return setup.gyroscopic ? turned_freely(setup, state, part, place, t)
+                          : turned_evenly(state, part, place, t);
+}
+
+CONTACT_SCENES_INLINE Vector3<double> spin_at(const SteppedSetup& setup, const SteppedState& state,
+                                              const StepPart& part, std::size_t place, double t,
+                                              const Rotor<double>& orientation) {
+  const Vector3<double> mean = mean_spin(state, part, place, t);
+  if (!setup.gyroscopic || setup.bodies[place].round) return pushed_spin(state, part, place, t);
+  const SteppedBody& body = setup.bodies[place];
+  const Vector3<double> momentum = momentum_of_spin(body, state.orientation[place], mean);
+  const Vector3<double> pushed = pushed_spin(state, part, place, t) - mean;
+  return pushed + free_spin<double>(momentum, body.moments,
+                                    Matrix3<double>(matrix_of(orientation) * body.axes));
+}
+
+/// Bounds how fast turning changes the velocity of a point r off the middle. An even spin does by
+/// ω² r; one that is pushed, by dω/dt r more. What nothing pushes may change its spin by itself: by
+/// Euler's equations no faster than by ω²/√3 times the largest of |I₂ − I₃|/I₁, and by its energy
+/// ω² grows by the ratio of its moments at most, and by less if nothing pushes it.
+CONTACT_SCENES_INLINE void bound_swing(const SteppedSetup& setup, const SteppedState& state,
+                                       const StepPart& part, std::size_t place,
+                                       PartMotion& motion) {
+  const SteppedBody& body = setup.bodies[place];
+  const Vector3<double> first = mean_spin(state, part, place, 0);
+  const Vector3<double>& last = part.end_spin[place];
+  double square = std::max(first.dot(first), last.dot(last));
+  double push = size_of(last - first) / part.planned;
+  double own = 0;
+  if (setup.gyroscopic && !body.round) {
+    const Vector3<double>& m = body.moments;
+    const double ratio = m.maxCoeff() / m.minCoeff();
+    square = first == last ? largest_free_square(body, orientation_of(setup, state, place), first)
+                           : square * ratio;
+    push *= ratio;
+    const Vector3<double> apart(m.y() - m.z(), m.z() - m.x(), m.x() - m.y());
+    own = square * apart.cwiseAbs().cwiseQuotient(m).maxCoeff() / std::sqrt(3.0);
+  }
+  motion.turns = square > 0;
+  motion.unforeseen = push * std::sqrt(square) * part.planned * body.spin_arm;
+  motion.swing = (square + own + push) * body.spin_arm + motion.unforeseen;
+}
+
+CONTACT_SCENES_INLINE PartMotion part_motion(const SteppedSetup& setup, const SteppedState& state,
+                                             const StepPart& part, std::size_t place) {
+  PartMotion motion;
+  motion.position = position_of(setup, state, place);
+  if (place >= setup.movers || sleeps(state, place)) return motion;
+  motion.velocity = first_velocity(state, part, place);
+  motion.acceleration = (part.end_velocity[place] - motion.velocity) / part.planned;
+  if (setup.rotation && setup.bodies[place].spin_arm > 0)
+    bound_swing(setup, state, part, place, motion);
+  return motion;
+}
+
+/// A shape as the points of which it is the hull, with a ball about each.
+struct ShapeCorners {
+  std::vector<Vector3<double>> points;
+  double radius = 0;
+};
+
+CONTACT_SCENES_INLINE ShapeCorners corners_of(const Sphere<double>& shape) {
+  return {{shape.centre}, shape.radius};
+}
+
+CONTACT_SCENES_INLINE ShapeCorners corners_of(const Capsule<double>& shape) {
+  return {{shape.core.start, shape.core.end}, shape.radius};
+}
+
+CONTACT_SCENES_INLINE ShapeCorners corners_of(const OrientedBox<double>& shape) {
+  ShapeCorners corners;
+  for (int k = 0; k < 8; ++k) corners.points.push_back(box_corner(shape, k));
+  return corners;
+}
+
+CONTACT_SCENES_INLINE ShapeCorners corners_of(const HullCorners& shape) {
+  return {shape.points, 0};
+}
+
+CONTACT_SCENES_INLINE ShapeCorners corners_of(const HalfSpace<double>& shape) {
+  return {{Vector3<double>(shape.boundary.normal * shape.boundary.offset)}, 0};
+}
+
+/// How far the corners of a shape are along a direction, and how fast each moves along it.
+struct CornerRates {
+  std::vector<double> height;
+  std::vector<double> rate;
+};
+
+/// A body of a pair at a time of the part.
+struct MovedBody {
+  StepShape shape;
+  Vector3<double> centre = Vector3<double>::Zero();
+  Vector3<double> velocity = Vector3<double>::Zero();
+  Vector3<double> spin = Vector3<double>::Zero();
+  double unforeseen = 0;  // how much faster one of its points may be, m/s
+};
+
+CONTACT_SCENES_INLINE MovedBody moved_body(const SteppedSetup& setup, const SteppedState& state,
+                                           const StepPart& part, std::size_t place,
+                                           const PartMotion& motion, double t) {
+  MovedBody body;
+  body.centre = motion.position_at(t);
+  body.velocity = motion.velocity + motion.acceleration * t;
+  body.unforeseen = motion.unforeseen * t;
+  Rotor<double> orientation = orientation_of(setup, state, place);
+  if (motion.turns) {
+    orientation = orientation_at(setup, state, part, place, t);
+    body.spin = spin_at(setup, state, part, place, t, orientation);
+  }
+  body.shape = shape_in_world(setup.bodies[place], body.centre, orientation);
+  return body;
+}
+
+/// @param n unit
+/// @param sign 1: no lower than this, and no slower along n; −1: no higher and no faster
+CONTACT_SCENES_INLINE CornerRates corner_rates(const MovedBody& body, const Vector3<double>& n,
+                                               double sign) {
+  const ShapeCorners corners =
+      std::visit([](const auto& one) { return corners_of(one); }, body.shape);
+  const double rate = n.dot(body.velocity) - sign * body.unforeseen;
+  const bool turns = body.spin != Vector3<double>::Zero();
+  CornerRates result;
+  for (const Vector3<double>& point : corners.points) {
+    const Vector3<double> arm = point - body.centre;
+    result.height.push_back(n.dot(point) - sign * corners.radius);
+    result.rate.push_back(turns ? rate + n.dot(Vector3<double>(body.spin.cross(arm))) : rate);
+  }
+  return result;
+}
+
+}  // namespace detail
+
+// [time-of-impact]
+CONTACT_SCENES_INLINE std::optional<double> pair_impact(const SteppedSetup& setup,
+                                                        const SteppedState& state,
+                                                        const StepPart& part, const NearPair& pair,
+                                                        double before) {
+  const detail::PartMotion a = detail::part_motion(setup, state, part, pair.a);
+  const detail::PartMotion b = detail::part_motion(setup, state, part, pair.b);
+  double t = 0;
+  for (int look = 0; look < 64; ++look) {
+    const auto one = detail::moved_body(setup, state, part, pair.a, a, t);
+    const auto other = detail::moved_body(setup, state, part, pair.b, b, t);
+    const Gap<double> gap = gap_of_shapes(one.shape, other.shape);
+    const bool leaves = look == 0 && pair.leaving;
+    if (!leaves && gap.distance <= pair.touch) return t;
+    const Vector3<double>& n = gap.normal;
+    const auto above = detail::corner_rates(one, n, 1);
+    const auto below = detail::corner_rates(other, n, -1);
+    const double bend = n.dot(Vector3<double>(a.acceleration - b.acceleration)) - a.swing - b.swing;
+    const auto used_up = [&](double least) {  // when a height of at least so much is
+      double first = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < above.height.size(); ++i) {
+        for (std::size_t k = 0; k < below.height.size(); ++k) {
+          const auto time = closing_time<double>(std::max(above.height[i] - below.height[k], least),
+                                                 above.rate[i] - below.rate[k], bend);
+          if (time) first = std::min(first, *time);
+        }
+      }
+      return first;
+    };
+    const double closes = used_up(0);
+    if (leaves && !(closes > 0)) {
+      const double deep = std::min(setup.bodies[pair.a].core, setup.bodies[pair.b].core) / 16;
+      const double soon = used_up(deep);
+      return soon < before ? std::optional(soon) : std::nullopt;
+    }
+    if (!(t + closes < before)) return std::nullopt;
+    t += closes;
+  }
+  return t;
+}
+// [/time-of-impact]
+
+// [continuous-stage]
+CONTACT_SCENES_INLINE void find_first_impact(const SteppedSetup& setup, SteppedState& state,
+                                             StepPart& part) {
+  if (part.at_once) return;
+  bool cut = false;
+  for (const NearPair& pair : part.pairs) {
+    if (pair.touching && (!pair.leaving || pair.material.stiffness)) continue;
+    const auto time = pair_impact(setup, state, part, pair, part.length);
+    if (!time) continue;
+    part.length = *time;
+    cut = true;
+  }
+  if (cut) ++part.cuts;
+}
+// [/continuous-stage]
+
+}  // namespace contact

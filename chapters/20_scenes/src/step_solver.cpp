@@ -1,0 +1,255 @@
+#include <contact/stepped/step_solver.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <contact/contact_finish.hpp>
+#include <contact/contact_manifold.hpp>
+#include <contact/contact_solver.hpp>
+#include <contact/gap.hpp>
+#include <contact/inertia.hpp>
+#include <contact/rigid_body.hpp>
+#include <contact/rotation.hpp>
+#include <contact/scene/compiled.hpp>
+#include <contact/scene/scene_run.hpp>
+#include <contact/stepped/stepped_state.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+namespace detail {
+
+CONTACT_SCENES_INLINE RigidBody<double> solver_body(const SteppedSetup& setup,
+                                                    const SteppedState& state, std::size_t place,
+                                                    const Vector3<double>& velocity,
+                                                    const Vector3<double>& spin) {
+  const SteppedBody& body = setup.bodies[place];
+  RigidBody<double> solid;
+  solid.position = position_of(setup, state, place);
+  if (place >= setup.movers || sleeps(state, place)) return solid;  // nothing moves it
+  solid.mass = body.mass;
+  solid.inverse_mass = 1 / body.mass;
+  solid.velocity = velocity;
+  if (!turned_by_contacts(setup, place)) return solid;
+  const Vector3<double> inverse = body.moments.cwiseInverse();
+  const auto& m = body.moments;
+  solid.spin = spin;
+  solid.inertia = diagonal<double>(m.x(), m.y(), m.z());
+  solid.inverse_inertia = diagonal<double>(inverse.x(), inverse.y(), inverse.z());
+  if (!body.round) {
+    const Matrix3<double> turn = matrix_of(state.orientation[place]) * body.axes;
+    solid.inertia = rotated<double>(solid.inertia, turn);
+    solid.inverse_inertia = rotated<double>(solid.inverse_inertia, turn);
+  }
+  // What a mirror forbids, no push does: a spin that nobody keeps would take energy along.
+  for (int k = 0; k < 3; ++k) {
+    if (setup.turns[static_cast<std::size_t>(k)]) continue;
+    solid.inverse_inertia.row(k).setZero();
+    solid.inverse_inertia.col(k).setZero();
+  }
+  return solid;
+}
+
+CONTACT_SCENES_INLINE std::vector<std::vector<std::size_t>> islands(
+    const SteppedSetup& setup, const SteppedState& state,
+    const std::vector<BodyContact<double>>& contacts) {
+  const std::size_t none = contacts.size();
+  std::vector<std::size_t> towards(contacts.size());  // a contact of the same island, or itself
+  std::vector<std::size_t> first(setup.bodies.size(), none);  // of a body
+  const auto root = [&](std::size_t i) {
+    while (towards[i] != i) i = towards[i] = towards[towards[i]];
+    return i;
+  };
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    towards[i] = i;
+    for (const int body : {contacts[i].a, contacts[i].b}) {
+      const std::size_t place = index(body);
+      if (place >= setup.movers || sleeps(state, place)) continue;
+      if (first[place] == none) first[place] = i;
+      const auto [low, high] = std::minmax({root(first[place]), root(i)});
+      towards[high] = low;
+    }
+  }
+  std::vector<std::vector<std::size_t>> found;
+  std::vector<std::size_t> number(contacts.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const std::size_t top = root(i);  // not after i
+    if (top == i) {
+      number[i] = found.size();
+      found.emplace_back();
+    }
+    found[number[top]].push_back(i);
+  }
+  return found;
+}
+
+CONTACT_SCENES_INLINE void count_sweeps(SteppedState& state, std::size_t contacts, int sweeps) {
+  state.counts.contacts += contacts;
+  state.counts.sweeps += static_cast<std::uint64_t>(sweeps);
+}
+
+/// Sweeps are as many as this many contacts may take together, but not fewer than a few. In a crowd
+/// the few are fewer, and more if somebody would come through somebody else.
+inline constexpr std::size_t sweep_work = 40000;
+
+inline constexpr int least_sweeps = 50;
+
+inline constexpr std::size_t crowd_work = 100000;
+
+inline constexpr int least_crowd_sweeps = 4;
+
+inline constexpr std::size_t bounce_work = 5000;
+
+inline constexpr int bounce_sweeps = 100;
+
+inline constexpr int sweeps_before_finish = 100;
+
+/// So many contacts are solved at once, so that what is its own mirror image stays so. In larger
+/// islands that would take too many sweeps.
+inline constexpr std::size_t most_at_once = 8;
+
+CONTACT_SCENES_INLINE SweepLimits<double> sweep_limits(
+    const SteppedSetup& setup, const std::vector<RigidBody<double>>& bodies,
+    const std::vector<BodyContact<double>>& contacts, SweepsFor what) {
+  SweepLimits<double> limits = setup.sweeps;
+  std::vector<int> count(bodies.size(), 0);
+  bool alone = true;
+  for (const BodyContact<double>& contact : contacts) {
+    for (const int body : {contact.a, contact.b}) {
+      const bool moves = bodies[index(body)].inverse_mass > 0;
+      alone = alone && !(moves && ++count[index(body)] > 1);
+    }
+  }
+  if (alone) limits.relaxation = 1;
+  limits.at_once = !alone && contacts.size() <= most_at_once;
+  std::size_t work = setup.one_by_one ? sweep_work : crowd_work;
+  const int least = setup.one_by_one ? least_sweeps : least_crowd_sweeps;
+  if (what == SweepsFor::rest) {
+    if (!alone) limits.relaxation = 1.8;
+    limits.sweeps *= 100;
+    work *= 100;
+  } else if (what == SweepsFor::bounces) {
+    limits.sweeps = bounce_sweeps;
+    work = bounce_work;
+  }
+  const auto many = static_cast<int>(work / (contacts.size() + 1));
+  limits.sweeps = std::min(limits.sweeps, std::max(many, least));
+  return limits;
+}
+
+CONTACT_SCENES_INLINE SolvedContacts<double> solve_swept(
+    SteppedState& state, const std::vector<RigidBody<double>>& bodies,
+    const std::vector<BodyContact<double>>& contacts,
+    const std::vector<ContactImpulse<double>>& start, const SweepLimits<double>& limits) {
+  SolvedContacts<double> solved = solve_contacts<double>(bodies, contacts, start, limits);
+  count_sweeps(state, contacts.size(), solved.report.sweeps);
+  return solved;
+}
+
+CONTACT_SCENES_INLINE SolvedContacts<double> solve_resting(
+    SteppedState& state, const std::vector<RigidBody<double>>& bodies,
+    const std::vector<BodyContact<double>>& contacts,
+    const std::vector<ContactImpulse<double>>& start, const SweepLimits<double>& limits) {
+  SweepLimits<double> few = limits;
+  few.sweeps = std::min(limits.sweeps, sweeps_before_finish);
+  auto swept = solve_swept(state, bodies, contacts, start, few);
+  if (!(swept.report.last_change > limits.tolerance)) return swept;
+  auto finished = finish_contacts<double>(bodies, contacts, swept.impulses);
+  if (finished) {
+    SweepLimits<double> one = limits;
+    one.sweeps = 1;
+    one.relaxation = 1;
+    const auto look = solve_swept(state, bodies, contacts, finished->impulses, one);
+    finished->report = look.report;
+    if (look.report.last_change <= 8 * std::max(limits.tolerance, look.report.rounding))
+      return *finished;
+  }
+  SweepLimits<double> many = limits;
+  many.sweeps -= few.sweeps;
+  if (many.sweeps < 1) return finished ? *finished : swept;
+  swept =
+      solve_swept(state, bodies, contacts, finished ? finished->impulses : swept.impulses, many);
+  if (finished && finished->report.last_change < swept.report.last_change) return *finished;
+  return swept;
+}
+
+/// Between bodies whose masses differ by more than this, sweeps get nowhere, and where something
+/// rubs too they are finished. Among others more sweeps cost less.
+inline constexpr double unlike_masses = 64;
+
+CONTACT_SCENES_INLINE bool unfinished(const SteppedSetup& setup,
+                                      const std::vector<RigidBody<double>>& bodies,
+                                      const std::vector<BodyContact<double>>& contacts, double left,
+                                      double time, SweepsFor what) {
+  double fastest = 0;
+  bool rubs = false;
+  for (const BodyContact<double>& contact : contacts) {
+    fastest = std::max(fastest, contact.least_velocity);
+    rubs = rubs || contact.friction > 0;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0;
+  for (const RigidBody<double>& body : bodies) {
+    if (!(body.inverse_mass > 0)) continue;
+    least = std::min(least, body.mass);
+    most = std::max(most, body.mass);
+  }
+  const bool unlike = most >= unlike_masses * least;
+  if (rubs && !unlike) return false;
+  if (left * time > most_left(setup)) return true;
+  if (what == SweepsFor::impacts || (what == SweepsFor::anything && unlike && setup.one_by_one))
+    return left > 8 * setup.sweeps.tolerance;
+  return what == SweepsFor::bounces &&
+         left > (rubs ? fastest / 64 : std::max(8 * setup.sweeps.tolerance, fastest * 0x1p-30));
+}
+
+CONTACT_SCENES_INLINE void finish_sweeps(const SteppedSetup& setup,
+                                         const std::vector<RigidBody<double>>& bodies,
+                                         std::vector<BodyContact<double>> contacts, double time,
+                                         SolvedContacts<double>& solved) {
+  auto all = finish_contacts<double>(bodies, contacts, solved.impulses);
+  if (!all && solved.report.last_change * time > most_left(setup)) {
+    all = finish_contacts<double>(bodies, contacts, solved.impulses, FrictionLaw::cones);
+    for (BodyContact<double>& contact : contacts) contact.friction = 0;
+    if (!all) all = finish_contacts<double>(bodies, contacts, solved.impulses);
+  }
+  if (all) solved = std::move(*all);
+}
+
+CONTACT_SCENES_INLINE std::vector<ContactImpulse<double>> solve_now(
+    const SteppedSetup& setup, SteppedState& state,
+    const std::vector<BodyContact<double>>& contacts) {
+  const auto make = [&](std::size_t place) {
+    return solver_body(setup, state, place, velocity_of(setup, state, place),
+                       spin_of(state, place));
+  };
+  const auto give = [&](std::size_t place, const RigidBody<double>& body) {
+    state.velocity.set(place, body.velocity);
+    if (turned_by_contacts(setup, place)) state.spin.set(place, body.spin);
+  };
+  return solve_islands(setup, state, contacts, {}, 0.0, SweepsFor::impacts, make, give);
+}
+
+CONTACT_SCENES_INLINE void note_hit(const SteppedSetup& setup, SteppedState& state, StepPart& part,
+                                    const std::vector<BodyContact<double>>& contacts,
+                                    const std::vector<ContactImpulse<double>>& impulses,
+                                    std::size_t first, std::size_t last) {
+  SceneHit hit;
+  hit.time = static_cast<double>(state.step) * setup.step + (part.whole - part.left);
+  hit.first = setup.bodies[index(contacts[first].a)].body;
+  hit.second = setup.bodies[index(contacts[first].b)].body;
+  for (std::size_t i = first; i < last; ++i) {
+    hit.point += contacts[i].point / static_cast<double>(last - first);
+    hit.impulse += contacts[i].normal * impulses[i].normal + impulses[i].tangential;
+  }
+  part.hits.push_back(hit);
+  ++state.counts.hits;
+}
+
+}  // namespace detail
+
+}  // namespace contact
