@@ -2,7 +2,7 @@
 //
 // What checking ray_triangle in the page costs, in bytes and in seconds, in headless Chromium with a fresh profile
 // each time, served from this machine; beside it, in turn, `contact check` of the same file. It needs what
-// `docs/wasm/build.mjs toolchain` and `cmake --build build/dev` make. Exit code 1 if a wish is not met:
+// `page/wasm/build.mjs toolchain` and `cmake --build build/dev` make. Exit code 1 if a wish is not met:
 //
 //   a first check at most 3 s after the download, a warm one at most 0.8 s, a first check after at most 30 MB
 //
@@ -13,7 +13,7 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { parseArgs } from "node:util";
-import { check, makePage, notBuilt, root } from "../docs/web/test/cpp/checker_page.mjs";
+import { check, makePage, notBuilt, root } from "../page/web/test/cpp/checker_page.mjs";
 import {
   findBrowser,
   flags,
@@ -24,7 +24,7 @@ import {
   serve,
 } from "../tests/browser/browser.mjs";
 
-/** @typedef {import("../docs/web/test/cpp/checker_page.mjs").Checked} Checked */
+/** @typedef {import("../page/web/test/cpp/checker_page.mjs").Checked} Checked */
 /** @typedef {{ median: number, q1: number, q3: number, least: number, runs: number }} Spread */
 
 const wishes = { first: 3, warm: 0.8, bytes: 30e6 };
@@ -234,7 +234,7 @@ async function warmChecks() {
 
 /** The page with the exercise before anything is pressed, in bytes, if the book is built. */
 function pageWeight() {
-  const weigh = path.join(root, "docs", "web", "weight.mjs");
+  const weigh = path.join(root, "page", "web", "weight.mjs");
   const { status, stdout } = spawnSync(process.execPath, [weigh, "chapters/02_triangles.html"], {
     encoding: "utf8",
   });

@@ -26,7 +26,7 @@ function(contact_add_reference_tests chapter)
     contact_add_catch_test(reference_tests_${chapter} ${library} ${sources})
     # A construct question is judged by its figure's C++, which the test includes.
     target_include_directories(reference_tests_${chapter} PRIVATE "${PROJECT_SOURCE_DIR}/chapters/${chapter}"
-      "${PROJECT_SOURCE_DIR}/docs/figure")
+      "${PROJECT_SOURCE_DIR}/page/figure")
     target_compile_definitions(reference_tests_${chapter} PRIVATE "CONTACT_CHAPTER=\"${chapter}\"")
   endif()
   if(EXISTS "${dir}/hard_cases.cpp")
@@ -66,7 +66,7 @@ function(contact_add_examples chapter)
   endforeach()
 endfunction()
 
-# `Output out{}` sets an Eigen column to nothing in particular otherwise; as in docs/wasm/flags.mjs.
+# `Output out{}` sets an Eigen column to nothing in particular otherwise; as in page/wasm/flags.mjs.
 set(CONTACT_FIGURE_DEFINITION EIGEN_INITIALIZE_MATRICES_BY_ZERO)
 
 # The native twin of a live figure: the same source as the page's WebAssembly. Only tests that compare the two run it, and
@@ -77,7 +77,7 @@ function(contact_add_figures chapter)
     get_filename_component(stem "${source}" NAME_WE)
     set(target figure_${chapter}_${stem})
     add_executable(${target} EXCLUDE_FROM_ALL "${source}")
-    target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/docs/figure")
+    target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/page/figure")
     target_link_libraries(${target} PRIVATE contact_${chapter} nlohmann_json::nlohmann_json contact_warnings)
     target_compile_definitions(${target} PRIVATE ${CONTACT_FIGURE_DEFINITION})
     target_precompile_headers(${target} REUSE_FROM contact_figures_precompiled)

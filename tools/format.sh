@@ -13,4 +13,5 @@ listed() { # the project's files of some kinds, among the paths asked for
 listed 'cpp|hpp' "$@" | xargs -r "$venv/clang-format" -i
 listed 'py' "$@" | xargs -r "$venv/ruff" format -q
 listed 'py' "$@" | xargs -r "$venv/ruff" check -q --fix-only
-listed 'ts|mts|mjs|js|json|css' "$@" | sed -n 's|^docs/||p' | (cd docs && xargs -r node_modules/.bin/biome check --write --no-errors-on-unmatched)
+listed 'ts|mts|mjs|js|css' "$@" | xargs -r page/node_modules/.bin/biome check --write --no-errors-on-unmatched
+listed 'json' "$@" | grep '^page/' | xargs -r page/node_modules/.bin/biome check --write --no-errors-on-unmatched

@@ -73,7 +73,7 @@ class Handler(http.server.SimpleHTTPRequestHandler):
     waiting: ClassVar[Waiting]
 
     def do_GET(self) -> None:
-        """Files, and what is being built (docs/web/src/pending.ts asks)."""
+        """Files, and what is being built (page/web/src/pending.ts asks)."""
         address = urlsplit(self.path)
         if address.path != "/building.json":
             super().do_GET()

@@ -270,15 +270,15 @@ point pip at a mirror with PIP_INDEX_URL, then run ./contact setup again. All of
 }
 
 setup_npm() {
-  [ -f "$root/docs/package-lock.json" ] || return 0
-  setup_stamp=$root/docs/node_modules/.contact-package-lock.json
-  cmp -s "$root/docs/package-lock.json" "$setup_stamp" && return 0
-  say "Installing the npm packages of docs/package-lock.json into docs/node_modules:" \
+  [ -f "$root/page/package-lock.json" ] || return 0
+  setup_stamp=$root/page/node_modules/.contact-package-lock.json
+  cmp -s "$root/page/package-lock.json" "$setup_stamp" && return 0
+  say "Installing the npm packages of page/package-lock.json into page/node_modules:" \
     "$(sed -n '/"\(dependencies\|devDependencies\)": {/,/}/s/^ *"\([^"]*\)": "\([0-9][^"]*\)".*/\1@\2/p' \
-      "$root/docs/package.json" | tr '\n' ' ')"
+      "$root/page/package.json" | tr '\n' ' ')"
   setup_log=$root/build/logs/setup-npm.log
   mkdir -p "$root/build/logs"
-  if ! (cd "$root/docs" && npm ci --no-audit --no-fund --fetch-retries=1 --fetch-retry-mintimeout=2000) \
+  if ! (cd "$root/page" && npm ci --no-audit --no-fund --fetch-retries=1 --fetch-retry-mintimeout=2000) \
     > "$setup_log" 2>&1 < /dev/null; then
     tail -n 8 "$setup_log" >&2
     if setup_unreachable; then
@@ -287,7 +287,7 @@ setup_npm() {
     fi
     fail 3 "npm could not install its packages. Its own words are above; all of them: $setup_log"
   fi
-  cp "$root/docs/package-lock.json" "$setup_stamp"
+  cp "$root/page/package-lock.json" "$setup_stamp"
 }
 
 setup() {

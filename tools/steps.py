@@ -191,7 +191,7 @@ def _page_programs() -> Done:
 
 
 def _node(log: str, *words: str) -> Callable[[], Done]:
-    return lambda: run(["node", *words], log, cwd=ROOT / "docs", limit=STEP_LIMIT)
+    return lambda: run(["node", *words], log, cwd=ROOT / "page", limit=STEP_LIMIT)
 
 
 def _page_exercises() -> Done:
@@ -243,7 +243,7 @@ def configure() -> Done:
 def waiting_figures() -> list[str]:
     """The figures and players that the page runs and that are not built, in the book's order.
 
-    The names are those of docs/wasm/build.mjs. One that is built may be out of date: it works, and
+    The names are those of page/wasm/build.mjs. One that is built may be out of date: it works, and
     is brought up to date with all the others.
     """
     made = BUILD / "web"

@@ -320,8 +320,9 @@ def having(*patterns: str) -> list[str]:
 def style() -> Iterator[Check]:
     cpp = [name for name in tracked("*.cpp", "*.hpp") if "third_party/" not in name]
     venv = BUILD / "venv" / "bin"
-    bin_ = ROOT / "docs" / "node_modules" / ".bin"
-    web = tracked(*(f"docs/*.{kind}" for kind in ("ts", "mts", "mjs", "js", "json", "css")))
+    bin_ = ROOT / "page" / "node_modules" / ".bin"
+    web = tracked("*.ts", "*.mts", "*.mjs", "*.js", "*.css", "page/*.json")
+    web = [name for name in web if "third_party/" not in name]
     scripts = [name for name in tracked() if is_shell(ROOT / name)]
     yield side_by_side(
         [
@@ -330,10 +331,10 @@ def style() -> Iterator[Check]:
             once("mypy of the book", [venv / "mypy", "--config-file", "docs/pyproject.toml"]),
             once("ruff check", [venv / "ruff", "check", "."]),
             once("ruff format", [venv / "ruff", "format", "--check", "."]),
-            once("biome", [bin_ / "biome", "ci", *web_style(web)], ROOT / "docs"),
+            once("biome", [bin_ / "biome", "ci", *web]),
             *(
                 once(f"tsc {project}", [bin_ / "tsc", "--noEmit", "-p", ROOT / project])
-                for project in tracked("docs/tsconfig.json", "docs/*/tsconfig.json")
+                for project in tracked("page/tsconfig.json", "page/*/tsconfig.json")
             ),
             once("shellcheck", ["shellcheck", *scripts]),
         ]
@@ -354,12 +355,6 @@ def looked_at(what: str, look: Callable[[Path], landing.Found]) -> Check:
         return Tally(passed=1)
 
     return check
-
-
-def web_style(names: Sequence[str]) -> list[str]:
-    """What Biome reads, seen from docs/: not Markdown, whose tables it would realign."""
-    kept = [name for name in names if "third_party/" not in name]
-    return [name.removeprefix("docs/") for name in kept]
 
 
 def python_sources() -> list[str]:
@@ -505,7 +500,7 @@ def step_checks(book_steps: Sequence[steps.Step]) -> Iterator[Check]:
 
 def page() -> Iterator[Check]:
     """Everything the book is made of, as ./contact serve makes it, and the tests of the scripts."""
-    docs = ROOT / "docs"
+    here = ROOT / "page"
     asked = chapters_asked_for()
     if asked and (steps.SITE / "index.html").exists():
         # The rest of the book is there, and stays as it is.
@@ -514,7 +509,7 @@ def page() -> Iterator[Check]:
         )
         return
     yield from step_checks([steps.FIGURES_AND_LADDERS, steps.SCRIPTS])
-    yield from node_tests("test of docs/web:", sorted(docs.glob("web/test/*.test.mjs")), docs)
+    yield from node_tests("test of page/web:", sorted(here.glob("web/test/*.test.mjs")), here)
 
 
 def _native_figures() -> steps.Done:
@@ -527,7 +522,7 @@ NATIVE_FIGURES = steps.Step("native programs of figures", _native_figures)
 
 
 def wasm() -> Iterator[Check]:
-    docs = ROOT / "docs"
+    here = ROOT / "page"
     source = BUILD / "catch2" / "extras" / "catch_amalgamated.cpp"
     if not shutil.which("apt-get") and not source.exists():
         why = f"the tests in WebAssembly: without apt, copy Catch2's amalgamated source to {source}"
@@ -536,13 +531,13 @@ def wasm() -> Iterator[Check]:
     if shutil.which("apt-get"):
         yield once("Catch2's source", [ROOT / "tools" / "fetch_catch2_source.sh"])
     yield from step_checks([steps.COMPILER, NATIVE_FIGURES])
-    tests = [*sorted(docs.glob("wasm/*.test.mjs")), *sorted(docs.glob("web/test/cpp/*.test.mjs"))]
+    tests = [*sorted(here.glob("wasm/*.test.mjs")), *sorted(here.glob("web/test/cpp/*.test.mjs"))]
     if chapters_asked_for():
         # The figures and the ladders. The exercises are checked in a browser: parity.test.mjs.
-        tests = [docs / "wasm" / "loader.test.mjs"]
-    # As docs/wasm/pool.mjs starts the compiler.
+        tests = [here / "wasm" / "loader.test.mjs"]
+    # As page/wasm/pool.mjs starts the compiler.
     engine = "--single-threaded-gc --liftoff-only"
-    yield from node_tests("test of docs/wasm:", tests, docs, flags=engine)
+    yield from node_tests("test of page/wasm:", tests, here, flags=engine)
 
 
 def book() -> Iterator[Check]:
@@ -578,7 +573,7 @@ def browser() -> Iterator[Check]:
         names = {*of_lessons, *of_figures, *of_exercises}
         files = [file for file in files if file.name.split(".")[0] in names]
     first = ("exercises", "pages", "figures", "parity")
-    yield from node_tests("test in a browser:", files, ROOT / "docs", first=first)
+    yield from node_tests("test in a browser:", files, ROOT / "page", first=first)
 
 
 # --- The stages, in order -------------------------------------------------------------------------
@@ -599,12 +594,12 @@ READS = {
         "dev-check": r"(grading|cli|cmake)/|tests/support/",
         "program": r"(cli|grading|cmake)/|tests/cli/",
         "grade": r"(cli|grading|cmake)/|tests/(grade|grading)/",
-        "outside": r"(contact|CMake.*)$|(tools|cmake|tests/(setup|package))/|docs/(package|req)",
+        "outside": r"(contact|CMake.*)$|(tools|cmake|tests/(setup|package))/|page/package|docs/req",
         "tidy": r"(grading|chapters/[^/]+/contact)/|\.clang-tidy$",
-        "page": r"docs/(web|figure)/|docs/package",
-        "wasm": r"docs/wasm/|docs/web/(src|test)/cpp|docs/package|grading/",
-        "book": r"docs/|tests/(docs|serve)/|tools/(serve|steps)\.py$",
-        "browser": r"tests/browser/|docs/(web|_ext|_static)/",
+        "page": r"page/(web|figure|player)/|page/[^/]+$",
+        "wasm": r"page/(wasm|judge)/|page/web/(src|test)/cpp|page/[^/]+$|grading/",
+        "book": r"(docs|page)/|tests/(docs|serve)/|tools/(serve|steps)\.py$",
+        "browser": r"tests/browser/|page/web/|docs/(_ext|_static)/",
     }.items()
 }
 # Stages that check more than chapters: where one of them is called for, nothing is narrowed.

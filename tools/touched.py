@@ -1,9 +1,9 @@
 """What a change touches: which files it changed, and of each kind of check, which chapters.
 
 A reference header, or its source, touches every chapter that builds on its chapter. A header of
-tests touches the chapters whose sources include it. What all chapters share (tests/support, grading/contact, cmake)
-touches all of them, and so does for the page what its scripts are made of (docs/web, docs/wasm).
-A file of tests that is no chapter's own touches none: its lists go by turns.
+tests touches the chapters whose sources include it. What all chapters share (tests/support,
+grading/contact, cmake) touches all of them, and so does for the page what its scripts are made of
+(page/web, page/wasm). A file of tests that is no chapter's own touches none: its lists go by turns.
 
   python3 tools/touched.py [REV]   what the change since REV touches, or that of this landing
 """
@@ -62,9 +62,9 @@ SHARED: Sequence[tuple[str, Sequence[str]]] = (
     (r"tests/support/ladder", (LADDER,)),
     (r"grading/contact/", (TESTS, EXERCISES)),
     (r"grading/diagnosis/|tests/grading/(diagnosis|mistakes)/", (EXPLAIN,)),
-    (r"docs/figure/", (TESTS, FIGURES)),
-    (r"docs/(wasm/(?!.*\.test\.mjs$)|web/src/)", (FIGURES, LADDER, EXERCISES, PAGE)),
-    (r"docs/web/[^/]+$|docs/package(-lock)?\.json$", (FIGURES, LADDER, EXERCISES, PAGE)),
+    (r"page/figure/", (TESTS, FIGURES)),
+    (r"page/(wasm/(?!.*\.test\.mjs$)|player/|web/src/)", (FIGURES, LADDER, EXERCISES, PAGE)),
+    (r"page/web/[^/]+$|page/package(-lock)?\.json$", (FIGURES, LADDER, EXERCISES, PAGE)),
     (r"docs/(_ext|_static)/|docs/[^/]+\.(py|in|txt)$", (PAGE,)),
 )
 
@@ -131,12 +131,12 @@ def read_book(root: Path) -> Book:
 def _included_by(root: Path) -> dict[str, frozenset[str]]:
     sources = [
         file
-        for folder in ("chapters", "exercises", "solutions", "tests", "docs/figure")
+        for folder in ("chapters", "exercises", "solutions", "tests", "page/figure")
         for file in (root / folder).rglob("*")
         if file.suffix in (".cpp", ".hpp")
     ]
     # Where a name may be found besides beside the file that names it.
-    folders = [root / "tests", root / "grading", root / "docs/figure", *root.glob("chapters/*")]
+    folders = [root / "tests", root / "grading", root / "page/figure", *root.glob("chapters/*")]
     known = {file: file.relative_to(root).as_posix() for file in sources}
     found: dict[str, set[str]] = {}
     for file, name in known.items():

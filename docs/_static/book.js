@@ -14,7 +14,7 @@
   /** The site's root, as the page names it. */
   const root = new URL(document.documentElement.dataset.content_root ?? "./", document.baseURI);
 
-  // Keeps what is read, so that it can be read again offline (docs/web/src/offline/sw.ts).
+  // Keeps what is read, so that it can be read again offline (page/web/src/offline/sw.ts).
   const keep = async () => {
     const workers = navigator.serviceWorker;
     const early = workers.controller !== null;

@@ -24,8 +24,8 @@ FORMAT = "contact-autograder/1"
 BOOK = (
     *("contact", "CMakeLists.txt", "CMakePresets.json", "pyproject.toml", "LICENSE", "README.md"),
     *("LICENSE-prose.md", "NOTICES.md", "CHANGELOG.md", "CONTRIBUTING.md", ".gitignore"),
-    *("benchmarks", "chapters", "cli", "cmake", "docs", "exercises", "grading", "solutions"),
-    *("tests", "tools"),
+    *("benchmarks", "chapters", "cli", "cmake", "docs", "exercises", "grading", "page"),
+    *("solutions", "tests", "tools"),
 )
 # What is made lies between it.
 MADE = {".git", "build", "work", "node_modules", "__pycache__"}

@@ -11,7 +11,7 @@ import { fileURLToPath } from "node:url";
 export const root = path.dirname(path.dirname(path.dirname(fileURLToPath(import.meta.url))));
 export const site = process.env.CONTACT_SITE ?? path.join(root, "build", "site");
 /** Packages live with the page's sources. */
-export const require = createRequire(path.join(root, "docs", "package.json"));
+export const require = createRequire(path.join(root, "page", "package.json"));
 
 /** The browser to use: $CHROMIUM, or the first of the usual names; undefined if there is none. */
 export function findBrowser() {

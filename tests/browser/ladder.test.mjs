@@ -1,5 +1,5 @@
 // "Run it here": the chapter's ladder, timed as WebAssembly in the reader's browser. Every third one is run and
-// every third stopped, others in each turn. (What each computes: docs/wasm/loader.test.mjs.)
+// every third stopped, others in each turn. (What each computes: page/wasm/loader.test.mjs.)
 
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";

@@ -1,7 +1,7 @@
 // A figure's C++ as a native program, to hold the page's WebAssembly against.
 
 import { spawnSync } from "node:child_process";
-import { nativeFigure } from "../../docs/wasm/native_figure.mjs";
+import { nativeFigure } from "../../page/wasm/native_figure.mjs";
 
 /** @typedef {Record<string, number | number[]>} Fields */
 

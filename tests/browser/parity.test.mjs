@@ -13,8 +13,8 @@ import { after, before, test } from "node:test";
 import { launch, notRun, open, root, serve } from "./browser.mjs";
 import { sample, wanted } from "./sample.mjs";
 
-/** @typedef {import("../../docs/web/src/cpp/types.ts").VerdictJson} Verdict */
-/** @typedef {import("../../docs/web/src/cpp/types.ts").TestVerdict} TestVerdict */
+/** @typedef {import("../../page/web/src/cpp/types.ts").VerdictJson} Verdict */
+/** @typedef {import("../../page/web/src/cpp/types.ts").TestVerdict} TestVerdict */
 /** @typedef {{ exercise: string, kind: "stub" | "solution" | "wrong" | "ending", file: string }} Answer */
 
 const skip = notRun();

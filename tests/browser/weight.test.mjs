@@ -10,7 +10,7 @@ import { notRun, root, site } from "./browser.mjs";
 const LIMIT = 340;
 
 test(`no lesson is over ${LIMIT} kB compressed`, { skip: notRun() }, () => {
-  const weigh = path.join(root, "docs", "web", "weight.mjs");
+  const weigh = path.join(root, "page", "web", "weight.mjs");
   const { status, stdout, stderr } = spawnSync(
     process.execPath,
     [weigh, "--site", site, "--limit", String(LIMIT)],

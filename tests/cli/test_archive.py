@@ -959,14 +959,14 @@ console.log(JSON.stringify(mergeProgress(ours, theirs)));
 
 
 needs_page = pytest.mark.skipif(
-    not (ROOT / "docs/node_modules/esbuild").exists(),
+    not (ROOT / "page/node_modules/esbuild").exists(),
     reason="the page's packages are not installed",
 )
 
 
 def in_node(folder: Path, script: str, *words: str) -> dict[str, Any]:
     (folder / "page.mjs").write_text(script)
-    load = str(ROOT / "docs/web/test/load.mjs")
+    load = str(ROOT / "page/web/test/load.mjs")
     command = ["node", "page.mjs", load, *words]
     done = subprocess.run(command, capture_output=True, text=True, cwd=folder, check=True)
     found: dict[str, Any] = json.loads(done.stdout)

@@ -24,7 +24,7 @@ SOURCES = (
     "grading",
     "cmake",
     "cli",
-    "docs/figure",
+    "page/figure",
 )
 NULL_KINDS = ("zeros", "nan", "infinity", "minus_infinity", "huge", "random", "echo")
 

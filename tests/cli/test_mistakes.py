@@ -1,6 +1,6 @@
 """check: the commonest mistakes are recognised and told in words.
 
-The page's compiler gets the same files in docs/web/test/cpp/judge.test.mjs. That nothing is said of
+The page's compiler gets the same files in page/web/test/cpp/judge.test.mjs. That nothing is said of
 what compiles is for `contact dev check` to prove, of every solution and wrong answer.
 """
 

@@ -10,7 +10,7 @@ from contact_book.fonts import characters, faces, formulas, plain, shrink
 from fontTools.ttLib import TTFont
 from sample_book import ROOT, Sample
 
-PACKAGES = ROOT / "docs" / "node_modules"
+PACKAGES = ROOT / "page" / "node_modules"
 
 
 def letters(face: Path) -> set[str]:

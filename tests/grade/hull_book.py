@@ -39,7 +39,7 @@ def make(root: Path) -> Path:
     """The book in a folder of its own, built. Gives the folder for CONTACT_ROOT."""
     shutil.copytree(HERE / "hull", root)
     (root / "chapters" / "00_vectors").symlink_to(ROOT / "chapters" / "00_vectors")
-    for shared in ("grading", "docs", "cmake"):
+    for shared in ("grading", "page", "cmake"):
         (root / shared).symlink_to(ROOT / shared)
     out = root / "build" / "dev" / "exercises" / EXERCISE
     out.mkdir(parents=True)

@@ -223,7 +223,7 @@ def test_nothing_is_graded_that_no_report_could_be_made_of(
     programs = grader.root / "build/venv/bin"
     programs.mkdir(parents=True)
     (grader.root / "build/dev").symlink_to(ROOT / "build/dev")
-    for part in ("chapters", "exercises", "grading", "solutions", "tests", "cmake", "docs"):
+    for part in ("chapters", "exercises", "grading", "solutions", "tests", "cmake", "page"):
         (grader.root / part).symlink_to(ROOT / part)
     if python is not None:
         (programs / "python").symlink_to(python)

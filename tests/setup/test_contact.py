@@ -25,8 +25,8 @@ def clone(tmp_path: Path) -> Path:
     for name in (
         "contact",
         "tools/setup.sh",
-        "docs/package.json",
-        "docs/package-lock.json",
+        "page/package.json",
+        "page/package-lock.json",
         "docs/requirements.txt",
         "CMakeLists.txt",
         "CMakePresets.json",
@@ -250,7 +250,7 @@ def test_a_second_setup_installs_nothing() -> None:
 def test_the_npm_lock_serves_every_system() -> None:
     # A lock made where a registry lacks some system's build leaves it out, and then `npm ci`
     # fails everywhere else.
-    packages = json.loads((ROOT / "docs/package-lock.json").read_text())["packages"]
+    packages = json.loads((ROOT / "page/package-lock.json").read_text())["packages"]
     missing = [
         wanted
         for name, package in packages.items()

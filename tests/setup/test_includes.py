@@ -12,8 +12,8 @@ ROOT = Path(__file__).resolve().parents[2]
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]+)[>"]', re.MULTILINE)
 # What a source may not read, and where a name after #include is looked for there.
 FORBIDDEN = {"cli": ("", "cli"), "grading": ("", "grading")}
-# What is compiled for the page or for a chapter; docs/wasm runs the grading library in the page.
-WITHOUT = {"chapters": ("cli", "grading"), "docs": ("cli",)}
+# What is compiled for the page or for a chapter; page/wasm runs the grading library in the page.
+WITHOUT = {"chapters": ("cli", "grading"), "page": ("cli",)}
 
 
 def sources(root: Path, folder: str) -> Iterator[Path]:
@@ -53,7 +53,7 @@ def test_chapters_and_the_page_include_nothing_of_the_program() -> None:
 
 
 def test_the_page_compiles_nothing_of_the_program() -> None:
-    scripts = sorted((ROOT / "docs" / "wasm").glob("*.mjs"))
+    scripts = sorted((ROOT / "page" / "wasm").glob("*.mjs"))
     assert scripts
     pattern = re.compile(r'inRoot\(\s*"cli"|["\'`/]cli/')
     assert [file.name for file in scripts if pattern.search(file.read_text(encoding="utf-8"))] == []
@@ -71,7 +71,7 @@ def test_no_chapter_knows_a_type_of_the_graders() -> None:
         ("chapters/01_lines/src/line.cpp", '#include "../../../cli/plan_report.hpp"'),
         ("chapters/01_lines/examples/line.cpp", "#  include <cli/plan_report.hpp>"),
         ("chapters/01_lines/contact/line.hpp", "#include <book.hpp>"),
-        ("docs/figure/contact/figure.hpp", '#include "plan_report.hpp"'),
+        ("page/figure/contact/figure.hpp", '#include "plan_report.hpp"'),
     ],
 )
 def test_an_include_in_the_wrong_direction_is_found(tmp_path: Path, file: str, line: str) -> None:

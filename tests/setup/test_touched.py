@@ -79,7 +79,7 @@ def test_every_header_touches_who_includes_it_by_its_text() -> None:
     # The same without a build: a closure of its own over names, which in contact/ are unique.
     text = {
         file: set(re.findall(r"#include <contact/(?:\w+/)?(\w+)\.hpp>", file.read_text()))
-        for folder in ("chapters", "tests", "docs/figure")
+        for folder in ("chapters", "tests", "page/figure")
         for file in (ROOT / folder).rglob("*.[ch]pp")
     }
     headers = sorted(ROOT.glob("chapters/*/contact/**/*.hpp"))
@@ -158,8 +158,8 @@ def test_a_header_of_tests_touches_who_includes_it() -> None:
         ("grading/contact/value.hpp", {"tests", "exercises"}),
         ("grading/diagnosis/claims.cpp", {"explain"}),
         ("cmake/ContactTargets.cmake", set(CODE)),
-        ("docs/wasm/flags.mjs", {"figures", "ladder", "exercises", "page"}),
-        ("docs/web/src/figure.ts", {"figures", "ladder", "exercises", "page"}),
+        ("page/wasm/flags.mjs", {"figures", "ladder", "exercises", "page"}),
+        ("page/web/src/figure.ts", {"figures", "ladder", "exercises", "page"}),
         ("docs/_ext/contact_book/ask.py", {"page"}),
     ],
 )
@@ -171,7 +171,7 @@ def test_what_all_share_touches_all(file: str, kinds: set[str]) -> None:
 
 
 @pytest.mark.parametrize(
-    "file", ["README.md", "tools/serve.py", "tests/docs/test_map.py", "docs/wasm/loader.test.mjs"]
+    "file", ["README.md", "tools/serve.py", "tests/docs/test_map.py", "page/wasm/loader.test.mjs"]
 )
 def test_what_no_chapter_is_made_of_touches_none(file: str) -> None:
     assert small(file) == {}

@@ -1,0 +1,125 @@
+// The build: what is kept, what is made anew, and what is said when C++ does not compile.
+import assert from "node:assert/strict";
+import { execFile } from "node:child_process";
+import fs from "node:fs";
+import os from "node:os";
+import path from "node:path";
+import { after, test } from "node:test";
+import { promisify } from "node:util";
+import { mended } from "./compiler.mjs";
+import { pageFlags } from "./flags.mjs";
+import { forgetSources } from "./headers.mjs";
+import { inRoot } from "./paths.mjs";
+import { makeAll } from "./pool.mjs";
+import { figureRecipe } from "./products.mjs";
+import { isMade, key, made } from "./recipes.mjs";
+
+const run = promisify(execFile);
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), "contact-wasm-"));
+after(() => fs.rmSync(folder, { recursive: true, force: true }));
+
+/** A small source of its own, so that nothing of an earlier run is in the cache. */
+const mark = `${process.pid}_${Date.now()}`;
+const source = path.join(folder, "small.cpp");
+const header = path.join(folder, "answer.hpp");
+const unrelated = path.join(folder, "unrelated.hpp");
+
+/** @param {string} body @returns {import("./recipes.mjs").Compile} */
+function small(body) {
+  fs.writeFileSync(source, `#include "answer.hpp"\n${body}\n`);
+  forgetSources();
+  return {
+    tool: "compile",
+    what: "small.cpp",
+    language: "c++",
+    flags: pageFlags,
+    folders: [folder],
+    source,
+  };
+}
+
+test("what has not changed is not made again, and a header's change is noticed", async () => {
+  fs.writeFileSync(header, `#pragma once\ninline int answer_${mark}() { return 42; }\n`);
+  fs.writeFileSync(unrelated, "#pragma once\n");
+  const recipe = small(`int twice() { return 2 * answer_${mark}(); }`);
+  assert.equal((await makeAll([recipe])).built, 1);
+  const first = key(recipe);
+  assert.deepEqual([...made(first).subarray(0, 4)], [0, 0x61, 0x73, 0x6d]);
+
+  assert.equal((await makeAll([recipe])).built, 0);
+  fs.writeFileSync(unrelated, "#pragma once\nint other();\n");
+  forgetSources();
+  assert.equal(key(recipe), first);
+
+  fs.writeFileSync(header, `#pragma once\ninline int answer_${mark}() { return 43; }\n`);
+  forgetSources();
+  assert.notEqual(key(recipe), first);
+  assert.equal(isMade(key(recipe)), false);
+  assert.equal((await makeAll([recipe])).built, 1);
+  assert.notDeepEqual(made(key(recipe)), made(first));
+});
+
+test("other flags make another product", () => {
+  const recipe = small("int f() { return 1; }");
+  assert.notEqual(key(recipe), key({ ...recipe, flags: [...recipe.flags, "-DOTHER"] }));
+});
+
+test("a source that a header takes in counts unless the flags say that it is compiled", () => {
+  const taken = path.join(folder, "taken.cpp");
+  fs.writeFileSync(taken, "int taken();\n");
+  fs.writeFileSync(
+    header,
+    '#pragma once\n#ifdef OTHER\n#endif\n#ifndef CONTACT_SCENES_COMPILED\n#include "taken.cpp"\n#endif\n',
+  );
+  const alone = small("int f() { return 1; }");
+  const linked = { ...alone, flags: [...alone.flags, "-DCONTACT_SCENES_COMPILED"] };
+  const other = { ...alone, flags: [...alone.flags, "-DCONTACT_RAYS_COMPILED"] };
+  const before = [alone, linked, other].map(key);
+  fs.writeFileSync(taken, "int taken(int);\n");
+  forgetSources();
+  const changed = [alone, linked, other].map((recipe, k) => key(recipe) !== before[k]);
+  assert.deepEqual(changed, [true, false, true]);
+  fs.writeFileSync(header, "#pragma once\n");
+});
+
+test("a C++ error is told in the compiler's words, and the rest is built", async () => {
+  fs.writeFileSync(header, "#pragma once\n");
+  const wrong = small(`int wrong_${mark}() { return undeclared; }`);
+  const right = figureRecipe(inRoot("page", "wasm", "fixtures", "stops.cpp"), [
+    inRoot("chapters", "01_planes"),
+    inRoot("chapters", "00_vectors"),
+  ]);
+  const { failed } = await makeAll([wrong, right]);
+  const why = failed.get(key(wrong)) ?? "";
+  assert.match(why, /small\.cpp:2:\d+: error: use of undeclared identifier 'undeclared'/);
+  assert.equal(failed.has(key(right)), false);
+});
+
+test("what needs a thing that failed fails with the same words", async () => {
+  fs.writeFileSync(header, `#pragma once\n#error "no ${mark}"\n`);
+  small("");
+  const recipe = figureRecipe(source, [folder]);
+  const { failed } = await makeAll([recipe]);
+  assert.match(failed.get(key(recipe)) ?? "", new RegExp(`no ${mark}`));
+});
+
+test("the program's own words: an unknown name lists what there is; wrong usage is exit code 2", async () => {
+  const program = inRoot("page", "wasm", "build.mjs");
+  /** @param {string[]} args @returns {Promise<{ code: number, stderr: string }>} */
+  const fails = (...args) =>
+    run(process.execPath, [program, ...args]).then(
+      () => assert.fail("it succeeded"),
+      (error) => error,
+    );
+  const unknown = await fails("figures", "--only", "99_nothing/here");
+  assert.equal(unknown.code, 2);
+  assert.match(unknown.stderr, /There is no figure 99_nothing\/here.*01_planes\//s);
+  assert.equal((await fails("houses")).code, 2);
+  assert.equal((await fails("figures", "houses")).code, 2);
+  assert.equal((await fails()).code, 2);
+  assert.equal((await fails("figures", "--workers", "none")).code, 2);
+});
+
+test("a compiler that is not the one we mended is refused", () => {
+  assert.throws(() => mended("something else"), /no longer fits/);
+});
