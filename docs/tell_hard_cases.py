@@ -1,8 +1,8 @@
 """docs/tell_hard_cases.py [CHAPTER...]: writes what the lessons show of hard cases.
 
-Runs each chapter's program build/dev/bin/hard_cases_CHAPTER, which must be built, and writes
-tests/CHAPTER/hard_cases.told.json. With --check nothing is written: it fails if a file is not what
-the program says.
+Runs each chapter's program hard_cases_CHAPTER, which must be built (in build/dev/bin, unless
+--programs names another folder), and writes tests/CHAPTER/hard_cases.told.json. With --check
+nothing is written: it fails if a file is not what the program says.
 """
 
 from __future__ import annotations
@@ -24,10 +24,11 @@ def chapters() -> list[str]:
     return [file.parent.name for file in lessons if "{hard-cases}" in file.read_text("utf-8")]
 
 
-def says(slug: str) -> str:
-    program = ROOT / "build" / "dev" / "bin" / f"hard_cases_{slug}"
+def says(slug: str, programs: Path) -> str:
+    program = programs / f"hard_cases_{slug}"
     if not program.is_file():
-        sys.exit(f"{program} is not built: cmake --build build/dev --target {program.name}")
+        build = programs.parent
+        sys.exit(f"{program} is not built: cmake --build {build} --target {program.name}")
     done = subprocess.run([program, "--json"], capture_output=True, text=True, check=False)
     if done.returncode != 0:
         sys.exit(f"{program.name} failed: {(done.stderr or done.stdout).strip()}")
@@ -38,13 +39,14 @@ def main() -> int:
     parser = argparse.ArgumentParser(description="Writes what the lessons show of hard cases.")
     parser.add_argument("chapters", nargs="*", metavar="CHAPTER")
     parser.add_argument("--check", action="store_true", help="write nothing; fail where it differs")
+    parser.add_argument("--programs", type=Path, default=ROOT / "build" / "dev" / "bin")
     arguments = parser.parse_args()
     for name in arguments.chapters:
         if name not in chapters():
             parser.error(f'no lesson "{name}" shows hard cases')
     wrong = []
     for slug in arguments.chapters or chapters():
-        file, text = told_file(ROOT, slug), says(slug)
+        file, text = told_file(ROOT, slug), says(slug, arguments.programs)
         if file.is_file() and file.read_text("utf-8") == text:
             continue
         wrong.append(slug)

@@ -369,8 +369,19 @@ def is_shell(file: Path) -> bool:
         return re.match(rb"#!.*\b(ba|da)?sh\b", opened.readline(80)) is not None
 
 
+# The programs of a chapter's tests, as cmake/ContactTargets.cmake names them.
+KINDS_OF_TESTS = ("reference_tests", "hard_cases")
+
+
+def with_tests() -> list[str]:
+    return sorted(file.parent.name for file in ROOT.glob("tests/[0-9]*/hard_cases.cpp"))
+
+
 def native() -> Iterator[Check]:
-    """Everything; of the chapters whose headers must compile alone, a third in each turn."""
+    """Everything; of headers that must compile alone, and of tests as optimised, a third a turn.
+
+    All tests of references are built and run under sanitizers.
+    """
     if asked := chapters_asked_for():
         yield once("configure dev", ["cmake", "--preset", "dev"])
         kinds = (*KINDS_OF_TESTS, "example", "figure", "ladder", "headers_alone")
@@ -384,7 +395,13 @@ def native() -> Iterator[Check]:
     alone = [
         f"headers_alone_{slug}" for slug in sample(chapters, 3, "headers alone", kind="headers")
     ]
-    yield from cmake_build("dev", "all", *alone)
+    plain = [f"{kind}_{slug}" for slug in plain_tests("") for kind in KINDS_OF_TESTS]
+    yield from cmake_build("dev", "all_but_references", *plain, *alone)
+
+
+def plain_tests(what: str) -> list[str]:
+    """The chapters whose tests run without sanitizers too, as quickly as their users have them."""
+    return sample(with_tests(), 3, what, kind="tests")
 
 
 def native_tests() -> Iterator[Check]:
@@ -392,23 +409,27 @@ def native_tests() -> Iterator[Check]:
         slugs = "|".join(asked)
         names = rf"reference_tests_({slugs}): |hard_cases_({slugs})$|example_({slugs})_"
         yield ctest("dev", "--tests-regex", rf"^({names}|contract_(linked|proxy)_({slugs})_)")
+        yield from what_pages_tell("dev", asked)
         return
-    yield ctest("dev")
+    others = sorted(set(with_tests()) - set(plain_tests("tests without sanitizers")))
+    left_out = rf"^({'|'.join(KINDS_OF_TESTS)})_({'|'.join(others)})(:|$|_NOT_BUILT)"
+    yield ctest("dev", *(["--exclude-regex", left_out] if others else []))
 
 
-# The programs of a chapter's tests, as cmake/ContactTargets.cmake names them.
-KINDS_OF_TESTS = ("reference_tests", "hard_cases")
+def what_pages_tell(preset: str, chapters: Sequence[str]) -> Iterator[Check]:
+    """The tables of hard cases that lessons show, against what the programs say."""
+    told = [slug for slug in chapters if (ROOT / f"tests/{slug}/hard_cases.told.json").exists()]
+    if told:
+        tell = [sys.executable, ROOT / "docs" / "tell_hard_cases.py", "--check"]
+        programs = ["--programs", BUILD / preset / "bin"]
+        yield once("what pages show of hard cases", [*tell, *programs, *told])
 
 
 def sanitize() -> Iterator[Check]:
-    """A third of the chapters, others in other turns: it takes the compiler long."""
-    chapters = sorted(file.parent.name for file in ROOT.glob("tests/[0-9]*/hard_cases.cpp"))
-    taken = sample(chapters, 3, "tests under sanitizers", kind="tests")
-    names = [f"{kind}_{slug}" for slug in taken for kind in KINDS_OF_TESTS]
-    names.append("support_tests")
-    print(f"    {', '.join(taken)}")
-    yield from cmake_build("sanitize", *names)
-    yield ctest("sanitize", "--tests-regex", f"^({'|'.join(names)})(:|$)")
+    """All of them in every run."""
+    yield from cmake_build("sanitize", "all")
+    yield ctest("sanitize")
+    yield from what_pages_tell("sanitize", with_tests())
 
 
 def tidy() -> Iterator[Check]:
@@ -611,7 +632,7 @@ STAGES = (
     Stage("native", "configure and build everything; headers alone", 30, native),
     Stage(
         "ctest",
-        "references against the oracle, hard cases, examples, questions",
+        "examples, contracts, the grading library; references and hard cases as users have them",
         10,
         native_tests,
         ("native",),
@@ -630,7 +651,7 @@ STAGES = (
         tidy,
         ("native",),
     ),
-    Stage("sanitize", "the reference tests under sanitizers", 25, sanitize),
+    Stage("sanitize", "references against the oracle, hard cases, questions", 25, sanitize),
     Stage("page", "the page's scripts, figures and ladders in WebAssembly", 15, page, ("native",)),
     Stage("wasm", "the compiler in the page, and the exercises for it", 20, wasm, ("native",)),
     Stage("book", "the book without a warning, and served", 15, book, ("page", "wasm")),

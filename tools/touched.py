@@ -26,7 +26,7 @@ EVERYTHING = "*"
 # Kinds of checks that go by turns, as tools/sample.py and tests/browser/sample.mjs call them.
 HEADERS, TESTS, FIGURES, LADDER, EXERCISES, PAGE = KINDS = (
     "headers",  # each compiled alone
-    "tests",  # of references, hard cases, examples; under sanitizers
+    "tests",  # of references, hard cases, examples: optimised; all run under sanitizers
     "figures",  # in WebAssembly and in a browser
     "ladder",
     "exercises",  # checked natively, graded, and in the page
