@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "../grading/archive.hpp"
-#include "../grading/progress.hpp"
-#include "../grading/run.hpp"
+#include "../grading/archive/archive.hpp"
+#include "../grading/progress/progress.hpp"
+#include "../grading/run/run.hpp"
 #include "commands.hpp"
 #include "report.hpp"
 #include "terminal.hpp"

@@ -18,7 +18,7 @@ using grading::TestStatus;
 using grading::TestVerdict;
 using grading::Verdict;
 
-// As grading/build_null_answers.hpp knows them; an answer that is asked for another crashes.
+// As grading/contract/null_answers.hpp knows them; an answer that is asked for another crashes.
 constexpr std::array null_kinds{"zeros", "nan",    "infinity", "minus_infinity",
                                 "huge",  "random", "echo"};
 
@@ -127,14 +127,14 @@ std::vector<std::string> generate(grading::Loop& loop, const grading::Book& book
                                   const Exercise& exercise, const fs::path& folder) {
   fs::path python = book.root() / "build" / "venv" / "bin" / "python";
   if (!fs::exists(python)) python = "python3";
-  const fs::path grading_folder = book.root() / "grading";
+  const fs::path generators = book.root() / "grading" / "contract";
   const fs::path proxy = folder / "proxy";
   const fs::path server = folder / "server";
   const std::vector<std::vector<std::string>> commands = {
-      {python.string(), (grading_folder / "build_null_answers.py").string(),
-       exercise.contract.string(), "--output", folder.string()},
-      {python.string(), (grading_folder / "contract_generator.py").string(),
-       exercise.contract.string(), "--proxy", proxy.string(), "--server", server.string()}};
+      {python.string(), (generators / "null_answers.py").string(), exercise.contract.string(),
+       "--output", folder.string()},
+      {python.string(), (generators / "contract_generator.py").string(), exercise.contract.string(),
+       "--proxy", proxy.string(), "--server", server.string()}};
   std::vector<std::string> problems;
   for (const std::vector<std::string>& command : commands) {
     grading::ProcessSpec spec;

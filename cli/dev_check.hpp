@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "../grading/build.hpp"
-#include "../grading/run.hpp"
+#include "../grading/build/build.hpp"
+#include "../grading/run/run.hpp"
 
 namespace contact::cli {
 

@@ -5,8 +5,8 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
-#include "../grading/build.hpp"
-#include "../grading/run.hpp"
+#include "../grading/build/build.hpp"
+#include "../grading/run/run.hpp"
 #ifdef CONTACT_GRADE
 #include "../grading/sandbox/machine.hpp"
 #endif

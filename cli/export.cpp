@@ -9,8 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "../grading/archive.hpp"
-#include "../grading/progress.hpp"
+#include "../grading/archive/archive.hpp"
+#include "../grading/progress/progress.hpp"
 #include "commands.hpp"
 #include "terminal.hpp"
 

@@ -8,8 +8,8 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
-#include "../grading/book.hpp"
-#include "../grading/shown_text.hpp"
+#include "../grading/book/book.hpp"
+#include "../grading/text/shown_text.hpp"
 
 namespace contact::cli {
 

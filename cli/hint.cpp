@@ -1,6 +1,6 @@
 // contact hint: one more each time.
 
-#include "../grading/progress.hpp"
+#include "../grading/progress/progress.hpp"
 #include "commands.hpp"
 #include "terminal.hpp"
 

@@ -8,9 +8,9 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
-#include "../grading/archive.hpp"
-#include "../grading/progress.hpp"
-#include "../grading/progress_merge.hpp"
+#include "../grading/archive/archive.hpp"
+#include "../grading/progress/progress.hpp"
+#include "../grading/progress/progress_merge.hpp"
 #include "commands.hpp"
 #include "terminal.hpp"
 

@@ -8,7 +8,7 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
-#include "../grading/build.hpp"
+#include "../grading/build/build.hpp"
 #include "commands.hpp"
 #include "terminal.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "../grading/progress.hpp"
+#include "../grading/progress/progress.hpp"
 #include "commands.hpp"
 #include "terminal.hpp"
 

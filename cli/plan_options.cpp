@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "../grading/book.hpp"
+#include "../grading/book/book.hpp"
 
 namespace contact::cli {
 

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "../grading/progress.hpp"
-#include "../grading/progress_report.hpp"
+#include "../grading/progress/progress.hpp"
+#include "../grading/progress/progress_report.hpp"
 #include "commands.hpp"
 #include "terminal.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "../grading/verdict.hpp"
+#include "../grading/verdict/verdict.hpp"
 #include "terminal.hpp"
 
 namespace contact::cli {

@@ -13,7 +13,7 @@
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/scene/scene_file.hpp>
 
-#include "../grading/book.hpp"
+#include "../grading/book/book.hpp"
 
 namespace fs = std::filesystem;
 

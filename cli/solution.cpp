@@ -1,6 +1,6 @@
 // contact solution: the book's own answer, after passing or giving up.
 
-#include "../grading/progress.hpp"
+#include "../grading/progress/progress.hpp"
 #include "commands.hpp"
 #include "terminal.hpp"
 

@@ -1,6 +1,6 @@
 // contact start: the student's own copy of a stub.
 
-#include "../grading/progress.hpp"
+#include "../grading/progress/progress.hpp"
 #include "commands.hpp"
 #include "terminal.hpp"
 

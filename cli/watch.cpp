@@ -4,8 +4,8 @@
 #include <ctime>
 #include <map>
 
-#include "../grading/progress.hpp"
-#include "../grading/run.hpp"
+#include "../grading/progress/progress.hpp"
+#include "../grading/run/run.hpp"
 #include "commands.hpp"
 #include "report.hpp"
 #include "terminal.hpp"

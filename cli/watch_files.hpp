@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "../grading/run_process.hpp"
+#include "../grading/process/run_process.hpp"
 
 namespace contact::cli {
 

@@ -1,8 +1,9 @@
 """What a change touches: which files it changed, and of each kind of check, which chapters.
 
 A reference header, or its source, touches every chapter that builds on its chapter. A header of
-tests touches the chapters whose sources include it. What all chapters share (tests/support, grading/contact, cmake)
-touches all of them, and so does for the page what its scripts are made of (docs/web, docs/wasm).
+tests touches the chapters whose sources include it. What all chapters share (tests/support,
+grading/contact, cmake) touches all of them, and so does for the page what its scripts are made of
+(docs/web, docs/wasm).
 A file of tests that is no chapter's own touches none: its lists go by turns.
 
   python3 tools/touched.py [REV]   what the change since REV touches, or that of this landing
@@ -60,7 +61,7 @@ SHARED: Sequence[tuple[str, Sequence[str]]] = (
     (r"tests/support/(?!ladder|exercise|runner)", (TESTS, EXERCISES)),
     (r"tests/support/(exercise|runner)", (EXERCISES,)),
     (r"tests/support/ladder", (LADDER,)),
-    (r"grading/contact/", (TESTS, EXERCISES)),
+    (r"grading/(contact|contract)/", (TESTS, EXERCISES)),
     (r"grading/diagnosis/|tests/grading/(diagnosis|mistakes)/", (EXPLAIN,)),
     (r"docs/figure/", (TESTS, FIGURES)),
     (r"docs/(wasm/(?!.*\.test\.mjs$)|web/src/)", (FIGURES, LADDER, EXERCISES, PAGE)),

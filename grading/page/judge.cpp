@@ -12,12 +12,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "../book.hpp"
+#include "../book/book.hpp"
 #include "../diagnosis/diagnosis.hpp"
 #include "../diagnosis/exercise_contract.hpp"
-#include "../progress_record.hpp"
-#include "../progress_report.hpp"
-#include "../verdict.hpp"
+#include "../progress/progress_record.hpp"
+#include "../progress/progress_report.hpp"
+#include "../verdict/verdict.hpp"
 
 namespace contact::grading {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "build.hpp"
-#include "run_process.hpp"
-#include "verdict.hpp"
+#include "../build/build.hpp"
+#include "../process/run_process.hpp"
+#include "../verdict/verdict.hpp"
 
 namespace contact::grading {
 

@@ -1,9 +1,9 @@
 """Writes an answer to a contract that knows nothing: what it earns, everybody earns.
 
-    build_null_answers.py CONTRACT.hpp --output FOLDER
+    null_answers.py CONTRACT.hpp --output FOLDER
 
 FOLDER gets null.cpp. In it every function of the contract is defined and returns a value of its
-result's type, made by grading/build_null_answers.hpp, which also says of what kinds.
+result's type, made by grading/contract/null_answers.hpp, which also says of what kinds.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ def answer(contract: Path) -> str:
         for function in read_contract(contract.read_bytes())
     )
     return (
-        f'#include "{contract.name}"\n\n#include "build_null_answers.hpp"\n\n'
+        f'#include "{contract.name}"\n\n#include "contract/null_answers.hpp"\n\n'
         f"namespace {NAMESPACE} {{\n\n{functions}\n\n}}  // namespace {NAMESPACE}\n"
     )
 

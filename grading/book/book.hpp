@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "near_names.hpp"
+#include "../text/near_names.hpp"
 
 namespace contact::grading {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "verdict.hpp"
+#include "../verdict/verdict.hpp"
 
 namespace contact::grading {
 

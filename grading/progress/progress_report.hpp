@@ -8,7 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "book.hpp"
+#include "../book/book.hpp"
 #include "progress_record.hpp"
 
 namespace contact::grading {

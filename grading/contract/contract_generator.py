@@ -304,7 +304,7 @@ def head(header: Path, functions: list[Function], what: str) -> str:
         f'              "every type of {f.name} must be a contact::Value");'
         for f in functions
     )
-    return f"""// The {what} of {header.name}, made by grading/contract_generator.py: do not edit.
+    return f"""// The {what} of {header.name}, made by contract_generator.py: do not edit.
 #include "{header.name}"
 
 #include <contact/remote.hpp>

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "verdict.hpp"
+#include "../verdict/verdict.hpp"
 
 namespace contact::grading {
 

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "../progress/progress_record.hpp"
 #include "archive_entries.hpp"
-#include "progress_record.hpp"
 
 namespace contact::grading {
 

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "verdict.hpp"
+#include "../verdict/verdict.hpp"
 
 namespace contact::grading {
 

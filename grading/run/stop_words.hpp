@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "run_process.hpp"
+#include "../process/run_process.hpp"
 
 namespace contact::grading {
 

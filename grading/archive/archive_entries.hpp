@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "book.hpp"
-#include "shown_text.hpp"
+#include "../book/book.hpp"
+#include "../text/shown_text.hpp"
 #include "zip_names.hpp"
 
 namespace contact::grading {

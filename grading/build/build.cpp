@@ -10,7 +10,7 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
-#include "diagnosis/exercise_contract.hpp"
+#include "../diagnosis/exercise_contract.hpp"
 
 namespace fs = std::filesystem;
 

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <limits>
 
-#include "shown_text.hpp"
+#include "../text/shown_text.hpp"
 
 namespace contact::grading {
 

@@ -12,7 +12,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "book.hpp"
+#include "../book/book.hpp"
 
 namespace contact::grading {
 

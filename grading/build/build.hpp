@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "book.hpp"
-#include "diagnosis/diagnosis.hpp"
-#include "run_process.hpp"
-#include "verdict.hpp"
+#include "../book/book.hpp"
+#include "../diagnosis/diagnosis.hpp"
+#include "../process/run_process.hpp"
+#include "../verdict/verdict.hpp"
 
 namespace contact::grading {
 
