@@ -11,8 +11,8 @@
 #include "../grading/sandbox/machine.hpp"
 #endif
 #include "commands.hpp"
-#include "terminal.hpp"
-#include "watch_files.hpp"
+#include "exercises/watch_files.hpp"
+#include "terminal/terminal.hpp"
 
 namespace fs = std::filesystem;
 
