@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "../grading/book.hpp"
-#include "../grading/run_process.hpp"
+#include "../grading/book/book.hpp"
+#include "../grading/process/run_process.hpp"
 #include "command_line.hpp"
 #include "exit_codes.hpp"
 

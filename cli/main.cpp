@@ -5,7 +5,7 @@
 #include <exception>
 
 #include "commands.hpp"
-#include "terminal.hpp"
+#include "terminal/terminal.hpp"
 
 namespace contact::cli {
 

@@ -66,7 +66,7 @@ function(contact_find_generator out)
   if(NOT EXISTS "${python}")
     set(python "${Python3_EXECUTABLE}")
   endif()
-  set(${out} "${python}" "${PROJECT_SOURCE_DIR}/grading/contract_generator.py" PARENT_SCOPE)
+  set(${out} "${python}" "${PROJECT_SOURCE_DIR}/grading/contract/contract_generator.py" PARENT_SCOPE)
 endfunction()
 
 # What every exercise shares.
@@ -152,7 +152,7 @@ function(contact_add_exercise chapter name)
   add_custom_command(OUTPUT "${out}/${name}.proxy.cpp" "${out}/${name}.server.cpp"
     COMMAND ${CONTACT_GENERATOR} "${contract_dir}/${name}.hpp"
       --proxy "${out}/${name}.proxy.cpp" --server "${out}/${name}.server.cpp"
-    DEPENDS "${contract_dir}/${name}.hpp" "${source}/grading/contract_generator.py"
+    DEPENDS "${contract_dir}/${name}.hpp" "${source}/grading/contract/contract_generator.py"
     COMMENT "Generating proxy and server of ${chapter}/${name}" VERBATIM)
   foreach(side IN ITEMS proxy server)
     add_library(${target}_${side} OBJECT "${out}/${name}.${side}.cpp")

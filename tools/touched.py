@@ -60,7 +60,7 @@ SHARED: Sequence[tuple[str, Sequence[str]]] = (
     (r"tests/support/(?!ladder|exercise|runner)", (TESTS, EXERCISES)),
     (r"tests/support/(exercise|runner)", (EXERCISES,)),
     (r"tests/support/ladder", (LADDER,)),
-    (r"grading/contact/", (TESTS, EXERCISES)),
+    (r"grading/(contact|contract)/", (TESTS, EXERCISES)),
     (r"grading/diagnosis/|tests/grading/(diagnosis|mistakes)/", (EXPLAIN,)),
     (r"page/figure/", (TESTS, FIGURES)),
     (r"page/(wasm/(?!.*\.test\.mjs$)|player/|web/src/)", (FIGURES, LADDER, EXERCISES, PAGE)),

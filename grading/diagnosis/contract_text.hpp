@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "../verdict.hpp"
+#include "../verdict/verdict.hpp"
 #include "source_text.hpp"
 
 namespace contact::grading {

@@ -10,7 +10,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "../verdict.hpp"
+#include "../verdict/verdict.hpp"
 
 namespace contact::grading {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "../verdict.hpp"
+#include "../verdict/verdict.hpp"
 #include "compiler_messages.hpp"
 #include "source_text.hpp"
 

@@ -12,11 +12,11 @@
 #include <string_view>
 #include <utility>
 
-#include "../book.hpp"
+#include "../book/book.hpp"
 #include "../contact/remote_broker.hpp"
 #include "../contact/remote_frames.hpp"
+#include "../run/stop_words.hpp"
 #include "../sandbox/idle.hpp"
-#include "../stop_words.hpp"
 
 namespace contact::grading {
 

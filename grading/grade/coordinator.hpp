@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "../run_process.hpp"
+#include "../process/run_process.hpp"
 #include "engine.hpp"
 #include "run_state.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "../shown_text.hpp"
+#include "../text/shown_text.hpp"
 
 namespace contact::grading {
 

@@ -4,7 +4,7 @@
 #include <regex>
 #include <set>
 
-#include "../archive_entries.hpp"
+#include "../archive/archive_entries.hpp"
 #include "decomposition.hpp"
 #include "sha256.hpp"
 

@@ -9,7 +9,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "../build.hpp"
+#include "../build/build.hpp"
 #include "../sandbox/machine.hpp"
 
 namespace contact::grading {

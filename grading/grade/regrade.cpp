@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-#include "../progress.hpp"
+#include "../progress/progress.hpp"
 
 namespace fs = std::filesystem;
 

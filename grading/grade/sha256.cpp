@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "../book.hpp"
+#include "../book/book.hpp"
 
 namespace contact::grading {
 

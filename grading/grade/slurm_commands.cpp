@@ -5,7 +5,7 @@
 #include <charconv>
 #include <utility>
 
-#include "../book.hpp"
+#include "../book/book.hpp"
 
 namespace contact::grading {
 

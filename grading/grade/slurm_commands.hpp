@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "../run_process.hpp"
+#include "../process/run_process.hpp"
 
 namespace contact::grading {
 

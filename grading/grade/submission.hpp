@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "../archive_entries.hpp"
+#include "../archive/archive_entries.hpp"
 
 namespace contact::grading {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "../run_turns.hpp"
-#include "../stop_words.hpp"
+#include "../run/run_turns.hpp"
+#include "../run/stop_words.hpp"
 #include "broker.hpp"
 #include "unit_compile.hpp"
 #include "unit_time.hpp"

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "../build.hpp"
+#include "../build/build.hpp"
 #include "../sandbox/box.hpp"
-#include "../verdict.hpp"
+#include "../verdict/verdict.hpp"
 
 namespace contact::grading {
 

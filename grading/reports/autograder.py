@@ -12,7 +12,7 @@ import secrets
 import subprocess
 import sys
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 from pathlib import Path
 
 from reports.moment import moment
@@ -27,8 +27,10 @@ BOOK = (
     *("benchmarks", "chapters", "cli", "cmake", "docs", "exercises", "grading", "page"),
     *("solutions", "tests", "tools"),
 )
-# What is made lies between it.
-MADE = {".git", "build", "work", "node_modules", "__pycache__"}
+# What is made lies between it. In the book, what is built lies at the root only: grading/build/ is
+# a room of sources.
+MADE = {".git", "node_modules", "__pycache__"}
+MADE_BY_AN_INSTRUCTOR = {*MADE, "build", "work"}
 SETTINGS = ("exercises", "seed", "accept_weak")
 OPTIONS = "options.json"
 PROFILE = "profile.toml"
@@ -104,7 +106,7 @@ def _entries(root: Path, settings: argparse.Namespace) -> Iterator[tuple[str, tu
     if settings.private:
         if not settings.private.is_dir():
             raise ReportError(f"{settings.private} is no folder of private tests.")
-        for file in _walk(settings.private):
+        for file in _walk(settings.private, MADE_BY_AN_INSTRUCTOR):
             name = file.relative_to(settings.private).as_posix()
             yield f"private/{name}", (file.read_bytes(), False)
     for file in book_files(root):
@@ -126,18 +128,18 @@ def book_files(root: Path) -> list[Path]:
     for name in BOOK:
         place = root / name
         if place.is_dir():
-            files += _walk(place)
+            files += _walk(place, MADE)
         elif place.is_file():
             files.append(place)
     return files
 
 
-def _walk(folder: Path) -> Iterator[Path]:
+def _walk(folder: Path, made: Set[str]) -> Iterator[Path]:
     for entry in sorted(folder.iterdir()):
-        if entry.is_symlink() or entry.name in MADE:
+        if entry.is_symlink() or entry.name in made:
             continue
         if entry.is_dir():
-            yield from _walk(entry)
+            yield from _walk(entry, made)
         elif entry.is_file():
             yield entry
 

@@ -9,7 +9,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "../book.hpp"
+#include "../book/book.hpp"
 #include "box_command.hpp"
 #include "filter.hpp"
 #include "idle.hpp"

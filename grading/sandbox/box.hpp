@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "../run_process.hpp"
+#include "../process/run_process.hpp"
 #include "machine.hpp"
 
 namespace contact::grading {

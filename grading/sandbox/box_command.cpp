@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "../book.hpp"
+#include "../book/book.hpp"
 #include "headers.hpp"
 
 namespace fs = std::filesystem;

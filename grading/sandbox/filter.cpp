@@ -15,7 +15,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "../book.hpp"
+#include "../book/book.hpp"
 
 namespace contact::grading {
 

@@ -11,7 +11,7 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
-#include "../book.hpp"
+#include "../book/book.hpp"
 #include "cgroup.hpp"
 #include "measures.hpp"
 

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "../run_process.hpp"
+#include "../process/run_process.hpp"
 
 namespace contact::grading {
 

@@ -4,7 +4,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "../book.hpp"
+#include "../book/book.hpp"
 #include "box.hpp"
 
 namespace contact::grading {

@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "../book.hpp"
+#include "../book/book.hpp"
 
 namespace fs = std::filesystem;
 

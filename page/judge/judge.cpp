@@ -12,12 +12,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "../../grading/book.hpp"
+#include "../../grading/book/book.hpp"
 #include "../../grading/diagnosis/diagnosis.hpp"
 #include "../../grading/diagnosis/exercise_contract.hpp"
-#include "../../grading/progress_record.hpp"
-#include "../../grading/progress_report.hpp"
-#include "../../grading/verdict.hpp"
+#include "../../grading/progress/progress_record.hpp"
+#include "../../grading/progress/progress_report.hpp"
+#include "../../grading/verdict/verdict.hpp"
 
 namespace contact::grading {
 

@@ -15,7 +15,7 @@ export async function check(program, tests, { seconds = 5, seed } = {}) {
   const { results } = await watchTests(spawn(program, seed), tests, { seconds });
   return tests.map((test) => {
     const result = results.find(({ name }) => name === test);
-    // As the judge says it (grading/verdict.cpp).
+    // As the judge says it (grading/verdict/verdict.cpp).
     const failure = { asked: "", inputs: [], reason: "this test did not run" };
     if (!result) return { test, status: "stopped", failure };
     const { status } = result;

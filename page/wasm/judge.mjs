@@ -20,11 +20,11 @@ const flags = [
 
 /** What of grading/ the page needs: no file is written there, no process started. */
 const sources = [
-  "book.cpp",
-  "near_names.cpp",
-  "progress_record.cpp",
-  "progress_report.cpp",
-  "verdict.cpp",
+  "book/book.cpp",
+  "text/near_names.cpp",
+  "progress/progress_record.cpp",
+  "progress/progress_report.cpp",
+  "verdict/verdict.cpp",
   "diagnosis/claims.cpp",
   "diagnosis/compiler_messages.cpp",
   "diagnosis/contract_text.cpp",

@@ -1,6 +1,6 @@
 // Runs the tests of an exercise, compiled to WebAssembly with an answer, in this thread. Works in Node and in a
 // browser's worker. The program reports as its native twin does: one JSON object a line (tests/support/runner.cpp);
-// how it can end otherwise is told in the words of grading/run.cpp.
+// how it can end otherwise is told in the words of grading/run/run.cpp.
 import {
   ConsoleStdout,
   File,

@@ -193,7 +193,7 @@ def test_dev_check_reports_answers_that_get_what_they_must_not(
     begin, body, rest = remarked.read_text().partition("& triangle) {\n")
     remarked.write_text(begin + body + "double x = 1.0; if (x = 0.0) return std::nullopt;\n" + rest)
     # In place of the answer that knows nothing: one that knows all.
-    (root / "grading/build_null_answers.py").write_text(
+    (root / "grading/contract/null_answers.py").write_text(
         f"import pathlib, sys\npathlib.Path(sys.argv[-1], 'null.cpp').write_text({solution!r})\n"
     )
     done = contact("dev", "check", "ray_triangle", "--json", CONTACT_ROOT=str(root))

@@ -49,7 +49,7 @@ def make(root: Path) -> Path:
 
     contract = root / "exercises" / EXERCISE
     proxy, server = out / "hull.proxy.cpp", out / "hull.server.cpp"
-    generator = [sys.executable, str(ROOT / "grading" / "contract_generator.py")]
+    generator = [sys.executable, str(ROOT / "grading" / "contract" / "contract_generator.py")]
     subprocess.run(
         [*generator, str(contract / "hull.hpp"), "--proxy", str(proxy), "--server", str(server)],
         check=True,

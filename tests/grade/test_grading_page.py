@@ -153,5 +153,5 @@ def test_every_file_that_is_written_is_in_the_table(
 
 def test_visibilities_are_the_graders() -> None:
     named = {row[0].strip('`"') for row in rows("What a student sees")}
-    source = (ROOT / "grading" / "book.cpp").read_text()
+    source = (ROOT / "grading" / "book" / "book.cpp").read_text()
     assert named == set(re.findall(r'\{Visibility::\w+, "(\w+)"\}', source))

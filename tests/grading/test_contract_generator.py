@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 def load() -> ModuleType:
     spec = importlib.util.spec_from_file_location(
-        "contract_generator", ROOT / "grading" / "contract_generator.py"
+        "contract_generator", ROOT / "grading" / "contract" / "contract_generator.py"
     )
     assert spec is not None
     assert spec.loader is not None

@@ -156,6 +156,7 @@ def test_a_header_of_tests_touches_who_includes_it() -> None:
         ("tests/support/oracle.hpp", {"tests", "exercises"}),
         ("tests/support/ladder.cpp", {"ladder"}),
         ("grading/contact/value.hpp", {"tests", "exercises"}),
+        ("grading/contract/contract_generator.py", {"tests", "exercises"}),
         ("grading/diagnosis/claims.cpp", {"explain"}),
         ("cmake/ContactTargets.cmake", set(CODE)),
         ("page/wasm/flags.mjs", {"figures", "ladder", "exercises", "page"}),

@@ -1,6 +1,6 @@
 // What the linker could not find, or found twice.
 
-#include "../../near_names.hpp"
+#include "../../text/near_names.hpp"
 #include "rules.hpp"
 
 namespace contact::grading {

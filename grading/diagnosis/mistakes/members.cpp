@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "../../near_names.hpp"
+#include "../../text/near_names.hpp"
 #include "../message_text.hpp"
 #include "rules.hpp"
 

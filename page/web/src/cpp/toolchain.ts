@@ -7,7 +7,7 @@ import type { Build, Built, FromCompiler, Modules, NotBuilt, ToCompiler } from "
 import { patienceForPrelude } from "./timing.ts";
 import { CheckerError, type Manifest, type ShippedFile, type Size, type Tell } from "./types.ts";
 
-/** As the native check (grading/build.cpp). */
+/** As the native check (grading/build/build.cpp). */
 const COMPILE_SECONDS = 60;
 /** How long an unwanted compile may go on before its worker is ended: to start another takes as long. */
 const UNWANTED_SECONDS = 2;

@@ -208,7 +208,7 @@ export interface Uncompiled {
   readonly defined?: readonly string[];
 }
 
-/** The book's own judge (grading/verdict.cpp and its kin, as WebAssembly). Every call is over at once. */
+/** The book's own judge (grading/verdict/verdict.cpp and its kin, as WebAssembly). Every call is over at once. */
 export interface Judge {
   judge(id: string, results: readonly TestResult[], ran?: Ran): VerdictJson;
   uncompiled(id: string, what: Uncompiled): VerdictJson;

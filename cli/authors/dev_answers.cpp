@@ -1,0 +1,237 @@
+// What stubs, solutions, wrong answers and null answers must get.
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "../terminal/terminal.hpp"
+#include "dev_check.hpp"
+
+namespace fs = std::filesystem;
+
+namespace contact::cli {
+
+namespace {
+
+using grading::Exercise;
+using grading::TestStatus;
+using grading::TestVerdict;
+using grading::Verdict;
+
+// As grading/contract/null_answers.hpp knows them; an answer that is asked for another crashes.
+constexpr std::array null_kinds{"zeros", "nan",    "infinity", "minus_infinity",
+                                "huge",  "random", "echo"};
+
+std::string told(const TestVerdict& test) {
+  std::string text = "'" + test.name + "' is " + std::string(grading::words(test.status));
+  if (!test.failure.reason.empty())
+    text += " (" + test.failure.reason + ")";
+  else if (!test.failure.got.empty())
+    text += " (got " + test.failure.got + ", right " + test.failure.right + ")";
+  return text;
+}
+
+void check_stub(const Verdict& verdict, std::vector<std::string>& problems) {
+  for (const TestVerdict& test : verdict.tests) {
+    if (test.status != TestStatus::not_attempted)
+      problems.push_back(told(test) + "; a stub is not attempted");
+  }
+}
+
+// Whoever hands in something like it would be told of a mistake in C++ that is not theirs, or not
+// the one that the answer is about.
+void check_silence(const Verdict& verdict, std::vector<std::string>& problems) {
+  for (const grading::Remark& remark : verdict.remarks)
+    problems.push_back("line " + std::to_string(remark.line) +
+                       " would be remarked upon: " + remark.words);
+}
+
+void check_solution(const Verdict& verdict, std::vector<std::string>& problems) {
+  for (const TestVerdict& test : verdict.tests) {
+    if (test.status != TestStatus::passed) problems.push_back(told(test));
+  }
+  for (const std::string& name : verdict.missing_tests)
+    problems.push_back("exercise.toml lists a test that is not compiled: '" + name + "'");
+  for (const std::string& name : verdict.unlisted_tests)
+    problems.push_back("a compiled test is not in exercise.toml: '" + name + "'");
+  if (!verdict.in_order)
+    problems.push_back("exercise.toml lists the tests in another order than they run");
+  if (verdict.points != verdict.max_points) problems.push_back("it does not earn every point");
+  if (!verdict.warnings.empty())
+    problems.push_back("the compiler warns: " + verdict.warnings.front());
+}
+
+void check_wrong(const grading::Book& book, const AnswerJob& job, const Verdict& verdict,
+                 std::vector<std::string>& problems) {
+  const WrongAnswer wrong = read_wrong_answer(job.file);
+  const auto caught =
+      std::find_if(verdict.tests.begin(), verdict.tests.end(),
+                   [&](const TestVerdict& test) { return test.name == wrong.caught_by; });
+  if (caught == verdict.tests.end()) {
+    problems.push_back("the test that it names does not exist: '" + wrong.caught_by + "'");
+    return;
+  }
+  if (caught->status != TestStatus::failed) {
+    problems.push_back("it should fail where it does not: " + told(*caught));
+    return;
+  }
+  if (caught->failure.misconception != wrong.misconception)
+    problems.push_back(
+        "'" + wrong.caught_by + "' fails and recognises " +
+        (caught->failure.misconception.empty() ? "nothing" : caught->failure.misconception) +
+        ", not " + wrong.misconception);
+  if (book.hint_for(wrong.misconception).empty())
+    problems.push_back("there is no hint for " + wrong.misconception);
+}
+
+void check_null(const Verdict& verdict, std::vector<std::string>& problems) {
+  for (const TestVerdict& test : verdict.tests) {
+    if (test.points > 0.0)
+      problems.push_back("it earns " + grading::points_text(test.points) + " for '" + test.name +
+                         "': let that test require another, or ask for more");
+    if (test.status == TestStatus::stopped) problems.push_back(told(test));
+  }
+}
+
+void check_verdict(const grading::Book& book, const AnswerJob& job, const Verdict& verdict,
+                   std::vector<std::string>& problems) {
+  if (verdict.compile_error) {
+    problems.push_back("it does not compile: " + verdict.compile_error->message + " (" +
+                       shown(verdict.compile_error->file) + ":" +
+                       std::to_string(verdict.compile_error->line) + ")");
+    return;
+  }
+  if (job.kind == "solution" || job.kind == "wrong answer") check_silence(verdict, problems);
+  if (job.kind == "stub") {
+    check_stub(verdict, problems);
+  } else if (job.kind == "solution") {
+    check_solution(verdict, problems);
+  } else if (job.kind == "wrong answer") {
+    check_wrong(book, job, verdict, problems);
+  } else {
+    check_null(verdict, problems);
+  }
+}
+
+bool same_text(const fs::path& a, const fs::path& b) {
+  try {
+    return grading::read_text(a) == grading::read_text(b);
+  } catch (const grading::BookError&) {
+    return false;
+  }
+}
+
+// The null answer, and the generated proxy and server once more, to hold against those that the
+// build has.
+std::vector<std::string> generate(grading::Loop& loop, const grading::Book& book,
+                                  const Exercise& exercise, const fs::path& folder) {
+  fs::path python = book.root() / "build" / "venv" / "bin" / "python";
+  if (!fs::exists(python)) python = "python3";
+  const fs::path generators = book.root() / "grading" / "contract";
+  const fs::path proxy = folder / "proxy";
+  const fs::path server = folder / "server";
+  const std::vector<std::vector<std::string>> commands = {
+      {python.string(), (generators / "null_answers.py").string(), exercise.contract.string(),
+       "--output", folder.string()},
+      {python.string(), (generators / "contract_generator.py").string(), exercise.contract.string(),
+       "--proxy", proxy.string(), "--server", server.string()}};
+  std::vector<std::string> problems;
+  for (const std::vector<std::string>& command : commands) {
+    grading::ProcessSpec spec;
+    spec.command = command;
+    spec.environment = {{"PYTHONDONTWRITEBYTECODE", "1"}};
+    spec.time_limit = 60.0;
+    const grading::ProcessResult result = grading::run_process(loop, spec);
+    if (!result.succeeded()) {
+      problems.push_back(fs::path(command[1]).filename().string() + " failed: " + result.errors +
+                         result.output);
+      return problems;
+    }
+  }
+  const fs::path built = book.build_dir() / "exercises" / exercise.chapter / exercise.name;
+  if (!same_text(proxy, built / (exercise.name + ".proxy.cpp")) ||
+      !same_text(server, built / (exercise.name + ".server.cpp")))
+    problems.push_back("the generated proxy or server in the build is not current");
+  return problems;
+}
+
+}  // namespace
+
+WrongAnswer read_wrong_answer(const fs::path& file) {
+  std::istringstream text(grading::read_text(file));
+  WrongAnswer wrong;
+  wrong.file = file;
+  const auto value = [&](const std::string& mark) {
+    std::string line;
+    std::getline(text, line);
+    if (!line.starts_with(mark) || line.size() == mark.size())
+      throw grading::BookError("it must begin with `" + mark + "...`, but the line is `" + line +
+                               "`");
+    return line.substr(mark.size());
+  };
+  wrong.misconception = value("// misconception: ");
+  wrong.caught_by = value("// caught by: ");
+  return wrong;
+}
+
+std::vector<fs::path> wrong_answer_files(const Exercise& exercise) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(exercise.wrong_answers, error)) {
+    if (entry.path().extension() == ".cpp") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<AnswerJob> answer_jobs(const std::vector<const Exercise*>& exercises,
+                                   const fs::path& folder) {
+  std::vector<AnswerJob> jobs;
+  for (const Exercise* exercise : exercises) {
+    jobs.push_back({"stub", exercise->id(), exercise, exercise->stub});
+    jobs.push_back({"solution", exercise->id(), exercise, exercise->solution});
+    for (const fs::path& file : wrong_answer_files(*exercise))
+      jobs.push_back({"wrong answer", exercise->id() + "/" + file.stem().string(), exercise, file});
+    jobs.push_back({"null answer", exercise->id(), exercise,
+                    folder / exercise->chapter / exercise->name / "null.cpp"});
+  }
+  return jobs;
+}
+
+std::vector<DevResult> check_answer(grading::Loop& loop, const grading::Book& book,
+                                    const grading::BuildDescription& build, const AnswerJob& job,
+                                    const grading::Limits& limits) {
+  const bool null = job.kind == "null answer";
+  std::vector<DevResult> results;
+  std::vector<std::string> more_include;
+  std::vector<grading::Environment> environments;
+  if (null) {
+    fs::create_directories(job.file.parent_path());
+    results.push_back(
+        {"generated code", job.name, generate(loop, book, *job.exercise, job.file.parent_path())});
+    more_include.push_back((book.root() / "grading").string());
+    for (const char* kind : null_kinds) environments.push_back({{"CONTACT_NULL_ANSWER", kind}});
+  } else {
+    environments.emplace_back();
+  }
+  std::vector<Verdict> verdicts;
+  try {
+    verdicts = grading::check_file_in_each(loop, book, build, *job.exercise, job.file, limits,
+                                           more_include, environments);
+  } catch (const grading::BookError& error) {
+    results.push_back({job.kind, job.name, {error.what()}});
+  }
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    DevResult result{job.kind, job.name, {}};
+    if (null) result.name += std::string("/") + null_kinds.at(i);
+    try {
+      check_verdict(book, job, verdicts[i], result.problems);
+    } catch (const grading::BookError& error) {
+      result.problems.emplace_back(error.what());
+    }
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
+}  // namespace contact::cli

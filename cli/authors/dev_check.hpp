@@ -1,0 +1,57 @@
+#pragma once
+
+// The parts of `contact dev check`: what the book's files must hold, and what every answer must
+// get.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "../../grading/build/build.hpp"
+#include "../../grading/run/run.hpp"
+
+namespace contact::cli {
+
+/// One thing that was looked at, and what is wrong with it (nothing, if all is well).
+struct DevResult {
+  std::string kind;  ///< "chapter", "exercise", "misconception", "stub", "solution", "wrong
+                     ///< answer", "null answer"
+  std::string name;
+  std::vector<std::string> problems;
+};
+
+/// First lines of a wrong answer: `// misconception: ID` and `// caught by: TEST`.
+struct WrongAnswer {
+  std::filesystem::path file;
+  std::string misconception;
+  std::string caught_by;
+};
+
+/// @throws grading::BookError if the two lines are not there.
+WrongAnswer read_wrong_answer(const std::filesystem::path& file);
+std::vector<std::filesystem::path> wrong_answer_files(const grading::Exercise& exercise);
+
+/// Chapters, their graph and headers; exercises and their folders; misconceptions. Reads files
+/// only.
+std::vector<DevResult> check_book_files(const grading::Book& book);
+
+/// One answer to one exercise, and what it must get.
+struct AnswerJob {
+  std::string kind;
+  std::string name;
+  const grading::Exercise* exercise = nullptr;
+  std::filesystem::path file;
+};
+
+/// Every stub, solution, wrong answer and null answer; null answers are to be written into
+/// `folder`.
+std::vector<AnswerJob> answer_jobs(const std::vector<const grading::Exercise*>& exercises,
+                                   const std::filesystem::path& folder);
+
+/// Checks one answer as a student's would be, and holds the verdict against what it must be. A null
+/// answer is written, with the rest of what is generated, and is then one for each kind of value.
+std::vector<DevResult> check_answer(grading::Loop& loop, const grading::Book& book,
+                                    const grading::BuildDescription& build, const AnswerJob& job,
+                                    const grading::Limits& limits);
+
+}  // namespace contact::cli

@@ -1,0 +1,192 @@
+#pragma once
+
+// The book as the command line sees it: chapters, exercises and misconceptions, read from their
+// folders.
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "../text/near_names.hpp"
+
+namespace contact::grading {
+
+/// Something the reader or author must put right in the book's own files or in the set-up.
+class BookError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A name that no exercise or chapter answers to.
+class UnknownName : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What a student may see of a test.
+enum class Visibility {
+  shown,            ///< everything
+  after_due,        ///< name and points; everything once the due date has passed
+  values_withheld,  ///< how it ended, the question and the hint; no input, no answer
+  hidden            ///< nothing but that there are such tests
+};
+
+/// As in exercise.toml: "values_withheld".
+std::string_view key(Visibility visibility);
+std::optional<Visibility> visibility_from_key(std::string_view key);
+
+/// One test of an exercise, as exercise.toml lists it.
+struct TestSpec {
+  std::string name;
+  double points = 0.0;
+  /// Tests that must have passed for this one to count.
+  std::vector<std::string> needs;
+  Visibility visibility = Visibility::shown;
+  /// From an instructor's folder and not from the book.
+  bool is_private = false;
+};
+
+struct Objective {
+  std::string id;
+  std::string text;
+};
+
+struct Misconception {
+  std::string id;
+  std::string summary;
+  std::string hint;
+};
+
+struct Exercise {
+  std::string chapter;
+  std::string name;
+  std::string title;
+  std::string objective;
+  std::string kind;
+  std::string brief;
+  double minutes = 0.0;
+  std::vector<std::string> hints;
+  std::vector<std::string> misconceptions;
+  /// Seconds of processor time that one test may use.
+  double time_limit = 5.0;
+  std::vector<TestSpec> tests;
+
+  std::filesystem::path folder;         ///< exercises/NN_slug/NAME
+  std::filesystem::path contract;       ///< the header that states what is asked
+  std::filesystem::path stub;           ///< the pristine starting point
+  std::filesystem::path solution;       ///< solutions/NN_slug/NAME/NAME.cpp
+  std::filesystem::path wrong_answers;  ///< solutions/NN_slug/NAME/wrong
+  std::filesystem::path test_source;    ///< tests/NN_slug/NAME_test.cpp
+
+  [[nodiscard]] std::string id() const { return chapter + "/" + name; }
+  [[nodiscard]] double max_points() const;
+};
+
+struct Chapter {
+  std::string slug;
+  std::string title;
+  std::string status;
+  std::string tooltip;
+  int part = 0;
+  std::vector<std::string> builds_on;
+  std::vector<std::string> recall;
+  std::vector<std::string> exercise_names;
+  std::vector<Objective> objectives;
+  std::filesystem::path folder;
+};
+
+/// A file of the book that could not be read, and why.
+struct BookProblem {
+  std::filesystem::path file;
+  std::string what;
+};
+
+/// Everything under one project root. A broken file is kept as a problem, so that the rest stays
+/// usable.
+class Book {
+ public:
+  /// Reads the folders under `root`; the student's copies live in `work`.
+  Book(std::filesystem::path root, std::filesystem::path work);
+
+  [[nodiscard]] const std::filesystem::path& root() const { return root_; }
+  [[nodiscard]] const std::filesystem::path& work() const { return work_; }
+  [[nodiscard]] std::filesystem::path build_dir() const { return root_ / "build" / "dev"; }
+
+  /// Chapters in the order of their numbers.
+  [[nodiscard]] const std::vector<Chapter>& chapters() const { return chapters_; }
+  /// Exercises in the order of chapter.toml, chapter by chapter.
+  [[nodiscard]] const std::vector<Exercise>& exercises() const { return exercises_; }
+  [[nodiscard]] const std::map<std::string, Misconception>& misconceptions() const {
+    return misconceptions_;
+  }
+  [[nodiscard]] const std::vector<BookProblem>& problems() const { return problems_; }
+
+  [[nodiscard]] std::filesystem::path work_file(const Exercise& exercise) const;
+  [[nodiscard]] bool started(const Exercise& exercise) const;
+
+  /// The exercise meant by a short name, by NN_slug/NAME or by a path to one of its files.
+  /// @throws UnknownName, with the nearest names, if there is none or more than one.
+  [[nodiscard]] const Exercise& exercise(std::string_view name) const;
+  [[nodiscard]] const Exercise* find_exercise(std::string_view name) const;
+
+  /// The chapter meant by NN_slug, by its number or by its slug without the number.
+  [[nodiscard]] const Chapter* find_chapter(std::string_view name) const;
+
+  [[nodiscard]] std::vector<const Exercise*> exercises_of(const Chapter& chapter) const;
+
+  /// The exercises meant by a name: the one it names, or all of the chapter that it names.
+  /// @throws UnknownName, with the nearest names, if it is neither an exercise's nor a chapter's.
+  [[nodiscard]] std::vector<const Exercise*> meant_by(std::string_view name) const;
+
+  /// The exercises and chapters meant by these names, in the book's order, each exercise once; all
+  /// exercises if no name is given.
+  /// @throws UnknownName if a name is neither an exercise's nor a chapter's.
+  [[nodiscard]] std::vector<const Exercise*> chosen(const std::vector<std::string>& names) const;
+
+  /// The hint for a misconception; empty if the book has none.
+  [[nodiscard]] std::string hint_for(const std::string& misconception) const;
+
+ private:
+  void read_chapters();
+  void read_exercises();
+  void read_misconceptions();
+  [[noreturn]] void throw_unknown(std::string_view name, const std::string& kind,
+                                  std::vector<std::string> names) const;
+
+  std::filesystem::path root_;
+  std::filesystem::path work_;
+  std::vector<Chapter> chapters_;
+  std::vector<Exercise> exercises_;
+  std::map<std::string, Misconception> misconceptions_;
+  std::vector<BookProblem> problems_;
+};
+
+/// Reads one exercise folder. @throws BookError naming file and line.
+Exercise read_exercise(const std::filesystem::path& root, const std::string& chapter,
+                       const std::string& name);
+
+/// The [[tests]] of a file, private or the book's; a private test is hidden unless it says
+/// otherwise.
+/// @throws BookError naming file and line.
+std::vector<TestSpec> read_test_list(const std::filesystem::path& file, bool is_private);
+
+/// The project root: CONTACT_ROOT if set, else the nearest folder upwards that holds chapters/ and
+/// exercises/.
+/// @throws BookError if there is none.
+std::filesystem::path find_root();
+
+/// Where the student's copies live: CONTACT_WORK if set, else work/ in the root.
+std::filesystem::path find_work(const std::filesystem::path& root);
+
+/// The whole file as text. @throws BookError if it cannot be read.
+std::string read_text(const std::filesystem::path& file);
+
+/// Writes beside the target and renames, so that a reader never sees half a file. @throws
+/// BookError.
+void write_text(const std::filesystem::path& file, std::string_view text);
+
+}  // namespace contact::grading
