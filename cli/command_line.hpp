@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "elsewhere.hpp"
+
 namespace CLI {
 class App;
 class Option;
@@ -47,6 +49,9 @@ class Command {
   explicit Command(CLI::App* app) : app_(app) {}
 
   [[nodiscard]] Command add_subcommand(const std::string& name, const std::string& what) const;
+  [[nodiscard]] Command add_subcommand(const Elsewhere& command) const {
+    return add_subcommand(command.name, command.what);
+  }
   /// Instantiated in command_line.cpp for the types that are used.
   template <class T>
   Option add_option(const std::string& names, T& value, const std::string& what) const;

@@ -189,8 +189,7 @@ int run(Context& context, const Options& options) {
 }  // namespace
 
 void add_dev(Command app, Action& action) {
-  const Command command =
-      app.add_subcommand("dev", "For authors: prove that the whole tree does what it must");
+  const Command command = app.add_subcommand(dev_command);
   command.require_subcommand();
   auto options = std::make_shared<Options>();
   const Command check = command.add_subcommand(

@@ -162,8 +162,7 @@ int run(Context& context, const Options& options) {
 
 void add_ladder(Command app, Action& action) {
   auto options = std::make_shared<Options>();
-  const Command command =
-      app.add_subcommand("ladder", "Accuracy against time of a chapter's methods, measured here");
+  const Command command = app.add_subcommand(ladder_command);
   command.add_option("chapter", options->chapter, "The chapter: 02_triangles, triangles or 2")
       .required();
   command.add_option("--size", options->size, "Inputs in each family").positive();

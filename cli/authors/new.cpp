@@ -140,8 +140,7 @@ int new_exercise(Context& context, const std::string& id) {
 }  // namespace
 
 void add_new(Command app, Action& action) {
-  const Command command =
-      app.add_subcommand("new", "For authors: make the folders of a chapter or an exercise");
+  const Command command = app.add_subcommand(new_command);
   command.require_subcommand();
   auto slug = std::make_shared<std::string>();
   const Command chapter =

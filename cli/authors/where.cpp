@@ -111,8 +111,7 @@ int run(Context& context, const std::string& name, bool json) {
 void add_where(Command app, Action& action) {
   auto name = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
-  const Command command = app.add_subcommand(
-      "where", "Every file of an exercise or a chapter, one a line, from the root on");
+  const Command command = app.add_subcommand(where_command);
   command.add_option("name", *name, "The exercise or the chapter").required();
   command.add_flag("--json", *json, "Print JSON, with the kind of each file");
   command.callback([&action, name, json] {

@@ -729,8 +729,7 @@ int run(Context& context, const Options& options) {
 
 void add_grade(Command app, Action& action) {
   auto options = std::make_shared<Options>();
-  const Command command = app.add_subcommand(
-      "grade", "Grade a folder of submissions, each kept apart from everything else");
+  const Command command = app.add_subcommand(grade_command);
   const Option submissions =
       command.add_option("submissions", options->submissions,
                          "A folder; each entry is a student's folder, .zip, .tar.gz or .cpp");

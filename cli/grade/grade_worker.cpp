@@ -253,7 +253,7 @@ int run(Context& context, const Options& options) {
 
 void add_grade_worker(Command app, Action& action) {
   auto options = std::make_shared<Options>();
-  const Command command = app.add_subcommand("grade-worker", "Grade units as `contact grade` says");
+  const Command command = app.add_subcommand(grade_worker_command);
   command.hide();
   command.add_option("run", options->run_file, "RUN.json").required();
   command.add_option("--temporary", options->temporary,

@@ -61,8 +61,7 @@ int run(const Words& words) {
 
 void add_plan(Command app, Action& action) {
   const auto words = std::make_shared<Words>();
-  const Command command =
-      app.add_subcommand("plan", "Which effects a scene calls for, with the numbers that decide");
+  const Command command = app.add_subcommand(plan_command);
   command.add_option("SCENE", words->scene, "A scene file, or the name of a scene of the book")
       .required();
   add_plan_words(command, words->plan);

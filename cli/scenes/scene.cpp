@@ -126,8 +126,7 @@ fs::path scene_path(const std::string& word) {
 }
 
 void add_scene(Command app, Action& action) {
-  const Command command =
-      app.add_subcommand("scene", "Scenes: whether a file is one, and which the book has");
+  const Command command = app.add_subcommand(scene_command);
   command.require_subcommand();
   const auto json = std::make_shared<bool>(false);
   const auto files = std::make_shared<std::vector<std::string>>();

@@ -106,9 +106,7 @@ int run(const Options& options) {
 
 void add_simulate(Command app, Action& action) {
   auto options = std::make_shared<Options>();
-  const Command command = app.add_subcommand(
-      "simulate",
-      "Runs scenes as their plans decide: by a formula, from event to event, or step by step");
+  const Command command = app.add_subcommand(simulate_command);
   command
       .add_option("SCENE", options->scenes,
                   "Scene files, or names of scenes of the book; several are run side by side")

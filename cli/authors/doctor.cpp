@@ -5,14 +5,14 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
-#include "../grading/build/build.hpp"
-#include "../grading/run/run.hpp"
+#include "../../grading/build/build.hpp"
+#include "../../grading/run/run.hpp"
 #ifdef CONTACT_GRADE
-#include "../grading/sandbox/machine.hpp"
+#include "../../grading/sandbox/machine.hpp"
 #endif
-#include "commands.hpp"
-#include "exercises/watch_files.hpp"
-#include "terminal/terminal.hpp"
+#include "../commands.hpp"
+#include "../exercises/watch_files.hpp"
+#include "../terminal/terminal.hpp"
 
 namespace fs = std::filesystem;
 
@@ -249,8 +249,7 @@ int run(Context& context, bool json) {
 
 void add_doctor(Command app, Action& action) {
   auto json = std::make_shared<bool>(false);
-  const Command command =
-      app.add_subcommand("doctor", "What is installed, what is missing and what to do");
+  const Command command = app.add_subcommand(doctor_command);
   command.add_flag("--json", *json, "Print JSON");
   command.callback(
       [&action, json] { action = [json](Context& context) { return run(context, *json); }; });

@@ -1,10 +1,8 @@
-// The `contact` program: parse, run the command, turn what went wrong into a sentence and an exit
-// code.
+#include "program.hpp"
 
 #include <csignal>
 #include <exception>
 
-#include "commands.hpp"
 #include "terminal/terminal.hpp"
 
 namespace contact::cli {
@@ -43,19 +41,17 @@ constexpr const char* footer =
     "program's memory\n"
     "(1024 if unset); NO_COLOR turns colour off.";
 
-int run(int argc, char** argv) {
+}  // namespace
+
+int run_program(int argc, char** argv, const std::vector<void (*)(Command, Action&)>& commands) {
+  // A reader that closes the pipe (`contact list | head`) is an error of a write, not the end of
+  // the program.
+  std::signal(SIGPIPE, SIG_IGN);
   const CommandLine line(
       "Contact Hours: exercises in collision detection and response, checked as you save.",
       "contact", CONTACT_VERSION, footer);
   Action action;
-  for (const auto& add : {add_list,     add_start,        add_watch,    add_check,    add_hint,
-                          add_solution, add_reset,        add_progress, add_export,   add_import,
-#ifdef CONTACT_GRADE
-                          add_grade,    add_grade_worker,
-#endif
-                          add_ladder,   add_scene,        add_plan,     add_simulate, add_new,
-                          add_where,    add_doctor,       add_dev})
-    add(line.top(), action);
+  for (const auto& add : commands) add(line.top(), action);
   int exit_code = exit_passed;
   if (!line.parse(argc, argv, exit_code)) return exit_code;
   Context context;
@@ -73,13 +69,4 @@ int run(int argc, char** argv) {
   }
 }
 
-}  // namespace
-
 }  // namespace contact::cli
-
-int main(int argc, char** argv) {
-  // A reader that closes the pipe (`contact list | head`) is an error of a write, not the end of
-  // the program.
-  std::signal(SIGPIPE, SIG_IGN);
-  return contact::cli::run(argc, argv);
-}

@@ -1,0 +1,8 @@
+// The program `contact-authors`: the commands of who writes the book, or looks after it.
+
+#include "../program.hpp"
+
+int main(int argc, char** argv) {
+  using namespace contact::cli;
+  return run_program(argc, argv, {add_ladder, add_new, add_where, add_doctor, add_dev});
+}
