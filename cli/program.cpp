@@ -43,13 +43,15 @@ constexpr const char* footer =
 
 }  // namespace
 
+const char* program_version() { return CONTACT_VERSION; }
+
 int run_program(int argc, char** argv, const std::vector<void (*)(Command, Action&)>& commands) {
   // A reader that closes the pipe (`contact list | head`) is an error of a write, not the end of
   // the program.
   std::signal(SIGPIPE, SIG_IGN);
   const CommandLine line(
       "Contact Hours: exercises in collision detection and response, checked as you save.",
-      "contact", CONTACT_VERSION, footer);
+      "contact", program_version(), footer);
   Action action;
   for (const auto& add : commands) add(line.top(), action);
   int exit_code = exit_passed;

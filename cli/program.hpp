@@ -9,6 +9,9 @@
 
 namespace contact::cli {
 
+/// The book's version, as CMakeLists.txt has it.
+const char* program_version();
+
 /// Runs the command that is asked for, and returns the exit code.
 /// @param commands those of this program, in the order of its help
 int run_program(int argc, char** argv, const std::vector<void (*)(Command, Action&)>& commands);

@@ -17,6 +17,7 @@
 #include "../commands.hpp"
 #include "../terminal/terminal.hpp"
 #include "run_output.hpp"
+#include "simulation_report.hpp"
 
 namespace contact::cli {
 
@@ -36,16 +37,6 @@ std::string short_text(double seconds) {
   std::snprintf(text.data(), text.size(), "%.4g", seconds);
   return text.data();
 }
-
-/// How a simulation ended, and what it found.
-enum class Ending { complete, out_of_events, endless_hits, interrupted };
-
-struct Checked {
-  const SceneExpectation* wanted;
-  std::optional<double> got;  // nothing: its time was before the run was resumed, or never came
-
-  [[nodiscard]] bool met() const { return got && std::abs(*got - wanted->value) <= wanted->within; }
-};
 
 /// One scene.
 class Simulation {
@@ -77,7 +68,8 @@ class Simulation {
     if (ending != Ending::interrupted && output_ && last_frame_ != run_->now()) add_frame();
     if (output_) output_->flush();
     if (events_) events_->flush();
-    Outcome outcome = report(ending);
+    Outcome outcome = reported({options_, scene_, *run_, checked_, ending, way_, until_,
+                                first_energy_, frames_, seconds_since(began_)});
     const bool failed = std::any_of(checked_.begin(), checked_.end(), [](const Checked& checked) {
       return checked.got && !checked.met();
     });
@@ -210,163 +202,6 @@ class Simulation {
     if (!line_.due()) return;
     line_.tell(piece_, scene_.name + " " + short_text(run_->now()) + " of " + short_text(until_) +
                            " s, " + std::to_string(run_->counts().hits) + " hits");
-  }
-
-  [[nodiscard]] std::string trouble(Ending ending) const {
-    const SceneRunCounts counts = run_->counts();
-    const std::string at = " at " + shortest_text(run_->now()) + " s of " + shortest_text(until_);
-    if (ending == Ending::out_of_events)
-      return "the budget of " + std::to_string(options_.max_events) + " hits ran out" + at +
-             " s: what comes later is not simulated";
-    if (ending == Ending::endless_hits)
-      return "no bound on the number of hits: " + scene_.bodies[counts.endless_first].name +
-             " hits " + scene_.bodies[counts.endless_second].name +
-             " again and again without time going on" + at + " s";
-    return "";
-  }
-
-  [[nodiscard]] nlohmann::json effects_json() const {
-    const auto on = scenes::hard_sphere_effects(*run_);
-    if (!on) return nullptr;
-    return {{"dimension", on->dimension},
-            {"gravity", on->gravity},
-            {"sizes", on->sizes},
-            {"restitution", on->restitution},
-            {"grid", on->grid}};
-  }
-
-  [[nodiscard]] nlohmann::json stages_json() const {
-    nlohmann::json stages = nlohmann::json::array();
-    for (const SceneStage& stage : run_->stages())
-      stages.push_back({{"name", stage.name}, {"detail", stage.detail}});
-    return stages;
-  }
-
-  [[nodiscard]] auto count_bodies(bool balls_only) const {
-    return std::count_if(scene_.bodies.begin(), scene_.bodies.end(), [&](const SceneBody& body) {
-      return balls_only ? std::holds_alternative<BallShape>(body.shape) : body.moves;
-    });
-  }
-
-  [[nodiscard]] nlohmann::json fallback_json() const {
-    const auto fallback = run_->fallback();
-    if (!fallback) return nullptr;
-    return {{"time", fallback->time}, {"why", fallback->why}};
-  }
-
-  [[nodiscard]] Outcome report(Ending ending) const {
-    Outcome outcome;
-    const SceneRunCounts counts = run_->counts();
-    const double energy = run_->energy();
-    const Style style(stdout);
-    if (options_.json) {
-      nlohmann::json expectations = nlohmann::json::array();
-      for (const Checked& checked : checked_) {
-        const SceneExpectation& wanted = *checked.wanted;
-        nlohmann::json entry{{"quantity", wanted.quantity},
-                             {"body", wanted.body},
-                             {"time", wanted.time},
-                             {"value", wanted.value},
-                             {"within", wanted.within},
-                             {"met", nullptr},
-                             {"got", nullptr}};
-        if (checked.got) {
-          entry["met"] = checked.met();
-          entry["got"] = *checked.got;
-        }
-        expectations.push_back(entry);
-      }
-      constexpr const char* endings[] = {"complete", "out_of_events", "endless_hits",
-                                         "interrupted"};
-      nlohmann::json json{{"format", "contact-simulate/1"},
-                          {"scene", scene_.name},
-                          {"end", endings[static_cast<int>(ending)]},
-                          {"time", run_->now()},
-                          {"until", until_},
-                          {"effects", effects_json()},
-                          {"event_driven", run_->event_driven()},
-                          {"step", run_->step()},
-                          {"stages", stages_json()},
-                          {"fallback", fallback_json()},
-                          {"balls", count_bodies(true)},
-                          {"bodies", scene_.bodies.size()},
-                          {"moving", count_bodies(false)},
-                          {"steps", counts.steps},
-                          {"parts", counts.parts},
-                          {"crowded_steps", counts.crowded_steps},
-                          {"most_impacts", counts.most_impacts},
-                          {"pairs", counts.pairs},
-                          {"contacts", counts.contacts},
-                          {"sweeps", counts.sweeps},
-                          {"hits", counts.hits},
-                          {"crossings", counts.crossings},
-                          {"largest_overlap", counts.largest_overlap},
-                          {"rests", counts.rests},
-                          {"rest_error", counts.rest_error},
-                          {"energy", {{"first", first_energy_}, {"last", energy}}},
-                          {"frames", frames_},
-                          {"bytes", run_->bytes()},
-                          {"bytes_per_state", run_->bytes_per_body()},
-                          {"seconds", seconds_since(began_)},
-                          {"expectations", expectations}};
-      if (const std::string what = trouble(ending); !what.empty()) json["trouble"] = what;
-      outcome.json = std::move(json);
-    } else {
-      std::string stages;
-      for (const SceneStage& stage : run_->stages())
-        stages += (stages.empty() ? "" : ", ") + stage.name;
-      outcome.say(style.bold(scene_.name) + ": " +
-                  (run_->event_driven()
-                       ? way_
-                       : "step by step, " + shortest_text(run_->step()) + " s each") +
-                  " (" + stages + ")");
-      outcome.say("  " + shortest_text(run_->now()) + " s, " + std::to_string(counts.hits) +
-                  " hits, " + std::to_string(run_->bytes_per_body()) + " bytes a body's state");
-      if (!run_->event_driven())
-        outcome.say("  " + std::to_string(counts.steps) + " steps in " +
-                    std::to_string(counts.parts) + " parts, " + std::to_string(counts.pairs) +
-                    " pairs looked at, " + std::to_string(counts.contacts) +
-                    " contacts solved in " + std::to_string(counts.sweeps) + " sweeps");
-      outcome.say("  energy " + shortest_text(first_energy_) + " J, then " + shortest_text(energy) +
-                  " J; largest overlap " + shortest_text(counts.largest_overlap) + " m");
-      if (counts.rests > 0)
-        outcome.say("  lay down " + std::to_string(counts.rests) + " times" +
-                    (run_->event_driven() ? ", which puts paths off by " +
-                                                shortest_text(counts.rest_error) + " m at most"
-                                          : ""));
-      if (counts.crowded_steps > 0)
-        outcome.say(
-            "  " + style.warn(std::to_string(counts.crowded_steps) + " steps") +
-            " had more impacts than " + std::to_string(counts.most_impacts) +
-            "; what was left of them was taken at once, in parts in which a pair bounces once");
-      if (const auto fallback = run_->fallback())
-        outcome.say("  " + style.warn("step by step") + " from " + shortest_text(fallback->time) +
-                    " s on: " + fallback->why);
-      if (options_.expect) {
-        for (const Checked& checked : checked_) {
-          const SceneExpectation& wanted = *checked.wanted;
-          const std::string what = wanted.quantity +
-                                   (wanted.body.empty() ? "" : " of " + wanted.body) + " at " +
-                                   shortest_text(wanted.time) + " s: ";
-          const std::string right =
-              shortest_text(wanted.value) + " within " + shortest_text(wanted.within);
-          if (!checked.got)
-            outcome.say("  " + style.warn("not looked at") + "  " + what + right);
-          else
-            outcome.say("  " +
-                        (checked.met() ? style.good("as expected  ") : style.bad("not expected ")) +
-                        "  " + what + shortest_text(*checked.got) + ", expected " + right);
-        }
-      }
-    }
-    const Style errors(stderr);
-    if (ending == Ending::interrupted)
-      outcome.note(
-          "Stopped at " + shortest_text(run_->now()) + " s" +
-          (options_.checkpoint.empty() ? "" : "; --resume " + options_.checkpoint + " goes on"));
-    else if (const std::string what = trouble(ending); !what.empty())
-      outcome.note(errors.bad("contact: ") + what);
-    return outcome;
   }
 
   Options options_;

@@ -4,7 +4,8 @@
 #include <fstream>
 #include <utility>
 
-#include "sha256.hpp"
+#include "slurm_log.hpp"
+#include "slurm_slices.hpp"
 #include "unit_time.hpp"
 
 namespace fs = std::filesystem;
@@ -13,7 +14,6 @@ namespace contact::grading {
 
 namespace {
 
-using Names = std::vector<std::string>;
 using Duration = std::chrono::duration<double>;
 
 // A worker ends itself if a unit outlives its time, unless it cannot: then its task is cancelled
@@ -27,41 +27,6 @@ constexpr double most_between_looks = 20.0;
 constexpr Duration patience{5.0};
 // Controllers are restarted now and then; jobs go on meanwhile.
 constexpr Duration silence{600.0};
-// Tasks that are cancelled have Slurm's KillWait to end, which is 30 seconds if unset.
-constexpr Duration cancelling{120.0};
-// Without a limit on tasks at a time, units are cut as if for so many.
-constexpr std::size_t assumed_tasks = 32;
-constexpr std::size_t most_units_a_task = 64;
-
-// The units of a task follow each other in one worker. The script is the same for every run; what
-// it needs comes as arguments, so that no path is ever read by a shell.
-constexpr const char* task_script = R"(#!/bin/sh
-# A task of a job array of `contact grade`: SLICES WORKER... grades the units of its slice.
-slice=$1/$SLURM_ARRAY_TASK_ID.tsv
-log=$1/$SLURM_ARRAY_TASK_ID.log
-shift
-# A shared folder may show the slice here later than where it was written.
-tries=0
-until [ -r "$slice" ] || [ "$tries" -ge 30 ]; do
-  tries=$((tries + 1))
-  sleep 1
-done
-exec > "$log" 2>&1
-# Folders of tasks that were killed with all that belonged to them.
-folders=${TMPDIR:-/tmp}/contact-grade-slurm
-for old in "$folders"-*; do
-  pid=${old#"$folders"-}
-  kill -0 "${pid%%-*}" 2> /dev/null || rm -rf "$old"
-done
-# The worker removes its folder itself, unless it is killed. When the task is to end, it is told so
-# too, and waited for.
-temporary=$(mktemp -d "$folders-$$-XXXXXX") || exit 1
-# Where boxes have no view of files of their own, their users must get through.
-chmod 711 "$temporary"
-trap 'rm -rf "$temporary"' EXIT
-trap : HUP INT TERM
-"$@" --temporary "$temporary" --parent "$$" < "$slice"
-)";
 
 std::string count_of(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
@@ -147,55 +112,6 @@ void SlurmEngine::grade() {
   forget_arrays();
 }
 
-// Arrays that an earlier coordinator left: those of this very run stay if something of them is in
-// the queue.
-void SlurmEngine::look_back() {
-  const std::string run = sha256(read_text(folder_.run_file()));
-  left_behind_ = !record_.arrays().empty();
-  if (left_behind_ && record_.run() != run) {
-    setting_.note(
-        "What is asked for has changed since the last run; its jobs in Slurm's queue are cancelled "
-        "first.");
-    cancel_all(commands_, loop_);
-  }
-  if (record_.run() != run) {
-    record_.clear();
-    record_.set_run(run);
-  }
-  for (const SlurmArrayRecord& array : std::vector<SlurmArrayRecord>(record_.arrays())) {
-    std::string job = array.job;
-    // The coordinator was gone before Slurm had answered.
-    if (job.empty()) job = commands_.find(array.name).value_or("");
-    const SlurmQueue queue = commands_.queue(job.empty() ? Names{} : Names{job});
-    const bool live = std::any_of(queue.begin(), queue.end(),
-                                  [](const auto& entry) { return entry.second.live(); });
-    if (live)
-      record_.submitted(array.name, job);
-    else
-      record_.remove(array.name, false);
-  }
-}
-
-void SlurmEngine::take_over() {
-  if (!left_behind_) return;
-  Names jobs;
-  for (const SlurmArrayRecord& array : record_.arrays()) {
-    watch(array, record_.jobs_of(array.name));
-    jobs.push_back(array.job);
-    setting_.note("Slurm job " + array.job + " of the last run goes on and is taken over.");
-  }
-  // A task that has ended already holds nothing; what it did is seen here, the rest is submitted.
-  const SlurmQueue queue = commands_.queue(jobs);
-  for (Task& task : tasks_) {
-    const auto found = queue.find({task.job, task.index});
-    if (found != queue.end() && found->second.live()) continue;
-    for (const Job& job : waiting_in(task)) waiting_[job].reset();
-    task.settled = true;
-    task.ended = Clock::now();
-  }
-  collect(true);
-}
-
 void SlurmEngine::watch(const SlurmArrayRecord& array,
                         const std::vector<std::vector<Job>>& slices) {
   for (std::size_t index = 0; index < slices.size(); ++index) {
@@ -223,41 +139,9 @@ void SlurmEngine::submit(const std::vector<Job>& jobs) {
     for (const Job& job : jobs) {
       if (job.alone == alone) chosen.push_back(job);
     }
-    if (!chosen.empty()) submit_array(cut(chosen), alone);
+    if (!chosen.empty())
+      submit_array(cut_into_slices(chosen, failures_, most_tasks_, commands_.options()), alone);
   }
-}
-
-// A job at which a task ended goes by itself, so that it takes no other with it again.
-std::vector<std::vector<Job>> SlurmEngine::cut(const std::vector<Job>& jobs) const {
-  std::vector<std::vector<Job>> slices;
-  std::vector<Job> rest;
-  for (const Job& job : jobs) {
-    const auto found = failures_.find(job);
-    if (found != failures_.end() && found->second > 0 &&
-        slices.size() + 1 < static_cast<std::size_t>(most_tasks_))
-      slices.push_back({job});
-    else
-      rest.push_back(job);
-  }
-  if (rest.empty()) return slices;
-  const std::size_t places = static_cast<std::size_t>(most_tasks_) - slices.size();
-  const SlurmOptions& options = commands_.options();
-  std::size_t size = static_cast<std::size_t>(options.units_a_task);
-  if (size == 0) {
-    const std::size_t tasks = options.tasks_at_a_time > 0
-                                  ? static_cast<std::size_t>(options.tasks_at_a_time)
-                                  : assumed_tasks;
-    // Some four a task at a time, so that the last ones end together.
-    size =
-        std::clamp((rest.size() + 4 * tasks - 1) / (4 * tasks), std::size_t{1}, most_units_a_task);
-  }
-  size = std::max(size, (rest.size() + places - 1) / places);
-  for (std::size_t begin = 0; begin < rest.size(); begin += size) {
-    const std::size_t end = std::min(begin + size, rest.size());
-    slices.emplace_back(rest.begin() + static_cast<std::ptrdiff_t>(begin),
-                        rest.begin() + static_cast<std::ptrdiff_t>(end));
-  }
-  return slices;
 }
 
 void SlurmEngine::submit_array(const std::vector<std::vector<Job>>& slices, bool alone) {
@@ -269,7 +153,7 @@ void SlurmEngine::submit_array(const std::vector<std::vector<Job>>& slices, bool
   }
   const std::string name = record_.add(slices).name;
   const fs::path script = record_.slices(name) / "task.sh";
-  write_text(script, task_script);
+  write_text(script, slurm_task_script);
   SlurmArray array;
   array.name = name;
   array.command = {script.string(), record_.slices(name).string()};
@@ -435,7 +319,7 @@ std::vector<Job> SlurmEngine::settle() {
 // What is left of a task goes into the queue again, but not for ever.
 std::vector<Job> SlurmEngine::lost(const Task& task, const std::vector<Job>& jobs) {
   const bool barren = results_ == task.results_before;
-  const std::map<Job, Told> told = troubles_of(task);
+  const std::map<Job, SlurmTrouble> told = troubles_in(record_.log(task.array, task.index));
   // A worker takes its orders in turn: if it did not end itself, it was at the first unit that has
   // no result and of which it has said nothing.
   const bool ended_itself =
@@ -479,32 +363,13 @@ void SlurmEngine::give_up(const Job& job, const std::string& why) {
   waiting_.erase(job);
 }
 
-// The units that a worker could not grade, and what it said about each.
-std::map<Job, SlurmEngine::Told> SlurmEngine::troubles_of(const Task& task) const {
-  std::map<Job, Told> troubles;
-  std::ifstream stream(record_.log(task.array, task.index));
-  for (std::string line; std::getline(stream, line);) {
-    const nlohmann::json said = nlohmann::json::parse(line, nullptr, false);
-    if (said.is_object() && said.value("event", "") == "trouble")
-      troubles[{said.value("submission", ""), said.value("exercise", "")}] = {
-          said.value("what", "it does not say why"), said.value("out_of_time", false)};
-  }
-  return troubles;
-}
-
 // How a task ended, and the last that it said besides its events.
 std::string SlurmEngine::end_of(const Task& task) const {
-  constexpr std::size_t most = 300;
   const std::string end =
       "task " + task.job + "_" + std::to_string(task.index) + " of Slurm " +
       (task.state.state.empty() ? "is gone from the queue" : "ended as " + task.state.state);
-  std::ifstream stream(record_.log(task.array, task.index));
-  std::string last;
-  for (std::string line; std::getline(stream, line);) {
-    if (!line.empty() && !nlohmann::json::accept(line)) last = std::move(line);
-  }
+  const std::string last = last_words(record_.log(task.array, task.index));
   if (last.empty()) return end;
-  if (last.size() > most) last = "..." + last.substr(last.size() - most);
   return end + " (it said last: " + last + ")";
 }
 
@@ -516,57 +381,6 @@ void SlurmEngine::wait_for_rest() {
          Clock::now() - start < 2 * patience) {
     ask_queue();
     if (std::any_of(tasks_.begin(), tasks_.end(), running)) pause();
-  }
-}
-
-// What this call saw the end of; arrays that are for another call stay on record.
-void SlurmEngine::forget_arrays() {
-  std::set<std::string> seen;
-  for (const Task& task : tasks_) seen.insert(task.array);
-  for (const Task& task : tasks_) {
-    if (!task.ended) seen.erase(task.array);
-  }
-  for (const std::string& array : seen) record_.remove(array, !troubles_.empty());
-  if (record_.arrays().empty() && troubles_.empty()) record_.clear();
-}
-
-void SlurmEngine::cancel_all(SlurmCommands& commands, Loop& loop) {
-  std::vector<std::string> jobs;
-  for (const SlurmArrayRecord& array : record_.arrays()) {
-    const std::string job = array.job.empty() ? commands.find(array.name).value_or("") : array.job;
-    if (!job.empty()) jobs.push_back(job);
-  }
-  const Clock::time_point start = Clock::now();
-  while (true) {
-    // Again each time: an array may have been on its way into the queue.
-    commands.cancel(jobs);
-    const SlurmQueue queue = commands.queue(jobs);
-    const auto live =
-        std::find_if(queue.begin(), queue.end(), [](const auto& e) { return e.second.live(); });
-    if (live == queue.end()) break;
-    if (Clock::now() - start > cancelling)
-      throw SlurmError("Slurm's job " + live->first.first + " is cancelled but does not end (" +
-                       live->second.state + ")");
-    const Clock::time_point asked = Clock::now();
-    while (Clock::now() - asked < Duration(0.5)) {
-      loop.poll();
-      uv_sleep(20);
-    }
-  }
-  record_.clear();
-}
-
-void SlurmEngine::withdraw() {
-  if (record_.arrays().empty()) return;
-  setting_.note("Cancelling what is in Slurm's queue; Ctrl-C again leaves it there.");
-  try {
-    Loop loop;
-    SlurmCommands commands(loop, commands_.options());
-    cancel_all(commands, loop);
-  } catch (const Interrupted&) {
-    setting_.note("It is left to end by itself; the next run looks after it.");
-  } catch (const SlurmError& error) {
-    setting_.note(std::string(error.what()) + ". The next run looks after it.");
   }
 }
 

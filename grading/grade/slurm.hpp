@@ -75,18 +75,11 @@ class SlurmEngine final : public Engine {
     bool late = false;
   };
 
-  // What a worker said about a unit that it could not grade.
-  struct Told {
-    std::string what;
-    bool out_of_time = false;
-  };
-
   void grade();
   void look_back();
   void take_over();
   void submit(const std::vector<Job>& jobs);
   void submit_array(const std::vector<std::vector<Job>>& slices, bool alone);
-  [[nodiscard]] std::vector<std::vector<Job>> cut(const std::vector<Job>& jobs) const;
   void watch(const SlurmArrayRecord& array, const std::vector<std::vector<Job>>& slices);
 
   void pause();
@@ -97,7 +90,6 @@ class SlurmEngine final : public Engine {
   std::vector<Job> lost(const Task& task, const std::vector<Job>& jobs);
   [[nodiscard]] std::vector<Job> waiting_in(const Task& task) const;
   void give_up(const Job& job, const std::string& why);
-  [[nodiscard]] std::map<Job, Told> troubles_of(const Task& task) const;
   [[nodiscard]] std::string end_of(const Task& task) const;
   SlurmTask forgotten(const Task& task);
   void wait_for_rest();
