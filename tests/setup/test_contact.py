@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
+import time
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -125,6 +127,39 @@ def test_help_lists_what_the_program_offers(clone: Path) -> None:
     assert offered == set(listed)
     shown = contact(clone, "--help").stdout
     assert [name for name in listed if f"\n  {name} " not in shown] == []
+
+
+def test_the_script_builds_the_program_that_has_the_command(clone: Path) -> None:
+    table = (ROOT / "cli/elsewhere.hpp").read_text()
+    elsewhere = dict(re.findall(r'_command\{\s*"([a-z]+)",.*?"(contact-[a-z]+)"\};', table, re.S))
+    text = (clone / "contact").read_text()
+    listed = text.split("program_commands='")[1].split("'")[0].split()
+    function = text[text.index("program_of() {") : text.index("# True when a program is there")]
+    for command in listed:
+        asked = ["sh", "-c", f'{function}\nprogram_of "$1"', "sh", command]
+        said = subprocess.run(asked, capture_output=True, text=True, check=True).stdout.strip()
+        assert said == elsewhere.get(command, "contact")
+    assert {"plan", "grade", "dev"} <= elsewhere.keys() <= set(listed)
+
+
+def test_a_change_of_scenes_is_nothing_to_who_checks_exercises(clone: Path, tmp_path: Path) -> None:
+    # Both programs are there and as new as their sources, but for one of the scenes.
+    for name in ("contact", "contact-scenes"):
+        program = clone / "build/dev/bin" / name
+        program.parent.mkdir(parents=True, exist_ok=True)
+        program.write_text('#!/bin/sh\necho "ran $1"\n')
+        program.chmod(0o755)
+        (clone / f"build/dev/{name}.fresh").touch()
+    source = clone / "chapters/20_scenes/src/scene.cpp"
+    source.parent.mkdir(parents=True)
+    source.touch()
+    later = time.time() + 60
+    os.utime(source, (later, later))
+    path = commands_without(tmp_path, "apt-get", "apt", "dpkg", "cmake", "brew")
+    assert contact(clone, "list", extra={"PATH": str(path)}).stdout == "ran list\n"
+    done = contact(clone, "plan", "x", extra={"PATH": str(path)})
+    assert done.returncode == 3
+    assert "  CMake 3.25 or newer" in done.stderr
 
 
 def test_without_apt_the_tools_are_listed(clone: Path, tmp_path: Path) -> None:
