@@ -2,8 +2,8 @@
 
 A reference header, or its source, touches every chapter that builds on its chapter. A header of
 tests touches the chapters whose sources include it. What all chapters share (tests/support,
-grading/contact, cmake) touches all of them, and so does for the page what its scripts are made of (docs/web, docs/wasm).
-A file of tests that is no chapter's own touches none: its lists go by turns.
+grading/contact, cmake) touches all of them, and so does for the page what its scripts are made of
+(docs/web, docs/wasm). A file of tests that is no chapter's own touches none: its lists go by turns.
 
   python3 tools/touched.py [REV]   what the change since REV touches, or that of this landing
 """

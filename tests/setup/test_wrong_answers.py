@@ -95,7 +95,7 @@ def test_the_folder_holds_what_there_is_and_nothing_else(tmp_path: Path) -> None
     (folder.parent / "b.cpp").write_text(SOLUTION)
     (folder / "whole.cpp").write_text(HEADER + "int x;\n")
     (folder / "small.cpp").write_text(WRONG)
-    command = [sys.executable, PROGRAM, "--as-patch", folder / "small.cpp"]
+    command = [sys.executable, str(PROGRAM), "--as-patch", str(folder / "small.cpp")]
     subprocess.run(command, check=True)
     assert sorted(file.name for file in folder.iterdir()) == ["small.patch", "whole.cpp"]
     output = tmp_path / "out"
