@@ -599,11 +599,12 @@ READS = {
         "dev-check": r"(grading|cli|cmake)/|tests/support/",
         "program": r"(cli|grading|cmake)/|tests/cli/",
         "grade": r"(cli|grading|cmake)/|tests/(grade|grading)/",
-        "outside": r"(contact|CMake.*)$|(tools|cmake|tests/(setup|package))/|docs/(package|req)",
+        "outside": r"(contact|CMake.*)$|(tools|cmake|grading/book|tests/(setup|package))/"
+        r"|docs/(package|req)",
         "tidy": r"(grading|chapters/[^/]+/contact)/|\.clang-tidy$",
         "page": r"docs/(web|figure)/|docs/package",
         "wasm": r"docs/wasm/|docs/web/(src|test)/cpp|docs/package|grading/",
-        "book": r"docs/|tests/(docs|serve)/|tools/(serve|steps)\.py$",
+        "book": r"docs/|tests/(docs|serve)/|tools/(serve|steps)\.py$|grading/book/.*\.py$",
         "browser": r"tests/browser/|docs/(web|_ext|_static)/",
     }.items()
 }

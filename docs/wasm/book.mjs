@@ -1,6 +1,6 @@
 // What the chapters and exercises say of themselves, and their wrong answers as C++: as the programs in grading/book
 // read them, which are asked once by each process.
-import { execFileSync } from "node:child_process";
+import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
 import { inRoot } from "./paths.mjs";
@@ -22,7 +22,11 @@ import { inRoot } from "./paths.mjs";
 function ask(program, ...words) {
   const own = inRoot("build", "venv", "bin", "python");
   const python = fs.existsSync(own) ? own : "python3";
-  return execFileSync(python, [inRoot("grading", "book", program), ...words], { encoding: "utf8" });
+  const all = [inRoot("grading", "book", program), ...words];
+  const done = spawnSync(python, all, { encoding: "utf8" });
+  if (done.status !== 0)
+    throw new Error(`${program}: ${done.error?.message ?? done.stdout + done.stderr}`);
+  return done.stdout;
 }
 
 /** @type {Book | undefined} */

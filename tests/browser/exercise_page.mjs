@@ -37,7 +37,7 @@ export function wrongAnswersOf(id) {
 
 /** The tests of an exercise in their order, with their points. @param {string} id */
 export function testsOf(id) {
-  return exerciseEntry(id).tests;
+  return exerciseEntry(id).tests.map(({ name, points }) => ({ name, points }));
 }
 
 /** What a student reads of a misconception, as text. @param {string} id */
