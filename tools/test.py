@@ -31,6 +31,7 @@ import touched
 from sample import chapters_asked_for, sample, turn, wanted
 from slices import SLICES, Slice, read_slices, slice_in_words
 from steps import BUILD, DEV, PROGRAM, ROOT, Done
+from wrong_answers import write_whole  # where touched finds the registry's writer
 
 
 @dataclass
@@ -319,6 +320,10 @@ def having(*patterns: str) -> list[str]:
 
 def style() -> Iterator[Check]:
     cpp = [name for name in tracked("*.cpp", "*.hpp") if "third_party/" not in name]
+    # Of those that are patches, what they stand for; that one does not apply, dev check says.
+    patches = tracked("solutions/*.patch")
+    for exercise in sorted({"/".join(patch.split("/")[1:3]) for patch in patches}):
+        cpp += [str(file) for file in write_whole(exercise, BUILD / "wrong")[0]]
     venv = BUILD / "venv" / "bin"
     bin_ = ROOT / "docs" / "node_modules" / ".bin"
     web = tracked(*(f"docs/*.{kind}" for kind in ("ts", "mts", "mjs", "js", "json", "css")))
