@@ -41,6 +41,10 @@ from pathlib import Path
 from typing import IO, Any
 
 ROOT = Path(__file__).resolve().parents[1]
+sys.path.append(str(ROOT / "grading" / "book"))
+
+from wrong_answers import wrong_answers  # noqa: E402
+
 BUILD = ROOT / "build" / "dev"
 PROGRAM = BUILD / "bin" / "contact"
 WANTED_RATIO = 5.0
@@ -104,7 +108,7 @@ def text_of(exercise: str, kind: str, draw: random.Random) -> str:
     folder = ROOT / "solutions" / exercise
     if kind == "solution":
         return (folder / f"{name}.cpp").read_text()
-    return draw.choice(sorted((folder / "wrong").glob("*.cpp"))).read_text()
+    return draw.choice(wrong_answers(exercise)).read_text()
 
 
 def varied(text: str, student: str, draw: random.Random) -> str:

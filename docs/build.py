@@ -17,7 +17,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 DOCS = Path(__file__).resolve().parent
-sys.path.insert(0, str(DOCS / "_ext"))
+sys.path[:0] = [str(DOCS / "_ext"), str(DOCS.parent / "grading" / "book")]
 
 from contact_book.book import Book  # noqa: E402
 from contact_book.doxygen import run_doxygen  # noqa: E402

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 DOCS = Path(__file__).resolve().parent
-sys.path.insert(0, str(DOCS / "_ext"))
+sys.path[:0] = [str(DOCS / "_ext"), str(DOCS.parent / "grading" / "book")]
 
 contact_root = os.environ.get("CONTACT_BOOK_ROOT", str(DOCS.parent))
 _build = Path(os.environ.get("CONTACT_BOOK_BUILD", str(DOCS.parent / "build")))

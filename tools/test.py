@@ -31,6 +31,7 @@ import touched
 from sample import chapters_asked_for, sample, turn, wanted
 from slices import SLICES, Slice, read_slices, slice_in_words
 from steps import BUILD, DEV, PROGRAM, ROOT, Done
+from wrong_answers import write_whole  # where touched finds the registry's writer
 
 
 @dataclass
@@ -319,6 +320,10 @@ def having(*patterns: str) -> list[str]:
 
 def style() -> Iterator[Check]:
     cpp = [name for name in tracked("*.cpp", "*.hpp") if "third_party/" not in name]
+    # Of those that are patches, what they stand for; that one does not apply, dev check says.
+    patches = tracked("solutions/*.patch")
+    for exercise in sorted({"/".join(patch.split("/")[1:3]) for patch in patches}):
+        cpp += [str(file) for file in write_whole(exercise, BUILD / "wrong")[0]]
     venv = BUILD / "venv" / "bin"
     bin_ = ROOT / "page" / "node_modules" / ".bin"
     web = tracked("*.ts", "*.mts", "*.mjs", "*.js", "*.css", "page/*.json")
@@ -615,11 +620,12 @@ READS = {
         "dev-check": r"(grading|cli|cmake)/|tests/support/",
         "program": r"(cli|grading|cmake)/|tests/cli/",
         "grade": r"(cli|grading|cmake)/|tests/(grade|grading)/",
-        "outside": r"(contact|CMake.*)$|(tools|cmake|tests/(setup|package))/|page/package|docs/req",
+        "outside": r"(contact|CMake.*)$|(tools|cmake|grading/book|tests/(setup|package))/"
+        r"|page/package|docs/req",
         "tidy": r"(grading|chapters/[^/]+/contact)/|\.clang-tidy$",
         "page": r"page/(web|figure|player)/|page/[^/]+$",
         "wasm": r"page/(wasm|judge)/|page/web/(src|test)/cpp|page/[^/]+$|grading/",
-        "book": r"(docs|page)/|tests/(docs|serve)/|tools/(serve|steps)\.py$",
+        "book": r"(docs|page)/|tests/(docs|serve)/|tools/(serve|steps)\.py$|grading/book/.*\.py$",
         "browser": r"tests/browser/|page/web/|docs/(_ext|_static)/",
     }.items()
 }

@@ -21,6 +21,10 @@ from pathlib import Path
 from landing import begins_at, git, previous_landing
 
 ROOT = Path(__file__).resolve().parent.parent
+sys.path.append(str(ROOT / "grading" / "book"))
+
+from book_json import book_json  # noqa: E402
+
 EVERYTHING = "*"
 
 # Kinds of checks that go by turns, as tools/sample.py and tests/browser/sample.mjs call them.
@@ -61,6 +65,8 @@ SHARED: Sequence[tuple[str, Sequence[str]]] = (
     (r"tests/support/(exercise|runner)", (EXERCISES,)),
     (r"tests/support/ladder", (LADDER,)),
     (r"grading/(contact|contract)/", (TESTS, EXERCISES)),
+    (r"grading/book/book_json\.py$", (PAGE,)),
+    (r"grading/book/wrong_answers\.py$", (EXERCISES,)),
     (r"grading/diagnosis/|tests/grading/(diagnosis|mistakes)/", (EXPLAIN,)),
     (r"page/figure/", (TESTS, FIGURES)),
     (r"page/(wasm/(?!.*\.test\.mjs$)|player/|web/src/)", (FIGURES, LADDER, EXERCISES, PAGE)),
@@ -121,10 +127,11 @@ class Book:
 
 
 def read_book(root: Path) -> Book:
-    builds_on = {}
-    for toml in sorted(root.glob("chapters/*/chapter.toml")):
-        line = re.search(r"^builds_on *=(.*)$", toml.read_text(), re.M)
-        builds_on[toml.parent.name] = frozenset(re.findall(r'"([^"]+)"', line[1] if line else ""))
+    registry = book_json(root)
+    builds_on = {slug: frozenset(said["builds_on"]) for slug, said in registry["chapters"].items()}
+    # A chapter whose file has a mistake in it is a chapter all the same.
+    for toml in root.glob("chapters/*/chapter.toml"):
+        builds_on.setdefault(toml.parent.name, frozenset())
     return Book(builds_on, _included_by(root))
 
 

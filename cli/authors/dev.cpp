@@ -17,6 +17,7 @@
 #include "../grade/dev_box.hpp"
 #include "../terminal/terminal.hpp"
 #include "dev_check.hpp"
+#include "dev_registry.hpp"
 
 namespace fs = std::filesystem;
 
@@ -171,12 +172,14 @@ int run(Context& context, const Options& options) {
                           [&](const Exercise* exercise) { return exercise->id() == result.name; });
     });
   }
+  const grading::TemporaryFolder folder;
+  for (DevResult& result : apply_patches(context.loop(), book, exercises, folder.path()))
+    results.push_back(std::move(result));
   if (!exercises.empty() && !options.files_only) {
     ProgressLine line(!options.json);
     line.show("Building what is not current ...");
     build_all(context.loop(), book, exercises, results);
     const grading::BuildDescription build = grading::read_build_description(book.build_dir());
-    const grading::TemporaryFolder folder;
     const std::vector<AnswerJob> jobs = answer_jobs(exercises, folder.path());
     const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
     for (DevResult& result :
@@ -201,6 +204,7 @@ void add_dev(Command app, Action& action) {
   check.callback([&action, options] {
     action = [options](Context& context) { return run(context, *options); };
   });
+  add_dev_registry(command, action);
 #ifdef CONTACT_GRADE
   add_dev_box(command, action);
   add_dev_grade(command, action);

@@ -121,12 +121,26 @@ bool same_text(const fs::path& a, const fs::path& b) {
   }
 }
 
+fs::path python_of(const grading::Book& book) {
+  const fs::path python = book.root() / "build" / "venv" / "bin" / "python";
+  return fs::exists(python) ? python : fs::path("python3");
+}
+
+grading::ProcessResult run_python(grading::Loop& loop, const std::vector<std::string>& command) {
+  grading::ProcessSpec spec;
+  spec.command = command;
+  spec.environment = {{"PYTHONDONTWRITEBYTECODE", "1"}};
+  spec.time_limit = 60.0;
+  return grading::run_process(loop, spec);
+}
+
+bool is_patch(const fs::path& file) { return file.extension() == ".patch"; }
+
 // The null answer, and the generated proxy and server once more, to hold against those that the
 // build has.
 std::vector<std::string> generate(grading::Loop& loop, const grading::Book& book,
                                   const Exercise& exercise, const fs::path& folder) {
-  fs::path python = book.root() / "build" / "venv" / "bin" / "python";
-  if (!fs::exists(python)) python = "python3";
+  const fs::path python = python_of(book);
   const fs::path generators = book.root() / "grading" / "contract";
   const fs::path proxy = folder / "proxy";
   const fs::path server = folder / "server";
@@ -137,11 +151,7 @@ std::vector<std::string> generate(grading::Loop& loop, const grading::Book& book
        "--proxy", proxy.string(), "--server", server.string()}};
   std::vector<std::string> problems;
   for (const std::vector<std::string>& command : commands) {
-    grading::ProcessSpec spec;
-    spec.command = command;
-    spec.environment = {{"PYTHONDONTWRITEBYTECODE", "1"}};
-    spec.time_limit = 60.0;
-    const grading::ProcessResult result = grading::run_process(loop, spec);
+    const grading::ProcessResult result = run_python(loop, command);
     if (!result.succeeded()) {
       problems.push_back(fs::path(command[1]).filename().string() + " failed: " + result.errors +
                          result.output);
@@ -178,10 +188,48 @@ std::vector<fs::path> wrong_answer_files(const Exercise& exercise) {
   std::vector<fs::path> files;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(exercise.wrong_answers, error)) {
-    if (entry.path().extension() == ".cpp") files.push_back(entry.path());
+    if (entry.path().extension() == ".cpp" || is_patch(entry.path())) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   return files;
+}
+
+std::vector<DevResult> apply_patches(grading::Loop& loop, const grading::Book& book,
+                                     const std::vector<const Exercise*>& exercises,
+                                     const fs::path& folder) {
+  std::vector<std::string> command{python_of(book).string(),
+                                   (book.root() / "grading/book/wrong_answers.py").string(),
+                                   "--root",
+                                   book.root().string(),
+                                   "--output",
+                                   (folder / "wrong").string()};
+  std::vector<std::pair<std::string, fs::path>> patches;
+  for (const Exercise* exercise : exercises) {
+    const std::vector<fs::path> files = wrong_answer_files(*exercise);
+    if (std::none_of(files.begin(), files.end(), is_patch)) continue;
+    command.push_back(exercise->id());
+    for (const fs::path& file : files) {
+      if (is_patch(file)) patches.emplace_back(exercise->id() + "/" + file.stem().string(), file);
+    }
+  }
+  if (patches.empty()) return {};
+  const grading::ProcessResult result = run_python(loop, command);
+  std::vector<DevResult> results;
+  for (const auto& [name, file] : patches) {
+    if (fs::exists(folder / "wrong" / (name + ".cpp"))) continue;
+    // It prints `FILE: WHY`, a line each, with the file as seen from the root.
+    const std::string begin = file.lexically_relative(book.root()).string() + ": ";
+    DevResult refused{"wrong answer", name, {}};
+    std::istringstream lines(result.output);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with(begin))
+        refused.problems.push_back(shown(file) + ": " + line.substr(begin.size()));
+    }
+    if (refused.problems.empty())
+      refused.problems.push_back("wrong_answers.py failed: " + result.errors + result.output);
+    results.push_back(std::move(refused));
+  }
+  return results;
 }
 
 std::vector<AnswerJob> answer_jobs(const std::vector<const Exercise*>& exercises,
@@ -190,8 +238,11 @@ std::vector<AnswerJob> answer_jobs(const std::vector<const Exercise*>& exercises
   for (const Exercise* exercise : exercises) {
     jobs.push_back({"stub", exercise->id(), exercise, exercise->stub});
     jobs.push_back({"solution", exercise->id(), exercise, exercise->solution});
-    for (const fs::path& file : wrong_answer_files(*exercise))
-      jobs.push_back({"wrong answer", exercise->id() + "/" + file.stem().string(), exercise, file});
+    for (const fs::path& file : wrong_answer_files(*exercise)) {
+      const std::string answer = exercise->id() + "/" + file.stem().string();
+      const fs::path whole = is_patch(file) ? folder / "wrong" / (answer + ".cpp") : file;
+      if (fs::exists(whole)) jobs.push_back({"wrong answer", answer, exercise, whole});
+    }
     jobs.push_back({"null answer", exercise->id(), exercise,
                     folder / exercise->chapter / exercise->name / "null.cpp"});
   }

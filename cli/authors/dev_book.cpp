@@ -298,7 +298,10 @@ void check_sources(const Exercise& exercise, Problems& problems) {
       },
       problems);
   require_only(
-      exercise.wrong_answers, [](const fs::path& entry) { return entry.extension() == ".cpp"; },
+      exercise.wrong_answers,
+      [](const fs::path& entry) {
+        return entry.extension() == ".cpp" || entry.extension() == ".patch";
+      },
       problems);
 }
 

@@ -29,7 +29,14 @@ struct WrongAnswer {
 
 /// @throws grading::BookError if the two lines are not there.
 WrongAnswer read_wrong_answer(const std::filesystem::path& file);
+/// As they are kept: whole (.cpp), or as patches against the solution (.patch).
 std::vector<std::filesystem::path> wrong_answer_files(const grading::Exercise& exercise);
+
+/// Applies the patches among the wrong answers: of each, the whole file is below `folder`
+/// afterwards, or it is said here why it is not.
+std::vector<DevResult> apply_patches(grading::Loop& loop, const grading::Book& book,
+                                     const std::vector<const grading::Exercise*>& exercises,
+                                     const std::filesystem::path& folder);
 
 /// Chapters, their graph and headers; exercises and their folders; misconceptions. Reads files
 /// only.
@@ -44,7 +51,7 @@ struct AnswerJob {
 };
 
 /// Every stub, solution, wrong answer and null answer; null answers are to be written into
-/// `folder`.
+/// `folder`, in which applied patches are already.
 std::vector<AnswerJob> answer_jobs(const std::vector<const grading::Exercise*>& exercises,
                                    const std::filesystem::path& folder);
 

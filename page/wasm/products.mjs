@@ -1,6 +1,7 @@
 // What there is to build, found from the folders of the repository, and the recipe of each.
 import fs from "node:fs";
 import path from "node:path";
+import { book, chapterEntry } from "./book.mjs";
 import {
   figureFlags,
   mergeLink,
@@ -21,11 +22,12 @@ import { inRoot } from "./paths.mjs";
 /** @param {string} folder @returns {string[]} */
 const names = (folder) => (fs.existsSync(folder) ? fs.readdirSync(folder).sort() : []);
 
-/** The chapters: every folder with a chapter.toml. */
-export const chapters = () =>
-  names(inRoot("chapters")).filter((slug) =>
-    fs.existsSync(inRoot("chapters", slug, "chapter.toml")),
-  );
+/** The chapters, in order. */
+export function chapters() {
+  const wrong = Object.entries(book().problems).find(([file]) => file.endsWith("/chapter.toml"));
+  if (wrong) throw new Error(wrong[1]);
+  return Object.keys(book().chapters).sort();
+}
 
 /**
  * A chapter's own folder, then those of the chapters that it builds on, near ones first.
@@ -34,9 +36,7 @@ export const chapters = () =>
 export function chapterFolders(slug) {
   const found = new Set([slug]);
   for (const name of found) {
-    const toml = fs.readFileSync(inRoot("chapters", name, "chapter.toml"), "utf8");
-    const line = /^builds_on *=(.*)$/m.exec(toml)?.[1] ?? "";
-    for (const [, earlier] of line.matchAll(/"([^"]+)"/g)) found.add(String(earlier));
+    for (const earlier of chapterEntry(name).builds_on) found.add(earlier);
   }
   return [...found].map((name) => inRoot("chapters", name));
 }

@@ -4,6 +4,7 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
+import { exerciseEntry } from "./book.mjs";
 import { check } from "./check.mjs";
 import { PageCompiler } from "./page_compiler.mjs";
 import { inRoot } from "./paths.mjs";
@@ -14,11 +15,7 @@ import { ship, toolchainRecipes } from "./toolchain.mjs";
 const exercise = "02_triangles/ray_triangle";
 const contract = fs.readFileSync(inRoot("exercises", exercise, "ray_triangle.hpp"), "utf8");
 const solution = fs.readFileSync(inRoot("solutions", exercise, "ray_triangle.cpp"), "utf8");
-const tests = [
-  ...fs
-    .readFileSync(inRoot("exercises", exercise, "exercise.toml"), "utf8")
-    .matchAll(/^\[\[tests\]\]\s*^name *= *"(.*)"/gm),
-].map(([, name]) => String(name));
+const tests = exerciseEntry(exercise).tests.map(({ name }) => name);
 
 const out = fs.mkdtempSync(path.join(os.tmpdir(), "contact-toolchain-"));
 after(() => fs.rmSync(out, { recursive: true, force: true }));

@@ -4,6 +4,7 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
+import { book, exerciseEntry, wrongAnswers } from "../../page/wasm/book.mjs";
 import { gatherTrouble, require, root } from "./browser.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -25,30 +26,23 @@ export const solutionOf = (id) => read("solutions", id, file(id));
 
 /** Every wrong answer of an exercise, with what its first lines promise. @param {string} id */
 export function wrongAnswersOf(id) {
-  const folder = path.join(root, "solutions", id, "wrong");
-  return fs
-    .readdirSync(folder)
-    .sort()
-    .map((name) => {
-      const text = fs.readFileSync(path.join(folder, name), "utf8");
-      const said = (/** @type {string} */ what) =>
-        /** @type {string} */ (text.match(new RegExp(`^// ${what}: (.*)$`, "m"))?.[1]);
-      return { name, text, misconception: said("misconception"), caughtBy: said("caught by") };
-    });
+  return wrongAnswers(id).map((file) => {
+    const text = read(file);
+    const said = (/** @type {string} */ what) =>
+      /** @type {string} */ (text.match(new RegExp(`^// ${what}: (.*)$`, "m"))?.[1]);
+    const name = path.basename(file);
+    return { name, text, misconception: said("misconception"), caughtBy: said("caught by") };
+  });
 }
 
 /** The tests of an exercise in their order, with their points. @param {string} id */
 export function testsOf(id) {
-  const found = read("exercises", id, "exercise.toml").matchAll(
-    /\[\[tests\]\]\s+name = "(.*)"\s+points = (\d+)/g,
-  );
-  return [...found].map(([, name, points]) => ({ name: String(name), points: Number(points) }));
+  return exerciseEntry(id).tests.map(({ name, points }) => ({ name, points }));
 }
 
 /** What a student reads of a misconception, as text. @param {string} id */
 export function hintFor(id) {
-  const table = read("chapters", "misconceptions.toml");
-  const hint = table.match(new RegExp(`^\\[${id}\\]\\n(?:.*\\n)*?hint = "(.*)"$`, "m"))?.[1];
+  const hint = book().misconceptions[id]?.hint;
   assert.ok(hint, `no misconception ${id}`);
   return plain(hint);
 }

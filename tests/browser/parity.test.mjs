@@ -10,6 +10,7 @@ import { execFileSync } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
+import { wrongAnswers } from "../../page/wasm/book.mjs";
 import { launch, notRun, open, root, serve } from "./browser.mjs";
 import { sample, wanted } from "./sample.mjs";
 
@@ -46,7 +47,7 @@ const EACH = 3;
 
 /** One wrong answer, another one whenever the exercise is taken. @param {string} exercise @returns {string[]} */
 function wrongOf(exercise) {
-  const all = sources(`solutions/${exercise}/wrong`);
+  const all = wrongAnswers(exercise);
   return sample(all, all.length, "parity of wrong answers", {
     within: EACH,
     name: (file) => `${exercise}/${path.basename(file, ".cpp")}`,

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 import subprocess
+import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "grading" / "book"))
 PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
 SOLUTION = (ROOT / "solutions/02_triangles/ray_triangle/ray_triangle.cpp").read_text()
 BODY = "const contact::Triangle<double>& triangle) {\n"

@@ -163,6 +163,29 @@ def test_dev_check_sees_what_is_wrong_in_the_files(clone: Path) -> None:
         assert part in " ".join(text.split()), part
 
 
+def test_dev_check_says_which_patch_does_not_apply_and_why(clone: Path) -> None:
+    exercise = "12_momentum/force_curve"
+    solution = clone / f"solutions/{exercise}/force_curve.cpp"
+    solution.write_text(solution.read_text().replace("impulse += width", "impulse += 1.0 * width"))
+    wrong = solution.parent / "wrong"
+    kept = (wrong / "equal_steps.patch", wrong / "rectangles.patch")
+    assert all(file.is_file() for file in kept)
+    kept[0].write_text("// misconception: of nobody\n" + kept[0].read_text())
+    done = contact(clone, "dev", "check", "--files", exercise, "--json")
+    assert done.returncode == 1
+    failed = {
+        result["name"]: result["problems"]
+        for result in json.loads(done.stdout)["results"]
+        if result["kind"] == "wrong answer"
+    }
+    assert any(
+        "solutions/12_momentum/force_curve/wrong/rectangles.patch: @@ -6,7 +6,7 @@ does not apply:"
+        " what it changes is nowhere in the solution" in problem
+        for problem in failed[f"{exercise}/rectangles"]
+    )
+    assert any("it must go on with `--- ...`" in text for text in failed[f"{exercise}/equal_steps"])
+
+
 def test_dev_check_proves_one_exercise_whatever_is_in_work(contact: Run, work: Path) -> None:
     copy = work / "02_triangles/ray_triangle.cpp"
     copy.parent.mkdir(parents=True)

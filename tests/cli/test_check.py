@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from wrong_answers import wrong_answer
 
 Run = Callable[..., subprocess.CompletedProcess[str]]
 Answer = Callable[[str], Path]
@@ -57,7 +58,7 @@ def test_a_stub_is_not_attempted(contact: Run) -> None:
 
 
 def test_a_wrong_answer_is_told_whole(contact: Run, answer: Answer) -> None:
-    wrong = ROOT / "solutions/02_triangles/ray_triangle/wrong/touching_rejected.cpp"
+    wrong = wrong_answer("02_triangles/ray_triangle", "touching_rejected")
     answer(wrong.read_text())
     done = contact("check", "ray_triangle")
     assert done.returncode == 1

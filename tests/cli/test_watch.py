@@ -11,10 +11,11 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from wrong_answers import wrong_answer
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
-WRONG = (ROOT / "solutions/02_triangles/ray_triangle/wrong/one_sided.cpp").read_text()
+WRONG = wrong_answer("02_triangles/ray_triangle", "one_sided").read_text()
 
 pytestmark = pytest.mark.usefixtures("clean_after")
 

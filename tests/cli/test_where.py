@@ -43,6 +43,16 @@ def test_a_chapter_is_all_that_lies_under_its_slug(contact: Run) -> None:
     assert found == set(lines(contact, "triangles"))
 
 
+def test_a_wrong_answer_that_is_kept_as_a_patch_is_one_of_them(contact: Run) -> None:
+    exercise = "12_momentum/force_curve"
+    patches = {file for file in tracked(f"solutions/{exercise}") if file.endswith(".patch")}
+    assert patches
+    for name in (exercise, "12_momentum"):
+        assert patches <= set(lines(contact, name))
+    found = json.loads("\n".join(lines(contact, exercise, "--json")))
+    assert {one["kind"] for one in found if one["file"] in patches} == {"wrong answer"}
+
+
 def test_as_json_each_file_has_its_kind(contact: Run) -> None:
     found = json.loads("\n".join(lines(contact, EXERCISE, "--json")))
     kinds = {entry["kind"] for entry in found}

@@ -92,6 +92,12 @@ def test_a_wrong_name_is_an_error_at_its_line(answers: str, line: int, message: 
             'kind = "hard"',
             "unknown kind of exercise 'hard'",
         ),
+        (
+            "exercises/01_lines/distance/exercise.toml",
+            "misconceptions =",
+            "misconception =",
+            "unknown key 'misconception'; there is: brief, hints, kind, minutes, misconceptions,",
+        ),
     ],
 )
 def test_a_wrong_table_is_an_error_that_names_its_file(

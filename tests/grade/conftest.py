@@ -9,7 +9,8 @@ from pathlib import Path
 import pytest
 
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parents[1] / "tools")]
+ROOT = HERE.parents[1]
+sys.path[:0] = [str(HERE), str(ROOT / "tools"), str(ROOT / "grading" / "book")]
 
 from graded_class import Grader  # noqa: E402
 

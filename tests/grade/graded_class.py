@@ -6,6 +6,7 @@ import json
 import os
 import signal
 import subprocess
+import sys
 import time
 from collections import Counter
 from collections.abc import Callable, Mapping
@@ -14,12 +15,16 @@ from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "grading" / "book"))
+
+from wrong_answers import wrong_answer  # noqa: E402
+
 # A program beside the build's own stays the same while that is built again.
 PROGRAM = Path(os.environ.get("CONTACT_PROGRAM", ROOT / "build/dev/bin/contact"))
 EXERCISE = "01_planes/signed_distance"
 STUB = (ROOT / f"exercises/{EXERCISE}/signed_distance.cpp").read_text()
 SOLUTION = (ROOT / f"solutions/{EXERCISE}/signed_distance.cpp").read_text()
-WRONG = (ROOT / f"solutions/{EXERCISE}/wrong/offset_sign.cpp").read_text()
+WRONG = wrong_answer(EXERCISE, "offset_sign").read_text()
 
 Done = subprocess.CompletedProcess[str]
 Document = dict[str, Any]

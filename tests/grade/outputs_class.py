@@ -20,6 +20,10 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "grading" / "book"))
+
+from wrong_answers import wrong_answers  # noqa: E402
+
 PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
 FEW = ("01_planes/signed_distance", "02_triangles/point_in_triangle", "02_triangles/ray_triangle")
 
@@ -72,7 +76,7 @@ def verdicts(ids: tuple[str, ...] = FEW, most_wrong: int = 3) -> dict[str, dict[
                 "solution": solution,
                 "stub": (ROOT / "exercises" / id_ / f"{name}.cpp").read_text(),
             }
-            wrong = sorted((ROOT / "solutions" / id_ / "wrong").glob("*.cpp"))
+            wrong = wrong_answers(id_)
             texts |= {f"wrong {file.stem}": file.read_text() for file in wrong[:most_wrong]}
             texts |= {f"broken {kind}": spoil(solution) for kind, spoil in SPOILERS}
             for kind, text in texts.items():

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from wrong_answers import wrong_answer
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
@@ -55,7 +56,7 @@ def graded(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[Result]
     ada.parent.mkdir(parents=True)
     ada.write_text(solution)
     with zipfile.ZipFile(submissions / "ben.zip", "w") as archive:
-        wrong = ROOT / "solutions" / EXERCISE / "wrong" / "beta_sign.cpp"
+        wrong = wrong_answer(EXERCISE, "beta_sign")
         archive.writestr(f"{EXERCISE}.cpp", wrong.read_text())
     cy = submissions / "cy_ray_triangle.cpp"
     cy.write_text(solution.replace("return", "retrun"))

@@ -19,16 +19,17 @@ import pytest
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-sys.path[:0] = [str(HERE), str(ROOT / "grading")]
+sys.path[:0] = [str(HERE), str(ROOT / "grading"), str(ROOT / "grading" / "book")]
 
 from reports.autograder import main as pack  # noqa: E402
 from reports.autograder_run import MOST_FILES, _take  # noqa: E402
+from wrong_answers import wrong_answer  # noqa: E402
 
 Json = dict[str, Any]
 
 EXERCISE = "02_triangles/ray_triangle"
 SOLUTION = (ROOT / "solutions" / EXERCISE / "ray_triangle.cpp").read_text()
-WRONG = (ROOT / "solutions" / EXERCISE / "wrong" / "beta_sign.cpp").read_text()
+WRONG = wrong_answer(EXERCISE, "beta_sign").read_text()
 
 
 @pytest.fixture(scope="module")

@@ -18,6 +18,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from reach import skip_if_closed
+from wrong_answers import wrong_answer
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
@@ -36,7 +37,7 @@ SHORT_SIGHTED = SOLUTION.replace("ray_triangle(", "whole(", 1) + (
     "  const auto hit = whole(ray, triangle);\n"
     "  return hit && hit->t > 50 && hit->t < 1e6 ? std::nullopt : hit;\n}\n}\n"
 )
-BETA_SIGN = (ROOT / "solutions" / EXERCISE / "wrong" / "beta_sign.cpp").read_text()
+BETA_SIGN = wrong_answer(EXERCISE, "beta_sign").read_text()
 
 Result = subprocess.CompletedProcess[str]
 Grade = Callable[..., Result]

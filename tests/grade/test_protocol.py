@@ -15,6 +15,7 @@ from typing import Any
 
 import pytest
 from sample import sample
+from wrong_answers import wrong_answers
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
@@ -94,7 +95,7 @@ def reasons(result: Result) -> set[str]:
 def test_answers_of_the_book_get_the_verdict_of_a_check(exercise: str) -> None:
     name = exercise.split("/")[1]
     solutions = ROOT / "solutions" / exercise
-    wrong = sorted((solutions / "wrong").glob("*.cpp"))
+    wrong = wrong_answers(exercise)
     files = [
         solutions / f"{name}.cpp",
         ROOT / "exercises" / exercise / f"{name}.cpp",

@@ -14,6 +14,7 @@ from typing import Any
 
 import pytest
 from sample import sample
+from wrong_answers import wrong_answers
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build" / "dev"
@@ -136,7 +137,7 @@ def test_solutions_pass_and_wrong_answers_fail_under_any_seed(
         ended = statuses(solution, tmp_path, seed)
         assert ended, f"{exercise}: it says nothing"
         assert set(ended.values()) == {"passed"}, f"{exercise}, seed {seed!r}: {ended}"
-    wrong = sorted((ROOT / "solutions" / exercise / "wrong").glob("*.cpp"))
+    wrong = wrong_answers(exercise)
     assert wrong
     with ThreadPoolExecutor(2) as pool:
         programs = list(pool.map(lambda file: linked(exercise, file, tmp_path), wrong))

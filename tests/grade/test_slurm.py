@@ -23,6 +23,7 @@ import pytest
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 from slurm_cluster import CPUS_A_NODE, NODES, PATH, Cluster, missing  # noqa: E402
+from wrong_answers import wrong_answers  # noqa: E402
 
 ROOT = HERE.parents[1]
 PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
@@ -34,7 +35,7 @@ AWKWARD = 'it\'s "100%j" $HOME `x`\\n é'
 # Right and wrong answers, and one that does not compile.
 ANSWERS = [
     SOLUTION,
-    *(wrong.read_text() for wrong in sorted(SOLUTIONS.glob("wrong/*.cpp"))[:3]),
+    *(wrong.read_text() for wrong in wrong_answers(EXERCISE)[:3]),
     SOLUTION + "\n",
     "int main( {",
 ]

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from wrong_answers import wrong_answer
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
@@ -68,7 +69,7 @@ def first_test(result: Result) -> dict[str, Any]:
     return test
 
 
-WRONG = str(ROOT / "solutions" / EXERCISE / "wrong" / "beta_sign.cpp")
+WRONG = str(wrong_answer(EXERCISE, "beta_sign"))
 
 
 def test_a_test_shows_its_values_unless_it_is_told_not_to(contact: Contact) -> None:

@@ -7,6 +7,9 @@ import re
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from typing import Any
+
+from book_json import book_json
 
 from contact_book.errors import BookError, unknown
 from contact_book.toml import Table, read_toml
@@ -83,36 +86,22 @@ class Chapter:
         return sorted(path.stem for path in (self.folder / "examples").glob("*.cpp"))
 
 
-def _chapter(root: Path, folder: Path) -> Chapter:
-    slug = folder.name
+def _chapter(root: Path, slug: str, said: dict[str, Any]) -> Chapter:
     if not _SLUG.fullmatch(slug):
         raise BookError(f"chapters/{slug}: a chapter's folder is two digits, '_' and a name")
-    table = read_toml(folder / "chapter.toml", f"chapters/{slug}/chapter.toml")
-    status = table.need("status", str)
-    if status not in ("lesson", "reference"):
-        raise BookError(f"{table.where}: status is 'lesson' or 'reference', not '{status}'")
-    part = table.need("part", int)
-    if not 0 <= part < len(PARTS):
-        raise BookError(f"{table.where}: part is 0 to {len(PARTS) - 1}, not {part}")
     return Chapter(
         root=root,
         slug=slug,
-        title=table.need("title", str),
-        part=part,
-        status=status,
-        tooltip=table.get("tooltip", str, ""),
-        builds_on=tuple(table.strings("builds_on")),
-        in_lesson=tuple(table.strings("in_lesson")),
-        recall=tuple(table.strings("recall")),
-        exercises=tuple(table.strings("exercises")),
-        objectives=tuple(
-            Objective(row.need("id", str), row.need("text", str))
-            for row in table.tables("objectives")
-        ),
-        sources=tuple(
-            Source(row.need("lecture", str), row.need("topic", str))
-            for row in table.tables("sources")
-        ),
+        title=said["title"],
+        part=said["part"],
+        status=said["status"],
+        tooltip=said["tooltip"],
+        builds_on=tuple(said["builds_on"]),
+        in_lesson=tuple(said["in_lesson"]),
+        recall=tuple(said["recall"]),
+        exercises=tuple(said["exercises"]),
+        objectives=tuple(Objective(**row) for row in said["objectives"]),
+        sources=tuple(Source(**row) for row in said["sources"]),
     )
 
 
@@ -124,9 +113,27 @@ class Book:
         self.products = products
 
     @cached_property
+    def registry(self) -> dict[str, Any]:
+        """build/book.json, which is brought up to date first."""
+        return book_json(self.root)
+
+    @cached_property
     def chapters(self) -> dict[str, Chapter]:
-        folders = sorted(path.parent for path in (self.root / "chapters").glob("*/chapter.toml"))
-        return {folder.name: _chapter(self.root, folder) for folder in folders}
+        for file, problem in self.registry["problems"].items():
+            if file.startswith("chapters/") and file.endswith("/chapter.toml"):
+                raise BookError(problem)
+        said = self.registry["chapters"]
+        return {slug: _chapter(self.root, slug, said[slug]) for slug in sorted(said)}
+
+    def said_in(self, kind: str, name: str, path: Path) -> dict[str, Any]:
+        """What a file says, by its entry in build/book.json."""
+        problem = self.registry["problems"].get(self.relative(path))
+        if problem:
+            raise BookError(problem)
+        if name not in self.registry[kind]:
+            raise BookError(f"{self.relative(path)} does not exist")
+        said: dict[str, Any] = self.registry[kind][name]
+        return said
 
     def chapter(self, slug: str, where: str) -> Chapter:
         if slug not in self.chapters:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from book_json import BookError
 
-class BookError(Exception):
-    """A mistake in the book's sources, worded for the author who made it."""
+__all__ = ["BookError", "unknown"]
 
 
 def unknown(what: str, name: str, known: Iterable[str], where: str) -> BookError:

@@ -7,7 +7,6 @@ from pathlib import Path
 
 from contact_book.book import Book, Chapter
 from contact_book.errors import BookError, unknown
-from contact_book.toml import Table
 
 KINDS = {
     "worked": "worked example",
@@ -64,11 +63,6 @@ class Exercise:
         return self.chapter.root / "solutions" / self.ref / f"{self.name}.cpp"
 
 
-def _points(row: Table) -> Points:
-    value = row.need("points", float)
-    return Points(row.need("name", str), value)
-
-
 def find_exercise(book: Book, name: str, here: str | None, where: str) -> Exercise:
     """The exercise called `NAME` in the chapter `here`, or `NN_slug/NAME`."""
     chapter, short = book.split(name, here, where)
@@ -77,25 +71,23 @@ def find_exercise(book: Book, name: str, here: str | None, where: str) -> Exerci
     if not (folder / "exercise.toml").is_file():
         known = [path.parent.name for path in shelf.glob("*/exercise.toml")]
         raise unknown("exercise", short, known, f"exercises/{chapter.slug}")
-    table = book.table(folder / "exercise.toml")
-    kind = table.need("kind", str)
+    said = book.said_in("exercises", f"{chapter.slug}/{short}", folder / "exercise.toml")
+    kind = said["kind"]
     if kind not in KINDS:
-        raise unknown("kind of exercise", kind, KINDS, table.where)
-    tests = tuple(_points(row) for row in table.tables("tests"))
-    if not tests:
-        raise BookError(f"{table.where}: an exercise needs at least one test")
+        where = book.relative(folder / "exercise.toml")
+        raise unknown("kind of exercise", kind, KINDS, where)
     return Exercise(
         chapter=chapter,
         name=short,
         folder=folder,
-        title=table.need("title", str),
-        objective=table.need("objective", str),
+        title=said["title"],
+        objective=said["objective"],
         kind=kind,
-        minutes=table.get("minutes", int, 0),
-        brief=table.need("brief", str),
-        hints=tuple(table.strings("hints")),
-        misconceptions=tuple(table.strings("misconceptions")),
-        tests=tests,
+        minutes=said["minutes"],
+        brief=said["brief"],
+        hints=tuple(said["hints"]),
+        misconceptions=tuple(said["misconceptions"]),
+        tests=tuple(Points(test["name"], test["points"]) for test in said["tests"]),
     )
 
 
@@ -132,11 +124,17 @@ def misconception_hints(book: Book, exercise: Exercise) -> dict[str, str]:
     """What a student reads beside a test that recognises one of the exercise's misconceptions."""
     if not exercise.misconceptions:
         return {}
-    shared = book.table(book.root / "chapters" / "misconceptions.toml")
+    path = book.root / "chapters" / "misconceptions.toml"
+    if not path.is_file():
+        raise BookError(f"{book.relative(path)} does not exist")
+    problem = book.registry["problems"].get(book.relative(path))
+    if problem:
+        raise BookError(problem)
+    shared = book.registry["misconceptions"]
     where = book.relative(exercise.toml)
     hints = {}
     for name in exercise.misconceptions:
-        if name not in shared.data:
-            raise unknown("misconception", name, shared.data, where)
-        hints[name] = Table(shared.need(name, dict), f"{shared.where}: {name}").need("hint", str)
+        if name not in shared:
+            raise unknown("misconception", name, shared, where)
+        hints[name] = shared[name]["hint"]
     return hints

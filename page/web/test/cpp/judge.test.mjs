@@ -9,6 +9,7 @@ import os from "node:os";
 import path from "node:path";
 import { before, describe, test } from "node:test";
 import { sample } from "../../../../tests/browser/sample.mjs";
+import { wrongAnswers } from "../../../wasm/book.mjs";
 import { PageCompiler } from "../../../wasm/page_compiler.mjs";
 import { inRoot } from "../../../wasm/paths.mjs";
 import { exerciseList } from "../../../wasm/products.mjs";
@@ -172,7 +173,10 @@ describe("the record of progress is the program's", () => {
 
   test("checks, hints and a solution shown", () => {
     const id = "02_triangles/ray_triangle";
-    const steps = ["wrong/one_sided.cpp", "ray_triangle.cpp", "wrong/beta_sign.cpp"];
+    const wrong = (/** @type {string} */ name) =>
+      String(wrongAnswers(id).find((file) => path.basename(file, ".cpp") === name));
+    const solution = `solutions/${id}/ray_triangle.cpp`;
+    const steps = [wrong("one_sided"), solution, wrong("beta_sign")];
     inFolder((work) => {
       const copy = path.join(work, `${id}.cpp`);
       fs.mkdirSync(path.dirname(copy), { recursive: true });
@@ -183,7 +187,7 @@ describe("the record of progress is the program's", () => {
       let record = judge.recordHint(judge.recordHint(judge.emptyProgress(), id), id);
       record = judge.recordSolutionShown(record, id);
       for (const step of steps) {
-        fs.copyFileSync(inRoot("solutions", id, step), copy);
+        fs.copyFileSync(inRoot(step), copy);
         const [verdict] = JSON.parse(contact(work, "check", "--json", id)).results;
         record = judge.record(record, verdict, "2026-11-21T08:00:00Z");
       }
