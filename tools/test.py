@@ -599,7 +599,8 @@ READS = {
         "dev-check": r"(grading|cli|cmake)/|tests/support/",
         "program": r"(cli|grading|cmake)/|tests/cli/",
         "grade": r"(cli|grading|cmake)/|tests/(grade|grading)/",
-        "outside": r"(contact|CMake.*)$|(tools|cmake|tests/(setup|package))/|docs/(package|req)",
+        "outside": r"(contact|CMake.*|CONTRIBUTING\.md)$|(tools|cmake|tests/(setup|package))/"
+        r"|docs/(package|req)",
         "tidy": r"(grading|chapters/[^/]+/contact)/|\.clang-tidy$",
         "page": r"docs/(web|figure)/|docs/package",
         "wasm": r"docs/wasm/|docs/web/(src|test)/cpp|docs/package|grading/",

@@ -5,14 +5,14 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
-#include "../grading/build/build.hpp"
-#include "../grading/run/run.hpp"
+#include "../../grading/build/build.hpp"
+#include "../../grading/run/run.hpp"
 #ifdef CONTACT_GRADE
-#include "../grading/sandbox/machine.hpp"
+#include "../../grading/sandbox/machine.hpp"
 #endif
-#include "commands.hpp"
-#include "exercises/watch_files.hpp"
-#include "terminal/terminal.hpp"
+#include "../commands.hpp"
+#include "../exercises/watch_files.hpp"
+#include "../terminal/terminal.hpp"
 
 namespace fs = std::filesystem;
 
