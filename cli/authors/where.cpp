@@ -94,7 +94,7 @@ int run(Context& context, const std::string& name, bool json) {
   else if (const Chapter* const chapter = book.find_chapter(name))
     files.add(*chapter);
   else
-    static_cast<void>(book.meant_by(name));  // throws, with the nearest names
+    (void)book.meant_by(name);  // throws, with the nearest names
   nlohmann::json list = nlohmann::json::array();
   for (const auto& [kind, file] : files.found()) {
     if (json)
