@@ -620,8 +620,8 @@ READS = {
         "dev-check": r"(grading|cli|cmake)/|tests/support/",
         "program": r"(cli|grading|cmake)/|tests/cli/",
         "grade": r"(cli|grading|cmake)/|tests/(grade|grading)/",
-        "outside": r"(contact|CMake.*)$|(tools|cmake|grading/book|tests/(setup|package))/"
-        r"|page/package|docs/req",
+        "outside": r"(contact|CMake.*|CONTRIBUTING\.md)$"
+        r"|(tools|cmake|grading/book|tests/(setup|package))/|page/package|docs/req",
         "tidy": r"(grading|chapters/[^/]+/contact)/|\.clang-tidy$",
         "page": r"page/(web|figure|player)/|page/[^/]+$",
         "wasm": r"page/(wasm|judge)/|page/web/(src|test)/cpp|page/[^/]+$|grading/",

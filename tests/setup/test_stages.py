@@ -121,7 +121,7 @@ def test_a_change_of_nothing_built_is_a_matter_of_style(monkeypatch: pytest.Monk
 @pytest.mark.parametrize(
     ("file", "stage"),
     [
-        ("cli/list.cpp", "program"),
+        ("cli/exercises/list.cpp", "program"),
         ("tests/grade/test_resume.py", "grade"),
         ("contact", "outside"),
         ("tools/setup.sh", "outside"),
