@@ -8,7 +8,6 @@
 #include <contact/plane.hpp>
 #include <contact/segment_plane.hpp>
 #include <contact/sphere_plane.hpp>
-#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -16,6 +15,7 @@
 #include "support/generators.hpp"
 #include "support/oracle_planes.hpp"
 #include "support/refusal.hpp"
+#include "support/rounding.hpp"
 
 using contact::Plane;
 using contact::Segment;
@@ -24,47 +24,25 @@ using contact::Sphere;
 using contact::Triangle;
 using contact::Vector3;
 using generators::all_families;
+using generators::any_finite;
+using generators::any_vector;
 using generators::Family;
 using generators::Random;
 using oracle::ExactPlane;
 using oracle::Rational;
 using oracle::Surd;
 using oracle::Vector;
+using rounding::eta;
+using rounding::gamma;
+using rounding::u;
 using support::contains;
 using support::refusal;
 
 namespace {
 
-template <class S>
-Rational u() {
-  return oracle::exact(contact::tolerance::unit_roundoff<S>);
-}
-template <class S>
-Rational eta() {
-  return oracle::exact(contact::tolerance::underflow_unit<S>);
-}
-/// γ(n) = n u / (1 − n u), exactly.
-template <class S>
-Rational gamma(int n) {
-  return n * u<S>() / (1 - n * u<S>());
-}
-
 /// Σ |aᵢ bᵢ|.
 Rational absolute_dot(const Vector& a, const Vector& b) {
   return abs(a.x() * b.x()) + abs(a.y() * b.y()) + abs(a.z() * b.z());
-}
-
-/// Bit patterns without a pattern: every exponent, subnormals included.
-double any_finite(Random& random) {
-  for (;;) {
-    const std::uint64_t bits = random.bits();
-    double x = 0;
-    std::memcpy(&x, &bits, sizeof x);
-    if (std::isfinite(x)) return x;
-  }
-}
-Vector3<double> any_vector(Random& random) {
-  return Vector3<double>{any_finite(random), any_finite(random), any_finite(random)};
 }
 
 /// The families whose numbers fit a float (huge and tiny do not: they would be ∞ and 0).

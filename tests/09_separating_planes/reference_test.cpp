@@ -7,12 +7,12 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/gap.hpp>
-#include <contact/rotation.hpp>
 #include <contact/separation.hpp>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "random_poses.hpp"
 #include "shape_oracle.hpp"
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
@@ -31,6 +31,9 @@ using generators::Random;
 using generators::tried;
 using oracle::Rational;
 using oracle::Vector;
+using random_poses::any_point;
+using random_poses::direction;
+using random_poses::turn;
 using shape_oracle::exact;
 using shape_oracle::ExactBox;
 using shape_oracle::least_squared;
@@ -48,22 +51,6 @@ V grid_point(Random& random, int most) {
   const int x = random.integer(-most, most);
   const int y = random.integer(-most, most);
   return V(x, y, random.integer(-most, most));
-}
-V any_point(Random& random, double most) {
-  const double x = random.uniform(-most, most);
-  const double y = random.uniform(-most, most);
-  return {x, y, random.uniform(-most, most)};
-}
-V direction(Random& random) {
-  for (;;) {
-    const V v = any_point(random, 1);
-    if (v.norm() > 0.1 && v.norm() <= 1) return v.normalized();
-  }
-}
-/// A stored rotation by any angle.
-Matrix3<double> turn(Random& random) {
-  return contact::matrix_of(
-      contact::exponential<double>(V(direction(random) * random.uniform(0, 3))));
 }
 V sizes(Random& random) {
   const double x = random.uniform(0.2, 2);

@@ -10,7 +10,6 @@
 #include <contact/momentum.hpp>
 #include <contact/momentum_balance.hpp>
 #include <contact/variable_mass.hpp>
-#include <cstring>
 #include <limits>
 #include <string>
 #include <utility>
@@ -19,46 +18,25 @@
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
 #include "support/refusal.hpp"
+#include "support/rounding.hpp"
 
 using contact::ForceCurve;
 using contact::PointMass;
 using contact::Vector3;
+using generators::any_finite;
+using generators::any_vector;
 using generators::Random;
 using oracle::Rational;
 using oracle::Vector;
+using rounding::error;
+using rounding::eta;
+using rounding::gamma;
+using rounding::nearest;
+using rounding::u;
 using support::contains;
 using support::refusal;
 
 namespace {
-
-template <class S>
-Rational u() {
-  return oracle::exact(contact::tolerance::unit_roundoff<S>);
-}
-template <class S>
-Rational eta() {
-  return oracle::exact(contact::tolerance::underflow_unit<S>);
-}
-template <class S>
-Rational gamma(int n) {
-  return n * u<S>() / (1 - n * u<S>());
-}
-
-template <class S>
-Rational error(S got, const Rational& right) {
-  const double distance = oracle::error(static_cast<double>(got), right);
-  REQUIRE(std::isfinite(distance));
-  return oracle::exact(distance);
-}
-
-template <class S>
-S nearest(const Rational& x) {
-  if constexpr (sizeof(S) == sizeof(float)) {
-    return oracle::nearest_float(x);
-  } else {
-    return oracle::nearest(x);
-  }
-}
 
 template <class S>
 Rational sum_of(const std::vector<S>& terms) {
@@ -104,19 +82,6 @@ std::vector<S> impulses(Random& random, Push push) {
 
 constexpr std::array<Push, 4> all_pushes{Push::one_way, Push::both_ways, Push::zero_total,
                                          Push::spread};
-
-/// Bit patterns without a pattern.
-double any_finite(Random& random) {
-  for (;;) {
-    const std::uint64_t bits = random.bits();
-    double x = 0;
-    std::memcpy(&x, &bits, sizeof x);
-    if (std::isfinite(x)) return x;
-  }
-}
-Vector3<double> any_vector(Random& random) {
-  return Vector3<double>{any_finite(random), any_finite(random), any_finite(random)};
-}
 
 template <class S>
 std::vector<PointMass<S>> bodies(Random& random, int low, int high) {

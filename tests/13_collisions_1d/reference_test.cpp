@@ -10,7 +10,6 @@
 #include <contact/collision_1d.hpp>
 #include <contact/cradle.hpp>
 #include <contact/tolerance.hpp>
-#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -18,40 +17,25 @@
 
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
+#include "support/refusal.hpp"
+#include "support/rounding.hpp"
 
 using contact::LineBody;
 using contact::LineCollision;
+using generators::any_finite;
 using generators::Random;
 using oracle::Rational;
+using rounding::error;
+using rounding::eta;
+using rounding::gamma;
+using rounding::nearest;
+using support::contains;
+using support::refusal;
 
 namespace {
 
 template <class S>
 constexpr S infinity = std::numeric_limits<S>::infinity();
-
-template <class S>
-Rational gamma(int n) {
-  const Rational u = oracle::exact(contact::tolerance::unit_roundoff<S>);
-  return n * u / (1 - n * u);
-}
-template <class S>
-Rational eta() {
-  return oracle::exact(contact::tolerance::underflow_unit<S>);
-}
-template <class S>
-Rational error(S got, const Rational& right) {
-  const double distance = oracle::error(static_cast<double>(got), right);
-  REQUIRE(std::isfinite(distance));
-  return oracle::exact(distance);
-}
-template <class S>
-S nearest(const Rational& x) {
-  if constexpr (sizeof(S) == sizeof(float)) {
-    return oracle::nearest_float(x);
-  } else {
-    return oracle::nearest(x);
-  }
-}
 
 template <class S>
 LineBody<Rational> exactly(const LineBody<S>& body) {
@@ -90,28 +74,6 @@ Pair<S> pair(Random& random, Kind kind) {
   const S e = random.chance(0.5) ? static_cast<S>(random.uniform())
                                  : static_cast<S>(whole_e[random.bits() % 4]);
   return {contact::line_body(m1, v1), contact::line_body(m2, v2), e};
-}
-
-double any_finite(Random& random) {
-  for (;;) {
-    const std::uint64_t bits = random.bits();
-    double x = 0;
-    std::memcpy(&x, &bits, sizeof x);
-    if (std::isfinite(x)) return x;
-  }
-}
-
-template <class Call>
-std::string refusal(Call call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& problem) {
-    return problem.what();
-  }
-  return "";
-}
-bool contains(const std::string& text, const char* part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace

@@ -11,38 +11,27 @@
 #include <contact/disc_events.hpp>
 #include <contact/momentum_triangle.hpp>
 #include <contact/pieces.hpp>
-#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <vector>
 
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
+#include "support/rounding.hpp"
 
 using contact::Disc;
 using contact::Vector2;
 using contact::Vector3;
+using generators::any_finite;
 using generators::Random;
 using oracle::Rational;
 using oracle::Surd;
+using rounding::error;
+using rounding::gamma;
+using rounding::u;
 
 namespace {
 
-template <class S>
-Rational u() {
-  return oracle::exact(contact::tolerance::unit_roundoff<S>);
-}
-template <class S>
-Rational gamma(int n) {
-  return n * u<S>() / (1 - n * u<S>());
-}
-
-template <class S>
-Rational error(S got, const Rational& right) {
-  const double distance = oracle::error(static_cast<double>(got), right);
-  REQUIRE(std::isfinite(distance));
-  return oracle::exact(distance);
-}
 /// √x rounded up a little: for bounds only.
 Rational root_up(const Rational& x) { return oracle::enclose(Surd{0, 1, x}, 64).high; }
 
@@ -63,16 +52,6 @@ Pair exact_pair(const Disc<S>& a, const Disc<S>& b) {
   return {exact(a.centre.x()) - exact(b.centre.x()), exact(a.centre.y()) - exact(b.centre.y()),
           exact(a.velocity.x()) - exact(b.velocity.x()),
           exact(a.velocity.y()) - exact(b.velocity.y()), exact(a.radius) + exact(b.radius)};
-}
-
-template <class S>
-S any_finite(Random& random) {
-  for (;;) {
-    const std::uint64_t bits = random.bits();
-    S x = 0;
-    std::memcpy(&x, &bits, sizeof x);
-    if (std::isfinite(x)) return x;
-  }
 }
 
 template <class S>

@@ -17,6 +17,7 @@
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
 #include "support/refusal.hpp"
+#include "support/rounding.hpp"
 
 using contact::BouncingBall;
 using contact::StepRule;
@@ -24,15 +25,11 @@ using contact::Vector3;
 using generators::Random;
 using oracle::Rational;
 using oracle::Surd;
+using rounding::u;
 using support::contains;
 using support::refusal;
 
 namespace {
-
-template <class S>
-Rational u() {
-  return oracle::exact(contact::tolerance::unit_roundoff<S>);
-}
 
 template <class S>
 Vector3<S> vector(Random& random, int low, int high) {

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "09_separating_planes/random_poses.hpp"
 #include "09_separating_planes/shape_oracle.hpp"
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
@@ -32,6 +33,9 @@ using generators::Random;
 using generators::tried;
 using oracle::Rational;
 using oracle::Vector;
+using random_poses::any_point;
+using random_poses::direction;
+using random_poses::turn;
 using support::contains;
 using support::refusal;
 
@@ -43,21 +47,6 @@ using Body = RigidBody<double>;
 using Exactly = RigidBody<Rational>;
 constexpr double u = 0x1p-53;
 
-V any_point(Random& random, double most) {
-  const double x = random.uniform(-most, most);
-  const double y = random.uniform(-most, most);
-  return {x, y, random.uniform(-most, most)};
-}
-V direction(Random& random) {
-  for (;;) {
-    const V v = any_point(random, 1);
-    if (v.norm() > 0.1 && v.norm() <= 1) return v.normalized();
-  }
-}
-Matrix3<double> turn(Random& random) {
-  return contact::matrix_of(
-      contact::exponential<double>(V(direction(random) * random.uniform(0, 3))));
-}
 Box box(Random& random) {
   const V place = any_point(random, 1.5);
   const Matrix3<double> axes = turn(random);

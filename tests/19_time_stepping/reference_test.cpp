@@ -18,6 +18,7 @@
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
 #include "support/refusal.hpp"
+#include "support/rounding.hpp"
 
 using contact::Integrator;
 using contact::MotionState;
@@ -26,17 +27,13 @@ using contact::Vector3;
 using generators::Random;
 using oracle::Rational;
 using oracle::Surd;
+using rounding::u;
 using support::contains;
 using support::refusal;
 
 namespace {
 
 using Line = MotionState<Rational>;
-
-template <class S>
-Rational u() {
-  return oracle::exact(contact::tolerance::unit_roundoff<S>);
-}
 
 /// A fraction with a small denominator, from −bound to bound.
 Rational fraction(Random& random, int bound) {

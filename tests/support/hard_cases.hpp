@@ -101,6 +101,14 @@ std::string corpus_path(const std::string& chapter);
 /// A double as the corpus writes it.
 std::string hex(double x);
 Json hex(const contact::Vector3<double>& v);
+/// The double nearest to x, as the corpus writes it.
+std::string hex(const oracle::Rational& x);
+/// The double that hex() wrote: an answer, or a field of one.
+double unhex(const Json& number);
+double unhex(const Json& answer, const char* field);
+
+/// Whether got is a number and at most `room` away.
+bool close(double got, double right, double room);
 
 /// Recomputes a chapter's answers and judges its methods; see the top of this file.
 class Runner {
