@@ -11,7 +11,6 @@
 
 #include "hard_setups.hpp"
 #include "support/generators.hpp"
-#include "support/oracle.hpp"
 
 using contact::HardBall;
 using contact::HardSphereEffects;

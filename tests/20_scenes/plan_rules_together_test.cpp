@@ -11,7 +11,6 @@
 
 #include "plan_at_edge.hpp"
 #include "plan_scenes.hpp"
-#include "support/generators.hpp"
 #include "support/oracle.hpp"
 
 using contact::Decision;

@@ -13,7 +13,6 @@
 
 #include "sound_scene.hpp"
 #include "support/generators.hpp"
-#include "support/oracle.hpp"
 
 using contact::BallShape;
 using contact::BoxShape;

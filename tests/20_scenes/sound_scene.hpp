@@ -7,8 +7,6 @@
 #include <limits>
 #include <string>
 
-#include "support/generators.hpp"
-
 namespace sound_scene {
 
 using contact::SceneBody;

@@ -8,7 +8,6 @@
 #include <contact/plan/plan.hpp>
 #include <memory>
 
-#include "plan_scenes.hpp"
 #include "soundness.hpp"
 #include "support/generators.hpp"
 
