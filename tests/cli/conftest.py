@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
+import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+
+from archives import PLANE, RAY, progress, put  # noqa: E402
+
+ROOT = HERE.parents[1]
 PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
 SOLUTION = (ROOT / "solutions/02_triangles/ray_triangle/ray_triangle.cpp").read_text()
 BODY = "const contact::Triangle<double>& triangle) {\n"
@@ -143,3 +150,20 @@ def on_a_terminal(environment: dict[str, str]) -> Callable[..., str]:
         return text.decode()
 
     return run
+
+
+@pytest.fixture
+def worked(work: Path) -> dict[str, str]:
+    files = {
+        f"{RAY}.cpp": "// mine: α\n",
+        f"{PLANE}.cpp": "int x;\r\n",
+        "77_future/not_in_this_book.cpp": "int later;",
+        "progress.json": json.dumps(
+            json.loads(progress({RAY: {"attempts": 2}}, questions={"q": 1})),
+            indent=2,
+            sort_keys=True,
+        )
+        + "\n",
+    }
+    put(work, files)
+    return files
