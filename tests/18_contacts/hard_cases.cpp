@@ -20,6 +20,7 @@
 using contact::BodyContact;
 using contact::RigidBody;
 using hard_cases::Case;
+using hard_cases::convert;
 using hard_cases::Json;
 using hard_cases::unhex;
 using oracle::Rational;
@@ -29,15 +30,6 @@ namespace {
 
 using V = contact::Vector3<double>;
 using Box = contact::OrientedBox<double>;
-
-template <class S>
-S convert(double x) {
-  if constexpr (std::is_same_v<S, double>) {
-    return x;
-  } else {
-    return oracle::exact(x);
-  }
-}
 
 template <class S>
 struct Problem {
