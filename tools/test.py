@@ -26,6 +26,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import landing
+import lengths
 import steps
 import touched
 from sample import chapters_asked_for, sample, turn, wanted
@@ -346,10 +347,11 @@ def style() -> Iterator[Check]:
     )
     yield looked_at("the turn", landing.check_turn)
     yield looked_at("subjects of commits", landing.check_subjects)
+    yield looked_at("lengths of files", lengths.check_lengths)
 
 
 def looked_at(what: str, look: Callable[[Path], landing.Found]) -> Check:
-    """What git knows of the change; skipped where it knows too little."""
+    """What git knows of the change and the tree; skipped where it knows too little."""
 
     def check(_: float) -> Tally:
         found = look(ROOT)

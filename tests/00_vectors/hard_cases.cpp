@@ -10,13 +10,14 @@
 #include <cmath>
 #include <contact/angle.hpp>
 #include <contact/products.hpp>
-#include <cstdlib>
 #include <vector>
 
 using contact::Vector2;
 using contact::Vector3;
 using hard_cases::Case;
+using hard_cases::hex;
 using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Interval;
 using oracle::Rational;
 
@@ -24,9 +25,6 @@ namespace {
 
 using Numbers = std::vector<double>;
 using Vector = Vector3<double>;
-
-double read(const Json& answer) { return std::strtod(answer.get<std::string>().c_str(), nullptr); }
-Json nearest(const Rational& x) { return hard_cases::hex(oracle::nearest(x)); }
 
 bool close(double got, double right) {
   if (std::isinf(right)) return got == right;
@@ -59,11 +57,11 @@ Eigen::VectorXd column(const Numbers& terms) {
 
 void add_sum(hard_cases::Runner& runner) {
   runner.question("sum", [](const Case& c) {
-    return Json{{"class", "a"}, {"sum", nearest(sum_of(c.numbers("terms")))}};
+    return Json{{"class", "a"}, {"sum", hex(sum_of(c.numbers("terms")))}};
   });
   const auto method = [&runner](const char* name, auto sum) {
     runner.method("sum", name, [sum](const Case& c, const Json& answer) {
-      return close(sum(c.numbers("terms")), read(answer.at("sum")));
+      return close(sum(c.numbers("terms")), unhex(answer.at("sum")));
     });
   };
   method("in order", in_order);
@@ -83,11 +81,11 @@ void add_sum(hard_cases::Runner& runner) {
 void add_dot(hard_cases::Runner& runner) {
   runner.question("dot", [](const Case& c) {
     return Json{{"class", "a"},
-                {"dot", nearest(oracle::exact(c.vector("u")).dot(oracle::exact(c.vector("v"))))}};
+                {"dot", hex(oracle::exact(c.vector("u")).dot(oracle::exact(c.vector("v"))))}};
   });
   const auto method = [&runner](const char* name, auto dot) {
     runner.method("dot", name, [dot](const Case& c, const Json& answer) {
-      return close(dot(c.vector("u"), c.vector("v")), read(answer.at("dot")));
+      return close(dot(c.vector("u"), c.vector("v")), unhex(answer.at("dot")));
     });
   };
   method("in order", [](const Vector& u, const Vector& v) { return contact::dot_in_order(u, v); });
@@ -115,13 +113,13 @@ Vector kahan(const Vector& u, const Vector& v) {
 void add_cross(hard_cases::Runner& runner) {
   runner.question("cross", [](const Case& c) {
     const oracle::Vector n = oracle::exact(c.vector("u")).cross(oracle::exact(c.vector("v")));
-    return Json{{"class", "a"}, {"cross", {nearest(n.x()), nearest(n.y()), nearest(n.z())}}};
+    return Json{{"class", "a"}, {"cross", {hex(n.x()), hex(n.y()), hex(n.z())}}};
   });
   const auto method = [&runner](const char* name, auto cross) {
     runner.method("cross", name, [cross](const Case& c, const Json& answer) {
       const Vector got = cross(c.vector("u"), c.vector("v"));
       for (int k = 0; k < 3; ++k) {
-        if (!close(got[k], read(answer.at("cross").at(static_cast<std::size_t>(k))))) return false;
+        if (!close(got[k], unhex(answer.at("cross").at(static_cast<std::size_t>(k))))) return false;
       }
       return true;
     });
@@ -183,7 +181,7 @@ void add_angle(hard_cases::Runner& runner) {
     const Rational cosine = u.dot(v);
     // atan cannot tell an exact 0 or right angle by refining, so these are settled by algebra.
     if (sine_squared == 0 && cosine > 0) {
-      return Json{{"class", "c"}, {"angle", hard_cases::hex(0.0)}};
+      return Json{{"class", "c"}, {"angle", hex(0.0)}};
     }
     const auto angle = oracle::nearest_value([&](unsigned bits) {
       const Interval half = Interval::pi(bits) * Interval(Rational(1) / 2, bits);
@@ -192,11 +190,11 @@ void add_angle(hard_cases::Runner& runner) {
       const Interval acute = atan(sqrt(Interval(sine_squared, bits)) / Interval(abs(cosine), bits));
       return cosine > 0 ? acute : Interval::pi(bits) - acute;
     });
-    return Json{{"class", "c"}, {"angle", hard_cases::hex(angle.value())}};
+    return Json{{"class", "c"}, {"angle", hex(angle.value())}};
   });
   const auto method = [&runner](const char* name, auto angle) {
     runner.method("angle", name, [angle](const Case& c, const Json& answer) {
-      return close(angle(c.vector("u"), c.vector("v")), read(answer.at("angle")));
+      return close(angle(c.vector("u"), c.vector("v")), unhex(answer.at("angle")));
     });
   };
   method("acos", [](const Vector& u, const Vector& v) {

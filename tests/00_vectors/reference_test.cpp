@@ -2,7 +2,6 @@
 // angle against intervals (class (c)). u is the unit roundoff of the type. A bound that a comment
 // of the reference gives is tested as it stands, without an allowance.
 #include <array>
-#include <bit>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -16,52 +15,23 @@
 
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
+#include "support/rounding.hpp"
 
 using contact::Vector2;
 using contact::Vector3;
+using generators::any_finite;
 using generators::Random;
 using oracle::Rational;
+using rounding::eta;
+using rounding::gamma;
+using rounding::nearest;
+using rounding::u;
 
 namespace {
 
 template <class S>
-Rational u() {
-  return oracle::exact(contact::tolerance::unit_roundoff<S>);
-}
-template <class S>
-Rational eta() {
-  return oracle::exact(contact::tolerance::underflow_unit<S>);
-}
-template <class S>
-Rational gamma(int n) {
-  return n * u<S>() / (1 - n * u<S>());
-}
-template <class S>
 Rational smallest_normal() {
   return oracle::exact(std::numeric_limits<S>::min());
-}
-
-template <class S>
-S nearest(const Rational& x) {
-  if constexpr (sizeof(S) == sizeof(float)) {
-    return oracle::nearest_float(x);
-  } else {
-    return oracle::nearest(x);
-  }
-}
-
-/// Bit patterns without a pattern: every exponent alike.
-template <class S>
-S any_finite(Random& random) {
-  for (;;) {
-    S x;
-    if constexpr (sizeof(S) == sizeof(float)) {
-      x = std::bit_cast<float>(static_cast<std::uint32_t>(random.bits()));
-    } else {
-      x = std::bit_cast<double>(random.bits());
-    }
-    if (std::isfinite(x)) return x;
-  }
 }
 
 /// A vector as a family of generators::point has it, stored in S; or without any pattern.

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <contact/gap.hpp>
 #include <contact/separation.hpp>
-#include <cstdlib>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -19,6 +18,7 @@
 
 using hard_cases::Case;
 using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Rational;
 using oracle::Surd;
 using oracle::Vector;
@@ -235,9 +235,8 @@ bool are_boxes(const Case& c) {
 double room_of(const Case& c) {
   return with(c, [](const auto& a, const auto& b) { return (size_of(a) + size_of(b)) * 0x1p-47; });
 }
-double read(const Json& value) { return std::strtod(value.get<std::string>().c_str(), nullptr); }
 bool close(double got, const Case& c, const Json& answer) {
-  return std::abs(got - read(answer.at("distance"))) <= room_of(c);
+  return std::abs(got - unhex(answer.at("distance"))) <= room_of(c);
 }
 
 }  // namespace

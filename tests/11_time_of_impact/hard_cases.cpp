@@ -12,7 +12,6 @@
 #include <contact/sliced_steps.hpp>
 #include <contact/sphere_capsule_impact.hpp>
 #include <contact/sphere_sphere_impact.hpp>
-#include <cstdlib>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +20,7 @@
 
 using hard_cases::Case;
 using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Quadratic;
 using oracle::Rational;
 using oracle::Surd;
@@ -29,8 +29,6 @@ namespace {
 
 using V = contact::Vector3<double>;
 using Time = std::optional<double>;
-
-double read(const Json& number) { return std::strtod(number.get<std::string>().c_str(), nullptr); }
 
 /// "none", or the time as the nearest double.
 Json answer_of(const std::optional<Surd>& t) {
@@ -41,7 +39,7 @@ Json answer_of(const std::optional<Surd>& t) {
 bool right_time(const Time& got, const Json& answer) {
   if (answer.at("time") == "none") return !got;
   if (!got || !std::isfinite(*got)) return false;
-  const double right = read(answer.at("time"));
+  const double right = unhex(answer.at("time"));
   return std::abs(*got - right) <= std::ldexp(right, -40);
 }
 
@@ -197,7 +195,7 @@ void add_boxes(hard_cases::Runner& runner) {
     runner.method("boxes", name, [when](const Case& c, const Json& answer) {
       const Time got = when(read_box(c, "a"), read_box(c, "b"));
       if (answer.at("time") == "none") return !got;
-      return got && std::abs(*got - read(answer.at("time"))) <= 0x1p-40;
+      return got && std::abs(*got - unhex(answer.at("time"))) <= 0x1p-40;
     });
   };
   using Box = boxes::Box;

@@ -16,19 +16,16 @@
 
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
+#include "support/rounding.hpp"
 
 using contact::Vector3;
 using generators::Random;
 using oracle::Quadratic;
 using oracle::Rational;
 using oracle::Surd;
+using rounding::u;
 
 namespace {
-
-template <class S>
-Rational u() {
-  return oracle::exact(contact::tolerance::unit_roundoff<S>);
-}
 
 /// |x| rounded up to a fraction.
 Rational magnitude(const Surd& x) {

@@ -12,11 +12,13 @@
 #include <contact/momentum.hpp>
 #include <contact/momentum_balance.hpp>
 #include <contact/variable_mass.hpp>
-#include <cstdlib>
 #include <vector>
 
 using hard_cases::Case;
+using hard_cases::close;
+using hard_cases::hex;
 using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Rational;
 
 namespace {
@@ -29,16 +31,8 @@ Rational sum_of(const Numbers& numbers) {
   return sum;
 }
 
-double read(const Json& answer, const char* field) {
-  return std::strtod(answer.at(field).get<std::string>().c_str(), nullptr);
-}
-Json nearest(const Rational& x) { return hard_cases::hex(oracle::nearest(x)); }
-
-bool close(double got, double right, double room) {
-  return std::isfinite(got) && std::abs(got - right) <= room;
-}
 bool same(double got, const Json& answer, const char* field, int bits = 40) {
-  const double right = read(answer, field);
+  const double right = unhex(answer, field);
   return close(got, right, std::ldexp(std::abs(right), -bits));
 }
 
@@ -51,7 +45,7 @@ S plain(const std::vector<S>& terms) {
 
 void add_total(hard_cases::Runner& runner) {
   runner.question("total", [](const Case& c) {
-    return Json{{"class", "a"}, {"sum", nearest(sum_of(c.numbers("impulses")))}};
+    return Json{{"class", "a"}, {"sum", hex(sum_of(c.numbers("impulses")))}};
   });
   const auto in_double = [&runner](const char* name, auto total) {
     runner.method("total", name, [total](const Case& c, const Json& answer) {
@@ -67,7 +61,7 @@ void add_total(hard_cases::Runner& runner) {
 
 void add_total_of_floats(hard_cases::Runner& runner) {
   runner.question("total_of_floats", [](const Case& c) {
-    return Json{{"class", "a"}, {"sum", nearest(sum_of(c.numbers("impulses")))}};
+    return Json{{"class", "a"}, {"sum", hex(sum_of(c.numbers("impulses")))}};
   });
   const auto in_float = [&runner](const char* name, auto total) {
     runner.method("total_of_floats", name, [total](const Case& c, const Json& answer) {
@@ -101,7 +95,7 @@ void add_together(hard_cases::Runner& runner) {
       momentum += oracle::exact(body.mass) * oracle::exact(body.velocity.x());
       mass += oracle::exact(body.mass);
     }
-    return Json{{"class", "a"}, {"velocity", nearest(momentum / mass)}};
+    return Json{{"class", "a"}, {"velocity", hex(momentum / mass)}};
   });
   runner.method("together", "mean of the velocities", [](const Case& c, const Json& answer) {
     const Numbers velocities = c.numbers("velocities");
@@ -135,7 +129,7 @@ void add_balance(hard_cases::Runner& runner) {
     for (const auto& body : bodies(c)) {
       sum += oracle::exact(body.mass) * oracle::exact(body.velocity.x());
     }
-    return Json{{"class", "a"}, {"momentum", nearest(sum)}};
+    return Json{{"class", "a"}, {"momentum", hex(sum)}};
   });
   const auto method = [&runner](const char* name, contact::Booking booking) {
     runner.method("balance", name, [booking](const Case& c, const Json& answer) {
@@ -175,7 +169,7 @@ void add_curve(hard_cases::Runner& runner) {
       area += (oracle::exact(times[i + 1]) - oracle::exact(times[i])) *
               (oracle::exact(forces[i]) + oracle::exact(forces[i + 1])) / 2;
     }
-    return Json{{"class", "a"}, {"impulse", nearest(area)}};
+    return Json{{"class", "a"}, {"impulse", hex(area)}};
   });
   runner.method("curve", "largest force × time", [](const Case& c, const Json& answer) {
     double largest = 0;
@@ -215,7 +209,7 @@ void add_exchange(hard_cases::Runner& runner) {
     const Rational after =
         (m * oracle::exact(c.number("velocity")) + change * oracle::exact(c.number("matter"))) /
         (m + change);
-    return Json{{"class", "a"}, {"velocity", nearest(after)}};
+    return Json{{"class", "a"}, {"velocity", hex(after)}};
   });
   // What |v| + |w − v| |Δm| / (m + Δm) leaves to be had.
   const auto judge = [](const Case& c, double got, const Json& answer) {
@@ -224,7 +218,7 @@ void add_exchange(hard_cases::Runner& runner) {
     const Rational v = oracle::exact(c.number("velocity"));
     const Rational size =
         abs(v) + abs(oracle::exact(c.number("matter")) - v) * abs(change) / (m + change);
-    return close(got, read(answer, "velocity"), oracle::nearest(size / 0x1p40));
+    return close(got, unhex(answer, "velocity"), oracle::nearest(size / 0x1p40));
   };
   runner.method("exchange", "momentum of the body alone",
                 [judge](const Case& c, const Json& answer) {
@@ -252,16 +246,17 @@ void add_push_off(hard_cases::Runner& runner) {
     const Rational u = oracle::exact(c.number("apart"));
     const Rational v = oracle::exact(c.number("together"));
     return Json{{"class", "a"},
-                {"first", nearest(v - u * m2 / (m1 + m2))},
-                {"second", nearest(v + u * m1 / (m1 + m2))}};
+                {"first", hex(v - u * m2 / (m1 + m2))},
+                {"second", hex(v + u * m1 / (m1 + m2))}};
   });
   const auto judge = [](const Case& c, double first, double second, const Json& answer) {
     const double room =
         std::ldexp(std::abs(c.number("together")) + std::abs(c.number("apart")), -40);
     // From rest the small recoil of a heavy body is a product, and has all its digits.
     const bool from_rest = c.number("together") == 0;
-    return (from_rest ? same(first, answer, "first") : close(first, read(answer, "first"), room)) &&
-           close(second, read(answer, "second"), room);
+    return (from_rest ? same(first, answer, "first")
+                      : close(first, unhex(answer, "first"), room)) &&
+           close(second, unhex(answer, "second"), room);
   };
   runner.method("push_off", "velocity over the ground", [judge](const Case& c, const Json& answer) {
     const double ground = c.number("together") + c.number("apart");

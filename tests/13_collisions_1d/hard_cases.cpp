@@ -18,15 +18,12 @@
 using contact::LineBody;
 using contact::LineCollision;
 using hard_cases::Case;
+using hard_cases::hex;
 using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Rational;
 
 namespace {
-
-double read(const Json& answer, const char* field) {
-  return std::strtod(answer.at(field).get<std::string>().c_str(), nullptr);
-}
-Json nearest(const Rational& x) { return hard_cases::hex(oracle::nearest(x)); }
 
 struct Pair {
   LineBody<double> first, second;
@@ -81,8 +78,7 @@ void add_after(hard_cases::Runner& runner) {
   for (const char* question : {"after", "small_velocity"}) {
     runner.question(question, [](const Case& c) {
       const auto right = right_answer(pair_of(c));
-      return Json{
-          {"class", "a"}, {"first", nearest(right.first)}, {"second", nearest(right.second)}};
+      return Json{{"class", "a"}, {"first", hex(right.first)}, {"second", hex(right.second)}};
     });
   }
   const auto add = [&runner](const char* name, Method method) {
@@ -110,7 +106,7 @@ void add_after(hard_cases::Runner& runner) {
   add("book, exact", book_exact);
   const auto small = [&runner](const char* name, Method method) {
     runner.method("small_velocity", name, [method](const Case& c, const Json& answer) {
-      const double right = read(answer, "first");
+      const double right = unhex(answer, "first");
       return std::abs(method(pair_of(c)).first - right) <= std::ldexp(std::abs(right), -40);
     });
   };
@@ -143,11 +139,11 @@ void add_lost(hard_cases::Runner& runner) {
     const Pair p = pair_of(c);
     const Rational lost =
         contact::energy_lost(exactly(p.first), exactly(p.second), oracle::exact(p.e));
-    return Json{{"class", "a"}, {"lost", nearest(lost)}};
+    return Json{{"class", "a"}, {"lost", hex(lost)}};
   });
   const auto add = [&runner](const char* name, auto method) {
     runner.method("lost", name, [method](const Case& c, const Json& answer) {
-      const double right = read(answer, "lost");
+      const double right = unhex(answer, "lost");
       const double got = method(pair_of(c));
       return got == right || std::abs(got - right) <= std::ldexp(std::abs(right), -40);
     });
@@ -229,7 +225,7 @@ void add_row(hard_cases::Runner& runner) {
     const auto settled = contact::collide_row(row, oracle::exact(c.number("e")),
                                               contact::PairOrder::fastest_first, limit);
     Json velocities = Json::array();
-    for (const Rational& v : settled.velocities) velocities.push_back(nearest(v));
+    for (const Rational& v : settled.velocities) velocities.push_back(hex(v));
     return Json{{"class", "a"}, {"velocities", velocities}};
   });
   const auto add = [&runner](const char* name, auto settle) {

@@ -11,11 +11,12 @@
 #include <contact/disc_collision.hpp>
 #include <contact/disc_events.hpp>
 #include <contact/momentum_triangle.hpp>
-#include <cstdlib>
 #include <vector>
 
 using hard_cases::Case;
+using hard_cases::hex;
 using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Rational;
 
 namespace {
@@ -47,8 +48,6 @@ Pair exact_pair(const Disc& a, const Disc& b) {
 }
 Pair exact_pair(const Case& c) { return exact_pair(read_disc(c, "a"), read_disc(c, "b")); }
 
-double read(const Json& number) { return std::strtod(number.get<std::string>().c_str(), nullptr); }
-Json nearest(const Rational& x) { return hard_cases::hex(oracle::nearest(x)); }
 int sign_of(double x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
 
 /// The axis as one writes it first; not a number for coincident centres.
@@ -124,11 +123,11 @@ void add_when(hard_cases::Runner& runner) {
     const Rational square = p.wx * p.wx + p.wy * p.wy;
     // (approach − √depth) / w²
     const oracle::Surd time{p.approach() / square, Rational(-1) / square, p.depth()};
-    return Json{{"class", "b"}, {"time", hard_cases::hex(oracle::nearest(time))}};
+    return Json{{"class", "b"}, {"time", hex(oracle::nearest(time))}};
   });
   const auto method = [&runner](const char* name, auto when) {
     runner.method("when", name, [when](const Case& c, const Json& answer) {
-      const double right = read(answer.at("time"));
+      const double right = unhex(answer.at("time"));
       const double got = when(read_disc(c, "a"), read_disc(c, "b"));
       return std::isfinite(got) && std::abs(got - right) <= std::ldexp(right, -40);
     });
@@ -175,8 +174,8 @@ void add_after(hard_cases::Runner& runner) {
       vby -= push * p.dy * ma / (ma + mb);
     }
     return Json{{"class", "a"},
-                {"a", Json::array({nearest(vax), nearest(vay)})},
-                {"b", Json::array({nearest(vbx), nearest(vby)})}};
+                {"a", Json::array({hex(vax), hex(vay)})},
+                {"b", Json::array({hex(vbx), hex(vby)})}};
   });
   const auto method = [&runner](const char* name, auto after) {
     runner.method("after", name, [after](const Case& c, const Json& answer) {
@@ -188,8 +187,8 @@ void add_after(hard_cases::Runner& runner) {
       bool right = true;
       for (int k = 0; k < 2; ++k) {
         const auto at = static_cast<std::size_t>(k);
-        right = right && std::abs(got.a(k) - read(answer.at("a").at(at))) <= room;
-        right = right && std::abs(got.b(k) - read(answer.at("b").at(at))) <= room;
+        right = right && std::abs(got.a(k) - unhex(answer.at("a").at(at))) <= room;
+        right = right && std::abs(got.b(k) - unhex(answer.at("b").at(at))) <= room;
       }
       return right;
     });
@@ -240,10 +239,9 @@ void add_share(hard_cases::Runner& runner) {
     if (sine == 0) return Json{{"class", "a"}, {"shares", "none"}};
     const Rational share_a = cross(p, b) / sine;
     const Rational share_b = cross(a, p) / sine;
-    return Json{
-        {"class", "a"},
-        {"a", Json::array({nearest(share_a * exact(a.x())), nearest(share_a * exact(a.y()))})},
-        {"b", Json::array({nearest(share_b * exact(b.x())), nearest(share_b * exact(b.y()))})}};
+    return Json{{"class", "a"},
+                {"a", Json::array({hex(share_a * exact(a.x())), hex(share_a * exact(a.y()))})},
+                {"b", Json::array({hex(share_b * exact(b.x())), hex(share_b * exact(b.y()))})}};
   });
   const auto judge = [](const std::optional<contact::MomentumShares<double>>& got,
                         const Json& answer) {
@@ -252,8 +250,8 @@ void add_share(hard_cases::Runner& runner) {
     bool right = true;
     for (int k = 0; k < 2; ++k) {
       const auto at = static_cast<std::size_t>(k);
-      const double a = read(answer.at("a").at(at));
-      const double b = read(answer.at("b").at(at));
+      const double a = unhex(answer.at("a").at(at));
+      const double b = unhex(answer.at("b").at(at));
       right = right && std::abs(got->a(k) - a) <= std::ldexp(std::abs(a), -40);
       right = right && std::abs(got->b(k) - b) <= std::ldexp(std::abs(b), -40);
     }

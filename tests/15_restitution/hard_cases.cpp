@@ -15,7 +15,9 @@
 #include <string>
 
 using hard_cases::Case;
+using hard_cases::close;
 using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Rational;
 using oracle::Surd;
 using Vector = contact::Vector3<double>;
@@ -83,14 +85,8 @@ struct ExactBall {
   }
 };
 
-double read(const Json& answer, const char* field) {
-  return std::strtod(answer.at(field).get<std::string>().c_str(), nullptr);
-}
-bool close(double got, double right, double room) {
-  return std::isfinite(got) && std::abs(got - right) <= room;
-}
 bool same(double got, const Json& answer, const char* field) {
-  const double right = read(answer, field);
+  const double right = unhex(answer, field);
   return close(got, right, std::ldexp(std::abs(right), -40));
 }
 
@@ -252,7 +248,7 @@ void add_height(hard_cases::Runner& runner) {
     runner.method("height", name, [height](const Case& c, const Json& answer) {
       const auto b = ball(c);
       const double most = b.height + b.velocity * b.velocity / (2 * b.gravity);
-      return close(height(b, c.number("time")), read(answer, "height"), std::ldexp(most, -20));
+      return close(height(b, c.number("time")), unhex(answer, "height"), std::ldexp(most, -20));
     });
   };
   const auto in_steps = [](contact::StepRule rule, double rate) {

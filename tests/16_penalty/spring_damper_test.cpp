@@ -11,6 +11,7 @@
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
 #include "support/refusal.hpp"
+#include "support/rounding.hpp"
 
 using contact::DampingRegime;
 using contact::LetGo;
@@ -18,15 +19,11 @@ using contact::SpringDamper;
 using generators::Random;
 using oracle::Rational;
 using oracle::Surd;
+using rounding::u;
 using support::contains;
 using support::refusal;
 
 namespace {
-
-template <class S>
-Rational u() {
-  return oracle::exact(contact::tolerance::unit_roundoff<S>);
-}
 
 template <class S>
 SpringDamper<S> any_spring(Random& random, int range) {

@@ -15,62 +15,26 @@
 #include <contact/inertia.hpp>
 #include <contact/rigid_impulse.hpp>
 #include <contact/rotation.hpp>
-#include <cstdlib>
 #include <vector>
 
+#include "hard_bodies.hpp"
+
+using hard_bodies::body;
+using hard_bodies::contact_of;
+using hard_bodies::planar;
 using hard_cases::Case;
+using hard_cases::close;
+using hard_cases::hex;
 using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Rational;
 
 namespace {
 
-using V = contact::Vector3<double>;
+using hard_bodies::V;
 using M = contact::Matrix3<double>;
 using Body = contact::RigidBody<double>;
 using Exactly = contact::RigidBody<Rational>;
-
-double read(const Json& value) { return std::strtod(value.get<std::string>().c_str(), nullptr); }
-Json nearest(const Rational& x) { return hard_cases::hex(oracle::nearest(x)); }
-bool close(double got, double right, double room) {
-  return std::isfinite(got) && std::abs(got - right) <= room;
-}
-template <class S>
-S convert(double x) {
-  if constexpr (std::is_same_v<S, double>) {
-    return x;
-  } else {
-    return oracle::exact(x);
-  }
-}
-template <class S>
-contact::Vector3<S> convert(const V& v) {
-  return {convert<S>(v.x()), convert<S>(v.y()), convert<S>(v.z())};
-}
-
-/// A body as the corpus has it: moments about the world's axes, or about axes turned about z by
-/// `turn` = (cosine, sine, 0). Mass 0 stands for an immovable body.
-template <class S>
-contact::RigidBody<S> body(const Case& c, const std::string& name) {
-  const double mass = c.number(name + "_mass");
-  const auto position = convert<S>(c.vector(name + "_position"));
-  const auto velocity = convert<S>(c.vector(name + "_velocity"));
-  const auto spin = convert<S>(c.vector(name + "_spin"));
-  if (mass == 0) return contact::immovable<S>(position, velocity, spin);
-  contact::Matrix3<S> turn = contact::Matrix3<S>::Identity();
-  if (c.has("turn")) {
-    const auto t = convert<S>(c.vector("turn"));
-    turn(0, 0) = turn(1, 1) = t.x();
-    turn(1, 0) = t.y();
-    turn(0, 1) = S(-t.y());
-  }
-  return contact::rigid_body_from_axes<S>(convert<S>(mass), convert<S>(c.vector(name + "_moments")),
-                                          turn, position, velocity, spin);
-}
-
-template <class S>
-contact::ContactPoint<S> contact_of(const Case& c) {
-  return {convert<S>(c.vector("point")), convert<S>(c.vector("normal"))};
-}
 
 int sign_of(double x) { return (x > 0) - (x < 0); }
 
@@ -117,7 +81,7 @@ void add_collision(hard_cases::Runner& runner, const std::string& question) {
     const Rational j =
         contact::collision_impulse<Rational>(body<Rational>(c, "a"), body<Rational>(c, "b"),
                                              contact_of<Rational>(c), oracle::exact(c.number("e")));
-    return Json{{"class", "a"}, {"impulse", nearest(j)}};
+    return Json{{"class", "a"}, {"impulse", hex(j)}};
   });
   // The motion that the exact impulse gives, coordinate by coordinate.
   const auto judge = [](const Body& before, const Body& after, const Exactly& right) {
@@ -248,9 +212,8 @@ void add_parting(hard_cases::Runner& runner) {
   runner.question("parting", [](const Case& c) {
     const Rational v = contact::normal_velocity(body<Rational>(c, "a"), body<Rational>(c, "b"),
                                                 contact_of<Rational>(c));
-    return Json{{"class", "a"},
-                {"before", nearest(v)},
-                {"after", nearest(-oracle::exact(c.number("e")) * v)}};
+    return Json{
+        {"class", "a"}, {"before", hex(v)}, {"after", hex(-oracle::exact(c.number("e")) * v)}};
   });
   using Pair = std::pair<Body, Body>;
   const auto method = [&runner](const char* name, auto collide) {
@@ -276,21 +239,15 @@ void add_parting(hard_cases::Runner& runner) {
   });
 }
 
-template <class S>
-contact::PlanarContact<S> planar(const Case& c) {
-  return {convert<S>(c.number("slip")), convert<S>(c.number("closing")),
-          convert<S>(c.number("k_tt")), convert<S>(c.number("k_tn")), convert<S>(c.number("k_nn"))};
-}
-
 /// Velocities afterwards, by the law that the question names.
 void add_friction(hard_cases::Runner& runner, const char* question, auto exactly, auto book) {
   runner.question(question, [exactly](const Case& c) { return exactly(c); });
   const auto judge = [](const Case& c, double slip, double normal, const Json& answer) {
     const double size = std::abs(c.number("slip")) + std::abs(c.number("closing")) +
-                        std::abs(read(answer.at("slip"))) + std::abs(read(answer.at("normal")));
+                        std::abs(unhex(answer.at("slip"))) + std::abs(unhex(answer.at("normal")));
     const double room = std::ldexp(size, -36);
-    return close(slip, read(answer.at("slip")), room) &&
-           close(normal, read(answer.at("normal")), room);
+    return close(slip, unhex(answer.at("slip")), room) &&
+           close(normal, unhex(answer.at("normal")), room);
   };
   const auto method = [&](const char* name, auto impact) {
     runner.method(question, name, [judge, impact](const Case& c, const Json& answer) {
@@ -317,9 +274,7 @@ void add_friction(hard_cases::Runner& runner, const char* question, auto exactly
 }
 
 Json answer_of(const contact::Impact<Rational>& impact) {
-  return {{"class", "a"},
-          {"slip", nearest(impact.end().slip)},
-          {"normal", nearest(impact.end().normal)}};
+  return {{"class", "a"}, {"slip", hex(impact.end().slip)}, {"normal", hex(impact.end().normal)}};
 }
 
 /// Stronge's end from the path of Poisson's with e = 1 (the turn, and where the slip stops after
@@ -351,8 +306,8 @@ Json stronge_answer(const Case& c) {
     const oracle::Surd normal{0, 1, p.normal * p.normal + 2 * rate * left};
     const oracle::Surd slip{p.slip - slope * p.normal, slope, normal.d};
     return {{"class", "b"},
-            {"slip", hard_cases::hex(oracle::nearest(slip))},
-            {"normal", hard_cases::hex(oracle::nearest(normal))}};
+            {"slip", hex(oracle::nearest(slip))},
+            {"normal", hex(oracle::nearest(normal))}};
   }
 }
 
@@ -361,7 +316,7 @@ void add_energy(hard_cases::Runner& runner) {
   runner.question("energy", [](const Case& c) {
     const auto impact = contact::newton_impact<Rational>(
         planar<Rational>(c), oracle::exact(c.number("e")), oracle::exact(c.number("friction")));
-    return Json{{"class", "a"}, {"newton_gain", nearest(contact::energy_change(impact))}};
+    return Json{{"class", "a"}, {"newton_gain", hex(contact::energy_change(impact))}};
   });
   // A law that makes energy is off by the gain itself, far above rounding: 2^-40 of the sizes.
   const auto method = [&runner](const char* name, auto law) {
@@ -398,16 +353,16 @@ void add_mesh(hard_cases::Runner& runner) {
     for (const V& corner : corners(c)) exact.push_back(oracle::exact(corner));
     const auto right = *contact::mesh_mass<Rational>(1, exact, tetrahedron);
     return Json{{"class", "a"},
-                {"xx", nearest(right.inertia(0, 0))},
-                {"yy", nearest(right.inertia(1, 1))},
-                {"xy", nearest(right.inertia(0, 1))}};
+                {"xx", hex(right.inertia(0, 0))},
+                {"yy", hex(right.inertia(1, 1))},
+                {"xy", hex(right.inertia(0, 1))}};
   });
   const auto judge = [](const M& got, const Json& answer) {
-    const double xx = read(answer.at("xx"));
-    const double yy = read(answer.at("yy"));
+    const double xx = unhex(answer.at("xx"));
+    const double yy = unhex(answer.at("yy"));
     const double room = std::ldexp(std::max(xx, yy), -36);
     return close(got(0, 0), xx, room) && close(got(1, 1), yy, room) &&
-           close(got(0, 1), read(answer.at("xy")), room);
+           close(got(0, 1), unhex(answer.at("xy")), room);
   };
   runner.method("mesh", "about the origin, then moved", [judge](const Case& c, const Json& answer) {
     const auto m = contact::detail::moments_about<double>(V(0, 0, 0), corners(c), tetrahedron);
@@ -424,7 +379,7 @@ void add_mesh(hard_cases::Runner& runner) {
 void add_spin(hard_cases::Runner& runner) {
   runner.question("spin", [](const Case& c) {
     const auto part = [&](auto f) {
-      return hard_cases::hex(*oracle::nearest_value([&](unsigned bits) {
+      return hex(*oracle::nearest_value([&](unsigned bits) {
         return f(
             oracle::Interval(oracle::exact(c.number("spin")) * oracle::exact(c.number("h")), bits));
       }));
@@ -440,8 +395,8 @@ void add_spin(hard_cases::Runner& runner) {
       const double h = c.number("h");
       const M r = step(V(0, 0, w), h);
       const double room = 0x1p-40 + 8 * 0x1p-53 * std::abs(w * h);
-      return close(r(0, 0), read(answer.at("cosine")), room) &&
-             close(r(1, 0), read(answer.at("sine")), room);
+      return close(r(0, 0), unhex(answer.at("cosine")), room) &&
+             close(r(1, 0), unhex(answer.at("sine")), room);
     });
   };
   method("Euler's matrix",
@@ -462,7 +417,7 @@ void add_spin(hard_cases::Runner& runner) {
 void add_top(hard_cases::Runner& runner) {
   runner.question("top", [](const Case& c) {
     const auto part = [&](auto f) {
-      return hard_cases::hex(*oracle::nearest_value([&](unsigned bits) {
+      return hex(*oracle::nearest_value([&](unsigned bits) {
         const auto number = [&](const char* name) {
           return oracle::Interval(oracle::exact(c.number(name)), bits);
         };
@@ -485,9 +440,9 @@ void add_top(hard_cases::Runner& runner) {
       const V axis =
           contact::matrix_of<double>(turned(momentum, across, along, c.number("t"))).col(2);
       const double room = 1e-3;
-      return close(axis.x(), read(answer.at("x")), room) &&
-             close(axis.y(), read(answer.at("y")), room) &&
-             close(axis.z(), read(answer.at("z")), room);
+      return close(axis.x(), unhex(answer.at("x")), room) &&
+             close(axis.y(), unhex(answer.at("y")), room) &&
+             close(axis.z(), unhex(answer.at("z")), room);
     });
   };
   using Rotor = contact::Rotor<double>;

@@ -13,7 +13,6 @@
 #include <contact/contact_manifold.hpp>
 #include <contact/contact_solver.hpp>
 #include <contact/separation.hpp>
-#include <cstdlib>
 #include <vector>
 
 #include "09_separating_planes/shape_oracle.hpp"
@@ -21,7 +20,9 @@
 using contact::BodyContact;
 using contact::RigidBody;
 using hard_cases::Case;
+using hard_cases::convert;
 using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Rational;
 using oracle::Vector;
 
@@ -29,15 +30,6 @@ namespace {
 
 using V = contact::Vector3<double>;
 using Box = contact::OrientedBox<double>;
-
-template <class S>
-S convert(double x) {
-  if constexpr (std::is_same_v<S, double>) {
-    return x;
-  } else {
-    return oracle::exact(x);
-  }
-}
 
 template <class S>
 struct Problem {
@@ -75,8 +67,6 @@ Problem<S> problem(const Case& c) {
   return p;
 }
 
-double read(const Json& value) { return std::strtod(value.get<std::string>().c_str(), nullptr); }
-
 bool right(const Case& c, const std::vector<RigidBody<double>>& got, const Json& answer) {
   double most = 0;
   for (const auto& body : problem<double>(c).bodies) {
@@ -86,7 +76,7 @@ bool right(const Case& c, const std::vector<RigidBody<double>>& got, const Json&
   for (const auto& body : got) {
     for (const V& v : {body.velocity, body.spin}) {
       for (int i = 0; i < 3; ++i) {
-        const double wanted = read(answer.at("motion").at(at++));
+        const double wanted = unhex(answer.at("motion").at(at++));
         if (!(std::abs(v(i) - wanted) <= std::ldexp(most, -30))) return false;
       }
     }

@@ -21,19 +21,14 @@
 using contact::Integrator;
 using contact::MotionState;
 using hard_cases::Case;
+using hard_cases::close;
 using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Rational;
 using oracle::Surd;
 using Vector = contact::Vector3<double>;
 
 namespace {
-
-double read(const Json& answer, const char* field) {
-  return std::strtod(answer.at(field).get<std::string>().c_str(), nullptr);
-}
-bool close(double got, double right, double room) {
-  return std::isfinite(got) && std::abs(got - right) <= room;
-}
 
 // ---------------------------------------------------------------- when a gap closes
 
@@ -59,7 +54,7 @@ void add_closing(hard_cases::Runner& runner) {
       const std::optional<double> got =
           time(c.number("gap"), c.number("rate"), c.number("acceleration"));
       if (answer.at("t") == "never") return !got;
-      const double right = read(answer, "t");
+      const double right = unhex(answer, "t");
       return got && close(*got, right, std::ldexp(std::abs(right), -40));
     });
   };
@@ -102,7 +97,7 @@ void add_fall(hard_cases::Runner& runner) {
       const double t = c.number("step") * c.number("steps");
       const double size = std::abs(c.number("position")) + std::abs(c.number("velocity") * t) +
                           std::abs(c.number("acceleration") * t * t / 2);
-      return close(position(c), read(answer, "position"), std::ldexp(size, -40));
+      return close(position(c), unhex(answer, "position"), std::ldexp(size, -40));
     });
   };
   const auto by = [](Integrator integrator) {
@@ -145,7 +140,7 @@ void add_spring(hard_cases::Runner& runner) {
     runner.method("spring", name, [position](const Case& c, const Json& answer) {
       const double size = std::abs(c.number("position")) +
                           std::abs(c.number("velocity")) / c.number("angular_frequency");
-      return close(position(c), read(answer, "position"), std::ldexp(size, -10));
+      return close(position(c), unhex(answer, "position"), std::ldexp(size, -10));
     });
   };
   const auto by = [](Integrator integrator) {

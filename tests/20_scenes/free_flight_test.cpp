@@ -24,12 +24,9 @@ using contact::SceneRun;
 using generators::Random;
 using oracle::Rational;
 using plan_scenes::Point;
+using plan_scenes::run_of;
 
 namespace {
-
-std::unique_ptr<SceneRun> run_of(const Scene& scene, const PlanOptions& options = {}) {
-  return contact::scenes::make_run(scene, contact::plan_scene(scene, options));
-}
 
 bool flies(const Scene& scene, const PlanOptions& options = {}) {
   return contact::flies_freely(contact::plan_scene(scene, options));

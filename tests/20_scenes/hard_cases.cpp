@@ -19,20 +19,18 @@
 using contact::Vector3;
 using hard_cases::Case;
 using hard_cases::Json;
+using hard_cases::unhex;
 using oracle::Rational;
 
 namespace {
 
-double read(const Json& answer, const char* field) {
-  return std::strtod(answer.at(field).get<std::string>().c_str(), nullptr);
-}
 bool same(double got, double right, int bits = 40) {
   return std::isfinite(got) && std::abs(got - right) <= std::ldexp(std::abs(right), -bits);
 }
 /// A time, or that there is none.
 bool same_time(double got, const Json& answer) {
   if (answer.at("after") == "never") return got == contact::never;
-  return same(got, read(answer, "after"));
+  return same(got, unhex(answer, "after"));
 }
 
 void add_pairs(hard_cases::Runner& runner) {
@@ -105,7 +103,7 @@ void add_walls(hard_cases::Runner& runner) {
       const contact::Arrival got =
           arrival(c.number("gap"), c.number("velocity"), c.number("acceleration"));
       return same_time(got.after, answer) &&
-             (got.after == contact::never || same(got.speed, read(answer, "speed")));
+             (got.after == contact::never || same(got.speed, unhex(answer, "speed")));
     });
   };
   method("textbook root", [](double gap, double v, double a) -> contact::Arrival {

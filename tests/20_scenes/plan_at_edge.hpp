@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "plan_scenes.hpp"
+#include "support/oracle.hpp"
 
 namespace plan_scenes {
 
@@ -16,6 +17,16 @@ using contact::Proof;
 
 /// No number is a bound.
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// The smallest positive number.
+inline constexpr double least = std::numeric_limits<double>::denorm_min();
+
+/// Where a free ball of a scene is after a time, exactly.
+inline oracle::Vector flight(const Scene& scene, std::size_t i, const oracle::Rational& t) {
+  const auto& body = scene.bodies[i];
+  return oracle::ballistic(oracle::exact(body.position), oracle::exact(body.velocity),
+                           oracle::exact(scene.gravity), t);
+}
 
 inline contact::PlanOptions stepped(double h) {
   contact::PlanOptions options;
@@ -90,6 +101,23 @@ inline Scene dropped(double e, double height, double duration, double tolerance 
   wall(scene, Point::UnitZ(), 0);
   ball(scene, 0.5, 1, {0, 0, 0.5 + height});
   return scene;
+}
+
+/// More balls than are asked one by one, in rows of `row`, in the plane of x and y; the last comes
+/// back at the one before it.
+inline Scene crowd(int row) {
+  Scene scene = empty(1, 0, 0.5, 1e-6);
+  for (int i = 0; i < 300; ++i) ball(scene, 0.25, 1, {1.0 * (i % row), 1.0 * (i / row), 0});
+  scene.bodies.back().velocity.x() = -2;
+  return scene;
+}
+
+/// What hits that are late or missed cost at most, as the rule on continuous detection says.
+inline double said_of_late_hits(const Scene& scene, double step) {
+  return decision(scene, Effect::continuous_detection, stepped(step))
+      .tried.at(1)
+      .conditions.at(1)
+      .left;
 }
 
 }  // namespace plan_scenes

@@ -1,19 +1,13 @@
-// What bounds are made of, at its edge: shapes, what energy allows, who may meet whom, crowds. Each
-// scene was made for one term of a bound, so that a bound without it, or with another in its place,
-// is too small for a motion that can be.
+// What bounds are made of, at its edge: shapes, what energy allows, who may meet whom. Each scene
+// was made for one term of a bound, so that a bound without it, or with another in its place, is
+// too small for a motion that can be.
 #include <algorithm>
-#include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <contact/bouncing.hpp>
 #include <contact/plan/plan.hpp>
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/rotation.hpp>
 #include <contact/scene/scene_runs.hpp>
-#include <contact/scene/scene_solids.hpp>
-#include <limits>
-#include <string>
-#include <vector>
 
 #include "plan_at_edge.hpp"
 #include "plan_scenes.hpp"
@@ -28,20 +22,16 @@ using generators::Random;
 using generators::tried;
 using oracle::exact;
 using oracle::Rational;
-using plan_scenes::at_edge;
 using plan_scenes::ball;
 using plan_scenes::box;
 using plan_scenes::decision;
 using plan_scenes::dropped;
 using plan_scenes::empty;
 using plan_scenes::free_ball;
-using plan_scenes::off;
 using plan_scenes::Point;
 using plan_scenes::stepped;
 using plan_scenes::unbounded;
 using plan_scenes::wall;
-
-// ---------------------------------------------------------------- shapes and sums
 
 TEST_CASE("thickness and reach of a shape, whichever way it is long") {
   using contact::inner_radius;
@@ -221,8 +211,6 @@ TEST_CASE("passing through: the worst of several pairs counts, wherever it stand
   }
 }
 
-// ---------------------------------------------------------------- what energy allows
-
 TEST_CASE("a light ball is as fast as what a heavy one that falls on it makes it") {
   Scene scene = empty(1, 0, 1, 1e-6);
   scene.gravity = {0, 0, -8};
@@ -363,172 +351,4 @@ TEST_CASE("who is thrown reaches as far as both go, and with its corners") {
   };
   CHECK(corner(2 + 3.7) == 2);  // the ball can reach neither
   CHECK(corner(2 + 3.8) == 1);
-}
-
-// ---------------------------------------------------------------- crowds
-
-namespace {
-
-/// More bodies than are asked one by one: 254 balls of ½ m in rows, and three others. All but the
-/// first two of the balls lie still.
-Scene unlike_crowd() {
-  Scene scene = empty(1, 0, 1, 1e-6);
-  scene.materials = {{"hard", 0.5, 0.25, {}, 0},
-                     {"lively", 1, 0, {}, 0},
-                     {"soft", 1, 0, 1e4, 3},
-                     {"softer", 1, 0, 1e3, 0}};
-  for (int i = 0; i < 254; ++i)
-    ball(scene, 0.5, 2, {3.0 * (i % 16), 3.0 * (i / 16), 0}).material = 1;
-  scene.bodies[0].material = 0;
-  scene.bodies[0].velocity = {1, 0, 0};
-  scene.bodies[1].material = 0;
-  scene.bodies[1].velocity = {-1, 0, 0};
-  scene.bodies[2].material = 2;
-  scene.bodies[3].material = 3;
-  return scene;
-}
-
-}  // namespace
-
-TEST_CASE("a crowd's bound is as bad as the worst of its pairs, whichever it is") {
-  for (const int where : {0, 100, 253}) {
-    CAPTURE(where);
-    Scene scene = unlike_crowd();
-    if (where == 100) {  // materials in another order
-      std::swap(scene.materials[0], scene.materials[1]);
-      for (auto& body : scene.bodies) body.material ^= body.material < 2 ? 1U : 0U;
-    }
-    const auto k = static_cast<std::size_t>(where);
-    // Somebody thin and light, who turns most easily.
-    scene.bodies[k].shape = contact::CapsuleShape{0.0625, 0.4};
-    scene.bodies[k].mass = 0.125;
-    scene.bodies[k].inertia = contact::solid_inertia(scene.bodies[k].shape, 0.125);
-    ball(scene, 0.5, 2, {60, 0, 0}).material = 1;
-    ball(scene, 0.0625, 2, {63, 0, 0}).material = 1;
-    ball(scene, 0.5, 2, {66, 0, 0}).material = 1;
-    wall(scene, Point::UnitZ(), -1);
-    scene.bodies.back().material = 3;
-    box(scene, {0.25, 1, 1}, 0, {90, 0, 0});
-    const SceneBounds bounds = contact::scene_bounds(scene);
-    REQUIRE(bounds.crowded);
-    REQUIRE(bounds.pairs.size() == 3);
-    double kinetic = 0;
-    for (const auto& body : scene.bodies)
-      kinetic += body.moves ? body.mass * body.velocity.squaredNorm() : 0;
-    for (const auto& pair : bounds.pairs) {
-      bool soft = false;
-      bool hard = false;
-      for (std::size_t a = 0; a < scene.bodies.size(); ++a) {
-        for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-          const auto& one = scene.bodies[a];
-          const auto& other = scene.bodies[b];
-          if (a == b || !one.moves || (pair.both_move ? !other.moves : b != pair.b)) continue;
-          const auto made = contact::pair_material(scene.materials[one.material],
-                                                   scene.materials[other.material]);
-          REQUIRE(pair.friction >= made.friction);
-          soft = soft || made.stiffness;
-          hard = hard || !made.stiffness;
-          if (made.stiffness) {
-            REQUIRE(pair.stiffness >= *made.stiffness);
-            REQUIRE(pair.damping >= made.damping);
-          } else {
-            REQUIRE(pair.restitution_least <= made.restitution);
-            REQUIRE(pair.restitution_most >= made.restitution);
-          }
-          const double core = contact::inner_radius(one.shape) + contact::inner_radius(other.shape);
-          REQUIRE(pair.core <= core);
-          const bool round = contact::is_ball(one) && (contact::is_ball(other) || pair.half_space);
-          REQUIRE((!pair.round || round));
-          const double w = bounds.bodies[a].turning + (other.moves ? bounds.bodies[b].turning : 0);
-          REQUIRE(pair.closing >= std::sqrt(kinetic * w) * (1 - 1e-9));
-          const double slowness = 1 / one.mass + (other.moves ? 1 / other.mass : 0);
-          REQUIRE(pair.slowness >= slowness);
-        }
-      }
-      CHECK(pair.soft == soft);
-      CHECK(pair.hard == hard);
-    }
-    CHECK(contact::plan_scene(scene).pairs == 257 * 256 / 2 + 257 + 257);
-    CHECK(contact::plan_scene(scene).speed >= std::sqrt(kinetic / 0.125) * (1 - 1e-9));
-  }
-}
-
-TEST_CASE("a crowd's decisions follow from the worst of its pairs") {
-  Scene scene = unlike_crowd();
-  for (int k = 0; k < 8; ++k) ball(scene, 0.5, 2, {60.0 + 3 * k, 0, 0}).material = 1;
-  CHECK(plan_scenes::is_on(scene, Effect::friction));
-  CHECK(plan_scenes::is_on(scene, Effect::penalty_contact));
-  CHECK(plan_scenes::is_on(scene, Effect::several_contacts));
-  CHECK_FALSE(plan_scenes::is_on(scene, Effect::event_driven));
-  // ω of the stiffest pair, two of 10⁴ N/m in a row: the soft ball and a hard one.
-  CHECK(contact::plan_scene(scene, stepped(1)).spring_part <=
-        1 / (128 * std::sqrt(1e4 * (0.5 + 0.5))) * (1 + 1e-12));
-  // Without gravity, elastic, smooth: something soft is enough to go in steps, and so is what is
-  // dull.
-  Scene mixed = scene;
-  mixed.materials[0] = {"dull", 0, 0, {}, 0};
-  for (auto& body : mixed.bodies) body.material = 1;
-  off(mixed, Effect::event_driven);
-  mixed.bodies[100].material = 2;
-  at_edge(mixed, Effect::event_driven, 0, 2);
-  mixed.bodies[100].material = 0;
-  at_edge(mixed, Effect::event_driven, 0, 5);
-  // Nobody asks each pair of them when it meets first: that may be at once.
-  CHECK(decision(mixed, Effect::horizon).because.at(0).right == 0);
-  // Nothing but hard balls, most of which return all: one that does not is enough to come to rest.
-  for (auto& body : scene.bodies) body.material = 1;
-  scene.materials[0] = {"dull", 0, 0, {}, 0};
-  scene.gravity = {0, 0, -8};
-  wall(scene, Point::UnitZ(), -1);
-  scene.bodies.back().material = 1;
-  off(scene, Effect::resting);
-  off(scene, Effect::event_driven);
-  scene.bodies[100].material = 0;
-  CHECK(plan_scenes::is_on(scene, Effect::resting));
-  CHECK_FALSE(plan_scenes::is_on(scene, Effect::event_driven));
-  CHECK(plan_scenes::is_on(scene, Effect::restitution));  // not all are dull
-}
-
-TEST_CASE("passing through: in a crowd it is said who is thin") {
-  Scene scene = unlike_crowd();
-  for (int k = 0; k < 8; ++k) ball(scene, 0.5, 2, {60.0 + 3 * k, 0, 0});
-  const auto passing = [&] {
-    return decision(scene, Effect::continuous_detection, stepped(0.01))
-        .tried.at(1)
-        .conditions.at(0);
-  };
-  CHECK(passing().left_is == "any two moving bodies towards each other in a step");
-  const auto& plate = box(scene, {0x1p-10, 1, 1}, 0, {100, 0, 0});
-  const std::string words = "any moving body and " + plate.name;
-  CHECK(passing().left_is == words + " towards each other in a step");
-  CHECK(passing().right <= 2 * (0.5 + 0x1p-10));
-  CHECK_FALSE(contact::scene_bounds(scene).pairs.back().round);
-}
-
-TEST_CASE("a crowd begins apart only if nobody touches anybody, or the floor") {
-  const auto rests = [](const Scene& scene) { return plan_scenes::is_on(scene, Effect::resting); };
-  const auto crowd = [](const std::vector<Point>& more, double radius) {
-    Scene scene = empty(1, 0, 1, 1e-6);
-    scene.gravity = {0, 0, -8};
-    wall(scene, Point::UnitZ(), -1);
-    for (int i = 0; i < 260; ++i)
-      ball(scene, i == 17 ? radius : 0.25, 1, {2.0 * (i % 20), 2.0 * (i / 20), 0});
-    for (const Point& at : more) ball(scene, 0.25, 1, at);
-    return scene;
-  };
-  CHECK_FALSE(rests(crowd({}, 0.25)));
-  // Two that touch, on either side of each other and of any cell's edge.
-  for (const double from : {60.1, 60.2, 60.3, 60.4}) {
-    CHECK(rests(crowd({{from, 0, 5}, {from + 0.5, 0, 5}}, 0.25)));
-    CHECK(rests(crowd({{from + 0.5, 0, 5}, {from, 0, 5}}, 0.25)));
-    CHECK(rests(crowd({{0, from + 0.5, 5}, {0, from, 5}}, 0.25)));
-    CHECK(rests(crowd({{0, 0, from + 0.5}, {0, 0, from}}, 0.25)));
-    CHECK_FALSE(rests(crowd({{from, 0, 5}, {from + 0.5001, 0, 5}}, 0.25)));
-  }
-  // One that is larger than the others, beside one that it touches.
-  CHECK_FALSE(rests(crowd({{34, 1.26, 0}}, 0.9)));
-  CHECK(rests(crowd({{34, 1.15, 0}}, 0.9)));
-  // One that lies on the floor.
-  CHECK(rests(crowd({{60, 0, -0.75}}, 0.25)));
-  CHECK_FALSE(rests(crowd({{60, 0, std::nextafter(-0.75, 0)}}, 0.25)));
 }

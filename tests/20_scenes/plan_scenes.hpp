@@ -2,6 +2,7 @@
 /// Scenes for the planner's tests, made by hand, and what a plan says of them.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +10,8 @@
 #include <contact/plan/plan.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_check.hpp>
+#include <contact/scene/scene_run.hpp>
+#include <contact/scene/scene_runs.hpp>
 #include <contact/scene/scene_solids.hpp>
 
 namespace plan_scenes {
@@ -74,6 +77,12 @@ inline bool is_on(const Scene& scene, Effect effect) {
 inline contact::Decision decision(const Scene& scene, Effect effect,
                                   const contact::PlanOptions& options = {}) {
   return contact::decision_on(contact::plan_scene(scene, options), effect);
+}
+
+/// A run of the scene as its plan has it.
+inline std::unique_ptr<contact::SceneRun> run_of(const Scene& scene,
+                                                 const contact::PlanOptions& options = {}) {
+  return contact::scenes::make_run(scene, contact::plan_scene(scene, options));
 }
 
 }  // namespace plan_scenes

@@ -1,6 +1,4 @@
 // Scenes as files: the book's own, a table of broken ones, and random scenes there and back.
-#include <array>
-#include <bit>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/rotation.hpp>
@@ -8,9 +6,7 @@
 #include <contact/scene/scene_check.hpp>
 #include <contact/scene/scene_file.hpp>
 #include <contact/scene/scene_solids.hpp>
-#include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -18,10 +14,10 @@
 #include <string>
 #include <vector>
 
+#include "scene_texts.hpp"
 #include "support/generators.hpp"
 
-using contact::Matrix3;
-using contact::Rotor;
+namespace fs = std::filesystem;
 using contact::Scene;
 using contact::SceneBody;
 using contact::SceneExpectation;
@@ -32,88 +28,15 @@ using contact::scenes::scene_from_text;
 using contact::scenes::SceneFileError;
 using contact::scenes::text_of_scene;
 using generators::Random;
-namespace fs = std::filesystem;
+using scene_texts::root;
+using scene_texts::same;
+using scene_texts::text_in;
+using scene_texts::unit_roundoff;
+using scene_texts::vector_of_any;
 
 namespace {
 
-constexpr double unit_roundoff = 0x1p-53;
-const fs::path root = CONTACT_SOURCE_DIR;
 const fs::path folder = root / "chapters" / "20_scenes" / "scenes";
-
-std::string text_in(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-bool same(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
-template <class Derived>
-bool same(const Eigen::MatrixBase<Derived>& a, const Eigen::MatrixBase<Derived>& b) {
-  for (Eigen::Index i = 0; i < a.size(); ++i) {
-    if (!same(a.derived().coeff(i % a.rows(), i / a.rows()),
-              b.derived().coeff(i % a.rows(), i / a.rows())))
-      return false;
-  }
-  return true;
-}
-bool same(const std::optional<double>& a, const std::optional<double>& b) {
-  return a.has_value() == b.has_value() && (!a || same(*a, *b));
-}
-bool same(const contact::SceneShape& a, const contact::SceneShape& b) {
-  if (a.index() != b.index()) return false;
-  if (const auto* ball = std::get_if<contact::BallShape>(&a))
-    return same(ball->radius, std::get<contact::BallShape>(b).radius);
-  if (const auto* box = std::get_if<contact::BoxShape>(&a))
-    return same(box->half_lengths, std::get<contact::BoxShape>(b).half_lengths);
-  if (const auto* capsule = std::get_if<contact::CapsuleShape>(&a))
-    return same(capsule->radius, std::get<contact::CapsuleShape>(b).radius) &&
-           same(capsule->half_length, std::get<contact::CapsuleShape>(b).half_length);
-  if (const auto* hull = std::get_if<contact::HullShape>(&a)) {
-    const auto& other = std::get<contact::HullShape>(b);
-    if (hull->points.size() != other.points.size()) return false;
-    for (std::size_t i = 0; i < hull->points.size(); ++i) {
-      if (!same(hull->points[i], other.points[i])) return false;
-    }
-    return true;
-  }
-  const auto& ground = std::get<contact::HalfSpaceShape>(a);
-  const auto& other = std::get<contact::HalfSpaceShape>(b);
-  return same(ground.normal, other.normal) && same(ground.offset, other.offset);
-}
-bool same(const SceneBody& a, const SceneBody& b) {
-  return a.name == b.name && same(a.shape, b.shape) && a.material == b.material &&
-         a.moves == b.moves && same(a.mass, b.mass) && same(a.inertia, b.inertia) &&
-         same(a.position, b.position) && same(a.orientation.w, b.orientation.w) &&
-         same(a.orientation.v, b.orientation.v) && same(a.velocity, b.velocity) &&
-         same(a.spin, b.spin);
-}
-bool same(const SceneMaterial& a, const SceneMaterial& b) {
-  return a.name == b.name && same(a.restitution, b.restitution) && same(a.friction, b.friction) &&
-         same(a.stiffness, b.stiffness) && same(a.damping, b.damping);
-}
-bool same(const SceneExpectation& a, const SceneExpectation& b) {
-  return a.quantity == b.quantity && a.body == b.body && same(a.time, b.time) &&
-         same(a.value, b.value) && same(a.within, b.within) && a.why == b.why;
-}
-template <class T>
-bool same(const std::vector<T>& a, const std::vector<T>& b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (!same(a[i], b[i])) return false;
-  }
-  return true;
-}
-bool same(const Scene& a, const Scene& b) {
-  return a.name == b.name && a.about == b.about && same(a.gravity, b.gravity) &&
-         same(a.materials, b.materials) && same(a.bodies, b.bodies) &&
-         same(a.duration, b.duration) && same(a.tolerance.position, b.tolerance.position) &&
-         a.tolerance.event_order == b.tolerance.event_order &&
-         same(a.output.every, b.output.every) && a.output.velocities == b.output.velocities &&
-         a.output.events == b.output.events && same(a.expect, b.expect);
-}
 
 std::vector<FileFault> faults_of(const std::string& text) {
   try {
@@ -122,19 +45,6 @@ std::vector<FileFault> faults_of(const std::string& text) {
     return error.faults();
   }
   return {};
-}
-
-/// The specimen with a ball's orientation in other words.
-Rotor<double> orientation_of(const nlohmann::json& said) {
-  nlohmann::json scene = nlohmann::json::parse(text_in(root / "tests/20_scenes/specimen.json"));
-  scene["bodies"][1]["orientation"] = said;
-  return scene_from_text(scene.dump(), "scene.json").bodies[1].orientation;
-}
-
-Vector3<double> any_vector(Random& random) {
-  const double x = random.magnitude(-30, 30);
-  const double y = random.magnitude(-30, 30);
-  return {x, y, random.magnitude(-30, 30)};
 }
 
 contact::SceneShape any_shape(Random& random) {
@@ -166,7 +76,7 @@ Scene any_scene(Random& random) {
   scene.about = random.chance(0.5) ? "a \"quoted\" \\ word\n\t\x01"
                                    : "Kugeln \xc3\xbc"
                                      "ber \xe2\x88\x9e";
-  scene.gravity = any_vector(random);
+  scene.gravity = vector_of_any(random);
   const int materials = random.integer(1, 3);
   for (int i = 0; i < materials; ++i) {
     SceneMaterial material;
@@ -185,7 +95,7 @@ Scene any_scene(Random& random) {
     body.name = "body_" + std::to_string(i);
     body.material = static_cast<std::size_t>(random.integer(0, materials - 1));
     if (random.chance(0.1)) {
-      const Vector3<double> normal = any_vector(random);
+      const Vector3<double> normal = vector_of_any(random);
       body.shape = contact::HalfSpaceShape{normal / normal.norm(), -0x1p50};
       body.moves = false;
       scene.bodies.push_back(body);
@@ -195,13 +105,13 @@ Scene any_scene(Random& random) {
     body.moves = random.chance(0.8);
     // Far from each other, so that none overlaps.
     body.position = Vector3<double>(0x1p40 * i, random.magnitude(-30, 30), -0.0);
-    const Vector3<double> turn = any_vector(random);
+    const Vector3<double> turn = vector_of_any(random);
     body.orientation = contact::exponential<double>(turn / turn.norm() * random.uniform(0, 6));
     if (body.moves) {
       body.mass = std::abs(random.magnitude(-90, 90));
       body.inertia = contact::solid_inertia(body.shape, body.mass);
-      body.velocity = any_vector(random);
-      body.spin = any_vector(random);
+      body.velocity = vector_of_any(random);
+      body.spin = vector_of_any(random);
     }
     scene.bodies.push_back(body);
   }
@@ -422,81 +332,4 @@ TEST_CASE("A scene is written into a file and read from there; what is no file s
   CHECK_THROWS_AS(contact::scenes::read_scene(folder), std::runtime_error);
   CHECK_THROWS_AS(contact::scenes::write_scene(folder / "no" / "folder.json", scene),
                   std::runtime_error);
-}
-
-TEST_CASE("Axis and angle: multiples of 90 degrees exactly, others as sine and cosine say") {
-  // Twice the half turn: the sign of a quaternion does not matter.
-  const double r = std::sqrt(0.5);
-  const std::array<std::array<double, 2>, 9> turns{
-      {{0, 1}, {90, r}, {180, 0}, {270, -r}, {360, -1}, {-90, r}, {-180, 0}, {720, 1}, {-540, 0}}};
-  for (const auto& [degrees, cosine] : turns) {
-    const Rotor<double> q = orientation_of({{"axis", {0, 0, 5}}, {"degrees", degrees}});
-    INFO(degrees);
-    CHECK(std::abs(q.w - cosine) <= 2 * unit_roundoff);
-    if (cosine == 0) CHECK(std::abs(q.v.z()) == 1);
-    if (std::abs(cosine) == 1) CHECK(q.v == Vector3<double>::Zero());
-    CHECK(q.v.x() == 0);
-    CHECK(q.v.y() == 0);
-  }
-  Random random(23);
-  for (int i = 0; i < generators::tried(100); ++i) {
-    const double angle = random.uniform(-600, 600);
-    const Vector3<double> axis = any_vector(random);
-    const nlohmann::json list{axis.x(), axis.y(), axis.z()};
-    const Rotor<double> q = orientation_of({{"axis", list}, {"radians", angle}});
-    const Rotor<double> d =
-        orientation_of({{"axis", list}, {"degrees", angle * 180 / 3.141592653589793}});
-    const Vector3<double> wanted = axis / axis.norm() * std::sin(angle / 2);
-    // The angle is known to u of itself, half of it counts, and a few more roundings follow.
-    const double off = unit_roundoff * (std::abs(angle) + 16);
-    CHECK(std::abs(q.w - std::cos(angle / 2)) <= off);
-    CHECK((q.v - wanted).cwiseAbs().maxCoeff() <= off);
-    CHECK(std::abs(d.w - q.w) <= 2 * off);
-    CHECK((d.v - q.v).cwiseAbs().maxCoeff() <= 2 * off);
-  }
-}
-
-TEST_CASE(
-    "A repeated body stands on its lattice, and is drawn from its seed in the order that the "
-    "schema says") {
-  nlohmann::json json = nlohmann::json::parse(text_in(root / "tests/20_scenes/specimen.json"));
-  const Scene scene = scene_from_text(json.dump(), "scene.json");
-  REQUIRE(scene.bodies.size() == 6 + 11);
-  Random random(5);
-  const auto unit = [&] { return 2 * random.uniform() - 1; };
-  for (std::size_t n = 0; n < 11; ++n) {
-    const SceneBody& body = scene.bodies[6 + n];
-    CHECK(body.name == "gas_" + std::to_string(n));
-    const Vector3<double> place(10 + static_cast<double>(n % 3),
-                                10 + static_cast<double>(n / 3 % 2),
-                                10 + static_cast<double>(n / 6));
-    const double x = unit();
-    const double y = unit();
-    const double z = unit();
-    CHECK(same(body.position, Vector3<double>(place + 0.125 * Vector3<double>(x, y, z))));
-    Vector3<double> way;
-    do {
-      const double a = unit();
-      const double b = unit();
-      way = {a, b, unit()};
-    } while (way.squaredNorm() > 1);
-    CHECK(same(body.velocity, Vector3<double>(Vector3<double>::Zero() + 2.0 * way)));
-    CHECK(same(body.mass, 0.1));
-  }
-  json["bodies"][6]["repeat"]["seed"] = 6;
-  const Scene other = scene_from_text(json.dump(), "scene.json");
-  CHECK_FALSE(same(scene.bodies[6].position, other.bodies[6].position));
-  json["bodies"][6]["repeat"] = {{"count", {2, 1, 1}}, {"spacing", {0.5, 0, 0}}};
-  const Scene plain = scene_from_text(json.dump(), "scene.json");
-  CHECK(plain.bodies[7].position == Vector3<double>(10.5, 10, 10));
-  CHECK(plain.bodies[7].velocity == Vector3<double>::Zero());
-}
-
-TEST_CASE("A density gives the mass of the volume") {
-  const Scene scene = contact::scenes::read_scene(root / "tests/20_scenes/specimen.json");
-  CHECK(scene.bodies[2].mass == 7800.0);  // 1 m by 0.5 m by 2 m
-  // A third of the cube with edges of 2 m; the hull's volume is off by a few u.
-  CHECK(std::abs(scene.bodies[4].mass - 2700 * 8.0 / 3) <= 64 * unit_roundoff * 7200);
-  CHECK(same(scene.bodies[2].inertia,
-             contact::box_inertia<double>(7800, Vector3<double>(1, 0.5, 2))));
 }

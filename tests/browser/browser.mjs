@@ -59,13 +59,16 @@ const types = {
 
 /** @typedef {(pathname: string, response: http.ServerResponse, file: string) => boolean} Answer */
 
+/** @typedef {{ origin: string, close: () => void, asked: string[], answer?: Answer | undefined }} Served */
+
+/** What serve() fills in. @returns {Served} */
+export const notYetServed = () => ({ origin: "", close: () => {}, asked: [] });
+
 /**
  * Serves a folder on the loopback; it holds no test run open. `asked` is every path asked for, in
  * order. `answer`, if it is set, may answer itself and then returns true.
  */
-export async function serve(folder = site) {
-  /** @type {{ origin: string, close: () => void, asked: string[], answer?: Answer | undefined }} */
-  const served = { origin: "", close: () => {}, asked: [] };
+export async function serve(folder = site, served = notYetServed()) {
   const server = http.createServer((request, response) => {
     const { pathname } = new URL(request.url ?? "/", "http://localhost");
     served.asked.push(pathname);

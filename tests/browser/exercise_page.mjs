@@ -306,3 +306,26 @@ export async function axe(page, selector) {
     }));
   }, selector);
 }
+
+/**
+ * A browser's context that has nothing yet.
+ * @param {import("playwright-core").Browser} browser
+ * @param {import("playwright-core").BrowserContextOptions} options
+ */
+export const newReader = (browser, options = {}) =>
+  browser.newContext({
+    viewport: { width: 1200, height: 900 },
+    permissions: ["clipboard-read", "clipboard-write"],
+    reducedMotion: "reduce",
+    ...options,
+  });
+
+/** How often each file of the toolchain was asked for, by its name. @param {string[]} paths */
+export function toolchainAsked(paths) {
+  /** @type {Record<string, number>} */
+  const times = {};
+  for (const pathname of paths)
+    if (/\/contact\/cpp\//.test(pathname) && !pathname.endsWith("manifest.json"))
+      times[pathname] = (times[pathname] ?? 0) + 1;
+  return times;
+}

@@ -4,8 +4,9 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
-import { after, before, describe, test } from "node:test";
-import { fieldsOf, launch, lessons, loadFigure, notRun, open, serve, site } from "./browser.mjs";
+import { describe, test } from "node:test";
+import { fieldsOf, lessons, loadFigure, notRun, open, site } from "./browser.mjs";
+import { inBrowser } from "./in_browser.mjs";
 import { inputsLike, native } from "./native.mjs";
 import { ofAll, sample } from "./sample.mjs";
 
@@ -24,18 +25,7 @@ const figures = skip
 test("there are figures to test", { skip }, () => assert.ok(figures.length >= 4));
 
 describe("figures", { skip }, () => {
-  /** @type {Awaited<ReturnType<typeof serve>>} */
-  let server;
-  /** @type {Awaited<ReturnType<typeof launch>>} */
-  let chromium;
-  before(async () => {
-    server = await serve();
-    chromium = await launch();
-  });
-  after(async () => {
-    await chromium.close();
-    server.close();
-  });
+  const { server, chromium } = inBrowser();
 
   /** @param {{ page: string, name: string }} figure @param {string} hash */
   async function show({ page: where, name }, hash = "", options = {}) {

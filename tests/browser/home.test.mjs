@@ -2,25 +2,15 @@
 // script; and what a reader finds by a word of a lesson or the name of a function.
 
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { launch, lessons, notRun, open, serve } from "./browser.mjs";
+import { describe, test } from "node:test";
+import { lessons, notRun, open } from "./browser.mjs";
+import { inBrowser } from "./in_browser.mjs";
 
 const skip = notRun();
 const phone = { viewport: { width: 360, height: 740 }, isMobile: true, hasTouch: true };
 
 describe("home and search", { skip }, () => {
-  /** @type {Awaited<ReturnType<typeof serve>>} */
-  let server;
-  /** @type {Awaited<ReturnType<typeof launch>>} */
-  let chromium;
-  before(async () => {
-    server = await serve();
-    chromium = await launch();
-  });
-  after(async () => {
-    await chromium.close();
-    server.close();
-  });
+  const { server, chromium } = inBrowser();
   const home = (options = {}) => open(chromium.browser, `${server.origin}/index.html`, options);
 
   test("a reader sees at once what this is, and a figure that moves", async () => {

@@ -2,25 +2,15 @@
 // every third stopped, others in each turn. (What each computes: page/wasm/loader.test.mjs.)
 
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { launch, lessons, notRun, open, serve } from "./browser.mjs";
+import { describe, test } from "node:test";
+import { lessons, notRun, open } from "./browser.mjs";
+import { inBrowser } from "./in_browser.mjs";
 import { sample } from "./sample.mjs";
 
 const skip = notRun();
 
 describe("ladders", { skip }, () => {
-  /** @type {Awaited<ReturnType<typeof serve>>} */
-  let server;
-  /** @type {Awaited<ReturnType<typeof launch>>} */
-  let chromium;
-  before(async () => {
-    server = await serve();
-    chromium = await launch();
-  });
-  after(async () => {
-    await chromium.close();
-    server.close();
-  });
+  const { server, chromium } = inBrowser();
 
   const all = skip ? [] : lessons();
   for (const where of sample(all, 3, "ladders run in the page", { kind: "ladder" }))

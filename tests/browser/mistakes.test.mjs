@@ -5,9 +5,10 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
-import { after, before, describe, test } from "node:test";
-import { launch, notRun, root, serve } from "./browser.mjs";
+import { before, describe, test } from "node:test";
+import { notRun, root } from "./browser.mjs";
 import { exerciseOn, lineOf, pageOf, visit } from "./exercise_page.mjs";
+import { inBrowser } from "./in_browser.mjs";
 
 const skip = notRun();
 const exerciseId = "02_triangles/ray_triangle";
@@ -37,17 +38,12 @@ function mistake(name) {
 }
 
 describe("the commonest mistakes", { skip }, () => {
-  /** @type {Awaited<ReturnType<typeof serve>>} */
-  let server;
-  /** @type {Awaited<ReturnType<typeof launch>>} */
-  let chromium;
+  const { server, chromium } = inBrowser();
   /** @type {ReturnType<typeof exerciseOn>} */
   let exercise;
   /** @type {string[]} */
   let trouble;
   before(async () => {
-    server = await serve();
-    chromium = await launch();
     const context = await chromium.browser.newContext({
       viewport: { width: 1200, height: 900 },
       permissions: ["clipboard-read", "clipboard-write"],
@@ -55,10 +51,6 @@ describe("the commonest mistakes", { skip }, () => {
     const visited = await visit(context, server.origin, pageOf(exerciseId));
     trouble = visited.trouble;
     exercise = exerciseOn(visited.page, exerciseId);
-  });
-  after(async () => {
-    await chromium.close();
-    server.close();
   });
 
   for (const name of commonest)

@@ -2,26 +2,16 @@
 // paper, on a phone, and through assistive technology.
 
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { launch, lessons, loadFigures, notRun, open, pages, require, serve } from "./browser.mjs";
+import { describe, test } from "node:test";
+import { lessons, loadFigures, notRun, open, pages, require } from "./browser.mjs";
+import { inBrowser } from "./in_browser.mjs";
 import { sample, wanted } from "./sample.mjs";
 
 const skip = notRun();
 const all = skip ? [] : pages().filter(wanted);
 
 describe("pages", { skip }, () => {
-  /** @type {Awaited<ReturnType<typeof serve>>} */
-  let server;
-  /** @type {Awaited<ReturnType<typeof launch>>} */
-  let chromium;
-  before(async () => {
-    server = await serve();
-    chromium = await launch();
-  });
-  after(async () => {
-    await chromium.close();
-    server.close();
-  });
+  const { server, chromium } = inBrowser();
   const url = (/** @type {string} */ where) => `${server.origin}/${where}`;
 
   const schemes = /** @type {const} */ (["light", "dark"]);

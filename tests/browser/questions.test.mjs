@@ -2,26 +2,16 @@
 // kind has. With CONTACT_ALL=1 it is every question of the book.
 
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { fieldsOf, launch, lessons, loadFigure, notRun, open, serve, settle } from "./browser.mjs";
+import { describe, test } from "node:test";
+import { fieldsOf, lessons, loadFigure, notRun, open, settle } from "./browser.mjs";
+import { inBrowser } from "./in_browser.mjs";
 import { inputsLike, native } from "./native.mjs";
 import { ofAll, sample } from "./sample.mjs";
 
 const skip = notRun();
 
 describe("questions", { skip }, () => {
-  /** @type {Awaited<ReturnType<typeof serve>>} */
-  let server;
-  /** @type {Awaited<ReturnType<typeof launch>>} */
-  let chromium;
-  before(async () => {
-    server = await serve();
-    chromium = await launch();
-  });
-  after(async () => {
-    await chromium.close();
-    server.close();
-  });
+  const { server, chromium } = inBrowser();
 
   /** @typedef {import("playwright-core").Locator} Locator */
   // By the keyboard: a click of the mouse is lost if its button moves between press and release.

@@ -3,8 +3,9 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
-import { after, before, describe, test } from "node:test";
-import { launch, notRun, open, require, root, serve } from "./browser.mjs";
+import { describe, test } from "node:test";
+import { notRun, open, require, root } from "./browser.mjs";
+import { inBrowser } from "./in_browser.mjs";
 
 const skip = notRun();
 const WHERE = "kitchen_sink.html";
@@ -68,18 +69,7 @@ async function step(player) {
 }
 
 describe("the scene player", { skip }, () => {
-  /** @type {Awaited<ReturnType<typeof serve>>} */
-  let server;
-  /** @type {Awaited<ReturnType<typeof launch>>} */
-  let chromium;
-  before(async () => {
-    server = await serve();
-    chromium = await launch();
-  });
-  after(async () => {
-    await chromium.close();
-    server.close();
-  });
+  const { server, chromium } = inBrowser();
   const shown = (options = {}) => open(chromium.browser, `${server.origin}/${WHERE}`, options);
 
   test("nothing of it is loaded before it is started", async () => {

@@ -5,7 +5,8 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { after, before, describe, test } from "node:test";
-import { launch, notRun, open, require, root, serve, settle } from "./browser.mjs";
+import { notRun, open, require, root, settle } from "./browser.mjs";
+import { inBrowser } from "./in_browser.mjs";
 
 const skip = notRun();
 
@@ -32,20 +33,13 @@ const MINE = {
 };
 
 describe("your work", { skip, timeout: 120_000 }, () => {
-  /** @type {Awaited<ReturnType<typeof serve>>} */
-  let server;
-  /** @type {Awaited<ReturnType<typeof launch>>} */
-  let chromium;
+  const { server, chromium } = inBrowser();
   /** @type {string} */
   let scratch;
   before(async () => {
-    server = await serve();
-    chromium = await launch();
     scratch = fs.mkdtempSync(path.join(os.tmpdir(), "contact-work-"));
   });
   after(async () => {
-    await chromium.close();
-    server.close();
     fs.rmSync(scratch, { recursive: true, force: true });
   });
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
@@ -10,7 +11,12 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+
+from archives import PLANE, RAY, progress, put  # noqa: E402
+
+ROOT = HERE.parents[1]
 sys.path.append(str(ROOT / "grading" / "book"))
 PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
 SOLUTION = (ROOT / "solutions/02_triangles/ray_triangle/ray_triangle.cpp").read_text()
@@ -145,3 +151,20 @@ def on_a_terminal(environment: dict[str, str]) -> Callable[..., str]:
         return text.decode()
 
     return run
+
+
+@pytest.fixture
+def worked(work: Path) -> dict[str, str]:
+    files = {
+        f"{RAY}.cpp": "// mine: α\n",
+        f"{PLANE}.cpp": "int x;\r\n",
+        "77_future/not_in_this_book.cpp": "int later;",
+        "progress.json": json.dumps(
+            json.loads(progress({RAY: {"attempts": 2}}, questions={"q": 1})),
+            indent=2,
+            sort_keys=True,
+        )
+        + "\n",
+    }
+    put(work, files)
+    return files

@@ -13,6 +13,7 @@ ROOT = HERE.parents[1]
 sys.path[:0] = [str(HERE), str(ROOT / "tools"), str(ROOT / "grading" / "book")]
 
 from graded_class import Grader  # noqa: E402
+from sandboxed import best, box, level, probe  # noqa: E402, F401
 
 # What takes longest begins first, so that the last to end ends soon: what is hostile is graded at
 # two levels, and a cluster or a watchdog is mostly waited for.

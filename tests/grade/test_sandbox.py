@@ -5,93 +5,31 @@ from __future__ import annotations
 import json
 import os
 import platform
-import shutil
 import signal
 import socket
 import subprocess
-import tempfile
+import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
-PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
-SOURCE = ROOT / "tests" / "grade" / "sandbox" / "probe.cpp"
-LEVELS = ["full", "reduced"]
+sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-End = dict[str, Any]
-Box = Callable[..., End]
-
-
-@pytest.fixture(scope="session")
-def probe(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    program = tmp_path_factory.mktemp("probe") / "probe"
-    subprocess.run(["g++", "-std=c++20", "-O1", "-static", SOURCE, "-o", program], check=True)
-    return program
-
-
-@pytest.fixture(scope="session")
-def best(probe: Path) -> str:
-    """The level that this machine has."""
-    end = run_box("full", "--show", f"{probe}=/program", "/program", "nap")
-    return str(end["level"])
-
-
-def command(*words: str | float | Path) -> list[str]:
-    return [str(PROGRAM), "dev", "box", *map(str, words)]
-
-
-def run_box(level: str, *words: str | Path, pass_fds: tuple[int, ...] = ()) -> End:
-    done = subprocess.run(
-        command(*words),
-        capture_output=True,
-        text=True,
-        stdin=subprocess.DEVNULL,
-        env={**os.environ, "CONTACT_ROOT": str(ROOT), "CONTACT_BOX_LEVEL": level, "SECRET": "told"},
-        timeout=120,
-        pass_fds=pass_fds,
-    )
-    assert done.returncode in (0, 1), done.stderr
-    result: End = json.loads(done.stdout)
-    return result
-
-
-@pytest.fixture(params=LEVELS)
-def level(request: pytest.FixtureRequest, best: str) -> str:
-    wanted = str(request.param)
-    if best not in LEVELS or LEVELS.index(wanted) < LEVELS.index(best):
-        pytest.skip(f"this machine has level {best} only")
-    return wanted
-
-
-@pytest.fixture
-def box(level: str, probe: Path) -> Box:
-    """Runs an attempt of the probe in a box of that level."""
-
-    def run(
-        *attempt: str | int,
-        limits: tuple[str | float, ...] = (),
-        pass_fds: tuple[int, ...] = (),
-    ) -> End:
-        words = [*map(str, limits), "--show", f"{probe}=/program", "/program", *map(str, attempt)]
-        end = run_box(level, *words, pass_fds=pass_fds)
-        assert end["level"] == level
-        return end
-
-    return run
-
-
-def refused(end: End) -> bool:
-    """The attempt came back with an error."""
-    return bool(end["output"].startswith("refused") and end["exit_code"] == 0)
-
-
-def managed(end: End) -> bool:
-    return bool(end["output"].endswith("managed\n") and end["exit_code"] == 0)
-
+from sandboxed import (
+    PROGRAM,
+    ROOT,
+    SOURCE,
+    Box,
+    command,
+    managed,
+    processes_with,
+    refused,
+    run_box,
+    wait_until_gone,
+)
 
 # --- Attempts that must fail, the same at both levels.
 
@@ -293,26 +231,6 @@ def test_an_honest_program_works(box: Box) -> None:
     assert box("arithmetic")["output"] == "sum 1\nmanaged\n"
 
 
-def processes_with(text: str) -> list[int]:
-    found = []
-    for process in Path("/proc").glob("[0-9]*"):
-        try:
-            words = (process / "cmdline").read_bytes().decode(errors="replace")
-            state = (process / "stat").read_text().rpartition(")")[2].split()[0]
-        except OSError:
-            continue
-        if text in words and state != "Z" and int(process.name) != os.getpid():
-            found.append(int(process.name))
-    return found
-
-
-def wait_until_gone(text: str) -> None:
-    end = time.monotonic() + 20
-    while processes_with(text) and time.monotonic() < end:
-        time.sleep(0.02)
-    assert processes_with(text) == []
-
-
 def test_nothing_is_left_behind(box: Box, level: str) -> None:
     mark = f"mark-of-{level}-{os.getpid()}"
     end = box("leave-behind", mark, limits=("--processes", 4, "--wall", 20))
@@ -363,202 +281,6 @@ def test_ctrl_c_ends_the_box(level: str, probe: Path) -> None:
         started.send_signal(signal.SIGINT)
         assert started.wait(20) == 130
     assert processes_with(mark) == []
-
-
-# --- Compiling.
-
-
-@pytest.fixture
-def compile_folder() -> Iterator[Path]:
-    """A folder that another user can go through: without namespaces that is who compiles."""
-    with tempfile.TemporaryDirectory() as folder:
-        Path(folder).chmod(0o711)
-        for name in ("source", "made"):
-            (Path(folder) / name).mkdir()
-        yield Path(folder)
-
-
-@pytest.fixture
-def compile_text(level: str, compile_folder: Path) -> Callable[..., End]:
-    def run(text: str, *flags: str, cpu: int = 30, shown: Path | None = None) -> End:
-        source, made = compile_folder / "source", compile_folder / "made"
-        (source / "answer.cpp").write_text(text)
-        limits = ["--memory", 1024, "--processes", 32, "--cpu", cpu, "--file-size", 64]
-        mounts = ["--show", f"{source}=/source", "--writable", f"{made}=/made"]
-        if shown is not None:
-            mounts += ["--show", f"{shown}={shown}"]
-        compiler = ["/usr/bin/g++", "-std=c++20", "-pipe", "-c", "/source/answer.cpp"]
-        return run_box(
-            level,
-            "--kind",
-            "compile",
-            *map(str, limits),
-            *mounts,
-            "--",
-            *compiler,
-            *flags,
-            "-o",
-            "/made/answer.o",
-        )
-
-    return run
-
-
-def test_the_standard_library_compiles(
-    compile_text: Callable[..., End], compile_folder: Path
-) -> None:
-    headers = ["vector", "iostream", "thread", "cmath", "regex", "filesystem", "sys/socket.h"]
-    text = "".join(f"#include <{header}>\n" for header in headers)
-    end = compile_text(
-        text + "#include <Eigen/Dense>\nEigen::Vector3d v;\n", "-I/usr/include/eigen3"
-    )
-    assert (end["exit_code"], end["errors"]) == (0, "")
-    assert (compile_folder / "made" / "answer.o").stat().st_size > 0
-
-
-@pytest.mark.parametrize(
-    "header",
-    [
-        '"/etc/passwd"',
-        f'"{ROOT}/tests/02_triangles/ray_triangle_test.cpp"',
-        '"/proc/self/environ"',
-        "</dev/zero>",
-    ],
-)
-def test_a_compiler_includes_nothing_else(compile_text: Callable[..., End], header: str) -> None:
-    end = compile_text(f"#include {header}\n")
-    assert end["exit_code"] == 1
-    assert "No such file" in end["errors"] or "Permission denied" in end["errors"]
-    assert "root:" not in end["errors"]
-
-
-HEADERS = (Path("/usr/include"), Path("/usr/local/include"))
-
-
-def installed_headers() -> list[Path]:
-    """What is installed where a compiler searches, and may be read by everybody."""
-    found = []
-    visited = set()
-    for top in HEADERS:
-        for folder, folders, files in os.walk(top, followlinks=True):
-            if os.path.realpath(folder) in visited:
-                folders.clear()
-                continue
-            visited.add(os.path.realpath(folder))
-            found += [Path(folder) / file for file in files]
-    return [file for file in found if file.exists() and file.stat().st_mode & 0o004]
-
-
-def test_a_header_that_is_seen_can_be_read(level: str, probe: Path) -> None:
-    headers = installed_headers()
-    assert len(headers) > 500
-    with tempfile.TemporaryDirectory() as folder:
-        Path(folder).chmod(0o755)
-        names = Path(folder) / "names"
-        names.write_text("".join(f"{header}\n" for header in headers))
-        program = shutil.copy(probe, folder)
-        shown = ("--kind", "compile", "--show", names, "--show", program)
-        end = run_box(level, *shown, program, "open-all", names)
-    assert "closed" not in end["output"]
-    assert managed(end)
-    seen = int(end["output"].split("seen ")[1].split()[0])
-    # At level full some are hidden; where nothing can be, all are open.
-    assert seen == len(headers) if level == "reduced" else 500 < seen <= len(headers)
-
-
-@pytest.fixture
-def installed() -> Iterator[Path]:
-    """A folder of headers that somebody installed."""
-    top = Path("/usr/local/include")
-    if not os.access(top, os.W_OK):
-        pytest.skip("only root installs headers")
-    with tempfile.TemporaryDirectory(prefix="contact-test-", dir=top) as made:
-        Path(made).chmod(0o755)
-        yield Path(made)
-
-
-def test_what_happens_to_be_installed_changes_nothing(
-    compile_text: Callable[..., End], installed: Path, level: str
-) -> None:
-    (installed / "other.h").write_text("enum { of_the_other };\n")
-    (installed / "library.h").write_text(
-        "#include <other.h>\nenum { found };\n".replace("other.h", f"{installed.name}/other.h")
-    )
-    header = f"<{installed.name}/library.h>"
-    # As the standard library does with TBB.
-    text = f"#if __has_include({header})\n#include {header}\nint seen = found;\n#endif\n"
-    end = compile_text(text)
-    assert (end["exit_code"], end["errors"]) == (0, "")
-    named = compile_text(f"#include {header}\n")
-    assert named["exit_code"] == (0 if level == "reduced" else 1), named["errors"]
-
-
-def test_a_link_among_headers_opens_what_is_installed_and_nothing_else(
-    compile_text: Callable[..., End], installed: Path, level: str
-) -> None:
-    with (
-        tempfile.TemporaryDirectory(prefix="contact-test-", dir="/usr/local/share") as library,
-        tempfile.TemporaryDirectory(prefix="contact-test-", dir="/var/tmp") as somebodys,
-    ):
-        for name, folder in (("library", library), ("own", somebodys)):
-            Path(folder).chmod(0o755)
-            (Path(folder) / "header.h").write_text("enum { found };\n")
-            (installed / name).symlink_to(folder)
-        linked = compile_text(f"#include <{installed.name}/library/header.h>\n")
-        assert linked["exit_code"] == (0 if level == "reduced" else 1), linked["errors"]
-        own = compile_text(f"#include <{installed.name}/own/header.h>\n")
-        assert own["exit_code"] == 1
-        assert "No such file" in own["errors"] or "Permission denied" in own["errors"]
-
-
-@pytest.mark.parametrize("header", ["<nlohmann/json.hpp>", "<catch2/catch_all.hpp>"])
-def test_namespaces_hide_what_a_submission_does_not_need(
-    compile_text: Callable[..., End], level: str, header: str
-) -> None:
-    errors = compile_text(f"#include {header}\n")["errors"]
-    # Without them no file can be hidden, so that all are open.
-    assert ("No such file" in errors) == (level == "full"), errors
-    assert "Permission denied" not in errors
-
-
-def test_an_assembler_includes_nothing_else(compile_text: Callable[..., End]) -> None:
-    end = compile_text('__asm__(".incbin \\"/etc/passwd\\"");\n')
-    assert end["exit_code"] == 1
-
-
-def test_messages_name_files_as_the_box_sees_them(compile_text: Callable[..., End]) -> None:
-    end = compile_text("int f() { return x; }\n")
-    assert end["exit_code"] == 1
-    assert end["errors"].startswith("/source/answer.cpp:")
-
-
-def test_a_book_may_lie_below_tmp(compile_text: Callable[..., End]) -> None:
-    with tempfile.TemporaryDirectory(dir="/tmp") as name:
-        folder = Path(name)
-        folder.chmod(0o711)
-        contract = folder / "contract.hpp"
-        contract.write_text("int f();\n")
-        end = compile_text("#include <contract.hpp>\n", f"-I{folder}", shown=contract)
-    assert (end["exit_code"], end["errors"]) == (0, "")
-
-
-ENDLESS = """
-constexpr long sum() {
-  long result = 0;
-  for (long i = 0; i < 1000000000000; ++i) result += i % 2;
-  return result;
-}
-constexpr long all = sum();
-"""
-
-
-def test_a_compiler_is_limited_too(compile_text: Callable[..., End]) -> None:
-    limits = ["-fconstexpr-ops-limit=1000000000000000", "-fconstexpr-loop-limit=2147483647"]
-    # Whichever it reaches first, time or memory.
-    end = compile_text(ENDLESS, *limits, cpu=1)
-    assert end["ended"] == "time" or end["exit_code"] != 0
-    assert end["cpu_seconds"] < 5
-    assert compile_text(ENDLESS.replace("1000000000000", "100"), *limits)["exit_code"] == 0
 
 
 # --- What the machine says of itself.

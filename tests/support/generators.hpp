@@ -16,10 +16,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <limits>
 #include <string_view>
+#include <type_traits>
 
 #include <contact/shapes.hpp>
 #include <contact/vector.hpp>
@@ -70,6 +73,20 @@ class Random {
  private:
   std::uint64_t state_;
 };
+
+/// Bit patterns without a pattern: every finite number of the type, subnormals included, and every
+/// exponent alike.
+template <std::floating_point S = double>
+S any_finite(Random& random) {
+  using Bits = std::conditional_t<sizeof(S) == sizeof(float), std::uint32_t, std::uint64_t>;
+  for (;;) {
+    const S x = std::bit_cast<S>(static_cast<Bits>(random.bits()));
+    if (std::isfinite(x)) return x;
+  }
+}
+inline contact::Vector3<double> any_vector(Random& random) {
+  return contact::Vector3<double>{any_finite(random), any_finite(random), any_finite(random)};
+}
 
 /// What makes an input near-degenerate, or not.
 enum class Family {

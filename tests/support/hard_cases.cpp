@@ -190,6 +190,14 @@ std::string hex(double x) {
 Json hex(const contact::Vector3<double>& v) {
   return Json::array({hex(v.x()), hex(v.y()), hex(v.z())});
 }
+std::string hex(const oracle::Rational& x) { return hex(oracle::nearest(x)); }
+
+double unhex(const Json& number) { return std::strtod(number.get<std::string>().c_str(), nullptr); }
+double unhex(const Json& answer, const char* field) { return unhex(answer.at(field)); }
+
+bool close(double got, double right, double room) {
+  return std::isfinite(got) && std::abs(got - right) <= room;
+}
 
 std::string answer_text(const Json& answer) {
   const std::function<std::string(const Json&)> show = [&show](const Json& value) -> std::string {

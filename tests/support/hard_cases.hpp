@@ -32,6 +32,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <contact/shapes.hpp>
@@ -101,6 +102,24 @@ std::string corpus_path(const std::string& chapter);
 /// A double as the corpus writes it.
 std::string hex(double x);
 Json hex(const contact::Vector3<double>& v);
+/// The double nearest to x, as the corpus writes it.
+std::string hex(const oracle::Rational& x);
+/// The double that hex() wrote: an answer, or a field of one.
+double unhex(const Json& number);
+double unhex(const Json& answer, const char* field);
+
+/// A stored number in the arithmetic of S: double, or fractions.
+template <class S>
+S convert(double x) {
+  if constexpr (std::is_same_v<S, double>) {
+    return x;
+  } else {
+    return oracle::exact(x);
+  }
+}
+
+/// Whether got is a number and at most `room` away.
+bool close(double got, double right, double room);
 
 /// Recomputes a chapter's answers and judges its methods; see the top of this file.
 class Runner {

@@ -3,18 +3,20 @@
 /// it may be off.
 ///
 /// Four classes of answer (a hard case names its class):
-///  (a) decisions and values that are rational in the input   -> Rational, exact(), sign(),
-///  nearest() (b) values with one square root, a + b √d                  -> Surd, Quadratic,
-///  sign(), compare(), nearest() (c) transcendental                                         ->
-///  Interval, decide_sign(), nearest_value() (d) integrals and motions -> Enclosure,
-///  enclose_integral(), ballistic()
 ///
-/// Typical use:
+/// | class | answer | what serves |
+/// |---|---|---|
+/// | (a) | rational in the input | Rational, exact(), sign(), nearest() |
+/// | (b) | with one square root, a + b √d | Surd, Quadratic, sign(), compare(), nearest() |
+/// | (c) | transcendental | Interval, decide_sign(), nearest_value() |
+/// | (d) | integrals and motions | Enclosure, enclose_integral(), ballistic() |
+///
+/// Typical use, on floats as they are stored, of class (a); NaN has an infinite error:
 ///
 ///     using namespace oracle;
-///     const Vector a = exact(triangle.a), b = exact(triangle.b), x = exact(point);   // stored
-///     floats, unchanged const int side = sign((b - a).dot(x - a)); // class (a) CHECK(error(got,
-///     Rational(1) / 3) <= tolerance);                                // NaN gives infinity
+///     const Vector a = exact(triangle.a), b = exact(triangle.b), x = exact(point);
+///     const int side = sign((b - a).dot(x - a));
+///     CHECK(error(got, Rational(1) / 3) <= tolerance);
 ///
 /// Everything here is slow (about a microsecond an operation) and right.
 #pragma once
@@ -137,6 +139,12 @@ struct Quadratic {
 
 /// A closed interval of multiple-precision floats that is certain to contain the number it stands
 /// for. Every operation rounds outwards at the larger precision of its arguments.
+///
+/// Not boost::multiprecision::mpfi_float (as of Boost 1.74), which lacks two things. Its precision
+/// is a number of decimal digits, so 64 bits cannot be asked for (19 digits have 65), nor can bits
+/// be doubled. And no fraction can be given a precision of its own: number(Rational, digits) takes
+/// the default of the whole process instead, without a word, and a Rational cannot be assigned. So
+/// each evaluation would have to change a global variable.
 class Interval {
  public:
   explicit Interval(unsigned bits = 64);

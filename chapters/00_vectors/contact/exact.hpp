@@ -284,6 +284,30 @@ Float Exact::round_to_even(std::uint64_t bits, std::int64_t exponent) {
   return std::ldexp(static_cast<Float>(kept), static_cast<int>(exponent + cut));
 }
 
+namespace exact_detail {
+
+/// What Eigen asks of a number type that never rounds, and about how many additions of doubles its
+/// operations cost.
+template <class Number, int Read, int Add, int Multiply>
+struct EigenTraits {
+  using Real = Number;
+  using NonInteger = Number;
+  using Nested = Number;
+  using Literal = Number;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = Read,
+    AddCost = Add,
+    MulCost = Multiply
+  };
+  static int digits10() { return 0; }
+};
+
+}  // namespace exact_detail
+
 }  // namespace contact
 
 namespace Eigen {
@@ -293,20 +317,5 @@ struct NumTraits;
 /// Lets Eigen's vectors hold `contact::Exact`. Only declared here, so that this header does not
 /// need Eigen.
 template <>
-struct NumTraits<contact::Exact> {
-  using Real = contact::Exact;
-  using NonInteger = contact::Exact;
-  using Nested = contact::Exact;
-  using Literal = contact::Exact;
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 4,
-    AddCost = 40,
-    MulCost = 60
-  };
-  static int digits10() { return 0; }
-};
+struct NumTraits<contact::Exact> : contact::exact_detail::EigenTraits<contact::Exact, 4, 40, 60> {};
 }  // namespace Eigen

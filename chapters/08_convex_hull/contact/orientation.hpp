@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <contact/barycentric.hpp>
+#include <contact/error_free.hpp>
 #include <contact/exact.hpp>
 #include <contact/exact_ray_triangle.hpp>
 #include <contact/vector.hpp>
@@ -58,28 +59,14 @@ struct Expansion {
   int sign() const { return size == 0 ? 0 : sign_of(part[size - 1]); }
 };
 
-/// x + y = sum + error, exactly (Knuth).
-inline void two_sum(double x, double y, double& sum, double& error) {
-  sum = x + y;
-  const double y_part = sum - x;
-  error = (x - (sum - y_part)) + (y - y_part);
-}
-
-/// x y = product + error, exactly, if nothing overflows or underflows.
-inline void two_product(double x, double y, double& product, double& error) {
-  product = x * y;
-  error = std::fma(x, y, -product);
-}
-
 /// Adds one number (Shewchuk's GROW-EXPANSION, with the zeros left out).
 template <std::size_t Capacity>
 void grow(Expansion<Capacity>& e, double x) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < e.size; ++i) {
-    double sum = 0, error = 0;
-    two_sum(x, e.part[i], sum, error);
-    x = sum;
-    if (error != 0) e.part[kept++] = error;
+    const WithError<double> sum = two_sum(x, e.part[i]);
+    x = sum.value;
+    if (sum.error != 0) e.part[kept++] = sum.error;
   }
   e.size = kept;
   e.push(x);
@@ -87,9 +74,9 @@ void grow(Expansion<Capacity>& e, double x) {
 
 /// Whether x − y has no rounding error, and what it is.
 inline bool exact_difference(double x, double y, double& difference) {
-  double error = 0;
-  two_sum(x, -y, difference, error);
-  return error == 0;
+  const WithError<double> sum = two_sum(x, -y);
+  difference = sum.value;
+  return sum.error == 0;
 }
 
 /// Whether products of three such numbers and their errors stay clear of overflow and of the
@@ -172,13 +159,11 @@ inline int side_of_plane_in_doubt(const Vector3<double>& a, const Vector3<double
   if (!plain) return side_of_plane_exactly(a, b, c, d);
   Expansion<24> sum;
   const auto add = [&sum](double x, double y, double z) {
-    double high = 0, low = 0;
-    two_product(y, z, high, low);
-    for (const double part : {low, high}) {
-      double product = 0, error = 0;
-      two_product(x, part, product, error);
-      grow(sum, error);
-      grow(sum, product);
+    const WithError<double> yz = two_product(y, z);
+    for (const double part : {yz.error, yz.value}) {
+      const WithError<double> product = two_product(x, part);
+      grow(sum, product.error);
+      grow(sum, product.value);
     }
   };
   for (int i = 0; i < 3; ++i) {

@@ -65,25 +65,8 @@ class ExactFraction {
 }  // namespace contact
 
 namespace Eigen {
-template <class T>
-struct NumTraits;
-
 /// Lets Eigen's vectors hold `contact::ExactFraction`.
 template <>
-struct NumTraits<contact::ExactFraction> {
-  using Real = contact::ExactFraction;
-  using NonInteger = contact::ExactFraction;
-  using Nested = contact::ExactFraction;
-  using Literal = contact::ExactFraction;
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 8,
-    AddCost = 200,
-    MulCost = 120
-  };
-  static int digits10() { return 0; }
-};
+struct NumTraits<contact::ExactFraction>
+    : contact::exact_detail::EigenTraits<contact::ExactFraction, 8, 200, 120> {};
 }  // namespace Eigen

@@ -345,13 +345,13 @@ template <std::floating_point S>
 EarlyRest<S> early_rest(const BouncingBall<S>& ball, const S& rest_speed) {
   const auto rests = [&](long long n) { return !(leaving_speed(ball, n) > rest_speed); };
   if (rests(1)) return {S(1), first_impact_time(ball)};
-  constexpr S never = std::numeric_limits<S>::infinity();
-  if (rest_speed == S(0) || ball.restitution == S(1)) return {never, rest_time(ball)};
+  constexpr S infinite = std::numeric_limits<S>::infinity();
+  if (rest_speed == S(0) || ball.restitution == S(1)) return {infinite, rest_time(ball)};
   constexpr long long most = 1LL << 60;
   long long low = 1;
   long long high = 2;
   while (!rests(high)) {
-    if (high >= most) return {never, never};
+    if (high >= most) return {infinite, infinite};
     low = high;
     high *= 2;
   }

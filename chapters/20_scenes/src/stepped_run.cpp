@@ -1,45 +1,29 @@
 #include <contact/stepped/stepped_run.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
-#include <contact/aabb.hpp>
-#include <contact/contact_manifold.hpp>
-#include <contact/contact_solver.hpp>
-#include <contact/contact_world.hpp>
-#include <contact/convex_shapes.hpp>
 #include <contact/gap.hpp>
-#include <contact/grid_pairs.hpp>
-#include <contact/inertia.hpp>
 #include <contact/invalid_argument.hpp>
-#include <contact/plan/plan_bounds.hpp>
 #include <contact/plan/plan_rules.hpp>
 #include <contact/plan/plan_types.hpp>
-#include <contact/rigid_impulse.hpp>
 #include <contact/rotation.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_run.hpp>
-#include <contact/spring_damper.hpp>
 #include <contact/stepped/stage_contacts.hpp>
 #include <contact/stepped/stage_forces.hpp>
-#include <contact/stepped/stage_impacts.hpp>
-#include <contact/stepped/stage_motion.hpp>
 #include <contact/stepped/stage_pairs.hpp>
-#include <contact/stepped/stage_sleep.hpp>
-#include <contact/stepped/stage_time_of_impact.hpp>
 #include <contact/stepped/stepped_state.hpp>
 #include <contact/vector.hpp>
+
+#include "stepped_setup.hpp"
 
 namespace contact {
 
@@ -61,213 +45,6 @@ CONTACT_SCENES_INLINE std::optional<std::string> stepped_refusal(const Scene& sc
          "boxes and capsules meet all but hulls";
 }
 // [/stepped-refusal]
-
-namespace detail {
-
-/// A stage, and what it is called.
-struct NamedStage {
-  SceneStage is;
-  StepStage run = nullptr;
-};
-
-/// The stages of each part of a step, in their order, and those after a step.
-struct StepPipeline {
-  std::vector<NamedStage> part;
-  std::vector<NamedStage> after;
-};
-
-/// How long a step is: the plan's, or a frame where the plan goes from event to event.
-CONTACT_SCENES_INLINE double step_of(const Scene& scene, const Plan& plan) {
-  if (plan.step > 0) return plan.step;
-  double h = std::min(1.0 / 60, scene.duration);
-  if (scene.output.every > 0) h = std::min(h, scene.output.every);
-  return h;
-}
-
-// [kept-axes]
-/// Across which axes the scene is its own mirror image. What a mirror forbids, rounding may not do:
-/// along such an axis nothing moves, and nothing spins about another one.
-CONTACT_SCENES_INLINE std::array<bool, 3> proven_mirrors(const PlanQuestion& q) {
-  std::array<bool, 3> mirrors{};
-  for (int axis = 0; axis < 3; ++axis)
-    mirrors[static_cast<std::size_t>(axis)] = is_proven(plane_motion(q, axis));
-  return mirrors;
-}
-
-/// The coordinates that change. If a dimension is off, a mirror image has no number along its axis;
-/// if it is on though a mirror is proven, it has one that stays as it is.
-CONTACT_SCENES_INLINE KeptAxes kept_axes(const Plan& plan, const PlanQuestion& q,
-                                         const std::array<bool, 3>& mirrors) {
-  KeptAxes kept;
-  const std::size_t least = is_on(plan, Effect::third_dimension)    ? 3
-                            : is_on(plan, Effect::second_dimension) ? 2
-                                                                    : 1;
-  std::array<bool, 3> dropped{};
-  for (std::size_t axis = 3; axis-- > 0 && kept.count > least;) {
-    dropped[axis] = mirrors[axis];
-    if (mirrors[axis]) --kept.count;
-  }
-  std::stable_partition(kept.axes.begin(), kept.axes.end(),
-                        [&](int axis) { return !dropped[static_cast<std::size_t>(axis)]; });
-  for (std::size_t k = 0; k < kept.count; ++k)
-    kept.held[k] = mirrors[static_cast<std::size_t>(kept.axes[k])] && kept.axes[k] != q.table;
-  return kept;
-}
-
-/// The coordinates of spins that change: what moves in a plane turns about the axis across it. A
-/// smooth ball may spin about another, and goes on with that.
-CONTACT_SCENES_INLINE KeptAxes kept_spin_axes(const Scene& scene, const KeptAxes& kept,
-                                              const std::array<bool, 3>& mirrors) {
-  KeptAxes spins;
-  std::array<bool, 3> forbidden{};
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      forbidden[k] = forbidden[k] || (mirrors[axis] && axis != k);
-  for (const SceneBody& body : scene.bodies)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (body.moves && forbidden[k] && body.spin(static_cast<int>(k)) != 0) return spins;
-  if (kept.count < 3) {
-    spins.count = 3 - kept.count;
-    std::rotate_copy(kept.axes.begin(), kept.axes.begin() + static_cast<std::ptrdiff_t>(kept.count),
-                     kept.axes.end(), spins.axes.begin());
-  }
-  for (std::size_t k = 0; k < spins.count; ++k)
-    spins.held[k] = forbidden[static_cast<std::size_t>(spins.axes[k])];
-  return spins;
-}
-// [/kept-axes]
-
-// [stepped-setup]
-/// What a plan makes of a scene. An effect that is off is taken out of the materials too: without
-/// friction all are smooth, without restitution nothing bounces, without penalty contact all are
-/// hard.
-CONTACT_SCENES_INLINE SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
-  SteppedSetup setup;
-  setup.scene = scene;
-  setup.place.resize(scene.bodies.size());
-  for (const int kind : {0, 1, 2}) {
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-      const SceneBody& body = scene.bodies[i];
-      const bool plane = std::holds_alternative<HalfSpaceShape>(body.shape);
-      if ((plane ? 2 : body.moves ? 0 : 1) != kind) continue;
-      setup.place[i] = setup.bodies.size();
-      setup.bodies.push_back(stepped_body(body, i));
-    }
-    if (kind == 0) setup.movers = setup.bodies.size();
-    if (kind == 1) setup.bounded = setup.bodies.size();
-  }
-  // The gyroscopic term changes spins: it brings them along.
-  setup.gyroscopic = is_on(plan, Effect::gyroscopic_term);
-  setup.rotation = is_on(plan, Effect::rotation) || setup.gyroscopic;
-  setup.continuous = is_on(plan, Effect::continuous_detection);
-  setup.one_by_one = setup.movers <= most_one_by_one || plan.pairs == 0;
-  const PlanQuestion q = plan_question(scene);
-  const std::array<bool, 3> mirrors = proven_mirrors(q);
-  setup.line = proven_line(q).has_value();
-  setup.thinnest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < setup.bounded; ++i) {
-    setup.thinnest = std::min(setup.thinnest, 2 * setup.bodies[i].core);
-    setup.edges = setup.edges || (i < setup.movers && !setup.line && setup.bodies[i].spin_arm > 0);
-  }
-  setup.most_impacts = most_impacts(setup.movers, setup.rotation && setup.edges);
-  setup.together = is_on(plan, Effect::several_contacts);
-  if (!is_on(plan, Effect::gravity)) setup.scene.gravity.setZero();
-  setup.step = step_of(scene, plan);
-  setup.kept = kept_axes(plan, q, mirrors);
-  setup.kept_spins = kept_spin_axes(scene, setup.kept, mirrors);
-  setup.turns.fill(false);
-  for (std::size_t k = 0; k < setup.kept_spins.count; ++k)
-    setup.turns[static_cast<std::size_t>(setup.kept_spins.axes[k])] = !setup.kept_spins.held[k];
-
-  double lightness = 0;
-  for (std::size_t i = 0; i < setup.movers; ++i)
-    lightness = std::max(lightness, 1 / setup.bodies[i].mass);
-  double stiffest = 0;
-  setup.smooth = true;
-  for (const SceneMaterial& a : scene.materials) {
-    for (const SceneMaterial& b : scene.materials) {
-      PairMaterial pair = pair_material(a, b);
-      if (!is_on(plan, Effect::friction)) pair.friction = 0;
-      if (!is_on(plan, Effect::restitution)) pair.restitution = 0;
-      if (!is_on(plan, Effect::penalty_contact)) pair.stiffness.reset();
-      if (pair.stiffness) stiffest = std::max(stiffest, *pair.stiffness);
-      setup.smooth = setup.smooth && pair.friction == 0;
-      setup.material.push_back(pair);
-    }
-  }
-  setup.spring_part = setup.step;
-  if (stiffest > 0)
-    setup.spring_part = std::min(setup.step, 1 / (128 * std::sqrt(stiffest * 2 * lightness)));
-
-  if (plan.spring_part > 0) setup.spring_part = std::min(setup.spring_part, plan.spring_part);
-  // Their shares of the tolerance are the plan's business.
-  setup.rest_height = plan.rest_height;
-  const double g = size_of(setup.scene.gravity);
-  const double hop = std::min(g * setup.step / 2, std::sqrt(2 * g * setup.rest_height));
-  setup.slow_speed = std::max(hop * 0x1p-20, 1e-11);
-  setup.sleep_speed = plan.sleep_speed;
-  // What the sweeps leave is a millionth of what would come to half the tolerance in the whole
-  // time.
-  const double far = scene.tolerance.position.value_or(1e-6) / 2;
-  const double slow = far / std::max(scene.duration, scene.duration * scene.duration / sleep_after);
-  const double left = std::clamp(slow * 1e-6, 1e-13, 1e-9);
-  setup.sweeps =
-      setup.one_by_one ? SweepLimits<double>{400, left, 1.5} : SweepLimits<double>{400, 1e-7, 1.0};
-  return setup;
-}
-// [/stepped-setup]
-
-// [pipeline]
-/// The stages that a plan calls for. Without a pair that may meet there are no contacts at all.
-CONTACT_SCENES_INLINE StepPipeline step_pipeline(const Plan& plan, const SteppedSetup& setup) {
-  StepPipeline line;
-  const auto add = [&](std::vector<NamedStage>& to, std::string name, std::string detail,
-                       StepStage run) {
-    to.push_back({{std::move(name), std::move(detail)}, run});
-  };
-  const bool meet = plan.pairs > 0;
-  const bool cells = is_on(plan, Effect::broad_phase);
-  const bool springs = is_on(plan, Effect::penalty_contact);
-  const bool sleep = is_on(plan, Effect::sleeping);
-  const bool forces = is_on(plan, Effect::resting) || !setup.one_by_one;
-  const std::string sweeps = setup.together ? "a body's all together" : "each on its own";
-  if (meet) {
-    if (cells)
-      add(line.part, "broad phase", "cells", sort_into_cells);
-    else
-      add(line.part, "pairs", "each with each", compare_all_pairs);
-    add(line.part, "contacts", "gaps and the points that touch", find_touching_pairs);
-    if (sleep) add(line.part, "waking", "what something fast touches", wake_bodies);
-    if (setup.one_by_one) add(line.part, "impacts", sweeps, solve_impacts);
-    if (springs) add(line.part, "springs", "leapfrog, dampers implicit", push_springs);
-  }
-  if (is_on(plan, Effect::gravity)) add(line.part, "gravity", "even", add_gravity);
-  if (meet) {
-    // Where nothing rests it still stops approaches that rounding leaves.
-    add(line.part, forces ? "contact forces" : "impacts left over",
-        forces ? sweeps : "rounding, and a step with too many to take one by one", solve_forces);
-    if (setup.continuous && setup.one_by_one)
-      add(line.part, "time of impact", "by the gap's closing time", find_first_impact);
-  }
-  const bool bounce = meet && is_on(plan, Effect::restitution);
-  if (bounce) add(line.part, "bounces", "of impacts that are taken at once", solve_bounces);
-  add(line.part, "motion", "exact for even accelerations", move_bodies);
-  if (setup.gyroscopic)
-    add(line.part, "rotation", "with the gyroscopic term", turn_with_gyroscopic_term);
-  else if (setup.rotation)
-    add(line.part, "rotation", "even spins", turn_bodies);
-  if (meet) {
-    if (bounce) add(line.part, "leaving", "what has bounced", leave_bounced);
-    // A ball's impacts are found to the last bit however it turns; an edge's are not.
-    if ((setup.rotation && setup.edges) || !setup.one_by_one)
-      add(line.part, "pushing out", "overlaps, half by half", push_out);
-    if (sleep) add(line.after, "sleep", "groups that are slow", put_to_sleep);
-  }
-  return line;
-}
-// [/pipeline]
-
-}  // namespace detail
 
 // [stepped-run]
 /// A scene, step by step.

@@ -231,4 +231,5 @@ inline double pairs_that_may_meet(const SceneBounds& bounds) {
 
 #ifndef CONTACT_SCENES_COMPILED
 #include "../../src/plan_bounds.cpp"
+#include "../../src/plan_shapes.cpp"
 #endif

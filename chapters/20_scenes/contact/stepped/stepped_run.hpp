@@ -32,4 +32,5 @@ std::unique_ptr<SceneRun> make_stepped_run(const Scene& scene, const Plan& plan)
 
 #ifndef CONTACT_SCENES_COMPILED
 #include "../../src/stepped_run.cpp"
+#include "../../src/stepped_setup.cpp"
 #endif

@@ -1,0 +1,250 @@
+// Every distance of the chapter against fractions. u is the unit roundoff.
+//
+// The oracle does not know the book's methods: the least distance of two bodies is found by trying
+// all sets of active bounds (shape_oracle.hpp), and overlap is told from touching by shrinking the
+// bodies by less than any overlap that the stored numbers could make.
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <contact/gap.hpp>
+#include <contact/separation.hpp>
+#include <limits>
+
+#include "random_poses.hpp"
+#include "reference.hpp"
+#include "shape_oracle.hpp"
+#include "support/generators.hpp"
+#include "support/oracle.hpp"
+
+using contact::Capsule;
+using contact::Gap;
+using contact::HalfSpace;
+using contact::Separation;
+using generators::Random;
+using generators::tried;
+using oracle::Rational;
+using oracle::Vector;
+using random_poses::direction;
+using reference::box;
+using reference::Box;
+using reference::Kind;
+using reference::kinds;
+using reference::partner;
+using reference::segment;
+using reference::size_of;
+using reference::V;
+using reference::widest;
+using shape_oracle::exact;
+using shape_oracle::ExactBox;
+
+namespace {
+
+constexpr double u = 0x1p-53;
+
+/// How much further than `right` the two points are from lying in A and B, and the normal from
+/// being one. Every gap must pass it.
+template <class A, class B>
+void check_gap(const Gap<double>& gap, const A& squared_from_a, const B& squared_from_b,
+               double room) {
+  CHECK(std::abs(gap.normal.dot(gap.normal) - 1) <= 16 * u);
+  const V between = gap.on_a - gap.on_b - gap.distance * gap.normal;
+  CHECK(between.cwiseAbs().maxCoeff() <= room);
+  // √x − r ≤ room for a squared distance x from the core
+  CHECK(squared_from_a(oracle::exact(gap.on_a)) <= 1);
+  CHECK(squared_from_b(oracle::exact(gap.on_b)) <= 1);
+}
+
+/// How far a point is out of a body, at most: (distance from its core / (radius + room))².
+template <class Core>
+auto out_of(const Core& core, double radius, double room) {
+  return [core, radius, room](const Vector& p) {
+    const Rational reach = oracle::exact(radius) + oracle::exact(room);
+    return Rational(contact::exact_squared_distance<Rational>(p, core) / (reach * reach));
+  };
+}
+
+}  // namespace
+
+// A distance goes through the axes of a box and back (two dot products of three terms, each with
+// the difference or sum before it), a fraction of a segment and a length: fewer than 40 roundings
+// in a row, each at most u of the coordinates. The rotation of a box is itself off by up to 8 u.
+// 64 u of all coordinates' sizes covers them.
+constexpr double gap_room = 64 * u;
+TEST_CASE("gaps of capsules are right to a few u, at any angle") {
+  Random random(908);
+  for (int i = 0; i < tried(6000); ++i) {
+    const Kind kind = kinds[i % 6];
+    Capsule<double> a{segment(random, kind), random.uniform(0, 1)};
+    Capsule<double> b{partner(random, kind, a.core), random.uniform(0, 1)};
+    if (random.chance(0.1)) a.core.end = a.core.start;
+    const double room = gap_room * (size_of(a.core) + size_of(b.core) + a.radius + b.radius);
+    const Rational squared =
+        contact::exact_squared_distance<Rational>(oracle::exact(a.core), oracle::exact(b.core));
+    const auto gap = contact::gap(a, b);
+    const Rational radii = oracle::exact(a.radius) + oracle::exact(b.radius);
+    CHECK(oracle::error(gap.distance, oracle::Surd{-radii, 1, squared}) <= room);
+    check_gap(gap, out_of(oracle::exact(a.core), a.radius, room),
+              out_of(oracle::exact(b.core), b.radius, room), room);
+    CHECK(std::abs(contact::gap(b, a).distance - gap.distance) <= room);
+  }
+}
+
+TEST_CASE("gaps of capsules, spheres and boxes are right to a few u") {
+  Random random(909);
+  int inside = 0;
+  for (int i = 0; i < tried(1200); ++i) {
+    const Kind kind = kinds[i % 3];
+    const Box b = box(random, kind);
+    Capsule<double> a{segment(random, kind), random.uniform(0, 1)};
+    if (i % 4 == 0) a.core.end = a.core.start;
+    const double room = gap_room * (size_of(a.core) + size_of(b) + a.radius);
+    const auto core = oracle::exact(a.core);
+    const Rational squared = contact::exact_squared_distance<Rational>(core, exact(b));
+    const auto gap = contact::gap(a, b);
+    if (squared > 0) {
+      CHECK(oracle::error(gap.distance, oracle::Surd{-oracle::exact(a.radius), 1, squared}) <=
+            room);
+    } else {
+      // The least of the ways out, each exact: face normals, and across the segment and an edge.
+      ++inside;
+      std::optional<oracle::Surd> best;
+      const ExactBox eb = exact(b);
+      const Vector d = core.end - core.start;
+      for (int k = 0; k < 6; ++k) {
+        const Vector axis = eb.axes.col(k % 3);
+        const Vector n = k < 3 ? Vector(eb.axes.col((k + 1) % 3).cross(eb.axes.col((k + 2) % 3)))
+                               : Vector(d.cross(axis));
+        if (n.dot(n) == 0) continue;
+        const Rational s = n.dot(Vector(core.start - eb.centre));
+        const Rational e = n.dot(Vector(core.end - eb.centre));
+        const Rational reach = contact::box_reach<Rational>(eb, n);
+        for (const Rational& g : {Rational(std::min<Rational>(s, e) - reach),
+                                  Rational(-std::max<Rational>(s, e) - reach)}) {
+          const auto way = oracle::divided_by_root(g, n.dot(n));
+          if (!best || oracle::compare(way, *best) > 0) best = way;
+        }
+      }
+      CHECK(oracle::error(gap.distance, *best + -oracle::exact(a.radius)) <= room);
+    }
+    check_gap(gap, out_of(core, a.radius, room), out_of(exact(b), 0, room), room);
+    const auto back = contact::gap(b, a);
+    CHECK(back.distance == gap.distance);
+    CHECK(back.normal == -gap.normal);
+  }
+  CHECK(inside > tried(150));
+}
+
+TEST_CASE("gaps of boxes are right to a few u, parallel edges and nearly parallel ones included") {
+  Random random(910);
+  int apart = 0;
+  int deep = 0;
+  int edges = 0;
+  for (int i = 0; i < tried(1800); ++i) {
+    const Kind kind = kinds[i % 6];
+    const Box a = box(random, kind);
+    const Box b = partner(random, kind, a);
+    const double room = gap_room * (size_of(a) + size_of(b));
+    const auto right = widest(exact(a), exact(b));
+    const auto gap = contact::gap(a, b);
+    if (oracle::sign(right) > 0) {
+      // The exact distance takes long; the separating plane and the two points enclose it.
+      if (++apart % 24 == 0) {
+        const Rational squared = contact::exact_squared_distance<Rational>(exact(a), exact(b));
+        CHECK(oracle::error(gap.distance, oracle::Surd{0, 1, squared}) <= room);
+      }
+      const V n = gap.normal;
+      double low = std::numeric_limits<double>::infinity();
+      double high = -low;
+      for (int k = 0; k < 8; ++k) {
+        low = std::min(low, n.dot(contact::box_corner(a, k) - gap.on_b));
+        high = std::max(high, n.dot(contact::box_corner(b, k) - gap.on_b));
+      }
+      // Near touching, a direction made of rounded points is off by room / distance.
+      const double tilt = room / std::max(gap.distance, room);
+      CHECK(low - high >=
+            gap.distance - room - 8 * tilt * (a.half_lengths.sum() + b.half_lengths.sum()));
+    } else {
+      ++deep;
+      bool face = false;
+      for (int k = 0; k < 3; ++k) {
+        face = face || gap.normal.cwiseAbs() == a.axes.col(k).cwiseAbs() ||
+               gap.normal.cwiseAbs() == b.axes.col(k).cwiseAbs();
+      }
+      edges += face ? 0 : 1;
+      CHECK(oracle::error(gap.distance, right) <= room);
+    }
+    check_gap(gap, out_of(exact(a), 0, room), out_of(exact(b), 0, room), room);
+  }
+  CHECK(apart > tried(300));
+  CHECK(deep > tried(300));
+  CHECK(edges > tried(30));
+}
+
+TEST_CASE("the normal of boxes that almost touch has all its digits, at faces and across edges") {
+  // A direction made of two points a billionth apart, each off by an ulp, has half of them; and
+  // whoever turns about such a plane comes through it.
+  Random random(917);
+  int edges = 0;
+  int faces = 0;
+  for (int i = 0; i < tried(3000); ++i) {
+    const Box a = box(random, Kind::any);
+    Box b = box(random, Kind::any);
+    const double size = size_of(a) + size_of(b);
+    const double left = size * std::ldexp(random.uniform(1, 2), -random.integer(10, 40));
+    const auto before = contact::gap(a, b);
+    if (!(before.distance > left)) continue;
+    b.centre += before.normal * (before.distance - left);
+    const auto widest = contact::detail::widest_room(a, b);
+    const double room = gap_room * size;
+    const auto gap = contact::gap(a, b);
+    if (!(widest.room > 64 * room)) continue;
+    // Not at a corner or an end of an edge: there the line between two points is all there is.
+    const V aside = gap.on_a - gap.on_b - widest.normal * widest.room;
+    if (aside.norm() > 0x1p-50 * size) continue;
+    (widest.axis < 6 ? faces : edges) += 1;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (int k = 0; k < 8; ++k) {
+      low = std::min(low, gap.normal.dot(contact::box_corner(a, k) - gap.on_b));
+      high = std::max(high, gap.normal.dot(contact::box_corner(b, k) - gap.on_b));
+    }
+    CHECK(low - high >= gap.distance - room);
+  }
+  CHECK(faces > tried(200));
+  CHECK(edges > tried(200));
+}
+
+TEST_CASE("gaps to half-spaces") {
+  Random random(911);
+  for (int i = 0; i < tried(800); ++i) {
+    const HalfSpace<double> h{{direction(random), random.uniform(-3, 3)}};
+    const Box a = box(random, Kind::any);
+    const double room = gap_room * (size_of(a) + 4);
+    const Vector n = oracle::exact(h.boundary.normal);
+    Rational lowest = n.dot(contact::box_corner<Rational>(exact(a), 0));
+    for (int k = 1; k < 8; ++k) {
+      lowest = std::min<Rational>(lowest, n.dot(contact::box_corner<Rational>(exact(a), k)));
+    }
+    const auto gap = contact::gap(a, h);
+    CHECK(oracle::error(gap.distance, lowest - oracle::exact(h.boundary.offset)) <= room);
+    CHECK(std::abs(contact::signed_distance(h.boundary, gap.on_b)) <= room);
+    CHECK(contact::exact_squared_distance<Rational>(oracle::exact(gap.on_a), exact(a)) <=
+          oracle::exact(room * room));
+    const auto back = contact::gap(h, a);
+    CHECK(back.normal == -gap.normal);
+    CHECK(back.on_a == gap.on_b);
+  }
+}
+
+TEST_CASE("a gap's normal, moved along, parts bodies that overlap") {
+  Random random(912);
+  for (int i = 0; i < tried(3000); ++i) {
+    Box a = box(random, kinds[i % 6]);
+    const Box b = partner(random, kinds[i % 6], a);
+    const auto gap = contact::gap(a, b);
+    if (gap.distance > 0) continue;
+    const double room = 2 * gap_room * (size_of(a) + size_of(b));
+    a.centre += gap.normal * (room - gap.distance);
+    CHECK(contact::separation(a, b) == Separation::separating);
+  }
+}

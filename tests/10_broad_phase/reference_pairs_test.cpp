@@ -1,0 +1,143 @@
+// Every method of the broad phase against all pairs.
+#include <algorithm>
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <contact/broad_phase_cost.hpp>
+#include <span>
+#include <vector>
+
+#include "families.hpp"
+#include "reference.hpp"
+#include "support/generators.hpp"
+
+using contact::Aabb;
+using contact::PairSearch;
+using contact::Vector3;
+using families::Boxes;
+using generators::Random;
+using reference::overlaps;
+using reference::right_pairs;
+using reference::touch;
+
+TEMPLATE_TEST_CASE("every broad phase finds the same pairs, and they are the right ones", "", float,
+                   double) {
+  using S = TestType;
+  Random random(2);
+  std::size_t found = 0;
+  for (const Boxes family : families::all) {
+    for (int round = 0; round < generators::tried(24); ++round) {
+      const int n = round % 4 == 0 ? round / 4 : random.integer(2, 60);
+      const auto boxes = families::make<S>(random, family, n);
+      const std::span<const Aabb<S>> view(boxes);
+      const auto right = right_pairs(boxes);
+      found += right.size();
+      INFO(families::name(family) << ", " << n << " boxes");
+      CHECK(contact::all_pairs(view).pairs == right);
+      CHECK(contact::grid_pairs(view).pairs == right);
+      CHECK(contact::sweep_pairs(view).pairs == right);
+      CHECK(contact::tree_pairs(view).pairs == right);
+      for (int axis = 0; axis < 3; ++axis) CHECK(contact::sweep_pairs(view, axis).pairs == right);
+      // Any grid will do, also one that suits nothing.
+      for (const double edge : {1e-3, 0.3, 1.0, 77.0, 1e30}) {
+        const contact::PairGrid<S> grid{families::place<S>(random, 5), static_cast<S>(edge)};
+        CHECK(contact::grid_pairs(view, grid).pairs == right);
+      }
+      for (const auto method : {contact::BroadPhase::all_pairs, contact::BroadPhase::sweep,
+                                contact::BroadPhase::grid, contact::BroadPhase::tree})
+        CHECK(contact::touching_pairs(view, method).pairs == right);
+    }
+  }
+  CHECK(found > static_cast<std::size_t>(generators::tried(1000)));
+}
+
+TEST_CASE("large lists: the methods agree with all pairs, and pairs are in order") {
+  Random random(3);
+  for (const Boxes family : families::all) {
+    const auto boxes = families::make<double>(random, family, generators::tried(1600));
+    const std::span<const Aabb<double>> view(boxes);
+    const PairSearch all = contact::all_pairs(view);
+    INFO(families::name(family));
+    CHECK(std::is_sorted(all.pairs.begin(), all.pairs.end()));
+    CHECK(std::adjacent_find(all.pairs.begin(), all.pairs.end()) == all.pairs.end());
+    CHECK(contact::grid_pairs(view).pairs == all.pairs);
+    CHECK(contact::sweep_pairs(view).pairs == all.pairs);
+    CHECK(contact::tree_pairs(view).pairs == all.pairs);
+  }
+}
+
+TEST_CASE("a tree tells what a box touches") {
+  Random random(4);
+  for (const Boxes family : families::all) {
+    const auto boxes = families::make<double>(random, family, 70);
+    const auto questions = families::make<double>(random, family, 30);
+    const contact::BoxTree<double> tree(boxes);
+    for (const auto& box : questions) {
+      std::vector<std::uint32_t> right;
+      for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+        if (touch(boxes[i], box)) right.push_back(i);
+      }
+      CHECK(tree.touching(box) == right);
+    }
+  }
+  CHECK(contact::BoxTree<double>(std::vector<Aabb<double>>{}).touching({}).empty());
+}
+
+TEST_CASE("a sweep from step to step finds what a fresh one finds, and counts what moved") {
+  Random random(5);
+  for (const Boxes family : families::all) {
+    auto boxes = families::make<double>(random, family, 60);
+    contact::IncrementalSweep<double> sweep(1);
+    CHECK(sweep.axis() == 1);
+    sweep.update(boxes);
+    CHECK(sweep.resorted());
+    // The order by low end, then place: the only one there is.
+    const auto order = [&boxes] {
+      std::vector<std::uint32_t> places;
+      for (std::uint32_t i = 0; i < boxes.size(); ++i) places.push_back(i);
+      std::stable_sort(places.begin(), places.end(), [&](std::uint32_t i, std::uint32_t j) {
+        return boxes[i].low(1) < boxes[j].low(1);
+      });
+      return places;
+    };
+    for (int step = 0; step < 20; ++step) {
+      const auto before = order();
+      for (auto& box : boxes) {
+        const double shift = random.uniform(-0.2, 0.2);
+        const Vector3<double> by(0, shift, 0);
+        box = {Vector3<double>(box.low + by), Vector3<double>(box.high + by)};
+      }
+      const PairSearch search = sweep.update(boxes);
+      CHECK_FALSE(sweep.resorted());
+      CHECK(search.pairs == right_pairs(boxes));
+      CHECK(search.box_tests == overlaps(boxes, 1));
+      const auto after = order();
+      std::vector<std::size_t> rank(boxes.size());
+      for (std::size_t k = 0; k < after.size(); ++k) rank[after[k]] = k;
+      std::uint64_t exchanged = 0;
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        for (std::size_t j = i + 1; j < before.size(); ++j) {
+          if (rank[before[i]] > rank[before[j]]) ++exchanged;
+        }
+      }
+      CHECK(search.other_steps == exchanged);
+    }
+    boxes.pop_back();
+    CHECK(sweep.update(boxes).pairs == right_pairs(boxes));
+    CHECK(sweep.resorted());
+  }
+}
+
+TEST_CASE("an order turned round is sorted anew instead of move by move") {
+  std::vector<Aabb<double>> boxes;
+  for (int i = 0; i < 400; ++i)
+    boxes.push_back({Vector3<double>(i, 0, 0), Vector3<double>(i + 1.0, 1, 1)});
+  contact::IncrementalSweep<double> sweep(0);
+  sweep.update(boxes);
+  CHECK(sweep.update(boxes).other_steps == 0);
+  std::reverse(boxes.begin(), boxes.end());
+  const PairSearch search = sweep.update(boxes);
+  CHECK(sweep.resorted());
+  CHECK(search.pairs.size() == 399);
+  CHECK(search.pairs == contact::sweep_pairs<double>(boxes, 0).pairs);
+  CHECK(search.other_steps < 400 * 399 / 2);
+}

@@ -1,0 +1,311 @@
+// contact_finish.hpp: what sweeps have left is finished to the direct solution, or as near as the
+// report says.
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <contact/contact_finish.hpp>
+#include <contact/contact_lcp.hpp>
+#include <contact/contact_solver.hpp>
+#include <vector>
+
+#include "reference.hpp"
+#include "support/generators.hpp"
+#include "support/oracle.hpp"
+
+using contact::BodyContact;
+using contact::ContactImpulse;
+using generators::Random;
+using generators::tried;
+using reference::Body;
+using reference::down;
+using reference::energy;
+using reference::exactly;
+using reference::problem;
+using reference::u;
+using reference::V;
+using reference::vector;
+
+namespace {
+
+/// Makes a body heavier.
+void make_heavier(Body& body, double factor) {
+  body.mass *= factor;
+  body.inertia *= factor;
+  body.inverse_mass /= factor;
+  body.inverse_inertia /= factor;
+}
+
+}  // namespace
+
+TEST_CASE("what sweeps have left is finished to the direct solution, with masses 1 to a million") {
+  // Every other body is 2^20 times as heavy. Sweeps would take millions to bring a light one
+  // between two heavy ones to rest; elimination is told by none of them, or by a few. Velocities of
+  // the heavy ones come with impulses a million times those of the light ones: what is rounded
+  // there is 2^20 u of them, and a few.
+  Random random(1816);
+  for (int i = 0; i < tried(150); ++i) {
+    auto d = down(problem(random, random.integer(3, 6), random.integer(1, 6)));
+    for (std::size_t k = 1; k < d.bodies.size(); k += 2) make_heavier(d.bodies[k], 0x1p20);
+    const auto stored = exactly(d);
+    const auto impulses = contact::complementary_impulses(stored.bodies, stored.contacts);
+    REQUIRE(impulses.has_value());
+    const auto right = contact::after_normal_impulses(stored.bodies, stored.contacts, *impulses);
+    const std::vector<ContactImpulse<double>> none(d.contacts.size());
+    const auto swept =
+        contact::solve_contacts<double>(d.bodies, d.contacts, {}, {random.integer(1, 20), 0.0});
+    for (const auto& start : {none, swept.impulses}) {
+      const auto got = contact::finish_contacts<double>(d.bodies, d.contacts, start);
+      REQUIRE(got.has_value());
+      for (std::size_t k = 0; k < right.size(); ++k) {
+        CHECK(oracle::error(got->bodies[k].velocity, right[k].velocity) <= 1e-7);
+        CHECK(oracle::error(got->bodies[k].spin, right[k].spin) <= 1e-7);
+      }
+    }
+  }
+}
+
+TEST_CASE("a light ball between two a million times as heavy: a million sweeps are not enough") {
+  std::vector<Body> bodies;
+  for (int k = 0; k < 3; ++k) {
+    const double mass = k == 1 ? 1 : 1e6;
+    bodies.push_back(contact::rigid_body<double>(mass, contact::sphere_inertia<double>(mass, 0.5),
+                                                 {double(k), 0, 0}, {1.0 - k, 0, 0}, {0, 0, 0}));
+  }
+  std::vector<BodyContact<double>> contacts(2);
+  for (int k = 0; k < 2; ++k) {
+    auto& c = contacts[static_cast<std::size_t>(k)];
+    c.a = k + 1;
+    c.b = k;
+    c.point = {k + 0.5, 0, 0};
+    c.normal = {1, 0, 0};
+  }
+  const auto swept = contact::solve_contacts<double>(bodies, contacts, {}, {1000000, 1e-3});
+  CHECK(swept.report.last_change > 0.1);
+  const auto got = contact::finish_contacts<double>(bodies, contacts, swept.impulses);
+  REQUIRE(got.has_value());
+  for (const auto& c : contacts) CHECK(contact::contact_velocity(got->bodies, c) > -1e-9);
+}
+
+TEST_CASE(
+    "a row of light balls between heavy ones: sweeps do not come to an end, elimination does") {
+  // One half of the row comes at the other. All contacts are touched, and those that close leave as
+  // fast as they came: no energy is lost.
+  std::vector<Body> bodies;
+  std::vector<BodyContact<double>> contacts;
+  for (int k = 0; k < 12; ++k) {
+    const double mass = k % 3 == 0 ? 1e6 : 1;
+    bodies.push_back(contact::rigid_body<double>(mass, contact::sphere_inertia<double>(mass, 0.5),
+                                                 {double(k), 0, 0}, {k < 6 ? 1.0 : -1.0, 0, 0},
+                                                 {0, 0, 0}));
+  }
+  for (int k = 0; k + 1 < 12; ++k) {
+    BodyContact<double> c;
+    c.a = k + 1;
+    c.b = k;
+    c.point = {k + 0.5, 0, 0};
+    c.normal = {1, 0, 0};
+    c.least_velocity = -contact::contact_velocity(bodies, c);
+    contacts.push_back(c);
+  }
+  const auto swept = contact::solve_contacts<double>(bodies, contacts, {}, {100, 1e-7});
+  CHECK(swept.report.last_change > 1e-3);
+  const auto got = contact::finish_contacts<double>(bodies, contacts, swept.impulses);
+  REQUIRE(got.has_value());
+  CHECK(std::abs(energy(got->bodies) / energy(bodies) - 1) < 1e-9);
+  for (const auto& c : contacts)
+    CHECK(contact::contact_velocity(got->bodies, c) >= c.least_velocity - 1e-7);
+}
+
+TEST_CASE("what stands under a great weight is finished, as near to rest as its report says") {
+  for (const double weight : {1e3, 1e6, 1e9}) {
+    CAPTURE(weight);
+    std::vector<Body> bodies{contact::immovable<double>({0, 0, 0}, {0, 0, 0}, {0, 0, 0})};
+    std::vector<BodyContact<double>> contacts;
+    for (int k = 1; k <= 10; ++k) {
+      const double mass = k == 10 ? weight : 1;
+      bodies.push_back(
+          contact::rigid_body<double>(mass, contact::box_inertia<double>(mass, {1, 1, 1}),
+                                      {0.1 * (k % 2), 0, k - 0.5}, {0, 0, -0.1}, {0, 0, 0}));
+      for (const double x : {-0.3, 0.35}) {
+        for (const double y : {-0.5, 0.5}) {
+          BodyContact<double> c;
+          c.a = k;
+          c.b = k - 1;
+          c.point = {x, y, k - 1.0};
+          c.normal = {0, 0, 1};
+          c.friction = 0.5;
+          contacts.push_back(c);
+        }
+      }
+    }
+    const auto swept = contact::solve_contacts<double>(bodies, contacts, {}, {100, 1e-12});
+    CHECK(swept.report.last_change > 1e-4);
+    const auto got = contact::finish_contacts<double>(bodies, contacts, swept.impulses);
+    REQUIRE(got.has_value());
+    CHECK(got->report.rounding < weight * 1e-11);
+    for (const auto& c : contacts)
+      CHECK(std::abs(contact::contact_velocity(got->bodies, c)) <=
+            std::max(1e-10, got->report.rounding));
+  }
+}
+
+TEST_CASE("what is finished closes no faster, makes no energy, and rubs within its cone") {
+  Random random(1817);
+  int finished = 0;
+  for (int i = 0; i < tried(400); ++i) {
+    auto p = down(problem(random, random.integer(3, 8), random.integer(2, 14)));
+    for (std::size_t k = 1; k < p.bodies.size(); k += 2) make_heavier(p.bodies[k], 0x1p12);
+    const double e = i % 2 == 0 ? 0.0 : random.uniform(0, 1);
+    for (auto& c : p.contacts) {
+      c.friction = random.uniform(0, 1.5);
+      c.least_velocity = std::max(0.0, -e * contact::contact_velocity(p.bodies, c));
+    }
+    const auto swept = contact::solve_contacts<double>(p.bodies, p.contacts, {}, {10, 0.0});
+    const auto got = contact::finish_contacts<double>(p.bodies, p.contacts, swept.impulses);
+    if (!got) continue;
+    ++finished;
+    CHECK(energy(got->bodies) <= energy(p.bodies) * (1 + 1e-9));
+    double before = 0;
+    double after = 0;
+    double fastest = 0;
+    for (std::size_t k = 0; k < p.contacts.size(); ++k) {
+      const auto& c = p.contacts[k];
+      const auto& x = got->impulses[k];
+      fastest = std::max(fastest, std::abs(contact::contact_velocity(p.bodies, c)));
+      CHECK(x.normal >= 0);
+      CHECK(x.tangential.norm() <= c.friction * x.normal * (1 + 32 * u));
+      before = std::max(before, c.least_velocity - contact::contact_velocity(swept.bodies, c));
+      after = std::max(after, c.least_velocity - contact::contact_velocity(got->bodies, c));
+    }
+    const double rounding = std::min(got->report.rounding, contact::most_rounding * fastest);
+    if (!got->report.blended) CHECK(after <= before + std::max(0x1p-25 * fastest, rounding));
+  }
+  CHECK(finished > tried(400) / 2);
+}
+
+TEST_CASE("what is finished obeys Coulomb's law: friction is against the slip, or nothing slips") {
+  // Velocities are as right as 2^14 roundings of what has been added up for them, 64 times what the
+  // report counts; impulses to 2^14 u of the largest.
+  Random random(1818);
+  int finished = 0;
+  int slides = 0;
+  for (int i = 0; i < tried(150); ++i) {
+    auto p = down(problem(random, random.integer(3, 8), random.integer(2, 12)));
+    for (std::size_t k = 1; k < p.bodies.size(); k += 2)
+      make_heavier(p.bodies[k], i % 2 == 0 ? 0x1p10 : 0x1p20);
+    for (auto& c : p.contacts) c.friction = random.uniform(0, 1);
+    const auto swept = contact::solve_contacts<double>(p.bodies, p.contacts, {}, {100, 0.0});
+    const auto got = contact::finish_contacts<double>(p.bodies, p.contacts, swept.impulses);
+    if (!got) continue;
+    ++finished;
+    CHECK(energy(got->bodies) <= energy(p.bodies) * (1 + 1e-9));
+    const double wrong = 256 * got->report.rounding;
+    double largest = 0;
+    for (const auto& x : got->impulses) largest = std::max(largest, x.normal);
+    for (std::size_t k = 0; k < p.contacts.size(); ++k) {
+      const auto& c = p.contacts[k];
+      const auto& x = got->impulses[k];
+      const V between = contact::velocity_at(got->bodies[static_cast<std::size_t>(c.a)], c.point) -
+                        contact::velocity_at(got->bodies[static_cast<std::size_t>(c.b)], c.point);
+      const V slip = between - c.normal * c.normal.dot(between);
+      CAPTURE(i, k, x.normal, slip.norm(), wrong);
+      CHECK(c.normal.dot(between) >= -wrong);
+      if (x.normal > 0x1p-36 * largest) CHECK(c.normal.dot(between) <= wrong);
+      CHECK(x.tangential.norm() <= c.friction * x.normal * (1 + 32 * u));
+      // It takes as much energy as any friction in its cone can.
+      const double most = c.friction * x.normal;
+      CHECK(x.tangential.dot(slip) + most * slip.norm() <=
+            2 * most * wrong + 0x1p-36 * largest * slip.norm());
+      if (slip.norm() > wrong && x.normal > 0x1p-36 * largest) ++slides;
+    }
+  }
+  CAPTURE(finished, slides);
+  CHECK(finished > tried(150) * 4 / 5);
+  CHECK(slides > tried(150));
+}
+
+TEST_CASE("friction that is only kept in its cones makes no energy, and lets nothing close") {
+  Random random(1819);
+  int finished = 0;
+  for (int i = 0; i < tried(100); ++i) {
+    auto p = down(problem(random, random.integer(3, 6), random.integer(2, 6)));
+    for (std::size_t k = 1; k < p.bodies.size(); k += 2) make_heavier(p.bodies[k], 0x1p10);
+    for (auto& c : p.contacts) c.friction = random.uniform(0, 1);
+    const std::vector<ContactImpulse<double>> none(p.contacts.size());
+    const auto got =
+        contact::finish_contacts<double>(p.bodies, p.contacts, none, contact::FrictionLaw::cones);
+    if (!got) continue;
+    ++finished;
+    CHECK(energy(got->bodies) <= energy(p.bodies) * (1 + 1e-9));
+    double fastest = 0;
+    for (const auto& c : p.contacts)
+      fastest = std::max(fastest, std::abs(contact::contact_velocity(p.bodies, c)));
+    for (std::size_t k = 0; k < p.contacts.size(); ++k) {
+      const auto& x = got->impulses[k];
+      CHECK(x.tangential.norm() <= p.contacts[k].friction * x.normal * (1 + 32 * u));
+      CHECK(contact::contact_velocity(got->bodies, p.contacts[k]) >= -1e-6 * fastest);
+    }
+  }
+  CHECK(finished > tried(100) * 4 / 5);
+}
+
+TEST_CASE("plates on a slope are finished to rest, or to one speed, whatever lies on them") {
+  for (const double load : {1.0, 1e3, 1e6}) {
+    for (const double steep : {0.5, 0.99, 1.01, 2.0}) {  // times the friction angle's tangent
+      CAPTURE(load, steep);
+      // The slope is the plane of x and y here: g h is 1/6, of the angle whose tangent is steep/2.
+      const double cosine = 1 / std::sqrt(1 + steep * steep / 4);
+      const V free = V(steep / 2, 0, -1) * (cosine / 6);
+      std::vector<Body> bodies{contact::immovable<double>({0, 0, 0}, {0, 0, 0}, {0, 0, 0})};
+      std::vector<BodyContact<double>> contacts;
+      for (int k = 1; k <= 4; ++k) {
+        const double mass = k == 4 ? load : 1;
+        bodies.push_back(
+            contact::rigid_body<double>(mass, contact::box_inertia<double>(mass, {1, 1, 0.1}),
+                                        {0, 0, 0.1 * k - 0.05}, free, {0, 0, 0}));
+        for (const double x : {-0.5, 0.5}) {
+          for (const double y : {-0.5, 0.5}) {
+            BodyContact<double> c;
+            c.a = k;
+            c.b = k - 1;
+            c.point = {x, y, 0.1 * (k - 1)};
+            c.normal = {0, 0, 1};
+            c.friction = 0.5;
+            contacts.push_back(c);
+          }
+        }
+      }
+      const auto swept = contact::solve_contacts<double>(bodies, contacts, {}, {100, 1e-12});
+      const auto got = contact::finish_contacts<double>(bodies, contacts, swept.impulses);
+      REQUIRE(got.has_value());
+      const double speed = std::max(0.0, free.x() + free.z() / 2);
+      const double wrong = 64 * std::max(1e-12, got->report.rounding);
+      CHECK((got->bodies[4].velocity - V(speed, 0, 0)).norm() <= wrong);
+      CHECK(energy(got->bodies) <= energy(bodies));
+      // What slides is at its limit on both faces: a plate may be anywhere between slope and load.
+      for (std::size_t k = 1; k < 4; ++k) {
+        const V v = got->bodies[k].velocity;
+        CHECK(v.x() >= -wrong);
+        CHECK(v.x() <= speed + wrong);
+        CHECK((v - V(v.x(), 0, 0)).norm() <= wrong);
+      }
+    }
+  }
+}
+
+TEST_CASE("what cannot be finished is left") {
+  const std::vector<Body> walls(2, contact::immovable<double>({0, 0, 0}, {0, 0, 0}, {0, 0, 0}));
+  BodyContact<double> c;
+  c.a = 0;
+  c.b = 1;
+  c.normal = {1, 0, 0};
+  CHECK_FALSE(contact::finish_contacts<double>(walls, {c}, {{}}).has_value());
+  std::vector<Body> pair = walls;
+  pair[0] = contact::rigid_body<double>(1, contact::sphere_inertia<double>(1, 1), {0, 0, 0},
+                                        {0, 0, 0}, {0, 0, 0});
+  const auto couplings = static_cast<double>(contact::most_couplings);
+  const auto many = static_cast<std::size_t>(std::sqrt(couplings)) + 1;
+  const std::vector<ContactImpulse<double>> none(many);
+  CHECK_FALSE(contact::finish_contacts<double>(pair, std::vector(many, c), none).has_value());
+  CHECK(contact::finish_contacts<double>(pair, {c}, {{}}).has_value());
+}

@@ -1,0 +1,133 @@
+// contact_world.hpp: boxes that stand, slide and rest, and what is refused.
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <contact/contact_lcp.hpp>
+#include <contact/contact_solver.hpp>
+#include <contact/contact_world.hpp>
+#include <limits>
+#include <vector>
+
+#include "reference.hpp"
+#include "support/generators.hpp"
+#include "support/refusal.hpp"
+
+using contact::BodyContact;
+using contact::ContactImpulse;
+using contact::Matrix3;
+using generators::tried;
+using reference::Body;
+using reference::u;
+using reference::V;
+using reference::vector;
+using support::contains;
+using support::refusal;
+
+TEST_CASE("ten boxes on a floor stay where they are for ten seconds") {
+  std::vector<contact::ShapedBody<double>> bodies{contact::ground<double>({V(0, 0, 1), 0})};
+  for (int i = 0; i < 10; ++i) {
+    bodies.push_back(contact::solid_box<double>(1, V(1, 1, 1), V(0, 0, 0.5 + i)));
+  }
+  for (auto& body : bodies) body.friction = 0.5;
+  const auto first = bodies;
+  contact::StepMemory<double> memory;
+  double moved = 0;
+  double lowest = 0;
+  for (int step = 0; step < tried(600); ++step) {
+    contact::step_contacts(bodies, memory);
+    for (std::size_t i = 1; i < bodies.size(); ++i) {
+      moved = std::max(moved, (bodies[i].motion.position - first[i].motion.position).norm());
+      moved = std::max(moved, bodies[i].orientation.v.norm());
+    }
+    for (const auto& impulse : memory.impulses) lowest = std::min(lowest, impulse.normal);
+  }
+  CAPTURE(moved);
+  CHECK(moved < 1e-8);
+  CHECK(lowest == 0);
+  // The floor carries all of them: ten kilograms for a sixtieth of a second.
+  double carried = 0;
+  for (std::size_t i = 0; i < memory.contacts.size(); ++i) {
+    if (memory.contacts[i].a == 0) carried += memory.impulses[i].normal;
+  }
+  CHECK(std::abs(carried - 10 * 9.80665 / 60) < 1e-8);
+}
+
+TEST_CASE("a box on a slope rests or slides as the angle says") {
+  // tan of the angle is 3/4: it rests for μ = 0.8, and slides for 0.5 with g (0.6 − 0.5·0.8).
+  const V up(-0.6, 0, 0.8);
+  const Matrix3<double> axes = (Matrix3<double>() << 0.8, 0, -0.6, 0, 1, 0, 0.6, 0, 0.8).finished();
+  // The sweeps of a step end at changes of 1e-11; with at least a ten thousandth of the error taken
+  // out in each, sixty steps are off by less than 60 · 1e-7.
+  for (const double friction : {0.8, 0.5}) {
+    std::vector<contact::ShapedBody<double>> bodies{contact::ground<double>({up, 0})};
+    bodies.push_back(contact::solid_box<double>(2, V(2, 2, 1), V(up * 0.5)));
+    // A half turn of the slope's angle: its cosine is 3/√10.
+    bodies[1].orientation = contact::normalised(contact::Rotor<double>{3, V(0, -1, 0)});
+    bodies[1].motion = contact::rigid_body_from_axes<double>(
+        2, bodies[1].moments, contact::matrix_of(bodies[1].orientation), V(up * 0.5), V(0, 0, 0),
+        V(0, 0, 0));
+    CHECK((contact::matrix_of(bodies[1].orientation) - axes).cwiseAbs().maxCoeff() < 8 * u);
+    for (auto& body : bodies) body.friction = friction;
+    contact::StepMemory<double> memory;
+    for (int step = 0; step < 60; ++step) contact::step_contacts(bodies, memory);
+    const double speed = friction == 0.8 ? 0.0 : 9.80665 * (0.6 - 0.5 * 0.8);
+    CHECK((bodies[1].motion.velocity - V(-0.8, 0, -0.6) * speed).norm() < 6e-6);
+    CHECK(bodies[1].motion.spin.norm() < 6e-6);
+  }
+}
+
+TEST_CASE("the same start gives the same bits, and a ball rolls, bounces and comes to rest") {
+  const auto run = [] {
+    std::vector<contact::ShapedBody<double>> bodies{contact::ground<double>({V(0, 0, 1), 0})};
+    bodies.push_back(contact::solid_box<double>(3, V(2, 2, 2), V(0.1, 0, 2)));
+    bodies.push_back(contact::solid_ball<double>(1, 0.5, V(0.5, 0.2, 4)));
+    bodies.push_back(contact::solid_ball<double>(1, 0.5, V(5, 0, 1)));
+    bodies[3].motion.velocity = V(1, 0, 0);
+    for (auto& body : bodies) {
+      body.friction = 0.6;
+      body.restitution = 0.4;
+    }
+    contact::StepMemory<double> memory;
+    for (int step = 0; step < 240; ++step) contact::step_contacts(bodies, memory);
+    return bodies;
+  };
+  const auto one = run();
+  const auto two = run();
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    CHECK(one[i].motion.position == two[i].motion.position);
+    CHECK(one[i].motion.velocity == two[i].motion.velocity);
+    CHECK(one[i].orientation.v == two[i].orientation.v);
+  }
+  CHECK(std::abs(one[1].motion.position.z() - 1) < 1e-3);
+  // Rolling without slip: v = ω × r.
+  const V contact_speed = one[3].motion.velocity + one[3].motion.spin.cross(V(0, 0, -0.5));
+  CHECK(contact_speed.norm() < 1e-6);
+  CHECK(std::abs(one[3].motion.position.z() - 0.5) < 1e-3);
+}
+
+TEST_CASE("contacts that are none are refused, with the argument's name and value") {
+  std::vector<Body> bodies(2);
+  bodies[1] = contact::rigid_body<double>(1, Matrix3<double>::Identity(), V(0, 0, 0), V(0, 0, 0),
+                                          V(0, 0, 0));
+  BodyContact<double> good{1, 0, V(0, 0, 0), V(0, 0, 1), 0, 0};
+  const auto refused = [&](const BodyContact<double>& c) {
+    return refusal([&] { contact::solve_contacts<double>(bodies, {c}); });
+  };
+  CHECK(refused(good).empty());
+  auto bad = good;
+  bad.b = 1;
+  CHECK(contains(refused(bad), "bodies 1 and 1"));
+  bad.b = 2;
+  CHECK(contains(refused(bad), "bodies 1 and 2"));
+  bad = good;
+  bad.friction = -1;
+  CHECK(contains(refused(bad), "friction = -1"));
+  bad = good;
+  bad.normal.x() = std::numeric_limits<double>::quiet_NaN();
+  CHECK(contains(refused(bad), "normal"));
+  CHECK(contains(refusal([&] {
+                   contact::solve_contacts<double>(bodies, {good},
+                                                   std::vector<ContactImpulse<double>>(3));
+                 }),
+                 "3 impulses"));
+}

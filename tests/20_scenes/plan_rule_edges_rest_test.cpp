@@ -1,0 +1,248 @@
+// The edges of rules that plan_rules_*_test.cpp leave, between two steps and at rest: each scene
+// was made for one condition, one term or one order of a rule, so that a rule without it, or with
+// another in its place, answers wrongly.
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <contact/plan/plan.hpp>
+#include <contact/plan/plan_rules.hpp>
+#include <contact/rotation.hpp>
+#include <contact/scene/scene_runs.hpp>
+#include <utility>
+
+#include "plan_at_edge.hpp"
+#include "plan_scenes.hpp"
+#include "support/oracle.hpp"
+
+using contact::Decision;
+using contact::Effect;
+using contact::Plan;
+using contact::Scene;
+using oracle::exact;
+using oracle::Rational;
+using plan_scenes::ball;
+using plan_scenes::box;
+using plan_scenes::decision;
+using plan_scenes::dropped;
+using plan_scenes::empty;
+using plan_scenes::Point;
+using plan_scenes::said_of_late_hits;
+using plan_scenes::stepped;
+using plan_scenes::unbounded;
+using plan_scenes::wall;
+
+namespace {
+
+/// Where a body ends in steps in which impacts are looked for, from where it ends without.
+double lateness(const Scene& scene, std::size_t body, double step) {
+  const auto end = [&](bool looks) {
+    contact::PlanOptions options = stepped(step);
+    (looks ? options.overrides.with : options.overrides.without) = {Effect::continuous_detection};
+    const auto run = contact::scenes::make_run(scene, contact::plan_scene(scene, options));
+    run->advance(scene.duration);
+    return run->position(body);
+  };
+  return (end(true) - end(false)).norm();
+}
+
+}  // namespace
+
+TEST_CASE("late hits: no bound for what loses speed, hits too often, or rubs in flight") {
+  // It does not come to rest before the end, and sinks all the same.
+  Scene lossy = dropped(0.9, 2, 1.5, 1);
+  lossy.materials[0].friction = 0.25;
+  CHECK(std::isinf(said_of_late_hits(lossy, 0.01)));
+  // More than a million hits in the whole time.
+  Scene often = dropped(1, 1e-9, 60, 1);
+  often.materials[0].friction = 0.25;
+  CHECK(2 * std::sqrt(2 * 1e-9 / 8) * 1e6 < 60);
+  CHECK(std::isinf(said_of_late_hits(often, 0.01)));
+  Scene rough = empty(1, 0.5, 1, 1);
+  ball(rough, 0.5, 1, {-2, 0, 0}, {2, 0, 0});
+  ball(rough, 0.5, 1, Point::Zero());
+  CHECK(std::isinf(said_of_late_hits(rough, 0.01)));
+  rough.materials[0].friction = 0;
+  CHECK(std::isfinite(said_of_late_hits(rough, 0.01)));
+}
+
+TEST_CASE("late hits: head on, what two come back from each other by is all of it") {
+  // Large and slow, so that the slant is none. The hit comes 1 ms after a step of 50 ms.
+  const double h = 0.05;
+  Scene scene = empty(1, 0, 0.5, 1);
+  ball(scene, 50, 1, {-100 - 0.201, 0, 0}, {1, 0, 0});
+  ball(scene, 50, 1e9, Point::Zero());
+  const double late = lateness(scene, 0, h);
+  CHECK(late > 0.97 * 2 * h);
+  CHECK(late <= said_of_late_hits(scene, h));
+  // Thrown as far as the hit's slant says, and not more than it does in all of the time.
+  CHECK(said_of_late_hits(scene, h) <= 2 * h * (1 + 0.5 / 100) * (1 + 1e-3));
+}
+
+TEST_CASE("grazing hits: a normal that is late by a step is turned by all of it") {
+  // It touches at cos θ = 0.02 just after a step, and the next step finds it at 0.01: of the
+  // velocity 2 · 0.01 m/s along the normal are missing, for ten seconds.
+  const double h = 0.01;
+  Scene scene = empty(1, 0, 10, 10);
+  ball(scene, 0.5, 1, {-0.02 - 1e-7, std::sqrt(1 - 0.02 * 0.02), 0}, {1, 0, 0});
+  ball(scene, 0.5, 1e9, Point::Zero());
+  const double thrown = lateness(scene, 0, h);
+  CHECK(thrown > 0.95 * 0.2);
+  CHECK(thrown <= said_of_late_hits(scene, h));
+  // Whichever of two such pairs comes first.
+  Scene two = scene;
+  ball(two, 50, 1, {-104, 500, 0}, {0.5, 0, 0});
+  ball(two, 50, 1e9, {0, 500, 0});
+  CHECK(thrown <= said_of_late_hits(two, h));
+  std::rotate(two.bodies.begin(), two.bodies.begin() + 2, two.bodies.end());
+  CHECK(thrown <= said_of_late_hits(two, h));
+  // What is accepted is what was compared.
+  const Decision accepted = decision(scene, Effect::continuous_detection, stepped(h));
+  REQUIRE_FALSE(accepted.on);
+  CHECK(accepted.error == said_of_late_hits(scene, h));
+}
+
+TEST_CASE("hops that are left out: what bounds them, wall by wall") {
+  const auto resting = [](const Scene& scene) {
+    return decision(scene, Effect::resting, stepped(0.01)).error;
+  };
+  const auto sleeping = [](const Scene& scene) {
+    return decision(scene, Effect::sleeping, stepped(0.01)).error;
+  };
+  const Scene alone = dropped(0.5, 2, 10, 1e-4);
+  REQUIRE(std::isfinite(resting(alone)));
+  REQUIRE(std::isfinite(sleeping(alone)));
+  const auto has_none = [&](const Scene& scene) {
+    CHECK(resting(scene) == unbounded);
+    CHECK(sleeping(scene) == unbounded);
+  };
+  // On a ball it lies on no plane, and a box rocks from corner to corner.
+  Scene on_ball = alone;
+  on_ball.bodies[0].shape = contact::BallShape{0.5};
+  on_ball.bodies[0].position = {0, 0, -0.5};
+  has_none(on_ball);
+  Scene rocks = alone;
+  rocks.bodies[1].shape = contact::BoxShape{{0.5, 0.5, 0.5}};
+  rocks.bodies[1].orientation = contact::exponential<double>({0.3, 0.2, 0});
+  has_none(rocks);
+  // A soft wall beside the floor; one that leans over it by 10⁻⁷; two slopes at a right angle.
+  Scene soft = alone;
+  soft.materials.push_back({"soft", 0.5, 0, 1000, 0});
+  wall(soft, Point::UnitX(), -5);
+  soft.bodies.back().material = 1;
+  has_none(soft);
+  Scene leans = alone;
+  wall(leans, {1, 0, -1e-7}, -5);
+  has_none(leans);
+  Scene groove = alone;
+  groove.bodies[0].shape = contact::HalfSpaceShape{{0.6, 0, 0.8}, 0};
+  wall(groove, {-0.8, 0, 0.6}, 0);
+  has_none(groove);
+  // Nobody lies on the floor but one whom another may hit that is named first, and never comes
+  // down.
+  Scene hit = empty(0.5, 0, 0.5, 1e-4);
+  hit.gravity = {0, 0, -8};
+  wall(hit, Point::UnitZ(), 0);
+  ball(hit, 0.5, 1, {0, 0, 3});
+  ball(hit, 0.5, 1, {0, 0, 0.7});
+  REQUIRE(contact::plan_scene(hit).pairs == 2);
+  CHECK(resting(hit) == unbounded);
+  // Nor if that one's hits leave out no hop themselves.
+  hit.materials.push_back({"dull", 0, 0, {}, 0});
+  hit.bodies[1].material = 1;
+  CHECK(resting(hit) == unbounded);
+  std::swap(hit.bodies[1], hit.bodies[2]);
+  REQUIRE(contact::plan_scene(hit).pairs == 2);
+  CHECK(resting(hit) == unbounded);
+  // A wall that is all but upright presses a little; one that is upright does not.
+  Scene steep = alone;
+  const double slight = 1e-4;
+  steep.bodies[0].shape =
+      contact::HalfSpaceShape{{std::sqrt(1 - slight * slight), 0, slight}, -0.50075};
+  CHECK(resting(steep) > 0);
+  CHECK(resting(steep) <= 8 * slight * 0.01 * 0.01 / 8 / 4 * (1 + 1e-9));
+}
+
+TEST_CASE("sleep has no bound for what slides along an upright wall, unless it is a smooth ball") {
+  const auto sleeping = [](const Scene& scene) {
+    return decision(scene, Effect::sleeping, stepped(0.01)).error;
+  };
+  // A ball on a floor far away, and one that falls along a wall.
+  Scene shaft = dropped(0.5, 2, 10, 1e-4);
+  ball(shaft, 0.5, 1, {1000, 0, 1000}, {-1, 0, 0});
+  box(shaft, {0.5, 0.5, 0.5}, 0, {-1000, 0, 1000});
+  wall(shaft, Point::UnitX(), 999);
+  shaft.bodies[1].position.x() = 2000;
+  REQUIRE(std::isfinite(sleeping(shaft)));
+  Scene soft = shaft;
+  soft.materials.push_back({"soft", 0.5, 0, 1000, 0});
+  soft.bodies.back().material = 1;
+  CHECK(sleeping(soft) == unbounded);
+  Scene rough = shaft;
+  rough.materials.push_back({"rough", 0.5, 0.5, {}, 0});
+  rough.bodies.back().material = rough.bodies[2].material = 1;
+  CHECK(sleeping(rough) == unbounded);
+  Scene corners = shaft;
+  corners.bodies[2].shape = contact::BoxShape{{0.5, 0.5, 0.5}};
+  CHECK(sleeping(corners) == unbounded);
+}
+
+TEST_CASE("sleep: not so fast that a short scene would tell") {
+  // Slower than so many m/s for the whole of a quarter of a second is less than the share; so it is
+  // for ten seconds if what pushes it goes on, twice in a second.
+  for (const double duration : {0.25, 10.0}) {
+    Scene scene = dropped(0, 0.01, duration, 1e-4);
+    scene.materials[0].friction = 0.25;
+    const Plan plan = contact::plan_scene(scene, stepped(0.01));
+    const double share = contact::sleeping_share(contact::plan_question(scene));
+    CHECK(share == 0.5e-4);
+    REQUIRE(plan.sleep_speed > 0);
+    CHECK(exact(plan.sleep_speed) * exact(duration) <= exact(share) * (1 + Rational(1, 1000000)));
+    CHECK(exact(plan.sleep_speed) * exact(duration) * exact(duration) * 2 <=
+          exact(share) * (1 + Rational(1, 1000000)));
+  }
+}
+
+TEST_CASE("springs, hops and sleep together keep the tolerance") {
+  Scene scene = dropped(0.5, 0.5, 2, 1e-3);
+  ball(scene, 0.5, 1, {100, 0, 1});
+  scene.materials.push_back({"soft", 0.5, 0, 2000, 0});
+  scene.bodies[2].material = 1;
+  const Plan plan = contact::plan_scene(scene, stepped(0.01));
+  CHECK(contact::decision_on(plan, Effect::penalty_contact).error > 0.49e-3);
+  // The soft one's sleep has no bound. What has one is within the tolerance.
+  Rational sum = 0;
+  for (const Decision& made : plan.decisions)
+    if (std::isfinite(made.error)) sum += exact(made.error);
+  CHECK(sum <= exact(1e-3));
+  CHECK(plan.rest_height <= 0.25e-3 * (1 + 1e-12));
+  const Decision& sleeping = contact::decision_on(plan, Effect::sleeping);
+  CHECK(sleeping.because.back().left <= 0.5e-3);
+  CHECK(contact::holds(sleeping.because.back()));
+}
+
+TEST_CASE("without gravity no hop is left out, though something may be pressed") {
+  Scene scene = empty(0.5, 0, 2, 1e-3);
+  box(scene, {2, 0.1, 0.1}, 1e6, Point::Zero()).spin = {0, 0, 1};
+  ball(scene, 0.1, 1, {0.5, 0.25, 0});
+  wall(scene, Point::UnitX(), -50);
+  const Plan plan = contact::plan_scene(scene, stepped(0.01));
+  REQUIRE(contact::decision_on(plan, Effect::resting).on);
+  CHECK(plan.rest_height == 0);
+  // What falls with all others has no floor to lie on, though two of it meet last.
+  Scene last = empty(0.5, 0, 0.5, 1e-4);
+  last.gravity = {0, 0, -8};
+  wall(last, Point::UnitZ(), 0);
+  ball(last, 0.5, 1, {0, 0, 0.7});
+  ball(last, 0.5, 1, {0, 0, 3});
+  CHECK(contact::plan_scene(last, stepped(0.01)).rest_height > 0);
+}
+
+TEST_CASE(
+    "hops from event to event are as high as the cutoff says, in a run that goes on in steps") {
+  const Plan plan = contact::plan_scene(dropped(0.5, 2, 10, 1e-6));
+  const Decision& events = contact::decision_on(plan, Effect::event_driven);
+  REQUIRE(events.on);
+  const double hop = 8 * plan.cutoff * plan.cutoff / 8;
+  CHECK(std::abs(events.error / hop - 1) <= 1e-12);
+  CHECK(std::abs(plan.rest_height / hop - 1) <= 1e-12);
+}
