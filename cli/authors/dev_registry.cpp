@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "../commands.hpp"
-#include "dev_registry.hpp"
 #include "../terminal/terminal.hpp"
+#include "dev_registry.hpp"
 
 namespace contact::cli {
 

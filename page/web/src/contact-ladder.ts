@@ -12,9 +12,11 @@ import {
   type WorkerMessage,
 } from "./ladder-data.ts";
 import { pretty } from "./numbers.ts";
+import { untilBuilt } from "./pending.ts";
 
 export class ContactLadder extends HTMLElement {
   #worker: Worker | undefined;
+  #waiting: AbortController | undefined;
   #rows: LadderRow[] = [];
   #built = false;
 
@@ -31,6 +33,7 @@ export class ContactLadder extends HTMLElement {
   }
 
   disconnectedCallback(): void {
+    this.#waiting?.abort();
     this.#worker?.terminate();
   }
 
@@ -43,7 +46,7 @@ export class ContactLadder extends HTMLElement {
     }
     const status = html("span", { class: "status", role: "status" });
     const progress = html("progress", { max: "1", value: "0", "aria-label": "Progress" });
-    const run = button("Run it here", () => start());
+    const run = button("Run it here", () => void start());
     const cancel = button("Cancel", () => stop("Stopped."));
     const place = html("div", { class: "wide", tabindex: "0", role: "region" });
     place.setAttribute("aria-label", "Your own measurements, may scroll sideways");
@@ -57,6 +60,7 @@ export class ContactLadder extends HTMLElement {
     else this.append(here);
 
     const stop = (words: string): void => {
+      this.#waiting?.abort();
       this.#worker?.terminate();
       this.#worker = undefined;
       run.hidden = false;
@@ -77,10 +81,21 @@ export class ContactLadder extends HTMLElement {
         stop("The ladder could not be run in this browser.");
       }
     };
-    const start = (): void => {
+    const start = async (): Promise<void> => {
       this.#rows = [];
       run.hidden = true;
       cancel.hidden = false;
+      status.textContent = "Loading …";
+      this.#waiting = new AbortController();
+      const { signal } = this.#waiting;
+      const say = (words: string): void => {
+        if (!signal.aborted) status.textContent = words;
+      };
+      try {
+        await untilBuilt(`${this.getAttribute("name")}/ladder`, base, say, signal);
+      } catch {
+        return; // cancelled meanwhile, and said so
+      }
       progress.hidden = false;
       progress.value = 0;
       status.textContent = "Loading …";

@@ -19,7 +19,7 @@ async function building(base: string, name: string): Promise<Building | undefine
 }
 
 /**
- * Returns when `name` is not, or no longer, waiting to be built.
+ * Returns when `name` is not, or no longer, waiting to be built; says whether it waited.
  *
  * @param base the folder with the page's built files
  * @param say is told how many are before it
@@ -28,10 +28,12 @@ export async function untilBuilt(
   name: string,
   base: string,
   say: (words: string) => void,
-): Promise<void> {
-  for (;;) {
+  signal?: AbortSignal,
+): Promise<boolean> {
+  for (let waited = false; ; waited = true) {
     const before = (await building(base, name))?.waiting.indexOf(name) ?? -1;
-    if (before < 0) return;
+    signal?.throwIfAborted();
+    if (before < 0) return waited;
     const others = before === 1 ? "one other is" : `${before} others are`;
     say(before === 0 ? "This is being built now." : `This is not built yet: ${others} before it.`);
     await new Promise((resolve) => setTimeout(resolve, PAUSE));
