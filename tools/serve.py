@@ -17,6 +17,7 @@ import socket
 import sys
 import threading
 import time
+from collections.abc import Mapping
 from html.parser import HTMLParser
 from http import HTTPStatus
 from typing import ClassVar
@@ -29,18 +30,27 @@ DEFAULT_PORT = 8000
 
 
 class Waiting:
-    """What is waiting to be built, in order; what an open page asks for goes first."""
+    """What is waiting to be built, in order; what an open page asks for goes first.
 
-    def __init__(self, names: list[str]) -> None:
+    `parts` are things that can be built by themselves, each with the name of what it is a part of.
+    """
+
+    def __init__(self, names: list[str], parts: Mapping[str, str] | None = None) -> None:
         self._names = names
+        self._parts = parts or {}
+        self._built: set[str] = set()
         self._lock = threading.Lock()
 
     def want(self, name: str) -> None:
         with self._lock:
             # The first is being built already.
-            if name in self._names[1:]:
+            if name in self._names[:1] or name in self._built:
+                return
+            if name in self._names:
                 self._names.remove(name)
-                self._names.insert(1, name)
+            elif self._parts.get(name) not in self._names:
+                return
+            self._names.insert(1, name)
 
     def first(self) -> str | None:
         with self._lock:
@@ -49,6 +59,7 @@ class Waiting:
     def drop(self, name: str) -> None:
         with self._lock:
             self._names.remove(name)
+            self._built.add(name)
 
     def names(self) -> list[str]:
         with self._lock:
@@ -166,8 +177,9 @@ class Behind(threading.Thread):
 
     def run(self) -> None:
         began = time.monotonic()
-        if first := self._figures():
-            print(f"Built the figures ({time.monotonic() - began:.0f} s).", flush=True)
+        if first := self._what_pages_ask_for():
+            took = time.monotonic() - began
+            print(f"Built figures, ladders and exercises ({took:.0f} s).", flush=True)
         rest = [*steps.BEHIND, *([steps.EBOOK_STEP] if self._ebook else []), steps.PROGRAM_STEP]
         self.ok = all([first, *(build(step) for step in rest)])
         if self.ok:
@@ -176,11 +188,10 @@ class Behind(threading.Thread):
         elif not steps.CHILDREN.stopping:
             print("The book is served without what failed.", flush=True)
 
-    def _figures(self) -> bool:
+    def _what_pages_ask_for(self) -> bool:
         ok = True
         while (name := self._waiting.first()) is not None and not steps.CHILDREN.stopping:
-            figure = steps.Step(f"the figure {name}", functools.partial(steps.build_figure, name))
-            ok = build(figure) and ok
+            ok = build(steps.part_of_page(name)) and ok
             self._waiting.drop(name)
         return ok
 
@@ -256,7 +267,7 @@ def serve(port: int, *, once: bool, ebook: bool) -> int:
     os.environ["CONTACT_BOOK_EBOOK"] = "1" if once or ebook or steps.EBOOK.exists() else "0"
     if not all(build(step) for step in steps.FIRST):
         return 1
-    waiting = Waiting(steps.waiting_figures())
+    waiting = Waiting(*steps.waiting_parts())
     server = open_server(port, waiting)
     port = server.server_address[1]
     behind = Behind(waiting, ebook=once or ebook)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import fcntl
+import json
 import os
 import re
 import shutil
@@ -194,8 +195,8 @@ def _node(log: str, *words: str) -> Callable[[], Done]:
     return lambda: run(["node", *words], log, cwd=ROOT / "page", limit=STEP_LIMIT)
 
 
-def _page_exercises() -> Done:
-    """The compiler that the page loads and every exercise's tests, as WebAssembly.
+def _page_exercises(only: str | None = None) -> Done:
+    """The compiler that the page loads and the exercises' tests, as WebAssembly.
 
     Catch2's source comes from the package archive; where there is none, the book goes without.
     """
@@ -205,7 +206,8 @@ def _page_exercises() -> Done:
         return Done(0, fetched.output, fetched.seconds, fetched.log)
     if not fetched.ok:
         return fetched
-    return _node("book-exercises", "wasm/build.mjs", "toolchain")()
+    narrowed = ["--only", only] if only else []
+    return _node("book-exercises", "wasm/build.mjs", "toolchain", *narrowed)()
 
 
 def build_book() -> Done:
@@ -240,12 +242,42 @@ def configure() -> Done:
         return run(["cmake", "-S", ROOT, "--preset", "dev"], "configure", limit=STEP_LIMIT)
 
 
-def waiting_figures() -> list[str]:
-    """The figures and players that the page runs and that are not built, in the book's order.
+def waiting_parts() -> tuple[list[str], dict[str, str]]:
+    """What the page runs and is not built: figures and players, exercises, ladders; in this order.
 
-    The names are those of page/wasm/build.mjs. One that is built may be out of date: it works, and
-    is brought up to date with all the others.
+    Figures have the names of page/wasm/build.mjs; the others are called "exercises 02_triangles"
+    and "ladder 02_triangles". Second, what can be built by itself, with what it is a part of:
+    "exercise 02_triangles/ray_triangle". What is built may be out of date: it works, and is brought
+    up to date with all the others.
     """
+    exercises = _waiting_exercises()
+    chapters = list(dict.fromkeys(name.split("/")[0] for name in exercises))
+    ladders = [
+        file.parent.name
+        for file in sorted(ROOT.glob("chapters/*/ladder.cpp"))
+        if not (BUILD / "web" / "ladders" / f"{file.parent.name}.wasm").is_file()
+    ]
+    names = [
+        *_waiting_figures(),
+        *(f"exercises {slug}" for slug in chapters),
+        *(f"ladder {slug}" for slug in ladders),
+    ]
+    return names, {f"exercise {name}": f"exercises {name.split('/')[0]}" for name in exercises}
+
+
+def _waiting_exercises() -> list[str]:
+    try:
+        built = json.loads((BUILD / "web" / "cpp" / "manifest.json").read_text())["exercises"]
+    except (OSError, ValueError, KeyError):
+        built = {}
+    found = [
+        f"{file.parts[-3]}/{file.parts[-2]}"
+        for file in sorted(ROOT.glob("exercises/*/*/exercise.toml"))
+    ]
+    return [name for name in found if name not in built]
+
+
+def _waiting_figures() -> list[str]:
     made = BUILD / "web"
     found = []
     for source in sorted(ROOT.glob("chapters/*/figures/*.cpp")):
@@ -258,17 +290,56 @@ def waiting_figures() -> list[str]:
     return found
 
 
-def build_figure(name: str) -> Done:
-    """One of waiting_figures(), and a copy of it beside the pages."""
+def part_of_page(name: str) -> Step:
+    """One of waiting_parts()."""
+    kind, _, which = name.rpartition(" ")
+    if not kind:
+        return Step(f"the figure {which}", lambda: _build_figure(which))
+    if kind == "ladder":
+        return Step(f"the ladder of {which}", lambda: _build_ladder(which))
+    return Step(f"the {kind} {which}", lambda: _build_exercises(which))
+
+
+def _build_figure(name: str) -> Done:
     done = _node("book-figure", "wasm/build.mjs", "figures", "--only", name, "--quiet")()
-    file = "scenes/player.wasm" if name.endswith("/scene_player") else f"figures/{name}.wasm"
-    target = SITE / "_static" / "contact" / file
     if done.ok:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        beside = target.with_name(f".{target.name}")
-        shutil.copy2(BUILD / "web" / file, beside)
-        beside.replace(target)
+        player = name.endswith("/scene_player")
+        _beside_the_pages("scenes/player.wasm" if player else f"figures/{name}.wasm")
     return done
+
+
+def _build_ladder(slug: str) -> Done:
+    done = _node("book-ladder", "wasm/build.mjs", "ladders", "--only", slug, "--quiet")()
+    if done.ok:
+        _beside_the_pages(f"ladders/{slug}.wasm")
+    return done
+
+
+def _build_exercises(which: str) -> Done:
+    """The tests of one exercise, or of a chapter's, and with the first the compiler."""
+    done = _page_exercises(which)
+    folder = BUILD / "web" / "cpp"
+    if done.ok and (folder / "manifest.json").is_file():
+        for file in sorted(folder.rglob("*")):
+            name = file.relative_to(BUILD / "web").as_posix()
+            # The list names the others, so it comes last.
+            if file.is_file() and file.name != "manifest.json" and not _is_beside(name):
+                _beside_the_pages(name)
+        _beside_the_pages("cpp/manifest.json")
+    return done
+
+
+def _is_beside(name: str) -> bool:
+    return (SITE / "_static" / "contact" / name).is_file()
+
+
+def _beside_the_pages(name: str) -> None:
+    """Copies what is built for the page to where it is served."""
+    target = SITE / "_static" / "contact" / name
+    target.parent.mkdir(parents=True, exist_ok=True)
+    beside = target.with_name(f".{target.name}")
+    shutil.copy2(BUILD / "web" / name, beside)
+    beside.replace(target)
 
 
 SCRIPTS_ONLY = Step("the page's scripts", _node("book-web", "web/build.mjs", "--scripts-only"))

@@ -30,12 +30,15 @@ import { tar } from "./tar.mjs";
  *   compile: { flags: string[], withPrelude: string[], include: string[], diagnostics: string[] },
  *   link: { before: string[], after: string[] }, exercises: Record<string, Shipped> }} Manifest */
 
-/** Everything that must be made before `ship` can be called. @returns {Recipe[]} */
-export const toolchainRecipes = () => [
+/** Everything that must be made before `ship` can be called.
+ * @param {string} [only] of the exercises: one, or those of one chapter. @returns {Recipe[]} */
+export const toolchainRecipes = (only) => [
   checkPrelude,
   checksObject(),
   judgeRecipe(),
-  ...exerciseList().map((exercise) => testObject(exercise)),
+  ...exerciseList()
+    .filter(({ name }) => !only || name === only || name.startsWith(`${only}/`))
+    .map((exercise) => testObject(exercise)),
 ];
 
 /** The C headers that come with the compiler itself, without those for other machines. */

@@ -120,6 +120,19 @@ def test_what_a_page_asks_for_is_built_next() -> None:
     assert waiting.first() == "d"
 
 
+def test_a_part_that_a_page_asks_for_is_built_before_the_rest() -> None:
+    waiting = Waiting(["figure", "exercises 01", "exercises 02"], {"exercise 02/a": "exercises 02"})
+    assert waiting.names() == ["figure", "exercises 01", "exercises 02"]
+    waiting.want("exercise 02/a")
+    waiting.want("exercise 02/a")
+    waiting.want("exercise 03/z")
+    assert waiting.names() == ["figure", "exercise 02/a", "exercises 01", "exercises 02"]
+    waiting.drop("figure")
+    waiting.drop("exercise 02/a")
+    waiting.want("exercise 02/a")  # is built, though what it is a part of is not
+    assert waiting.names() == ["exercises 01", "exercises 02"]
+
+
 def test_the_server_says_what_is_waiting() -> None:
     server = open_server(0, Waiting(["01/a", "01/b", "01/c"]))
     thread = threading.Thread(target=server.serve_forever, daemon=True)

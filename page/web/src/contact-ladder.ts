@@ -92,7 +92,7 @@ export class ContactLadder extends HTMLElement {
         if (!signal.aborted) status.textContent = words;
       };
       try {
-        await untilBuilt(`${this.getAttribute("name")}/ladder`, base, say, signal);
+        await untilBuilt(`ladder ${this.getAttribute("name")}`, base, say, signal);
       } catch {
         return; // cancelled meanwhile, and said so
       }

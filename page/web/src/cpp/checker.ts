@@ -1,5 +1,6 @@
 // Checks an answer in the page. One checker serves all exercises of a page: one download, one compiler.
 
+import { untilBuilt } from "../pending.ts";
 import { abortable } from "./abort.ts";
 import { Downloads, openStore } from "./download.ts";
 import { loadJudge } from "./judge.ts";
@@ -11,6 +12,7 @@ import {
   type CheckOptions,
   type ExerciseData,
   type Judge,
+  type ShippedFile,
   type Size,
   type Tell,
   type VerdictJson,
@@ -58,8 +60,9 @@ export class Checker {
   }
 
   /** Downloads and starts what a check needs, so that the first check is quick. */
-  async prepare(tell: Tell, signal?: AbortSignal): Promise<void> {
+  async prepare(id: string, tell: Tell, signal?: AbortSignal): Promise<void> {
     const { toolchain } = await this.#parts;
+    await this.#tests(id, tell, signal);
     await toolchain.ready(tell, signal);
     this.#runners.prepare();
     tell({ step: "start" });
@@ -77,10 +80,7 @@ export class Checker {
     const { downloads, toolchain } = await this.#parts;
     // A lone half of a surrogate pair is no text, and C++ could not say so.
     const whole = new TextDecoder().decode(new TextEncoder().encode(source));
-    const { exercises } = await abortable(toolchain.manifest(), signal);
-    const shipped = exercises[data.id];
-    if (!shipped)
-      throw new CheckerError("The tests of this exercise are not in this copy of the book.");
+    const shipped = await this.#tests(data.id, tell, signal);
     // Small, so side by side with the rest.
     const small = Promise.all([downloads.bytes(shipped), this.judge(data)]);
     small.catch(() => toolchain.forget()); // told below, when its turn comes
@@ -113,6 +113,23 @@ export class Checker {
     const run = (performance.now() - began) / 1000;
     const verdict = judge.judge(data.id, results, { source: whole, log: built.log, output });
     return { ...verdict, file, seconds: { compile, link, run } };
+  }
+
+  /** Where an exercise's tests are; while they are still to be built, waits until they are. */
+  async #tests(id: string, tell: Tell, signal?: AbortSignal): Promise<ShippedFile> {
+    const { toolchain } = await this.#parts;
+    const look = async (): Promise<ShippedFile | undefined> =>
+      (await abortable(toolchain.manifest(), signal)).exercises[id];
+    // Without any list the first one may still be built; if not, the second look says what is wrong.
+    const found = await look().catch(() => undefined);
+    if (found) return found;
+    signal?.throwIfAborted();
+    const say = (words: string): void => tell({ step: "wait", words });
+    await untilBuilt(`exercise ${id}`, this.#base, say, signal);
+    toolchain.renewManifest();
+    const built = await look();
+    if (built) return built;
+    throw new CheckerError("The tests of this exercise are not in this copy of the book.");
   }
 
   /** The judge alone, without the compiler. */

@@ -50,6 +50,11 @@ export class Toolchain {
     return this.#manifest;
   }
 
+  /** Asks for the list anew when it is wanted next: more has been built. */
+  renewManifest(): void {
+    this.#manifest = undefined;
+  }
+
   async #missing(keys: readonly string[]): Promise<ShippedFile[]> {
     const { files } = await this.manifest();
     const named = keys.flatMap((key) => files[key] ?? []);

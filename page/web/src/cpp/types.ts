@@ -154,13 +154,16 @@ export interface Size {
   readonly kept: boolean;
 }
 
-export type Step = "download" | "start" | "compile" | "link" | "run";
+/** "wait": what is needed is still being built by `./contact serve`. */
+export type Step = "wait" | "download" | "start" | "compile" | "link" | "run";
 
 export interface Progress {
   readonly step: Step;
   /** While downloading: bytes so far and of how many. */
   readonly received?: number;
   readonly total?: number;
+  /** While waiting: what for, a sentence. */
+  readonly words?: string;
   /** While running: the test that has begun. */
   readonly test?: string;
 }

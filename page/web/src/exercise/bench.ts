@@ -24,6 +24,7 @@ const ON_PAPER = ".contract, .command-line";
 type State = "idle" | "loading" | "compiling" | "running" | "done";
 
 const STATES: Record<Step["step"], State> = {
+  wait: "loading",
   download: "loading",
   start: "loading",
   compile: "compiling",
@@ -31,6 +32,7 @@ const STATES: Record<Step["step"], State> = {
   run: "running",
 };
 const WORDS: Record<Step["step"], string> = {
+  wait: "This is not built yet.",
   download: "Downloading the compiler …",
   start: "Starting the compiler …",
   compile: "Compiling your code …",
@@ -245,8 +247,10 @@ export class Bench {
       const done = (received / 1e6).toFixed(1);
       this.#received.textContent = `${done} of ${megabytes(total!)}`;
     }
+    if (step.words) this.#sayIfItLasts(step.words);
     if (this.#stepSaid === step.step) return;
     this.#stepSaid = step.step;
+    if (step.step === "wait") return;
     if (step.step === "download" && this.#downloaded)
       this.#sayIfItLasts("Downloading what makes checks quicker …");
     else if (downloading) this.#sayIfItLasts(`${WORDS.download} It is ${megabytes(total!)}.`);
@@ -456,7 +460,7 @@ export class Bench {
   #prepare(): Promise<void> {
     const prepare = async (signal: AbortSignal): Promise<void> => {
       const checker = await this.#checker();
-      await checker.prepare((step) => this.#tell(step), signal);
+      await checker.prepare(this.#parts.id, (step) => this.#tell(step), signal);
       this.#state("idle");
       this.#say("Ready: checks are quick from now on.");
     };

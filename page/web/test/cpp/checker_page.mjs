@@ -108,7 +108,7 @@ export async function makePage(web = path.join(root, "build", "web")) {
     };
     window.prepare = async () => {
       const { told, tell, since } = began("prepare");
-      await checker.prepare(tell);
+      await checker.prepare("02_triangles/ray_triangle", tell);
       return { told, milliseconds: since() };
     };
     document.body.dataset.ready = "yes";`;
