@@ -6,6 +6,9 @@ import fs from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
 import { launch, lessons, notRun, open, serve, site } from "./browser.mjs";
+import { exerciseOn, PATIENCE, pageOf } from "./exercise_page.mjs";
+
+const EXERCISE = "02_triangles/ray_triangle";
 
 const skip = notRun();
 const name = /<contact-figure[^>]* name="([^"]+)"/;
@@ -68,6 +71,72 @@ test("a figure that is not built yet waits for its turn, and appears", { skip },
       [],
     );
     await leave();
+  } finally {
+    served.close();
+    await close();
+  }
+});
+
+/** A queue as the server tells it, in which what is asked for is built when the test says so. */
+async function queued(/** @type {import("playwright-core").Page} */ page) {
+  /** @type {string[]} */
+  const queue = [];
+  /** @type {Set<string | null>} */
+  const wanted = new Set();
+  await page.route("**/building.json*", (route) => {
+    wanted.add(new URL(route.request().url()).searchParams.get("want"));
+    return route.fulfill({ json: { waiting: queue } });
+  });
+  return { queue, wanted };
+}
+
+test("a ladder that is not built yet waits for its turn, and runs", { skip }, async () => {
+  const { browser, close } = await launch();
+  const served = await serve();
+  try {
+    const { page } = await open(browser, "about:blank", { serviceWorkers: "block" });
+    const { queue, wanted } = await queued(page);
+    const unbuilt = "**/ladders/02_triangles.wasm";
+    await page.route(unbuilt, (route) => route.fulfill({ status: 404 }));
+    await page.goto(`${served.origin}/chapters/02_triangles.html`);
+    const ladder = page.locator("contact-ladder").first();
+    const run = ladder.getByRole("button", { name: "Run it here" });
+    queue.push("other/one", "ladder 02_triangles");
+    await run.click();
+    await ladder.getByText("This is not built yet: one other is before it.").waitFor();
+    await ladder.getByRole("button", { name: "Cancel" }).click();
+    await ladder.getByText("Stopped.").waitFor();
+    await run.click();
+    await ladder.getByText("This is not built yet").waitFor();
+    await page.unroute(unbuilt);
+    queue.length = 0;
+    await ladder.getByText(/timed in/).waitFor({ timeout: 60_000 });
+    assert.deepEqual([...wanted], ["ladder 02_triangles"]);
+  } finally {
+    served.close();
+    await close();
+  }
+});
+
+test("a check whose tests are not built yet waits for them", { skip }, async () => {
+  const { browser, close } = await launch();
+  const served = await serve();
+  try {
+    const { page } = await open(browser, "about:blank", { serviceWorkers: "block" });
+    const { queue, wanted } = await queued(page);
+    await page.route("**/cpp/manifest.json", (route) => route.fulfill({ status: 404 }));
+    await page.goto(`${served.origin}/${pageOf(EXERCISE)}`);
+    queue.push("other/one", `exercise ${EXERCISE}`);
+    const { element, press } = exerciseOn(page, EXERCISE);
+    await press("Check");
+    await element.getByText("This is not built yet: one other is before it.").waitFor();
+    assert.equal(await element.getAttribute("state"), "loading");
+    queue.length = 0;
+    await page.unroute("**/cpp/manifest.json");
+    await page
+      .locator(`contact-exercise[name="${EXERCISE}"][state=done]`)
+      .waitFor({ timeout: PATIENCE });
+    assert.deepEqual([...wanted], [`exercise ${EXERCISE}`]);
   } finally {
     served.close();
     await close();

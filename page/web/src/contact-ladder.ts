@@ -46,7 +46,7 @@ export class ContactLadder extends HTMLElement {
     }
     const status = html("span", { class: "status", role: "status" });
     const progress = html("progress", { max: "1", value: "0", "aria-label": "Progress" });
-    const run = button("Run it here", () => void start());
+    const run = button("Run it here", () => start());
     const cancel = button("Cancel", () => stop("Stopped."));
     const place = html("div", { class: "wide", tabindex: "0", role: "region" });
     place.setAttribute("aria-label", "Your own measurements, may scroll sideways");
@@ -78,32 +78,35 @@ export class ContactLadder extends HTMLElement {
         stop(`${this.#rows.length} timed in ${data.seconds.toFixed(1)} s: ${machine()}.`);
       } else {
         console.warn(`ladder ${result.ladder}:`, data.message);
-        stop("The ladder could not be run in this browser.");
+        void failed();
       }
     };
-    const start = async (): Promise<void> => {
-      this.#rows = [];
-      run.hidden = true;
-      cancel.hidden = false;
-      status.textContent = "Loading …";
+    /** It did not start: perhaps it is still to be built, and starts then. */
+    const failed = async (): Promise<void> => {
+      this.#worker?.terminate();
+      progress.hidden = true;
       this.#waiting = new AbortController();
       const { signal } = this.#waiting;
       const say = (words: string): void => {
         if (!signal.aborted) status.textContent = words;
       };
       try {
-        await untilBuilt(`ladder ${this.getAttribute("name")}`, base, say, signal);
+        if (await untilBuilt(`ladder ${this.getAttribute("name")}`, base, say, signal)) start();
+        else stop("The ladder could not be run in this browser.");
       } catch {
-        return; // cancelled meanwhile, and said so
+        // Cancelled meanwhile, and said so.
       }
+    };
+    const start = (): void => {
+      this.#rows = [];
+      run.hidden = true;
+      cancel.hidden = false;
       progress.hidden = false;
       progress.value = 0;
       status.textContent = "Loading …";
       this.#worker = new Worker(`${base}ladder-worker.js`, { type: "module" });
       this.#worker.addEventListener("message", receive);
-      this.#worker.addEventListener("error", () =>
-        stop("The ladder could not be run in this browser."),
-      );
+      this.#worker.addEventListener("error", () => void failed());
       this.#worker.postMessage(`${base}ladders/${this.getAttribute("name")}.wasm`);
     };
   }
