@@ -47,8 +47,9 @@ Input near_tie(generators::Random& random) {
 }
 
 /// The truth, by none of the methods: the n with cot²(π/n) < M/m ≤ cot²(π/(n + 1)), from 3 on.
-/// tie_ratio() is off by at most 2^-96 of itself (reference_test.cpp holds it against intervals);
-/// a ratio that is nearer to a tie, and is none, does not occur here, and would be a -1.
+/// tie_ratio() is off by at most 2^-96 of itself (reference_block_count_test.cpp holds it against
+/// intervals); a ratio that is nearer to a tie, and is none, does not occur here, and would be a
+/// -1.
 std::int64_t count_between_ties(double ratio) {
   if (ratio == 1) return 3;  // The two that a step reaches exactly, n = 4 and n = 6.
   if (ratio == 3) return 5;

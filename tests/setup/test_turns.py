@@ -25,7 +25,7 @@ EXERCISES = sorted(
 )
 # Files with a list of which a turn takes less than a third, because a third takes longer than a run
 # has: the attacks that stand before honest answers, a sixth of those that a turn takes.
-ABOVE_THREE = {"tests/grade/test_hostile.py": 6}
+ABOVE_THREE = {"tests/grade/hostile_run.py": 6}
 
 
 @pytest.fixture(autouse=True)

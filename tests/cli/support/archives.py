@@ -11,7 +11,7 @@ from pathlib import Path
 
 Run = Callable[..., subprocess.CompletedProcess[str]]
 Files = Mapping[str, str | bytes]
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 PROGRAM = ROOT / "build/dev/bin/contact"
 RAY = "02_triangles/ray_triangle"
 PLANE = "01_planes/sphere_plane"
