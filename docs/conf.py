@@ -54,7 +54,10 @@ nitpicky = True
 nitpick_ignore_regex = [
     (r"cpp:identifier", r"Eigen(::.*)?|nlohmann(::.*)?|std(::.*)?|S|T|Value|u?int\d+_t|size_t"),
     (r"cpp:identifier", r".*<(S|double|E\.dimension)>::.*"),
-    (r"cpp:identifier", r"(contact::)?(detail|internal)(::.*)?|contact(::(tolerance|cost|scenes))?"),
+    (
+        r"cpp:identifier",
+        r"(contact::)?(detail|internal)(::.*)?|contact(::(tolerance|cost|scenes))?",
+    ),
 ]
 
 epub_basename = "contact-hours"

@@ -427,9 +427,9 @@ def what_pages_tell(preset: str, chapters: Sequence[str]) -> Iterator[Check]:
     """The tables of hard cases that lessons show, against what the programs say."""
     told = [slug for slug in chapters if (ROOT / f"tests/{slug}/hard_cases.told.json").exists()]
     if told:
-        tell = [sys.executable, ROOT / "docs" / "tell_hard_cases.py", "--check"]
-        programs = ["--programs", BUILD / preset / "bin"]
-        yield once("what pages show of hard cases", [*tell, *programs, *told])
+        tell: list[str | Path] = [sys.executable, ROOT / "docs" / "tell_hard_cases.py", "--check"]
+        tell += ["--programs", BUILD / preset / "bin", *told]
+        yield once("what pages show of hard cases", tell)
 
 
 def sanitize() -> Iterator[Check]:
