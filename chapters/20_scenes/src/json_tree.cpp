@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cstddef>
 #include <iterator>
+#include <utility>
 
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene_file.hpp>
@@ -178,7 +179,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     if (parent.kind == JsonKind::array) {
       parent.items.push_back(std::move(node));
     } else {
-      parent.members.emplace_back(keys_.back(), std::move(node));
+      parent.members.push_back({keys_.back(), std::move(node)});
     }
     return true;
   }
@@ -195,7 +196,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     } else if (open_.back()->kind == JsonKind::array) {
       open_.push_back(&open_.back()->items.back());
     } else {
-      open_.push_back(&open_.back()->members.back().second);
+      open_.push_back(&open_.back()->members.back().value);
     }
     keys_.emplace_back();
     return true;
@@ -233,8 +234,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
 CONTACT_SCENES_INLINE const JsonNode* JsonNode::find(std::string_view key) const {
   const auto found = std::find_if(members.begin(), members.end(),
-                                  [&](const auto& member) { return member.first == key; });
-  return found == members.end() ? nullptr : &found->second;
+                                  [&](const auto& member) { return member.key == key; });
+  return found == members.end() ? nullptr : &found->value;
 }
 
 CONTACT_SCENES_INLINE std::string JsonNode::shown() const {

@@ -5,27 +5,34 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace contact::scenes {
 
 enum class JsonKind { null, boolean, number, text, array, object };
 
+struct JsonMember;
+
 /// A value of a JSON document.
 struct JsonNode {
   JsonKind kind = JsonKind::null;
   int line = 0;
-  bool truth = false;           ///< of a boolean
-  double number = 0;            ///< of a number
-  std::string text;             ///< of a text; of a number, as it stands in the file
-  std::vector<JsonNode> items;  ///< of an array
-  std::vector<std::pair<std::string, JsonNode>> members;  ///< of an object, also those that repeat
+  bool truth = false;               ///< of a boolean
+  double number = 0;                ///< of a number
+  std::string text;                 ///< of a text; of a number, as it stands in the file
+  std::vector<JsonNode> items;      ///< of an array
+  std::vector<JsonMember> members;  ///< of an object, also those that repeat
 
   /// The first member of this name, or null.
   [[nodiscard]] const JsonNode* find(std::string_view key) const;
   /// The value as a few characters for an error: `-1`, `"ball"`, `[1, 2]`, `{...}`.
   [[nodiscard]] std::string shown() const;
+};
+
+/// A key of an object and its value.
+struct JsonMember {
+  std::string key;
+  JsonNode value;
 };
 
 /// Reads a document.
