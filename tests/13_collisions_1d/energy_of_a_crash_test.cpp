@@ -78,7 +78,7 @@ TEST_CASE("from a train the loss is the same") {
   check({2, 16}, {1, 10}, 0);
 }
 
-TEST_CASE("half the bounce loses three quarters") {
+TEST_CASE("of the energy of the relative motion the share 1 - e^2 is lost") {
   check({1, 4}, {1, 0}, 0.5);
   check({3, 8}, {1, 0}, 0.25);
   check({3, 8}, {1, -2}, 0.75);

@@ -1,6 +1,7 @@
 // advance.hpp: from impact to impact among walls, in fractions.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
+#include <numbers>
 #include <contact/advance.hpp>
 #include <contact/bouncing.hpp>
 #include <contact/integrators.hpp>
@@ -116,6 +117,34 @@ TEST_CASE("in a wedge there is an end of impacts, at most the angles that fit in
     most = std::max(most, got.impacts);
   }
   CHECK(most == 5);
+}
+
+namespace {
+
+/// The most impacts of a ball in a wedge of 20 degrees, over 5000 directions that lead into it.
+int most_impacts_at_twenty_degrees(double restitution, int allowed) {
+  const double wedge = std::numbers::pi / 9;
+  const std::vector<Plane<double>> walls{{{0, 0, 1}, 0},
+                                         {{std::sin(wedge), 0, -std::cos(wedge)}, 0}};
+  const auto rules = contact::impact_rules<double>(restitution, 0, allowed);
+  int most = 0;
+  for (int i = -2000; i < 3000; ++i) {
+    const double way = std::numbers::pi * (1 + i / 9000.0);
+    const auto got = contact::advance_straight<double>(
+        {{std::cos(wedge / 2), 0, std::sin(wedge / 2)}, {std::cos(way), 0, std::sin(way)}}, 0, 1e9,
+        walls, rules);
+    most = std::max(most, got.impacts);
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("with losses a wedge holds more impacts than angles fit into half a turn") {
+  CHECK(most_impacts_at_twenty_degrees(1, 1000) == 9);
+  CHECK(most_impacts_at_twenty_degrees(0.5, 1000) == 39);
+  // Without an end: as many as are allowed.
+  CHECK(most_impacts_at_twenty_degrees(0.1, 1000) == 1000);
 }
 
 TEST_CASE("impacts at one time are met in the order of the list, and all of them") {

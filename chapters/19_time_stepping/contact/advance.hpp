@@ -131,8 +131,9 @@ Advance<S> advance_by(const MotionState<Vector3<S>>& start, const Vector3<S>& ac
 /// @param step s, 0 or more
 /// @param walls planes whose fronts the ball moves in; it does not start behind one
 /// @param rules rest_speed does not matter here: nothing pulls
-/// @note Between two walls at an angle θ a ball has at most ⌈π/θ⌉ impacts; parallel walls give as
-/// many as fit into the step. What is left when the rules' number is spent is `time_left`; the ball
+/// @note Between two walls at an angle θ a ball that loses nothing has at most ⌈π/θ⌉ impacts; with
+/// losses there are more, and at a small angle no end; parallel walls give as many as fit into the
+/// step. What is left when the rules' number is spent is `time_left`; the ball
 /// then touches a wall that it still approaches
 /// @see *Fundamentals of Computer Animation*, slide "At the beginning of each time step"
 template <Scalar S>

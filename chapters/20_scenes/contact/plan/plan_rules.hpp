@@ -359,13 +359,13 @@ inline double contact_time_cutoff(double tolerance, double gravity) {
 
 /// From event to event only where the number of events is bounded.
 ///
-/// Finitely many elastic balls hit each other finitely often (Burago, Ferleger and Kononenko 1998),
-/// and with walls and gravity finitely often in a finite time (Galperin 1981), as long as nothing
-/// rests. A ball on one half-space has a budget of bounces. A pair that flies freely meets once.
-/// A ball that comes to rest on one half-space is followed until its hops are shorter than a
-/// cutoff; their height is the error. No other error is accepted beside it: what else may be left
-/// out within the tolerance touches nothing, or goes step by step. Everything else goes step by
-/// step: that is the safe side.
+/// Finitely many elastic balls hit each other finitely often (Vaserstein 1979; Burago, Ferleger and
+/// Kononenko 1998 with a bound by number and masses alone), and with walls and gravity finitely
+/// often in a finite time (Galperin 1981), as long as nothing rests. A ball on one half-space has a
+/// budget of bounces. A pair that flies freely meets once. A ball that comes to rest on one
+/// half-space is followed until its hops are shorter than a cutoff; their height is the error. No
+/// other error is accepted beside it: what else may be left out within the tolerance touches
+/// nothing, or goes step by step. Everything else goes step by step: that is the safe side.
 Decision plan_event_driven(const PlanQuestion& q);
 
 namespace detail {
