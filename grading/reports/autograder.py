@@ -22,8 +22,16 @@ FILES = Path(__file__).with_name("autograder_files")
 FORMAT = "contact-autograder/1"
 # What the book is made of. Submissions or results may lie beside it, and are nobody's business.
 BOOK = (
-    *("contact", "CMakeLists.txt", "CMakePresets.json", "pyproject.toml", "LICENSE", "README.md"),
-    *("LICENSE-prose.md", "NOTICES.md", "CHANGELOG.md", "CONTRIBUTING.md", ".gitignore"),
+    *("contact", "CMakeLists.txt", "CMakePresets.json", "pyproject.toml", "biome.json"),
+    *(
+        "LICENSE",
+        "LICENSE-prose.md",
+        "README.md",
+        "NOTICES.md",
+        "CHANGELOG.md",
+        "CONTRIBUTING.md",
+        ".gitignore",
+    ),
     *("benchmarks", "chapters", "cli", "cmake", "docs", "exercises", "grading", "page"),
     *("solutions", "tests", "tools"),
 )

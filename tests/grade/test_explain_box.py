@@ -31,7 +31,7 @@ PROGRAMS = {
 def test_marks_do_not_depend_on_what_explains(grader: Grader, tmp_path: Path, does: str) -> None:
     own = tmp_path / "bin"
     own.mkdir()
-    for name in ("contact", "contact-box"):
+    for name in ("contact", "contact-grade", "contact-box"):
         shutil.copy2(grader.program.parent / name, own)
     source = tmp_path / "explain.c"
     source.write_text(

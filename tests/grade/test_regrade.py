@@ -216,11 +216,10 @@ def test_another_grader_grades_all_again(graded: Grader) -> None:
     before = graded.document()
     own = graded.folder.parent / "bin"
     own.mkdir()
-    for helper in ("contact-box", "contact-explain"):
-        shutil.copy2(graded.program.parent / helper, own)
-    program = own / "contact"
-    shutil.copy2(graded.program, program)
-    graded.program = program
+    for name in ("contact", "contact-grade", "contact-box", "contact-explain"):
+        shutil.copy2(graded.program.parent / name, own)
+    graded.program = own / "contact"
+    program = own / "contact-grade"
     assert graded.grade()["units"]["reused"] == 3
     # A byte after its end changes nothing that it does.
     with program.open("ab") as file:

@@ -27,6 +27,7 @@ from wrong_answers import wrong_answers  # noqa: E402
 
 ROOT = HERE.parents[1]
 PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
+WORKER = str(PROGRAM.with_name("contact-grade"))
 EXERCISE = "02_triangles/point_in_triangle"
 SOLUTIONS = ROOT / "solutions" / EXERCISE
 SOLUTION = (SOLUTIONS / "point_in_triangle.cpp").read_text()
@@ -162,14 +163,14 @@ def grading(cluster: Cluster, tmp_path: Path) -> Grading:
 
 
 def workers(cluster: Cluster, node: str) -> list[int]:
-    """The workers of `contact` on a node, by their process id."""
+    """The workers of `contact grade` on a node, by their process id."""
     found = []
     for pid in cluster.processes(node):
         try:
             words = Path(f"/proc/{pid}/cmdline").read_bytes().split(b"\0")
         except OSError:
             continue
-        if words[0] == str(PROGRAM).encode() and b"grade-worker" in words:
+        if words[0] == WORKER.encode() and b"grade-worker" in words:
             found.append(pid)
     return found
 
