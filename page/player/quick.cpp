@@ -17,6 +17,7 @@
 #include <src/stage_time_of_impact.cpp>
 #include <src/step_solver.cpp>
 #include <src/stepped_run.cpp>
+#include <src/stepped_setup.cpp>
 #include <src/stepped_state.cpp>
 
 #include "player_run.cpp"

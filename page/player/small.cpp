@@ -10,6 +10,7 @@
 #include <src/plan_motion.cpp>
 #include <src/plan_pairs.cpp>
 #include <src/plan_savings.cpp>
+#include <src/plan_shapes.cpp>
 #include <src/plan_text.cpp>
 #include <src/plan_time.cpp>
 #include <src/plan_types.cpp>
