@@ -53,7 +53,9 @@ async function main(args) {
   const exercises = withToolchain ? exerciseList() : [];
   const names = [...all, ...exercises].map(({ name }) => name);
   if (only && !names.some((name) => name === only || name.startsWith(`${only}/`))) {
-    console.error(`Nothing of that is called ${only}. There are:`);
+    const each = { figures: "figure", ladders: "ladder", toolchain: "exercise" };
+    const what = each[/** @type {keyof typeof each} */ (one)] ?? "product";
+    console.error(`There is no ${what} ${only}. There are:`);
     for (const name of names) console.error(`  ${name}`);
     return 2;
   }

@@ -114,6 +114,9 @@ test("the program's own words: an unknown name lists what there is; wrong usage 
   const unknown = await fails("figures", "--only", "99_nothing/here");
   assert.equal(unknown.code, 2);
   assert.match(unknown.stderr, /There is no figure 99_nothing\/here.*01_planes\//s);
+  const exercise = await fails("toolchain", "--only", "99_nothing");
+  assert.equal(exercise.code, 2);
+  assert.match(exercise.stderr, /There is no exercise 99_nothing.*02_triangles\/ray_triangle/s);
   assert.equal((await fails("houses")).code, 2);
   assert.equal((await fails("figures", "houses")).code, 2);
   assert.equal((await fails()).code, 2);
