@@ -14,7 +14,9 @@ _build = Path(os.environ.get("CONTACT_BOOK_BUILD", str(DOCS.parent / "build")))
 contact_products = str(_build / "docs-data")
 contact_web = os.environ.get("CONTACT_BOOK_WEB", str(_build / "web"))
 contact_node = str(DOCS.parent / "page")
-contact_plotter = os.environ.get("CONTACT_BOOK_PLOTTER", str(DOCS / "web" / "ladder_svg.mjs"))
+contact_plotter = os.environ.get(
+    "CONTACT_BOOK_PLOTTER", str(DOCS.parent / "page" / "web" / "ladder_svg.mjs")
+)
 contact_ebook = os.environ.get("CONTACT_BOOK_EBOOK", "1") == "1"
 contact_complete = os.environ.get("CONTACT_BOOK_COMPLETE") == "1"
 
