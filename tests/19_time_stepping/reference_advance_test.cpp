@@ -1,10 +1,10 @@
 // advance.hpp: from impact to impact among walls, in fractions.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <numbers>
 #include <contact/advance.hpp>
 #include <contact/bouncing.hpp>
 #include <contact/integrators.hpp>
+#include <numbers>
 #include <vector>
 
 #include "reference.hpp"
