@@ -2,6 +2,7 @@
 // command, which lies beside it.
 
 #include <exception>
+#include <string_view>
 
 #include "../elsewhere.hpp"
 #include "../program.hpp"
@@ -14,7 +15,7 @@ namespace {
 void add_elsewhere(Command app, Action& /*action*/) {
   for (const Elsewhere& command : commands_elsewhere()) {
     const Command shown = app.add_subcommand(command.name, command.what);
-    if (command.name == grade_worker_command.name) shown.hide();
+    if (std::string_view(command.name) == grade_worker_command.name) shown.hide();
   }
 }
 

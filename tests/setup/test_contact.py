@@ -110,6 +110,16 @@ def test_what_is_not_understood_is_named(clone: Path, words: tuple[str, ...], na
     assert not (clone / "build").exists()
 
 
+def test_an_unknown_command_is_named_where_the_program_is_built(clone: Path) -> None:
+    program = clone / "build/dev/bin/contact"
+    program.parent.mkdir(parents=True)
+    program.write_text("#!/bin/sh\nexit 7\n")
+    program.chmod(0o755)
+    done = contact(clone, "frobnicate")
+    assert done.returncode == 2
+    assert 'no command "frobnicate"' in done.stderr
+
+
 def test_help_lists_what_the_program_offers(clone: Path) -> None:
     program = ROOT / "build/dev/bin/contact"
     if not program.exists():

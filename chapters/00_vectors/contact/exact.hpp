@@ -284,7 +284,7 @@ Float Exact::round_to_even(std::uint64_t bits, std::int64_t exponent) {
   return std::ldexp(static_cast<Float>(kept), static_cast<int>(exponent + cut));
 }
 
-namespace exact_detail {
+namespace detail {
 
 /// What Eigen asks of a number type that never rounds, and about how many additions of doubles its
 /// operations cost.
@@ -306,7 +306,7 @@ struct EigenTraits {
   static int digits10() { return 0; }
 };
 
-}  // namespace exact_detail
+}  // namespace detail
 
 }  // namespace contact
 
@@ -317,5 +317,5 @@ struct NumTraits;
 /// Lets Eigen's vectors hold `contact::Exact`. Only declared here, so that this header does not
 /// need Eigen.
 template <>
-struct NumTraits<contact::Exact> : contact::exact_detail::EigenTraits<contact::Exact, 4, 40, 60> {};
+struct NumTraits<contact::Exact> : contact::detail::EigenTraits<contact::Exact, 4, 40, 60> {};
 }  // namespace Eigen

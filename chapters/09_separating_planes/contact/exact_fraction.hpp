@@ -68,5 +68,5 @@ namespace Eigen {
 /// Lets Eigen's vectors hold `contact::ExactFraction`.
 template <>
 struct NumTraits<contact::ExactFraction>
-    : contact::exact_detail::EigenTraits<contact::ExactFraction, 8, 200, 120> {};
+    : contact::detail::EigenTraits<contact::ExactFraction, 8, 200, 120> {};
 }  // namespace Eigen
