@@ -343,6 +343,7 @@ def style() -> Iterator[Check]:
                 for project in tracked("page/tsconfig.json", "page/*/tsconfig.json")
             ),
             once("shellcheck", ["shellcheck", *scripts]),
+            once("words", [venv / "python", ROOT / "tools" / "words.py"]),
         ]
     )
     yield looked_at("the turn", landing.check_turn)
