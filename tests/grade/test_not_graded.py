@@ -292,4 +292,4 @@ def test_how_long_a_unit_may_take_follows_from_its_limits(grader: Grader) -> Non
     tests = 5
     minutes = round(declared(5) / 60)
     page = " ".join((ROOT / "docs/grading.md").read_text().split())
-    assert f"With the book's limits and five tests that is {minutes} minutes." in page
+    assert f"With the book's limits and five tests the limit is {minutes} minutes." in page
