@@ -82,7 +82,7 @@ class Floor:
         objects = []
         for name in host:
             objects.append(self.folder / f"{name.stem}.o")
-            if not objects[-1].exists():  # not timed: nobody compiles these twice
+            if not objects[-1].exists():  # not timed: compiled only once
                 run(*self.compile, *[f"-I{p}" for p in places], "-c", name, "-o", objects[-1])
         start = time.perf_counter()
         run(*self.compile, *self.includes, "-c", source, "-o", self.folder / "both.o")

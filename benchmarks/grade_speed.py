@@ -112,7 +112,7 @@ def text_of(exercise: str, kind: str, draw: random.Random) -> str:
 
 
 def varied(text: str, student: str, draw: random.Random) -> str:
-    """The same answer in another hand: a comment, a name that nobody uses, blank lines."""
+    """The same answer written differently: a comment, an unused name, blank lines."""
     mark = draw.randrange(10**9)
     return (
         f"// {student}, version {mark}\n{text}\n\n"

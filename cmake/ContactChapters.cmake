@@ -47,9 +47,9 @@ function(contact_add_chapter_targets)
   endforeach()
 endfunction()
 
-# A chapter whose code is large has headers that declare and src/*.cpp that define. Without more, each program that
-# includes such a header takes its source in. The tree's own programs link a library in which they are compiled once:
-# of chapters/20_scenes, contact_scenes, which defines CONTACT_SCENES_COMPILED for whoever links it.
+# In a large chapter the headers declare and src/*.cpp defines. By default a program that includes such a header also
+# includes its source. The programs of this repository link a library in which the sources are compiled once: for
+# chapters/20_scenes, contact_scenes, which defines CONTACT_SCENES_COMPILED for the targets that link it.
 function(contact_add_chapter_libraries)
   find_package(nlohmann_json 3.11 REQUIRED)
   foreach(chapter IN LISTS CONTACT_CHAPTERS)

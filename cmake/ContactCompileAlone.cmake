@@ -23,8 +23,8 @@ endfunction()
 
 # Each reference header must compile alone: one generated source a header, all in one object library a chapter, with
 # nothing on the include path but that chapter and those it builds on. Only built when it is asked for, as tools/test.py
-# does: some chapters in each turn. Where a chapter has a library, its headers are compiled as whoever links that sees
-# them; and all of them together once more as a program without it does, with their sources.
+# does: some chapters in each turn. If a chapter has a library, its headers are compiled as for a target that links it,
+# and once more, all together, with their sources, as in a program without it.
 function(contact_compile_headers_alone chapter)
   set(folder "${PROJECT_SOURCE_DIR}/chapters/${chapter}")
   file(GLOB_RECURSE headers RELATIVE "${folder}" CONFIGURE_DEPENDS "${folder}/contact/*.hpp")

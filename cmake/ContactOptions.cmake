@@ -1,5 +1,5 @@
 # How everything here is compiled. Two INTERFACE targets, so that a target says what it wants by linking:
-#   contact_options   the language and the arithmetic; whoever uses the headers gets it too
+#   contact_options   the language and the arithmetic; also for targets that use the headers
 #   contact_warnings  for our own sources only
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)

@@ -4,7 +4,7 @@
 #
 #   tools/bare_debian.sh [--release 12|13] [--minutes N] [--user] [--folder DIR] [--keep] [ARGUMENTS OF ./contact]
 #
-# Without arguments it runs ./contact test. --user runs as somebody with sudo instead of as root. --keep leaves the
+# Without arguments it runs ./contact test. --user runs as a user with sudo instead of as root. --keep leaves the
 # folder; a kept folder given again with --folder is used again, with a new clone. Servers, proxies and certificates
 # are those that this machine's own apt is configured with. Mounts are made in a namespace of their own, so nothing
 # outside the folder is touched and nothing stays mounted. Ubuntu is not offered: it has an archive of its own.

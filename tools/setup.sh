@@ -70,7 +70,7 @@ setup_new_enough() {
   "$1" -c 'import sys; sys.exit(sys.version_info < (3, 11))' > /dev/null 2>&1
 }
 
-# Nobody else gets at a Python in root's home: the system's serves everybody who grades here.
+# Other users cannot use a Python in root's home, but the system's Python works for all who grade here.
 setup_python() {
   case $(id -u):$(python3 -c 'import sys; print(sys.base_prefix)' 2> /dev/null) in
     0:"${HOME:-/root}"/*)
@@ -124,7 +124,7 @@ setup_as_root() {
   if [ "$(id -u)" -eq 0 ]; then
     "$@"
   elif command -v sudo > /dev/null 2>&1; then
-    # Without a terminal nobody can type a password: fail at once instead of waiting for one.
+    # Without a terminal no password can be typed: fail at once instead of waiting for one.
     if [ -t 0 ]; then sudo "$@"; else sudo -n "$@"; fi
   else
     fail 3 "installing packages takes root, and there is no sudo. As root, run: ./contact setup"

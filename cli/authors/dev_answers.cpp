@@ -38,8 +38,8 @@ void check_stub(const Verdict& verdict, std::vector<std::string>& problems) {
   }
 }
 
-// Whoever hands in something like it would be told of a mistake in C++ that is not theirs, or not
-// the one that the answer is about.
+// A student with a similar answer would be told of a mistake in C++ that is not theirs, or not the
+// one that the answer is about.
 void check_silence(const Verdict& verdict, std::vector<std::string>& problems) {
   for (const grading::Remark& remark : verdict.remarks)
     problems.push_back("line " + std::to_string(remark.line) +

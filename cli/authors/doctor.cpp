@@ -153,7 +153,7 @@ void look_at_limits(std::vector<Finding>& findings) {
 #ifdef CONTACT_GRADE
 // What a submission could do to this machine if it were graded here.
 nlohmann::json look_at_grading(Context& context, std::vector<Finding>& findings) {
-  Finding finding{"grading what nobody trusts", Standing::good, "", ""};
+  Finding finding{"grading untrusted submissions", Standing::good, "", ""};
   nlohmann::json report = nullptr;
   try {
     const grading::Machine machine = grading::examine_machine(context.loop());
@@ -179,8 +179,8 @@ nlohmann::json look_at_grading(Context& context, std::vector<Finding>& findings)
 }
 #else
 nlohmann::json look_at_grading(Context& /*context*/, std::vector<Finding>& findings) {
-  findings.push_back(
-      {"grading what nobody trusts", Standing::advice, "not here", "`contact grade` needs Linux"});
+  findings.push_back({"grading untrusted submissions", Standing::advice, "not here",
+                      "`contact grade` needs Linux"});
   return nullptr;
 }
 #endif

@@ -1,5 +1,5 @@
-// contact export: the copies and the record of progress as one zip file, to carry to the page, to
-// another machine or to whoever grades.
+// contact export: the copies and the record of progress as one zip file, for the page, another
+// machine or a grader.
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,5 @@
-// contact grade: marks a folder of submissions by people whom nobody need trust. What is done, and
-// in what order, is grading/grade/session.hpp; here are its options, and the words for what it
-// tells.
+// contact grade: marks a folder of untrusted submissions. grading/grade/session.hpp implements the
+// grading; this file has the options and the messages.
 
 #include <unistd.h>
 #include <nlohmann/json.hpp>
@@ -43,7 +42,7 @@ class Teller final : public grading::SessionListener {
   }
 
   void on_passed_over(const std::vector<std::string>& entries) override {
-    note("Passed over, as nobody's submission: " + listed(entries));
+    note("Ignored, because they are not submissions: " + listed(entries));
   }
 
   void on_absent(const std::vector<std::string>& entries) override {
@@ -82,7 +81,7 @@ class Teller final : public grading::SessionListener {
   // Boxes end with this program, and the next run removes their folder.
   void on_hang(const std::string& what) override {
     if (::write(STDERR_FILENO, what.data(), what.size()) < 0) {
-      // Nobody reads it; the exit code says that nothing was graded.
+      // The output is not read; the exit code says that nothing was graded.
     }
     ::_exit(exit_trouble);
   }

@@ -1,5 +1,5 @@
-// contact grade-worker: grades the units that it is told of, one line of standard input at a time,
-// and says a line of JSON when each is done. `contact grade` starts it; nobody types it.
+// contact grade-worker: grades the units named on standard input, one per line, and prints a line
+// of JSON when each is done. It is an internal command that `contact grade` starts.
 
 #include <array>
 #include <cerrno>
@@ -117,11 +117,11 @@ std::string line_of(const nlohmann::json& json) {
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-// Says a line that was made before, and ends this process as it is: what hangs may hold any lock.
-// Its boxes end with it, and whoever started it removes its folder.
+// Prints a line prepared in advance and ends this process at once, because a hanging thread may
+// hold any lock. Its sandboxes end with it, and the process that started it removes its folder.
 [[noreturn]] void end_out_of_time(const std::string& line) {
   if (::write(STDOUT_FILENO, line.data(), line.size()) < 0) {
-    // Nobody listens any more; that it ended is seen all the same.
+    // The reader is gone; it notices the end of this process anyway.
   }
   ::_exit(exit_trouble);
 }
@@ -185,7 +185,8 @@ class Worker {
     folder_.log("trouble", job);
   }
 
-  // What is said of a unit that outlives its time, made while there is still somebody to make it.
+  // The message for a unit that exceeds its time, prepared in advance, because later the process
+  // may hang.
   [[nodiscard]] std::string out_of_time(const Job& job) const {
     return line_of({{"event", "trouble"},
                     {"submission", job.submission},

@@ -21,7 +21,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Whether it is time to tell: four times a second, and never where nobody watches.
+  /// Whether to print now: four times a second, and only to a terminal.
   [[nodiscard]] bool due() const;
   /// How far a piece has come, in a few words.
   void tell(std::size_t piece, std::string text);

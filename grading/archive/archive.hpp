@@ -1,8 +1,8 @@
 #pragma once
 
 // The archive of a reader's work, which the page, the command line and a grader exchange.
-// cli/README.md defines it. Nobody's archive is trusted: reading one either gives all of it,
-// checked, or one sentence.
+// cli/README.md defines it. No archive is trusted: reading one returns either its whole content,
+// checked, or one error message.
 
 #include <filesystem>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
-// Archives from anybody, read entry by entry: a zip, or a tar in one layer of gzip. Nothing is
-// written, no more is unpacked than is asked for, and what is wrong is one sentence.
+// Untrusted archives, read entry by entry: a zip, or a tar in one layer of gzip. Nothing is
+// written, only the requested entries are unpacked, and a fault is one error message.
 
 #include <cstddef>
 #include <filesystem>

@@ -71,11 +71,11 @@ Visibility read_visibility(const fs::path& file, const toml::node& node, bool is
     throw BookError(place(file, node) +
                     "visibility is \"shown\", \"after_due\", \"values_withheld\" or \"hidden\"" +
                     (text.empty() ? "" : ", not \"" + text + "\""));
-  // Whoever has the book has its tests, and runs them with `contact check`.
+  // Every reader of the book has its tests, and runs them with `contact check`.
   if (!is_private && (*visibility == Visibility::hidden || *visibility == Visibility::after_due))
     throw BookError(place(file, node) + "visibility \"" + text +
-                    "\" is for private tests (contact grade --private): everybody can read and run "
-                    "this one. \"values_withheld\" is possible");
+                    "\" is for private tests (contact grade --private): every reader has this "
+                    "one. \"values_withheld\" is possible");
   return *visibility;
 }
 

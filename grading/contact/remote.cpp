@@ -28,7 +28,7 @@ constexpr std::size_t kMaxWords = 2000;
 // sender likes, which then would neither work nor sleep for long.
 constexpr std::size_t kMostSmallPieces = 256;
 constexpr std::size_t kSmallPiece = 256;
-constexpr std::string_view kUnasked = "sent bytes that nobody asked for";
+constexpr std::string_view kUnasked = "sent unrequested bytes";
 
 /// What the far side may send, and how often it is asked in one test.
 struct Allowance {
@@ -162,7 +162,7 @@ class Conversation {
     }
   }
 
-  // Where nobody else ends a far side that keeps silent, the clock does.
+  // If no other process ends a silent far side, the time limit does.
   void wait_for(short events) {
     if (!deadline_) return;
     const auto left =

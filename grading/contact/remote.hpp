@@ -6,10 +6,10 @@
 /// waits for the value. The server of the contract is the `main` of the program that holds the
 /// student's object.
 ///
-/// A frame is a header and a payload. Both ends check everything they read. Whatever goes wrong on
-/// the far side (it crashes, ends, takes too long, sends bytes nobody asked for or that are no
-/// value) becomes host::Stopped on the near side, and the next test gets a new process. A question
-/// has a number that nobody can foresee, so that a reply cannot be written before it.
+/// A frame is a header and a payload. Both ends check everything they read. Any failure of the far
+/// side (it crashes, ends, takes too long, sends unrequested bytes or bytes that are not a value)
+/// becomes host::Stopped on the near side, and the next test gets a new process. A question has an
+/// unpredictable number, so that a reply cannot be written before it.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 /// @file
-/// What a program that runs tests in a box asks of whoever put it there: in a box it can start no
-/// process itself.
+/// The requests of a program that runs tests in a sandbox to the process that put it there, because
+/// in a sandbox it cannot start processes.
 ///
 /// CONTACT_BROKER in its environment is the number of a descriptor, a Unix socket that keeps
 /// packets apart (SOCK_SEQPACKET). Each request is one packet, and so is each reply.
@@ -44,8 +44,8 @@ static_assert(sizeof(BrokerReply) == 8);
 
 inline constexpr std::size_t kMaxBrokerWords = 4096;
 
-/// Sends a reply, and a descriptor with it unless that is negative. Whoever asked may be gone and
-/// then needs none.
+/// Sends a reply, with a descriptor unless that is negative. The process that asked may have ended;
+/// then the reply is dropped.
 inline void send_reply(int socket, BrokerReply::Kind kind, std::string_view words,
                        int descriptor = -1) {
   BrokerReply head;

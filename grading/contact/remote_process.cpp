@@ -34,7 +34,7 @@ std::vector<std::string> server_command() {
   return nlohmann::json::parse(text).get<std::vector<std::string>>();
 }
 
-/// A child of this process: for tests, where everybody is trusted.
+/// A child of this process: for tests, in which all programs are trusted.
 class Child : public FarProcess {
  public:
   ~Child() override { end(); }
@@ -161,7 +161,7 @@ class Brokered : public FarProcess {
             descriptor};
   }
 
-  [[noreturn]] static void gone() { throw host::Stopped("there is nobody to ask for an answer"); }
+  [[noreturn]] static void gone() { throw host::Stopped("there is no process to answer"); }
 };
 
 }  // namespace

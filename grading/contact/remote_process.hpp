@@ -24,7 +24,7 @@ class FarProcess {
   virtual std::string why_it_ended() = 0;
   /// Ends it, whatever it is doing.
   virtual void stop() = 0;
-  /// Seconds that one call may wait for its answer; 0 if somebody else sees to that.
+  /// Seconds that one call may wait for its answer; 0 if another process enforces the limit.
   virtual double patience() const = 0;
 };
 

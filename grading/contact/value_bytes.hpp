@@ -87,8 +87,7 @@ class Writer {
   }
 };
 
-/// Takes values out of bytes that somebody else wrote. Every member throws BadBytes rather than
-/// believe them.
+/// Reads values from untrusted bytes. Every member throws BadBytes if they are invalid.
 class Reader {
  public:
   /// @param memory how many bytes the values read may take, all together
@@ -161,8 +160,8 @@ class Reader {
     // Both are below 2^32, so the product does not overflow.
     if (rows * cols > left_ / sizeof(double)) throw BadBytes("a matrix larger than its bytes");
     if constexpr (M::SizeAtCompileTime == Eigen::Dynamic) {
-      // A matrix of no rows takes no memory however many columns it has, but whoever goes through
-      // them takes time.
+      // A matrix without rows needs no memory for any number of columns, but a loop over the
+      // columns would take time.
       charge(rows * cols * sizeof(double) + rows + cols);
       value.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(cols));
     }

@@ -1,4 +1,4 @@
-"""Writes an answer to a contract that knows nothing: what it earns, everybody earns.
+"""Writes a null answer to a contract: it computes nothing, so it must earn no points.
 
     null_answers.py CONTRACT.hpp --output FOLDER
 

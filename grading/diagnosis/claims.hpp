@@ -1,8 +1,8 @@
 #pragma once
 
-// Where a message says that it belongs is a claim, by whoever can make a compiler print: a #line
-// directive gives any line any number, and an assembler's .error prints any text. Here each is held
-// against the file that was handed in.
+// The position in a message is only a claim, because a submission controls what the compiler
+// prints: a #line directive gives any line any number, and an assembler's .error prints any text.
+// This file checks each claim against the file that was handed in.
 
 #include <string>
 #include <vector>

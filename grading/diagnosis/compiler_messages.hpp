@@ -1,8 +1,8 @@
 #pragma once
 
-// What a compiler or linker printed, as data. Whoever wrote the source can have it print anything,
-// so all of it is a claim: numbers are no larger than max_claimed, and claims.hpp holds them
-// against the files that they speak of.
+// What a compiler or linker printed, as data. The author of the source can make it print anything,
+// so the messages are only claims: numbers are limited to max_claimed, and claims.hpp checks them
+// against the files that they name.
 
 #include <cstddef>
 #include <limits>

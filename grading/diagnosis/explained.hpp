@@ -36,7 +36,7 @@ std::string kept_log(std::string_view log);
 /// the first, cut to a length that can be read.
 Explained unexplained(std::string_view log, bool failed, const std::string& file);
 
-/// Without CompileError::full, which whoever asked has.
+/// Without CompileError::full, which the caller has.
 nlohmann::json to_json(const Explained& said);
 /// @throws nlohmann::json::exception if it is not what to_json() makes
 Explained explained_from_json(const nlohmann::json& json);

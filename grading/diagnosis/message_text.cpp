@@ -63,7 +63,7 @@ std::string matrix_name(std::string_view list) {
   return {};
 }
 
-// A message in which more types than these are named is read by nobody.
+// A message that names more types than this is unreadable.
 constexpr int max_named_types = 200;
 
 void name_matrices(std::string& text) {
@@ -86,7 +86,7 @@ void name_matrices(std::string& text) {
   }
 }
 
-// What an Eigen expression is made of helps nobody here.
+// The operands of an Eigen expression do not help a student here.
 void name_expressions(std::string& text) {
   constexpr std::array<std::string_view, 10> expressions{
       "CwiseBinaryOp<", "CwiseUnaryOp<", "CwiseNullaryOp<", "CwiseTernaryOp<", "Product<",

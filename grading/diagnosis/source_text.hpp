@@ -3,8 +3,8 @@
 // A student's file as text: its lines, what of them is code, and the functions that it defines. It
 // is read without a compiler, so that a file that does not compile can be talked about.
 //
-// The file may be anything that somebody made to slow this down. It is read once, in time linear in
-// its length; every question about one place then looks at a bounded part of the text.
+// The file may be written to slow this down. It is read once, in time linear in its length; every
+// later query about one position reads a bounded part of the text.
 
 #include <cstddef>
 #include <cstdint>

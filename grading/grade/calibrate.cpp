@@ -17,7 +17,7 @@ std::string what_went_wrong(const Verdict& verdict) {
   if (test == nullptr) return "some of its tests are not attempted";
   const Failure& failure = test->failure;
   std::string why = failure.reason.empty() ? failure.got : failure.reason;
-  // Whoever wrote the test reads this, and the solution seldom leads a test astray.
+  // The author of the test reads this, and a solution is seldom the cause of a faulty test.
   if (why.starts_with("the tests could not go on")) why += "; does the test itself crash or loop?";
   return "\"" + test->name + "\" is " + std::string(words(test->status)) +
          (why.empty() ? "" : ": " + why);

@@ -34,7 +34,7 @@ Kind kind_of(const fs::directory_entry& entry) {
   return name.ends_with(".cpp") ? Kind::file : Kind::other_file;
 }
 
-// A file that somebody handed in, though not as anything that is read here.
+// A file that was handed in, but not in a form that is read here.
 bool is_handed_in(const std::string& name) {
   static const std::set<std::string> endings{".7z",  ".rar", ".tar", ".gz",  ".bz2", ".xz",
                                              ".zst", ".c",   ".cc",  ".cxx", ".h",   ".hpp"};

@@ -1,7 +1,7 @@
 #pragma once
 
-// Taking in a folder of submissions by anybody: each is a folder, an archive or one file. Whatever
-// is wrong with one is a sentence and costs the others nothing.
+// Reads a folder of untrusted submissions: each is a folder, an archive or one file. A fault in one
+// is reported in a sentence and does not affect the others.
 
 #include <filesystem>
 #include <functional>
@@ -35,7 +35,7 @@ struct Entrant {
 struct Intake {
   /// In the order of their ids, without the texts.
   std::vector<Entrant> entrants;
-  /// Entries that are nobody's submission (a learning system's own files).
+  /// Entries that are not submissions (a learning system's own files).
   std::vector<std::string> passed_over;
   /// Entries that the table of ids names and that are not there.
   std::vector<std::string> absent;
@@ -49,8 +49,8 @@ struct Intake {
 Intake take_in(const Book& book, const std::filesystem::path& submissions, const IdTable* ids,
                const Exercise* only, const std::function<void(const Entrant&)>& keep);
 
-/// Why a whole class that is refused looks like a mistake of whoever grades; empty if it does not.
-/// One submission alone may well be a broken archive, and its student is to read that.
+/// Why the refusal of a whole class looks like a mistake of the instructor; empty if it does not. A
+/// single submission may be a broken archive, and its student should read that.
 std::string mistaken_for_submissions(const Intake& intake,
                                      const std::filesystem::path& submissions);
 

@@ -18,7 +18,7 @@ std::vector<std::vector<std::string>> parse_csv(std::string_view text, const std
 
 struct Identity {
   std::string id;
-  /// Empty if nobody says.
+  /// Empty if not given.
   std::string name;
 };
 

@@ -8,7 +8,7 @@ namespace contact::grading {
 
 namespace {
 
-// Nothing if it cannot be read, which is no reason to grade nobody.
+// Nothing if it cannot be read, which does not prevent grading.
 std::optional<std::string> readable_text(const fs::path& file) {
   try {
     return read_text(file);

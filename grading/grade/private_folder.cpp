@@ -28,7 +28,7 @@ mode_t mode_of(const fs::path& path) {
   return ::stat(path.c_str(), &status) == 0 ? status.st_mode : 0;
 }
 
-// Whether somebody who is neither its owner nor of its group gets into the folder.
+// Whether users other than its owner and group can enter the folder.
 bool open_to_others(const fs::path& folder) {
   const fs::path whole = fs::canonical(folder);
   if ((mode_of(whole) & (S_IROTH | S_IXOTH)) == 0) return false;

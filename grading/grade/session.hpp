@@ -1,7 +1,7 @@
 #pragma once
 
 // One grading, from a folder of submissions to results.json and its reports. Nothing is printed
-// here: whoever starts a session listens to it.
+// here: the caller of a session receives its events.
 
 #include <cstddef>
 #include <functional>
@@ -61,7 +61,7 @@ class SessionListener {
 
   /// This machine enforces less than it should.
   virtual void on_weak_machine(Level level) = 0;
-  /// Entries that are nobody's submission.
+  /// Entries that are not submissions.
   virtual void on_passed_over(const std::vector<std::string>& entries) = 0;
   /// Entries that the table of ids names and that are not there.
   virtual void on_absent(const std::vector<std::string>& entries) = 0;

@@ -328,7 +328,7 @@ std::vector<Job> SlurmEngine::lost(const Task& task, const std::vector<Job>& job
       std::find_if(jobs.begin(), jobs.end(), [&](const Job& job) { return !told.contains(job); });
   std::vector<Job> again;
   for (const Job& job : jobs) {
-    // Whoever cancels a job does not want it submitted again.
+    // A job that was cancelled by hand is not submitted again.
     if (task.state.state == "CANCELLED" && !task.late) {
       give_up(job, end_of(task) + ". It was cancelled from outside");
       continue;

@@ -36,8 +36,8 @@ struct SlurmSetting {
 
 class SlurmEngine final : public Engine {
  public:
-  /// RUN.json must be there: what an earlier run has in the queue is cancelled here if it was
-  /// another's, before anybody looks for results.
+  /// RUN.json must exist. Jobs that a different earlier run has in the queue are cancelled before
+  /// results are read.
   /// @throws BookError if Slurm's commands are not here or the cluster does not answer
   SlurmEngine(Loop& loop, const RunFolder& folder, const SlurmOptions& options,
               SlurmSetting setting);

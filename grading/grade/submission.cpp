@@ -151,7 +151,7 @@ const Exercise* SubmissionFiles::exercise_of(const std::string& path) const {
 }
 
 void SubmissionFiles::add(const Exercise& exercise, Found found) {
-  // Who hands in the whole book hands in its stubs and its solutions, which are nobody's answer.
+  // A student who hands in the whole book hands in its stubs and solutions, which are not answers.
   const std::string in_book = exercise.chapter + "/" + exercise.name + "/" + exercise.name + ".cpp";
   const auto is_books = [&](const char* folder, const fs::path& own) {
     const std::string place = std::string(folder) + "/" + in_book;

@@ -53,7 +53,7 @@ class SubmissionFiles {
   std::vector<std::string> ignored_;
 };
 
-/// What systems put into folders and archives and nobody handed in: __MACOSX, .DS_Store, .git.
+/// Files that operating systems and tools add to folders and archives: __MACOSX, .DS_Store, .git.
 bool is_junk(std::string_view name);
 
 /// The names of exercises that only one chapter has.

@@ -123,8 +123,8 @@ class Judging {
     return "exit code " + std::to_string(end.process.exit_code);
   }
 
-  // What was printed is counted when all of it is there: whether it was too much must not depend on
-  // how soon somebody looked, and neither must what is told of it.
+  // The output is measured when it is complete: whether it was too long, and the report on it, must
+  // not depend on the time of reading.
   void keep_output(const ProcessResult& process, TestResult* result) {
     const std::size_t most = settings_.limits.output_bytes;
     if (process.bytes_printed > most) {

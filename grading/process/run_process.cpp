@@ -152,7 +152,7 @@ void Process::State::start_reading(Pipe& pipe) {
         auto* self = static_cast<Pipe*>(stream->data);
         if (count > 0)
           self->deliver(std::string_view(buffer->base, static_cast<std::size_t>(count)));
-        // Whoever was told may have destroyed the process, and with it closed this pipe.
+        // The callback may have destroyed the process and so closed this pipe.
         if (count < 0 && self->open) {
           self->owner->close_pipe(*self);
           self->owner->settle();
@@ -261,7 +261,7 @@ void Process::State::tick() {
 }
 
 // Once it has exited and its pipes are empty, or held open by something that left the group, it has
-// ended. Nothing may follow a call of this: whoever is told may destroy the process.
+// ended. Nothing may follow a call of this, because the callback may destroy the process.
 void Process::State::settle() {
   if (!exited || ended) return;
   if ((output.open || errors.open || events.open) && seconds_since(exit_time) < 1.0) return;

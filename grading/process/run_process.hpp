@@ -143,8 +143,8 @@ ProcessResult run_process(Loop& loop, const ProcessSpec& spec);
 /// Seconds of processor time a running process has used; negative if the system does not say.
 double processor_seconds(int pid);
 
-/// Asks the kernel to end this process when whoever started it ends. Call it first thing; if the
-/// parent is gone already, this does not return.
+/// Asks the kernel to end this process when its parent ends. Call it first; if the parent has
+/// already ended, this does not return.
 /// @param parent the process id that the parent had when it started this one
 void end_with_parent(int parent);
 

@@ -31,7 +31,7 @@ double number_in(const json& entry, const char* name) {
              : 0.0;
 }
 
-// Members that are of the kind that they must be; all those that nobody here knows.
+// Members of the right type, and all unknown members.
 json sound(const json& entry) {
   json result = json::object();
   for (const auto& [name, value] : entry.items()) {

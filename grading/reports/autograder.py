@@ -20,7 +20,7 @@ from reports.results import ReportError
 
 FILES = Path(__file__).with_name("autograder_files")
 FORMAT = "contact-autograder/1"
-# What the book is made of. Submissions or results may lie beside it, and are nobody's business.
+# The files of the book. Submissions or results may be in the same folder and must not be packed.
 BOOK = (
     *("contact", "CMakeLists.txt", "CMakePresets.json", "pyproject.toml", "biome.json"),
     *(
@@ -102,7 +102,7 @@ def book_root() -> Path:
 
 def _entries(root: Path, settings: argparse.Namespace) -> Iterator[tuple[str, tuple[bytes, bool]]]:
     options = {name: value for name in SETTINGS if (value := getattr(settings, name))}
-    # One for all who are graded with this archive, and known to nobody who does not have it.
+    # One seed for all students graded with this archive; only those who have the archive know it.
     options.setdefault("seed", secrets.token_hex(16))
     if settings.due:
         options["due"] = settings.due.isoformat()
@@ -123,7 +123,7 @@ def _entries(root: Path, settings: argparse.Namespace) -> Iterator[tuple[str, tu
 
 
 def book_files(root: Path) -> list[Path]:
-    """The files of the book, and of chapters that somebody adds; nothing else that lies there."""
+    """The files of the book and of added chapters, and no other files in the folder."""
     command = ["git", "-C", str(root), "ls-files", "-z", "--cached", "--others"]
     listed = subprocess.run(
         [*command, "--exclude-standard", "--", *BOOK], capture_output=True, check=False

@@ -2,9 +2,9 @@
 
     python -m reports.autograder_run SYSTEM SOURCE RESULT SUBMISSION
 
-SYSTEM is gradescope or prairielearn, SOURCE the unpacked autograder, RESULT the file to write. A
-result is there before grading begins, and says that there is none yet: whatever ends this program,
-a student never reads a mark that nobody gave. What it prints is for teachers.
+SYSTEM is gradescope or prairielearn, SOURCE the unpacked autograder, RESULT the file to write.
+Before grading begins it writes a result that says that there is no mark yet, so if this program is
+killed, no student reads a wrong mark. Its output is for teachers.
 
     python -m reports.autograder_run try SOURCE RESULT
 

@@ -1,4 +1,4 @@
-"""What the class page tells, counted: no name, no id, no line of anybody's code gets in here.
+"""The counts on the class page. They contain no name, no id and no line of a student's code.
 
 Only what a student may see is counted test by test, since the page is made to be projected.
 """

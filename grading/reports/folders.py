@@ -31,9 +31,9 @@ def folder_name(id_: str) -> str:
 def put_away(results: Path, names: Collection[str]) -> None:
     """Moves every folder of students/ but these to earlier/DATE-TIME/students.
 
-    students/ is made to be passed on, so it holds nobody but who is in the results. Nothing is
-    lost: who was there before is kept beside the results that the pages were made of, if those are
-    the last that were kept, and otherwise in a folder of now.
+    students/ is meant to be passed on, so it has pages only of students in the results. Nothing is
+    lost: earlier pages are moved beside the results that they were made from, if those are the last
+    that were kept, and otherwise into a new folder with the current time.
     """
     students = results / "students"
     gone = [
@@ -51,7 +51,8 @@ def put_away(results: Path, names: Collection[str]) -> None:
 
 
 def _last_kept(earlier: Path, gone: set[str]) -> Path | None:
-    """The last results that were kept, if they are of somebody gone and hold no page of theirs."""
+    """The last results that were kept, if they have a student who is gone but not that student's
+    page."""
     kept: list[tuple[str, int, Path]] = []
     for place in earlier.iterdir() if earlier.is_dir() else ():
         if stamp := _STAMP.fullmatch(place.name):

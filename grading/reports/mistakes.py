@@ -1,4 +1,5 @@
-"""The compiler's known mistakes in words that quote nobody's code, for the class page."""
+"""The known mistakes in compiler messages, in words that quote no student's code, for the class
+page."""
 
 from __future__ import annotations
 

@@ -131,7 +131,7 @@ class Machine:
 
 @dataclass(frozen=True)
 class Results:
-    """A whole grading. The seed of the random cases is left behind here: nobody may read it."""
+    """A whole grading. It does not contain the seed of the random cases, which is secret."""
 
     version: str
     machine: Machine

@@ -194,7 +194,7 @@ def see_unit(unit: Unit, results: Results, policy: Policy) -> SeenUnit:
             tests.append(SeenTest(spec.name, spec.points, None, None, later=True))
         else:
             tests.append(_seen(spec, result, kind, open_tests))
-    # A test that nobody listed was written by the instructor all the same.
+    # A test that is not listed was nevertheless written by the instructor.
     hidden += [(test.points, test.max_points) for test in given.values() if test.name not in listed]
     everything = all(kind == "shown" for kind in listed.values()) and len(given) <= len(listed)
     output = verdict.output if verdict else ""

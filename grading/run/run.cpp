@@ -16,8 +16,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Time is the processor's, so that a busy machine fails nobody; a test that sleeps or waits meets
-// the wall clock later.
+// The limit is on processor time, so that a busy machine fails no test; a test that sleeps or waits
+// is stopped later by the limit on elapsed time.
 class TimeLimit {
  public:
   TimeLimit(const EventReader& reader, double seconds) : reader_(reader), seconds_(seconds) {}

@@ -21,7 +21,7 @@ namespace contact::grading {
 
 namespace {
 
-// The filter as a file without a name, read from its start by whoever loads it.
+// The filter as a file without a name, which the loader reads from its start.
 class FilterFile {
  public:
   explicit FilterFile(const std::string& code)

@@ -1,8 +1,8 @@
 #pragma once
 
-// Boxes: processes that hold what nobody trusts. A box sees the files that it is given and nothing
-// else, has no network, no environment and no privilege, and ends with whoever started it. What the
-// machine cannot enforce is known and said (machine.hpp).
+// Sandboxes: processes that run untrusted programs. A sandbox sees only the files that it is given,
+// has no network, no environment and no privilege, and ends with the process that started it.
+// machine.hpp reports what the machine cannot enforce.
 
 #include <cstddef>
 #include <filesystem>
@@ -93,7 +93,7 @@ class Seat {
   std::unique_ptr<State> state_;
 };
 
-/// How a box's end is told to whoever asked.
+/// Reports the end of a sandbox to the caller.
 struct BoxEnd {
   ProcessResult process;
   /// It was ended for want of memory (known where control groups count it).

@@ -100,10 +100,11 @@ void check_way_to(const fs::path& path, long user) {
     const bool open = found.st_uid == static_cast<uid_t>(user) ? (found.st_mode & S_IXUSR) != 0
                                                                : (found.st_mode & S_IXOTH) != 0;
     if (!open)
-      throw BookError("a box of user " + std::to_string(user) + " cannot reach " + path.string() +
-                      ", because " + folder.string() +
-                      " lets nobody else in: without namespaces it must (chmod o+x), or the folder "
-                      "must lie elsewhere (TMPDIR)");
+      throw BookError(
+          "a box of user " + std::to_string(user) + " cannot reach " + path.string() +
+          ", because " + folder.string() +
+          " is closed to other users: without namespaces it must be open (chmod o+x), or "
+          "the folder must be elsewhere (TMPDIR)");
   }
 }
 

@@ -165,9 +165,9 @@ void BoxGroup::make_v1(const std::string& name) {
   if (!folders().empty()) kind_ = ControlGroups::v1;
 }
 
-// A group that holds processes cannot give controllers to groups below it, so the first group
-// upwards that can is taken. One that holds nobody but this program is made able to, by moving it
-// down.
+// A group that contains processes cannot give controllers to groups below it, so the nearest
+// ancestor that can is taken. If a group contains only this program, moving the program into a
+// child group enables it.
 void BoxGroup::make_v2(const std::string& name) {
   const std::optional<Hierarchy> found = hierarchy("");
   if (!found) return;
@@ -213,8 +213,8 @@ std::vector<fs::path> BoxGroup::folders() const {
 }
 
 std::vector<std::string> BoxGroup::entrances() const {
-  // Whoever goes in has one thread and writes of itself. Said of a thread, the kernel takes it at
-  // once; said of a process, it first waits, some ten milliseconds, until no other can be forking.
+  // The process that enters has one thread and writes its own thread id. The kernel moves a thread
+  // at once; to move a process it first waits about ten milliseconds until no other can be forking.
   const char* file = kind_ == ControlGroups::v1 ? "tasks" : "cgroup.procs";
   std::vector<std::string> result;
   for (const fs::path& folder : folders()) result.push_back((folder / file).string());

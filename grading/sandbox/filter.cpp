@@ -127,7 +127,7 @@ class Filter {
  public:
   Filter() : context_(seccomp_init(SCMP_ACT_ERRNO(EPERM)), seccomp_release) {
     if (!context_) throw BookError("the filter of system calls cannot be made");
-    // Another architecture's calls have other numbers: nobody who is honest makes them.
+    // Calls of another architecture have other numbers; no honest program makes them.
     check(seccomp_attr_set(context_.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS));
   }
 
@@ -195,7 +195,7 @@ std::string make(const FilterSpec& spec) {
     filter.allow("fcntl", {equal(1, command)});
     filter.allow("fcntl64", {equal(1, command)});
   }
-  // To whoever the socket is connected with, not to an address.
+  // To the connected peer of the socket, not to an address.
   filter.allow("sendto", {equal(4, 0)});
   if (spec.private_files || spec.kind != BoxKind::answer) filter.allow(files());
   if (spec.program >= 0) {

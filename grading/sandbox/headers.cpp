@@ -134,7 +134,7 @@ SystemHeaders system_headers() {
 }
 
 std::vector<fs::path> searched_folders() {
-  // What is installed is for everybody to read. A link into somebody's own files opens nothing.
+  // Installed headers are readable by all users. A link into a user's own files gives no access.
   constexpr auto installed = std::to_array<std::string_view>(
       {"/usr", "/opt", "/lib", "/lib32", "/lib64", "/nix/store", "/gnu/store"});
   std::vector<fs::path> result;

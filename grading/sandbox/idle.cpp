@@ -132,11 +132,12 @@ std::optional<std::size_t> woken(const Sleepers& before, const Sleepers& after) 
   return count;
 }
 
-// Whether all were asleep at one instant. Threads are read one after the other, so that each alone
-// may have been asleep when it was read. But who has not switched between two readings slept all
-// the time between: if that is everybody, they slept at once. If it is everybody but one, they
-// slept when that one was found asleep in the middle of three readings; a thread that wakes itself
-// every few microseconds is caught by this. Two that wake each other are both excepted.
+// Whether all were asleep at one instant. Threads are read one after the other, so each may have
+// been asleep only when it was read. But a thread without a context switch between two readings
+// slept all the time between. If that holds for all threads, they slept at the same time. If it
+// holds for all but one, they slept when that one was found asleep in the middle of three readings;
+// this detects a thread that wakes itself every few microseconds. Two threads that wake each other
+// are not detected.
 std::optional<Sleepers> asleep_at_once(std::initializer_list<int> processes) {
   std::optional<Sleepers> first = asleep(processes);
   if (!first) {

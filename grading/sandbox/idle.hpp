@@ -1,7 +1,7 @@
 #pragma once
 
-// Time in which processes only wait: for a time to pass, for a lock that none of them will release,
-// for bytes that nobody sends.
+// Time during which processes only wait: for a time to pass, for a lock that none of them will
+// release, for bytes that no process sends.
 
 #include <chrono>
 #include <functional>

@@ -32,7 +32,7 @@ void fail(const Settings& settings, const std::string& what) {
   const std::string line =
       "failed " + what + (errno != 0 ? std::string(": ") + std::strerror(errno) : "") + "\n";
   if (::write(settings.report, line.data(), line.size()) < 0) {
-    // Nobody listens any more.
+    // The reader is gone.
   }
   ::_exit(125);
 }
@@ -261,8 +261,8 @@ int keep(const Settings& settings, pid_t box) {
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
-// Closes all descriptors but the standard three and these. Whoever started the grader may have left
-// open what a box must not have.
+// Closes all descriptors but the standard three and these. The process that started the grader may
+// have left descriptors open that a sandbox must not have.
 void keep_only(std::vector<int> kept) {
   std::sort(kept.begin(), kept.end());
   unsigned from = 3;
@@ -299,7 +299,8 @@ int run(int count, char** words) {
   ::sigprocmask(SIG_BLOCK, &awaited, nullptr);
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   errno = 0;
-  if (::getppid() != settings.parent) fail(settings, "whoever started the box is gone");
+  if (::getppid() != settings.parent)
+    fail(settings, "the process that started the sandbox is gone");
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
   if (settings.network >= 0) {
     if (::setns(settings.network, CLONE_NEWNET) != 0) fail(settings, "entering an empty network");

@@ -70,7 +70,7 @@ void stage(const Settings& settings, uid_t user, gid_t group);
 int rules_of_files(const Settings& settings);
 /// Leaves the process no other files.
 void close_files(const Settings& settings, int rules);
-/// Loads the filter, and one of its own that lets it send signals to nobody but itself.
+/// Loads the filter, and another that lets it send signals only to itself.
 void load_filter(const Settings& settings);
 
 /// `contact-box --probe NAME`: inside a box, tries what should not work there. Returns the exit

@@ -28,7 +28,7 @@ constexpr std::size_t mebibyte = 1u << 20;
 
 int number(const char* text) { return static_cast<int>(std::strtol(text, nullptr, 10)); }
 
-// A connection to a port where somebody listens outside.
+// A connection to a port on which a process outside listens.
 bool reaches_network(const char* port) {
   const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
   if (socket < 0) return false;

@@ -28,7 +28,7 @@ BoxSpec probe(const Machine& machine, const std::vector<std::string>& attempt,
   return spec;
 }
 
-// Somebody listens here who would be reached if the network were in sight.
+// A socket listens here; a connection would succeed if the network were visible.
 class Listener {
  public:
   Listener() : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {

@@ -21,8 +21,8 @@ namespace {
 constexpr long first_user = 64000;
 constexpr long last_user = 64999;
 
-// One folder for all programs on the machine. In /tmp anybody could have made it before, so it must
-// be ours and nobody else's to write to.
+// One folder for all programs on the machine. In /tmp any user could have created it, so it must be
+// owned by this user and writable by no other.
 fs::path lock_folder() {
   for (const fs::path base : {"/run/lock", "/tmp"}) {
     const fs::path folder = base / "contact-hours";
@@ -52,7 +52,7 @@ int empty_network() {
   return network;
 }
 
-// A lock that is ours as long as it is open; -1 if somebody else holds it.
+// A lock held as long as it is open; -1 if another process holds it.
 int locked(const fs::path& file) {
   const int lock = ::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC | O_NOFOLLOW, 0600);
   if (lock < 0 || ::flock(lock, LOCK_EX | LOCK_NB) == 0) return lock;

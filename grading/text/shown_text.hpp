@@ -1,6 +1,6 @@
 #pragma once
 
-// Text from anybody, such as names of files, made fit for a message, a report or JSON.
+// Makes untrusted text, such as names of files, safe for a message, a report or JSON.
 
 #include <cstddef>
 #include <string>

@@ -9,8 +9,8 @@ const elsewhere = process.env["CONTACT_PROGRAMS"];
 const built = new Set();
 
 /**
- * The program of a figure, as its source is now. Nobody but tests runs these, and not all of them at once, so each is
- * built when it is first asked for; one build at a time, as everywhere.
+ * The program of a figure, built from the current source. Only tests run these, and not all of them, so each is built
+ * when it is first requested; one build at a time.
  * @param {string} name "01_planes/segment_plane" @returns {string} its path
  */
 export function nativeFigure(name) {

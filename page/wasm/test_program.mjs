@@ -84,8 +84,8 @@ export const withoutAssertion = (errors) =>
     .join("");
 
 /**
- * Why the program aborted, from what it printed last: the sentence of an assertion or of an exception that nobody
- * caught, as a native program's would be.
+ * Why the program aborted, from its last output: the message of an assertion or of an uncaught exception, as in a
+ * native program.
  * @param {string} errors
  */
 function abortText(errors) {
@@ -138,7 +138,7 @@ export function trapText(error, errors = "") {
     )
   )
     return sentences.memory;
-  if (/exception/i.test(text)) return "aborted: an exception was thrown and nobody caught it";
+  if (/exception/i.test(text)) return "aborted: an exception was thrown and not caught";
   return `stopped: ${text}`;
 }
 

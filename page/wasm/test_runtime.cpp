@@ -90,8 +90,8 @@ void end_if_assertion(std::string_view words) {
 
 extern "C" {
 
-/// libc's traps, as a null pointer that is followed does. Whoever runs the program is to know which
-/// it was: 128 and the number of SIGABRT, as a shell has it.
+/// libc's traps, as a null pointer that is followed does. The exit code tells the host which it
+/// was: 128 plus the number of SIGABRT, as in a shell.
 void abort() { __wasi_proc_exit(134); }
 
 // libc++'s std::__libcpp_verbose_abort. Its declaration promises not to throw; those who call it

@@ -165,7 +165,7 @@ export async function watchTests(spawn, tests, { seconds, onStart, onTest }) {
     if (run.late === undefined) break;
     const name = run.late;
     late.add(name);
-    // Beside the tests that are left: nobody waits for it.
+    // In parallel with the remaining tests: nothing waits for it.
     searches.push(
       openQuestion(spawn, name).then((question = { asked: "", inputs: [] }) =>
         settle({

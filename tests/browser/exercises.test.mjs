@@ -591,6 +591,6 @@ describe("exercises", { skip }, () => {
     }
   });
 
-  test("nothing went wrong in the console meanwhile, and nobody else was asked", () =>
+  test("nothing went wrong in the console meanwhile, and no other server was asked", () =>
     assert.deepEqual(trouble, []));
 });

@@ -1,4 +1,4 @@
-"""What nobody may send: an archive is refused whole, and nothing is written."""
+"""Invalid archives: each is refused as a whole, and nothing is written."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def test_a_path_with_no_place_in_it(
 
 @pytest.mark.parametrize("place", ["extra", "directory"])
 def test_an_entry_with_two_names(contact: Run, work: Path, tmp_path: Path, place: str) -> None:
-    """Whoever unpacks it with another program may find another file."""
+    """Another program may unpack another file from it."""
     name, other = COPY.encode(), f"work/{PLANE}.cpp".encode()
     two = {"extra": unicode_path(name, other)} if place == "extra" else {"central_name": other}
     file = tmp_path / "a.zip"

@@ -202,8 +202,8 @@ def test_dev_check_proves_one_exercise_whatever_is_in_work(contact: Run, work: P
 def test_dev_check_reports_answers_that_get_what_they_must_not(
     contact: Run, solution: str, tmp_path: Path
 ) -> None:
-    """Each in its own way, and all in one run: a wrong answer that nobody catches, one that would
-    be remarked upon, and null answers that earn something."""
+    """Each in its own way, and all in one run: a wrong answer that no test catches, one that causes
+    a remark, and null answers that earn points."""
     root = tmp_path / "root"
     root.mkdir()
     for name in ("chapters", "exercises", "tests", "build"):

@@ -111,7 +111,7 @@ def test_the_errors_together_stand_beside_the_tolerance(contact: Run, scene: str
     )
     numbers = [float(word) for word in line.split() if word[0].isdigit()]
     assert numbers == pytest.approx([plan["error"], plan["tolerance"]], rel=1e-3)
-    # What is forced off that the plan has on makes an error that nobody knows.
+    # An effect that the plan needs and that is forced off has an unknown error.
     forced = contact("plan", "bouncing_ball", "--without", "gravity", "--json")
     assert json.loads(forced.stdout)["error"] is None
 

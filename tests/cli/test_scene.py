@@ -25,7 +25,7 @@ FAULTS = json.loads((ROOT / "tests" / "20_scenes" / "scene_faults.json").read_te
 
 # What a schema cannot see: words of the fault's message. Everything else must be seen by both.
 UNSEEN = [
-    "stands twice",  # whoever parses JSON keeps one of two equal keys
+    "stands twice",  # a JSON parser keeps one of two equal keys
     "must not be another material's name too",
     "must not be another body's name too",
     "must be the name of a material",

@@ -79,7 +79,7 @@ def test_what_did_not_come_out_is_said(contact: Run, tmp_path: Path) -> None:
     assert done.returncode == 1
     assert "not expected" in done.stdout
     assert "expected 7" in done.stdout
-    # Without --expect it is nobody's question.
+    # Without --expect it is not tested.
     assert contact("simulate", str(file)).returncode == 0
 
 

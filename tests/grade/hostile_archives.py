@@ -229,7 +229,7 @@ PACKED = [
     ),
     Packed(
         "tar_fifo",
-        "an answer that is a pipe: whoever reads it waits for ever",
+        "an answer that is a pipe: reading it never ends",
         NOT_A_FILE,
         tar_fifo,
         tar_twin,

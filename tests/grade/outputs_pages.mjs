@@ -18,7 +18,7 @@ for (const file of process.argv.slice(2)) {
   wrong[file] = [];
   for (const colorScheme of /** @type {const} */ (["light", "dark"]))
     for (const width of [1200, 390]) {
-      // axe is put into the page, which its own policy forbids to everybody.
+      // axe is injected into the page, which the page's own policy forbids.
       const context = await browser.newContext({
         viewport: { width, height: 900 },
         colorScheme,

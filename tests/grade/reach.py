@@ -11,7 +11,7 @@ PYTHON = ROOT / "build" / "venv" / "bin" / "python"
 
 
 def closed_folder(file: Path) -> Path | None:
-    """The folder on the way to a file that lets nobody else in, if there is one."""
+    """The folder on the path of a file that other users cannot enter, if there is one."""
     return next((one for one in file.resolve().parents if not one.stat().st_mode & 0o001), None)
 
 

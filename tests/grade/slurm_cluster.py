@@ -199,8 +199,8 @@ class Cluster:
         self._start("slurmctld", ["slurmctld", "-D", "-f", str(self.configuration)])
 
     def end_controller(self) -> None:
-        """As for an update: it writes down where it is. Nobody answers sbatch and squeue from then
-        on; the nodes go on."""
+        """As for an update: it writes down where it is. sbatch and squeue get no answer from then
+        on; the nodes continue."""
         daemon = descendants(self._keepers["slurmctld"].pid)[0]
         os.kill(daemon, signal.SIGTERM)
         self._wait("slurmctld to end", lambda: not Path(f"/proc/{daemon}").exists())

@@ -83,7 +83,7 @@ def test_the_largest_submission_is_explained_within_the_limits() -> None:
         ("int a;\n# 90\nint b = c;\n", 3),
         ("int a;\n/* */ %:line 90\nint b = c;\n", 3),
         ("int a;\n#line 90\n#line 90\nint b = c;\n", 4),
-        # Two lines have this number, or nobody knows which has: none is told.
+        # Two lines have this number, or it is unknown which has it: none is reported.
         ("#line 90\nint b = c;\n#line 90\nint b = c;\n", 0),
         ("#define N 90\n#line N\nint b = c;\n", 0),
     ],

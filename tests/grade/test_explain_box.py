@@ -1,5 +1,5 @@
-"""Where messages cannot be explained within the box, the compiler's own first error is told, and
-everybody's marks stand."""
+"""If messages cannot be explained within the sandbox, the compiler's own first error is reported,
+and no mark changes."""
 
 from __future__ import annotations
 

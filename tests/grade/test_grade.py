@@ -67,7 +67,7 @@ def test_a_class_is_graded(grader: Grader) -> None:
     record = grader.document("run.json")
     assert record["format"] == "contact-grade-record/1"
     assert record["units"] == {"graded": 3, "reused": 0, "alone": 0}
-    # Each text that was handed in is kept as it came; nobody else can look.
+    # Each text that was handed in is stored unchanged; other users cannot read it.
     kept = grader.results / ".grade/submissions/cyd/01_planes/signed_distance.cpp"
     assert kept.read_text() == BROKEN
     assert (grader.results / ".grade").stat().st_mode & 0o077 == 0

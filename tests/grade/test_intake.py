@@ -123,7 +123,7 @@ FOUND: dict[str, tuple[Make, str, str]] = {
     "Ada Lovelace_12345_assignsubmission_file_": (as_folder({NAME: STUB}), "12345", "Ada Lovelace"),
     "Ada Lovelace_12346_assignsubmission_file": (as_folder({NAME: STUB}), "12346", "Ada Lovelace"),
     f"Bo Li_12347_assignsubmission_file_{NAME}": (as_file, "12347", "Bo Li"),
-    # Whoever names a file cannot make it another's.
+    # The name of a file cannot assign it to another student.
     "Mal_666_assignsubmission_file_x_12345_assignsubmission_file.zip": (
         as_zip({NAME: STUB}),
         "666",
@@ -267,7 +267,7 @@ def taken(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Grader]:
     written(grader.submissions, {".DS_Store": "x", "__MACOSX/x": "", "submission_metadata.yml": ""})
     done = grader.run("--json", exercises="signed_distance,sphere_plane")
     assert done.returncode == 1, done.stderr
-    assert "Passed over, as nobody's submission: submission_metadata.yml" in done.stderr
+    assert "Ignored, because they are not submissions: submission_metadata.yml" in done.stderr
     yield grader
     grader.clean()
 

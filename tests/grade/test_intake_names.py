@@ -1,6 +1,6 @@
 """Names as students, their systems and learning systems write them: in six scripts, composed and
-decomposed, in every encoding that archives have had. A name costs nobody a mark unless it is
-dangerous, and none of them can fool a terminal or a report.
+decomposed, in every encoding that archives have had. A name costs no mark unless it is dangerous,
+and no name can manipulate a terminal or a report.
 """
 
 from __future__ import annotations
@@ -382,7 +382,7 @@ def taken(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Grader]:
     by_bytes(b"n\xf6tes\x1b.txt", b"")(grader.submissions)
     done = grader.run("--json")
     assert done.returncode == 1, done.stderr
-    assert r"Passed over, as nobody's submission: n\xf6tes\x1b.txt" in done.stderr
+    assert r"Ignored, because they are not submissions: n\xf6tes\x1b.txt" in done.stderr
     yield grader
     grader.clean()
 

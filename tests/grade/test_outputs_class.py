@@ -1,5 +1,5 @@
 """The pages: a student reads what to do next, a teacher where the class stands, and the class page
-names nobody."""
+names no student."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whoever is not in the results any more is not in students/ either, and nothing of theirs is
+"""A student who is no longer in the results is not in students/ either, and none of their files is
 lost."""
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Names, output, code and messages that attack whoever reads a report: each format shows them
+"""Names, output, code and messages that attack the reader of a report: each format makes them
 harmless."""
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
-"""A grading that is killed anywhere goes on where it was: no unit is graded twice, and the results
-are those of a run that nobody disturbed."""
+"""A grading that is killed at any point continues where it stopped: no unit is graded twice, and
+the results are those of an undisturbed run."""
 
 from __future__ import annotations
 

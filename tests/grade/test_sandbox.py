@@ -80,7 +80,7 @@ def test_is_refused(box: Box, attempt: list[str]) -> None:
 
 @pytest.fixture
 def bystander() -> Iterator[subprocess.Popen[bytes]]:
-    """A process of whoever runs the grader."""
+    """A process of the user who runs the grader."""
     with subprocess.Popen(["sleep", "100"]) as process:
         yield process
         alive = process.poll() is None
@@ -205,7 +205,7 @@ def test_processes_where_some_are_allowed(box: Box) -> None:
     allowed = ("--processes", 4)
     assert managed(box("fork", limits=allowed))
     assert managed(box("thread", limits=allowed))
-    # Whoever waits for a child in this way looks like one that waits for a disk.
+    # A process that waits for a child in this way looks like one that waits for a disk.
     assert refused(box("vfork", limits=allowed))
     assert managed(box("fork-many", 2, limits=allowed))
     assert not managed(box("fork-many", 100, limits=allowed))

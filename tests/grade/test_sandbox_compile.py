@@ -84,7 +84,7 @@ HEADERS = (Path("/usr/include"), Path("/usr/local/include"))
 
 
 def installed_headers() -> list[Path]:
-    """What is installed where a compiler searches, and may be read by everybody."""
+    """Headers installed on the search path of the compiler and readable by all users."""
     found = []
     visited = set()
     for top in HEADERS:
@@ -116,7 +116,7 @@ def test_a_header_that_is_seen_can_be_read(level: str, probe: Path) -> None:
 
 @pytest.fixture
 def installed() -> Iterator[Path]:
-    """A folder of headers that somebody installed."""
+    """A folder of installed headers."""
     top = Path("/usr/local/include")
     if not os.access(top, os.W_OK):
         pytest.skip("only root installs headers")

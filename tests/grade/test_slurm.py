@@ -460,7 +460,7 @@ def test_without_slurm_a_sentence_says_so(tmp_path: Path) -> None:
 def test_a_cluster_that_does_not_answer_is_said(cluster: Cluster, tmp_path: Path) -> None:
     elsewhere = tmp_path / "slurm.conf"
     text = cluster.configuration.read_text()
-    # Port 1 is nobody's.
+    # Nothing listens on port 1.
     elsewhere.write_text(
         "\n".join(
             "SlurmctldPort=1" if line.startswith("SlurmctldPort=") else line

@@ -183,18 +183,18 @@ TEST_CASE("a process that does not answer is stopped in time") {
 TEST_CASE("bytes that are no answer fail the call") {
   for (const char* how : {"another contract", "another magic", "unknown kind"})
     CHECK(reason(how) == "sent back bytes that are not a reply");
-  CHECK(reason("another sequence") == "sent bytes that nobody asked for");
+  CHECK(reason("another sequence") == "sent unrequested bytes");
   CHECK(reason("huge") == "sent back more than is allowed");
   CHECK_THAT(reason("too few bytes"), StartsWith("sent back something that is not a value"));
   CHECK_THAT(reason("too many bytes"), StartsWith("sent back something that is not a value"));
-  CHECK(reason("speaks again") == "sent bytes that nobody asked for");
+  CHECK(reason("speaks again") == "sent unrequested bytes");
   CHECK_THAT(reason("speaks first"), StartsWith("sent b"));
 }
 
 TEST_CASE("a reply made before its question is no answer, whatever it says") {
-  CHECK(reason("replies first") == "sent bytes that nobody asked for");
-  CHECK(reason("replies ahead") == "sent bytes that nobody asked for");
-  CHECK(reason("more in one piece") == "sent bytes that nobody asked for");
+  CHECK(reason("replies first") == "sent unrequested bytes");
+  CHECK(reason("replies ahead") == "sent unrequested bytes");
+  CHECK(reason("more in one piece") == "sent unrequested bytes");
 }
 
 TEST_CASE("an answer may come in pieces, but not for ever") {
@@ -285,7 +285,7 @@ TEST_CASE("with a broker the judge has no clock of its own") {
 TEST_CASE("with a broker, too, bytes that are no answer fail the call") {
   for (const char* how : {"replies first", "more in one piece", "another sequence"}) {
     Broker broker(how);
-    CHECK(why_no_answer() == "sent bytes that nobody asked for");
+    CHECK(why_no_answer() == "sent unrequested bytes");
   }
 }
 
@@ -298,7 +298,7 @@ TEST_CASE("a broker that is gone is told, and no descriptor is left behind") {
       contact::host::test_starts();
     }
     broker.leave();
-    CHECK(why_no_answer() == "there is nobody to ask for an answer");
+    CHECK(why_no_answer() == "there is no process to answer");
   }
   CHECK(open_descriptors() == before);
 }

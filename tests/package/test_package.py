@@ -1,4 +1,4 @@
-"""The reference headers in somebody else's project, found as a package and included as a folder."""
+"""The reference headers in another project, found as a package and included as a folder."""
 
 from __future__ import annotations
 

@@ -52,7 +52,7 @@ def children_of(pid: int) -> list[int]:
 
 
 def ebook_if_built(said: str) -> list[tuple[str, int, str]]:
-    """It is made only where somebody asks for it; otherwise the line says how to."""
+    """It is made only on request; otherwise the line says how to request it."""
     built = re.match(r"build/site/(\S+\.epub);", said)
     assert built or "./contact serve --ebook" in said
     return [(f"/{built[1]}", 200, "application/epub+zip")] if built else []

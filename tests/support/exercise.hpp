@@ -54,8 +54,8 @@ Failure open_question();
 void tell_questions(std::function<void()> tell);
 
 /// What random inputs start from: CONTACT_SEED of the environment, any text, so that a grader can
-/// use one that nobody has seen; without it (or empty) always the same. `stream` keeps the numbers
-/// of one test apart from those of another.
+/// use a secret one; without it (or empty) always the same. `stream` keeps the numbers of one test
+/// apart from those of another.
 std::uint64_t seed(std::uint64_t stream);
 
 /// How far an answer may be from the right one.

@@ -1,6 +1,5 @@
-// The program around an exercise's tests: Catch2, and a reporter that says what happens as it
-// happens, one JSON object a line, each line flushed, so that whoever reads knows in which test the
-// program died.
+// The program that runs an exercise's tests: Catch2, and a reporter that prints each event as one
+// line of JSON, flushed at once, so that the reader knows in which test the program crashed.
 //
 //   {"event":"start","test":NAME}
 //   {"event":"end","test":NAME,"status":"passed"|"failed"|"not_attempted"|"stopped","seconds":S,"failure":{...}}

@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { createInterface } from "node:readline";
 
 const katex = createRequire(join(process.argv[2], "package.json"))("katex");
-// The formula's TeX again, for nobody: what reads mathematics aloud reads the MathML beside it.
+// A second copy of the formula's TeX, which is not needed: screen readers read the MathML beside it.
 const annotation = /<annotation encoding="application\/x-tex">[^<]*<\/annotation>/g;
 const macros = {
   "\\norm": "\\lVert #1\\rVert",

@@ -16,7 +16,7 @@ case "${ID:-}-${VERSION_ID:-}" in
     ;;
 esac
 
-# Nobody but the grader has any business in here.
+# Only the grader may enter this folder.
 chmod go-rwx "$here/options.json"
 if [ -d "$here/private" ]; then chmod -R go-rwx "$here/private"; fi
 

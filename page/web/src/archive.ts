@@ -21,7 +21,7 @@ export const SUBMISSION_FORMAT = "contact-submission/1";
 const ABOUT = "contact-submission.json";
 const PROGRESS = "work/progress.json";
 const CODE = /^work\/(.+)\.cpp$/;
-/** Nobody's solution is longer; an archive that says otherwise is not a reader's. */
+/** No solution is longer; an archive with a longer file is not a reader's. */
 const MOST_BYTES = 1 << 20;
 const MOST_FILES = 1000;
 const MOST_UNPACKED = 20 * 1024 * 1024;
@@ -131,7 +131,7 @@ function open(bytes: Uint8Array): Contents {
 }
 
 const TIME = /^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d{1,9})?Z$/;
-/** Nobody has tried more often. */
+/** An upper limit on attempts. */
 const MOST_COUNTED = 1e6;
 
 const isObject = (value: unknown): value is Record<string, unknown> =>
@@ -140,7 +140,7 @@ const isTime = (value: unknown): value is string => typeof value === "string" &&
 const clamped = (value: unknown): number =>
   typeof value === "number" ? Math.min(Math.max(value, 0), MOST_COUNTED) : 0;
 
-/** The members that are of the kind that they must be, and all that nobody here knows. */
+/** The members of the right type, and all unknown members. */
 function sound(entry: object): ExerciseProgress {
   const kinds: Record<string, (value: unknown) => unknown> = {
     attempts: (value) => (typeof value === "number" ? Math.trunc(clamped(value)) : undefined),

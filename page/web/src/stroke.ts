@@ -12,7 +12,7 @@ import type { View } from "./view.ts";
 /** What an arrow key moves of the neighbours, the nearest first. */
 const BESIDE = [0.8, 0.6, 0.4, 0.2];
 
-/** A stroke may begin and end beside the curve, in pixels: nobody begins on its first point. */
+/** A stroke may begin and end beside the curve, in pixels, because a reader seldom hits its first point. */
 const MARGIN = 16;
 
 export class Stroke {

@@ -1,4 +1,4 @@
-// Tries:     moves its own timers, so that whoever measures in this process measures nothing,
+// Tries:     moves its own timers, so that a measurement in this process measures nothing,
 //            then works without end
 // Exercise:  01_planes/signed_distance
 // Points:    7 of 8

@@ -1,4 +1,4 @@
-// Tries:     sends descriptors along with its bytes until whoever receives has none left
+// Tries:     sends descriptors along with its bytes until the receiver has none left
 // Exercise:  01_planes/signed_distance
 // Points:    0 of 8
 // Tests:     all stopped or failed

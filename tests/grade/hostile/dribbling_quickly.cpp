@@ -19,7 +19,7 @@ struct Frame {
   std::uint64_t fingerprint, sequence, length;
 };
 
-// The request lies on the stack of whoever called: its header, that a reply must repeat.
+// The request is on the caller's stack: its header, which a reply must repeat.
 Frame request() {
   Frame frame{};
   const auto* at = reinterpret_cast<const char*>(__builtin_frame_address(0));

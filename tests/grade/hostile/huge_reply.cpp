@@ -19,7 +19,7 @@ struct Frame {
   double value = 1.0;
 };
 
-// The request lies on the stack of whoever called: its number is what a reply must repeat.
+// The request is on the caller's stack; a reply must repeat its number.
 std::uint64_t number_of_the_request() {
   Frame frame;
   const auto* at = reinterpret_cast<const char*>(__builtin_frame_address(0));

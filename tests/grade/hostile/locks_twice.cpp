@@ -1,4 +1,4 @@
-// Tries:     locks a mutex that it holds already: a mistake that anybody makes
+// Tries:     locks a mutex that it holds already: a common mistake
 // Exercise:  01_planes/signed_distance
 // Points:    7 of 8
 // Tests:     1-3 passed, 4 stopped, 5-6 passed

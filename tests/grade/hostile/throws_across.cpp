@@ -1,4 +1,5 @@
-// Tries:     throws what nobody catches: numbers, exceptions whose text is a null pointer,
+// Tries: throws exceptions that are seldom caught: numbers, exceptions whose text is a null
+// pointer,
 //            exceptions while unwinding
 // Exercise:  01_planes/signed_distance
 // Points:    0 of 8

@@ -33,7 +33,7 @@ constexpr std::size_t max_live = std::size_t{64} << 20;
 std::size_t live = 0;
 std::size_t limit = ~std::size_t{0};
 
-/// What is asked at the moment, for whoever finds that it takes too long.
+/// The current question, to be printed if it takes too long.
 std::string asked_now;
 std::string failures = ".";
 

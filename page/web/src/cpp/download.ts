@@ -122,7 +122,7 @@ export class Downloads {
     return new Response(here);
   }
 
-  /** A file as it is shipped, fetched to its last byte and kept: to be opened by somebody else. */
+  /** A file as it is shipped, downloaded completely and stored; the caller opens it. */
   async blob(file: ShippedFile, options: FetchOptions = {}): Promise<Blob> {
     try {
       return await (await this.file(file, options)).blob();

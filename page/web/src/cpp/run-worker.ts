@@ -9,7 +9,7 @@ const scope = globalThis as unknown as Scope<RunOrder, FromRunner>;
 
 interface Thread {
   readonly worker: Worker;
-  /** Why it cannot be used: its script may fail to load before anybody asks it for something. */
+  /** Why it cannot be used: its script may fail to load before the first request. */
   broken?: string;
   onBroken?: (why: string) => void;
 }

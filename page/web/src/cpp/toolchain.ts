@@ -81,7 +81,7 @@ export class Toolchain {
       await abortable(this.#waitForPrelude(tell, signal), signal);
     } finally {
       this.#tells.delete(tell);
-      // Nobody waits any more: what has arrived whole is kept, the rest need not come.
+      // No request waits any more: complete files are kept, the other downloads are cancelled.
       if (signal?.aborted && this.#tells.size === 0 && !this.#worker) this.#end?.();
     }
   }
@@ -121,7 +121,7 @@ export class Toolchain {
         this.#starting = undefined;
         reject(error);
       };
-      this.#end = () => end(new DOMException("nobody waits for it", "AbortError"));
+      this.#end = () => end(new DOMException("no request waits for it", "AbortError"));
       worker.onerror = (event) => {
         event.preventDefault();
         end(new Error(`the compile worker: ${event.message}`));
@@ -214,7 +214,7 @@ export class Toolchain {
     this.#onPrelude = undefined;
   }
 
-  /** Makes the compiler's own code quick by using it, before somebody waits for it. Once. */
+  /** Warms up the compiler's code by running it once, before the first request. */
   async warm(): Promise<void> {
     if (this.#warm || !this.#worker) return;
     this.#warm = true;

@@ -513,7 +513,7 @@ export class Bench {
     this.#state("done");
   }
 
-  /** The first thing to look at; whoever is typing keeps the code in sight. */
+  /** The first thing to look at. While the reader is typing, the code stays visible. */
   #bringIntoSight(): void {
     const first = this.#results.querySelector("li:has(> .failure), .messages > li");
     if (first && !this.#code.inUse) first.scrollIntoView({ block: "nearest" });

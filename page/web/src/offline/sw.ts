@@ -86,7 +86,7 @@ async function page(event: FetchEvent, path: string): Promise<Response> {
         event.waitUntil(keepPage(path, response.clone(), client, list));
       return response;
     }
-    // It may still come, and fail, with nobody waiting.
+    // The response may still arrive, and fail, when no request waits for it.
     network.catch(() => {});
   } catch {
     // No network.

@@ -150,9 +150,9 @@ describe("every mistake is recognised, in the page and by the program", () => {
   }
 });
 
-test("a test that did not run, one without points and one that nobody lists", () => {
+test("a test that did not run, one without points and one that is not listed", () => {
   const verdict = judge.judge("02_triangles/ray_triangle", [
-    { name: "nobody lists this", status: "passed", seconds: 0 },
+    { name: "not listed", status: "passed", seconds: 0 },
   ]);
   assert.equal(verdict.verdict, "failed");
   assert.equal(verdict.points, 0);
@@ -180,7 +180,7 @@ describe("the record of progress is the program's", () => {
     inFolder((work) => {
       const copy = path.join(work, `${id}.cpp`);
       fs.mkdirSync(path.dirname(copy), { recursive: true });
-      // Whoever looks before passing gives up; afterwards a look is no more than that.
+      // To view the solution before passing is to give up; afterwards it has no effect.
       contact(work, "hint", id);
       contact(work, "hint", id);
       contact(work, "solution", id, "--give-up");
