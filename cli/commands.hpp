@@ -61,8 +61,7 @@ bool start_exercise(const grading::Book& book, const grading::Exercise& exercise
 /// @throws grading::UnknownName, with the nearest names, if it is neither.
 std::filesystem::path scene_path(const std::string& word);
 
-/// Keeps a text that is about to give way in work/.kept, under a name that nothing has yet.
-/// Returns where.
+/// Saves a text that is about to be replaced in work/.kept under a new name. Returns its path.
 std::filesystem::path keep_aside(const grading::Book& book, const std::string& chapter,
                                  const std::string& name, const std::string& text);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// The commands that programs beside `contact` have, so that who checks an exercise need not wait
-// until all of them are compiled.
+// The commands of the other programs, which are separate so that a check of an exercise need not
+// wait until they are compiled.
 
 #include <string>
 #include <vector>

@@ -65,7 +65,7 @@ function(contact_add_chapter_libraries)
     contact_compile_by_first_word(contact_${name} ${sources})
     target_precompile_headers(contact_${name} PRIVATE <Eigen/Core> <Eigen/Geometry> <filesystem> <functional> <map>
       <memory> <optional> <string> <vector> <nlohmann/json.hpp>)
-    # Who runs a scene waits for it: optimised, also where the rest is built for finding faults.
+    # Optimised, also in builds for debugging, because running a scene takes long.
     if(NOT CONTACT_SANITIZE AND NOT CONTACT_COVERAGE)
       target_compile_options(contact_${name} PRIVATE -O2)
     endif()

@@ -142,7 +142,7 @@ git clone -q --no-hardlinks "$root" "$folder$home/contact-hours"
 
 printf 'Made in %s s. Commit %s. Running there, as %s: ./contact %s\n' "$(($(seconds) - began))" \
   "$(git -C "$root" rev-parse --short HEAD)" "$user" "$*"
-# A clean environment, but for the ways to the network.
+# A clean environment, except for the network settings.
 kept_environment=$(env | grep -E '^(https?_proxy|HTTPS?_PROXY|no_proxy|NO_PROXY|PIP_CERT|PIP_INDEX_URL|PIP_DEFAULT_TIMEOUT|NODE_EXTRA_CA_CERTS|SSL_CERT_FILE|npm_config_registry)=' || true)
 log=$folder/var/log/contact-hours.log
 began=$(seconds)

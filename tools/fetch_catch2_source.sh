@@ -2,7 +2,7 @@
 # Puts the two amalgamated files of Catch2's source, in the version of the installed libcatch2-dev, into
 # build/catch2/extras: the tests in WebAssembly are linked with them. Nothing on the system changes: the source
 # package is fetched with private package lists below build/.
-# Exit code 0: they are there; 3: they cannot be had here, and a sentence says why.
+# Exit code 0: success; 3: they are not available here, with a message that says why.
 set -eu
 
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)

@@ -1,9 +1,9 @@
-"""What a run tests of what is too much for every run: it goes by turns.
+"""Selects the part of long lists of tests that one run takes.
 
-`tools/turn` holds a number that each landing raises by one. Of a list that goes by turns, a run
-takes every `each`-th item, so `each` landings in a row have taken them all. What the change touches
-is taken in every run. tests/browser/sample.mjs is the same for the tests of the page, and
-tests/setup/test_turns.py holds the two against each other.
+`tools/turn` holds a number that each landing raises by one. A run takes every `each`-th item of
+such a list, so `each` landings in a row take them all. Items that the change touches are taken in
+every run. tests/browser/sample.mjs does the same for the tests of the page, and
+tests/setup/test_turns.py compares the two.
 
 From the environment:
   CONTACT_ALL       takes everything

@@ -136,8 +136,7 @@ grading::ProcessResult run_python(grading::Loop& loop, const std::vector<std::st
 
 bool is_patch(const fs::path& file) { return file.extension() == ".patch"; }
 
-// The null answer, and the generated proxy and server once more, to hold against those that the
-// build has.
+// The null answer, and the generated proxy and server again, to compare with those of the build.
 std::vector<std::string> generate(grading::Loop& loop, const grading::Book& book,
                                   const Exercise& exercise, const fs::path& folder) {
   const fs::path python = python_of(book);

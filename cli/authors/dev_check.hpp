@@ -55,8 +55,8 @@ struct AnswerJob {
 std::vector<AnswerJob> answer_jobs(const std::vector<const grading::Exercise*>& exercises,
                                    const std::filesystem::path& folder);
 
-/// Checks one answer as a student's would be, and holds the verdict against what it must be. A null
-/// answer is written, with the rest of what is generated, and is then one for each kind of value.
+/// Checks one answer like a student's and compares the verdict with the required one. A null answer
+/// is generated, one for each kind of value.
 std::vector<DevResult> check_answer(grading::Loop& loop, const grading::Book& book,
                                     const grading::BuildDescription& build, const AnswerJob& job,
                                     const grading::Limits& limits);

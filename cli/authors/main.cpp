@@ -1,4 +1,4 @@
-// The program `contact-authors`: the commands of who writes the book, or looks after it.
+// The program `contact-authors`: the commands for authors and maintainers of the book.
 
 #include "../program.hpp"
 

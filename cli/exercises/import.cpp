@@ -1,5 +1,5 @@
-// contact import: the work in an archive, from the page or from another machine, into the student's
-// folder. What gives way is kept.
+// contact import: takes the work in an archive, from the page or from another machine, into the
+// student's folder. Replaced files are kept.
 
 #include <cerrno>
 

@@ -1,4 +1,4 @@
-// contact list: the exercises by chapter, and how far each has come.
+// contact list: the exercises by chapter, with the status of each.
 
 #include <nlohmann/json.hpp>
 

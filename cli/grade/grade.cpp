@@ -111,7 +111,7 @@ void tell_troubles(const std::map<Job, std::string>& troubles, const std::string
          " could not be graded: " + printable(what));
   note(std::string(troubles.size() == 1 ? "That is" : "Those are") +
        " not the student's fault and no mark: reports leave it empty. All other marks are "
-       "written. Once the cause is mended, this grades what is missing and nothing else:\n  " +
+       "written. Once the cause is fixed, this grades what is missing and nothing else:\n  " +
        again);
 }
 
@@ -263,7 +263,7 @@ void add_grade(Command app, Action& action) {
   command.add_flag("--accept-weak", options->session.accept_weak,
                    "Grade although this machine cannot keep submissions apart");
   command.add_flag("--recalibrate", options->session.recalibrate,
-                   "Measure the solutions' time anew, and with it the limits of time");
+                   "Measure the times of the solutions again; the time limits depend on them");
   command.add_flag("--json", options->json, "Print JSON");
   command.add_option("--partition", options->session.slurm.partition, "Slurm: the partition");
   command.add_option("--account", options->session.slurm.account, "Slurm: the account");

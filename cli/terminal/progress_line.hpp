@@ -1,7 +1,6 @@
 #pragma once
 
-// How far long work has come: one line on standard error that is written over and over, on a
-// terminal only.
+// The progress of long work: one line on standard error that is overwritten, on a terminal only.
 
 #include <chrono>
 #include <cstddef>
@@ -23,7 +22,7 @@ class ProgressLine {
 
   /// Whether to print now: four times a second, and only to a terminal.
   [[nodiscard]] bool due() const;
-  /// How far a piece has come, in a few words.
+  /// The progress of a piece of work, in a few words.
   void tell(std::size_t piece, std::string text);
   /// A piece is over: nothing more is said of it.
   void done(std::size_t piece);

@@ -3,11 +3,11 @@
     book_json.py [--root ROOT]   brings ROOT/build/book.json up to date and prints where it is
 
 The book's extension of Sphinx, the page's scripts and the tools read this file, and ask for it
-here: it is made anew when a file that it was made from has changed, come or gone, and left alone
-otherwise. It needs nothing but Python.
+here: it is written again when a file that it was made from has changed, appeared or disappeared,
+and otherwise left unchanged. It needs only Python.
 
-A file with a mistake in it has no entry; `problems` says, under its name, what is wrong with it, so
-that the others can be read all the same. CONTRIBUTING.md says who reads the files themselves.
+A file with a mistake has no entry; `problems` describes the mistake under the file's name, and the
+other files can still be read. CONTRIBUTING.md lists the programs that read the files themselves.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ Json = dict[str, Any]
 
 
 class BookError(Exception):
-    """A mistake in the book's sources, worded for the author who made it."""
+    """A mistake in the book's sources, described for its author."""
 
 
 class Table:

@@ -16,9 +16,9 @@ class FarProcess {
   FarProcess& operator=(const FarProcess&) = delete;
   virtual ~FarProcess() = default;
 
-  /// Starts one anew and returns our end of its socket, which the caller closes.
+  /// Starts a new process and returns our end of its socket, which the caller closes.
   /// @param test for which it is, counted from 1
-  /// @throws host::Stopped if there is none to be had
+  /// @throws host::Stopped if none is available
   virtual int start(std::uint64_t test) = 0;
   /// Its end of the socket is closed: waits until it has ended, and says why.
   virtual std::string why_it_ended() = 0;

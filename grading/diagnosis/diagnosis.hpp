@@ -4,10 +4,10 @@
 // in words, the first error whole, and the line of the contract that it is about. `contact check`,
 // the page and the grader come here.
 //
-// Both the file and the messages may be made to mislead or to cost time. So the file is read once;
-// no number of a message is believed before it has been held against the file (claims.hpp); and
-// whatever they are, time and memory are linear in their length, and what comes out is no longer
-// than max_told_bytes. README.md says in which order to read the folder.
+// Both the file and the messages may be written to mislead or to cost time. So the file is read
+// once; no number of a message is used before it has been checked against the file (claims.hpp);
+// time and memory are always linear in the length of the input, and the result is at most
+// max_told_bytes long. README.md gives the reading order of the folder.
 
 #include <string>
 #include <string_view>

@@ -1,8 +1,8 @@
 #pragma once
 
-// Small tools for reading what a compiler printed. No regular expressions and no streams: the
-// page's judge is made of this too, and they would double its size. Each takes time linear in its
-// text, but for readable(), which is given no more than max_message_bytes.
+// Small tools for reading compiler output. They use no regular expressions and no streams, which
+// would double the size of the page's judge. Each takes time linear in its text, except readable(),
+// whose input is at most max_message_bytes.
 
 #include <cstddef>
 #include <string>

@@ -1,8 +1,9 @@
 #pragma once
 
-// Gives a judge what it cannot have in its box: submissions, each started anew in a box of its own.
-// The judge asks over a socket (grading/contact/remote_broker.hpp) and gets the near end of one to
-// the submission; the broker limits the submission, ends it, and says why it ended.
+// Starts submissions for a judge, which cannot start processes in its sandbox; each start has a
+// sandbox of its own. The judge asks over a socket (grading/contact/remote_broker.hpp) and gets the
+// near end of a socket to the submission. The broker limits the submission, ends it, and reports
+// why it ended.
 
 #include <cstdint>
 #include <memory>
@@ -34,7 +35,7 @@ struct Answered {
 
 class Broker {
  public:
-  /// @param answer the submission's box, but for the socket that it answers on
+  /// @param answer the submission's sandbox, except for the socket on which it answers
   /// @param time outlives this, which adds to what all have waited
   Broker(Loop& loop, const Machine& machine, const Seat& seat, BoxSpec answer, AnswerTime& time);
   ~Broker();

@@ -1,6 +1,7 @@
 #pragma once
 
-// Who handed in: from the names that learning systems give to what they export, or from a table.
+// Identifies the student of a submission: from the names that learning systems give to exported
+// files, or from a table.
 
 #include <filesystem>
 #include <map>

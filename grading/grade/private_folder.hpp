@@ -1,6 +1,6 @@
 #pragma once
 
-// An instructor's folder of private tests: where it lies, who can read it, and what is in it.
+// An instructor's folder of private tests: its path, its permissions and its contents.
 
 #include <filesystem>
 #include <vector>

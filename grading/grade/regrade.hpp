@@ -24,7 +24,7 @@ bool of_another_class(const nlohmann::json& earlier, const std::set<std::string>
 /// whole has no points in any exercise. What could not be graded has no mark.
 nlohmann::json changes_between(const nlohmann::json& before, const nlohmann::json& after);
 
-/// Keeps files of this run's folder that are about to give way, in RESULTS/earlier/DATE-TIME/.
+/// Saves files of this run's folder that are about to be replaced in RESULTS/earlier/DATE-TIME/.
 class Earlier {
  public:
   explicit Earlier(const RunFolder& folder) : folder_(folder) {}

@@ -141,7 +141,7 @@ Run read_run(const fs::path& file) {
     json.at("accept_weak").get_to(run.accept_weak);
     json.at("least_seconds").get_to(run.least_seconds);
     json.at("test_seconds").get_to(run.test_seconds);
-    // A folder that an earlier version graded into has none; it is computed anew before it counts.
+    // A folder written by an earlier version has none; it is computed before it is used.
     if (json.contains("unit_seconds")) json.at("unit_seconds").get_to(run.unit_seconds);
     for (const auto& [exercise, key] : json.at("keys").items())
       run.keys[exercise] = key_from_json(key);

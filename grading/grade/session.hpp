@@ -43,7 +43,7 @@ struct SessionSettings {
   ReportOptions reports;
   /// Grades although the machine keeps submissions apart from nothing.
   bool accept_weak = false;
-  /// Measures the solutions' times anew.
+  /// Measures the solutions' times again.
   bool recalibrate = false;
   /// The program's, for the results.
   std::string version;
@@ -71,7 +71,7 @@ class SessionListener {
   virtual void on_fewer_workers(int workers) = 0;
   /// Units whose results are kept.
   virtual void on_reused(std::size_t units, std::size_t of) = 0;
-  /// Units that were near a limit of time and are graded once more, alone.
+  /// Units that were near a time limit and are graded again, alone.
   virtual void on_once_more(std::size_t units) = 0;
   /// Units are graded from here to on_end(). @param workers 0 if a cluster decides
   virtual void on_begin(std::size_t units, int workers) = 0;

@@ -316,7 +316,7 @@ std::vector<Job> SlurmEngine::settle() {
   return again;
 }
 
-// What is left of a task goes into the queue again, but not for ever.
+// The rest of a task is submitted again, but not without limit.
 std::vector<Job> SlurmEngine::lost(const Task& task, const std::vector<Job>& jobs) {
   const bool barren = results_ == task.results_before;
   const std::map<Job, SlurmTrouble> told = troubles_in(record_.log(task.array, task.index));

@@ -43,8 +43,8 @@ std::optional<int> number(std::string_view text) {
   return value;
 }
 
-// Lines "JOB_TASK|STATE|REASON", as squeue and sacct are asked for. sacct adds to a state who
-// cancelled, and gives no reason.
+// Lines "JOB_TASK|STATE|REASON", as squeue and sacct are asked for. sacct adds the cancelling user
+// to a state and gives no reason.
 SlurmQueue read_queue(std::string_view text) {
   SlurmQueue queue;
   for (const std::string_view line : parts(text, '\n')) {
@@ -155,9 +155,9 @@ std::string SlurmCommands::submit(const SlurmArray& array) {
   if (!says_memory(more)) command.push_back("--mem=" + std::to_string(array.memory_mb) + "M");
   command.insert(command.end(), more.begin(), more.end());
   // The last word on an option counts, so nothing above can change what follows. A task's folder
-  // and output are set here because a path in them would be read for %-patterns; a task that was
-  // lost is submitted anew, which is sooner than Slurm's own requeueing and takes only what is
-  // left.
+  // and output are set here because a path in them would be read for %-patterns; a lost task is
+  // submitted again, which is faster than Slurm's own requeueing and takes only the remaining
+  // units.
   std::string range = "--array=0-" + std::to_string(array.tasks - 1);
   if (options_.tasks_at_a_time > 0) range += "%" + std::to_string(options_.tasks_at_a_time);
   for (std::string word :

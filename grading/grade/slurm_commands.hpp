@@ -28,8 +28,8 @@ struct SlurmOptions {
   int units_a_task = 0;
 };
 
-/// A text taken apart as a shell would: at spaces, but for those in quotes or behind a backslash.
-/// Nothing else is special. @throws BookError if a quote is not closed.
+/// Splits a text as a shell would: at spaces, except those in quotes or after a backslash. No other
+/// character is special. @throws BookError if a quote is not closed.
 std::vector<std::string> split_words(std::string_view text);
 
 /// A job array to submit.
@@ -45,7 +45,7 @@ struct SlurmArray {
   int memory_mb = 0;
 };
 
-/// Where a task of an array stands.
+/// The state of a task of an array.
 struct SlurmTask {
   /// In Slurm's words: PENDING, RUNNING, COMPLETED, NODE_FAIL, ...
   std::string state;

@@ -19,7 +19,7 @@ struct SolutionTimes {
   const RunFolder& folder;
   /// With their private tests.
   const std::vector<Exercise>& exercises;
-  /// The run before in the same folder; nullptr to measure all anew.
+  /// The previous run in the same folder; nullptr to measure all again.
   const Run* before;
   /// Solutions at a time.
   int workers;

@@ -10,7 +10,7 @@ namespace {
 
 /// Of the judge itself in one test, on a machine that has other work.
 constexpr double judge_seconds = 40.0;
-/// Compiling, linking, and linking once more where a name is the library's too.
+/// Compiling, linking, and linking again if a name also exists in the library.
 constexpr double compile_boxes = 3.0;
 /// Putting what the compiler and the linker said into words.
 constexpr double explaining = compile_boxes * explain_wall_seconds;

@@ -31,8 +31,8 @@ class FairClock {
 
 class Watchdog {
  public:
-  /// @param out_of_time told, in a thread of the watchdog's own, what has taken too long; it must
-  /// end the process, and take no lock that another thread may hold for ever
+  /// @param out_of_time called in a thread of the watchdog with the name of what has taken too
+  /// long; it must end the process and take no lock that another thread may hold forever
   explicit Watchdog(std::function<void(const std::string& what)> out_of_time);
   ~Watchdog();
   Watchdog(const Watchdog&) = delete;

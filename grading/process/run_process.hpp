@@ -19,7 +19,7 @@ namespace contact::grading {
 /// way out.
 class Interrupted {};
 
-/// What was under way is no longer wanted (the file was saved again): unwind and begin anew.
+/// The current work is obsolete (the file was saved again): unwind and start again.
 class Cancelled {};
 
 /// The event loop that processes, timers and file events of one thread share.

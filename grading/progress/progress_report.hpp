@@ -1,6 +1,6 @@
 #pragma once
 
-// How far a reader has come: points by chapter, by objective and by exercise.
+// A reader's progress: points by chapter, by objective and by exercise.
 
 #include <string>
 #include <utility>

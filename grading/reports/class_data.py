@@ -19,7 +19,7 @@ from reports.results import Exercise
 from reports.visibility import NOT_GRADED, SeenSubmission, SeenUnit
 from reports.words import unit_state
 
-# How an exercise stands, best first, as its bar shows it.
+# The states of an exercise, best first, in the order of its bar.
 STATES = (
     "passed",
     "failed",
@@ -29,11 +29,11 @@ STATES = (
     "untouched",
     "missing",
 )
-# Stands for a reason that names a student.
+# Replaces a reason that names a student.
 UNTOLD = "results.json and gradebook.csv say why"
 BINS = 10
 MOST_TROUBLES = 5
-# Of those who fail a test, so large a part must believe the same for it to be worth a word.
+# A misconception is mentioned if at least this share of those who fail a test has it.
 WORTH_SAYING = 0.2
 
 

@@ -1,9 +1,9 @@
 """result.json for Classroom 50: the contract "classroom50/result/v1", with its hyphens.
 
-Scores there are whole numbers. Where points are not, all are multiplied by the same number, and
-`points-factor` says by which. Who handed in what is known to the runner, which puts it in the
-environment; without one the submission's id stands in its place. A result there has a score, so
-none is written where something could not be graded.
+Its scores are whole numbers. If points are not, all are multiplied by the same number,
+`points-factor`. The runner gives the student and the assignment in the environment; without a
+runner the submission's id is used. A result must have a score, so none is written if something
+could not be graded.
 """
 
 from __future__ import annotations

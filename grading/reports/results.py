@@ -1,4 +1,4 @@
-"""RESULTS/results.json as it is read: held against its schema, and every text in it made safe."""
+"""Reads RESULTS/results.json: validates it against its schema and makes every text in it safe."""
 
 from __future__ import annotations
 

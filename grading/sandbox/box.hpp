@@ -61,7 +61,8 @@ struct BoxSpec {
   /// /usr/local, no /usr/share, no /usr/src. Without namespaces it has all that is installed where
   /// a compiler searches for headers, /usr/local/include as well.
   bool system = false;
-  /// All that it has, but for PATH=/usr/bin:/bin where it compiles and PWD, which bubblewrap sets.
+  /// The whole environment, except PATH=/usr/bin:/bin when it compiles and PWD, which bubblewrap
+  /// sets.
   std::vector<std::pair<std::string, std::string>> environment;
   /// Folder to start in, as the box sees it.
   std::filesystem::path folder = "/";

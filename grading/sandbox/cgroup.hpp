@@ -16,7 +16,7 @@ namespace contact::grading {
 /// The groups of one box, below those that this program is in; removed when destroyed.
 class BoxGroup {
  public:
-  /// Makes the groups, or as many as can be had, after removing those of programs that are gone.
+  /// Creates the groups, or as many as possible, after removing those of programs that have ended.
   BoxGroup();
   ~BoxGroup();
   BoxGroup(const BoxGroup&) = delete;

@@ -173,9 +173,9 @@ scmp_arg_cmp equal(unsigned argument, std::uint64_t value) {
   return {argument, SCMP_CMP_EQ, value, 0};
 }
 
-// Threads and processes, but no namespaces: CLONE_NEWTIME to CLONE_NEWNET. Who starts a process by
-// vfork sleeps until that one has ended, and the kernel shows it as one that waits for a disk: only
-// a compiler, which starts programs in that way, may.
+// Threads and processes, but no namespaces: CLONE_NEWTIME to CLONE_NEWNET. A process that calls
+// vfork sleeps until the child has ended, and the kernel shows it as waiting for a disk. Only a
+// compiler, which starts programs in that way, may do so.
 void allow_processes(Filter& filter, BoxKind kind) {
   constexpr std::uint64_t namespaces = 0x7e020080;
   const bool compiles = kind == BoxKind::compile;

@@ -38,7 +38,7 @@ class IdleClock {
 
   double seconds_ = 0.0;
   Clock::time_point last_time_ = Clock::now();
-  /// Who slept at the last sample; none if that did not count.
+  /// The processes that slept at the last sample; none if that did not count.
   std::optional<std::vector<Sleeper>> last_;
 };
 

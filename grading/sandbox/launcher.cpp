@@ -1,9 +1,10 @@
 // contact-box: starts a box and ends it.
 //
-// The process that is started stays outside and waits. Its child gives up, one after the other, all
-// that a box must not have, and becomes bubblewrap or, where no namespaces can be had, the command
-// itself. When contact-box ends, everything in the box has ended: the box is a process namespace,
-// which the kernel clears with its first process, or else every orphan of it comes back here.
+// The started process stays outside and waits. Its child gives up, one after another, all rights
+// that a sandbox must not have, and becomes bubblewrap or, without namespaces, the command itself.
+// When contact-box ends, all processes of the sandbox have ended: the sandbox is a process
+// namespace, which the kernel clears with its first process; without namespaces, this process
+// adopts all its orphans and ends them.
 
 #include "launcher.hpp"
 
@@ -200,8 +201,8 @@ void end_with_keeper(const Settings& settings, int keeper) {
   sigset_t none;
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  // A sleep may last a millisecond longer than it asked for. Who sleeps again and again for a few
-  // microseconds would seldom be asleep when it is looked at (idle.hpp).
+  // A sleep may last a millisecond longer than requested. A process that sleeps repeatedly for a
+  // few microseconds would seldom be asleep at a sample (idle.hpp).
   ::prctl(PR_SET_TIMERSLACK, 1'000'000, 0, 0, 0);
   if (settings.files_closed || settings.filter >= 0) ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   if (settings.files_closed) close_files(settings, rules);

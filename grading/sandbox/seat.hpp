@@ -22,7 +22,7 @@ struct Seat::State {
 
   /// The user id of the boxes; -1 if they have this program's own.
   long user = -1;
-  /// Holds the user id against every other program.
+  /// Reserves the user id for this program.
   int lock = -1;
   /// Holds the core that this worker keeps to; -1 if it goes where there is room.
   int core = -1;

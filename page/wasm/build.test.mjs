@@ -1,4 +1,4 @@
-// The build: what is kept, what is made anew, and what is said when C++ does not compile.
+// The build: what is cached, what is rebuilt, and the messages when C++ does not compile.
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import fs from "node:fs";
@@ -123,6 +123,6 @@ test("the program's own words: an unknown name lists what there is; wrong usage 
   assert.equal((await fails("figures", "--workers", "none")).code, 2);
 });
 
-test("a compiler that is not the one we mended is refused", () => {
+test("a compiler other than the one that we corrected is refused", () => {
   assert.throws(() => mended("something else"), /no longer fits/);
 });

@@ -1,5 +1,5 @@
 // Clang, LLD and ar as WebAssembly, in this process: one call compiles, links or archives a tree of files
-// held in memory. The package is used as published but for two faults, mended in a copy.
+// held in memory. The package is used as published, except for two faults, which are corrected in a copy.
 import fs from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";
@@ -140,7 +140,7 @@ const published = (name) => fs.readFileSync(path.join(packageDir(), "gen", name)
 /** @param {string} name one of coreNames */
 export const coreModule = (name) => published(name);
 
-/** The package's program text with the faults mended. @param {string} source */
+/** The package's program text with the faults corrected. @param {string} source */
 export function mended(source) {
   for (const { why, from, to } of mends) {
     if (source.split(from).length !== 2)
@@ -153,7 +153,7 @@ export function mended(source) {
 /** The program text of the compiler as a page may have it: `start` is given what it needs, and it fetches nothing. */
 export const mendedProgram = () => mended(published("bundle.js").toString("utf8"));
 
-/** Writes the mended program where Node can import it. @returns {string} its address */
+/** Writes the corrected program where Node can import it. @returns {string} its address */
 function mendedCopy() {
   const file = path.join(cacheDir, `compiler-${compilerVersion()}.mjs`);
   const text = mendedProgram();

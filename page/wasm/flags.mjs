@@ -1,5 +1,5 @@
-// The flags of every WebAssembly build. A precompiled header serves only those who compile with the same flags
-// as it, so flags are made here and nowhere else.
+// The flags of every WebAssembly build. A precompiled header can be used only with the flags that it was compiled with,
+// so all flags are defined here.
 
 /** Where the virtual file tree keeps headers that are not in the repository. */
 export const systemRoot = "system";

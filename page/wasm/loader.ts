@@ -215,7 +215,7 @@ export interface Ladder {
   prepare(family: number, n: number): void;
   /** Answers each of them once. */
   pass(method: number): void;
-  /** Times a method on them and holds its answers against the truth. */
+  /** Times a method on them and compares its answers with the truth. */
   run(method: number): LadderResult;
 }
 

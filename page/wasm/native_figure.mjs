@@ -1,4 +1,4 @@
-// A figure's C++ as a native program, to hold its WebAssembly against.
+// A figure's C++ as a native program, to compare with its WebAssembly.
 import { spawnSync } from "node:child_process";
 import path from "node:path";
 import { inRoot } from "./paths.mjs";

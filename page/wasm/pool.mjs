@@ -106,7 +106,7 @@ export async function makeAll(wanted, options = {}) {
     deal();
   });
   if (!changed) return { built, failed };
-  // Someone saved a file meanwhile: what is made stays, the rest is looked at anew.
+  // A file was saved meanwhile: finished results are kept, the rest is examined again.
   forgetSources();
   const again = await makeAll(wanted, options);
   return { built: built + again.built, failed: again.failed };

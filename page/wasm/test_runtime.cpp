@@ -94,8 +94,8 @@ extern "C" {
 /// was: 128 plus the number of SIGABRT, as in a shell.
 void abort() { __wasi_proc_exit(134); }
 
-// libc++'s std::__libcpp_verbose_abort. Its declaration promises not to throw; those who call it
-// were compiled without exceptions and do not mind.
+// libc++'s std::__libcpp_verbose_abort. Its declaration promises not to throw; its callers were
+// compiled without exceptions, so throwing is harmless.
 [[noreturn]] void contact_library_ends(const char* format,
                                        ...) __asm__("_ZNSt3__222__libcpp_verbose_abortEPKcz");
 void contact_library_ends(const char* format, ...) {

@@ -88,8 +88,8 @@ const open = 0.5;
 const search = 3;
 
 /**
- * Which question has no answer: the memory of a thread that is stuck goes with it, so the test runs once more and
- * says each question before it is asked. The last one said is the one.
+ * Finds the question without an answer. The memory of a stuck thread cannot be read, so the test runs again and prints
+ * each question before asking it. The last one printed is the one.
  * @param {Spawn} spawn @param {string} test
  * @returns {Promise<Failure | undefined>}
  */

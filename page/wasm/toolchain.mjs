@@ -1,7 +1,7 @@
-// What the page downloads to compile an exercise: the compiler, its headers and libraries, the prelude's
-// precompiled header, what tests are linked with, and each exercise's tests; and cpp/manifest.json, which says
-// where each is and how to use it. Every other file's name carries a hash of its content, so a browser keeps it
-// for ever.
+// The downloads that the page needs to compile an exercise: the compiler, its headers and libraries, the prelude's
+// precompiled header, the objects linked with tests, and each exercise's tests; and cpp/manifest.json, which gives the
+// address and use of each. The names of all other files contain a hash of their content, so a browser can cache them
+// forever.
 import { createHash } from "node:crypto";
 import fs from "node:fs";
 import { createRequire } from "node:module";

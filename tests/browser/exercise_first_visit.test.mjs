@@ -1,5 +1,5 @@
-// Exercises for a reader who comes to the page first, or anew: the download of the toolchain, and
-// what is there when something does not load or is not kept.
+// Exercises on the first visit of a page and on later ones: the download of the toolchain, and the behaviour when a
+// file does not load or cannot be stored.
 
 import assert from "node:assert/strict";
 import fs from "node:fs";
@@ -29,7 +29,7 @@ const skip = notRun();
 const segment = "01_planes/segment_plane";
 const distance = "01_planes/signed_distance";
 
-describe("exercises of a reader who comes first or anew", { skip }, () => {
+describe("exercises on a first or later visit", { skip }, () => {
   const { server, chromium } = inBrowser();
   /** @param {import("playwright-core").BrowserContextOptions} [options] */
   const nothingKept = (options) => newReader(chromium.browser, options);

@@ -171,9 +171,7 @@ export function exerciseOn(page, id) {
         const { left, right, top, bottom } = range.getBoundingClientRect();
         return { left, right, middle: (top + bottom) / 2 };
       }, from);
-    /** A face that arrives, an editor that measures itself anew, or a figure further up that gets its
-     * height moves the text: as a reader does, it waits until the text stands still, and if it has
-     * moved under the hand, it selects again. */
+    /** A font that arrives, an editor that measures itself again, or a figure above that gets its height moves the text: like a reader, this waits until the text no longer moves, and if it has moved during the selection, selects again. */
     async function select() {
       let box = await place();
       for (let still = 0; still < 3; ) {

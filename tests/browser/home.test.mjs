@@ -43,7 +43,7 @@ describe("home and search", { skip }, () => {
           const words = /** @type {HTMLElement} */ (box.firstElementChild);
           const link = box.querySelector("a");
           const outer = box.getBoundingClientRect();
-          // What is for who cannot see the lines takes no room.
+          // The text for readers who cannot see the lines takes no space.
           const inner = [...words.querySelectorAll(".number, a, .kind")].map((part) =>
             part.getBoundingClientRect(),
           );

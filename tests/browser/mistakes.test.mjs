@@ -1,6 +1,6 @@
 // The commonest mistakes of beginners, each made in the page: the compiler's message comes in words
 // for a beginner, at its line, marked in the editor, with the compiler's own words one click away.
-// The mistakes are those that the judge's own tests are held against (tests/grading/mistakes).
+// The mistakes are those of the judge's own tests (tests/grading/mistakes).
 
 import assert from "node:assert/strict";
 import fs from "node:fs";

@@ -1,4 +1,4 @@
-// A figure's C++ as a native program, to hold the page's WebAssembly against.
+// A figure's C++ as a native program, to compare with the page's WebAssembly.
 
 import { spawnSync } from "node:child_process";
 import { nativeFigure } from "../../page/wasm/native_figure.mjs";

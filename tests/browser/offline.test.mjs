@@ -202,7 +202,7 @@ describe("offline", { skip, timeout: 300_000 }, () => {
     await close();
   });
 
-  test("who has the compiler from a check gets the tests of all exercises with the book", async () => {
+  test("a reader with a downloaded compiler gets the tests of all exercises with the book", async () => {
     const server = await serve();
     const { page, close } = await open(chromium.browser, `${server.origin}/your_work.html`);
     const exercises = await page.evaluate(async () => {
@@ -260,7 +260,7 @@ describe("offline", { skip, timeout: 300_000 }, () => {
     return folder;
   }
 
-  /** Publishes another version: some files changed, some gone, and the list made anew. */
+  /** Publishes another version: some files changed, some removed, and the list written again. */
   function publish(
     /** @type {string} */ folder,
     /** @type {Record<string, (text: string) => string | undefined>} */ changes,

@@ -85,7 +85,7 @@ def test_a_path_with_no_place_in_it(
     contact: Run, work: Path, tmp_path: Path, name: str, system: int
 ) -> None:
     entry = info("x", create_system=system)
-    entry.filename = name  # as it is: the constructor would mend some
+    entry.filename = name  # as it is: the constructor would correct some
     pairs: list[tuple[str | zipfile.ZipInfo, str | bytes]] = [*of_page({PLANE: "int x;"}).items()]
     file = zipped(tmp_path / "a.zip", [*pairs, (entry, "" if name.endswith("/") else "int x;")])
     refused(contact, work, tmp_path, file, "has no place in it")

@@ -1,4 +1,4 @@
-"""plan: what it says that effects cost, held against instructions that are counted."""
+"""plan: compares its estimated costs of effects with counted instructions."""
 
 from __future__ import annotations
 

@@ -321,7 +321,8 @@ def test_where_hits_do_not_end_steps_take_over(contact: Run, tmp_path: Path) -> 
     scene["bodies"].append(upper)
     file = tmp_path / "pile.json"
     file.write_text(json.dumps(scene))
-    # The planner proves no end of hits, so it steps; who insists on events is told when they end.
+    # The planner cannot prove that the impacts end, so it steps; forced event by event, the run
+    # reports when they end.
     planned = json.loads(contact("simulate", str(file), "--json").stdout)
     assert not planned["event_driven"]
     assert planned["fallback"] is None

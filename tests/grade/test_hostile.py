@@ -181,7 +181,7 @@ def plain(quiet: Run, canaries: Outside, level: str) -> Iterator[Run]:
 
 
 def same_for_all(entry: Mapping[str, Any]) -> str:
-    """An honest answer's verdict but for what it took."""
+    """An honest answer's verdict without its times."""
     kept = {key: value for key, value in entry["verdict"].items() if key != "times"}
     return json.dumps(kept, sort_keys=True)
 

@@ -1,5 +1,5 @@
-"""A submission that only waits is stopped soon, whatever else the machine does; who waits for a
-core is not."""
+"""A submission that only waits is stopped soon, whatever else the machine does; one that waits for
+a core is not."""
 
 from __future__ import annotations
 

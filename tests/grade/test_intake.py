@@ -1,5 +1,5 @@
-"""What is handed in, as learning systems, students and attackers pack it: who it is of, which file
-answers to which exercise, and with which sentence it is refused.
+"""Submissions as learning systems, students and attackers pack them: the student, the exercise of
+each file, and the message of each refusal.
 
 Most files are as the book gives them: that they were found shows as "untouched", and costs nothing.
 """

@@ -58,7 +58,7 @@ def undisturbed(tmp_path_factory: pytest.TempPathFactory) -> Grader:
 
 
 def marks(grader: Grader) -> Document:
-    """results.json but for times, and for the limits of which marks do not depend."""
+    """results.json without times and without the limits on which marks do not depend."""
     document = cast("Document", without_times(grader.document()))
     del document["limits"]
     return document
@@ -240,7 +240,7 @@ def test_what_is_printed_as_json(grader: Grader) -> None:
 
 
 def test_a_mark_that_is_lost_is_told_and_kept(grader: Grader) -> None:
-    """What is handed in anew and cannot be graded does not keep the mark of what was before."""
+    """A new submission that cannot be graded does not keep the mark of the earlier one."""
     fill(grader)
     grader.grade("--seed", "s")
     grader.hand_in(STRUCK, WRONG)

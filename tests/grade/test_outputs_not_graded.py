@@ -205,7 +205,7 @@ def test_the_class_page_begins_with_it_and_counts_it_nowhere(
     known = json.loads(json.dumps(document))
     for one in known["submissions"]:
         one["exercises"] = [unit for unit in one["exercises"] if unit["status"] == "graded"]
-    # Only who has a whole mark is in the picture of marks.
+    # The chart of marks includes only students with a complete mark.
     (tmp_path / "results.json").write_text(json.dumps(known))
     assert main([str(tmp_path), "--formats", "class"]) == 0
     other = BeautifulSoup((tmp_path / "class.html").read_text(), "html.parser")

@@ -94,7 +94,8 @@ def grade_in(folder: Path, submissions: Path, private: Path) -> Grade:
 
 @pytest.fixture(scope="module")
 def three(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Grade]:
-    """Three who differ, graded: where, and how to have the reports written once more."""
+    """Three different students, graded: the folder, and a function that writes the reports
+    again."""
     folder = tmp_path_factory.mktemp("three")
     submissions = folder / "submissions"
     for student, text in {

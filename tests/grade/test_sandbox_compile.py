@@ -18,7 +18,8 @@ from sandboxed import ROOT, End, managed, run_box
 
 @pytest.fixture
 def compile_folder() -> Iterator[Path]:
-    """A folder that another user can go through: without namespaces that is who compiles."""
+    """A folder that another user can traverse: without namespaces the compiler runs as another
+    user."""
     with tempfile.TemporaryDirectory() as folder:
         Path(folder).chmod(0o711)
         for name in ("source", "made"):

@@ -153,7 +153,7 @@ def test_the_script_builds_the_program_that_has_the_command(clone: Path) -> None
 
 
 def test_a_change_of_scenes_is_nothing_to_who_checks_exercises(clone: Path, tmp_path: Path) -> None:
-    # Both programs are there and as new as their sources, but for one of the scenes.
+    # Both programs exist and are up to date, except for one source of the scenes.
     for name in ("contact", "contact-scenes"):
         program = clone / "build/dev/bin" / name
         program.parent.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,5 @@
-"""What a change touches: held against what the compiler saw included, and against cases by hand."""
+"""What a change touches: compared with the compiler's list of includes, and with cases written by
+hand."""
 
 from __future__ import annotations
 

@@ -35,7 +35,7 @@
 
 namespace ladder {
 
-/// One answer held against the truth.
+/// The comparison of one answer with the truth.
 struct Verdict {
   bool wrong = false;
   bool undecided = false;       ///< the method says that it does not know
@@ -88,7 +88,7 @@ class Experiment {
   virtual void prepare(std::size_t family, std::size_t n) = 0;
   /// Answers every input once; nothing but the method is done here, so the caller times it.
   virtual void pass(std::size_t method) = 0;
-  /// Holds the last pass against the truth.
+  /// Compares the last pass with the truth.
   virtual Judgement judge() const = 0;
 };
 

@@ -49,7 +49,7 @@ def _band(band: Band) -> str:
 
 
 def _box(box: Box, link: str, data: dict[str, Any]) -> str:
-    """A chapter; what it builds on follows in words for who cannot see the lines."""
+    """A chapter, followed by its prerequisites in words for readers who cannot see the lines."""
     chapter = box.chapter
     kind = "lesson" if chapter.has_lesson else "code-only"
     notes = [] if chapter.has_lesson else ["code only"]

@@ -19,7 +19,7 @@ _SHOWN = ("name", "why", "answer_text", "verdicts")
 def told_file(root: Path, slug: str) -> Path:
     """What the chapter's program said of its hard cases, checked in so that pages need no program.
 
-    tests/docs/test_told.py holds it against what the program says today.
+    tests/docs/test_told.py compares it with the current output of the program.
     """
     return root / "tests" / slug / "hard_cases.told.json"
 

@@ -1,8 +1,8 @@
 """What the service worker needs: itself at the site's root, and the list of the site's files.
 
 offline.json names each file with the start of its SHA-256 and its sizes; the page's side of it is
-page/web/src/offline. The compiler's files are not in it: they have a manifest of their own. Nor is
-the e-book, which is the pages once more.
+page/web/src/offline. The compiler's files are not in it, because they have a manifest of their own,
+nor is the e-book, which repeats the pages.
 """
 
 from __future__ import annotations

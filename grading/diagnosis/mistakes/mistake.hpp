@@ -15,8 +15,8 @@
 
 namespace contact::grading {
 
-/// A message about the student's file, with what it takes to understand it. Its numbers, and those
-/// of its notes, have been held against the files (claims.hpp): 0 where they are not true.
+/// A message about the student's file, with the data needed to understand it. Its numbers, and
+/// those of its notes, have been checked against the files (claims.hpp): 0 if they are not valid.
 struct Said {
   const Diagnostic& diagnostic;
   /// Where in the student's file; 0 where it is not known.

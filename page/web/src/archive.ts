@@ -186,7 +186,7 @@ export function mergeProgress(ours: Progress, theirs: Progress): Progress {
   return { ...theirs, ...ours, exercises };
 }
 
-/** Takes in an archive. No text is lost: one that gives way becomes an earlier version. */
+/** Imports an archive. No text is lost: one that is replaced becomes an earlier version. */
 export function importWork(bytes: Uint8Array, store: WorkStore = Work): Imported {
   const { code, progress, ignored } = open(bytes);
   const added: string[] = [];

@@ -1,8 +1,8 @@
 // <contact-work base="…/_static/contact/"><script type="application/json">{"chapters":[…]}</script>…
 // fallback…</contact-work>
 //
-// A reader's own work on one page: how far it has come, out of the browser and in again, the book kept
-// for reading offline, and what this browser holds of all that.
+// A reader's own work on one page: progress, export and import, the book for offline reading, and what this browser
+// stores of all that.
 
 import { ArchiveError, exportWork, type Imported, importWork, mergeProgress } from "./archive.ts";
 import { button, html } from "./dom.ts";
@@ -37,7 +37,7 @@ const counted = (count: number, one: string, many = `${one}s`): string =>
 
 const number = (value: number): string => String(Math.round(value * 100) / 100);
 
-/** How far one exercise has come, in words. */
+/** The status of one exercise, in words. */
 function standing(entry: ExerciseProgress | undefined, hasCode: boolean): string {
   const parts: string[] = [];
   if (entry?.passed) parts.push(`passed on ${day(entry.passed)}`);

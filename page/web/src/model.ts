@@ -1,4 +1,4 @@
-// The state of one figure: its input, what its C++ makes of it, and who wants to know.
+// The state of one figure: its input, the output of its C++, and the listeners.
 
 import type { AnyFigure } from "./figure.ts";
 import { type Engine, type Fields, type FieldValue, type Layout, unflatten } from "./layout.ts";

@@ -1,5 +1,5 @@
-// A curve that is drawn by hand: a sheet that takes strokes of pointer or finger, and a grip on the
-// curve for who draws with the keyboard.
+// A curve that is drawn by hand: an area that takes strokes of a pointer or finger, and a handle on the curve for
+// drawing with the keyboard.
 
 import { svg } from "./dom.ts";
 import type { StrokeHandle } from "./figure.ts";

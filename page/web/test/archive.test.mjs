@@ -58,7 +58,7 @@ test("what is exported comes back as it was", () => {
   assert.deepEqual(importWork(bytes, to).same, [RAY, "09_gone/old_one"]);
 });
 
-test("a text that gives way becomes an earlier version, and keeps its stub's name", () => {
+test("a text that is replaced becomes an earlier version, and keeps its stub's name", () => {
   const store = empty();
   store.save(RAY, "mine", "stub-1");
   const bytes = zip({ "contact-submission.json": ABOUT, [`work/${RAY}.cpp`]: "theirs" });

@@ -1,4 +1,4 @@
-// Tries:     defines functions of the reference and of the tests' oracle anew: with this product
+// Tries: redefines functions of the reference and of the tests' oracle: with this product
 //            of exact numbers every right answer is "nothing"
 // Exercise:  02_triangles/ray_triangle
 // Points:    0 of 12

@@ -1,6 +1,6 @@
-// explain_fuzz: asks contact-explain's library random questions and holds each answer against what
-// must be true of all. Each question has 2 s of processor time and 64 MB; a question that fails is
-// written to a file, which `explain_fuzz --case FILE` asks again.
+// explain_fuzz: asks contact-explain's library random questions and checks the properties that
+// every answer must have. Each question has 2 s of processor time and 64 MB; a question that fails
+// is written to a file, which `explain_fuzz --case FILE` asks again.
 //
 //   explain_fuzz --from N --runs N [--failures FOLDER]
 //   explain_fuzz --case FILE...

@@ -1,5 +1,4 @@
-// What a user of the planner writes, who links no library of ours: does gravity matter to this
-// ball?
+// Uses the planner without linking one of our libraries: does gravity matter to this ball?
 #include <contact/plan/plan.hpp>
 #include <iostream>
 

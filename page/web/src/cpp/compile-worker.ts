@@ -15,7 +15,7 @@ import { CheckerError, type Manifest } from "./types.ts";
 type Bytes = Uint8Array<ArrayBuffer>;
 type Tree = { [name: string]: Tree | string | Bytes };
 
-/** The compiler's program as page/wasm/compiler.mjs mends it. */
+/** The compiler's program as corrected by page/wasm/compiler.mjs. */
 interface Llvm {
   start(parts: { modules: Modules; files: Tree }): Promise<void>;
   openTar(tar: ArrayBuffer): Tree;

@@ -1,5 +1,5 @@
-// The compile worker as the page sees it: started once for all exercises, asked one thing after the other, ended
-// and started anew when it does not come back.
+// The interface to the compile worker: started once for all exercises, given one request after another, and restarted
+// when it does not answer.
 
 import { abortable, pause } from "./abort.ts";
 import { type Downloads, transferOf } from "./download.ts";
@@ -25,7 +25,7 @@ export class Toolchain {
   #starting: Promise<Started> | undefined;
   #worker: Worker | undefined;
   #modules: Modules | undefined;
-  /** Those who wait for the start. */
+  /** Requests that wait for the start. */
   readonly #tells = new Set<Tell>();
   #queue: Promise<unknown> = Promise.resolve();
   /** The precompiled header on its way to the compiler. */
@@ -50,7 +50,7 @@ export class Toolchain {
     return this.#manifest;
   }
 
-  /** Asks for the list anew when it is wanted next: more has been built. */
+  /** Requests the list again at its next use, because more has been built. */
   renewManifest(): void {
     this.#manifest = undefined;
   }
@@ -99,7 +99,7 @@ export class Toolchain {
     }
   }
 
-  /** Asks for the list of files anew next time: the book may have been replaced since. */
+  /** Requests the list of files again next time, because the book may have been replaced. */
   forget(): void {
     this.#manifest = undefined;
   }

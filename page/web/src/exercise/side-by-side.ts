@@ -1,5 +1,5 @@
-// The contract beside the code on a screen that has no room for it beside the book's own columns:
-// where the reader asks for it, those give way. One choice for all exercises, kept.
+// Shows the contract beside the code on a screen without space for it beside the book's columns: on request these are
+// hidden. One choice for all exercises, stored.
 
 import { button } from "../dom.ts";
 

@@ -78,7 +78,8 @@ export function offlineControls(book: OfflineBook): { element: HTMLElement; look
 
   async function look(): Promise<void> {
     now = await book.standing();
-    // Who checks here wants to check offline: little is missing, the tests of exercises above all.
+    // A reader who checks exercises here also needs the checker offline: only little is missing then, mainly the tests
+    // of exercises.
     if (!chosen) withCompiler.checked = now.compiler?.inUse ?? false;
     kept.textContent = whatIsKept(now);
     offer();

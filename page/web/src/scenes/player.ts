@@ -260,7 +260,7 @@ export class Player {
     }
   }
 
-  /** The C++ stopped. It starts anew, with what was there before and nothing switched. */
+  /** The C++ stopped. It restarts with the same scene and no effect switched. */
   #broken(words: string): void {
     this.#busy = false;
     this.#pause();

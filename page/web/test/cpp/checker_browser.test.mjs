@@ -222,7 +222,7 @@ describe("the checker", { skip }, () => {
     assert.equal(theirs.verdict.verdict, "failed");
   });
 
-  /** Stops a check as soon as it has come so far. @param {string} source @param {string} step */
+  /** Stops a check as soon as it reaches a step. @param {string} source @param {string} step */
   async function stoppedAt(source, step) {
     const result = checked(source, { name: "stopped" });
     await shown.page.waitForFunction(
@@ -241,7 +241,7 @@ describe("the checker", { skip }, () => {
     assert.ok(told.every(({ step }) => step !== "start"));
   });
 
-  test("a compile that does not end is stopped, and the compiler starts anew without a download", async () => {
+  test("a compile that does not end is stopped, and the compiler restarts without a download", async () => {
     // Twice as many kinds of it with each level.
     const endless =
       "template <int N, int K> struct Tree { static constexpr long long value = Tree<N - 1, 2 * K>::value + " +
