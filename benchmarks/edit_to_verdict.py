@@ -1,8 +1,8 @@
-"""From a save to its verdict in `contact watch`, beside the least that it could take.
+"""Measures the time from a save to its verdict in `contact watch`, compared with a lower bound.
 
     build/venv/bin/python benchmarks/edit_to_verdict.py [--repeats 25] [--json FILE]
 
-Three things are timed in turn, so that whatever else the machine does meets them alike:
+Three measurements alternate, so that other work on the machine affects all of them equally:
 
   edit to verdict  the solution of ray_triangle is saved by rename into a folder that `contact
                    watch` watches, until the line with the verdict is read from its output

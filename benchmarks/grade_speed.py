@@ -1,11 +1,11 @@
-"""How many submissions × exercises a second `contact grade` judges, beside the naive way.
+"""Measures how many units a second `contact grade` judges, compared with a naive script.
 
     build/venv/bin/python benchmarks/grade_speed.py [--quick] [--json FILE]
 
 200 submissions are made from the book's solutions, stubs and wrong answers, drawn by a seeded
 generator; no two files are equal. A *unit* is one exercise of one submission. They are graded in
-blocks, and in each block three things are timed, in an order that turns from block to block, so
-that whatever else the machine does meets them alike:
+blocks. In each block three measurements are made, in an order that rotates from block to block, so
+that other work on the machine affects all of them equally:
 
   one worker   `contact grade BLOCK -o RESULTS --workers 1`, from the command to its end: taking
                the submissions in, calibrating, compiling, running and judging in boxes, reports
@@ -259,7 +259,7 @@ def proxy_call() -> dict[str, float]:
 
 
 def main() -> int:
-    options = argparse.ArgumentParser(description="Grading's speed, beside the naive way.")
+    options = argparse.ArgumentParser(description="Compare the speed of grading with a script's.")
     options.add_argument("--submissions", type=int, default=200, help="made (default 200)")
     options.add_argument("--each", type=int, default=2, help="exercises in each (default 2)")
     options.add_argument("--blocks", type=int, default=2, help="timed apart (default 2)")

@@ -1,7 +1,7 @@
 // node benchmarks/page_check.mjs [--repeats 20] [--cold 3] [--json FILE]
 //
-// What checking ray_triangle in the page costs, in bytes and in seconds, in headless Chromium with a fresh profile
-// each time, served from this machine; beside it, in turn, `contact check` of the same file. It needs what
+// Measures the cost of checking ray_triangle in the page, in bytes and in seconds, in headless Chromium with a fresh
+// profile each time, served from this machine; alternating with it, `contact check` of the same file. It needs what
 // `page/wasm/build.mjs toolchain` and `cmake --build build/dev` make. Exit code 1 if a wish is not met:
 //
 //   a first check at most 3 s after the download, a warm one at most 0.8 s, a first check after at most 30 MB

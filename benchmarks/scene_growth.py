@@ -1,13 +1,13 @@
-"""How a dilute gas of hard balls grows from 1,000 to 1,000,000 balls.
+"""Measures the cost of a dilute gas of hard balls, from 1,000 to 1,000,000 balls.
 
-Events, bytes and instructions are the same in every run; times are not. Between two sizes stands
-the power p with which a number grew, as N^p.
+Events, bytes and instructions are the same in every run; times are not. Between two sizes the table
+shows the exponent p with which a number grew, as N^p.
 
     cmake --build --preset release --target scene_growth
     build/venv/bin/python benchmarks/scene_growth.py
 
-Instructions are those of the run alone, counted by valgrind, which makes it some fifty times
-slower; so only up to 100,000 balls.
+Instructions are those of the run only, counted by valgrind, which makes it about 50 times slower;
+so they are counted up to 100,000 balls.
 """
 
 from __future__ import annotations

@@ -1,14 +1,14 @@
-"""What the stages of a simulation cost, in instructions: as a scene's plan composes them, and with
-effects forced on that the plan leaves out. Then what the plan says each effect costs, beside the
-difference of two counts: it fails if an estimate is more than a factor of 4 off.
+"""Counts the instructions of the stages of a simulation, as a scene's plan composes them and with
+effects forced on that the plan leaves out. Then compares the plan's estimate for each effect with
+the difference of two counts, and fails if an estimate is off by more than a factor of 4.
 
     cmake --build --preset release --target scene_stages
     build/venv/bin/python benchmarks/scene_stages.py
 
-Instructions are those of the run alone, counted by valgrind: the same in every run. A stage that is
-off is never called. What is left beside the stages is the bookkeeping of a step.
+Instructions are those of the run only, counted by valgrind: the same in every run. A stage that is
+off is never called. The instructions outside the stages are the overhead of a step.
 
-What is less than a five-hundredth of a run, by its estimate and by its count, is not compared.
+An effect below 1/500 of a run, both by its estimate and by its count, is not compared.
 """
 
 from __future__ import annotations
@@ -283,7 +283,7 @@ def factor(estimate: float, count: int, run: int) -> float | None:
 
 
 def show_estimates(wanted: list[str]) -> list[str]:
-    """Estimates beside counts; which are too far off."""
+    """Compares estimates with counts; returns those that are too far off."""
     far = []
     for case in ESTIMATES:
         if wanted and case.scene not in wanted:

@@ -8,7 +8,7 @@
 
 namespace contact::cli {
 
-/// A command of a program beside this one.
+/// A command of another program in the same folder.
 struct Elsewhere {
   const char* name;
   const char* what;

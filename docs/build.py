@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds the book: measurements, Doxygen, staged pages, Sphinx. Does again only what is stale.
+"""Builds the book: measurements, Doxygen, staged pages, Sphinx. Rebuilds only what is out of date.
 
 build/venv/bin/python docs/build.py             with whatever is built already
 build/venv/bin/python docs/build.py --complete  everything a page shows must be there

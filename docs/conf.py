@@ -1,4 +1,4 @@
-"""Sphinx's settings. docs/build.py passes every place by environment."""
+"""Sphinx's settings. docs/build.py passes all paths by environment variables."""
 
 from __future__ import annotations
 

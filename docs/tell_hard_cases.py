@@ -1,8 +1,8 @@
 """docs/tell_hard_cases.py [CHAPTER...]: writes what the lessons show of hard cases.
 
 Runs each chapter's program hard_cases_CHAPTER, which must be built (in build/dev/bin, unless
---programs names another folder), and writes tests/CHAPTER/hard_cases.told.json. With --check
-nothing is written: it fails if a file is not what the program says.
+--programs names another folder), and writes tests/CHAPTER/hard_cases.told.json. With
+--check it writes nothing, and fails if a file differs from the output of the program.
 """
 
 from __future__ import annotations

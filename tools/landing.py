@@ -1,5 +1,5 @@
-"""What can be known of a landing from git: that it raised tools/turn by one, and what its commits
-are called. Where there is no history to look at, it says so and finds no fault."""
+"""Checks a landing by its git history: that it raised tools/turn by one, and the subjects of its
+commits. Without a history it says so and reports no fault."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How long a source may be, and which ones are longer because CONTRIBUTING says why."""
+"""Checks the length of sources, except those that CONTRIBUTING lists with a reason."""
 
 from __future__ import annotations
 

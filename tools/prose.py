@@ -1,7 +1,7 @@
-"""The prose of a file, paragraph by paragraph: text, comments, docstrings, messages, tests' names.
+"""Extracts the prose of a file, in paragraphs: text, comments, docstrings, messages, tests' names.
 
-`paragraphs(name, text)` gives each as one line of plain text, and knows on which line of the file
-each of its words stands. Code, formulas and links are a placeholder in it, markup is gone.
+`paragraphs(name, text)` gives each paragraph as one line of plain text, with the line numbers of
+its words in the file. Markup is removed; code and formulas are replaced by a placeholder.
 """
 
 from __future__ import annotations

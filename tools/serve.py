@@ -1,7 +1,7 @@
 """./contact serve: builds the book and serves it on this machine.
 
-The lessons come first: nothing has to be compiled for them. Everything else is built in the
-background, in the order in which pages request it. Ctrl-C stops the server and every build.
+The lessons are built first, because nothing has to be compiled for them. Everything else is built
+in the background, in the order in which pages request it. Ctrl-C stops the server and every build.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What a change touches: which files it changed, and of each kind of check, which chapters.
+"""Determines what a change touches: the changed files and, for each kind of check, the chapters.
 
 A reference header, or its source, touches every chapter that builds on its chapter. A header of
 tests touches the chapters whose sources include it. What all chapters share (tests/support,
@@ -142,7 +142,7 @@ def _included_by(root: Path) -> dict[str, frozenset[str]]:
         for file in (root / folder).rglob("*")
         if file.suffix in (".cpp", ".hpp")
     ]
-    # Where a name may be found besides beside the file that names it.
+    # Folders in which a name is looked up, apart from that of the including file.
     folders = [root / "tests", root / "grading", root / "page/figure", *root.glob("chapters/*")]
     known = {file: file.relative_to(root).as_posix() for file in sources}
     found: dict[str, set[str]] = {}

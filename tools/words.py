@@ -1,11 +1,11 @@
-"""Holds prose to the words of tools/words.yml.
+"""Checks prose against the words of tools/words.yml.
 
     tools/words.py [--count] [FILE OR FOLDER ...]
 
 Prose is text, comments, docstrings, messages and the names of tests (prose.py). Each use that is
-found is printed as `file:line: word: write ...`. A use that is meant to stay has `words: ok` in
-its line; how many there are is printed, and more than MOST is a fault too. `--count` prints how
-often each word occurs instead, with those that are meant to stay.
+found is printed as `file:line: word: write ...`. A deliberate use has `words: ok` in its line;
+their number is printed, and more than MOST are a fault. `--count` prints how often each word occurs
+instead, including deliberate uses.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
-// The book's hull beside Qhull's, CGAL's and Bullet's: medians of several runs, and what each
-// finds. usage: hull_peers [points] [runs]
+// Compares the book's hull with Qhull's, CGAL's and Bullet's: medians of several runs, and the
+// result of each. usage: hull_peers [points] [runs]
 #include "peers.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Translating box pairs of each kind: the book's sweep, rounded and exact, beside Bullet's convex
-// casts. What is right is decided by fractions.
+// Translating box pairs of each kind: compares the book's sweep, rounded and exact, with Bullet's
+// convex casts. Rational arithmetic gives the right answer.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

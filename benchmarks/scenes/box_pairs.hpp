@@ -1,6 +1,6 @@
 /// @file
-/// When two boxes that move without turning first touch: the book's sweep beside Bullet's convex
-/// casts. Bullet's headers stay in their own file.
+/// Time of impact of two translating boxes: the book's sweep and Bullet's convex casts. Bullet's
+/// headers are included only in their own file.
 #pragma once
 
 #include <memory>

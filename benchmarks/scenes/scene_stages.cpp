@@ -37,7 +37,7 @@ nlohmann::json estimates(const contact::Plan& plan) {
   return effects;
 }
 
-/// The least composition of hard balls, with what is forced on or off beside it.
+/// The smallest composition for hard balls, with the effects that are forced on or off.
 contact::HardSphereComposition composition_of(const contact::HardSphereSetup& setup,
                                               const contact::Overrides& overrides) {
   contact::HardSphereComposition made = contact::compose_hard_spheres(setup);

@@ -41,8 +41,8 @@ std::string filled(std::string text, const Names& names) {
   return text;
 }
 
-// The templates lie under cli/authors/templates/KIND as they will lie under the root, with tokens
-// in names and text.
+// The templates are in cli/authors/templates/KIND, with the paths that they will have under the
+// root, and with tokens in names and text.
 std::vector<fs::path> copy_templates(const grading::Book& book, const std::string& kind,
                                      const Names& names) {
   const fs::path templates = book.root() / "cli" / "authors" / "templates" / kind;

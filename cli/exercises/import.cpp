@@ -51,9 +51,9 @@ struct Step {
   [[nodiscard]] bool writes() const { return fate == Fate::fresh || fate == Fate::replaced; }
 };
 
-// A folder beside the copies for what is about to be put in their place, so that a disk that is
-// full says so before any copy is touched. One import at a time; one that was killed leaves its
-// folder to the next.
+// A folder beside the copies for their replacements, so that a full disk is noticed before any copy
+// is changed. Only one import runs at a time; the next import removes the folder of one that was
+// killed.
 class Staging {
  public:
   explicit Staging(const fs::path& work) : folder_(work / ".import") {

@@ -1,5 +1,5 @@
-// The program `contact`: what a student does with exercises. It becomes the program of any other
-// command, which lies beside it.
+// The program `contact`: the commands of a student for exercises. For any other command it replaces
+// itself by the program that has it, in the same folder.
 
 #include <exception>
 #include <string_view>

@@ -12,7 +12,7 @@
 
 namespace contact::cli {
 
-/// What tells one saved state of a file from another; two saves within the clock's grain differ in
+/// Distinguishes two saved states of a file; two saves within the clock's resolution differ in
 /// inode or size.
 struct FileState {
   bool exists = false;

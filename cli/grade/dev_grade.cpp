@@ -77,7 +77,7 @@ int grade_units(Context& context, const Options& options) {
   return passed ? exit_passed : exit_not_passed;
 }
 
-// The same program asks, once beside what answers and once with a box around each.
+// The same program asks, once directly and once with a sandbox around each process.
 int call_time(Context& context, bool json) {
   const grading::Book& book = context.book();
   grading::build_target(context.loop(), book,

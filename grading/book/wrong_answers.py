@@ -1,4 +1,5 @@
-"""Wrong answers as files of C++. Each is kept whole, or as a patch against the solution.
+"""Writes wrong answers as C++ files. Each is stored as a whole file, or as a patch against the
+solution.
 
     wrong_answers.py [--root ROOT] [--output FOLDER] [EXERCISE...]
         writes every one whole, as FOLDER/NN_slug/NAME/x.cpp (build/wrong), and prints those that
@@ -7,8 +8,8 @@
         keeps these as patches from now on
 
 `solutions/NN_slug/NAME/wrong/x.patch` begins with the two lines that every wrong answer begins with
-(`// misconception: ID`, `// caught by: TEST`), and a unified diff follows them. What it stands for
-is those two lines, and then the solution as the diff changes it.
+(`// misconception: ID`, `// caught by: TEST`), and a unified diff follows them. The wrong answer is
+those two lines, then the solution with the diff applied.
 
 Only this file applies patches: `contact dev check` and the tests all ask it. It needs nothing but
 Python.
@@ -65,7 +66,7 @@ def _position(lines: Sequence[str], part: Sequence[str], begin: int, said: int) 
 
 
 def apply(patch: str, solution: str) -> str:
-    """The wrong answer that a patch stands for."""
+    """The wrong answer that a patch describes."""
     lines = patch.splitlines(keepends=True)
     header, rest = lines[:HEADER_LINES], lines[HEADER_LINES:]
     if not all(line.startswith("// ") for line in header):
@@ -99,14 +100,14 @@ def apply(patch: str, solution: str) -> str:
 
 
 def as_patch(wrong: str, solution: str, names: tuple[str, str]) -> str:
-    """The patch that stands for a wrong answer."""
+    """The patch that describes a wrong answer."""
     lines = wrong.splitlines(keepends=True)
     made = difflib.unified_diff(solution.splitlines(keepends=True), lines[HEADER_LINES:], *names)
     patch = "".join(lines[:HEADER_LINES]) + "".join(made).replace("\n \n", "\n\n")
     # Twice, for empty lines one after the other.
     patch = patch.replace("\n \n", "\n\n")
     if apply(patch, solution) != wrong:
-        raise PatchError("no patch stands for it: does each line end with a line feed?")
+        raise PatchError("no patch describes it: does each line end with a line feed?")
     return patch
 
 

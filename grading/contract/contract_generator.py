@@ -4,8 +4,8 @@
 
 The contract is an exercise's header. Generated code names its functions and the types
 of their parameters, as the header spells them; how a value crosses to another process is deduced
-from its type (contact/value.hpp), so nothing about a type is generated. What a contract must not
-hold is refused with its line.
+from its type (contact/value.hpp), so nothing about a type is generated. A construct that a contract
+must not contain is refused with its line.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
     null_answers.py CONTRACT.hpp --output FOLDER
 
 FOLDER gets null.cpp. In it every function of the contract is defined and returns a value of its
-result's type, made by grading/contract/null_answers.hpp, which also says of what kinds.
+result's type, made by grading/contract/null_answers.hpp, which also lists the kinds.
 """
 
 from __future__ import annotations

@@ -37,7 +37,7 @@ struct Located {
   bool in_library = false;
 };
 
-// Raised in a header, it is where the last step on the way there lies.
+// If it is raised in a header, the position of the last step that leads there.
 std::optional<Located> locate(const Diagnostic& diagnostic) {
   if (diagnostic.own) return Located{{diagnostic.line, diagnostic.column}, false};
   for (const Step& step : diagnostic.required_from) {
@@ -54,7 +54,7 @@ Place end_of(const Diagnostic& diagnostic, Place place, bool moved, const Source
   return {place.line, place.column + static_cast<int>(length)};
 }
 
-// The line of a place with a caret below it; of a long line, what lies around the place.
+// The line of a position with a caret below it; of a long line, the part around the position.
 std::string excerpt_at(const SourceText& source, Place place) {
   if (place.line == 0) return {};
   std::string_view line = source.line(place.line);
@@ -170,7 +170,8 @@ CompileError told(const FoundMessage& found, const Diagnosis& of) {
   return error;
 }
 
-// No error has a place in the student's file. Where else they lie is not told, only how many.
+// No error has a position in the student's file. Only the number of the other errors is reported,
+// not their positions.
 CompileError told_elsewhere(const std::vector<Diagnostic>& diagnostics, std::size_t more,
                             std::string_view log, const std::string& file) {
   const auto is_error = [](const Diagnostic& said) { return said.is_error(); };

@@ -39,7 +39,8 @@ class Fields {
   std::string_view bytes_;
 };
 
-// What a student reads names the book's files from its root on, and not where they lie here.
+// Texts for students name the book's files relative to its root, not by their paths on this
+// machine.
 void shorten(Explained& said, const std::string& root) {
   if (root.empty()) return;
   const auto in = [&](std::string& text) { replace_all(text, root, ""); };

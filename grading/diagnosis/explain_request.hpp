@@ -22,7 +22,7 @@ struct ExplainRequest {
   std::string log;
   /// The contract first.
   std::vector<HeaderText> headers;
-  /// Where the book lies here: what is told names its files from there on.
+  /// The book's folder; explanations name its files relative to it.
   std::string root;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What is told of a compiler's or a linker's words, and how it is handed from the process that
-// finds it to the one that keeps it.
+// The explanation of a compiler's or a linker's output, and its transfer from the process that
+// finds it to the one that stores it.
 
 #include <optional>
 #include <string>
@@ -14,7 +14,7 @@
 
 namespace contact::grading {
 
-/// All that is told of one compile or link is no longer than this as JSON.
+/// The maximum length of the explanation of one compile or link, as JSON.
 inline constexpr std::size_t max_told_bytes = 256u << 10;
 /// Of what the compiler or linker printed, no more than this is read or kept.
 inline constexpr std::size_t max_log_bytes = 64u << 10;
@@ -32,8 +32,8 @@ struct Explained {
 /// The first lines of a log, with a last line that says how much was left out.
 std::string kept_log(std::string_view log);
 
-/// What is told where nothing can be explained: the first line of the log that is an error, or else
-/// the first, cut to a length that can be read.
+/// The text if nothing can be explained: the first line of the log that is an error, or else its
+/// first line, cut to a readable length.
 Explained unexplained(std::string_view log, bool failed, const std::string& file);
 
 /// Without CompileError::full, which the caller has.

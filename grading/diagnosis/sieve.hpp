@@ -1,6 +1,6 @@
 #pragma once
 
-// One mistake makes a compiler say much: which of its messages are told.
+// One mistake causes many compiler messages: selects those to show.
 
 #include <vector>
 

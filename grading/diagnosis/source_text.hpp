@@ -91,7 +91,7 @@ class SourceText {
   [[nodiscard]] const std::vector<FunctionDefinition>& definitions() const;
   /// The line of the opening brace that, by the indentation of the closing ones, lacks its own.
   [[nodiscard]] std::optional<int> unclosed_brace() const;
-  /// The function inside which another one's { stands at a place.
+  /// The function inside which another function's { is at a position.
   [[nodiscard]] std::optional<OpenFunction> open_function(Place brace) const;
   /// The function that a line belongs to; null if none begins before it.
   [[nodiscard]] const FunctionDefinition* function_around(int line) const;

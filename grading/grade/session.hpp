@@ -51,7 +51,7 @@ struct SessionSettings {
   std::string again;
 };
 
-/// Is told how a session comes on.
+/// Receives the progress of a session.
 class SessionListener {
  public:
   SessionListener() = default;
@@ -77,7 +77,7 @@ class SessionListener {
   virtual void on_begin(std::size_t units, int workers) = 0;
   virtual void on_graded(const Job& job) = 0;
   virtual void on_end() = 0;
-  /// What an engine tells meanwhile.
+  /// Progress reports of an engine.
   virtual void on_note(const std::string& text) = 0;
   /// A solution hangs, and with it a thread that nothing can end: the process must be ended, from
   /// whatever thread this is called in.

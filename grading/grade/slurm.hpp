@@ -30,7 +30,7 @@ struct SlurmSetting {
   TimeOfJob time;
   /// Whether a unit's file holds what the run asks for.
   std::function<bool(const Job&)> has_result;
-  /// Is told what an instructor may want to know meanwhile, a line at a time.
+  /// Receives lines of information for the instructor.
   std::function<void(const std::string&)> note;
 };
 

@@ -73,7 +73,7 @@ struct ProcessSpec {
   std::size_t output_stop = 0;
   /// Both streams together count towards `output_stop`, not each by itself.
   bool output_in_all = false;
-  /// Is told standard output as it comes, which then is not kept.
+  /// Receives standard output as it comes; it is then not stored.
   std::function<void(std::string_view)> on_output;
   /// Gives the child a pipe as descriptor `events_descriptor` and passes on what it writes there.
   std::function<void(std::string_view)> on_events;
@@ -107,8 +107,8 @@ struct ProcessResult {
   }
 };
 
-/// A running child. Several may run beside each other on one loop, and one may be started or
-/// destroyed from a callback of another.
+/// A running child. Several may run concurrently on one loop, and one may be started or destroyed
+/// from a callback of another.
 class Process {
  public:
   /// Starts it. @throws std::runtime_error if it cannot be started.

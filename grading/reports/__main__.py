@@ -1,4 +1,4 @@
-"""Writes what a school's systems, teachers and students read from RESULTS/results.json."""
+"""Writes the reports for a school's systems, teachers and students from RESULTS/results.json."""
 
 from __future__ import annotations
 

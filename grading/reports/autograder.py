@@ -1,4 +1,5 @@
-"""A ready autograder: one zip file with this book, what is to be graded, and how it is begun.
+"""A complete autograder: one zip file with this book, the exercises to grade, and a script to start
+it.
 
 For Gradescope it is uploaded as it is. Unpacked, its Dockerfile makes an image for PrairieLearn.
 """

@@ -1,4 +1,4 @@
-"""What an autograder does for each submission: grade it with `contact grade`, and leave a result.
+"""Runs in an autograder for each submission: grades it with `contact grade` and writes a result.
 
     python -m reports.autograder_run SYSTEM SOURCE RESULT SUBMISSION
 

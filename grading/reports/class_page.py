@@ -1,4 +1,4 @@
-"""class.html: where the class stands, for teaching. Made to be projected."""
+"""class.html: the results of the class, for teaching. It is meant to be projected."""
 
 from __future__ import annotations
 

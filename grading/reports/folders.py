@@ -1,4 +1,4 @@
-"""The folders of students: how they are called, and where they go when their student is gone."""
+"""The folders of students: their names, and where they are moved when their student is gone."""
 
 from __future__ import annotations
 

@@ -5,9 +5,8 @@ date and its exceptions, so a test that is shown after it is handed over whole, 
 `after_due_date`, unless --due says that it has passed. Hidden tests are one entry an exercise with
 the sum of their points: an entry marked `hidden` would also hide the student's total.
 
-Where something could not be graded there is no score at all, neither of the whole nor of a test.
-Gradescope asks for one or the other, so it takes such a file for a run that failed, and no mark is
-made of it.
+If something could not be graded there is no score, neither in total nor of a test. Gradescope
+requires one of them, so it treats such a file as a failed run and records no mark.
 """
 
 from __future__ import annotations
@@ -172,7 +171,7 @@ def _entry(
 
 
 def not_graded(reason: str) -> Json:
-    """When grading itself fails: the student is told that this is no mark."""
+    """If grading itself fails, this tells the student that it is not a mark."""
     words = (
         "Your files have arrived, but they could not be graded: something failed on our side, not"
         " on yours. This is no mark. Your teacher can see why and start the grading again;"

@@ -1,4 +1,4 @@
-"""JUnit XML, as Jenkins' junit-10.xsd has it: a suite an exercise, a case a test.
+"""JUnit XML, as in Jenkins' junit-10.xsd: one suite per exercise, one case per test.
 
 Texts come from `text.clean`, so no character is left that XML 1.0 forbids; ElementTree escapes the
 rest. Time is what may be told of what the exercise took, as visibility.py says, and is left out of

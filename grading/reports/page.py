@@ -1,4 +1,5 @@
-"""HTML pages: one file each, no script, nothing fetched, every text escaped by the engine."""
+"""HTML pages: one file each, without scripts or downloads, with every text escaped by the
+engine."""
 
 from __future__ import annotations
 

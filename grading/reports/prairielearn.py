@@ -1,8 +1,8 @@
 """results.json for PrairieLearn's external graders.
 
-What does not compile is `gradable: false`, so it costs no attempt and no points. So is a submission
-of which something could not be graded, and it has no score. PrairieLearn takes a megabyte at most;
-what is too long is cut where most of it is, and the message says so.
+A file that does not compile is `gradable: false`, so it uses up no attempt and loses no points. A
+submission with a part that could not be graded is also `gradable: false` and has no score.
+PrairieLearn accepts at most a megabyte; the longest texts are cut, and the message says so.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def _document(submission: SeenSubmission) -> Json:
         "tests": tests,
     }
     if submission.not_graded:
-        # A score of the rest would stand for the whole.
+        # A score of the rest would be taken for the total.
         document["gradable"] = False
         del document["score"]
         document["format_errors"] = [not_graded_sentence(submission)]

@@ -1,4 +1,4 @@
-"""students/ID/report.html: first what to do next, then all there is to see."""
+"""students/ID/report.html: first the next steps, then all details."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Text that came from a submission, made fit to be shown: every character visible, nothing endless.
+"""Makes text from a submission safe to show: every character visible, long texts cut.
 
 Names, program output, compiler messages and exceptions may hold anything: terminal escapes, marks
 that turn the direction of writing, zero bytes, half surrogates, a line of a megabyte. What comes

@@ -1,15 +1,15 @@
-"""What a student sees of a verdict: the one place that decides it.
+"""Decides what a student sees of a verdict; no other module does.
 
     shown            everything
     values_withheld  status, question and hint; not the input, what came back or what is right
     after_due        its name and what it is worth until the due date has passed, then everything
     hidden           nothing but that there are such tests, and their points in sum
 
-What a submission returned, threw or printed may be the very input that it was called with. So what
-came back is withheld with the input, a reason is told in our own words, and what the program
-printed is shown only if no test of the exercise keeps anything back. How long it ran is something
-that it says, too: it may sleep for as long as its input is large. So then only the compiler's and
-the linker's seconds are told, before which it has seen nothing. The mark itself is never held back.
+What a submission returned, threw or printed may be the very input that it was called with. So the
+answer is withheld with the input, a reason is given in our own words, and the program's output is
+shown only if no test of the exercise withholds anything. The run time is a channel, too, because a
+submission may sleep for a time that depends on its input. So in that case only the times of the
+compiler and the linker are shown, which cannot depend on inputs. The mark itself is never withheld.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ class Policy:
 
 @dataclass(frozen=True)
 class SeenTest:
-    """A test as its student sees it. Without a status it is told after the due date."""
+    """A test as its student sees it. Without a status it is shown after the due date."""
 
     name: str
     max_points: float
@@ -313,7 +313,7 @@ def _why_skipped(reason: str, open_tests: set[str]) -> str:
     return "it counts once a test that it builds on passes"
 
 
-# How a reason begins, and what is told in its place where the reason may quote the submission.
+# The start of a reason, and its replacement if the reason may quote the submission.
 _REASONS = (
     (re.compile(r"threw\b"), "it threw an exception that the contract does not know"),
     (re.compile(r".*\b(time|seconds?)\b", re.S), "it took too long"),
@@ -332,7 +332,7 @@ def _own_words(reason: str) -> str:
 
 
 def _outcome(outcome: str, tests: Sequence[SeenTest]) -> str:
-    """The verdict on the exercise, as far as the tests that are told show it."""
+    """The verdict on the exercise, as far as the shown tests reveal it."""
     if outcome == "does_not_compile":
         return outcome
     told = [test.status for test in tests if test.status is not None]

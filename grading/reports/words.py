@@ -1,4 +1,4 @@
-"""How results are said, once for every format."""
+"""The wording of results, for all formats."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def number(points: float) -> int | float:
 
 
 def unit_state(unit: SeenUnit) -> str:
-    """The key of UNIT_WORDS: how an exercise stands."""
+    """The key of UNIT_WORDS: the state of an exercise."""
     return unit.outcome or "failed" if unit.status == "graded" else unit.status
 
 

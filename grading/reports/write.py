@@ -1,4 +1,4 @@
-"""Writes every report into RESULTS, each file whole and by one rename."""
+"""Writes every report into RESULTS, each file completely and then renamed into place."""
 
 from __future__ import annotations
 

@@ -35,7 +35,7 @@ std::string assertion_in(const std::string& printed) {
   return sentence;
 }
 
-// What a program printed, without the line that already stands in the reason.
+// The output of a program, without the line that is already in the reason.
 std::string without_assertion(const std::string& printed) {
   std::string result;
   std::size_t at = 0;

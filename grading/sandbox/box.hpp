@@ -69,7 +69,7 @@ struct BoxSpec {
   /// Descriptors that it gets besides 0, 1 and 2: ours, and their number there.
   std::vector<std::pair<int, int>> descriptors;
   BoxLimits limits;
-  /// Is told standard output as it comes, which then is not kept.
+  /// Receives standard output as it comes; it is then not stored.
   std::function<void(std::string_view)> on_output;
   /// Called on the loop once it has ended.
   std::function<void()> on_end;

@@ -58,8 +58,7 @@ Words common_words(const Machine& machine, const Seat::State& seat, const BoxGro
   add(words, {"--memory", megabytes(spec.limits.memory_mb)});
   add(words, {"--file-bytes", megabytes(spec.limits.files_mb)});
   add(words, {"--descriptors", spec.kind == BoxKind::compile ? "512" : "64"});
-  // The boxes of a seat that stand beside each other, and bubblewrap's part of each, are counted
-  // too.
+  // The concurrent sandboxes of a seat, and bubblewrap's processes in each, are counted too.
   if (machine.own_process_count)
     add(words, {"--processes", std::to_string(spec.limits.processes + 16)});
   return words;
@@ -172,7 +171,7 @@ std::vector<std::string> command_in_namespaces(const Machine& machine, Seat::Sta
   if (seat.network >= 0) add(launcher, {"--network", std::to_string(network_descriptor)});
   add(launcher, {"--", machine.bubblewrap, "--unshare-user", "--unshare-all", "--die-with-parent",
                  "--new-session", "--json-status-fd", std::to_string(status_descriptor)});
-  // It stands in the seat's empty network already.
+  // It is already in the seat's empty network.
   if (seat.network >= 0) add(launcher, {"--share-net"});
   // bubblewrap reads it; contact-box only keeps it.
   if (machine.system_call_filter) add(launcher, {"--seccomp", std::to_string(filter_descriptor)});

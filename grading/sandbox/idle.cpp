@@ -19,8 +19,8 @@ namespace {
 using Sleepers = std::vector<IdleClock::Sleeper>;
 
 constexpr std::chrono::milliseconds kPeriod{20};
-// A sample stands for no more than this, however late it comes, unless all slept ever since the
-// sample before.
+// A sample counts for at most this time, however late it comes, unless all have slept since the
+// previous sample.
 constexpr double kMostSeconds = 0.03;
 
 std::optional<std::string> text_of(const std::string& file) {
@@ -141,8 +141,8 @@ std::optional<std::size_t> woken(const Sleepers& before, const Sleepers& after) 
 std::optional<Sleepers> asleep_at_once(std::initializer_list<int> processes) {
   std::optional<Sleepers> first = asleep(processes);
   if (!first) {
-    // The timer that woke this program may have woken one that only wanted to sleep again, which
-    // then stands behind it on the same core.
+    // The timer that woke this program may also have woken one that only sleeps again, which then
+    // waits behind it on the same core.
     ::sched_yield();
     first = asleep(processes);
   }

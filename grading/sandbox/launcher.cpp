@@ -181,7 +181,7 @@ void end_with_keeper(const Settings& settings, int keeper) {
     stage(settings, settings.user < 0 ? ::getuid() : static_cast<uid_t>(settings.user),
           settings.user < 0 ? ::getgid() : static_cast<gid_t>(settings.user));
   }
-  // What it is given may lie where its new user could not go.
+  // Its inputs may be in a folder that its new user cannot enter.
   if (!settings.folder.empty() && ::chdir(settings.folder.c_str()) != 0)
     fail(settings, "going to " + settings.folder);
   if (settings.program >= 0) {

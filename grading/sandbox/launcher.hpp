@@ -1,7 +1,7 @@
 #pragma once
 
-// What contact-box is told on its command line, and the parts that it is made of. It is linked
-// statically and starts in a millisecond: every box begins with it.
+// The command line of contact-box and its parts. It is linked statically and starts in a
+// millisecond; every sandbox starts with it.
 
 #include <cstdint>
 #include <string>

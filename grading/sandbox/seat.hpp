@@ -28,8 +28,8 @@ struct Seat::State {
   int core = -1;
   /// Where the thread could go before it kept to one.
   cpu_set_t cores{};
-  /// A network without anything in it, which all boxes of the seat stand in: making one for each
-  /// box takes longer than all the rest of it. -1 if each box makes its own.
+  /// An empty network namespace for all sandboxes of the seat: creating one for each sandbox would
+  /// take longer than everything else. -1 if each box makes its own.
   int network = -1;
   /// Groups that no box is in.
   std::vector<std::unique_ptr<BoxGroup>> groups;

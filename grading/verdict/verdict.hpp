@@ -24,7 +24,7 @@ enum class TestStatus {
   skipped         ///< a test that it requires did not pass
 };
 
-/// Why a test did not pass. Any part may be empty; the parts are told in this order.
+/// Why a test did not pass. Any part may be empty; the parts are shown in this order.
 struct Failure {
   std::string asked;
   std::vector<std::pair<std::string, std::string>> inputs;

@@ -42,7 +42,7 @@ Diagnosis diagnosis_of(const json& request) {
   return {exercise.name + ".cpp", text(request, "source"), contract_of(exercise)};
 }
 
-// As in a check: what cannot be explained is told in the compiler's own words.
+// As in a check: what cannot be explained is shown in the compiler's own words.
 Explained said_of_compile(const Diagnosis& diagnosis, const std::string& log, bool failed) {
   try {
     return diagnosis.of_compile(log, failed, Columns::bytes);

@@ -1,4 +1,4 @@
-// What the page's scripts know of the book is what grading/book reads, and an author's mistake is told.
+// The page's scripts read the same data as grading/book, and an author's mistake is reported.
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import { test } from "node:test";

@@ -82,7 +82,7 @@ test("a source that a header takes in counts unless the flags say that it is com
   fs.writeFileSync(header, "#pragma once\n");
 });
 
-test("a C++ error is told in the compiler's words, and the rest is built", async () => {
+test("a C++ error is reported in the compiler's words, and the rest is built", async () => {
   fs.writeFileSync(header, "#pragma once\n");
   const wrong = small(`int wrong_${mark}() { return undeclared; }`);
   const right = figureRecipe(inRoot("page", "wasm", "fixtures", "stops.cpp"), [

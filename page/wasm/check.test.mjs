@@ -1,4 +1,4 @@
-// A student's answer can end in many ways; each is told of the test where it happened, and the rest still run.
+// A student's answer can end in many ways; each is reported for the test in which it happened, and the rest still run.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { check } from "./check.mjs";
@@ -43,7 +43,7 @@ const question = (how) => ({
   inputs: [{ name: "how", text: JSON.stringify(how) }],
 });
 
-test("every end is told, and the rest still run", async () => {
+test("every end is reported, and the rest still run", async () => {
   const recipe = checkProgram(ends, `${fixtures}/ends.cpp`);
   const { failed } = await makeAll([recipe]);
   assert.equal(failed.get(key(recipe)), undefined);

@@ -28,8 +28,7 @@ const sources = new Map();
 const directive =
   /^[ \t]*#[ \t]*(?:(if)(?:n?def)?\b(?:[ \t]+(CONTACT_[A-Z]+_COMPILED)\b)?|(endif)|include(?:_next)?[ \t]*(["<])([^">\n]+)[">])/gm;
 
-/** What a text names after #include, whatever conditions stand round it, and whether a header takes its source in
- * there. @param {string} text @returns {Include[]} */
+/** The files that a text names after #include, under any conditions, and whether a header includes its source there. @param {string} text @returns {Include[]} */
 function includesOf(text) {
   const includes = [];
   /** @type {(string | undefined)[]} */

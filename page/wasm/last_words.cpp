@@ -1,5 +1,5 @@
-// What the page asks a test program that has died. A trap ends the program where it stands, but its
-// memory is still there: the host takes the address of a spare stack for the stack pointer (the
+// Lets the page query a test program that has crashed. A trap ends the program immediately, but its
+// memory still exists: the host takes the address of a spare stack for the stack pointer (the
 // program's own may be used up, and still holds the question), calls contact_last_words, and reads
 // text at the address that it gives back.
 #include <array>

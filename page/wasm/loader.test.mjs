@@ -1,5 +1,5 @@
-// What the page loads: a figure's numbers are those of its native program, bit for bit; a ladder's wrong answers
-// are those of the native ladder; what stops is told, and the page goes on.
+// What the page loads: a figure's numbers are those of its native program, bit for bit; a ladder's wrong answers are
+// those of the native ladder; a stop is reported, and the page continues.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import fs from "node:fs";

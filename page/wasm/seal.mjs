@@ -3,7 +3,7 @@
 // one, whichever comes first. So what the tests define gets names here that no C++ has, in all their objects alike;
 // only the agreed names stay. (Natively these symbols are made local: contact_seal in cmake/ContactExercises.cmake.)
 
-/** Stands before each name that is not to be met from outside. */
+/** The prefix of each name that must not be visible from outside. */
 const prefix = "of the tests: ";
 
 const kinds = { function: 0, data: 1, global: 2, section: 3, tag: 4, table: 5 };

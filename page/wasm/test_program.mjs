@@ -75,7 +75,7 @@ const escaped = (name) => name.replace(/[\\,[\]*"~]/g, (sign) => `\\${sign}`);
 /** An assertion that failed, as the page's C library tells it: what, in which file. */
 const assertionLine = /^Assertion failed: (.*) \(([^()\n]*?): [^\n]*: \d+\)$/m;
 
-/** What a student's program printed on its errors, without the line that already stands in the reason.
+/** The error output of a student's program, without the line that is already in the reason.
  * @param {string} errors */
 export const withoutAssertion = (errors) =>
   errors

@@ -83,7 +83,7 @@ describe("exercises on a first or later visit", { skip }, () => {
       context = await nothingKept();
       ({ page } = await visit(context, server.origin, pageOf(segment)));
       exercise = exerciseOn(page, segment);
-      // The size is told when the reader gets there.
+      // The size is shown when the reader gets there.
       await exercise.button("Check").scrollIntoViewIfNeeded();
     };
     const end = async () => {
@@ -244,7 +244,7 @@ describe("exercises on a first or later visit", { skip }, () => {
     await context.close();
   });
 
-  test("on a laptop the contract stands beside the code when asked for, and stays there", async () => {
+  test("on a laptop the contract is beside the code on request, and stays there", async () => {
     const context = await nothingKept();
     const page = await context.newPage();
     await page.setViewportSize({ width: 1280, height: 900 });

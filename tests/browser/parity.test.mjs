@@ -116,7 +116,7 @@ function sameText(a, b) {
   );
 }
 
-/** Everything that a test's verdict says, in the order in which it is told. @param {TestVerdict} verdict */
+/** Everything in a test's verdict, in the order in which it is shown. @param {TestVerdict} verdict */
 function told({ status, points, max_points, failure }) {
   const inputs = (failure?.inputs ?? []).map(({ name, text }) => `${name} = ${text}`);
   // Which machine noticed the end, and how it puts it, is the machine's.

@@ -140,7 +140,7 @@ describe("the scene player", { skip }, () => {
     await close();
   });
 
-  test("a broken text is told with its path; a good one runs", async () => {
+  test("a broken text is reported with its path; a valid one runs", async () => {
     const { page, trouble, close } = await shown();
     const player = await started(page);
     await pick(player, "head_on");

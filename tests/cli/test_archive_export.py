@@ -1,4 +1,4 @@
-"""export: what travels, whatever stands in the way."""
+"""export: what is packed, despite obstacles."""
 
 from __future__ import annotations
 

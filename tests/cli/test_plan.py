@@ -92,7 +92,7 @@ def test_a_scene_calls_for_what_is_known_of_it(contact: Run, scene: str, on: str
         (line,) = (line for line in table.splitlines() if line.startswith(name + " "))
         if one["value"] is None:
             assert line.split()[1] == ("on" if one["on"] else "off")
-    # Both sides of what decided stand in the table, in words.
+    # The table shows both sides of the deciding inequality, in words.
     joined = " ".join(table.split())
     for one in found.values():
         for condition in one["because"]:

@@ -1,4 +1,4 @@
-"""scene: the published schema and the reader say the same of every file, and it is told well."""
+"""scene: the published schema and the reader agree on every file, and faults are reported well."""
 
 from __future__ import annotations
 

@@ -149,7 +149,7 @@ def test_what_moves_in_the_page_is_a_picture_code_or_text(of_sample: EBook) -> N
 
 
 def test_epubcheck_has_nothing_to_say(of_sample: EBook) -> None:
-    """Where Debian's epubcheck is installed; the tests above stand for it elsewhere."""
+    """If Debian's epubcheck is installed; otherwise the tests above replace it."""
     book = ROOT / "build" / "site" / "contact-hours.epub"
     ebook = EBook(book) if book.is_file() else of_sample
     program = shutil.which("epubcheck")

@@ -95,7 +95,7 @@ def test_lines_say_all_of_builds_on_and_nothing_twice(seed: int) -> None:
         assert reachable(slug, drawn) == reachable(slug, named)
     lines = {(line.earlier, line.later) for line in lay_out(chapters).lines}
     ground = {earlier for slug in drawn for earlier in drawn[slug]} - {one for one, _ in lines}
-    # Only what all of the book stands on goes without lines.
+    # Only the chapters on which the whole book builds have no lines.
     for slug in ground:
         assert chapters[slug].part == 0
         assert all(slug in reachable(x, named) for x, one in chapters.items() if one.part != 0)

@@ -1,4 +1,4 @@
-"""What an author is told: the file, the line, and what there is instead."""
+"""Messages to an author: the file, the line, and what exists instead."""
 
 from __future__ import annotations
 

@@ -15,8 +15,8 @@ lines say what it tries and what it must get:
     //                                        again alone; left out if it may)
     // Reduced:   what the reduced level cannot keep from it; left out if nothing
 
-What must not succeed prints "GOT IT: ..." where it does. Words like @SECRET@ stand for what exists
-only while the test runs.
+What must not succeed prints "GOT IT: ..." where it does. Words like @SECRET@ are replaced by values
+that exist only while the test runs.
 """
 
 from __future__ import annotations

@@ -151,7 +151,7 @@ class Run:
         self.profile.write_text(PROFILE)
 
     def words(self) -> dict[str, str]:
-        """What stands in a submission for what exists only here."""
+        """The placeholders in a submission for values that exist only here."""
         return {
             "TOKEN": self.outside.token,
             "SECRET": str(self.outside.secret),

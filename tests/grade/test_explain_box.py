@@ -11,7 +11,7 @@ import pytest
 from graded_class import SOLUTION, Grader
 
 BROKEN = SOLUTION.replace("return value > 0", "return nobody_declared_this > 0")
-# What stands in the place of contact-explain.
+# The replacement for contact-explain.
 PROGRAMS = {
     "never ends": "for (;;) {}",
     "waits for ever": "for (;;) pause();",

@@ -117,7 +117,7 @@ def type_in(grader: Grader, command: str) -> Done:
 
 
 def held_to(grader: Grader, done: Done, undisturbed: Grader, reason: str) -> None:
-    """All that is told of the unit, and that the rest is as without the trouble."""
+    """The complete report on the unit; everything else is as without the failure."""
     assert done.returncode == 3, done.stdout + done.stderr
     assert f"{STRUCK}, {EXERCISE} could not be graded: {reason}" in done.stderr
     assert "4 with a whole mark" in done.stdout

@@ -53,7 +53,8 @@ def unpacked(archive: Path, tmp_path: Path) -> Path:
 
 
 def run(root: Path, script: str = "run_autograder", **environment: str) -> str:
-    """Runs it as the harness does; this book, which is built, stands for the one in the archive."""
+    """Runs it as the harness does, with this book, which is built, in place of the one in the
+    archive."""
     done = subprocess.run(
         [str(root / script)],
         cwd=root,

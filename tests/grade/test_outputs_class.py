@@ -1,4 +1,4 @@
-"""The pages: a student reads what to do next, a teacher where the class stands, and the class page
+"""The pages: a student reads the next steps, a teacher the results of the class, and the class page
 names no student."""
 
 from __future__ import annotations
@@ -101,7 +101,7 @@ def text(soup: Tag) -> str:
 
 
 def section(soup: BeautifulSoup, title: str) -> str:
-    """What stands below a heading, up to the next of its kind."""
+    """The text below a heading, up to the next of its level."""
     heading = next(found for found in soup.find_all("h2") if title in found.get_text())
     parts = []
     for sibling in heading.find_next_siblings():

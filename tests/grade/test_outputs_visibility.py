@@ -220,7 +220,7 @@ def test_the_mark_itself_is_never_held_back(tmp_path: Path) -> None:
     assert json.loads(files["prairielearn.json"])["score"] == 1.0
     assert json.loads(files["classroom50.json"])["score"] == 9
     assert '"9","9",' in files["gradebook.csv"]
-    # The page tells no more than it shows.
+    # The source of the page has no more than it shows.
     assert "7 of 7 points" in files["report.html"]
 
 

@@ -62,7 +62,7 @@ TEST_CASE("right answers pass, with nothing more to say") {
 }
 
 TEST_CASE(
-    "a wrong answer tells what was asked, the input, what came back, what is right, and the hint") {
+    "a wrong answer reports the question, the input, the answer, the right answer, and the hint") {
   const json end = outcome("wrong and recognised");
   CHECK(end["status"] == "failed");
   CHECK(end["failure"] ==
@@ -87,7 +87,7 @@ TEST_CASE("comparisons fail for NaN, and keep a tolerance for each number") {
   CHECK(end["failure"]["allowed"] == "Pair{small: 1, large: 10}");
 }
 
-TEST_CASE("an exception that the contract does not know stops the test, and is told") {
+TEST_CASE("an exception that the contract does not name stops the test, and is reported") {
   const json wrong = outcome("the wrong exception");
   CHECK(wrong["status"] == "stopped");
   CHECK(wrong["failure"]["reason"] == "threw an exception: far out");
@@ -96,7 +96,7 @@ TEST_CASE("an exception that the contract does not know stops the test, and is t
   CHECK(outcome("out of memory")["failure"]["reason"] == "ran out of memory");
 }
 
-TEST_CASE("an exception that was asked for and does not come is told") {
+TEST_CASE("a missing exception is reported") {
   const json none = outcome("no exception");
   CHECK(none["failure"]["got"] == "1");
   CHECK(none["failure"]["right"] == "throws std::invalid_argument");
@@ -126,7 +126,7 @@ TEST_CASE("stdout belongs to the student") {
   CHECK(run("prints").printed == std::vector<std::string>{"the student's line"});
 }
 
-TEST_CASE("a crash is told for the test where it happened") {
+TEST_CASE("a crash is reported for the test in which it happened") {
   const Run all = run("crashes");
   REQUIRE(all.lines.size() >= 2);
   CHECK(all.lines[0]["event"] == "start");

@@ -166,7 +166,7 @@ TEST_CASE("values cross exactly, call after call") {
   CHECK(std::isnan(echo(std::nan(""))));
 }
 
-TEST_CASE("a process that ends is told with its reason") {
+TEST_CASE("a process that ends is reported with its reason") {
   CHECK_THAT(reason("crashes"), StartsWith("crashed: "));
   CHECK(reason("exits") == "ended the program with status 3");
   CHECK_THAT(reason("leaves at once"), StartsWith("ended the program with status 0"));
@@ -197,7 +197,7 @@ TEST_CASE("a reply made before its question is no answer, whatever it says") {
   CHECK(reason("more in one piece") == "sent unrequested bytes");
 }
 
-TEST_CASE("an answer may come in pieces, but not for ever") {
+TEST_CASE("an answer may come in pieces, but not without end") {
   be_served_by("in pieces");
   CHECK(echo(2.5) == 2.5);
   CHECK(echo(3.5) == 3.5);
@@ -250,7 +250,7 @@ TEST_CASE("the text of an exception is cut") {
   }
 }
 
-TEST_CASE("a broker gives a process for each test and tells why one ended") {
+TEST_CASE("a broker gives a process for each test and reports why one ended") {
   {
     Broker broker("behaves");
     CHECK(echo(1.5) == 1.5);
@@ -289,7 +289,7 @@ TEST_CASE("with a broker, too, bytes that are no answer fail the call") {
   }
 }
 
-TEST_CASE("a broker that is gone is told, and no descriptor is left behind") {
+TEST_CASE("a broker that is gone is reported, and no descriptor remains open") {
   const std::size_t before = open_descriptors();
   {
     Broker broker("behaves");
@@ -312,7 +312,7 @@ TEST_CASE("todo on the far side is todo on the near side") {
   CHECK_THROWS_AS(echo(1), NotAttempted);
 }
 
-TEST_CASE("a program that cannot be run is told") {
+TEST_CASE("a program that cannot be run is reported") {
   setenv("CONTACT_SERVER", "/nowhere/at/all", 1);
   contact::host::test_starts();
   CHECK_THROWS_AS(echo(1), contact::host::Stopped);

@@ -1,4 +1,4 @@
-"""Which room may include from which: exactly the arrows that CONTRIBUTING.md draws."""
+"""Which folder may include from which: exactly the arrows in CONTRIBUTING.md."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""Which stages `./contact test` runs for a chapter and for a change, and what its table tells."""
+"""Which stages `./contact test` runs for a chapter and for a change, and the contents of its
+table."""
 
 from __future__ import annotations
 

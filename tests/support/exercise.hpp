@@ -27,7 +27,7 @@
 
 namespace contact::testing {
 
-/// What is told about the first wrong answer of a test.
+/// The report on the first wrong answer of a test.
 struct Failure {
   std::string asked;
   std::vector<std::pair<std::string, std::string>> inputs;  ///< name and text, in order

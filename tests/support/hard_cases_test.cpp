@@ -87,7 +87,7 @@ TEST_CASE("a constructed number keeps its fraction, and is stored in the case's 
   CHECK(Case(source).number("x") == static_cast<double>(0.1f));
 }
 
-TEST_CASE("an answer is told in words") {
+TEST_CASE("an answer is described in words") {
   CHECK(hard_cases::answer_text(Json{{"class", "a"}, {"hit", true}, {"t", "1/2"}}) ==
         "hit: yes, t = 1/2");
   CHECK(hard_cases::answer_text(

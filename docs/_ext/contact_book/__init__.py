@@ -75,7 +75,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.add_config_value("contact_plotter", "", "env", str)
     # A page that lacks something is read again each time (home.py), so this makes none stale.
     app.add_config_value("contact_complete", False, "", bool)
-    # Whether the book as one file lies, or will lie, beside the pages.
+    # Whether the e-book is, or will be, in the folder of the pages.
     app.add_config_value("contact_ebook", True, "", bool)
     for name, directive in DIRECTIVES.items():
         app.add_directive(name, directive, override=True)

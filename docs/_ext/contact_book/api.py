@@ -1,4 +1,4 @@
-"""API pages are stale when a header or what Doxygen made of it changes."""
+"""API pages are stale when a header or the Doxygen output for it changes."""
 
 from __future__ import annotations
 

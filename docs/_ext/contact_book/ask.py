@@ -1,4 +1,4 @@
-"""`{question}` and `{recall}`: questions the page checks, and paper can ask too."""
+"""`{question}` and `{recall}`: questions that the page checks and that also work on paper."""
 
 from __future__ import annotations
 
@@ -59,7 +59,8 @@ class Recall(Question):
 
 
 def payload(question: QuestionData, parts: dict[str, list[str]]) -> dict[str, Any]:
-    """What the page's element needs beside the words, which it takes from the fallback."""
+    """The data that the page's element needs in addition to the text, which it takes from the
+    fallback."""
     data: dict[str, Any] = {
         "id": question.ref,
         "kind": question.kind,

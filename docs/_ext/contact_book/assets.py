@@ -1,4 +1,4 @@
-"""Puts the built components beside the pages, and their script on the pages that need it."""
+"""Copies the built components to the pages, and adds their script to the pages that need it."""
 
 from __future__ import annotations
 

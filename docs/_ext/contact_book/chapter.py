@@ -1,4 +1,4 @@
-"""What stands at the head and foot of every lesson, all of it from chapter.toml."""
+"""The head and foot of every lesson, from chapter.toml."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def joined(items: list[nodes.Node]) -> list[nodes.Node]:
 
 
 class ChapterDirective(BookDirective):
-    """A directive about the chapter it stands in."""
+    """A directive about the chapter in which it is used."""
 
     optional_arguments = 1
 

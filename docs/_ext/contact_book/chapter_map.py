@@ -1,7 +1,7 @@
-"""`{chapter-map}`: what builds on what, drawn from the chapters there are; each box is a link.
+"""`{chapter-map}`: a map of the chapters and their prerequisites; each box is a link.
 
-Boxes are HTML and keep their letters' size at any width; only the lines behind them stretch. There
-is no script in it. An e-book has the cards alone, which say the same in words.
+Boxes are HTML and keep their font size at any width; only the lines behind them stretch. It needs
+no script. An e-book has only the cards, which give the same information in words.
 """
 
 from __future__ import annotations

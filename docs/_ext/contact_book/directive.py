@@ -1,4 +1,4 @@
-"""What every directive of the book shares: the book, the chapter it stands in, and its errors."""
+"""The base of all directives of the book: the book, the current chapter, and errors."""
 
 from __future__ import annotations
 

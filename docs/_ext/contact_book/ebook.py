@@ -1,7 +1,7 @@
-"""The book as one EPUB file: what its pages say without a script, for e-book readers of any age.
+"""The book as one EPUB file: its pages without scripts, for old and new e-book readers.
 
-Sphinx's builder writes it. What is added here: formulas as MathML alone, a style that old readers
-understand in the place of the site's, and the manifest's word on what a page contains.
+Sphinx's builder writes it. This file adds: formulas as MathML only, a style sheet that old readers
+understand instead of the site's, and the properties of each page in the manifest.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _MATHML = re.compile(r"<math\b.*?</math>", re.S)
 
 
 def mathml(html: str) -> str:
-    """The MathML in what KaTeX makes, without the drawing of it for browsers beside it."""
+    """The MathML in KaTeX's output, without the HTML for browsers."""
     match = _MATHML.search(html)
     return match[0] if match else html
 

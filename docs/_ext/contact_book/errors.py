@@ -1,4 +1,4 @@
-"""One kind of mistake: something an author wrote that the book cannot honour."""
+"""The error for mistakes of an author in the sources of the book."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""`{exercise} NAME`: what to do, the contract, what each test is worth, and how to begin.
+"""`{exercise} NAME`: the brief, the contract, the points of each test, and how to start.
 
-The page's script makes a bench of it, where the reader writes the answer and has it checked.
+The page's script turns it into an editor in which the reader writes and checks the answer.
 """
 
 from __future__ import annotations

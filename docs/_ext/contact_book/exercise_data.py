@@ -1,6 +1,7 @@
-"""What the page's script reads of exercises: one JSON file each, and one for the book.
+"""The data of exercises for the page's script: one JSON file for each, and one for the book.
 
-The files of an exercise are in it as the command line reads them, so that both judge by one source.
+It contains the files of an exercise as the command line reads them, so that both judge from the
+same source.
 """
 
 from __future__ import annotations
@@ -110,7 +111,7 @@ def read_again(
 
 
 def publish(app: Sphinx, error: Exception | None) -> None:
-    """Puts the data beside the pages when all of them are written."""
+    """Writes the data to the folder of the pages when all pages are written."""
     if error is not None or app.builder.format != "html" or app.builder.name == "epub":
         return
     products = Path(app.config.contact_products)

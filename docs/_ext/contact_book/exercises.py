@@ -1,4 +1,4 @@
-"""Exercises as their folder describes them."""
+"""Exercises as described by the files of their folders."""
 
 from __future__ import annotations
 
@@ -121,7 +121,7 @@ def lesson_time(book: Book, chapter: Chapter) -> LessonTime:
 
 
 def misconception_hints(book: Book, exercise: Exercise) -> dict[str, str]:
-    """What a student reads beside a test that recognises one of the exercise's misconceptions."""
+    """The hint shown with a test that recognises one of the exercise's misconceptions."""
     if not exercise.misconceptions:
         return {}
     path = book.root / "chapters" / "misconceptions.toml"

@@ -1,7 +1,7 @@
-"""The faces of the text and of the mathematics, served from the book itself, as woff2 alone.
+"""The fonts of the text and of the mathematics, served with the book, as woff2 only.
 
-A page of the site loads only the characters that the book uses: half of what the faces weigh. A
-character that comes later, from a script, falls back to the next face of its style.
+A page loads only the characters that the book uses, which halves the size of the fonts. A character
+that a script adds later is drawn in the next font of its style.
 """
 
 from __future__ import annotations

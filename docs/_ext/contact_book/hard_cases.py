@@ -1,4 +1,5 @@
-"""`{hard-cases}`: inputs that break plain methods, as the tests' own program judges them."""
+"""`{hard-cases}`: inputs on which simple methods fail, with the verdicts of the tests' own
+program."""
 
 from __future__ import annotations
 
@@ -17,7 +18,8 @@ _SHOWN = ("name", "why", "answer_text", "verdicts")
 
 
 def told_file(root: Path, slug: str) -> Path:
-    """What the chapter's program said of its hard cases, checked in so that pages need no program.
+    """The output of the chapter's program for its hard cases, checked in so that pages need no
+    program.
 
     tests/docs/test_told.py compares it with the current output of the program.
     """

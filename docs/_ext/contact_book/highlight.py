@@ -1,6 +1,6 @@
-"""Listings without marks on what is plain ink anyway: names, punctuation and blanks.
+"""Listings without markup on text in the default colour: names, punctuation and blanks.
 
-They are two thirds of a listing's marks. Keywords, types, functions, literals and comments keep
+They are two thirds of a listing's markup. Keywords, types, functions, literals and comments keep
 their colours.
 """
 

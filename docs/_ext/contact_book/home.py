@@ -1,4 +1,4 @@
-"""The cards of the chapters and the table of contents, both made from the chapters there are."""
+"""The cards of the chapters and the table of contents, generated from the existing chapters."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""HTML of components: a custom element around a fallback that is complete by itself."""
+"""HTML of components: a custom element around a fallback that works without it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`{ladder}`: what each method costs and how often it is wrong, from the newest measurement."""
+"""`{ladder}`: the cost of each method and how often it is wrong, from the newest measurement."""
 
 from __future__ import annotations
 

@@ -102,7 +102,7 @@ def paragraphs(text: str) -> list[str]:
 
 
 class Measured(BookDirective):
-    """What was measured beside other programs, as `benchmarks/results/NAME.*.txt` holds it.
+    """A comparison with other programs, as stored in `benchmarks/results/NAME.*.txt`.
 
     Each line of the content is the beginning of a paragraph of the file; those are shown, under the
     file's first, which says on what machine and how.

@@ -1,4 +1,4 @@
-"""Warnings name the file its author edits, not the copy that Sphinx reads."""
+"""Makes warnings name the file that the author edits, not the copy that Sphinx reads."""
 
 from __future__ import annotations
 

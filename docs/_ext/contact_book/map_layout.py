@@ -1,7 +1,7 @@
-"""Where each chapter stands on the map, and the way of each line from what it builds on.
+"""The position of each chapter on the map, and the route of each line from its prerequisites.
 
-Rows run down the page, and what a chapter builds on is always above it. The parts that ask
-different questions stand side by side, four columns in all, so that the map also fits a phone.
+Rows run down the page, and the prerequisites of a chapter are always above it. The parts of the
+book are side by side, in four columns, so that the map also fits a phone.
 """
 
 from __future__ import annotations
@@ -90,7 +90,8 @@ def direct(slug: str, chapters: dict[str, Chapter]) -> list[str]:
 
 
 def stood_on(chapters: dict[str, Chapter]) -> set[str]:
-    """The bars on which every later chapter stands: lines from them would say nothing."""
+    """The bars of the chapters on which all later ones build: lines from them would give no
+    information."""
     first = [slug for slug, chapter in chapters.items() if chapter.part == 0]
     later = [slug for slug, chapter in chapters.items() if chapter.part != 0]
     return {slug for slug in first if all(slug in _ancestors(other, chapters) for other in later)}
@@ -103,7 +104,8 @@ class _Placer:
         self.taken: set[tuple[int, int]] = set()
 
     def place(self, chapter: Chapter, first_row: int, columns: range) -> Box:
-        """In the first row below all that it builds on, as near to below that as there is room."""
+        """In the first row below all its prerequisites, as close to directly below them as there is
+        space."""
         earlier = [self.layout.boxes[slug] for slug in chapter.builds_on if slug in self.placed]
         row = max([first_row, *(box.row + 1 for box in earlier)])
         near = [

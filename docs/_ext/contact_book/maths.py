@@ -1,4 +1,4 @@
-"""Mathematics, rendered when the book is built by one KaTeX process a builder process."""
+"""Mathematics, rendered when the book is built, by one KaTeX process per builder process."""
 
 from __future__ import annotations
 

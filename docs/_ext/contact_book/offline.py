@@ -1,4 +1,4 @@
-"""What the service worker needs: itself at the site's root, and the list of the site's files.
+"""Files for the service worker: its script at the site's root, and the list of the site's files.
 
 offline.json names each file with the start of its SHA-256 and its sizes; the page's side of it is
 page/web/src/offline. The compiler's files are not in it, because they have a manifest of their own,

@@ -1,4 +1,4 @@
-"""Runs the chapters' own programs for the numbers that pages show."""
+"""Runs the chapters' programs to get the numbers that pages show."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Questions as authors write them, checked for sense before they reach a page."""
+"""Reads and checks the questions that authors write."""
 
 from __future__ import annotations
 

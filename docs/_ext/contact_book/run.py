@@ -7,7 +7,7 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
-# The name of the e-book, beside the pages.
+# The file name of the e-book, in the folder of the pages.
 EBOOK = "contact-hours.epub"
 
 

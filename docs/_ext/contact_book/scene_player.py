@@ -26,7 +26,7 @@ def scenes_of(folder: Path) -> list[dict[str, str]]:
 
 
 class ScenePlayer(BookDirective):
-    """The argument is the chapter whose scenes it plays; without one, the chapter it stands in."""
+    """The argument is the chapter whose scenes it plays; by default the current chapter."""
 
     optional_arguments = 1
     has_content = True

@@ -1,4 +1,4 @@
-"""Gives the members of a header's group their namespace back.
+"""Restores the namespace of the members of a header's group.
 
 Doxygen lists what a header declares in the header's group (docs/group_filter.py), and Breathe then
 shows every function without its namespace, so that no reference finds it. Breathe takes the

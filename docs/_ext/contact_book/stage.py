@@ -1,4 +1,5 @@
-"""Gathers what Sphinx reads into one folder: the book's pages, the lessons, a page of API each."""
+"""Copies the input of Sphinx into one folder: the book's pages, the lessons, an API page for each
+header."""
 
 from __future__ import annotations
 

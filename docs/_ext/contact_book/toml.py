@@ -1,4 +1,4 @@
-"""Reading TOML with errors that say which file and key is wrong."""
+"""Reads TOML, with errors that name the file and the key."""
 
 from __future__ import annotations
 

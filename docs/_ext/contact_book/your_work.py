@@ -1,4 +1,4 @@
-"""`{your-work}`: the page of a reader's own work. Its content is for a reader without scripts."""
+"""`{your-work}`: the page of a reader's own work. Its content is shown without scripts."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// The commonest mistakes of beginners, recognised in what g++ and clang++ say, and said in words.
-// A kind of mistake has a file: how its messages look, and what is told of them. rules.cpp asks
-// them in order.
+// The commonest mistakes of beginners, recognised in the messages of g++ and clang++ and explained
+// in words. Each kind of mistake has a file with the patterns of its messages and their
+// explanations. rules.cpp tries them in order.
 
 #include <optional>
 #include <string>

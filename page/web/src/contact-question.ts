@@ -44,7 +44,7 @@ export class ContactQuestion extends HTMLElement {
     this.#build(this.question as Question);
   }
 
-  /** The texts, as HTML, from what stands here for a reader without the script. */
+  /** The texts, as HTML, from the fallback for readers without scripts. */
   #words(): Pick<Question, "text" | "explain"> & { options: string[]; items: string[] } {
     const inside = (selector: string) =>
       [...this.querySelectorAll(`:scope > .question > ${selector}`)].map((part) => part.innerHTML);

@@ -65,7 +65,7 @@ export interface StrokeHandle<Input> {
   readonly field: keyof Input & string;
   readonly label: string;
   readonly role: Role;
-  /** Where along x the number with an index stands; it must grow with the index. */
+  /** The x coordinate of the number with an index; it must increase with the index. */
   across(index: number, input: Input): number;
   readonly step?: number;
   /** The sheet that is drawn on reaches from the least height to the greatest. */

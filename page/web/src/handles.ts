@@ -129,7 +129,7 @@ export class Grip {
     if (!here || !there) return;
     const way: Vec2 = [(there[0] - here[0]) * 100, (there[1] - here[1]) * 100];
     const square = way[0] ** 2 + way[1] ** 2;
-    // A line that is seen end-on cannot be followed: then up and down stand in for it.
+    // A line that is seen end-on cannot be followed; then up and down are used instead.
     const change = square > 25 ? (by[0] * way[0] + by[1] * way[1]) / square : -by[1] / 100;
     this.#model.set({ [handle.field]: this.#tidy((grab.from as number) + change) });
   }

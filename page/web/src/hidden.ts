@@ -1,5 +1,4 @@
-// Which parts of a line lie behind a face or a ball, so that they can be dashed: a drawn line tells
-// its depth that way even on paper.
+// Which parts of a line are behind a face or a ball, so that they can be dashed: this shows depth even on paper.
 
 import { type Camera, OrthographicCamera, Plane, Vector3 } from "three";
 

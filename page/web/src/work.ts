@@ -330,7 +330,7 @@ export class WorkStore {
     return () => this.#listeners.delete(listener);
   }
 
-  /** Another tab has changed what is under this key; null stands for everything. */
+  /** Another tab has changed the value of this key; null means everything. */
   changedElsewhere(key: string | null): void {
     if (key === null) {
       for (const id of this.#known.keys()) this.#tell({ what: "code", id, elsewhere: true });

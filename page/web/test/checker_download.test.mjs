@@ -223,7 +223,7 @@ test("a new list removes what it does not name, of this book and of no other", a
   ]);
 });
 
-test("without network the list that is kept serves; without that, the reader is told", async () => {
+test("without a network the stored list is used; without that, the reader is told", async () => {
   publish({ files: {} });
   await downloads().manifest();
   const offline = () => Promise.reject(new TypeError("Failed to fetch"));

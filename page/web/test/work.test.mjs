@@ -245,7 +245,7 @@ test("a text kept beside the present one does not hide what another tab wrote", 
   assert.deepEqual(texts(here.versions(ID)), ["there", "tried"]);
 });
 
-test("changes are told, also those of another tab", () => {
+test("changes are reported, also those of another tab", () => {
   const store = new WorkStore(shelf(), clock());
   /** @type {unknown[]} */
   const told = [];

@@ -11,7 +11,7 @@ namespace {
 
 struct Frame {
   std::uint32_t magic = 0x31544e43, kind = 0;
-  // Of signed_distance; it stands in this very program, so that an attacker has it.
+  // Of signed_distance; it is in this program, so an attacker has it.
   std::uint64_t fingerprint = 0xd85d6d47dfefa4db, sequence = 1, length = 8;
   double value = 1.0;
 };

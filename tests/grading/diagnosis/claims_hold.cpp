@@ -25,7 +25,7 @@ class Judge {
   std::string judge(const grading::Explained& said) {
     if (asked_.failed != said.error.has_value() &&
         asked_.step == grading::ExplainRequest::Step::compile)
-      complain("an error is told if and only if the compile failed");
+      complain("an error is reported if and only if the compilation failed");
     for (const grading::Remark& remark : said.remarks) {
       place(remark.line, remark.column, "a remark");
       place(remark.end_line, remark.end_column, "a remark's end");

@@ -1,6 +1,6 @@
 // Promises that can be given up.
 
-/** The promise, or the signal's reason if that comes first. What the promise stands for goes on. */
+/** The promise, or the signal's reason if that comes first. The work behind the promise continues. */
 export function abortable<T>(promise: Promise<T>, signal: AbortSignal | undefined): Promise<T> {
   if (!signal) return promise;
   return new Promise((resolve, reject) => {

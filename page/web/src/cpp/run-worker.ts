@@ -1,5 +1,5 @@
-// Watches over a student's program from a thread of its own: the page's clock stands still in a hidden tab, and the
-// thread in which the program runs may never come back.
+// Supervises a student's program from a thread of its own, because the page's timers stop in a hidden tab, and the
+// thread in which the program runs may never return.
 
 import type { Event } from "../../../wasm/test_program.mjs";
 import { type Spawn, watchTests } from "../../../wasm/test_watch.mjs";

@@ -1,5 +1,5 @@
-// The reader's code: a listing until it is first clicked or focused, an editor from then on. Both
-// look the same and stand in the same place.
+// The reader's code: a listing until it is first clicked or focused, then an editor. Both look the same and have the
+// same position.
 
 import type { Diagnostic } from "../cpp/types.ts";
 import { html } from "../dom.ts";

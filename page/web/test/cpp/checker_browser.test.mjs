@@ -72,7 +72,7 @@ describe("the checker", { skip }, () => {
   const weight = (/** @type {string[]} */ keys) =>
     keys.reduce((sum, key) => sum + manifest().files[key].transfer, 0);
 
-  test("a download that breaks off is told, and goes on from the files that are whole", async () => {
+  test("an interrupted download is reported, and continues from the complete files", async () => {
     const { core, behind } = manifest();
     assert.deepEqual(await size(), { core: weight(core), behind: weight(behind), kept: true });
     server.answer = (pathname, response, file) => {

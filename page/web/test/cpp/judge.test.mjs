@@ -226,7 +226,7 @@ describe("the record of progress is the program's", () => {
   });
 });
 
-test("a broken file of the book is told", async () => {
+test("a broken file of the book is reported", async () => {
   const files = bookFiles();
   files["exercises/02_triangles/ray_triangle/exercise.toml"] = 'title = "no end\n';
   const broken = await library.loadJudge(await compiler.file("judge.wasm"), files);

@@ -1,1 +1,1 @@
-// The sample book's figure is known by this file's name; its picture stands in web/.
+// The sample book's figure has the name of this file; its picture is in web/.
