@@ -54,7 +54,7 @@ const edited = () => {
   return `${solution}\n// edit ${turns}\n`;
 };
 
-/** @param {number[]} numbers @param {number} part of the way from the least to the most */
+/** @param {number[]} numbers @param {number} quantile, from 0 to 1 */
 function at(numbers, part) {
   const sorted = [...numbers].sort((a, b) => a - b);
   const place = part * (sorted.length - 1);

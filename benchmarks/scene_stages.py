@@ -157,7 +157,7 @@ ESTIMATES = (
 
 # Where forcing an effect off makes something else happen, or what it does is not known before.
 NOT_COMPARED = (
-    ("stack_of_ten", "-several-contacts", "finishing what sweeps leave spares sweeps there"),
+    ("stack_of_ten", "-several-contacts", "an exact solve spares iterations there"),
     ("balls_at_rest", "-several-contacts", "and costs more here; which is not known before"),
     ("sliding_block", "-continuous-detection", "without it each step solves its forces afresh"),
     ("bullet_and_wall", "-restitution", "what does not bounce stays, and has to be looked at"),

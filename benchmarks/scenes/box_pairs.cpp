@@ -112,7 +112,7 @@ void compare(const char* kind_name, boxes::Kind kind, int count, int runs,
       if (run > 0) elapsed[m].push_back(took);  // the first one warms up
     }
   }
-  std::printf("%s: %d pairs, %d touch on their way, %d at the start\n", kind_name, count, hits,
+  std::printf("%s: %d pairs, %d touch in the step, %d at the start\n", kind_name, count, hits,
               at_start);
   std::printf("  %-24s %10s %19s %7s %9s %9s %12s\n", "", "ms", "least - most", "missed",
               "at start", "invented", "worst |dt|");

@@ -30,7 +30,7 @@ struct Balls {
   double gravity = 10;
   std::vector<Wall> walls;
   double plate = 0;  ///< thickness of a plate about the plane x = 0, 20 m wide; 0: there is none
-  bool bullets = false;  ///< ask the program to look between its steps, if it can
+  bool bullets = false;  ///< ask the program for continuous detection, if it has it
   std::vector<Motion> balls;
 };
 

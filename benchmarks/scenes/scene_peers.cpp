@@ -33,7 +33,7 @@ struct Program {
   std::unique_ptr<Run> (*stack)(const Stack&);
   bool plane;    ///< moves in the plane
   bool space;    ///< moves in space
-  bool bullets;  ///< looks between its steps if it is asked to
+  bool bullets;  ///< has continuous detection, as an option
 };
 
 std::vector<Program> programs() {
@@ -248,7 +248,7 @@ void shots(const std::vector<Program>& all, Summary& summary) {
   std::printf(
       "%d shots of 20 to 100 m/s at a plate of 0.02 m, ball of radius 0.02 m, no gravity, "
       "2 s\n  %-32s %13s %28s\n",
-      count, "", "went through", "worst place of the others, m");
+      count, "", "went through", "worst error of the others, m");
   for (const Program& program : all) {
     for (const bool bullets : {false, true}) {
       Numbers numbers(60);

@@ -92,7 +92,7 @@ nlohmann::json measured(const contact::Scene& scene, double seconds,
                         : composition_of(setup, options.overrides);
     });
   } else {
-    // Places are asked for at the end: a run that computes nothing before it is asked pays here.
+    // Positions are read at the end: a run that computes them only on request pays here.
     contact::Vector3<double> sum = contact::Vector3<double>::Zero();
     const std::function<void()> work = [&] {
       run->advance(seconds);

@@ -119,7 +119,7 @@ def test_the_errors_together_stand_beside_the_tolerance(contact: Run, scene: str
 def test_where_bodies_lie_on_each_other_the_sum_has_no_bound(contact: Run) -> None:
     plan = json.loads(contact("plan", "stack_of_ten", "--json").stdout)
     endless = [one["effect"] for one in plan["decisions"] if one["error"] is None]
-    assert endless == ["sleeping"]  # nothing bounces in it, so no hop is left out
+    assert endless == ["sleeping"]  # nothing bounces in it, so no bounce is left out
     assert plan["error"] is None
     text = contact("plan", "stack_of_ten").stdout
     assert "Errors accepted, all together: no bound." in text.splitlines()

@@ -66,7 +66,7 @@ def counted(file: Path, words: list[str], environment: dict[str, str]) -> int:
 @pytest.mark.parametrize(
     ("scene", "seconds", "effects"),
     [
-        # Four contacts that rub, of a body that might turn.
+        # Four contacts with friction, of a body that might turn.
         ("sliding_block", 0.5, ("friction", "rotation")),
         # One body and a wall: what is asked of each body and part.
         ("bullet_and_wall", 0.01, ("broad-phase", "sleeping")),

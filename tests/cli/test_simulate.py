@@ -40,7 +40,8 @@ def gas(tmp_path: Path) -> Path:
 
 def test_the_books_scenes_come_out_as_expected(contact: Run) -> None:
     folder = ROOT / "chapters" / "20_scenes" / "scenes"
-    # Of ten thousand balls that rub and of twenty dominoes the test below looks at the beginning.
+    # For ten thousand balls with friction and for twenty dominoes the test below runs only the
+    # beginning.
     names = sorted({file.stem for file in folder.glob("*.json")} - {"ball_pit", "dominoes"})
     done = contact("simulate", *names, "--expect", "--json")
     assert done.returncode == 0, (done.stdout, done.stderr)
@@ -275,7 +276,7 @@ def test_looking_between_steps_spends_no_budget(contact: Run, tmp_path: Path) ->
 
 
 def rubbing_ball(tmp_path: Path) -> Path:
-    """It falls 10 m in the root of 2 s, on a floor that rubs, so it goes step by step."""
+    """It falls 10 m in √2 s onto a floor with friction, so it goes step by step."""
     scene = of_book("high_drop") | {"expect": [], "duration": 2}
     scene["materials"] = [scene["materials"][0] | {"restitution": 0.5, "friction": 0.25}]
     balls = [body for body in scene["bodies"] if body["shape"].get("type") == "sphere"]

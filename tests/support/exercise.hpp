@@ -106,7 +106,7 @@ struct Ending {
   bool invalid_argument = false;
 };
 
-/// Runs the call and catches what it throws. What the test program itself throws goes on its way.
+/// Runs the call and catches what it throws. Exceptions of the test program itself are passed on.
 Ending run(const Asked& asked, const std::function<void()>& call);
 
 [[noreturn]] void fail(const Asked& asked, std::string got, std::string right, std::string allowed,

@@ -116,7 +116,7 @@ using Point = contact::Vector3<double>;
 
 namespace detail {
 
-/// Coordinates before a family's scale and place are applied.
+/// Coordinates before a family's scale and position are applied.
 inline Point base_point(Random& random, Family family) {
   if (family == Family::grid || family == Family::coplanar) {
     return Point{double(random.integer(-4, 4)), double(random.integer(-4, 4)),
@@ -169,7 +169,8 @@ inline Point point(Random& random, Family family) {
   return x;
 }
 
-/// Three corners of one scale and place. They may be collinear (on a grid often, else hardly ever).
+/// Three vertices of one scale and position. They may be collinear (often on a grid, otherwise
+/// rarely).
 inline contact::Triangle<double> triangle(Random& random, Family family) {
   contact::Triangle<double> t{detail::base_point(random, family),
                               detail::base_point(random, family),

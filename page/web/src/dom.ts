@@ -31,7 +31,7 @@ export function button(label: string, pressed: () => void, className = ""): HTML
   return element;
 }
 
-/** A name with lowered letters after `_`: slanted as a variable, unless it is a word. */
+/** A name with a subscript after `_`: italic as a variable, unless it is a word. */
 export function symbol(name: string, className = ""): HTMLElement {
   const word = /[A-Za-z]{3}/.test(name);
   const classes = [word ? "word" : "", className].filter(Boolean).join(" ");

@@ -19,7 +19,7 @@ bool are_indices(const std::vector<int>& got, std::size_t points) {
          std::set<int>(got.begin(), got.end()).size() == got.size();
 }
 
-/// Every other point is left of every edge: true of the hull's corners in their order, and of
+/// Every other point is left of every edge: true of the hull's vertices in their order, and of
 /// nothing else.
 bool is_hull(const std::vector<int>& got, const Points& points) {
   if (!are_indices(got, points.size())) return false;
@@ -37,10 +37,10 @@ bool is_hull(const std::vector<int>& got, const Points& points) {
 }
 
 void check(const Points& points) {
-  ask("Which points are the corners of the hull?")
+  ask("Which points are the vertices of the hull?")
       .given("points", points)
       .answer([&] { return exercise::hull(points); })
-      .satisfies("names the corners counter-clockwise",
+      .satisfies("names the vertices counter-clockwise",
                  [&](const std::vector<int>& got) { return is_hull(got, points); });
 }
 
