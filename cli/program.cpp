@@ -26,15 +26,15 @@ namespace {
 
 constexpr const char* footer =
     "Handled by the script ./contact before this program is called:\n"
-    "  serve                       Build the book and serve it at an address that it prints\n"
+    "  serve                       Build the book, serve it and print its address\n"
     "  test                        Run every test there is\n"
     "  setup                       Install what is missing\n"
     "\n"
     "Exit codes:\n"
-    "  0    all that was asked for is well: every test passed\n"
+    "  0    success: every test passed\n"
     "  1    a test failed, was not attempted, or the file does not compile\n"
     "  2    the command line was not understood\n"
-    "  3    the set-up, the book's own files or an archive must be put right first\n"
+    "  3    the set-up, the book's own files or an archive must be corrected first\n"
     "  130  Ctrl-C\n"
     "\n"
     "CONTACT_WORK is the folder of your copies (work/ if unset); CONTACT_MEMORY_MB limits your "

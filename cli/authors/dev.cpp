@@ -196,10 +196,11 @@ void add_dev(Command app, Action& action) {
   command.require_subcommand();
   auto options = std::make_shared<Options>();
   const Command check = command.add_subcommand(
-      "check", "Prove that stubs, solutions, wrong answers and null answers get what they must");
+      "check",
+      "Check that stubs, solutions, wrong answers and null answers get the right verdicts");
   check.add_option("exercise", options->names, "Only these exercises, or those of these chapters");
-  check.add_option("--jobs", options->jobs, "Answers checked at a time (default: one a core)");
-  check.add_flag("--files", options->files_only, "Look at the files only; build and run nothing");
+  check.add_option("--jobs", options->jobs, "Answers checked in parallel (default: one per core)");
+  check.add_flag("--files", options->files_only, "Check only the files; build and run nothing");
   check.add_flag("--json", options->json, "Print JSON");
   check.callback([&action, options] {
     action = [options](Context& context) { return run(context, *options); };

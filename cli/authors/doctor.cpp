@@ -125,8 +125,8 @@ void look_at_work(Context& context, std::vector<Finding>& findings) {
   } else {
     const FileWatcher watcher(context.loop(), {work / "probe.cpp"}, false, [](const fs::path&) {});
     finding.found += watcher.polled().empty()
-                         ? ": saves are reported by the system"
-                         : ": no events arrive from there, so saves are looked for";
+                         ? ": the system reports saves"
+                         : ": no events arrive from there, so the files are polled";
   }
   findings.push_back(finding);
 }
@@ -141,7 +141,7 @@ void look_at_limits(std::vector<Finding>& findings) {
                     std::to_string(grading::limits_from_environment().memory_mb) + " MB of memory";
     if (space.available < (200u << 20)) {
       finding.standing = Standing::advice;
-      finding.remedy = "a check needs room there: free some, or set TMPDIR";
+      finding.remedy = "a check needs space there: free some, or set TMPDIR";
     }
   } catch (const std::exception& error) {
     finding.standing = Standing::missing;

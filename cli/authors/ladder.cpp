@@ -130,7 +130,7 @@ int run(Context& context, const Options& options) {
   if (options.repeats > 0)
     spec.command.insert(spec.command.end(), {"--repeats", std::to_string(options.repeats)});
   spec.folder = book.root();
-  note("Measuring; leave the machine alone meanwhile ...");
+  note("Measuring; do not use the machine meanwhile ...");
   const grading::ProcessResult result = grading::run_process(context.loop(), spec);
   if (!result.succeeded())
     throw grading::BookError(target + " failed (exit code " + std::to_string(result.exit_code) +

@@ -56,7 +56,8 @@ std::vector<fs::path> copy_templates(const grading::Book& book, const std::strin
   }
   std::sort(copies.begin(), copies.end());
   for (const auto& [from, to] : copies) {
-    if (fs::exists(to)) throw grading::BookError(shown(to) + " is there already; nothing was made");
+    if (fs::exists(to))
+      throw grading::BookError(shown(to) + " already exists; nothing was created");
   }
   std::vector<fs::path> made;
   for (const auto& [from, to] : copies) {
@@ -94,7 +95,7 @@ int new_chapter(Context& context, const std::string& slug) {
   static const std::regex pattern(R"(\d\d_[a-z][a-z0-9_]*)");
   if (!std::regex_match(slug, pattern))
     throw grading::UnknownName(
-        "a chapter is called by two digits and a name, such as 03_polygons; not '" + slug + "'");
+        "a chapter's name is two digits and a word, such as 03_polygons; not '" + slug + "'");
   const grading::Book& book = context.book();
   for (const grading::Chapter& chapter : book.chapters()) {
     if (chapter.slug.substr(0, 2) == slug.substr(0, 2))
@@ -114,8 +115,8 @@ int new_exercise(Context& context, const std::string& id) {
   std::smatch match;
   if (!std::regex_match(id, match, pattern))
     throw grading::UnknownName(
-        "an exercise is called by chapter and name, such as 02_triangles/ray_triangle; not '" + id +
-        "'");
+        "an exercise's name is its chapter and a word, such as 02_triangles/ray_triangle; not '" +
+        id + "'");
   const grading::Book& book = context.book();
   const std::string slug = match[1];
   const std::string name = match[2];
@@ -143,15 +144,15 @@ void add_new(Command app, Action& action) {
   const Command command = app.add_subcommand(new_command);
   command.require_subcommand();
   auto slug = std::make_shared<std::string>();
-  const Command chapter =
-      command.add_subcommand("chapter", "Make a chapter that builds and waits for its content");
+  const Command chapter = command.add_subcommand(
+      "chapter", "Create a chapter that builds, with templates for its content");
   chapter.add_option("slug", *slug, "Two digits and a name: 03_polygons").required();
   chapter.callback([&action, slug] {
     action = [slug](Context& context) { return new_chapter(context, *slug); };
   });
   auto id = std::make_shared<std::string>();
-  const Command exercise =
-      command.add_subcommand("exercise", "Make an exercise that builds and waits for its content");
+  const Command exercise = command.add_subcommand(
+      "exercise", "Create an exercise that builds, with templates for its content");
   exercise.add_option("id", *id, "Chapter and name: 03_polygons/point_in_polygon").required();
   exercise.callback(
       [&action, id] { action = [id](Context& context) { return new_exercise(context, *id); }; });

@@ -154,7 +154,7 @@ void say_what_is_not_checked(const Task& task) {
     note(std::to_string(count) + (count == 1 ? " copy is" : " copies are") +
          " as given, so not attempted.");
   for (const std::string& path : task.unknown)
-    note("Skipped: " + path + " answers to no exercise of this book.");
+    note("Skipped: " + path + " belongs to no exercise of this book.");
 }
 
 Totals check_all(Context& context, const Options& options, const std::vector<Job>& jobs) {
@@ -227,13 +227,14 @@ int run(Context& context, const Options& options) {
 void add_check(Command app, Action& action) {
   auto options = std::make_shared<Options>();
   const Command command =
-      app.add_subcommand("check", "Check your copies; all that you have started if none is named");
+      app.add_subcommand("check", "Check your copies; without a name, all that you have started");
   command.add_option("exercise", options->names,
                      "Exercises or chapters: ray_triangle, 02_triangles/ray_triangle, "
                      "work/02_triangles/ray_triangle.cpp; or one archive, FILE.zip");
   command.add_flag("--json", options->json, "Print JSON");
-  command.add_flag("--full", options->full, "On a compile error, print all that the compiler said");
-  command.add_flag("--all", options->all, "Show every failure whole, not only the first");
+  command.add_flag("--full", options->full,
+                   "On a compile error, print the compiler's complete output");
+  command.add_flag("--all", options->all, "Show every failure in full, not only the first");
   command.callback([&action, options] {
     action = [options](Context& context) { return run(context, *options); };
   });

@@ -134,11 +134,11 @@ fs::path target(const fs::path& name, bool force) {
   if (!fs::is_directory(file.parent_path()))
     throw grading::BookError("there is no folder " + shown(file.parent_path()));
   if (fs::exists(file) && !fs::is_regular_file(file))
-    throw grading::BookError(shown(file) + " is there and is not a file");
+    throw grading::BookError(shown(file) + " exists and is not a file");
   if (fs::exists(file) && !force)
     throw grading::BookError(shown(file) +
-                             " is there already. Give another name, or --force, which keeps it "
-                             "aside under another name");
+                             " already exists. Give another name, or --force, which keeps it "
+                             "under another name");
   return file;
 }
 
@@ -187,8 +187,8 @@ int run(Context& context, const Options& options) {
     return exit_passed;
   }
   for (const fs::path& path : work->left_out)
-    note("Not in the archive, for it is no copy of an exercise: " + printable(shown(path)));
-  if (!aside.empty()) say("The archive that was there is kept as " + shown(aside));
+    note("Not in the archive, because it is not a copy of an exercise: " + printable(shown(path)));
+  if (!aside.empty()) say("The existing archive is kept as " + shown(aside));
   say(shown(file) + ": " + std::to_string(work->copies.size()) +
       (work->copies.size() == 1 ? " copy" : " copies") +
       (submission.progress ? " and your progress, " : ", ") +
@@ -208,7 +208,7 @@ void add_export(Command app, Action& action) {
                   "exercises or chapters; all your copies if none is named")
       .option_text("[FILE.zip] [EXERCISE ...]");
   command.add_flag("--force", options->force,
-                   "Take the name of a file that is there; it is kept as NAME.old-1.zip");
+                   "Replace an existing file, which is kept as NAME.old-1.zip");
   command.add_flag("--json", options->json, "Print JSON");
   command.callback([&action, options] {
     action = [options](Context& context) { return run(context, *options); };

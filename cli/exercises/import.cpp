@@ -92,7 +92,7 @@ Step step_for(const Book& book, const ArchivedCopy& copy) {
   }
   if (!fs::exists(step.target)) return step;
   if (!fs::is_regular_file(step.target))
-    throw grading::BookError(step.target.string() + " is there and is not a file");
+    throw grading::BookError(step.target.string() + " exists and is not a file");
   step.mine = grading::read_text(step.target);
   if (step.mine == copy.text) {
     step.fate = Fate::same;
@@ -140,10 +140,10 @@ std::string in_words(const Step& step) {
       text = "the same as yours";
       break;
     case Fate::yours_stays:
-      text = "still as given in the archive, so yours stays";
+      text = "unchanged in the archive, so yours stays";
       break;
     case Fate::replaced:
-      text = step.kept.empty() ? "taken; yours was still as given"
+      text = step.kept.empty() ? "taken; yours was unchanged"
                                : "taken; yours is kept as " + shown(step.kept);
       break;
   }
@@ -216,7 +216,7 @@ void add_import(Command app, Action& action) {
   auto file = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
   const Command command =
-      app.add_subcommand("import", "Take in the work of an archive; what you have is kept");
+      app.add_subcommand("import", "Import the work in an archive; your own files are kept");
   command.add_option("file", *file, "A zip file that the page or `contact export` wrote")
       .option_text("FILE.zip")
       .required();

@@ -91,7 +91,7 @@ int run(Context& context, bool json) {
 void add_list(Command app, Action& action) {
   auto json = std::make_shared<bool>(false);
   const Command command =
-      app.add_subcommand("list", "The exercises by chapter, and how far each has come");
+      app.add_subcommand("list", "The exercises by chapter, with the status of each");
   command.add_flag("--json", *json, "Print JSON");
   command.callback(
       [&action, json] { action = [json](Context& context) { return run(context, *json); }; });

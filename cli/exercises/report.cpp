@@ -60,7 +60,7 @@ std::string failure_text(const TestVerdict& test, const Style& style) {
   labelled(text, "stopped", printable(failure.reason), style);
   labelled(text, "hint", failure.hint, style);
   if (test.visibility == grading::Visibility::values_withheld)
-    labelled(text, "note", "this test keeps its values to itself", style);
+    labelled(text, "note", "this test does not show its values", style);
   return text;
 }
 

@@ -45,7 +45,7 @@ int run(Context& context, const std::string& name) {
     const std::string text = grading::read_text(copy);
     const std::string stub = grading::read_text(exercise.stub);
     if (text == stub) {
-      say(shown(copy) + " is as it was given; there is nothing to reset.");
+      say(shown(copy) + " is unchanged; there is nothing to reset.");
       return exit_passed;
     }
     const fs::path kept = keep_aside(book, exercise.chapter, exercise.name, text);
@@ -54,7 +54,7 @@ int run(Context& context, const std::string& name) {
   } else {
     start_exercise(book, exercise);
   }
-  say(shown(copy) + " is as it was given.");
+  say(shown(copy) + " is unchanged.");
   return exit_passed;
 }
 

@@ -24,7 +24,7 @@ int run(Context& context, const std::vector<std::string>& names) {
     for (const grading::Exercise* exercise : book.meant_by(name)) {
       const bool made = start_exercise(book, *exercise);
       const std::string copy = shown(book.work_file(*exercise));
-      say(made ? "Your copy is " + copy : "Your copy is there already, untouched: " + copy);
+      say(made ? "Your copy is " + copy : "Your copy already exists and was not changed: " + copy);
       if (names.size() > 1) continue;
       say("What it must do is stated in " + shown(exercise->contract));
       say("Edit it, then: ./contact check " + exercise->name +

@@ -67,7 +67,7 @@ class Watch {
                               [this](const fs::path& file) { saved(file); });
     for (const fs::path& folder : watcher.polled())
       note(style_.dim("Saves in " + shown(folder) +
-                      " are looked for five times a second: no events arrive from there."));
+                      " are polled five times a second: no events arrive from there."));
     if (files_.size() == 1) check(files_.begin()->first, files_.begin()->second);
     say_ready();
     while (true) {
@@ -175,7 +175,7 @@ void add_watch(Command app, Action& action) {
   command.add_option("exercise", *names,
                      "Exercises or chapters; all if none is named. Missing copies are made");
   command.add_flag("--poll", *poll,
-                   "Look for saves five times a second instead of waiting for events");
+                   "Poll for saves five times a second instead of waiting for events");
   command.callback([&action, names, poll] {
     action = [names, poll](Context& context) {
       Watch(context, *names, *poll).run();

@@ -90,23 +90,25 @@ int run(Context& context, const Options& options) {
 void add_dev_box(Command dev, Action& action) {
   auto options = std::make_shared<Options>();
   const Command box =
-      dev.add_subcommand("box", "Run a command in a box, and say how it ended as JSON");
-  box.add_option("command", options->command, "The program, as the box sees it, and its arguments")
+      dev.add_subcommand("box", "Run a command in a sandbox, and print as JSON how it ended");
+  box.add_option("command", options->command,
+                 "The program, as the sandbox sees it, and its arguments")
       .required();
-  box.add_option("--kind", options->kind, "What the box is for")
+  box.add_option("--kind", options->kind, "The purpose of the sandbox")
       .one_of({"answer", "judge", "compile"});
   box.add_option("--show", options->shown, "HOST=BOX: a file or folder it may read").one_value();
   box.add_option("--writable", options->writable, "HOST=BOX: a folder it may write to");
   box.add_option("--folder", options->folder, "Where it starts");
   box.add_option("--cpu", options->limits.cpu_seconds, "Seconds of processor time");
-  box.add_option("--wall", options->limits.wall_seconds, "Seconds on the clock");
-  box.add_option("--idle", options->limits.idle_seconds, "Seconds in which all of it may sleep");
+  box.add_option("--wall", options->limits.wall_seconds, "Seconds of elapsed time");
+  box.add_option("--idle", options->limits.idle_seconds,
+                 "Seconds for which all processes may sleep");
   box.add_option("--memory", options->limits.memory_mb, "Megabytes");
-  box.add_option("--processes", options->limits.processes, "Processes and threads at a time");
+  box.add_option("--processes", options->limits.processes, "Number of processes and threads");
   box.add_option("--output", options->limits.output_bytes, "Bytes that it may print");
   box.add_option("--file-size", options->limits.files_mb, "Megabytes of its /tmp and of one file");
   box.add_option("--files", options->limits.files, "Files in its /tmp");
-  box.add_option("--times", options->times, "Run it so many times; the time is the mean");
+  box.add_option("--times", options->times, "Number of runs; the time is the mean");
   box.callback([&action, options] {
     action = [options](Context& context) { return run(context, *options); };
   });

@@ -132,7 +132,7 @@ int call_time(Context& context, bool json) {
 void add_dev_grade(Command dev, Action& action) {
   auto options = std::make_shared<Options>();
   const Command unit = dev.add_subcommand(
-      "grade-unit", "Grade files as `contact grade` does: compiled, run and judged in boxes");
+      "grade-unit", "Grade files as `contact grade` does: compiled, run and judged in sandboxes");
   unit.add_option("file", options->files, "Answers; a path that names its exercise says which")
       .required()
       .existing_file();

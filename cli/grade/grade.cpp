@@ -50,7 +50,7 @@ class Teller final : public grading::SessionListener {
   }
 
   void on_measuring() override {
-    note("Grading the book's own solutions, to see what they take here ...");
+    note("Grading the book's own solutions, to measure their time ...");
   }
 
   void on_fewer_workers(int workers) override {
@@ -64,7 +64,7 @@ class Teller final : public grading::SessionListener {
 
   void on_once_more(std::size_t units) override {
     note(std::to_string(units) + (units == 1 ? " unit was" : " units were") +
-         " near a limit of time: once more, alone ...");
+         " near a time limit: once more, alone ...");
   }
 
   void on_begin(std::size_t units, int workers) override { progress_.emplace(units, workers); }
@@ -215,7 +215,7 @@ int run(Context& context, const Options& options) {
   try {
     return grade(context, options);
   } catch (const grading::Interrupted&) {
-    note("Stopped. What is graded is kept: the same command goes on where it was.");
+    note("Stopped. Finished units are kept: the same command continues.");
     throw;
   }
 }
@@ -228,29 +228,29 @@ void add_grade(Command app, Action& action) {
   const Option submissions =
       command.add_option("submissions", options->session.submissions,
                          "A folder; each entry is a student's folder, .zip, .tar.gz or .cpp");
-  const Option output =
-      command.add_option("-o,--output", options->session.results,
-                         "Folder for the results; run again with the same to go on or to regrade");
+  const Option output = command.add_option(
+      "-o,--output", options->session.results,
+      "Folder for the results; run again with the same folder to continue or to regrade");
   command
       .add_option("--exercises", options->session.exercises,
-                  "Exercises or chapters, separated by commas; all of the book if not given")
+                  "Exercises or chapters, separated by commas; by default the whole book")
       .separated_by(',');
   command.add_option("--ids", options->session.ids,
-                     "CSV with columns entry and id, and name if you like: who handed in what");
+                     "CSV with columns entry, id and optionally name: the student of each entry");
   command
-      .add_option("--workers", options->session.workers, "Units at a time; one a core if not given")
+      .add_option("--workers", options->session.workers,
+                  "Units in parallel; by default one per core")
       .between(1, 1024);
   command
       .add_option("--engine", options->session.engine, "local (this machine) or slurm (a cluster)")
       .one_of({"local", "slurm"});
-  command.add_option(
-      "--seed", options->session.seed,
-      "Seed of the random cases; the folder's own if not given, drawn the first time");
+  command.add_option("--seed", options->session.seed,
+                     "Seed of the random cases; by default the folder's, drawn in the first run");
   command.add_option("--private", options->session.private_tests,
                      "Folder of tests that are not in the book");
   command.add_option("--profile", options->session.profile, "TOML file that sets limits");
   command.add_option("--due", options->session.reports.due,
-                     "When work is due: what is shown after that stays hidden before");
+                     "Due date: tests with after_due are shown only after it");
   command
       .add_option("--formats", options->session.reports.formats,
                   "Reports to write; all if not given")
@@ -261,7 +261,7 @@ void add_grade(Command app, Action& action) {
       .excludes(submissions)
       .excludes(output);
   command.add_flag("--accept-weak", options->session.accept_weak,
-                   "Grade although this machine cannot keep submissions apart");
+                   "Grade although this machine cannot isolate submissions");
   command.add_flag("--recalibrate", options->session.recalibrate,
                    "Measure the times of the solutions again; the time limits depend on them");
   command.add_flag("--json", options->json, "Print JSON");

@@ -139,7 +139,7 @@ class Worker {
         watchdog_(end_out_of_time) {
     if (machine_.level == grading::Level::none && !run.accept_weak)
       throw grading::BookError(
-          "this machine cannot keep a submission apart from everything else; `contact doctor` says "
+          "this machine cannot isolate a submission; `contact doctor` says "
           "what is missing");
   }
 
@@ -173,7 +173,7 @@ class Worker {
     } catch (const std::exception& error) {
       trouble(said, error.what(), job);
     } catch (...) {
-      trouble(said, "the grader failed and did not say why", job);
+      trouble(said, "the grader failed without a message", job);
     }
     return said;
   }
@@ -258,7 +258,7 @@ void add_grade_worker(Command app, Action& action) {
   command.hide();
   command.add_option("run", options->run_file, "RUN.json").required();
   command.add_option("--temporary", options->temporary,
-                     "A folder for its boxes, which it removes at its end");
+                     "A folder for its sandboxes, which it removes at its end");
   command.add_option("--machine", options->machine,
                      "What the coordinator found out about this machine; tried if not given");
   command.add_option("--parent", options->parent, "The process whose end is its end");

@@ -56,7 +56,7 @@ struct Run {
   std::map<std::string, double> least_seconds;
   /// Seconds of processor time that a test of each exercise may take.
   std::map<std::string, double> test_seconds;
-  /// Seconds on the clock that a unit of each exercise may take, as unit_time.hpp declares them.
+  /// Seconds of elapsed time that a unit of each exercise may take, as unit_time.hpp declares them.
   std::map<std::string, double> unit_seconds;
   /// Of each exercise, all of the key but its code.
   std::map<std::string, UnitKey> keys;

@@ -121,7 +121,7 @@ void Session::set_up() {
   machine_ = examine_machine(loop_);
   if (machine_.level == Level::none && !settings_.accept_weak)
     throw BookError(
-        "this machine cannot keep a submission apart from everything else; `contact doctor` says "
+        "this machine cannot isolate a submission; `contact doctor` says "
         "what is missing. Nothing is graded. With --accept-weak it would be, and every report "
         "would say so");
   if (machine_.level != Level::full) listener_.on_weak_machine(machine_.level);

@@ -111,7 +111,7 @@ def unit_problem(unit: SeenUnit) -> str:
     if unit.status == "missing":
         return "Nothing was handed in for this exercise."
     if unit.status == "untouched":
-        return "This file is as it was given."
+        return "This file is unchanged."
     if unit.outcome == "does_not_compile":
         return compile_text(unit)
     return ""

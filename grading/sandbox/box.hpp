@@ -21,12 +21,12 @@ namespace contact::grading {
 struct BoxLimits {
   /// Seconds of processor time of the whole box. The kernel counts whole seconds, rounded up.
   double cpu_seconds = 5.0;
-  /// Seconds on the clock; for what waits without working.
+  /// Seconds of elapsed time; for what waits without working.
   double wall_seconds = 30.0;
   /// Seconds in which everything in it may be asleep (idle.hpp); 0 for no limit.
   double idle_seconds = 0.0;
   int memory_mb = 512;
-  /// Processes and threads at a time. 1 lets the box start none at all.
+  /// Number of processes and threads. 1 lets the box start none at all.
   int processes = 1;
   /// Bytes of standard output and error together; beyond that the box is ended.
   std::size_t output_bytes = 1u << 20;

@@ -230,7 +230,7 @@ describe("exercises", { skip }, () => {
         all.map((_, index) => (index === which ? "stopped" : "passed")),
       );
       const failure = await exercise.failure();
-      const stopped = failure.find(({ what }) => what === "What stopped it");
+      const stopped = failure.find(({ what }) => what === "What stopped the test");
       assert.match(stopped?.says ?? "nothing said", why);
       const asked = failure.find(({ what }) => what === "Asked");
       assert.match(asked?.says ?? "nothing said", /Where does the segment meet the plane\?/);

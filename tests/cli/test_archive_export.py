@@ -56,7 +56,7 @@ def test_an_export_never_overwrites(contact: Run, worked: dict[str, str], tmp_pa
     file.write_text("something dear")
     done = contact("export", "mine.zip")
     assert done.returncode == 3
-    assert "mine.zip is there already" in done.stderr
+    assert "mine.zip already exists" in done.stderr
     assert file.read_text() == "something dear"
     for number in (1, 2):
         before = file.read_bytes()

@@ -26,7 +26,7 @@ def test_start_never_overwrites(contact: Run, answer: Callable[[str], Path]) -> 
     copy = answer("// mine\n")
     done = contact("start", "02_triangles/ray_triangle")
     assert done.returncode == 0
-    assert "untouched" in done.stdout
+    assert "was not changed" in done.stdout
     assert copy.read_text() == "// mine\n"
 
 

@@ -96,7 +96,7 @@ def test_withheld_values_are_nowhere(book: Path, contact: Contact) -> None:
     assert "allowed" not in failure
 
     printed = contact("check", WRONG, "--all").stdout
-    assert "this test keeps its values to itself" in printed
+    assert "this test does not show its values" in printed
     own = printed.split(test["name"] + "\n")[2].split("\n\n")[0]
     assert "asked" in own
     assert "hint" in own

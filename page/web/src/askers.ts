@@ -48,7 +48,7 @@ export function chooseAsker(question: Choose, labelId: string): Asker {
       if (chosen < 0) return { right: false, say: "Choose one first." };
       const right = chosen === question.answer;
       const why = question.wrong?.find(({ answer }) => answer === chosen)?.why;
-      return { right, kept: chosen, say: right ? "" : (why ?? "Another one holds.") };
+      return { right, kept: chosen, say: right ? "" : (why ?? "Another one is right.") };
     },
     lock(locked) {
       for (const input of inputs) input.disabled = locked;

@@ -168,7 +168,7 @@ function told(done: Imported, titles: ReadonlyMap<string, string>): string[] {
     );
   if (done.ignored.length > 0) said.push(`Left alone: ${list(done.ignored)}.`);
   if (done.problem) said.push(done.problem);
-  return said.length > 0 ? said : ["There was nothing in it."];
+  return said.length > 0 ? said : ["It was empty."];
 }
 
 /** Takes in an archive, or a progress.json as the command line keeps it. */
@@ -289,7 +289,7 @@ export class ContactWork extends HTMLElement {
       const { bytes, code } = stored();
       held.textContent =
         bytes === 0
-          ? "Nothing of yours yet."
+          ? "No work of yours yet."
           : `Your code of ${counted(code, "exercise")}, your progress and your answers: ${sizeText(bytes)}.`;
     };
     const controls = offlineControls(book);
@@ -349,7 +349,7 @@ export class ContactWork extends HTMLElement {
     return html(
       "section",
       { class: "held" },
-      html("h2", {}, "What this browser holds"),
+      html("h2", {}, "What this browser stores"),
       held,
       html("div", { class: "buttons" }, first),
       sure,

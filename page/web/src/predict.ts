@@ -32,13 +32,13 @@ export function predictAsker(question: Predict, labelId: string): Asker {
       if (!given) return { right: false, say: "Begin with a number, such as −1.5 or 3/4." };
       if (unit && !given.unit) {
         const missing = question.wrong?.find((wrong) => wrong.answer === "unit")?.why;
-        return { right: false, say: missing ?? "A number of what? Give the unit too." };
+        return { right: false, say: missing ?? "Give the unit too." };
       }
       const kept = input.value.trim();
       if (!sameUnit(given.unit, unit)) {
         const say = unit
           ? `The unit ${escapeText(given.unit)} does not measure what is asked.`
-          : "What is asked has no unit: it is a plain number.";
+          : "The answer has no unit: it is a plain number.";
         return { right: false, kept, say };
       }
       if (close(given.value, answer)) return { right: true, kept, say: `It is ${shown()}.` };

@@ -138,7 +138,7 @@ test("the first failure is shown whole, the others are folded", () => {
   const [, first, second] = list.children;
   assert.deepEqual(rows(first.querySelector(".failure")), [
     ["Asked", "Where?"],
-    ["What stopped it", "It ran for 5 s."],
+    ["What stopped the test", "It ran for 5 s."],
   ]);
   assert.deepEqual(rows(second.querySelector("details")), [
     ["Asked", "What?"],
@@ -164,7 +164,7 @@ test("a test that keeps its values to itself says so", () => {
   assert.deepEqual(rows(item), [
     ["Asked", "Where?"],
     ["Hint", "look back"],
-    ["Not shown", "This test keeps its values to itself."],
+    ["Not shown", "This test does not show its values."],
   ]);
 });
 

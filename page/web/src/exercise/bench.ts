@@ -36,7 +36,7 @@ const WORDS: Record<Step["step"], string> = {
   download: "Downloading the compiler …",
   start: "Starting the compiler …",
   compile: "Compiling your code …",
-  link: "Putting it together with the tests …",
+  link: "Linking it with the tests …",
   run: "Running the tests …",
 };
 
@@ -189,7 +189,7 @@ export class Bench {
       contract === fingerprint(this.#parts.contract) ? "" : "the contract",
       stub === fingerprint(this.#parts.stub) ? "" : "the code to begin with",
     ].filter(Boolean);
-    const words = `Since you began, the book has changed ${what.join(" and ")} of this exercise. Your code is as you left it.`;
+    const words = `Since you started, the book has changed ${what.join(" and ")} of this exercise. Your code is unchanged.`;
     const listing = html("pre");
     listing.append(colour(this.#parts.stub));
     const fresh = html("div", { class: "highlight" }, listing);
@@ -352,7 +352,7 @@ export class Bench {
     Work.save(this.#parts.id, this.#parts.stub, this.#base);
     this.#changed.hidden = true;
     this.#undo.hidden = false;
-    this.#say("The code is as it was given. Yours is kept among the earlier versions.");
+    this.#say("This is the original stub. Your code is kept among the earlier versions.");
   }
 
   #undoReset(): void {

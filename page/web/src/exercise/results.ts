@@ -30,13 +30,13 @@ const errorsOf = (verdict: VerdictJson): readonly Diagnostic[] =>
 /** The verdict in one sentence or two. */
 export function sentence(verdict: VerdictJson): string {
   const points = `${number(verdict.points)} of ${number(verdict.max_points)} points`;
-  if (verdict.verdict === "passed") return `Passed: all that was asked holds. ${points}.`;
+  if (verdict.verdict === "passed") return `Passed: every test passed. ${points}.`;
   if (verdict.verdict === "not_attempted")
     return "Not attempted: your function still says contact::todo(). Put your answer in its place.";
   if (verdict.verdict === "does_not_compile") {
     const errors = errorsOf(verdict);
     const [first] = errors;
-    if (!first) return "It does not compile yet. What is missing is said below.";
+    if (!first) return "It does not compile yet. The messages below say what is missing.";
     const where = first.line > 0 ? ` on line ${first.line}` : "";
     return errors.length === 1
       ? `It does not compile yet: there is one error${where}.`
@@ -78,14 +78,14 @@ function explained(
       : "";
     add("Right", literal(failure.right), within);
   }
-  if (failure.reason) add(status === "stopped" ? "What stopped it" : "Why", failure.reason);
+  if (failure.reason) add(status === "stopped" ? "What stopped the test" : "Why", failure.reason);
   const known = failure.misconception && data?.misconceptions[failure.misconception];
   if (known) {
     const words = html("div");
     words.innerHTML = known;
     add("Hint", words);
   } else if (failure.hint) add("Hint", failure.hint);
-  if (visibility === "values_withheld") add("Not shown", "This test keeps its values to itself.");
+  if (visibility === "values_withheld") add("Not shown", "This test does not show its values.");
   return list;
 }
 

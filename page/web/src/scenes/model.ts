@@ -213,7 +213,7 @@ export class PlayerModel {
     const name = this.opened?.scene.bodies[frame.farthest]?.name;
     const { tolerance = null } = this.opened?.scene ?? {};
     if (frame.apart === 0 || name === undefined)
-      return "The two runs are the same so far, bit for bit where bodies are.";
+      return "The positions of the two runs are the same so far, bit for bit.";
     const than =
       tolerance === null
         ? ""
