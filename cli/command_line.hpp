@@ -1,7 +1,7 @@
 #pragma once
 
-// The command line, over CLI11. That library is compiled in one file only: to include it takes a
-// compiler six seconds wherever it is.
+// The command line, over CLI11. That library is included in one file only, because including it
+// takes the compiler six seconds.
 
 #include <functional>
 #include <memory>
@@ -32,11 +32,11 @@ class Option {
   const Option& between(int least, int most) const;
   /// Several values in one word.
   const Option& separated_by(char separator) const;
-  /// One value each time that it is given, where it may be given again.
+  /// One value per use of an option that may be given several times.
   const Option& one_value() const;
   /// How help names its value.
   const Option& type_name(const std::string& name) const;
-  /// What help shows in place of all that it would say of its value.
+  /// What help shows instead of CLI11's description of the value.
   const Option& option_text(const std::string& text) const;
 
  private:

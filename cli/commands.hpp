@@ -1,6 +1,6 @@
 #pragma once
 
-// One file a command. Each adds its options to the command line and says what to run.
+// One file per command. Each adds its options to the command line and gives the function to run.
 
 #include <filesystem>
 #include <functional>

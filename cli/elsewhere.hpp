@@ -16,29 +16,27 @@ struct Elsewhere {
 };
 
 inline constexpr Elsewhere grade_command{
-    "grade", "Grade a folder of submissions, each kept apart from everything else",
-    "contact-grade"};
+    "grade", "Grade a folder of submissions, each in a sandbox", "contact-grade"};
 inline constexpr Elsewhere grade_worker_command{
     "grade-worker", "Grade units as `contact grade` says", "contact-grade"};
 inline constexpr Elsewhere ladder_command{
-    "ladder", "Accuracy against time of a chapter's methods, measured here", "contact-authors"};
-inline constexpr Elsewhere scene_command{
-    "scene", "Scenes: whether a file is one, and which the book has", "contact-scenes"};
+    "ladder", "Measure accuracy against time of a chapter's methods", "contact-authors"};
+inline constexpr Elsewhere scene_command{"scene", "Scenes: check a file, or list those of the book",
+                                         "contact-scenes"};
 inline constexpr Elsewhere plan_command{
-    "plan", "Which effects a scene calls for, with the numbers that decide", "contact-scenes"};
+    "plan", "Which effects a scene needs, with the deciding numbers", "contact-scenes"};
 inline constexpr Elsewhere simulate_command{
     "simulate",
     "Runs scenes as their plans decide: by a formula, from event to event, or step by step",
     "contact-scenes"};
 inline constexpr Elsewhere new_command{
-    "new", "For authors: make the folders of a chapter or an exercise", "contact-authors"};
+    "new", "For authors: create the folders of a chapter or an exercise", "contact-authors"};
 inline constexpr Elsewhere where_command{
-    "where", "Every file of an exercise or a chapter, one a line, from the root on",
-    "contact-authors"};
+    "where", "List the files of an exercise or a chapter, relative to the root", "contact-authors"};
 inline constexpr Elsewhere doctor_command{
     "doctor", "What is installed, what is missing and what to do", "contact-authors"};
-inline constexpr Elsewhere dev_command{
-    "dev", "For authors: prove that the whole tree does what it must", "contact-authors"};
+inline constexpr Elsewhere dev_command{"dev", "For authors: check the whole repository",
+                                       "contact-authors"};
 
 /// All that are built here, in the order of `contact --help`; the worker's is hidden.
 const std::vector<Elsewhere>& commands_elsewhere();

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the programs have in common: parse, run the command, turn what went wrong into a sentence
-// and an exit code.
+// The common part of the programs: parse, run the command, turn an error into a message and an exit
+// code.
 
 #include <vector>
 

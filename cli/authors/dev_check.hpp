@@ -1,7 +1,6 @@
 #pragma once
 
-// The parts of `contact dev check`: what the book's files must hold, and what every answer must
-// get.
+// The parts of `contact dev check`: checks of the book's files and of the verdicts on all answers.
 
 #include <functional>
 #include <string>
@@ -12,7 +11,7 @@
 
 namespace contact::cli {
 
-/// One thing that was looked at, and what is wrong with it (nothing, if all is well).
+/// One checked item and its faults (none if it is correct).
 struct DevResult {
   std::string kind;  ///< "chapter", "exercise", "misconception", "stub", "solution", "wrong
                      ///< answer", "null answer"

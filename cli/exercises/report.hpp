@@ -14,7 +14,7 @@ struct ReportOptions {
   bool all_failures = false;
 };
 
-/// A verdict as a reader sees it: each test by its sentence, then the first failure whole.
+/// A verdict as a reader sees it: the name of each test, then the first failure in full.
 std::string report(const grading::Verdict& verdict, const Style& style,
                    const ReportOptions& options);
 

@@ -4,7 +4,7 @@
 
 namespace contact::cli {
 
-/// `contact dev box`: one command in one box, for trying what a box keeps it from.
+/// `contact dev box`: one command in a sandbox, to try what the sandbox prevents.
 void add_dev_box(Command dev, Action& action);
 
 }  // namespace contact::cli

@@ -14,8 +14,8 @@
 
 namespace contact::cli {
 
-/// How far a grading is, on standard error: one line that changes on a terminal, a line now and
-/// then elsewhere.
+/// The progress of a grading, on standard error: one changing line on a terminal, otherwise an
+/// occasional line.
 class GradeProgress {
  public:
   GradeProgress(std::size_t total, int workers);
@@ -42,7 +42,8 @@ class GradeProgress {
   Clock::time_point said_ = start_;
 };
 
-/// How many were graded and refused, the mean, and what this machine could not enforce.
+/// The numbers of graded and refused submissions, the mean, and what this machine could not
+/// enforce.
 std::string grade_summary(const nlohmann::json& results, const grading::Summary& summary,
                           const Style& style);
 
@@ -55,7 +56,7 @@ std::string command_again(const std::filesystem::path& root);
 /// Every refusal, a line each.
 std::string refusals(const nlohmann::json& results);
 
-/// A table of the marks that moved, came or went: before, after and why.
+/// A table of the marks that changed, appeared or disappeared: before, after and why.
 std::string changes_table(const nlohmann::json& changes, const Style& style);
 
 }  // namespace contact::cli

@@ -11,7 +11,7 @@
 
 namespace contact::cli {
 
-/// The line of some pieces of work that go on side by side. Any thread may tell of any piece.
+/// The line for several concurrent pieces of work. Any thread may report on any piece.
 class ProgressLine {
  public:
   /// @param pieces how many; with more than one the line begins with how many of them are done

@@ -20,7 +20,7 @@ struct ArchivedCopy {
   std::string name;
   std::string text;
   [[nodiscard]] std::string id() const { return chapter + "/" + name; }
-  /// As it stands in the archive: work/NN_slug/NAME.cpp.
+  /// The path in the archive: work/NN_slug/NAME.cpp.
   [[nodiscard]] std::string path() const { return "work/" + id() + ".cpp"; }
 };
 

@@ -58,14 +58,14 @@ class ArchiveEntries {
   /// The path, and what another program may call the entry instead.
   [[nodiscard]] const std::vector<std::string>& readings() const { return readings_; }
   [[nodiscard]] bool is_folder() const;
-  /// Whether the path stands in the archive as path() says it, and there is no other reading.
+  /// Whether the path is in the archive exactly as path() returns it, with no other interpretation.
   [[nodiscard]] bool as_written() const { return as_written_; }
   /// Refuses links, devices, encryption, and compressions that may ask for gigabytes to unpack a
   /// few bytes.
   void require_plain() const;
   /// As the archive says it; 0 if it does not.
   [[nodiscard]] std::size_t size() const;
-  /// Passes over the entry, which counts with the size that it says it has.
+  /// Skips the entry, which counts with its declared size.
   void pass();
   /// Its bytes.
   std::string read();

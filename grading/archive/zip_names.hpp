@@ -11,12 +11,12 @@
 
 namespace contact::grading {
 
-/// What one entry may be called: programs that unpack a zip do not agree on which name counts.
+/// The possible names of one entry: programs that unpack a zip do not agree on which name counts.
 struct ZipName {
   /// In UTF-8 if that can be told, the best first; backslashes are slashes in a name that has no
   /// slash, as some programs on Windows write them.
   std::vector<std::string> readings;
-  /// Whether every place of the archive has the first reading, byte by byte.
+  /// Whether all copies of the name in the archive equal the first reading, byte by byte.
   bool as_written = false;
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 
-// The book as the command line sees it: chapters, exercises and misconceptions, read from their
-// folders.
+// The book for the command line: chapters, exercises and misconceptions, read from their folders.
 
 #include <filesystem>
 #include <map>
@@ -15,13 +14,13 @@
 
 namespace contact::grading {
 
-/// Something the reader or author must put right in the book's own files or in the set-up.
+/// A fault in the book's own files or in the set-up, which the reader or author must correct.
 class BookError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A name that no exercise or chapter answers to.
+/// A name that belongs to no exercise or chapter.
 class UnknownName : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -22,13 +22,13 @@ struct BuildDescription {
   std::string compiler;
   std::vector<std::string> compile_flags;
   std::vector<std::string> include;
-  /// The header whose precompiled form lies beside it; empty if there is none.
+  /// The header whose precompiled form is in the same folder; empty if there is none.
   std::string pch;
   std::vector<std::string> link_flags;
   /// Of a program that answers from a box, where no library can be loaded.
   std::vector<std::string> server_link_flags;
   std::vector<std::string> support_libs;
-  /// What a program that asks is linked from besides its tests and a proxy.
+  /// The objects that a test program is linked from besides its tests and a proxy.
   std::vector<std::string> asks_objects;
   struct Bundle {
     std::string tests;   ///< one object that holds the tests, the asking, Catch2 and main
@@ -45,8 +45,8 @@ struct BuildDescription {
 /// @throws BookError if the file is missing or not understood.
 BuildDescription read_build_description(const std::filesystem::path& build_dir);
 
-/// Whether the compiled tests of an exercise are older than what they are made of. Costs a few
-/// dozen stat calls.
+/// Whether the compiled tests of an exercise are older than their sources. Costs a few dozen stat
+/// calls.
 bool tests_are_stale(const Book& book, const BuildDescription& build, const Exercise& exercise);
 
 /// Builds CMake targets, one build at a time with whatever else builds here (they share

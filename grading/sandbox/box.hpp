@@ -35,7 +35,7 @@ struct BoxLimits {
   int files = 64;
 };
 
-/// What a box is for decides which system calls it has.
+/// The purpose of a sandbox determines its system calls.
 enum class BoxKind {
   compile,  ///< the compiler and the linker: they start processes and write files
   answer,   ///< a submission: one program linked statically, a socket, and nothing else

@@ -1,7 +1,7 @@
 #pragma once
 
-// Control groups, where the machine lends them: what a box may have of memory and processes all
-// together, and what it has used.
+// Control groups, if the machine provides them: limits on the memory and processes of a whole
+// sandbox, and its usage.
 
 #include <filesystem>
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
 
-// Which system calls a box has: an allow-list a kind of box; all others are refused with an error,
-// as if the kernel had never had them.
+// The system calls of a sandbox: an allow-list for each kind; all others are refused with an error,
+// as if the kernel did not have them.
 
 #include <string>
 

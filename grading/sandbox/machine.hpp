@@ -1,6 +1,6 @@
 #pragma once
 
-// What this machine can keep a submission from doing, found out by trying it.
+// Which restrictions this machine can impose on a submission, determined by trying them.
 
 #include <string>
 #include <string_view>
@@ -12,7 +12,7 @@
 
 namespace contact::grading {
 
-/// How well submissions can be kept apart from everything else.
+/// How well submissions can be isolated.
 enum class Level {
   full,     ///< namespaces of their own (files, processes, network, users), filtered system calls,
             ///< limits
@@ -21,8 +21,7 @@ enum class Level {
   none      ///< less than that: refused unless accepted by name
 };
 
-/// One thing that should hold of a box, whether it does here, and how it was tried or what is
-/// missing.
+/// One restriction of a sandbox, whether it works here, and how it was tried or what is missing.
 struct Measure {
   std::string what;
   bool enforced = false;

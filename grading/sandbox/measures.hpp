@@ -1,6 +1,6 @@
 #pragma once
 
-// What a box is kept from on this machine, each thing tried in a box of its own.
+// The restrictions of a sandbox on this machine, each tried in a sandbox of its own.
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a seat holds, for the boxes that are started on it.
+// The resources of a seat, for the sandboxes that are started on it.
 
 #include <memory>
 #include <string>
@@ -24,7 +24,7 @@ struct Seat::State {
   long user = -1;
   /// Reserves the user id for this program.
   int lock = -1;
-  /// Holds the core that this worker keeps to; -1 if it goes where there is room.
+  /// The reserved core of this worker; -1 if it may run on any core.
   int core = -1;
   /// Where the thread could go before it kept to one.
   cpu_set_t cores{};

@@ -26,7 +26,7 @@ std::string as_utf8(std::string_view text);
 /// invisible, break the line or change the direction of writing become \x1b or \u{202e}.
 std::string escaped(std::string_view text);
 
-/// A stranger's name, fit to be shown: quoted, escaped, 80 characters at most.
+/// An untrusted name, safe to show: quoted, escaped, at most 80 characters.
 std::string shown_name(std::string_view name);
 
 }  // namespace contact::grading

@@ -64,7 +64,7 @@ enum class Reader {
 
 enum class Outcome { passed, failed, not_attempted, does_not_compile };
 
-/// A place in the contract that a compiler's message is about.
+/// A position in the contract to which a compiler's message refers.
 struct ContractLine {
   std::string file;
   int line = 0;
@@ -72,7 +72,7 @@ struct ContractLine {
 };
 
 /// One message of the compiler about the student's file. Lines and columns count from 1, columns in
-/// characters; a place that is not known is 0.
+/// characters; an unknown position is 0.
 struct Remark {
   std::string file;
   int line = 0;
@@ -130,7 +130,7 @@ struct Verdict {
   Seconds seconds;
 };
 
-/// Points, skips and hints from what happened to each test. Tests come in the order of
+/// Points, skips and hints from the result of each test. Tests come in the order of
 /// exercise.toml; one that did not run counts as stopped, and is named in `missing_tests`.
 Verdict judge(const Exercise& exercise, const Book& book, const std::vector<TestResult>& results,
               Reader reader = Reader::student);
