@@ -143,13 +143,13 @@ def run(
 
 
 @contextmanager
-def build_lock() -> Iterator[None]:
-    """One native build at a time: two Ninjas in one folder spoil each other's work.
+def build_lock(preset: str = "dev") -> Iterator[None]:
+    """One build in a folder at a time: two Ninjas in one spoil each other's work.
 
-    ./contact takes the same lock.
+    ./contact takes the lock of build/dev too.
     """
     BUILD.mkdir(exist_ok=True)
-    with (BUILD / "lock").open("w") as file:
+    with (BUILD / ("lock" if preset == "dev" else f"lock-{preset}")).open("w") as file:
         fcntl.flock(file, fcntl.LOCK_EX)
         yield
 
