@@ -195,8 +195,10 @@ def _node(log: str, *words: str) -> Callable[[], Done]:
     return lambda: run(["node", *words], log, cwd=ROOT / "page", limit=STEP_LIMIT)
 
 
-def _page_exercises(only: str | None = None) -> Done:
+def page_exercises(*only: str) -> Done:
     """The compiler that the page loads and the exercises' tests, as WebAssembly.
+
+    `only`: exercises, or chapters; none of them are all. What is built already is kept.
 
     Catch2's source comes from the package archive; where there is none, the book goes without.
     """
@@ -206,7 +208,7 @@ def _page_exercises(only: str | None = None) -> Done:
         return Done(0, fetched.output, fetched.seconds, fetched.log)
     if not fetched.ok:
         return fetched
-    narrowed = ["--only", only] if only else []
+    narrowed = [word for name in only for word in ("--only", name)]
     return _node("book-exercises", "wasm/build.mjs", "toolchain", *narrowed)()
 
 
@@ -317,7 +319,7 @@ def _build_ladder(slug: str) -> Done:
 
 def _build_exercises(which: str) -> Done:
     """The tests of one exercise, or of a chapter's, and with the first the compiler."""
-    done = _page_exercises(which)
+    done = page_exercises(which)
     folder = BUILD / "web" / "cpp"
     if done.ok and (folder / "manifest.json").is_file():
         for file in sorted(folder.rglob("*")):
@@ -346,7 +348,7 @@ SCRIPTS_ONLY = Step("the page's scripts", _node("book-web", "web/build.mjs", "--
 SCRIPTS = Step("the page's scripts and pictures", _node("book-web", "web/build.mjs"))
 FIGURES = Step("the figures' C++ for the page", _node("book-figures", "wasm/build.mjs", "figures"))
 LADDERS = Step("the ladders' C++ for the page", _node("book-ladders", "wasm/build.mjs", "ladders"))
-COMPILER = Step("the compiler and the exercises for the page", _page_exercises)
+COMPILER = Step("the compiler and the exercises for the page", page_exercises)
 PAGE_PROGRAMS = Step("the programs whose results the pages show", _page_programs)
 PAGES = Step("the pages with all that", build_book)
 EBOOK_STEP = Step("the e-book", build_ebook)

@@ -408,9 +408,10 @@ def sanitize() -> Iterator[Check]:
 
 
 def tidy() -> Iterator[Check]:
-    """clang-tidy over the library that judges, and over all reference headers through one file.
+    """clang-tidy over all reference headers through one file, and over the library that judges.
 
-    The commands in cli/ are thin, and what they include takes clang-tidy minutes.
+    Of the library a third goes in a turn, and what the change touches. The commands in cli/ are
+    thin, and what they include takes clang-tidy minutes.
     """
     folder = BUILD / "tidy"
     folder.mkdir(parents=True, exist_ok=True)
@@ -426,9 +427,13 @@ def tidy() -> Iterator[Check]:
     command = ["c++", "-std=c++20", "-ffp-contract=off", "-DEIGEN_DONT_VECTORIZE"]
     command += [word for chapter in chapters for word in ("-I", str(chapter))]
     command += ["-isystem", "/usr/include/eigen3", "-c", str(everything)]
-    own = [
-        entry for entry in commands if re.match(r"grading/", os.path.relpath(entry["file"], ROOT))
-    ]
+    judging = {
+        name: entry
+        for entry in commands
+        if (name := os.path.relpath(entry["file"], ROOT)).startswith("grading/")
+    }
+    taken = sample(sorted(judging), 3, "clang-tidy of the library that judges", kind="tidy")
+    own = [judging[name] for name in taken]
     # clang would take g++'s precompiled header for one of its own.
     for entry in own:
         flags = r"-Winvalid-pch|-include \S+/cmake_pch\.hxx"
@@ -514,6 +519,24 @@ def _native_figures() -> steps.Done:
     return steps.build_native(figures, "native-figures")
 
 
+def exercises_for_the_page() -> list[str]:
+    """A third, the same as the tests in a browser take, and those that tests of the page name."""
+    all_there = sorted(
+        f"{file.parts[-3]}/{file.parts[-2]}" for file in ROOT.glob("exercises/*/*/exercise.toml")
+    )
+    patterns = ("tests/browser/*.mjs", "page/web/test/**/*.mjs", "page/wasm/*.test.mjs")
+    tests = [file.read_text("utf-8") for pattern in patterns for file in ROOT.glob(pattern)]
+    named = {name for text in tests for name in re.findall(r"\b\d\d_\w+/\w+", text)}
+    for folder in ("tests/browser/endings", "tests/grading/mistakes"):
+        named |= {"/".join(one.parts[-2:]) for one in (ROOT / folder).glob("*/*")}
+    taken = sample(all_there, 3, "exercises compiled for the page", kind="exercises")
+    return sorted({*taken, *(named & set(all_there))})
+
+
+EXERCISES = steps.Step(
+    "the compiler and exercises for the page",
+    lambda: steps.page_exercises(*exercises_for_the_page()),
+)
 NATIVE_FIGURES = steps.Step("native programs of figures", _native_figures)
 
 
@@ -526,7 +549,7 @@ def wasm() -> Iterator[Check]:
         return
     if shutil.which("apt-get"):
         yield once("Catch2's source", [ROOT / "tools" / "fetch_catch2_source.sh"])
-    yield from step_checks([steps.COMPILER, NATIVE_FIGURES])
+    yield from step_checks([EXERCISES, NATIVE_FIGURES])
     tests = [*sorted(here.glob("wasm/*.test.mjs")), *sorted(here.glob("web/test/cpp/*.test.mjs"))]
     if chapters_asked_for():
         # The figures and the ladders. The exercises are checked in a browser: parity.test.mjs.

@@ -110,7 +110,10 @@ def test_a_header_is_checked_wherever_it_is_built_on(monkeypatch: pytest.MonkeyP
 def test_a_change_beyond_chapters_narrows_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     stages = changed(monkeypatch, "grading/sandbox/box.cpp", "chapters/01_planes/lesson.md")
     assert "CONTACT_CHAPTERS" not in os.environ
-    assert json.loads(os.environ["CONTACT_TOUCHED"]) == {"page": ["01_planes"]}
+    assert json.loads(os.environ["CONTACT_TOUCHED"]) == {
+        "page": ["01_planes"],
+        "tidy": ["grading/sandbox/box.cpp"],
+    }
     assert {"style", "native", "ctest", "grade", "program", "tidy", "browser"} <= set(stages)
 
 
