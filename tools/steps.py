@@ -302,8 +302,14 @@ def part_of_page(name: str) -> Step:
     return Step(f"the {kind} {which}", lambda: _build_exercises(which))
 
 
+def _one_product(kind: str, name: str) -> Done:
+    """With one process, for two of them are made at a time; each has a log of its own."""
+    words = ("wasm/build.mjs", kind, "--only", name, "--workers", "1", "--quiet")
+    return _node(f"book-{kind}-{name.replace('/', '-')}", *words)()
+
+
 def _build_figure(name: str) -> Done:
-    done = _node("book-figure", "wasm/build.mjs", "figures", "--only", name, "--quiet")()
+    done = _one_product("figures", name)
     if done.ok:
         player = name.endswith("/scene_player")
         _beside_the_pages("scenes/player.wasm" if player else f"figures/{name}.wasm")
@@ -311,7 +317,7 @@ def _build_figure(name: str) -> Done:
 
 
 def _build_ladder(slug: str) -> Done:
-    done = _node("book-ladder", "wasm/build.mjs", "ladders", "--only", slug, "--quiet")()
+    done = _one_product("ladders", slug)
     if done.ok:
         _beside_the_pages(f"ladders/{slug}.wasm")
     return done

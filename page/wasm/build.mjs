@@ -47,8 +47,7 @@ async function main(args) {
     asked.includes("all") || asked.includes(name) ? list() : [],
   );
   const products = all.filter(({ name }) => isAskedFor(name, only));
-  const withToolchain =
-    asked.includes("toolchain") || (asked.includes("all") && only.length === 0);
+  const withToolchain = asked.includes("toolchain") || (asked.includes("all") && only.length === 0);
   const exercises = withToolchain ? exerciseList() : [];
   const names = [...all, ...exercises].map(({ name }) => name);
   const unknown = only.find((one) => !names.some((name) => isAskedFor(name, [one])));
