@@ -320,7 +320,6 @@ CONTACT_SCENES_INLINE std::string pair_name(const Scene& scene, const PairBound&
 
 }  // namespace detail
 
-// [tunnelling]
 /// What can go unseen between two steps of length h, if contacts are looked for at steps only.
 ///
 /// *Passing through.* Each body holds a core and all points within its thickness of it. While the
@@ -355,6 +354,7 @@ CONTACT_SCENES_INLINE std::vector<Inequality> tunnelling_conditions(const PlanQu
   double grazing = 0;
   double worst = -1;
   Inequality passing;
+  // [tunnelling]
   for (const PairBound& pair : q.pairs) {
     edged += pair.half_space ? (pair.round ? 0 : pair.count) : (pair.graze > 0 ? 0 : pair.count);
     if (pair.half_space) continue;
@@ -374,6 +374,7 @@ CONTACT_SCENES_INLINE std::vector<Inequality> tunnelling_conditions(const PlanQu
     passing = {words, moved, Relation::less, 2 * pair.core, "twice the thickness of both together",
                "m"};
   }
+  // [/tunnelling]
   if (worst >= 0) {
     conditions.push_back(passing);
   } else {
@@ -417,7 +418,6 @@ CONTACT_SCENES_INLINE Decision plan_continuous_detection(const PlanQuestion& q, 
   if (decision.on) decision.because = all;
   return decision;
 }
-// [/tunnelling]
 
 namespace detail {
 

@@ -295,7 +295,6 @@ CONTACT_SCENES_INLINE double first_touch(const PlanQuestion& q) {
 
 }  // namespace detail
 
-// [horizon-rule]
 /// Until when places can be predicted: an estimate on the safe side, not a proof.
 ///
 /// Two balls spread what is uncertain as a lens does: an error across the path grows by about
@@ -325,6 +324,7 @@ CONTACT_SCENES_INLINE Decision plan_horizon(const PlanQuestion& q, bool turning)
     open = open && pair.both_move;
     pairs += pair.count;
   }
+  // [horizon-rule]
   double size = path.length;
   double least = detail::infinite;
   for (const SceneBody& body : q.scene->bodies) {
@@ -338,6 +338,7 @@ CONTACT_SCENES_INLINE Decision plan_horizon(const PlanQuestion& q, bool turning)
   if (open) time = std::max(time, detail::horizon_in_the_open(path, pairs, growth));
   const double first = detail::first_touch(q);
   decision.value = first + time;
+  // [/horizon-rule]
   decision.because = {
       {"the start", 0, Relation::at_most, first, "the first touch there may be", "s"},
       {"time until an ulp has grown to " +
@@ -345,6 +346,5 @@ CONTACT_SCENES_INLINE Decision plan_horizon(const PlanQuestion& q, bool turning)
        first + time, Relation::at_most, q.scene->duration, "duration", "s"}};
   return decision;
 }
-// [/horizon-rule]
 
 }  // namespace contact

@@ -40,11 +40,11 @@ CONTACT_SCENES_INLINE void take_from_what_is_left(PlanQuestion& q, const Decisio
   if (decision.error > 0 && std::isfinite(decision.error))
     q.left = std::max(0.0, detail::rounded_down(q.left - decision.error));
 }
+// [/error-budget]
 
 /// How much a rule takes that may choose its error: half of what is left, so that others come to
 /// theirs.
 CONTACT_SCENES_INLINE double chosen_share(const PlanQuestion& q) { return q.left / 2; }
-// [/error-budget]
 
 CONTACT_SCENES_INLINE Inequality nothing_meets(const PlanQuestion& q) {
   return {"pairs of bodies that may meet",
@@ -107,7 +107,6 @@ CONTACT_SCENES_INLINE double mirrors_apart_in(const PlanQuestion& q, const PairB
 
 }  // namespace detail
 
-// [mirror]
 /// A scene that is its own mirror image across an axis.
 ///
 /// The laws of motion know no left and right. So a scene that a reflection maps to itself, body by
@@ -133,6 +132,7 @@ CONTACT_SCENES_INLINE std::vector<Inequality> mirror_conditions(const PlanQuesti
     if (!pair.both_move && !detail::is_mirrored(scene.bodies[pair.b], axis)) askew += 1;
     apart = std::max(apart, detail::mirrors_apart_in(q, pair, axis));
   }
+  // [mirror]
   const std::string name = axis_name(axis);
   const double pull = q.table == axis ? 0.0 : std::abs(scene.gravity(axis));
   return {
@@ -145,8 +145,8 @@ CONTACT_SCENES_INLINE std::vector<Inequality> mirror_conditions(const PlanQuesti
       {"bodies not their own mirror image across " + name, askew, Relation::equal, 0, "none", ""},
       {"farthest that centres of bodies that may meet differ along " + name, apart, Relation::equal,
        0, "one common plane", "m"}};
+  // [/mirror]
 }
-// [/mirror]
 
 CONTACT_SCENES_INLINE Proof line_motion(const PlanQuestion& q, int along) {
   const int first = (along + 1) % 3;
@@ -236,7 +236,6 @@ CONTACT_SCENES_INLINE PlanQuestion plan_question(const Scene& scene) {
 }
 // [/table]
 
-// [gravity-rule]
 /// Gravity is off if there is none, if nothing moves, if a table cancels it, or if nothing touches
 /// anything and free fall through the whole duration is shorter than what is left of the tolerance:
 /// ½ g T² is then exactly the error. It is that in a run that leaves out a gyroscopic term too, or
@@ -244,6 +243,7 @@ CONTACT_SCENES_INLINE PlanQuestion plan_question(const Scene& scene) {
 /// change the fall that is missing.
 CONTACT_SCENES_INLINE Decision plan_gravity(const PlanQuestion& q) {
   const Scene& scene = *q.scene;
+  // [gravity-rule]
   std::vector<Proof> proofs{
       {"Without gravity its term adds zeros.",
        {{"size of gravity", q.bounds.gravity, Relation::equal, 0, "none", "m/s²"}}},
@@ -267,8 +267,8 @@ CONTACT_SCENES_INLINE Decision plan_gravity(const PlanQuestion& q) {
        fall,
        "½ g T², the fall that is left out"});
   return decide(Effect::gravity, std::move(proofs), "Gravity changes velocities.");
+  // [/gravity-rule]
 }
-// [/gravity-rule]
 
 // [gyroscopic-rule]
 CONTACT_SCENES_INLINE Decision plan_gyroscopic_term(const PlanQuestion& q) {

@@ -61,12 +61,12 @@ CONTACT_SCENES_INLINE std::vector<Aabb<double>> first_boxes(const Scene& scene, 
 
 }  // namespace detail
 
-// [broad-phase-rule]
 /// A broad phase never changes what happens, so this is a question of cost alone: of comparing all
 /// boxes about the bodies' ways, or of sorting them into cells and comparing neighbours. From event
 /// to event a ball is asked for twice after each hit, and cells cost a crossing now and then: few
 /// balls ask everybody.
 CONTACT_SCENES_INLINE Decision plan_broad_phase(const PlanQuestion& q) {
+  // [broad-phase-rule]
   const std::string why =
       "A broad phase changes no result; it is left out where it costs more than it saves.";
   Proof few{why, {}};
@@ -85,7 +85,7 @@ CONTACT_SCENES_INLINE Decision plan_broad_phase(const PlanQuestion& q) {
       Effect::broad_phase,
       {few, {"Where nothing meets anything, there is no pair to test.", {nothing_meets(q)}}},
       "Sorting bodies into cells costs less than testing every pair.");
+  // [/broad-phase-rule]
 }
-// [/broad-phase-rule]
 
 }  // namespace contact

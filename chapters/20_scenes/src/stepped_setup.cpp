@@ -169,7 +169,6 @@ CONTACT_SCENES_INLINE SteppedSetup stepped_setup(const Scene& scene, const Plan&
 }
 // [/stepped-setup]
 
-// [pipeline]
 /// The stages that a plan calls for. Without a pair that may meet there are no contacts at all.
 CONTACT_SCENES_INLINE StepPipeline step_pipeline(const Plan& plan, const SteppedSetup& setup) {
   StepPipeline line;
@@ -183,6 +182,7 @@ CONTACT_SCENES_INLINE StepPipeline step_pipeline(const Plan& plan, const Stepped
   const bool sleep = is_on(plan, Effect::sleeping);
   const bool forces = is_on(plan, Effect::resting) || !setup.one_by_one;
   const std::string sweeps = setup.together ? "a body's all together" : "each on its own";
+  // [pipeline]
   if (meet) {
     if (cells)
       add(line.part, "broad phase", "cells", sort_into_cells);
@@ -201,6 +201,7 @@ CONTACT_SCENES_INLINE StepPipeline step_pipeline(const Plan& plan, const Stepped
     if (setup.continuous && setup.one_by_one)
       add(line.part, "time of impact", "by the gap's closing time", find_first_impact);
   }
+  // [/pipeline]
   const bool bounce = meet && is_on(plan, Effect::restitution);
   if (bounce) add(line.part, "bounces", "of impacts that are taken at once", solve_bounces);
   add(line.part, "motion", "exact for even accelerations", move_bodies);
@@ -217,6 +218,5 @@ CONTACT_SCENES_INLINE StepPipeline step_pipeline(const Plan& plan, const Stepped
   }
   return line;
 }
-// [/pipeline]
 
 }  // namespace contact::detail

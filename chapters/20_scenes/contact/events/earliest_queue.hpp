@@ -9,7 +9,6 @@
 
 namespace contact {
 
-// [queue]
 /// A tournament tree over the slots 0 … n − 1. It keeps no times, only who has won: the caller says
 /// which of two slots comes first.
 ///
@@ -31,6 +30,7 @@ class EarliestQueue {
     for (std::size_t node = leaves_ - 1; node >= 1; --node) winner_[node] = match(node, before);
   }
 
+  // [queue]
   /// Plays the matches of a slot that has changed.
   template <class Before>
   void update(std::size_t slot, const Before& before) {
@@ -44,6 +44,7 @@ class EarliestQueue {
 
   /// The slot that comes first.
   std::size_t first() const { return static_cast<std::size_t>(winner_[1]); }
+  // [/queue]
 
   /// Bytes that it holds.
   std::size_t bytes() const { return winner_.capacity() * sizeof(std::int32_t); }
@@ -63,6 +64,5 @@ class EarliestQueue {
   std::size_t leaves_ = 2;
   std::vector<std::int32_t> winner_;
 };
-// [/queue]
 
 }  // namespace contact

@@ -159,6 +159,7 @@ class HardSpheres final : public HardSphereRun {
         queue_.update(i, comes_first());
         continue;
       }
+  // [/run]
       if (budget-- == 0) return HardSphereEnd::out_of_events;
       const bool new_time = time > now_;
       at_once_ = new_time ? 0 : at_once_ + 1;
@@ -182,7 +183,6 @@ class HardSpheres final : public HardSphereRun {
         return HardSphereEnd::stopped;
     }
   }
-  // [/run]
   /// @cond
   using HardSphereRun::advance;
   /// @endcond

@@ -194,6 +194,7 @@ inline double speed_at_most(const EnergyShare& share, double w, double gravity, 
   const double with_floor = std::sqrt((share.twice_floor + share.twice_dip) * w);
   return detail::rounded_up(std::min(with_time, with_floor));
 }
+// [/speed-bound]
 
 /// How far a centre of mass can come: the integral of its speed.
 /// @return m, rounded up
@@ -203,7 +204,6 @@ inline double travel_at_most(const EnergyShare& share, double w, double gravity,
   const double with_floor = std::sqrt((share.twice_floor + share.twice_dip) * w) * t;
   return detail::rounded_up(std::min(with_time, with_floor));
 }
-// [/speed-bound]
 
 namespace detail {
 
