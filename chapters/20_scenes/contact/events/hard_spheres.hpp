@@ -159,7 +159,7 @@ class HardSpheres final : public HardSphereRun {
         queue_.update(i, comes_first());
         continue;
       }
-  // [/run]
+      // [/run]
       if (budget-- == 0) return HardSphereEnd::out_of_events;
       const bool new_time = time > now_;
       at_once_ = new_time ? 0 : at_once_ + 1;
