@@ -28,7 +28,7 @@ std::size_t moving(const Scene& scene) {
 std::string tolerance_of(const Scene& scene) {
   std::string words;
   if (scene.tolerance.position)
-    words = "places to " + shortest_text(*scene.tolerance.position) + " m";
+    words = "positions to " + shortest_text(*scene.tolerance.position) + " m";
   if (scene.tolerance.event_order)
     words += (words.empty() ? "" : " and ") + std::string("hits in order");
   return words;

@@ -47,7 +47,7 @@ class Simulation {
         piece_(piece),
         scene_(std::move(scene)),
         run_(scenes::make_run(scene_, plan, options_.event_budget)),
-        way_(flies_freely(plan) ? "everything flies freely, by a formula"
+        way_(flies_freely(plan) ? "all bodies fly freely, by a formula"
                                 : "hard, smooth balls from event to event"),
         plan_number_(plan_number(plan)) {
     if (!options_.every.empty()) scene_.output.every = seconds_of("--every", options_.every, true);

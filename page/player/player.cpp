@@ -178,7 +178,7 @@ class Player {
         case SceneRunEnd::out_of_budget:
           return 1;
         default:
-          trouble_ = "Hits pile up without time going on: " + body(run.counts().endless_first) +
+          trouble_ = "Infinitely many hits at one instant: " + body(run.counts().endless_first) +
                      " and " + body(run.counts().endless_second) + ".";
       }
     } catch (const std::exception& error) {

@@ -135,11 +135,11 @@ TEST_CASE("a scene that is not one of hard, smooth balls is refused with the rea
           s.bodies[2].shape = contact::BoxShape{{1, 1, 1}};
         }) == "bodies[2] (two) is neither a ball nor a half-space");
   CHECK(refusal([](auto& s) { s.materials[0].friction = 0.25; }) ==
-        "bodies[0] (one) and bodies[1] (floor) rub: their coefficient of friction is 0.25");
+        "bodies[0] (one) and bodies[1] (floor) have friction: their coefficient is 0.25");
   // The smoother decides: a rough floor alone does not matter.
   CHECK(refusal([](auto& s) { s.bodies[1].material = 1; }).empty());
   CHECK(refusal([](auto& s) { s.materials[0].stiffness = 100; }) ==
-        "bodies[0] (one) and bodies[1] (floor) give way: their stiffness is 50 N/m");
+        "bodies[0] (one) and bodies[1] (floor) are compliant: their stiffness is 50 N/m");
   CHECK(refusal([](auto& s) {
           s.bodies[0].moves = false;
           s.bodies[2].moves = false;

@@ -156,10 +156,10 @@ TEST_CASE("passing through: in a crowd it is said who is thin") {
         .tried.at(1)
         .conditions.at(0);
   };
-  CHECK(passing().left_is == "any two moving bodies towards each other in a step");
+  CHECK(passing().left_is == "approach of any two moving bodies in a step");
   const auto& plate = box(scene, {0x1p-10, 1, 1}, 0, {100, 0, 0});
   const std::string words = "any moving body and " + plate.name;
-  CHECK(passing().left_is == words + " towards each other in a step");
+  CHECK(passing().left_is == "approach of " + words + " in a step");
   CHECK(passing().right <= 2 * (0.5 + 0x1p-10));
   CHECK_FALSE(contact::scene_bounds(scene).pairs.back().round);
 }

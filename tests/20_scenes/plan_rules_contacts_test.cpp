@@ -42,7 +42,7 @@ TEST_CASE("friction: however small, it takes speed from what slides") {
   CHECK(exact(least) > 0);  // times (1 + e) v of the hit: not 0 without rounding
 }
 
-TEST_CASE("restitution: off only if nothing comes back") {
+TEST_CASE("restitution: off only if nothing rebounds") {
   off(dropped(0, 2, 3), Effect::restitution);
   at_edge(dropped(0x1p-60, 2, 3), Effect::restitution, 0, 0);
   CHECK(exact(0x1p-60) * 4 > 0);  // the speed after a hit at 4 m/s
@@ -202,7 +202,7 @@ TEST_CASE("parts of springs: from the tolerance, unless something rubs or is dam
   };
   const auto notice_of = [](const contact::Plan& plan) {
     for (const std::string& notice : plan.notices)
-      if (notice.starts_with("Springs push in parts of ")) return notice;
+      if (notice.starts_with("Springs push in substeps of ")) return notice;
     return std::string();
   };
   const double swing = std::sqrt(1000.0);  // two equal springs in a row

@@ -82,7 +82,7 @@ TEST_CASE("the tolerance holds for all errors together: each rule takes from wha
   CHECK(left_out(aside * (1 - little)).empty());
   const Decision gravity =
       plan_scenes::decision(tumbling_fall((aside + fall) * (1 - little)), Effect::gravity);
-  CHECK(gravity.tried.back().conditions.at(1).right_is == "what is left of the tolerance");
+  CHECK(gravity.tried.back().conditions.at(1).right_is == "rest of the error budget");
   CHECK(only_lacks(gravity, gravity.tried.size() - 1, 1));
 }
 

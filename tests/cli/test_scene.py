@@ -134,7 +134,7 @@ def test_every_scene_of_the_book_is_read(contact: Run) -> None:
     assert len(lines) == len(SCENES) >= 20
     assert [line.split(":")[0] for line in lines] == [file.stem for file in SCENES]
     (pit,) = [line for line in lines if line.startswith("ball_pit:")]
-    assert "10005 bodies (10000 moving), 3 s, places to 0.01 m" in pit
+    assert "10005 bodies (10000 moving), 3 s, positions to 0.01 m" in pit
 
 
 def test_schema_and_reader_agree_on_every_broken_scene(contact: Run, tmp_path: Path) -> None:

@@ -58,9 +58,9 @@ CONTACT_SCENES_INLINE std::optional<std::string> hard_sphere_refusal(const Scene
                                               scene.materials[scene.bodies[k].material]);
       const std::string both = detail::body_text(scene, i) + " and " + detail::body_text(scene, k);
       if (pair.friction > 0)
-        return both + " rub: their coefficient of friction is " + number_text(pair.friction);
+        return both + " have friction: their coefficient is " + number_text(pair.friction);
       if (pair.stiffness)
-        return both + " give way: their stiffness is " + number_text(*pair.stiffness) + " N/m";
+        return both + " are compliant: their stiffness is " + number_text(*pair.stiffness) + " N/m";
     }
   }
   return std::nullopt;

@@ -138,7 +138,7 @@ CONTACT_SCENES_INLINE SceneRunEnd FallbackRun::advance(double until, std::uint64
     if (!spent) {
       const SceneRunCounts counts = events_->counts();
       why = scene_.bodies[counts.endless_first].name + " hits " +
-            scene_.bodies[counts.endless_second].name + " again and again without time going on";
+            scene_.bodies[counts.endless_second].name + " again and again at one instant";
     }
     Scene from = scene_;
     for (std::size_t i = 0; i < from.bodies.size(); ++i) {

@@ -88,7 +88,7 @@ CONTACT_SCENES_INLINE void charge_crowd(PlanQuestion& q, bool taken, Decision& s
                           "impacts taken one by one", ""});
   const double late = rounded_up(worst_bounces(q).late * q.step);
   step.error = taken || late <= q.left ? late : infinite;
-  step.error_is = "a crowd's hits that come up to a step late";
+  step.error_is = "hits of a crowd, up to a step late";
   if (!taken) take_from_what_is_left(q, step);
 }
 
@@ -123,21 +123,22 @@ CONTACT_SCENES_INLINE void add_notices(const PlanQuestion& q, Plan& plan) {
   }
   if (plan.spring_part > 0) {
     const double off = springs_off(q, plan.spring_part);
-    std::string notice = "Springs push in parts of " + short_number(plan.spring_part) + " s: ";
+    std::string notice = "Springs push in substeps of " + short_number(plan.spring_part) + " s: ";
     if (!std::isfinite(off)) {
-      notice += "no error is estimated where something gives way and rubs, or is damped.";
+      notice += "no error is estimated for compliant contacts with friction or damping.";
     } else if (decision_on(plan, Effect::penalty_contact).error > 0) {
       notice += "by an estimate that keeps the tolerance; it is not proven.";
     } else {
-      notice += "by an estimate that leaves " + short_number(off) + " m at the end" +
-                (q.tolerance > 0 ? "; to keep the tolerance takes more than 1024 parts a step."
-                                 : ", and no error is accepted.");
+      notice +=
+          "by an estimate that leaves " + short_number(off) + " m at the end" +
+          (q.tolerance > 0 ? "; to keep the tolerance would take more than 1024 substeps a step."
+                           : ", and no error is accepted.");
     }
     plan.notices.push_back(std::move(notice));
   }
   if (q.events && decision_on(plan, Effect::several_contacts).on) {
     plan.notices.push_back(
-        "Hits that fall on one instant are taken one after the other; which comes first then "
+        "Hits at the same instant are processed one after the other; which one comes first then "
         "decides.");
   }
   std::string idle;
@@ -153,8 +154,8 @@ CONTACT_SCENES_INLINE void add_notices(const PlanQuestion& q, Plan& plan) {
   const Decision& events = decision_on(plan, Effect::event_driven);
   if (events.overridden && events.on && !events.planned) {
     plan.notices.push_back(
-        "Event-driven is forced on; a scene that is not one of hard, smooth balls goes step by "
-        "step all the same.");
+        "Event-driven is forced on, but a scene that is not one of hard, smooth balls still goes "
+        "step by step.");
   }
   for (const Decision& decision : plan.decisions) {
     if (!has_no_bound(plan, decision)) continue;

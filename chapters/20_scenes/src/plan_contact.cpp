@@ -19,12 +19,12 @@ namespace contact {
 // [friction-rule]
 CONTACT_SCENES_INLINE Decision plan_friction(const PlanQuestion& q) {
   std::vector<Proof> proofs{
-      {"An impulse along a surface is at most μ times the normal one; with μ = 0 there is none.",
+      {"A friction impulse is at most μ times the normal impulse; with μ = 0 it is 0.",
        {{"largest friction between bodies that may meet", most_friction(q.pairs), Relation::equal,
          0, "smooth", ""}}}};
   if (const auto line = proven_line(q)) proofs.push_back(*line);
   return decide(Effect::friction, std::move(proofs),
-                "Not proven that nothing slides along what it touches.");
+                "Not proven that no body slides along another.");
 }
 // [/friction-rule]
 
@@ -37,11 +37,11 @@ CONTACT_SCENES_INLINE Decision plan_restitution(const PlanQuestion& q) {
     most = std::max(most, pair.restitution_most);
   }
   return decide(Effect::restitution,
-                {{hard == 0 ? "Without hard impacts nothing bounces."
+                {{hard == 0 ? "Without hard contacts nothing bounces."
                             : "With e = 0 the term −e v of the speed after an impact adds a zero.",
-                  {{"largest restitution of hard contacts that may happen", most, Relation::equal,
-                    0, "nothing comes back", ""}}}},
-                "What comes back of an impact is not 0.");
+                  {{"largest restitution of hard contacts that may occur", most, Relation::equal, 0,
+                    "no rebound", ""}}}},
+                "Some impact may have a rebound.");
 }
 
 namespace detail {
@@ -87,20 +87,19 @@ CONTACT_SCENES_INLINE Decision plan_penalty_contact(const PlanQuestion& q) {
   for (const PairBound& pair : q.pairs) soft += pair.soft ? pair.count : 0;
   Decision decision =
       decide(Effect::penalty_contact,
-             {{"A spring that nothing touches pushes nothing.",
-               {{"pairs that may meet and give way", soft, Relation::equal, 0, "none", ""}}}},
-             "Some contacts give way like springs.");
+             {{"A spring that nothing touches exerts no force.",
+               {{"pairs that may meet and are compliant", soft, Relation::equal, 0, "none", ""}}}},
+             "Some contacts are compliant, like springs.");
   const double part = longest_spring_part(q);
   if (!decision.on || !(part > 0)) return decision;
-  decision.because.push_back({"part of a step while a spring pushes", part, Relation::at_most,
+  decision.because.push_back({"substep while a spring pushes", part, Relation::at_most,
                               1 / (128 * detail::fastest_spring(q)),
-                              "1/128 of a radian of the stiffest", "s"});
+                              "1/128 of a radian of the stiffest spring", "s"});
   const double off = springs_off(q, part);
-  decision.because.push_back(
-      fits_what_is_left(q, "off at the end by what leapfrog leaves, by an estimate", off));
+  decision.because.push_back(fits_what_is_left(q, "error of leapfrog at the end, estimated", off));
   if (!holds(decision.because.back())) return decision;
   decision.error = off;
-  decision.error_is = "what leapfrog leaves of springs, by an estimate; no bound for many bodies";
+  decision.error_is = "error of leapfrog at springs, estimated; no bound for many bodies";
   return decision;
 }
 // [/spring-rule]
@@ -215,24 +214,23 @@ CONTACT_SCENES_INLINE std::vector<Proof> resting_proofs(const PlanQuestion& q) {
     touching += pair.apart ? 0 : 1;
   }
   const BounceRange bounces = worst_bounces(q);
-  return {
-      {"Nothing presses bodies together, so a contact that lasts carries no force.",
-       {{"gravity that no table cancels", gravity_felt(q), Relation::equal, 0, "none", "m/s²"},
-        {"moving bodies other than balls that may turn and touch something",
-         proven_line(q) ? 0.0 : rough_shapes_that_touch(q), Relation::equal, 0, "none", ""}}},
-      {"What never touches, or gives way like a spring, never rests on anything hard.",
-       {{"hard contacts that may happen", hard, Relation::equal, 0, "none", ""}}},
-      {"Elastic balls leave at the speed at which they came, and that is never 0: a flight that "
-       "only grazes what gravity presses it on would have come from inside.",
-       {{"largest share of speed lost, 1 − e, between bodies that may meet", lossy, Relation::equal,
-         0, "elastic", ""},
-        {"pairs that may meet other than balls and half-spaces", uneven, Relation::equal, 0, "none",
-         ""},
-        {"kinds of pairs that touch at the beginning and do not part", touching, Relation::equal, 0,
-         "none", ""}}},
-      {"The bounces on a half-space end at t₁ + 2 e w/(g (1 − e)), and the scene ends before.",
-       {{"duration", q.scene->duration, Relation::less, bounces.rest,
-         "earliest that a ball can rest", "s"}}}};
+  return {{"No force presses bodies together, so a lasting contact carries no force.",
+           {{"gravity that no table cancels", gravity_felt(q), Relation::equal, 0, "none", "m/s²"},
+            {"moving bodies other than balls that may rotate and touch something",
+             proven_line(q) ? 0.0 : rough_shapes_that_touch(q), Relation::equal, 0, "none", ""}}},
+          {"Bodies that never touch, or only through springs, never rest on a hard contact.",
+           {{"hard contacts that may occur", hard, Relation::equal, 0, "none", ""}}},
+          {"Elastic balls leave with the normal speed with which they came. It is 0 only in a "
+           "graze, and there gravity presses only at one exact speed, on a fixed ball.",
+           {{"largest loss of speed, 1 − e, between bodies that may meet", lossy, Relation::equal,
+             0, "elastic", ""},
+            {"pairs that may meet other than balls and half-spaces", uneven, Relation::equal, 0,
+             "none", ""},
+            {"kinds of pairs that touch at the beginning and do not separate", touching,
+             Relation::equal, 0, "none", ""}}},
+          {"The bounces on a half-space end at t₁ + 2 e w/(g (1 − e)), and the scene ends before.",
+           {{"duration", q.scene->duration, Relation::less, bounces.rest,
+             "earliest time at which a ball can rest", "s"}}}};
 }
 
 CONTACT_SCENES_INLINE double hops_left_out(const PlanQuestion& q) {
@@ -264,15 +262,16 @@ CONTACT_SCENES_INLINE Decision plan_resting(const PlanQuestion& q) {
   double hop = 0;
   for (const PairBound& pair : q.pairs) hop = std::max(hop, detail::pair_hop(q, pair, height));
   if (!(hop > 0)) return decision;
-  decision.because.push_back(fits_what_is_left(q, "height of a hop that steps leave out", hop));
+  decision.because.push_back(fits_what_is_left(q, "height of a bounce that steps leave out", hop));
   if (rests_alone(q,
                   [&](const PairBound& pair) { return detail::pair_hop(q, pair, height) > 0; })) {
     decision.error = hop;
-    decision.error_is = "height of the hops that steps leave out";
+    decision.error_is = "height of the bounces that steps leave out";
   } else {
     decision.error = detail::infinite;
     decision.error_is =
-        "hops that are left out may add up where bodies lie on or hit each other, or rub";
+        "bounces that are left out may add up where bodies lie on or hit each other, or have "
+        "friction";
   }
   return decision;
 }
@@ -282,28 +281,28 @@ CONTACT_SCENES_INLINE Decision plan_sleeping(const PlanQuestion& q) {
   std::vector<Proof> proofs;
   for (Proof& proof : resting_proofs(q)) {
     if (!is_proven(proof)) continue;
-    proof.why = "What never rests never sleeps. " + proof.why;
+    proof.why = "A body that never rests never sleeps. " + proof.why;
     proofs.push_back(std::move(proof));
     break;
   }
   if (proofs.empty()) proofs = resting_proofs(q);
   Decision decision =
       decide(Effect::sleeping, std::move(proofs),
-             "Bodies may come to rest; one in balance at speed 0 stays there exactly.");
+             "Bodies may come to rest; a body in equilibrium at speed 0 stays exactly there.");
   const double share = sleeping_share(q);
   if (!decision.on || q.events || !(share > 0)) return decision;
   if (gravity_felt(q) > 0 && all_fall_alike(q)) return decision;
   decision.because.push_back(fits_what_is_left(
-      q, "way of what sleeps, if it went on as slowly, or as slowly pushed", share));
+      q, "distance that a sleeping body would creep at its speed or acceleration", share));
   if (rests_alone(q, [&](const PairBound& pair) {
         const bool glides = pair.half_space && pair.round && !pair.soft && pair.friction == 0;
         return !glides || detail::pair_pressing(q, pair) > 0;
       })) {
     decision.error = share;
-    decision.error_is = "what sleeps would creep";
+    decision.error_is = "distance that sleeping bodies would creep";
   } else {
     decision.error = detail::infinite;
-    decision.error_is = "what sleeps may balance, and would fall later";
+    decision.error_is = "a sleeping body may be balanced on an edge, and would fall later";
   }
   return decision;
 }
@@ -368,7 +367,7 @@ CONTACT_SCENES_INLINE std::vector<Inequality> tunnelling_conditions(const PlanQu
     }
     const double ratio = pair.core > 0 ? moved / (2 * pair.core) : detail::infinite;
     const std::string name = detail::pair_name(scene, pair);
-    const std::string words = name + " towards each other in a step";
+    const std::string words = "approach of " + name + " in a step";
     if (ratio < worst || (ratio == worst && passing.left_is < words)) continue;
     worst = ratio;
     passing = {words, moved, Relation::less, 2 * pair.core, "twice the thickness of both together",
@@ -379,13 +378,14 @@ CONTACT_SCENES_INLINE std::vector<Inequality> tunnelling_conditions(const PlanQu
     conditions.push_back(passing);
   } else {
     conditions.push_back({"pairs that may meet and of which none is a half-space", 0,
-                          Relation::equal, 0, "nothing has another side to come out on", ""});
+                          Relation::equal, 0, "a half-space has no other side", ""});
   }
   const double late = q.pairs.empty() ? 0.0 : rounded_up(worst_bounces(q).late * h);
-  conditions.push_back(fits_what_is_left(
-      q, "off at the end by hits that are late, or missed at a slant", rounded_up(late + grazing)));
   conditions.push_back(
-      {"pairs with corners or edges that may meet, whose missed grazes have no bound", edged,
+      fits_what_is_left(q, "error at the end by hits that are late, or oblique and missed",
+                        rounded_up(late + grazing)));
+  conditions.push_back(
+      {"pairs with vertices or edges that may meet, whose missed grazes have no bound", edged,
        Relation::equal, 0, "none", ""});
   return conditions;
 }
@@ -399,22 +399,22 @@ CONTACT_SCENES_INLINE Decision plan_continuous_detection(const PlanQuestion& q, 
   if (q.events && pairs > 0) {
     Decision decision = decide(Effect::continuous_detection, {free},
                                "From event to event each impact is found at its time; there is no "
-                               "step in which it could pass unseen.");
+                               "step in which it could be missed.");
     decision.because.clear();
     return decision;
   }
   Proof steps{
-      "To pass through, two bodies must come towards each other by twice the thickness of "
+      "To pass through each other, two bodies must approach by twice the thickness of "
       "their cores in one step.",
       tunnelling_conditions(q, h)};
   for (const Inequality& condition : steps.conditions) {
     if (condition.relation == Relation::at_most)
       steps.error = std::max(steps.error, condition.left);
   }
-  steps.error_is = "hits up to a step late, and grazing ones that are missed";
+  steps.error_is = "hits up to a step late, and grazing hits that are missed";
   const std::vector<Inequality> all = steps.conditions;
   Decision decision = decide(Effect::continuous_detection, {free, steps},
-                             "Not proven that what goes unseen between two steps is small.");
+                             "Not proven that what is missed between two steps is small.");
   if (decision.on) decision.because = all;
   return decision;
 }

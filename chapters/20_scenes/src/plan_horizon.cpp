@@ -188,23 +188,23 @@ CONTACT_SCENES_INLINE double rubbing_among_several(const PlanQuestion& q) {
 CONTACT_SCENES_INLINE std::vector<Proof> nothing_spreads(const PlanQuestion& q, bool turning) {
   double lenses = 0;
   for (const PairBound& pair : q.pairs) lenses += pair.half_space ? 0 : pair.count;
-  const Inequality corners{"moving bodies other than balls that turn and may touch something",
+  const Inequality corners{"moving bodies other than balls that rotate and may touch something",
                            turning ? rough_shapes_that_touch(q) : 0.0,
                            Relation::equal,
                            0,
                            "none",
                            ""};
   std::vector<Proof> proofs{
-      {"Flat walls do not spread paths that lie close together; rounding only adds up.",
+      {"Flat walls do not spread neighbouring paths; rounding errors only add up.",
        {{"pairs that may meet and of which none is a half-space", lenses, Relation::equal, 0,
          "none", ""},
         corners,
-        {"half-spaces neither level nor upright, beside others", slanting_walls(q), Relation::equal,
-         0, "none", ""},
-        {"pairs that rub, where a body may meet several", rubbing_among_several(q), Relation::equal,
-         0, "none", ""}}}};
+        {"half-spaces neither horizontal nor vertical, beside others", slanting_walls(q),
+         Relation::equal, 0, "none", ""},
+        {"pairs with friction, where a body may meet several", rubbing_among_several(q),
+         Relation::equal, 0, "none", ""}}}};
   if (auto line = proven_line(q)) {
-    line->why = "On a line no hit spreads paths; rounding only adds up.";
+    line->why = "On a line no hit spreads paths; rounding errors only add up.";
     line->conditions.push_back(corners);
     double rebound = 0;
     for (const PairBound& pair : q.pairs)
@@ -212,7 +212,7 @@ CONTACT_SCENES_INLINE std::vector<Proof> nothing_spreads(const PlanQuestion& q, 
     const bool columns = gravity_felt(q) > 0 && rebound > 0;
     line->conditions.push_back({"moving bodies that fall and bounce on the line",
                                 columns ? static_cast<double>(q.bounds.movers) : 0.0,
-                                Relation::at_most, 1, "none among others", ""});
+                                Relation::at_most, 1, "one alone", ""});
     proofs.push_back(*line);
   }
   return proofs;
@@ -310,12 +310,12 @@ CONTACT_SCENES_INLINE Decision plan_horizon(const PlanQuestion& q, bool turning)
                              "Estimated: an ulp grows by 1 + 4 λ/R from hit to hit.");
   if (!decision.on) return decision;
   if (turning && rough_shapes_that_touch(q) > 0) {
-    decision.why = "Not known: what turns and has corners may part from its twin at any hit.";
+    decision.why = "Not known: a rotating body with vertices may diverge from its twin at any hit.";
     return decision;
   }
   const detail::FreePath path = detail::free_path(q);
   if (!(path.speed > 0) || !std::isfinite(path.speed)) {
-    decision.why = "Not proven: nothing moves at first, so no pace of hits is known.";
+    decision.why = "Not proven: nothing moves at first, so the rate of hits is not known.";
     return decision;
   }
   bool open = !(gravity_felt(q) > 0);
@@ -340,7 +340,7 @@ CONTACT_SCENES_INLINE Decision plan_horizon(const PlanQuestion& q, bool turning)
   decision.value = first + time;
   // [/horizon-rule]
   decision.because = {
-      {"the start", 0, Relation::at_most, first, "the first touch there may be", "s"},
+      {"the start", 0, Relation::at_most, first, "earliest possible first touch", "s"},
       {"time until an ulp has grown to " +
            std::string(q.tolerance > 0 ? "the tolerance" : "a radius") + ", by 1 + 4 λ/R a hit",
        first + time, Relation::at_most, q.scene->duration, "duration", "s"}};

@@ -30,7 +30,7 @@ CONTACT_SCENES_INLINE Inequality fits_what_is_left(const PlanQuestion& q, std::s
           error,
           Relation::at_most,
           q.left,
-          q.left == q.tolerance ? "tolerance of a place" : "what is left of the tolerance",
+          q.left == q.tolerance ? "tolerance of a position" : "rest of the error budget",
           "m"};
 }
 
@@ -51,7 +51,7 @@ CONTACT_SCENES_INLINE Inequality nothing_meets(const PlanQuestion& q) {
           pairs_that_may_meet(q.bounds),
           Relation::equal,
           0,
-          "none, so that all fly freely",
+          "none, so all bodies fly freely",
           ""};
 }
 
@@ -61,11 +61,11 @@ CONTACT_SCENES_INLINE Proof smooth_balls(const PlanQuestion& q) {
   for (const SceneBody& body : q.scene->bodies)
     spinning += body.moves && !is_ball(body) && !body.spin.isZero(0) ? 1 : 0;
   return {
-      "A contact's force on a smooth ball runs through its centre and turns nothing; what "
-      "touches nothing and does not spin keeps lying as it lies.",
+      "The contact force on a smooth ball acts through its centre, without torque; a body that "
+      "touches nothing and does not rotate keeps its orientation.",
       {{"moving bodies other than balls that may touch something", rough_shapes_that_touch(q),
         Relation::equal, 0, "none", ""},
-       {"moving bodies other than balls that spin", spinning, Relation::equal, 0, "none", ""},
+       {"moving bodies other than balls that rotate", spinning, Relation::equal, 0, "none", ""},
        {"largest friction between bodies that may meet", most_friction(q.pairs), Relation::equal, 0,
         "smooth", ""}}};
 }
@@ -141,7 +141,8 @@ CONTACT_SCENES_INLINE std::vector<Inequality> mirror_conditions(const PlanQuesti
        pull, Relation::equal, 0, "none", "m/s²"},
       {"fastest motion along " + name + " at the beginning", velocity, Relation::equal, 0, "none",
        "m/s"},
-      {"largest spin about another axis than " + name, spin, Relation::equal, 0, "none", "rad/s"},
+      {"largest angular velocity about another axis than " + name, spin, Relation::equal, 0, "none",
+       "rad/s"},
       {"bodies not their own mirror image across " + name, askew, Relation::equal, 0, "none", ""},
       {"farthest that centres of bodies that may meet differ along " + name, apart, Relation::equal,
        0, "one common plane", "m"}};
@@ -153,7 +154,7 @@ CONTACT_SCENES_INLINE Proof line_motion(const PlanQuestion& q, int along) {
   const int second = (along + 2) % 3;
   Proof proof{"The scene is its own mirror image across " + axis_name(first) + " and across " +
                   axis_name(second) + ", so that all motion is along " + axis_name(along) +
-                  " and nothing spins.",
+                  " and nothing rotates.",
               mirror_conditions(q, first)};
   for (Inequality& condition : mirror_conditions(q, second))
     proof.conditions.push_back(std::move(condition));
@@ -192,7 +193,7 @@ CONTACT_SCENES_INLINE std::vector<Inequality> table_conditions(const PlanQuestio
     }
     off_table += lies ? 0 : 1;
   }
-  return {{"moving bodies that are no balls lying exactly on a level floor", off_table,
+  return {{"moving bodies other than balls that lie exactly on a level floor", off_table,
            Relation::equal, 0, "none", ""},
           {"balls that sink into their floor", soft, Relation::equal, 0, "none", ""},
           {"largest friction between bodies that may meet", most_friction(q.bounds.pairs),
@@ -247,12 +248,11 @@ CONTACT_SCENES_INLINE Decision plan_gravity(const PlanQuestion& q) {
   std::vector<Proof> proofs{
       {"Without gravity its term adds zeros.",
        {{"size of gravity", q.bounds.gravity, Relation::equal, 0, "none", "m/s²"}}},
-      {"Gravity moves only what can move.",
+      {"Gravity accelerates only bodies that can move.",
        {{"moving bodies", static_cast<double>(q.bounds.movers), Relation::equal, 0, "none", ""}}}};
   const int axis = detail::only_axis(scene.gravity);
   if (axis >= 0) {
-    Proof table{"A level table without friction pushes back what gravity presses; both cancel.",
-                table_conditions(q, axis)};
+    Proof table{"A level table without friction balances gravity.", table_conditions(q, axis)};
     PlanQuestion on_table = q;
     on_table.table = axis;
     on_table.pairs = detail::pairs_off_table(scene, q.bounds.pairs, axis);
@@ -262,7 +262,7 @@ CONTACT_SCENES_INLINE Decision plan_gravity(const PlanQuestion& q) {
   }
   const double fall = detail::rounded_up(q.bounds.gravity * scene.duration * scene.duration / 2);
   proofs.push_back(
-      {"What touches nothing is off by the fall that is left out, ½ g T².",
+      {"The error of a body that touches nothing is the fall that is left out, ½ g T².",
        {nothing_meets(q), fits_what_is_left(q, "fall in the whole duration, ½ g T²", fall)},
        fall,
        "½ g T², the fall that is left out"});
@@ -285,26 +285,28 @@ CONTACT_SCENES_INLINE Decision plan_gyroscopic_term(const PlanQuestion& q) {
                                                scene.duration / 2));
   }
   Proof still = smooth_balls(q);
-  still.why = "Nothing turns, or turns as a ball does.";
-  std::vector<Proof> proofs{{"A body whose moments are equal has I ω along ω, and ω × I ω = 0.",
-                             {{"largest difference between two moments of a body", uneven,
-                               Relation::equal, 0, "equal", "kg·m²"}}},
-                            std::move(still)};
+  still.why = "Nothing rotates, or only as a ball does.";
+  std::vector<Proof> proofs{
+      {"If all moments of inertia of a body are equal, I ω is along ω, and ω × I ω = 0.",
+       {{"largest difference between two moments of inertia of a body", uneven, Relation::equal, 0,
+         "equal", "kg·m²"}}},
+      std::move(still)};
   for (int axis = 2; axis >= 0; --axis) {
     Proof plane = plane_motion(q, axis);
     if (!is_proven(plane)) continue;
-    plane.why = "Every spin stays along " + axis_name(axis) +
-                ", which a mirror makes a principal axis of every body; there ω × I ω = 0.";
+    plane.why = "Every angular velocity stays along " + axis_name(axis) +
+                ", which mirror symmetry makes a principal axis of every body; there ω × I ω = 0.";
     proofs.push_back(std::move(plane));
   }
   proofs.push_back(
-      {"What touches nothing turns aside by at most ½ α T², with α = (I₃ − I₁)/I₁ |ω|².",
+      {"The orientation of a body that touches nothing is wrong by at most ½ α T², α = |ω|² "
+       "(I₃/I₁) (I₃ − I₁)/I₁.",
        {nothing_meets(q),
-        fits_what_is_left(q, "farthest that a point of a body is turned aside, R ½ α T²", aside)},
+        fits_what_is_left(q, "largest displacement of a body's point by that, R ½ α T²", aside)},
        aside,
-       "R ½ α T², by which a body's points are turned aside"});
+       "R ½ α T², by which a body's points are displaced"});
   return decide(Effect::gyroscopic_term, std::move(proofs),
-                "Not proven that uneven bodies spin steadily.");
+                "Not proven that every angular velocity is constant.");
 }
 // [/gyroscopic-rule]
 

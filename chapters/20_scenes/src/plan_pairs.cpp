@@ -74,17 +74,16 @@ CONTACT_SCENES_INLINE Decision plan_broad_phase(const PlanQuestion& q) {
     double balls = 0;
     for (const SceneBody& body : q.scene->bodies) balls += is_half_space(body) ? 0 : 1;
     few.conditions = {{"balls", balls, Relation::at_most, double{cost::most_asked_by_all},
-                       "that ask everybody at less cost", ""}};
+                       "that test all others at less cost", ""}};
   } else {
     const PairSearchCost search = pair_search_cost(detail::first_boxes(*q.scene, q.step));
     few.conditions = {{"instructions to compare every pair", search.all, Relation::at_most,
                        search.cells,
                        "instructions to sort bodies into cells and compare neighbours", ""}};
   }
-  return decide(
-      Effect::broad_phase,
-      {few, {"Where nothing meets anything, there is no pair to test.", {nothing_meets(q)}}},
-      "Sorting bodies into cells costs less than testing every pair.");
+  return decide(Effect::broad_phase,
+                {few, {"Where nothing can meet, there is no pair to test.", {nothing_meets(q)}}},
+                "Sorting bodies into cells costs less than testing every pair.");
   // [/broad-phase-rule]
 }
 

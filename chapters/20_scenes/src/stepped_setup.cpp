@@ -181,15 +181,15 @@ CONTACT_SCENES_INLINE StepPipeline step_pipeline(const Plan& plan, const Stepped
   const bool springs = is_on(plan, Effect::penalty_contact);
   const bool sleep = is_on(plan, Effect::sleeping);
   const bool forces = is_on(plan, Effect::resting) || !setup.one_by_one;
-  const std::string sweeps = setup.together ? "a body's all together" : "each on its own";
+  const std::string sweeps = setup.together ? "all contacts of a body together" : "each on its own";
   // [pipeline]
   if (meet) {
     if (cells)
       add(line.part, "broad phase", "cells", sort_into_cells);
     else
       add(line.part, "pairs", "each with each", compare_all_pairs);
-    add(line.part, "contacts", "gaps and the points that touch", find_touching_pairs);
-    if (sleep) add(line.part, "waking", "what something fast touches", wake_bodies);
+    add(line.part, "contacts", "distances and contact points", find_touching_pairs);
+    if (sleep) add(line.part, "waking", "bodies that a fast body touches", wake_bodies);
     if (setup.one_by_one) add(line.part, "impacts", sweeps, solve_impacts);
     if (springs) add(line.part, "springs", "leapfrog, dampers implicit", push_springs);
   }
@@ -199,21 +199,21 @@ CONTACT_SCENES_INLINE StepPipeline step_pipeline(const Plan& plan, const Stepped
     add(line.part, forces ? "contact forces" : "impacts left over",
         forces ? sweeps : "rounding, and a step with too many to take one by one", solve_forces);
     if (setup.continuous && setup.one_by_one)
-      add(line.part, "time of impact", "by the gap's closing time", find_first_impact);
+      add(line.part, "time of impact", "by conservative advancement", find_first_impact);
   }
   // [/pipeline]
   const bool bounce = meet && is_on(plan, Effect::restitution);
-  if (bounce) add(line.part, "bounces", "of impacts that are taken at once", solve_bounces);
-  add(line.part, "motion", "exact for even accelerations", move_bodies);
+  if (bounce) add(line.part, "bounces", "of impacts that are processed together", solve_bounces);
+  add(line.part, "motion", "exact for constant acceleration", move_bodies);
   if (setup.gyroscopic)
     add(line.part, "rotation", "with the gyroscopic term", turn_with_gyroscopic_term);
   else if (setup.rotation)
-    add(line.part, "rotation", "even spins", turn_bodies);
+    add(line.part, "rotation", "constant angular velocities", turn_bodies);
   if (meet) {
     if (bounce) add(line.part, "leaving", "what has bounced", leave_bounced);
     // A ball's impacts are found to the last bit however it turns; an edge's are not.
     if ((setup.rotation && setup.edges) || !setup.one_by_one)
-      add(line.part, "pushing out", "overlaps, half by half", push_out);
+      add(line.part, "pushing out", "half of each overlap at a time", push_out);
     if (sleep) add(line.after, "sleep", "groups that are slow", put_to_sleep);
   }
   return line;

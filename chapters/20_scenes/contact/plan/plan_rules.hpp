@@ -93,9 +93,10 @@ std::vector<Inequality> mirror_conditions(const PlanQuestion& q, int axis);
 
 /// The plane-motion proof for an axis.
 inline Proof plane_motion(const PlanQuestion& q, int axis) {
-  return {"The scene is its own mirror image across " + axis_name(axis) +
-              "; the laws of motion know no left and right, so nothing ever moves along it.",
-          mirror_conditions(q, axis)};
+  return {
+      "The scene is its own mirror image across " + axis_name(axis) +
+          "; the laws of motion are symmetric under reflection, so nothing ever moves along it.",
+      mirror_conditions(q, axis)};
 }
 
 /// The line-motion proof: two mirrors at once leave one axis, and no spin at all.
@@ -124,8 +125,7 @@ Decision plan_gravity(const PlanQuestion& q);
 inline Decision plan_rotation(const PlanQuestion& q) {
   std::vector<Proof> proofs{smooth_balls(q)};
   if (const auto line = proven_line(q)) proofs.push_back(*line);
-  return decide(Effect::rotation, std::move(proofs),
-                "Not proven that spins and orientations change nothing.");
+  return decide(Effect::rotation, std::move(proofs), "Not proven that rotation changes nothing.");
 }
 
 /// The gyroscopic term ω × I ω is 0 for a body whose moments are all equal, and for a spin along a
@@ -140,7 +140,7 @@ inline Decision plan_third_dimension(const PlanQuestion& q) {
   std::vector<Proof> proofs;
   for (int axis = 2; axis >= 0; --axis) proofs.push_back(plane_motion(q, axis));
   return decide(Effect::third_dimension, std::move(proofs),
-                "Not proven that motion stays in a plane across x, y or z.");
+                "Not proven that motion stays in a plane perpendicular to x, y or z.");
 }
 
 /// The second dimension is off if the scene is its own mirror image across two axes.

@@ -69,7 +69,7 @@ class FreeFlightRun final : public SceneRun {
         {"flight", std::to_string(Dimension) + (Dimension == 1 ? " coordinate" : " coordinates") +
                        (falls ? ", parabolas" : ", straight lines") + type}};
     if (falls) stages.push_back({"gravity", "exact"});
-    if (!turns_.empty()) stages.push_back({"turning", "with even spins"});
+    if (!turns_.empty()) stages.push_back({"turning", "with constant angular velocities"});
     return stages;
   }
 

@@ -27,7 +27,7 @@ enum class SceneRunEnd {
 /// A stage of which a run is composed: there is none that it does not need.
 struct SceneStage {
   std::string name;    ///< "gravity", "broad phase", "friction", ...
-  std::string detail;  ///< how it is done, one phrase: "cells", "5 sweeps at most"
+  std::string detail;  ///< how it is done, one phrase: "cells", "5 iterations at most"
 };
 
 /// What a run has done so far. What a kind of run does not have stays 0.
