@@ -1,6 +1,6 @@
 /// @file
-/// Which of n slots comes first: a tournament, in which a slot that changes plays again only on its
-/// way up.
+/// The earliest of n slots, by a tournament tree: when a slot changes, only the matches on its path
+/// to the root are played again.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace contact {
 
-/// A tournament tree over the slots 0 … n − 1. It keeps no times, only who has won: the caller says
-/// which of two slots comes first.
+/// A tournament tree over the slots 0 … n − 1. It stores the winners, not the times: the caller
+/// says which of two slots comes first.
 ///
 /// An update costs at most log₂ n comparisons, and stops where it changes nothing. Four bytes for
 /// each of 2n nodes (n rounded up to a power of two).
@@ -31,12 +31,12 @@ class EarliestQueue {
   }
 
   // [queue]
-  /// Plays the matches of a slot that has changed.
+  /// Plays the matches of a slot whose time has changed.
   template <class Before>
   void update(std::size_t slot, const Before& before) {
     for (std::size_t node = (leaves_ + slot) / 2; node >= 1; node /= 2) {
       const std::int32_t winner = match(node, before);
-      // Another one had won here, and wins again: above, nothing is different.
+      // Another slot had won here, and wins again: nothing changes above.
       if (winner == winner_[node] && winner != static_cast<std::int32_t>(slot)) return;
       winner_[node] = winner;
     }
