@@ -391,8 +391,7 @@ class HardSpheres final : public HardSphereRun {
     const Wall& wall = walls_[w];
     double gap = detail::dot<dimension>(wall.normal, ball.position) - wall.offset - radius(ball);
     double velocity = detail::dot<dimension>(wall.normal, ball.velocity);
-    if (ball.last ==
-        wall_id(w)) {  // it has just hit it: rounding must not predict the same hit again
+    if (ball.last == wall_id(w)) {  // just hit; rounding must not repeat it
       gap = 0;
       velocity = std::max(velocity, 0.0);
     }
@@ -686,8 +685,7 @@ class HardSpheres final : public HardSphereRun {
   std::size_t materials_ = 0;
   std::vector<double> restitution_;
   std::vector<State> balls_;
-  std::vector<std::uint32_t>
-      hits_;  // of each ball: predictions made before its last hit are invalid
+  std::vector<std::uint32_t> hits_;  // of each ball, with partner_hits
   [[no_unique_address]] detail::KeptIf<!E.grid, std::vector<std::int32_t>, 6> everybody_;
   std::vector<Candidate> candidates_;
   std::vector<Wall> walls_;
