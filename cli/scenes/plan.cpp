@@ -1,4 +1,4 @@
-// contact plan: which effects a scene calls for, with the inequality and the numbers that decide.
+// contact plan: which effects a scene needs, with the inequality and the numbers that decide.
 
 #include <contact/plan/plan.hpp>
 #include <contact/plan/plan_report.hpp>

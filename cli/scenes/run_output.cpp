@@ -31,14 +31,14 @@ bool is_listed(const SceneBody& body) {
   return !std::holds_alternative<HalfSpaceShape>(body.shape);
 }
 
-/// Whether it must be told how bodies lie: some of them are no balls.
+/// Whether orientations must be written: some bodies are not balls.
 bool has_poses(const Scene& scene) {
   return std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const SceneBody& body) {
     return is_listed(body) && !std::holds_alternative<BallShape>(body.shape);
   });
 }
 
-/// A number as its bits, so that what is read is what was written.
+/// A number as its bits, so that the same number is read back.
 std::string bits_text(double x) {
   std::array<char, 48> text{};
   std::snprintf(text.data(), text.size(), "%a", x);

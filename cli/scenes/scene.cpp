@@ -1,4 +1,4 @@
-// contact scene: what a scene file says, what is wrong with it, and which scenes the book has.
+// contact scene: the contents of a scene file, its faults, and the list of the book's scenes.
 
 #include <algorithm>
 

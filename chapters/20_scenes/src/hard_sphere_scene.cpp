@@ -22,8 +22,8 @@ CONTACT_SCENES_INLINE std::string body_text(const Scene& scene, std::size_t body
   return "bodies[" + std::to_string(body) + "] (" + scene.bodies[body].name + ")";
 }
 
-/// Bodies that show every kind of contact a scene can have: of each material the first two that
-/// move and the first that does not.
+/// Bodies that represent every kind of contact of a scene: of each material the first two that move
+/// and the first that is fixed.
 CONTACT_SCENES_INLINE std::vector<std::size_t> one_of_each(const Scene& scene) {
   std::vector<std::size_t> moving(scene.materials.size(), 0);
   std::vector<std::size_t> standing(scene.materials.size(), 0);

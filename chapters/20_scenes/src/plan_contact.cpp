@@ -142,7 +142,7 @@ CONTACT_SCENES_INLINE BounceRange bounce_range(const PlanQuestion& q, const Pair
   const double doubt = 16 * detail::plan_u * q.bounds.gravity;
   const double g = -wall->normal.dot(scene.gravity) + doubt;
   const double e = pair.restitution_most;
-  if (g <= 2 * doubt) {  // nothing pulls it back
+  if (g <= 2 * doubt) {  // no force pulls it back
     if (q.bounds.gravity > 0 && g > 0 && detail::level_axis(wall->normal) < 0) return unknown;
     return {infinite, 1, rounded_up((1 + e) * (1 + pair.friction) * pair.closing)};
   }
@@ -173,7 +173,7 @@ CONTACT_SCENES_INLINE BounceRange bounce_range(const PlanQuestion& q, const Pair
     range.late += (1 + e) * (most + pair.friction * g * scene.duration);
   }
   // A ball that leaves late leaves from too deep: gravity takes more of its speed than it should,
-  // unless it has all of it.
+  // unless it takes all of it.
   if (pair.restitution_least < 1 || range.hits == infinite) range.late = infinite;
   range.late = rounded_up(range.late);
   return range;
@@ -188,7 +188,7 @@ CONTACT_SCENES_INLINE BounceRange worst_bounces(const PlanQuestion& q) {
     if (pair.half_space) {
       range = bounce_range(q, pair);
     } else if (pair.both_move && pair.round && !pair.soft) {
-      // Both fly alike: they meet once, on a straight line seen from each other.
+      // Both are accelerated equally: they meet once, on a straight relative path.
       range = {detail::infinite, 1, detail::rounded_up((1 + pair.restitution_most) * pair.closing)};
     } else {
       range = {0, detail::infinite, detail::infinite};
@@ -243,8 +243,8 @@ CONTACT_SCENES_INLINE double hops_left_out(const PlanQuestion& q) {
 
 namespace detail {
 
-/// The highest hop that a pair leaves out in steps, m: what leaves at e times the slowest bounce.
-/// @param height what hops_left_out() says, m
+/// The highest bounce that a pair leaves out in steps, m: e times the speed of the slowest bounce.
+/// @param height from hops_left_out(), m
 CONTACT_SCENES_INLINE double pair_hop(const PlanQuestion& q, const PairBound& pair, double height) {
   if (!pair.hard) return 0;
   const double e = pair.restitution_most;
@@ -319,30 +319,32 @@ CONTACT_SCENES_INLINE std::string pair_name(const Scene& scene, const PairBound&
 
 }  // namespace detail
 
-/// What can go unseen between two steps of length h, if contacts are looked for at steps only.
+/// What can be missed between two steps of length h, if contacts are tested at steps only.
 ///
-/// *Passing through.* Each body holds a core and all points within its thickness of it. While the
-/// bodies do not touch, their cores are farther apart than both thicknesses together, R. For the
-/// cores to meet in between and part again, the surfaces must move by R and by R again: more than
-/// 2 R in one step. Spin and acceleration are in the speed that energy allows.
+/// *Tunnelling.* Each body consists of a core and all points within its thickness of it. While the
+/// bodies do not touch, their cores are more than the sum R of both thicknesses apart. To come out
+/// on the other side, the cores must meet in between, so the surfaces approach by more than R and
+/// separate by more than R: more than 2 R in one step. The condition is the strict inequality, so
+/// that rounded positions may miss an exact touch. Rotation and acceleration are included in the
+/// speed that energy allows.
 ///
-/// *Late.* A hit is noticed up to a step late, and each misplaces a body by (1 + e) v h at most. On
-/// a floor that holds for e = 1 only: what left it slower would leave from too deep, slower still.
-/// Friction along the floor sees an impulse that is off by what gravity adds meanwhile, and leaves
-/// μ (1 + e) g h of velocity.
+/// *Late hits.* A hit is detected up to a step late, and each displaces a body by at most (1 + e) v
+/// h. On a floor that holds for e = 1 only: a slower ball would leave from too deep, slower still.
+/// Friction along the floor gets a normal impulse that is wrong by what gravity adds meanwhile,
+/// which leaves μ (1 + e) g h of velocity.
 ///
-/// *At a slant.* Two rounds that meet late have a normal that is turned by asin(d/R) at most, with
-/// d what they have moved in the step and R both radii together. So the impulse is off by
+/// *Oblique hits.* Two balls that meet late have a normal that is rotated by at most asin(d/R),
+/// with their displacement d in the step and the sum R of their radii. So the impulse is wrong by
 /// (1 + e) v asin(d/R), for the rest of the time T. A chord that is missed altogether leaves less:
-/// its length is d at most, and along the normal there is v d/(2 R). With friction nothing is
-/// proven. A path that gravity bends away from a wall dips into it with g h/2 at most; lateness is
-/// charged with more, since a body that falls for T has a v of at least g T/2.
+/// its length is at most d, and the normal speed is v d/(2 R). With friction nothing is proven. A
+/// path that gravity bends away from a wall dips into it with at most g h/2; the lateness that is
+/// charged is more, since a body that falls for T has a v of at least g T/2.
 ///
-/// *Beside other errors.* There are none. Late hits have a bound only where something touches and
-/// nothing comes to rest; where hops, sleep, gravity, a gyroscopic term or float are left out
-/// within the tolerance, nothing touches or something rests. A path of late hits is the right one,
-/// delayed, but for dips into a floor that are shorter than the error: EnergyShare::twice_dip is
-/// what a body gains in them.
+/// *No other errors are added.* Late hits have a bound only where bodies touch and none comes to
+/// rest; where bounces, sleep, gravity, a gyroscopic term or float are left out within the
+/// tolerance, nothing touches or bodies rest. A path of late hits is the exact one, delayed, except
+/// for dips into a floor that are shorter than the error: EnergyShare::twice_dip is the energy
+/// gained in them.
 /// @param h s
 CONTACT_SCENES_INLINE std::vector<Inequality> tunnelling_conditions(const PlanQuestion& q,
                                                                     double h) {
@@ -390,9 +392,9 @@ CONTACT_SCENES_INLINE std::vector<Inequality> tunnelling_conditions(const PlanQu
   return conditions;
 }
 
-/// Continuous detection is off if nothing can pass through anything between two steps, and what
-/// comes late or is missed stays within the tolerance. From event to event it is on: an event is
-/// an impact at its time.
+/// Continuous detection is off if nothing can pass through anything between two steps, and late and
+/// missed hits stay within the tolerance. In an event-driven run it is on: an event is an impact at
+/// its time.
 CONTACT_SCENES_INLINE Decision plan_continuous_detection(const PlanQuestion& q, double h) {
   const double pairs = pairs_that_may_meet(q.bounds);
   Proof free{"Nothing touches anything, whatever the step.", {nothing_meets(q)}};

@@ -19,11 +19,11 @@
 namespace contact {
 
 // [error-budget]
-/// What an error is compared with: what is left of the tolerance.
+/// Compares an error with the rest of the error budget.
 ///
-/// Errors add up: what is off by a and then by b is off by a + b at most. So the tolerance holds
-/// for their sum, and a rule may take only what those before it have left.
-/// @param error of the effect that is asked about, m
+/// Errors add up: errors of a and then b make at most a + b. So the tolerance is a bound on their
+/// sum, and a rule may take only what the earlier ones have left.
+/// @param error of the effect in question, m
 CONTACT_SCENES_INLINE Inequality fits_what_is_left(const PlanQuestion& q, std::string error_is,
                                                    double error) {
   return {std::move(error_is),
@@ -34,16 +34,16 @@ CONTACT_SCENES_INLINE Inequality fits_what_is_left(const PlanQuestion& q, std::s
           "m"};
 }
 
-/// Takes what a decision accepts from what is left, rounded down: so all that decisions accept is
-/// at most the tolerance, without rounding. What has no bound takes nothing: no share would do.
+/// Subtracts the error that a decision accepts, rounded down: so the exact sum of all accepted
+/// errors is at most the tolerance. An error without a bound subtracts nothing: no share would
+/// suffice.
 CONTACT_SCENES_INLINE void take_from_what_is_left(PlanQuestion& q, const Decision& decision) {
   if (decision.error > 0 && std::isfinite(decision.error))
     q.left = std::max(0.0, detail::rounded_down(q.left - decision.error));
 }
 // [/error-budget]
 
-/// How much a rule takes that may choose its error: half of what is left, so that others come to
-/// theirs.
+/// The error that a rule takes if it may choose: half of the rest, so that others get a share.
 CONTACT_SCENES_INLINE double chosen_share(const PlanQuestion& q) { return q.left / 2; }
 
 CONTACT_SCENES_INLINE Inequality nothing_meets(const PlanQuestion& q) {
@@ -73,7 +73,7 @@ CONTACT_SCENES_INLINE Proof smooth_balls(const PlanQuestion& q) {
 
 namespace detail {
 
-/// Whether a reflection across an axis through its centre leaves a body as it lies.
+/// Whether reflection in a plane through its centre perpendicular to an axis maps a body to itself.
 CONTACT_SCENES_INLINE bool is_mirrored(const SceneBody& body, int axis) {
   if (is_ball(body)) return true;
   if (const auto* wall = std::get_if<HalfSpaceShape>(&body.shape)) return wall->normal(axis) == 0;
@@ -84,8 +84,9 @@ CONTACT_SCENES_INLINE bool is_mirrored(const SceneBody& body, int axis) {
   return true;
 }
 
-/// How far along an axis two bodies that may meet are from sharing their mirror. A ball beside a
-/// box that spans it shares it: the box's nearest point is level with the ball's centre.
+/// The distance, along an axis, of the mirror planes of two bodies that may meet. A ball beside a
+/// fixed box that spans its height shares the plane: the box's nearest point is level with the
+/// ball's centre.
 CONTACT_SCENES_INLINE double mirrors_apart(const SceneBody& a, const SceneBody& b, int axis) {
   if (is_half_space(b)) return 0;
   const double apart = std::abs(a.position(axis) - b.position(axis));
@@ -107,11 +108,12 @@ CONTACT_SCENES_INLINE double mirrors_apart_in(const PlanQuestion& q, const PairB
 
 }  // namespace detail
 
-/// A scene that is its own mirror image across an axis.
+/// The conditions for a scene to be its own mirror image across an axis.
 ///
-/// The laws of motion know no left and right. So a scene that a reflection maps to itself, body by
-/// body, stays so: no velocity and no force ever has a component along the axis, and no spin one
-/// across it. Every number here is exact: one ulp of velocity and there is motion out of the plane.
+/// The laws of motion are symmetric under reflection. So a scene that a reflection maps to itself,
+/// body by body, stays so: no velocity and no force ever has a component along the axis, and no
+/// angular velocity one perpendicular to it. All comparisons are exact: one ulp of velocity, and
+/// there is motion out of the plane.
 /// @param axis 0, 1 or 2: x, y or z
 CONTACT_SCENES_INLINE std::vector<Inequality> mirror_conditions(const PlanQuestion& q, int axis) {
   const Scene& scene = *q.scene;
@@ -223,7 +225,7 @@ CONTACT_SCENES_INLINE PlanQuestion plan_question(const Scene& scene) {
   q.scene = &scene;
   q.bounds = scene_bounds(scene);
   q.pairs = q.bounds.pairs;
-  // Whoever asks for the order of events allows no error of a place: it may turn two of them round.
+  // If the order of events is required, no position error is allowed: it may swap two events.
   if (!scene.tolerance.event_order) q.tolerance = scene.tolerance.position.value_or(0);
   q.left = q.tolerance;
   const int axis = detail::only_axis(scene.gravity);
@@ -237,11 +239,10 @@ CONTACT_SCENES_INLINE PlanQuestion plan_question(const Scene& scene) {
 }
 // [/table]
 
-/// Gravity is off if there is none, if nothing moves, if a table cancels it, or if nothing touches
-/// anything and free fall through the whole duration is shorter than what is left of the tolerance:
-/// ½ g T² is then exactly the error. It is that in a run that leaves out a gyroscopic term too, or
-/// goes in float: nothing is looked for that a body could touch, so turning and rounding do not
-/// change the fall that is missing.
+/// Gravity is off if it is zero, if nothing moves, if a table cancels it, or if nothing touches
+/// anything and free fall over the whole duration is within the rest of the error budget: ½ g T² is
+/// then exactly the error. That also holds in a run without a gyroscopic term, or in float: no
+/// contacts are tested, so rotation and rounding do not change the missing fall.
 CONTACT_SCENES_INLINE Decision plan_gravity(const PlanQuestion& q) {
   const Scene& scene = *q.scene;
   // [gravity-rule]

@@ -19,13 +19,13 @@
 namespace contact {
 
 // [savings]
-/// Sums up an estimate, and says of what: "25 for each body and substep (1200)".
+/// Sums up an estimate, with its terms in words: "25 for each body and substep (1200)".
 class Tally {
  public:
-  /// Adds so many of a thing.
-  /// @param each instructions of one of them
-  /// @param of what one of them is
-  /// @param count how many are expected
+  /// Adds a number of things.
+  /// @param each instructions for one of them
+  /// @param of name of one of them
+  /// @param count expected number
   Tally& add(double each, std::string_view of, double count) {
     const double product = each * count;
     if (!std::isfinite(product) || product == 0) return *this;
@@ -35,7 +35,7 @@ class Tally {
     return *this;
   }
   /// The sum, and its words.
-  /// @param nothing what to say if there was nothing
+  /// @param nothing what to say if the sum is empty
   Saving saving(std::string_view nothing = "nothing") const {
     return saving_.is.empty() ? Saving{0, std::string(nothing)} : saving_;
   }
@@ -53,14 +53,14 @@ class Tally {
 
 namespace detail {
 
-/// How many balls and walls are asked after impacts, from event to event. In the cells about a
-/// ball's and its own, 27, are its neighbours.
+/// The number of balls and walls tested after impacts, from event to event. A ball's neighbours are
+/// in its cell and those around it, 27.
 CONTACT_SCENES_INLINE double asked_after_hits(const ExpectedRun& run) {
   return run.cells ? 2 * run.hits * (27 * run.occupancy + run.walls)
                    : (2 * run.hits - run.wall_hits) * (run.bounded - 1 + run.walls);
 }
 
-/// What a run costs from event to event.
+/// The cost of an event-driven run.
 CONTACT_SCENES_INLINE Saving events_cost(const ExpectedRun& run) {
   Tally sum;
   sum.add(cost::hit, "impact", run.hits);
@@ -69,7 +69,7 @@ CONTACT_SCENES_INLINE Saving events_cost(const ExpectedRun& run) {
   return sum.saving();
 }
 
-/// What a run costs in steps: each of its parts, and what is in it.
+/// The cost of a run in steps: of each substep, and what is in it.
 CONTACT_SCENES_INLINE Saving steps_cost(const PlanQuestion& q, const ExpectedRun& run, bool turns,
                                         bool looks) {
   const double moved = run.parts * run.movers;
@@ -97,7 +97,7 @@ CONTACT_SCENES_INLINE Saving steps_cost(const PlanQuestion& q, const ExpectedRun
 inline constexpr std::string_view brought_along =
     "nothing: the gyroscopic term, which is on, includes it";
 
-/// What effects cost where nothing may meet anything.
+/// The cost of effects where nothing may meet.
 CONTACT_SCENES_INLINE Saving flight_saving(const PlanQuestion& q, const ExpectedRun& run,
                                            Effect effect, bool turns, bool looks) {
   const double moved = run.parts * run.movers;
@@ -127,7 +127,7 @@ CONTACT_SCENES_INLINE Saving flight_saving(const PlanQuestion& q, const Expected
   }
 }
 
-/// Whether the scene is one of hard, smooth balls, so that it can go from event to event.
+/// Whether the scene is one of hard, smooth balls, so that it can be event-driven.
 CONTACT_SCENES_INLINE bool has_events_alone(const PlanQuestion& q) {
   const std::vector<Inequality> conditions = event_conditions(q);
   return std::all_of(conditions.begin(), conditions.end(), holds);
@@ -141,7 +141,7 @@ CONTACT_SCENES_INLINE Saving events_in_place_of_steps(const PlanQuestion& q, Exp
   return {events.instructions - steps.instructions, events.is + "; in place of " + steps.is};
 }
 
-/// What effects cost from event to event.
+/// The cost of effects from event to event.
 CONTACT_SCENES_INLINE Saving event_saving(const PlanQuestion& q, const ExpectedRun& run,
                                           const Plan& plan, Effect effect) {
   const auto share = [&](double of_asked, double of_crossings) {
@@ -183,7 +183,7 @@ CONTACT_SCENES_INLINE Saving event_saving(const PlanQuestion& q, const ExpectedR
   }
 }
 
-/// What effects cost in steps where something may meet.
+/// The cost of effects in steps where bodies may meet.
 CONTACT_SCENES_INLINE Saving step_saving(const PlanQuestion& q, const ExpectedRun& run,
                                          const Plan& plan, Effect effect) {
   const auto planned = [&](Effect one) { return decision_on(plan, one).planned; };
@@ -271,7 +271,7 @@ CONTACT_SCENES_INLINE Saving step_saving(const PlanQuestion& q, const ExpectedRu
       if (planned(effect))
         return {0, "nothing: steps compute each coordinate that is not proven constant"};
       const bool two = effect == Effect::third_dimension && !planned(Effect::second_dimension);
-      // What turns has two coordinates more of its spin.
+      // A rotating body has two more coordinates of angular velocity.
       const double axes = (two ? 2 : 1) + (planned(Effect::rotation) ? 2 : 0);
       return sum.add(axes * cost::coordinate, "body and substep", moved)
           .add(axes * cost::contact_coordinate, "contact and substep", points + run.spring_parts)

@@ -25,7 +25,7 @@ CONTACT_SCENES_INLINE std::string with_unit(double x, const std::string& unit) {
   return std::isfinite(x) && !unit.empty() ? plan_number(x) + " " + unit : plan_number(x);
 }
 
-/// The sign between the sides as they are: of a condition that fails, the opposite one.
+/// The relation that holds between the sides: of a condition that fails, the opposite one.
 CONTACT_SCENES_INLINE const char* sign_of_sides(const Inequality& condition) {
   const bool held = holds(condition);
   switch (condition.relation) {

@@ -63,7 +63,7 @@ CONTACT_SCENES_INLINE Decision plan_event_driven(const PlanQuestion& q) {
                            0,
                            "elastic",
                            ""};
-  // Bodies that touch hand a hit on at the same instant, and events come one after the other.
+  // Touching bodies pass a hit on at the same instant, but events come one after the other.
   const Inequality clear{"kinds of pairs that touch at the beginning beside others",
                          touching,
                          Relation::equal,
@@ -90,7 +90,7 @@ CONTACT_SCENES_INLINE Decision plan_event_driven(const PlanQuestion& q) {
   proofs.push_back(with("Every ball has a bounded number of impacts.",
                         {{"most impacts of one ball", bounces.hits, Relation::less, 1e6,
                           "as many as a run may take for one ball", ""}}));
-  // A hop that is left out: one half-space each, hard, pressed on by gravity.
+  // A bounce that is left out: each ball on one hard half-space, pressed on by gravity.
   double other = 0;
   for (const PairBound& pair : q.pairs) other += pair.half_space && !pair.soft ? 0 : pair.count;
   const double cutoff = gravity_felt(q) > 0 ? contact_time_cutoff(q.left, q.bounds.gravity) : 0;
@@ -111,7 +111,7 @@ CONTACT_SCENES_INLINE Decision plan_event_driven(const PlanQuestion& q) {
 
   Decision decision = decide(Effect::event_driven, std::move(proofs),
                              "Not proven that the number of events is bounded: step by step.");
-  // Here a proof switches on.
+  // This rule's proofs switch the effect on.
   decision.on = decision.planned = decision.proven;
   return decision;
 }
@@ -150,8 +150,8 @@ CONTACT_SCENES_INLINE Decision plan_step_size(const PlanQuestion& q, const PlanO
   const double spring = detail::fastest_spring(q);
   decision.why =
       options.step ? "The step is the one asked for." : "The step follows from the tolerance.";
-  // What a step would miss if nobody looked between two of them: what it does not hold, and first
-  // of all what it costs.
+  // What a step would miss without detection between steps: its failed conditions, and first the
+  // error that it makes.
   if (!q.pairs.empty()) {
     const std::vector<Inequality> missed = tunnelling_conditions(q, q.step);
     for (std::size_t k = 0; k < missed.size(); ++k)
@@ -185,14 +185,14 @@ CONTACT_SCENES_INLINE Decision plan_double_precision(const PlanQuestion& q) {
   const double t = scene.duration;
   double size = 0;
   double turning = 0;
-  // What float cannot square, and a tolerance below the squares that it loses.
+  // Numbers whose squares overflow in float, and a tolerance below the squares that underflow.
   const auto beyond = [](double x) { return x > 0x1p60 ? 1.0 : 0.0; };
   double unfit = beyond(t) + beyond(q.bounds.gravity) + (q.left < 0x1p-80 ? 1 : 0);
   for (const SceneBody& body : scene.bodies) {
     if (!body.moves) continue;
     unfit += beyond(body.spin.norm());
     for (int k = 0; k < 3; ++k) {
-      // The input is rounded too, so each factor is off by u before anything is computed.
+      // The input is rounded too, so each factor is wrong by u before anything is computed.
       size = std::max(size, std::abs(body.position(k)) + std::abs(body.velocity(k)) * t +
                                 std::abs(scene.gravity(k)) * t * t / 2);
     }

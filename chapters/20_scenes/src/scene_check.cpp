@@ -34,7 +34,7 @@ CONTACT_SCENES_INLINE std::string shortest_text(double x) {
 
 namespace detail {
 
-/// Looks at a scene from top to bottom and writes down what is wrong.
+/// Checks a scene from top to bottom and collects its faults.
 class SceneChecker {
  public:
   explicit SceneChecker(const Scene& scene) : scene_(scene), placed_(scene.bodies.size(), false) {}
@@ -199,7 +199,7 @@ class SceneChecker {
     }
   }
 
-  /// Returns whether the body has a shape and a place.
+  /// Returns whether the body has a shape and a position.
   bool one_body(const std::string& path, const SceneBody& body) {
     const bool shaped = shape(path + ".shape", body.shape);
     if (body.material >= scene_.materials.size())
@@ -301,14 +301,14 @@ class SceneChecker {
     if (!a.moves && !b.moves) return;
     const auto gap = starting_gap(a, b);
     if (!gap || -*gap <= touching_slack(a, b)) return;
-    const bool first = !b.moves;  // the one that moves, or the later one
+    const bool first = !b.moves;  // the moving one, or the later one
     const SceneBody& here = first ? a : b;
     fault(at("bodies", first ? i : k) + ".position", list_text(here.position),
           "must not overlap " + quoted((first ? b : a).name) + ", in which it lies " +
               shortest_text(-*gap) + " m deep; touching is allowed");
   }
 
-  /// Bodies are sorted by where they begin along x, so that only neighbours are compared.
+  /// Bodies are sorted by their lower bound along x, so that only neighbours are compared.
   void overlaps() {
     std::vector<std::size_t> order;
     std::vector<std::size_t> grounds;
