@@ -44,7 +44,7 @@ contact::Scene scene() {
 
 }  // namespace
 
-TEST_CASE("only what a setup calls for is on") {
+TEST_CASE("only the effects that a setup needs are on") {
   HardSphereSetup setup;
   setup.balls = {{{1, 2, 3}, {0, 0, 0}, 0.5, 1, 0, true}, {{1, 5, 3}, {0, -1, 0}, 0.5, 1, 0, true}};
   CHECK(compose_hard_spheres(setup).effects == HardSphereEffects{1, false, false, false, false});
@@ -124,7 +124,7 @@ TEST_CASE("a scene of balls and half-spaces becomes a setup, and says which body
   CHECK(contact::hard_sphere_setup(elastic).setup.cutoff == 0x1p-30);
 }
 
-TEST_CASE("a scene that is not one of hard, smooth balls is refused with the reason") {
+TEST_CASE("a scene that is not one of hard, smooth balls is rejected with the reason") {
   const auto refusal = [](auto change) {
     contact::Scene changed = scene();
     change(changed);

@@ -166,7 +166,7 @@ TEST_CASE("billiards follow the intervals, hit for hit, until rounding has grown
   CHECK(followed > tried(16) * 15);
 }
 
-TEST_CASE("elastic runs keep their energy, and nothing overlaps but for rounding") {
+TEST_CASE("elastic runs conserve energy, and overlaps are rounding errors only") {
   Random random(9);
   for (int n = 0; n < tried(40); ++n) {
     const bool alike = n % 2 == 0;
@@ -185,7 +185,9 @@ TEST_CASE("elastic runs keep their energy, and nothing overlaps but for rounding
   }
 }
 
-TEST_CASE("without walls momentum and the centre's path stay, whatever the restitution") {
+TEST_CASE(
+    "without walls momentum and the path of the centre of mass are conserved, whatever the "
+    "restitution") {
   Random random(10);
   for (int n = 0; n < tried(40); ++n) {
     HardSphereSetup setup = random_setup(random, 20, false, 0);

@@ -112,7 +112,9 @@ TEST_CASE("a plane is reached when the exact roots say, and the speed is that of
   }
 }
 
-TEST_CASE("where one path bends, the meeting is the first zero at which the gap closes") {
+TEST_CASE(
+    "where one path is a parabola, the balls meet at the first zero at which their distance "
+    "decreases") {
   Random random(4);
   int met = 0;
   for (int n = 0; n < tried(3000); ++n) {
@@ -144,7 +146,7 @@ TEST_CASE("where one path bends, the meeting is the first zero at which the gap 
   CHECK(std::abs(back - 1) <= 4 * u);
 }
 
-TEST_CASE("the tournament's winner is the least, whatever changes") {
+TEST_CASE("the tournament's winner is the earliest, whatever changes") {
   Random random(5);
   for (int n = 0; n < tried(60); ++n) {
     const auto slots = static_cast<std::size_t>(random.integer(1, 40));

@@ -116,7 +116,7 @@ const std::vector<Known>& known_scenes() {
 
 }  // namespace
 
-TEST_CASE("the book's scenes call for what is known of them") {
+TEST_CASE("the book's scenes need the effects that are known of them") {
   for (const Known& known : known_scenes()) {
     const Plan plan = contact::plan_scene(scene_of_book(known.name));
     for (const Effect effect : known.on) {
@@ -162,7 +162,7 @@ TEST_CASE("every scene of the book has a plan whose proofs hold") {
   }
 }
 
-TEST_CASE("a bullet in steps of a frame passes its wall, and the plan says by how much") {
+TEST_CASE("a bullet in steps of a frame tunnels through its wall, and the plan says by how much") {
   const Scene scene = scene_of_book("bullet_and_wall");
   contact::PlanOptions options;
   options.step = 1.0 / 60;

@@ -148,7 +148,7 @@ TEST_CASE("a crowd's decisions follow from the worst of its pairs") {
   CHECK(plan_scenes::is_on(scene, Effect::restitution));  // not all are dull
 }
 
-TEST_CASE("passing through: in a crowd it is said who is thin") {
+TEST_CASE("tunnelling: in a crowd the plan names the thin body") {
   Scene scene = unlike_crowd();
   for (int k = 0; k < 8; ++k) ball(scene, 0.5, 2, {60.0 + 3 * k, 0, 0});
   const auto passing = [&] {
@@ -164,7 +164,7 @@ TEST_CASE("passing through: in a crowd it is said who is thin") {
   CHECK_FALSE(contact::scene_bounds(scene).pairs.back().round);
 }
 
-TEST_CASE("a crowd begins apart only if nobody touches anybody, or the floor") {
+TEST_CASE("a crowd starts apart only if no body touches another, or the floor") {
   const auto rests = [](const Scene& scene) { return plan_scenes::is_on(scene, Effect::resting); };
   const auto crowd = [](const std::vector<Point>& more, double radius) {
     Scene scene = empty(1, 0, 1, 1e-6);

@@ -33,7 +33,7 @@ using plan_scenes::stepped;
 using plan_scenes::unbounded;
 using plan_scenes::wall;
 
-TEST_CASE("thickness and reach of a shape, whichever way it is long") {
+TEST_CASE("thickness and bounding radius of a shape, whichever side is longest") {
   using contact::inner_radius;
   using contact::outer_radius;
   for (const Point& half : {Point(2, 1, 3), Point(1, 2, 3), Point(3, 2, 1)}) {
@@ -51,7 +51,7 @@ TEST_CASE("thickness and reach of a shape, whichever way it is long") {
   CHECK_FALSE(contact::is_proven({}));
 }
 
-TEST_CASE("a distance is never said to be more than it is, to the last bit") {
+TEST_CASE("a distance is never overestimated, to the last bit") {
   Random random(40);
   for (int trial = 0; trial < tried(1000); ++trial) {
     const auto any = [&](double size) {
@@ -125,7 +125,7 @@ TEST_CASE("a distance is never said to be more than it is, to the last bit") {
   }
 }
 
-TEST_CASE("the moments of a body that lies askew in its own axes") {
+TEST_CASE("the moments of inertia of a body rotated in its own axes") {
   Random random(41);
   for (int trial = 0; trial < tried(200); ++trial) {
     // [[a, b], [b, a]] has the moments a ± b: whole numbers here.
@@ -142,7 +142,7 @@ TEST_CASE("the moments of a body that lies askew in its own axes") {
   }
 }
 
-TEST_CASE("a point of a plate is taken to be as fast as its energy allows, and not faster") {
+TEST_CASE("the bound on the speed of a plate's point is what its energy allows") {
   // A thin plate of 1 m half-lengths that flies at 1 m/s along its normal and turns about a
   // diagonal: its moment there is ⅓ kg m², and a corner √2 m away. At 6/√2 rad/s the corner adds 6
   // m/s. 2 K is 1 + ⅓ · 18 = 7 J, and 7 m/s is the most that 7 J can do: 1/m + R²/I = 7.
@@ -166,7 +166,7 @@ TEST_CASE("a point of a plate is taken to be as fast as its energy allows, and n
   }
 }
 
-TEST_CASE("passing through: the end of a rod is faster than its middle, and a plate is thin") {
+TEST_CASE("tunnelling: the end of a rod is faster than its centre, and a plate is thin") {
   // The rod's end turns by 0.8 rad a step about its middle: the chord is 0.78 m, and two radii of ¼
   // m and 0.05 m together are 0.6 m. At the speed of its energy all of it would move 0.47 m.
   const double h = 0.2;
@@ -191,7 +191,7 @@ TEST_CASE("passing through: the end of a rod is faster than its middle, and a pl
       decision(unlike, Effect::continuous_detection, stepped(0.1)).tried.at(1).conditions.at(0)));
 }
 
-TEST_CASE("passing through: the worst of several pairs counts, wherever it stands") {
+TEST_CASE("tunnelling: the worst of several pairs counts, in any order") {
   // Fast and thick, 0.5 < 4; slow and thin, 0.25 > 0.2.
   for (const bool thin_first : {false, true}) {
     Scene scene = empty(0.5, 0, 1, 1e9);
@@ -211,7 +211,7 @@ TEST_CASE("passing through: the worst of several pairs counts, wherever it stand
   }
 }
 
-TEST_CASE("a light ball is as fast as what a heavy one that falls on it makes it") {
+TEST_CASE("a light ball is as fast as a heavy one that falls on it can make it") {
   Scene scene = empty(1, 0, 1, 1e-6);
   scene.gravity = {0, 0, -8};
   ball(scene, 0.5, 0, Point::Zero());
@@ -234,8 +234,7 @@ TEST_CASE("a light ball is as fast as what a heavy one that falls on it makes it
   CHECK(bounds.bodies[1].travel >= 4 * std::sqrt(1001.0) * (1 - 1e-9));
 }
 
-TEST_CASE(
-    "what falls on a floor falls as far as its thinnest side lets it, on a slope without end") {
+TEST_CASE("a body falls to a floor as far as its thickness allows, on a slope without end") {
   // A box that stands 6 m high lies 1 m high at last.
   Scene standing = empty(0, 0, 100, 0);
   standing.gravity = {0, 0, -8};
@@ -273,7 +272,7 @@ TEST_CASE(
   CHECK(exact(contact::plan_scene(hair).speed) * contact::plan_scene(hair).speed >= 2 * 8 * height);
 }
 
-TEST_CASE("spin is energy: of the largest moment, and however little rubs") {
+TEST_CASE("rotation is energy: of the largest moment of inertia, and with any friction") {
   Scene scene = empty(1, 0, 1, 1e-6);
   box(scene, {1, 2, 3}, 1, Point::Zero()).spin = {2, 0, 0};  // about x the moment is 13/3
   ball(scene, 0.5, 1, {5, 0, 0}, {-2, 0, 0});
@@ -287,7 +286,7 @@ TEST_CASE("spin is energy: of the largest moment, and however little rubs") {
   CHECK(contact::plan_scene(rolling).pairs == 3);
 }
 
-TEST_CASE("what just touches by fractions meets, whatever rounding says") {
+TEST_CASE("bodies that just touch in exact fractions meet, whatever rounding says") {
   Random random(42);
   for (int trial = 0; trial < tried(600); ++trial) {
     const double v = random.uniform(0.5, 30);
@@ -318,7 +317,7 @@ TEST_CASE("what just touches by fractions meets, whatever rounding says") {
   }
 }
 
-TEST_CASE("a path that bends is met at its very end") {
+TEST_CASE("a parabola is met at its very end") {
   // 4 m in the second: in the last 64th it bends by all of g dt²/8.
   for (const bool on_a_ball : {false, true}) {
     Scene scene = dropped(0.5, 4 * (1 - 1e-12), 1);
@@ -330,7 +329,7 @@ TEST_CASE("a path that bends is met at its very end") {
   }
 }
 
-TEST_CASE("who is thrown reaches as far as both go, and with its corners") {
+TEST_CASE("a thrown body reaches as far as both paths go, and with its vertices") {
   // Two balls meet; the second may then fly at 4 m/s for 1 s, and the third comes at 3 m/s.
   const auto third = [](double gap) {
     Scene scene = empty(1, 0, 1, 1e-6);

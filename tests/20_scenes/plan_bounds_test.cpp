@@ -179,7 +179,7 @@ Scene random_scene(Random& random) {
 
 }  // namespace
 
-TEST_CASE("no motion is faster or comes farther than the bounds, and no other pairs meet") {
+TEST_CASE("no motion is faster or goes farther than the bounds, and no other pairs meet") {
   Random random(20);
   int hits = 0;
   int pairs_left_out = 0;
@@ -230,7 +230,7 @@ TEST_CASE("the bound of a ball alone is its closed form, rounded up by little") 
   }
 }
 
-TEST_CASE("over a floor a ball is never faster than falling to the floor makes it") {
+TEST_CASE("over a floor a ball is never faster than after falling to the floor") {
   Random random(22);
   for (int trial = 0; trial < generators::tried(2000); ++trial) {
     const double height = random.uniform(0, 30);
@@ -250,7 +250,7 @@ TEST_CASE("over a floor a ball is never faster than falling to the floor makes i
   }
 }
 
-TEST_CASE("a soft floor lets a ball fall farther by what it gives way") {
+TEST_CASE("a compliant floor lets a ball fall farther by its compression") {
   // At the deepest of a drop from height h on a spring the speed is 0; on the way it is largest
   // where the spring carries the weight, m g/k deep: v² = 2 g h + m g²/k.
   Scene scene = plan_scenes::empty(0, 0, 100, 1e-6);
@@ -265,7 +265,8 @@ TEST_CASE("a soft floor lets a ball fall farther by what it gives way") {
   CHECK(bound * bound <= (squared + 2 * 8.0 * 1e-6) * (1 + 1e-9));
 }
 
-TEST_CASE("what is late by a step is in the floor, and no faster than the bound all the same") {
+TEST_CASE(
+    "a ball whose hit is late by a step is in the floor, and still no faster than the bound") {
   // A drop of 2 m with a step as long as the tolerance allows. The run is asked within its steps.
   Scene scene = plan_scenes::empty(1, 0, 1.5, 0.25);
   scene.gravity = {0, 0, -8};
@@ -289,7 +290,8 @@ TEST_CASE("what is late by a step is in the floor, and no faster than the bound 
   CHECK(dip <= 0.25);
 }
 
-TEST_CASE("a ball reaches a body exactly as far off as it travels, and not one a little farther") {
+TEST_CASE(
+    "a ball reaches a body at exactly the distance that it travels, and not one a little farther") {
   // 3 m in 1 s at 3 m/s: both balls' radii are 1, so the gap of 3 is just closed.
   const auto meets = [](double gap) {
     Scene scene = plan_scenes::empty(1, 0, 1, 1e-6);
@@ -302,7 +304,7 @@ TEST_CASE("a ball reaches a body exactly as far off as it travels, and not one a
   CHECK_FALSE(meets(3 * (1 + 1e-9)));
 }
 
-TEST_CASE("a disturbed ball brings in others, one after the other") {
+TEST_CASE("a disturbed ball disturbs others, one after the other") {
   // A row: only the first moves, each can only push the next. With all the energy the last of the
   // row comes 8 m far, so it just closes a gap of 8 m and not one of a little more.
   const auto reached = [](double gap) {

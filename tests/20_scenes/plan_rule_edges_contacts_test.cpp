@@ -62,7 +62,7 @@ TEST_CASE("gravity: the fall that is left out is rounded up") {
   CHECK(edges > tried(40));
 }
 
-TEST_CASE("gravity: a table is level and bears exactly, in all digits") {
+TEST_CASE("gravity: a table is level and supports exactly, in all digits") {
   // The floor is at 10⁻²⁰ m: a ball at ½ m is within it.
   Scene hair = table();
   std::get<contact::HalfSpaceShape>(hair.bodies[0].shape).offset = 1e-20;
@@ -81,7 +81,7 @@ TEST_CASE("gravity: a table is level and bears exactly, in all digits") {
   CHECK_FALSE(contact::holds(decision(shorter, Effect::gravity).tried.at(2).conditions.at(0)));
 }
 
-TEST_CASE("rotation: a spin about any axis, and of the smallest size") {
+TEST_CASE("rotation: an angular velocity about any axis, and of the smallest size") {
   for (int axis = 0; axis < 3; ++axis) {
     Scene scene = empty(1, 0, 5, 1e-6);
     box(scene, {1, 2, 3}, 1, Point::Zero()).spin = smallest * Point::Unit(axis);
@@ -89,7 +89,8 @@ TEST_CASE("rotation: a spin about any axis, and of the smallest size") {
   }
 }
 
-TEST_CASE("the third dimension: spins of either sign, hulls, and any pair of several") {
+TEST_CASE(
+    "the third dimension: angular velocities of either sign, hulls, and any pair of several") {
   Scene flat = empty(1, 0.5, 2, 1e-6);
   box(flat, {1, 2, 3}, 1, Point::Zero(), {1, 0.25, 0}).spin = {0, 0, 2};
   ball(flat, 0.5, 1, {5, 0, 0});
@@ -160,7 +161,7 @@ TEST_CASE("the gyroscopic term: every body counts, and all of the bound") {
   }
 }
 
-TEST_CASE("the tolerance is kept to the last bit where errors fill it") {
+TEST_CASE("the tolerance is kept to the last bit where errors use all of it") {
   // Three errors of a free flight, and a tolerance of about what they come to: a little more is
   // enough for all of them, a little less is not, and in between none is more than there is.
   Random random(44);
@@ -238,7 +239,7 @@ TEST_CASE("friction, restitution, springs: whichever pair has them, the first as
   CHECK(contact::plan_scene(pair).step <= 1 / (10 * std::sqrt(500.0 * 65)) * (1 + 1e-12));
 }
 
-TEST_CASE("several contacts: who is met by two, though it is named last") {
+TEST_CASE("several contacts: a body that two may meet, though it is named last") {
   // A large ball in the middle, which two meet from both sides that cannot meet each other.
   Scene scene = empty(0.5, 0, 1, 1e-6);
   ball(scene, 0.5, 1, {-51, 0, 0}, {1, 0, 0});
@@ -248,7 +249,7 @@ TEST_CASE("several contacts: who is met by two, though it is named last") {
   at_edge(scene, Effect::several_contacts, 0, 0);
 }
 
-TEST_CASE("resting: the last bounce by its closed form, thrown up or down") {
+TEST_CASE("resting: the last bounce by its closed form, from a throw up or down") {
   for (const double up : {-4.0, -0.5, 0.5, 4.0}) {
     CAPTURE(up);
     const double rest = contact::rest_time(contact::bouncing_ball<double>(1, up, 8, 0.5));
@@ -260,7 +261,7 @@ TEST_CASE("resting: the last bounce by its closed form, thrown up or down") {
   }
 }
 
-TEST_CASE("resting: two that touch, and fall on a floor, need not part") {
+TEST_CASE("resting: two that touch, and fall on a floor, need not separate") {
   Scene column = dropped(1, 1, 3);
   ball(column, 0.5, 1, {0, 0, 2.5});
   at_edge(column, Effect::resting, 2, 2);
@@ -276,7 +277,7 @@ TEST_CASE("resting: two that touch, and fall on a floor, need not part") {
   off(slope, Effect::resting);
 }
 
-TEST_CASE("from event to event: a wall that hardly pulls has no budget of one hit") {
+TEST_CASE("from event to event: a wall with weak gravity towards it has no bound of one hit") {
   // 8 · 2⁻⁵² m/s² along the normal: thrown off at 10⁻⁹ m/s it is back after a million seconds.
   Scene scene = dropped(0.5, 0, 1e8, 0);
   scene.bodies[0].shape = contact::HalfSpaceShape{{1, 0, 0x1p-52}, 0};

@@ -47,7 +47,8 @@ double lateness(const Scene& scene, std::size_t body, double step) {
 
 }  // namespace
 
-TEST_CASE("late hits: no bound for what loses speed, hits too often, or rubs in flight") {
+TEST_CASE(
+    "late hits: no bound for balls that lose speed, hit too often, or have friction in flight") {
   // It does not come to rest before the end, and sinks all the same.
   Scene lossy = dropped(0.9, 2, 1.5, 1);
   lossy.materials[0].friction = 0.25;
@@ -65,7 +66,7 @@ TEST_CASE("late hits: no bound for what loses speed, hits too often, or rubs in 
   CHECK(std::isfinite(said_of_late_hits(rough, 0.01)));
 }
 
-TEST_CASE("late hits: head on, what two come back from each other by is all of it") {
+TEST_CASE("late hits: head on, the rebound of the two is the whole error") {
   // Large and slow, so that the slant is none. The hit comes 1 ms after a step of 50 ms.
   const double h = 0.05;
   Scene scene = empty(1, 0, 0.5, 1);
@@ -78,7 +79,7 @@ TEST_CASE("late hits: head on, what two come back from each other by is all of i
   CHECK(said_of_late_hits(scene, h) <= 2 * h * (1 + 0.5 / 100) * (1 + 1e-3));
 }
 
-TEST_CASE("grazing hits: a normal that is late by a step is turned by all of it") {
+TEST_CASE("grazing hits: a normal that is late by a step is rotated by the whole step") {
   // It touches at cos θ = 0.02 just after a step, and the next step finds it at 0.01: of the
   // velocity 2 · 0.01 m/s along the normal are missing, for ten seconds.
   const double h = 0.01;
@@ -101,7 +102,7 @@ TEST_CASE("grazing hits: a normal that is late by a step is turned by all of it"
   CHECK(accepted.error == said_of_late_hits(scene, h));
 }
 
-TEST_CASE("hops that are left out: what bounds them, wall by wall") {
+TEST_CASE("bounces that are left out: their bounds, wall by wall") {
   const auto resting = [](const Scene& scene) {
     return decision(scene, Effect::resting, stepped(0.01)).error;
   };
@@ -162,7 +163,8 @@ TEST_CASE("hops that are left out: what bounds them, wall by wall") {
   CHECK(resting(steep) <= 8 * slight * 0.01 * 0.01 / 8 / 4 * (1 + 1e-9));
 }
 
-TEST_CASE("sleep has no bound for what slides along an upright wall, unless it is a smooth ball") {
+TEST_CASE(
+    "sleep has no bound for a body that slides along a vertical wall, unless it is a smooth ball") {
   const auto sleeping = [](const Scene& scene) {
     return decision(scene, Effect::sleeping, stepped(0.01)).error;
   };
@@ -186,7 +188,7 @@ TEST_CASE("sleep has no bound for what slides along an upright wall, unless it i
   CHECK(sleeping(corners) == unbounded);
 }
 
-TEST_CASE("sleep: not so fast that a short scene would tell") {
+TEST_CASE("sleep: not at a speed that a short scene would show") {
   // Slower than so many m/s for the whole of a quarter of a second is less than the share; so it is
   // for ten seconds if what pushes it goes on, twice in a second.
   for (const double duration : {0.25, 10.0}) {
@@ -202,7 +204,7 @@ TEST_CASE("sleep: not so fast that a short scene would tell") {
   }
 }
 
-TEST_CASE("springs, hops and sleep together keep the tolerance") {
+TEST_CASE("springs, bounces and sleep together keep the tolerance") {
   Scene scene = dropped(0.5, 0.5, 2, 1e-3);
   ball(scene, 0.5, 1, {100, 0, 1});
   scene.materials.push_back({"soft", 0.5, 0, 2000, 0});
@@ -220,7 +222,7 @@ TEST_CASE("springs, hops and sleep together keep the tolerance") {
   CHECK(contact::holds(sleeping.because.back()));
 }
 
-TEST_CASE("without gravity no hop is left out, though something may be pressed") {
+TEST_CASE("without gravity no bounce is left out, though bodies may be pressed together") {
   Scene scene = empty(0.5, 0, 2, 1e-3);
   box(scene, {2, 0.1, 0.1}, 1e6, Point::Zero()).spin = {0, 0, 1};
   ball(scene, 0.1, 1, {0.5, 0.25, 0});
@@ -237,8 +239,7 @@ TEST_CASE("without gravity no hop is left out, though something may be pressed")
   CHECK(contact::plan_scene(last, stepped(0.01)).rest_height > 0);
 }
 
-TEST_CASE(
-    "hops from event to event are as high as the cutoff says, in a run that goes on in steps") {
+TEST_CASE("bounces are left out at the cutoff's height in a run that goes on in steps") {
   const Plan plan = contact::plan_scene(dropped(0.5, 2, 10, 1e-6));
   const Decision& events = contact::decision_on(plan, Effect::event_driven);
   REQUIRE(events.on);

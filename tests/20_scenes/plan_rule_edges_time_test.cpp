@@ -32,7 +32,9 @@ using plan_scenes::Point;
 using plan_scenes::stepped;
 using plan_scenes::wall;
 
-TEST_CASE("from event to event: who touches at first hands a hit on, unless it is alone") {
+TEST_CASE(
+    "from event to event: a ball that touches another at the start passes a hit on, unless it is "
+    "alone") {
   // Two hits on one instant: which comes first decides.
   Scene row = empty(1, 0, 3, 0);
   ball(row, 0.5, 1, {-2, 0, 0}, {1, 0, 0});
@@ -43,7 +45,7 @@ TEST_CASE("from event to event: who touches at first hands a hit on, unless it i
   off(row, Effect::event_driven);
 }
 
-TEST_CASE("float: only numbers of a size that it squares, and no digit less than it has") {
+TEST_CASE("float: only numbers whose squares it holds, and all of its digits") {
   Scene endless = empty(1, 0, 1e-15, 1e-3);
   endless.gravity = {0, 0, -1e19};
   ball(endless, 0.5, 1, Point::Zero());
@@ -73,7 +75,7 @@ TEST_CASE("float: only numbers of a size that it squares, and no digit less than
   at_edge(often, Effect::double_precision, 0, 1);
 }
 
-TEST_CASE("float: a flight and a turn are off by less than is said, but not by much less") {
+TEST_CASE("float: the errors of a flight and a rotation are below the bound, but not far below") {
   Random random(45);
   constexpr double u = 0x1p-24;
   double most = 0;
@@ -105,7 +107,7 @@ TEST_CASE("float: a flight and a turn are off by less than is said, but not by m
         most * u * 4.5);
 }
 
-TEST_CASE("the step: no longer than what is written, nor proven if a hit may be missed") {
+TEST_CASE("the step: no longer than the output interval, nor proven if a hit may be missed") {
   Scene scene = dropped(1, 2, 1.5, 1e-3);
   scene.materials[0].friction = 0.5;
   scene.bodies[1].velocity.x() = 1;
@@ -141,7 +143,7 @@ TEST_CASE("the horizon: a die on a floor, and balls that a spring throws up") {
   CHECK(is_on(two, Effect::horizon));
 }
 
-TEST_CASE("the horizon does not depend on who is named first") {
+TEST_CASE("the horizon does not depend on the order of names") {
   // Unlike in everything, among posts, on its way down.
   for (const auto& [g, tolerance] :
        {std::pair(0.0, 1e-6), std::pair(2.0, 1e-6), std::pair(0.0, 0.0)}) {
@@ -163,7 +165,7 @@ TEST_CASE("the horizon does not depend on who is named first") {
   }
 }
 
-TEST_CASE("the horizon: the fastest sets the pace, by its speed or by what it may be given") {
+TEST_CASE("the horizon: the fastest body decides, by its speed or by the energy that it may get") {
   const auto pace = [](const Scene& scene) {  // from the first hit on
     const Decision made = decision(scene, Effect::horizon);
     return *made.value - made.because[0].right;
@@ -207,7 +209,7 @@ TEST_CASE("the horizon: the fastest sets the pace, by its speed or by what it ma
   CHECK(pace(pulled) < pace(gas(3)));
 }
 
-TEST_CASE("the horizon: what turns may touch as early as its corners come") {
+TEST_CASE("the horizon: a rotating body may touch as early as its vertices arrive") {
   // A rod that turns at 1 rad/s, 2.02 m long to each side, one metre above a floor for its middle.
   const auto first = [](double spin, bool both) {
     Scene scene = empty(1, 0, 1000, 1e-6);

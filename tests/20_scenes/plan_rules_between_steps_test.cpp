@@ -58,7 +58,7 @@ bool seen_at_steps(const Scene& scene, const Rational& h, int steps, const Ratio
 
 }  // namespace
 
-TEST_CASE("passing through: a step of twice the thickness is too long, a little less is not") {
+TEST_CASE("tunnelling: a step of twice the thickness is too long, a little less is not") {
   const double h = 0.25;
   const Rational reach = Rational(1) / 2;
   // Its late hits have no bound in this scene (nobody counts how often it hits what stands still),
@@ -77,7 +77,7 @@ TEST_CASE("passing through: a step of twice the thickness is too long, a little 
   CHECK(passing(3).left >= 0.75);
 }
 
-TEST_CASE("passing through: both movers count") {
+TEST_CASE("tunnelling: both moving bodies count") {
   const double h = 0.25;
   Scene scene = empty(0.5, 0, 1, 1e9);
   ball(scene, 0.25, 1, {-1.125, 0, 0}, {3, 0, 0});
@@ -87,7 +87,7 @@ TEST_CASE("passing through: both movers count") {
   CHECK_FALSE(seen_at_steps(scene, exact(h), 4, Rational(1) / 2));
 }
 
-TEST_CASE("passing through: acceleration counts") {
+TEST_CASE("tunnelling: acceleration counts") {
   const double h = 0.25;
   Scene scene = empty(0.5, 0, 1.25, 1e9);
   scene.gravity = {0, 0, -8};
@@ -104,7 +104,7 @@ TEST_CASE("passing through: acceleration counts") {
   CHECK(end.z() < exact(-4.0) - Rational(1) / 2);  // it came out below
 }
 
-TEST_CASE("passing through: spin counts") {
+TEST_CASE("tunnelling: rotation counts") {
   const double h = 0.25;
   Scene scene = empty(0.5, 0, 1, 1e9);
   plan_scenes::add(scene, contact::CapsuleShape{0.05, 1}, 1, Point::Zero()).spin = {4, 0, 0};
@@ -125,7 +125,7 @@ TEST_CASE("passing through: spin counts") {
   CHECK(distance(0.5) < 1e-12);
 }
 
-TEST_CASE("late hits: what one step of lateness costs is the tolerance's business") {
+TEST_CASE("late hits: the tolerance decides on the error of one late step") {
   // 3 m/s without gravity, e = 1, h = ¼: up to 2 · 3 · ¼ = 1.5 m. The hit is 1 ms after a step.
   Scene scene = empty(1, 0, 1, 1.4);
   wall(scene, Point::UnitZ(), 0);
@@ -155,7 +155,8 @@ TEST_CASE("late hits: a ball that loses speed leaves a floor from too deep, for 
   CHECK(run->position(1).z() < 0.45);
 }
 
-TEST_CASE("late hits: at a slant the normal is another, and the ball leaves another way") {
+TEST_CASE(
+    "late hits: in an oblique hit the normal changes, and the ball leaves in another direction") {
   // Head-on but for half a radius, and as late as can be: a look just before they touch.
   const double h = 1.0 / 64;
   Scene scene = empty(1, 0, 1, 1);
@@ -178,7 +179,7 @@ TEST_CASE("late hits: at a slant the normal is another, and the ball leaves anot
   CHECK(off_by > late + 4 * 2 * 4 * h / 2 * 0.5);  // more than a missed chord would cost
 }
 
-TEST_CASE("grazing hits: a chord shorter than a step is missed, and throws a ball off") {
+TEST_CASE("grazing hits: a chord shorter than a step is missed, which changes the path") {
   const double h = 0.25;
   const double chord = 0.99;
   const double aside = std::sqrt(1 - chord * chord / 4);
@@ -193,7 +194,7 @@ TEST_CASE("grazing hits: a chord shorter than a step is missed, and throws a bal
   CHECK(thrown > 2.5);
 }
 
-TEST_CASE("grazing hits: what gravity bends away from a ceiling is charged as a late hit") {
+TEST_CASE("grazing hits: a path that gravity bends away from a ceiling is charged as a late hit") {
   generators::Random random(31);
   for (int i = 0; i < 200; ++i) {
     const double e = random.chance(0.5) ? 1 : random.uniform(0, 1);
@@ -231,7 +232,7 @@ TEST_CASE("a floor has no other side, and boxes have edges") {
   CHECK_FALSE(contact::holds(edges.tried.at(1).conditions.at(2)));
 }
 
-TEST_CASE("late hits: what gives way has no bound, on a wall or in flight") {
+TEST_CASE("late hits: compliant contacts have no bound, on a wall or in flight") {
   // Noticed a step late, a spring begins deep: it gives more speed than it takes.
   const double h = 0.05;
   const auto thrown = [&](Scene& scene) {
@@ -260,7 +261,7 @@ TEST_CASE("late hits: what gives way has no bound, on a wall or in flight") {
   thrown(in_flight);
 }
 
-TEST_CASE("late hits: a rod that turns is hit more than once") {
+TEST_CASE("late hits: a rotating rod is hit more than once") {
   // A heavy ball hits a rod aside of its middle. The rod turns over, and its other half hits back.
   Scene scene = empty(1, 0, 8, 1e9);
   ball(scene, 0.25, 100, {-0.5, 0, 1.2}, {1, 0, 0});
@@ -279,7 +280,7 @@ TEST_CASE("late hits: a rod that turns is hit more than once") {
   CHECK(once->counts().hits == 1);
 }
 
-TEST_CASE("a path bends between two looks: a floor that is touched in its last moment is met") {
+TEST_CASE("a path bends between two tests: a floor that is touched at its very end is met") {
   // 4 m in the second; in its last 64th gravity bends the path by g dt²/8 = 0.24 mm.
   const double bend = 8.0 / 64 / 64 / 8;
   for (const bool on_a_ball : {false, true}) {

@@ -33,7 +33,7 @@ using plan_scenes::off;
 using plan_scenes::Point;
 using plan_scenes::wall;
 
-TEST_CASE("friction: however small, it takes speed from what slides") {
+TEST_CASE("friction: however small, it slows a sliding body") {
   Scene sliding = dropped(0.5, 2, 3);
   sliding.bodies[1].velocity.x() = 1;
   off(sliding, Effect::friction);
@@ -49,7 +49,7 @@ TEST_CASE("restitution: off only if nothing rebounds") {
   off(free_ball(8, 1, 1e-9), Effect::restitution);
 }
 
-TEST_CASE("penalty contact: off if nothing gives way that may be touched") {
+TEST_CASE("penalty contact: off if no contact that may occur is compliant") {
   off(dropped(0.5, 2, 3), Effect::penalty_contact);
   Scene soft = dropped(0.5, 2, 3);
   soft.materials.push_back({"felt", 0.5, 0, 1e4, 1});
@@ -89,7 +89,7 @@ TEST_CASE("several contacts: two partners, or a face") {
   at_edge(face, Effect::several_contacts, 0, 1);  // four corners come down at once
 }
 
-TEST_CASE("resting: a ball that begins on the floor, and one that begins one ulp above it") {
+TEST_CASE("resting: a ball that starts on the floor, and one that starts one ulp above it") {
   // With friction, or the floor would be a level table that cancels gravity.
   Scene lying = dropped(1, 0, 3);
   lying.materials[0].friction = 0.25;
@@ -127,7 +127,7 @@ TEST_CASE("resting: until the last bounce of a ball, by its closed form") {
   off(dropped(1, 2, 1e6), Effect::resting);
 }
 
-TEST_CASE("resting: without gravity a rod that turns presses on what it pushes along") {
+TEST_CASE("resting: without gravity a rotating rod presses on a body that it pushes along") {
   Scene scene = empty(0, 0, 2, 1e-6);
   box(scene, {2, 0.1, 0.1}, 1e6, Point::Zero()).spin = {0, 0, 1};
   ball(scene, 0.1, 1, {0.5, 0.25, 0});
@@ -143,7 +143,7 @@ TEST_CASE("resting: without gravity a rod that turns presses on what it pushes a
   off(scene, Effect::resting);
 }
 
-TEST_CASE("sleeping: what never rests never sleeps") {
+TEST_CASE("sleeping: a body that never rests never sleeps") {
   off(dropped(1, 2, 100), Effect::sleeping);
   Scene lying = dropped(1, 0, 100);
   off(lying, Effect::sleeping);  // a level table: gravity is cancelled, nothing presses
@@ -160,7 +160,7 @@ TEST_CASE("resting: an elastic box may rest on a floor, where an elastic ball ma
   CHECK(plan_scenes::is_on(elastic, Effect::resting));
 }
 
-TEST_CASE("hops are left out on one floor, for a tolerance, and where nothing else is hit") {
+TEST_CASE("bounces are left out on one floor, for a tolerance, and where nothing else is hit") {
   off(dropped(0.5, 2, 10), Effect::event_driven);
   Scene corner = dropped(0.5, 2, 10);
   wall(corner, Point::UnitX(), -1);
@@ -182,7 +182,7 @@ TEST_CASE("hops are left out on one floor, for a tolerance, and where nothing el
   at_edge(drifting, Effect::event_driven, 2, 8);
 }
 
-TEST_CASE("a step is at most a tenth of what a spring's frequency asks for") {
+TEST_CASE("a step is at most a tenth of a radian of a spring") {
   for (const double stiffness : {100.0, 10000.0, 1000000.0}) {
     Scene scene = dropped(0.5, 0.1, 1);
     scene.materials[0].stiffness = stiffness;
@@ -194,7 +194,7 @@ TEST_CASE("a step is at most a tenth of what a spring's frequency asks for") {
   }
 }
 
-TEST_CASE("parts of springs: from the tolerance, unless something rubs or is damped") {
+TEST_CASE("substeps of springs: from the tolerance, unless there is friction or damping") {
   const auto soft = [](double tolerance) {
     Scene scene = dropped(0.5, 0.5, 2, tolerance);
     scene.materials[0].stiffness = 2000;
@@ -262,7 +262,7 @@ TEST_CASE("parts of springs: from the tolerance, unless something rubs or is dam
   CHECK(ratio < 2.3);
 }
 
-TEST_CASE("resting: a ball that begins an ulp too deep need not come out of the floor") {
+TEST_CASE("resting: a ball that starts an ulp too deep need not come out of the floor") {
   Scene deep = dropped(1 - 0x1p-40, 0, 100);
   deep.bodies[1].position.z() = std::nextafter(0.5, 0);
   deep.bodies[1].velocity.z() = 1e-9;
@@ -274,7 +274,7 @@ TEST_CASE("resting: a ball that begins an ulp too deep need not come out of the 
   off(deep, Effect::resting);
 }
 
-TEST_CASE("spin is energy where something rubs") {
+TEST_CASE("rotation is energy where there is friction") {
   // At rest but for its spin; 4 m on there is another ball.
   Scene scene = empty(0, 0.5, 3, 1e-6);
   scene.gravity = {0, 0, -8};

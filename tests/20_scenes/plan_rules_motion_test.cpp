@@ -246,7 +246,7 @@ TEST_CASE("the gyroscopic term: its bound is for what touches nothing") {
   at_edge(scene, Effect::gyroscopic_term, 2, 0);
 }
 
-TEST_CASE("a crowd lies in a plane if each of its balls does, and what stands still among it") {
+TEST_CASE("a crowd lies in a plane if each of its balls does, and each fixed body among them") {
   off(crowd(20), Effect::third_dimension);
   off(crowd(300), Effect::second_dimension);
 

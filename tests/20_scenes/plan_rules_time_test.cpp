@@ -65,7 +65,7 @@ TEST_CASE("the broad phase is a question of cost: few bodies do without, many do
   CHECK(alike.because.at(0).left == 0);
 }
 
-TEST_CASE("float: not where the square of a time is none") {
+TEST_CASE("float: not where the square of a time overflows") {
   Scene endless = free_ball(0, 1e20, 1e-3);
   endless.bodies[0].velocity.setZero();
   CHECK(plan_scenes::is_on(endless, Effect::double_precision));
@@ -109,7 +109,7 @@ TEST_CASE("the horizon: off only where nothing spreads") {
   CHECK(told);
 }
 
-TEST_CASE("the horizon: who is light is fast, however heavy the others are") {
+TEST_CASE("the horizon: a light body is fast, however heavy the others are") {
   Scene gas = empty(1, 0, 1000, 1e-6);
   plan_scenes::walls(gas, {8, 8, 8});
   for (int i = 0; i < 8; ++i)
@@ -126,7 +126,7 @@ TEST_CASE("the horizon: who is light is fast, however heavy the others are") {
   CHECK(horizon(gas) <= before / 50);
 }
 
-TEST_CASE("the horizon: nothing grows before the first hit, and that is when one may come") {
+TEST_CASE("the horizon: errors grow from the earliest possible first hit") {
   const auto horizon = [](const Scene& scene) {
     return contact::decision_on(contact::plan_scene(scene), Effect::horizon);
   };
@@ -153,7 +153,7 @@ TEST_CASE("the horizon: nothing grows before the first hit, and that is when one
   CHECK(first(near) == 0);
 }
 
-TEST_CASE("the horizon: a crowd is one, however far away somebody else is") {
+TEST_CASE("the horizon: a crowd is one, however far away another body is") {
   Scene crowd = empty(1, 0, 1000, 1e-6);
   plan_scenes::walls(crowd, {400, 400, 400});
   for (int i = 0; i < 27; ++i)
@@ -167,7 +167,7 @@ TEST_CASE("the horizon: a crowd is one, however far away somebody else is") {
   CHECK(horizon(crowd) <= 2 * before);
 }
 
-TEST_CASE("the step: a crowd takes its hits late, however it looks for them") {
+TEST_CASE("the step: a crowd's hits are late, even with continuous detection") {
   for (const int count : {64, 65}) {
     CAPTURE(count);
     Scene scene = empty(1, 0, 2, 1);
@@ -188,7 +188,7 @@ TEST_CASE("the step: a crowd takes its hits late, however it looks for them") {
   }
 }
 
-TEST_CASE("float: enough for a short flight, not for a place that it cannot hold") {
+TEST_CASE("float: enough for a short flight, not for a position that it cannot represent") {
   const Scene near = free_ball(8, 1, 1e-3);
   off(near, Effect::double_precision);
   const auto& body = near.bodies[0];
@@ -233,7 +233,7 @@ TEST_CASE("from event to event: only if the events are bounded") {
   off(gas, Effect::event_driven);
 }
 
-TEST_CASE("the step follows from the tolerance, and a hit that is late by it stays inside") {
+TEST_CASE("the step follows from the tolerance, and a hit that is late by it stays within") {
   Scene scene = dropped(1, 2, 1.5, 1e-3);
   scene.materials[0].friction = 0.5;
   scene.bodies[1].velocity.x() = 1;  // friction: step by step
@@ -270,14 +270,14 @@ TEST_CASE("the horizon: flat walls have none, balls have one that a tolerance ca
     CHECK(notice.find("only conserved quantities and statistics") == std::string::npos);
 }
 
-TEST_CASE("from event to event: what stands still is a half-space or a ball") {
+TEST_CASE("from event to event: fixed bodies are half-spaces or balls") {
   Scene scene = empty(1, 0, 2, 1e-6);
   ball(scene, 0.5, 1, {0, 0, 0}, {2, 0.25, 0});
   box(scene, {0.5, 2, 0.75}, 0, {2, 0, 0.5});
   at_edge(scene, Effect::event_driven, 0, 1);
 }
 
-TEST_CASE("from event to event: only what a formula takes from one event to the next") {
+TEST_CASE("from event to event: only motions that have a formula between events") {
   // Without gravity, and elastic: a box that meets a wall.
   Scene corners = empty(1, 0, 10, 1e-6);
   wall(corners, Point::UnitX(), -2);

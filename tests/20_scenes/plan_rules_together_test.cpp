@@ -48,7 +48,8 @@ std::array<double, 3> errors_of_fall() {
 
 }  // namespace
 
-TEST_CASE("the tolerance holds for all errors together: each rule takes from what is left") {
+TEST_CASE(
+    "the tolerance holds for the sum of all errors: each rule takes from the rest of the budget") {
   const auto [aside, fall, rounding] = errors_of_fall();
   REQUIRE(rounding < aside);
   REQUIRE(aside < fall);
@@ -86,7 +87,7 @@ TEST_CASE("the tolerance holds for all errors together: each rule takes from wha
   CHECK(only_lacks(gravity, gravity.tried.size() - 1, 1));
 }
 
-TEST_CASE("the errors of a run in steps share the tolerance: hops a half, sleep a half") {
+TEST_CASE("the errors of a run in steps share the tolerance: bounces a half, sleep a half") {
   Scene scene = dropped(0.5, 2, 10, 1e-4);
   scene.materials[0].friction = 0.5;
   scene.bodies[1].velocity.x() = 1;
@@ -130,7 +131,8 @@ TEST_CASE("the errors of a run in steps share the tolerance: hops a half, sleep 
   CHECK(strict.rest_height <= 2.5 * 0x1p-53 * (1 + 1e-12));
 }
 
-TEST_CASE("hops that steps leave out have a bound where a smooth ball lies alone, and only there") {
+TEST_CASE(
+    "bounces that steps leave out have a bound where a smooth ball lies alone, and only there") {
   const auto error = [](const Scene& scene) {
     return plan_scenes::decision(scene, Effect::resting, stepped(0.01)).error;
   };
@@ -215,7 +217,7 @@ TEST_CASE("an override has the last word, and both are kept") {
     CHECK_THROWS_AS(contact::plan_scene(dropped(0.5, 2, 3), stepped(bad)), std::invalid_argument);
 }
 
-TEST_CASE("a switch that changes nothing in the run is told") {
+TEST_CASE("an override that changes nothing in the run is reported") {
   const auto told = [](const Scene& scene, const contact::PlanOptions& options) {
     std::string all;
     for (const std::string& notice : contact::plan_scene(scene, options).notices) all += notice;
@@ -239,7 +241,7 @@ TEST_CASE("a switch that changes nothing in the run is told") {
   CHECK(told(table(), in_float).find(idle + std::string("double-precision.")) != std::string::npos);
 }
 
-TEST_CASE("every effect has a decision in its place, and a name that leads back to it") {
+TEST_CASE("every effect has a decision in its position, and a name that leads back to it") {
   const contact::Plan plan = contact::plan_scene(table());
   REQUIRE(plan.decisions.size() == contact::all_effects.size());
   for (std::size_t i = 0; i < plan.decisions.size(); ++i) {
@@ -267,7 +269,7 @@ TEST_CASE("a scene in which nothing moves needs nothing") {
   }
 }
 
-TEST_CASE("who asks for the order of events allows no error of a place") {
+TEST_CASE("a tolerance of the order of events allows no error of a position") {
   // The second one comes down a hundredth of a second earlier, in the same step.
   Scene scene = plan_scenes::empty(1, 0.5, 0.6, 0.5);
   scene.gravity = {0, 0, -9.8125};

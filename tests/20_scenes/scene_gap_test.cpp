@@ -36,7 +36,8 @@ Rational squared(const oracle::Vector& v) { return v.dot(v); }
 
 }  // namespace
 
-TEST_CASE("Two balls: the gap has the sign that exact arithmetic gives, but for the slack") {
+TEST_CASE(
+    "Two balls: the signed distance has the sign of exact arithmetic, except within the slack") {
   Random random(3);
   int touching = 0;
   for (int i = 0; i < generators::tried(20000); ++i) {
@@ -69,7 +70,7 @@ TEST_CASE("Two balls: the gap has the sign that exact arithmetic gives, but for 
   CHECK(touching > 0);
 }
 
-TEST_CASE("A turned box or hull over a half-space: the deepest corner decides") {
+TEST_CASE("A rotated box or hull over a half-space: the deepest vertex decides") {
   Random random(4);
   for (int i = 0; i < generators::tried(4000); ++i) {
     const double hx = random.uniform(0.1, 3);
@@ -108,7 +109,7 @@ TEST_CASE("A turned box or hull over a half-space: the deepest corner decides") 
   }
 }
 
-TEST_CASE("A ball at a box: before a face, an edge and a corner, and inside") {
+TEST_CASE("A ball at a box: in front of a face, an edge and a corner, and inside") {
   const SceneBody box = body_of("box", BoxShape{{1, 2, 3}}, {10, 0, 0});
   const auto gap = [&](double x, double y, double z) {
     return gap_of(body_of("ball", BallShape{0.5}, {x, y, z}), box);
@@ -137,13 +138,14 @@ TEST_CASE("A ball at a capsule: beside the segment and beyond its ends") {
   CHECK(gap(0, 0, 0) == -0.75);
 }
 
-TEST_CASE("No gap is told of two half-spaces") {
+TEST_CASE("Two half-spaces have no distance") {
   const SceneBody floor = body_of("floor", HalfSpaceShape{}, {0, 0, 0}, false);
   CHECK_FALSE(contact::starting_gap(floor, floor));
 }
 
 TEST_CASE(
-    "The gap between tetrahedra: face to face, corner to face, edge to edge, and in each other") {
+    "The distance between tetrahedra: face to face, vertex to face, edge to edge, and "
+    "overlapping") {
   const HullShape shape{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}};
   const auto gap = [&](double x, double y, double z) {
     return gap_of(body_of("a", shape, {0, 0, 0}), body_of("b", shape, {x, y, z}));
@@ -158,7 +160,7 @@ TEST_CASE(
   CHECK(gap(0, 0, 0) == -2);
 }
 
-TEST_CASE("A hull of a box's corners is as far from everything as the box") {
+TEST_CASE("The hull of a box's corners has the distances of the box") {
   Random random(31);
   int apart = 0;
   for (int i = 0; i < generators::tried(160); ++i) {
@@ -201,7 +203,7 @@ TEST_CASE("A hull of a box's corners is as far from everything as the box") {
   CHECK(apart < generators::tried(448));
 }
 
-TEST_CASE("Gaps between boxes and capsules are those of the closed forms, either way round") {
+TEST_CASE("Distances between boxes and capsules are those of the closed forms, in either order") {
   const SceneBody box = body_of("box", BoxShape{{1, 2, 3}}, {0, 0, 0});
   const SceneBody rod = body_of("rod", CapsuleShape{0.5, 1}, {0, 0, 0});
   const auto told = [](const SceneBody& a, SceneBody b, const Vector3<double>& at) {

@@ -163,7 +163,8 @@ Scene random_bodies(Random& random) {
 }  // namespace
 
 TEST_CASE(
-    "each effect that a plan leaves out of the book's scenes makes no more error than it says") {
+    "each effect that a plan leaves out of the book's scenes makes at most the error that it "
+    "says") {
   Compared compared;
   // Where less is tried, one scene of four.
   const std::size_t every = tried(8) == 8 ? 1 : 4;
@@ -176,7 +177,8 @@ TEST_CASE(
   CHECK(4 * compared.met >= 3 * compared.scenes);
 }
 
-TEST_CASE("each effect that a plan leaves out of random scenes makes no more error than it says") {
+TEST_CASE(
+    "each effect that a plan leaves out of random scenes makes at most the error that it says") {
   Random random(23);
   Compared compared;
   for (int trial = 0; trial < tried(400); ++trial) {
@@ -192,7 +194,7 @@ TEST_CASE("each effect that a plan leaves out of random scenes makes no more err
   if (tried(8) == 8) CHECK(compared.largest > 0);
 }
 
-TEST_CASE("what a table cancels of gravity is cancelled to the last bit") {
+TEST_CASE("a table cancels gravity to the last bit") {
   Random random(33);
   std::uint64_t hits = 0;
   for (int trial = 0; trial < tried(80); ++trial) {
@@ -313,7 +315,7 @@ TEST_CASE("all that a plan leaves out of free flights at once keeps the toleranc
   CHECK(beyond_one > 0);
 }
 
-TEST_CASE("where impacts are not looked for between steps the error is what the plan says") {
+TEST_CASE("without detection between steps the error is at most what the plan says") {
   Random random(29);
   int off = 0;
   for (int trial = 0; trial < tried(2000); ++trial) {

@@ -41,7 +41,7 @@ double from_steps_with_everything(const Scene& scene, double end, double step) {
 
 }  // namespace
 
-TEST_CASE("from event to event, the book's scenes go where steps with all of physics go") {
+TEST_CASE("from event to event, the book's scenes agree with steps with all effects") {
   int runs = 0;
   for (const Scene& scene : scenes_of_the_book()) {
     const Plan plan = contact::plan_scene(scene);
@@ -57,7 +57,7 @@ TEST_CASE("from event to event, the book's scenes go where steps with all of phy
   CHECK(runs >= 6);
 }
 
-TEST_CASE("from event to event, random balls go where steps with all of physics go") {
+TEST_CASE("from event to event, random balls agree with steps with all effects") {
   Random random(21);
   double farthest = 0;
   for (int trial = 0; trial < tried(400); ++trial) {
@@ -158,7 +158,7 @@ Scene that_spreads(Random& random) {
 
 }  // namespace
 
-TEST_CASE("before the horizon a run that begins an ulp away is within the tolerance") {
+TEST_CASE("before the horizon a run that starts an ulp away is within the tolerance") {
   Random random(77);
   int asked = 0;
   int parted_later = 0;

@@ -311,7 +311,8 @@ TEST_CASE("on a line of dyadic numbers each hit is exact to the last bit") {
   CHECK(hits > tried(1000));
 }
 
-TEST_CASE("on a line of fractions each hit, place and velocity is off by what hits add up to") {
+TEST_CASE(
+    "on a line of fractions the errors of each hit, position and velocity are the sum over hits") {
   Random random(7);
   std::size_t hits = 0;
   double worst = 0;
@@ -345,7 +346,7 @@ TEST_CASE("on a line of fractions each hit, place and velocity is off by what hi
   CHECK(worst < 1e-8);  // the bound says something
 }
 
-TEST_CASE("on a line of fractions steps end where the fractions do, after as many hits") {
+TEST_CASE("on a line of fractions steps end at the exact positions, after as many hits") {
   Random random(8);
   std::uint64_t hits = 0;
   for (int n = 0; n < tried(60); ++n) {

@@ -105,13 +105,13 @@ double spread_of_speeds(const Scene& scene, const contact::SceneRun& gas) {
 // The velocities of n elastic balls alike are spread evenly over a sphere in d n dimensions. Then a
 // ball's share of Σ v² has a beta distribution, and the mean of v⁴ over the square of the mean of
 // v² is (d + 2)/d · d n/(d n + 2).
-TEST_CASE("long after the horizon the speeds of a gas are spread as they must be") {
+TEST_CASE("long after the horizon the speeds of a gas have the right distribution") {
   const auto found = long_after(
       22, [](Random& random) { return gas_of_sixteen(random, 3); }, spread_of_speeds);
   within_chance(found, 5.0 / 3 * 48 / 50, 0.8 / std::sqrt(tried(800)));
 }
 
-TEST_CASE("long after the horizon the speeds of discs are spread as they must be") {
+TEST_CASE("long after the horizon the speeds of discs have the right distribution") {
   const auto found = long_after(
       23, [](Random& random) { return gas_of_sixteen(random, 2); }, spread_of_speeds);
   within_chance(found, 2.0 * 32 / 34, 0.8 / std::sqrt(tried(800)));
@@ -149,7 +149,7 @@ TEST_CASE("long after the horizon light and heavy balls have their shares of the
   within_chance(long_after(24, make, share), 0, 0.2 / std::sqrt(tried(800)));
 }
 
-TEST_CASE("long after the horizon gravity leaves a third of the motion to each axis") {
+TEST_CASE("long after the horizon with gravity each axis has a third of the kinetic energy") {
   const auto make = [](Random& random) {
     Scene scene = gas_of_sixteen(random, 3);
     scene.gravity = {0, 0, -0.25};
@@ -231,7 +231,7 @@ double kinetic_energy(const Scene& scene, const SceneRun& run) {
 // Where gravity gives and takes, no formula is at hand for how fast balls are, or how high. The
 // same scenes run in both ways; the difference of the two ends of a scene has the mean 0 if the two
 // spread alike, whatever the end of one says of the other.
-TEST_CASE("long after the horizon steps leave what hits from event to event leave") {
+TEST_CASE("long after the horizon steps give the averages of event-driven runs") {
   Random random(28);
   std::vector<double> upright;
   std::vector<double> energy;
@@ -260,7 +260,8 @@ TEST_CASE("long after the horizon steps leave what hits from event to event leav
 }
 
 // Nobody but they themselves pushes them: eight balls that come together from all corners.
-TEST_CASE("long after the horizon what no wall takes is kept in steps and from event to event") {
+TEST_CASE(
+    "long after the horizon what no wall changes is conserved in steps and from event to event") {
   Random random(31);
   for (int trial = 0; trial < tried(16); ++trial) {
     const double e = trial % 2 == 0 ? 1 : 0.75;
@@ -305,7 +306,7 @@ TEST_CASE("long after the horizon what no wall takes is kept in steps and from e
 }
 
 // A gas that loses energy in hits cools: the slower it is the fewer hits there are.
-TEST_CASE("long after the horizon a gas that loses energy has cooled alike in steps") {
+TEST_CASE("long after the horizon a gas that loses energy has cooled as much in steps") {
   Random random(29);
   std::vector<double> cooled;
   std::vector<double> lost;
@@ -324,7 +325,8 @@ TEST_CASE("long after the horizon a gas that loses energy has cooled alike in st
 
 // Elastic and smooth: on the average each way to move or to turn has the same energy. A box has
 // three of each, a ball three to move.
-TEST_CASE("long after the first hits a box turns with a third of the energy of it and a ball") {
+TEST_CASE(
+    "long after the first hits a third of the energy of a box and a ball is rotation of the box") {
   Random random(30);
   std::vector<double> turning;
   for (int run = 0; run < tried(64); ++run) {

@@ -56,7 +56,8 @@ TEST_CASE("where events do not end the run goes on step by step, and says so") {
   CHECK(budget->fallback()->why == "the budget of 2 hits ran out");
 }
 
-TEST_CASE("what goes on in steps has the tolerance that hops from event to event have left") {
+TEST_CASE(
+    "a run that goes on in steps has the tolerance that bounces from event to event have left") {
   struct Slowest final : contact::SceneObserver {
     double speed = 100;
     bool on_hit(const contact::SceneHit& hit) override {
@@ -79,7 +80,7 @@ TEST_CASE("what goes on in steps has the tolerance that hops from event to event
   CHECK(slowest.speed <= rest / 0.9);
 }
 
-TEST_CASE("forced off, gravity and restitution are gone from event to event too") {
+TEST_CASE("forced off, gravity and restitution are off from event to event too") {
   Scene scene = with_gravity(1, 0, 1, 1e-6);
   plan_scenes::wall(scene, Point::UnitZ(), 0);
   plan_scenes::ball(scene, 0.5, 1, {0, 0, 3}, {1, 0, 0});
@@ -93,7 +94,7 @@ TEST_CASE("forced off, gravity and restitution are gone from event to event too"
   CHECK(std::abs(dull->position(1).z() - 0.5) <= 1e-9);
 }
 
-TEST_CASE("the hops that a run leaves out are those that its plan leaves out") {
+TEST_CASE("the bounces that a run leaves out are those that its plan leaves out") {
   Random random(71);
   int rested = 0;
   for (int i = 0; i < generators::tried(100); ++i) {
@@ -175,7 +176,7 @@ TEST_CASE("under a ceiling a slow ball bounces as a fast one does") {
   }
 }
 
-TEST_CASE("bodies that fall together hit each other however slowly, and come to an end of it") {
+TEST_CASE("bodies that fall together hit each other however slowly, and the run ends") {
   // Balls in a row, the first slow: with e each hit hands on (1 + e)/2 of the speed. What each has
   // in the end is a product of these as long as nobody is caught up with, which 10 s do not do.
   const double e = 0.9;
@@ -237,7 +238,7 @@ TEST_CASE("balls that roll on a floor hit each other however slowly") {
   }
 }
 
-TEST_CASE("on a steep slope hops are left out by their height along its normal") {
+TEST_CASE("on a steep slope bounces are left out by their height along its normal") {
   // Along the normal a ball bounces as on a level floor with g cos α. What is left out is at most
   // what the plan says, and the hop with which it begins is far above that.
   Random random(84);

@@ -21,7 +21,7 @@ using stepped_scenes::with;
 using stepped_scenes::with_gravity;
 using stepped_scenes::without;
 
-TEST_CASE("in a crowd all impacts of a step are taken at once, and nothing leaves its box") {
+TEST_CASE("in a crowd all impacts of a step are processed at once, and nothing leaves its box") {
   Random random(10);
   Scene scene = with_gravity(0.5, 0.3, 1, 1e-3);
   plan_scenes::walls(scene, {2, 2, 40});
@@ -75,7 +75,7 @@ contact::SceneBody& lattice_box(Scene& scene, const Point& at) {
 
 }  // namespace
 
-TEST_CASE("an elastic crowd keeps its energy, though its impacts are taken at once") {
+TEST_CASE("an elastic crowd conserves its energy, though its impacts are processed at once") {
   for (const bool boxes : {false, true}) {
     CAPTURE(boxes);
     const Scene scene = lattice_of(100, Point::Zero(), boxes ? lattice_box : lattice_ball);
@@ -89,7 +89,7 @@ TEST_CASE("an elastic crowd keeps its energy, though its impacts are taken at on
   }
 }
 
-TEST_CASE("a crowd of light and heavy balls keeps its energy, and nobody comes into anybody") {
+TEST_CASE("a crowd of light and heavy balls conserves its energy, and no ball penetrates another") {
   // Sweeps alone lose a thousandth, and overlap by a ninth of a ball; who is flung out between two
   // heavy ones meets somebody who was not near before.
   for (const double heavy : {1e3, 1e6}) {
@@ -109,7 +109,7 @@ TEST_CASE("a crowd of light and heavy balls keeps its energy, and nobody comes i
   }
 }
 
-TEST_CASE("in a crowd what touches somebody who is hit gives way at once") {
+TEST_CASE("in a crowd a body that touches one that is hit reacts at once") {
   // With the mean of its velocities it would be half a step's way too late: a tenth of a ball.
   Scene scene = plan_scenes::empty(0, 0, 0.1, 1e-3);
   scene.gravity.setZero();
@@ -123,7 +123,7 @@ TEST_CASE("in a crowd what touches somebody who is hit gives way at once") {
   CHECK(run->counts().largest_overlap < 1e-6);
 }
 
-TEST_CASE("a heavy piston does not squeeze a jammed crowd that rubs") {
+TEST_CASE("a heavy piston does not squeeze a jammed crowd with friction") {
   Scene scene = plan_scenes::empty(0, 0.5, 0.5, 1e-3);
   scene.gravity.setZero();
   plan_scenes::walls(scene, {5, 5, 5});
@@ -140,7 +140,7 @@ TEST_CASE("a heavy piston does not squeeze a jammed crowd that rubs") {
   CHECK(run->counts().largest_overlap < 0.05);
 }
 
-TEST_CASE("a crowd that meets no wall keeps its momentum, with friction or without") {
+TEST_CASE("a crowd that meets no wall conserves its momentum, with friction or without") {
   for (const double friction : {0.0, 0.5}) {
     CAPTURE(friction);
     Scene scene = lattice_of(70, Point::Zero(), lattice_box);
@@ -156,7 +156,7 @@ TEST_CASE("a crowd that meets no wall keeps its momentum, with friction or witho
   }
 }
 
-TEST_CASE("in a crowd each ball bounces to e² of its height, and two of one mass swap speeds") {
+TEST_CASE("in a crowd each ball bounces to e² of its height, and two of one mass exchange speeds") {
   Scene scene = with_gravity(0.8, 0, 1, 1e-3);
   plan_scenes::wall(scene, Point::UnitZ(), 0);
   for (int k = 0; k < 70; ++k) plan_scenes::ball(scene, 0.1, 1 + k, Point(k, 0, 0.2 + 0.01 * k));
@@ -184,7 +184,7 @@ TEST_CASE("in a crowd each ball bounces to e² of its height, and two of one mas
   }
 }
 
-TEST_CASE("boxes that hit more often in a step than is taken one by one keep their bounces") {
+TEST_CASE("boxes that hit more often in a step than is taken one by one keep their restitution") {
   const Scene scene = lattice_of(20, Point(0, 0, -10), lattice_box);
   const auto run = run_of(scene);
   const double energy = run->energy();
@@ -213,7 +213,7 @@ TEST_CASE("in a crowd thin plates that meet face to face do not pass") {
   }
 }
 
-TEST_CASE("thin plates that a hit turns fast do not turn through each other") {
+TEST_CASE("thin plates that a hit rotates fast do not rotate through each other") {
   for (const std::size_t others : {0, 63}) {
     CAPTURE(others);
     Scene scene = plan_scenes::empty(0, 0.3, 0.05, 1e-3);
@@ -231,7 +231,7 @@ TEST_CASE("thin plates that a hit turns fast do not turn through each other") {
   }
 }
 
-TEST_CASE("plates meet where their edges are, though their spins change by themselves meanwhile") {
+TEST_CASE("plates meet at their edges, though their angular velocities change without torque") {
   // A plate's spin leans over within a step. Taken for even, plates come into each other by several
   // thicknesses; and where two edges almost touch, a normal that is off looks like a hit for ever.
   Random random(31);

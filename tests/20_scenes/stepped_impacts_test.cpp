@@ -25,7 +25,7 @@ using stepped_scenes::with;
 using stepped_scenes::with_gravity;
 using stepped_scenes::without;
 
-TEST_CASE("hits of a step that is not done are told at the end, at their time") {
+TEST_CASE("hits of an unfinished step are reported at the end, with their time") {
   class ToldHits final : public contact::SceneObserver {
    public:
     std::vector<double> times;
@@ -48,7 +48,7 @@ TEST_CASE("hits of a step that is not done are told at the end, at their time") 
   CHECK(std::abs(hits.times[0] - std::sqrt(0.2)) <= 1e-12);
 }
 
-TEST_CASE("a bullet does not pass, unless somebody forces detection off") {
+TEST_CASE("a bullet does not pass, unless detection is forced off") {
   Random random(7);
   int passed = 0;
   for (int i = 0; i < generators::tried(200); ++i) {
@@ -132,7 +132,7 @@ TEST_CASE("a ball between two walls hits as often as its speed says, however lon
   CHECK(std::abs(run->energy() - (speed * speed + 1) / 2) < 1e-11);
 }
 
-TEST_CASE("a ball between two heavy ones keeps its energy, in long steps as in short ones") {
+TEST_CASE("a ball between two heavy ones conserves energy, in long steps as in short ones") {
   std::vector<double> energies;
   std::vector<std::uint64_t> hits;
   for (const double step : {1.0 / 60, 1e-4}) {
@@ -172,7 +172,7 @@ TEST_CASE("a step with more impacts than are taken one by one ends, and is count
   CHECK(again->counts().crowded_steps == 1);
 }
 
-TEST_CASE("long boxes in a narrow room keep their energy, however often they hit in a step") {
+TEST_CASE("long boxes in a narrow room conserve energy, however often they hit in a step") {
   for (const int count : {3, 8}) {
     CAPTURE(count);
     Scene scene = plan_scenes::empty(1, 0, 1, 1e-3);
@@ -192,7 +192,7 @@ TEST_CASE("long boxes in a narrow room keep their energy, however often they hit
   }
 }
 
-TEST_CASE("a box that turns in a plane stays in it to the last bit, whatever it hits") {
+TEST_CASE("a box that rotates in a plane stays in it to the last bit, whatever it hits") {
   Scene scene = plan_scenes::empty(1, 0.5, 0.5, 1e-3);
   for (const Point& way : {Point(1, 0, 0), Point(0, 1, 0)}) {
     plan_scenes::wall(scene, way, -0.56);
@@ -214,7 +214,7 @@ TEST_CASE("a box that turns in a plane stays in it to the last bit, whatever it 
   CHECK(bits_of(scene, *flat) == bits_of(scene, *all));
 }
 
-TEST_CASE("a capsule across the plane bounces off a box's edge and keeps all energy") {
+TEST_CASE("a capsule perpendicular to the plane bounces off a box's edge and keeps all energy") {
   // Edge and capsule are parallel, and touch along a line of which the manifold has one end.
   Scene scene = plan_scenes::empty(1, 0, 1, 1e-3);
   auto& turned = plan_scenes::box(scene, {0.3, 0.3, 0.2}, 2, {0, 0, 0});

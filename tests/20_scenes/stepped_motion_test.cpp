@@ -29,7 +29,7 @@ using stepped_scenes::has_stage;
 using stepped_scenes::total_momentum;
 using stepped_scenes::with_gravity;
 
-TEST_CASE("what the book's scenes expect comes out, where they go step by step") {
+TEST_CASE("the book's scenes give what they expect, where they go step by step") {
   const auto folder = std::filesystem::path(CONTACT_SOURCE_DIR) / "chapters/20_scenes/scenes";
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -103,7 +103,7 @@ TEST_CASE("a block on a slope of 3 in 4 slides if μ < 3/4") {
   }
 }
 
-TEST_CASE("without contacts a spin stays, or the angular momentum does") {
+TEST_CASE("without contacts an angular velocity is constant, or the angular momentum is") {
   Random random(3);
   for (int i = 0; i < generators::tried(24); ++i) {
     Scene scene = with_gravity(0.5, 0.5, 2, 1e-6);
@@ -134,7 +134,7 @@ TEST_CASE("without contacts a spin stays, or the angular momentum does") {
   CHECK((run->spin(0) - box.spin).norm() <= 1e-14);
 }
 
-TEST_CASE("collisions keep momentum, and make no energy") {
+TEST_CASE("collisions conserve momentum, and create no energy") {
   Random random(4);
   int met = 0;
   for (int i = 0; i < generators::tried(80); ++i) {
@@ -177,7 +177,7 @@ TEST_CASE("a ball bounces to e² of its height, whatever the step") {
   }
 }
 
-TEST_CASE("a ball that falls on a soft floor comes to lie m g/k deep") {
+TEST_CASE("a ball that falls on a compliant floor comes to rest m g/k deep") {
   Random random(6);
   for (int i = 0; i < generators::tried(32); ++i) {
     const double mass = random.uniform(0.5, 4);
@@ -218,7 +218,7 @@ double height_on_spring(const contact::Trampoline<double>& jump, double t) {
 
 }  // namespace
 
-TEST_CASE("springs push in parts as short as the tolerance asks for") {
+TEST_CASE("springs push in substeps as short as the tolerance requires") {
   Random random(61);
   int shorter = 0;
   int needed = 0;
@@ -259,7 +259,7 @@ TEST_CASE("springs push in parts as short as the tolerance asks for") {
   CHECK(needed > 0);
 }
 
-TEST_CASE("what is dropped into a box stays in it and loses energy") {
+TEST_CASE("bodies dropped into a box stay in it and lose energy") {
   Random random(11);
   for (int i = 0; i < generators::tried(16); ++i) {
     Scene scene = with_gravity(0.3, 0.5, 2, 1e-3);
@@ -280,7 +280,7 @@ TEST_CASE("what is dropped into a box stays in it and loses energy") {
   }
 }
 
-TEST_CASE("a hull meets half-spaces, and is refused beside anything else") {
+TEST_CASE("a hull meets half-spaces, and is rejected with anything else") {
   Scene scene = with_gravity(0, 0.5, 1, 1e-3);
   plan_scenes::wall(scene, Point::UnitZ(), 0);
   contact::HullShape cube;

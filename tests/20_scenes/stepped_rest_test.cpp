@@ -23,7 +23,7 @@ using stepped_scenes::with;
 using stepped_scenes::with_gravity;
 using stepped_scenes::without;
 
-TEST_CASE("boxes on top of each other stay, turning or not") {
+TEST_CASE("boxes on top of each other stay, with rotation or without") {
   for (const int count : {1, 3, 10}) {
     Scene scene = with_gravity(0, 0.5, 2, 1e-6);
     plan_scenes::wall(scene, Point::UnitZ(), 0);
@@ -43,7 +43,7 @@ TEST_CASE("boxes on top of each other stay, turning or not") {
   }
 }
 
-TEST_CASE("what has been at rest for a second sleeps, and wakes when it is hit") {
+TEST_CASE("a body that has been at rest for a second sleeps, and wakes when it is hit") {
   Scene scene = with_gravity(0, 0.5, 3, 1e-6);
   plan_scenes::wall(scene, Point::UnitZ(), 0);
   plan_scenes::box(scene, {0.5, 0.5, 0.5}, 1, {0, 0, 0.5});
@@ -59,7 +59,7 @@ TEST_CASE("what has been at rest for a second sleeps, and wakes when it is hit")
   CHECK(run->position(2).x() > 0.01);
 }
 
-TEST_CASE("what creeps does not sleep if it would come farther than the tolerance") {
+TEST_CASE("a creeping body does not sleep if it would move farther than the tolerance") {
   // A smooth slope of 1e-9: in 100 s a block comes ½ · 1e-8 · 1e4 m = 5e-5 m.
   Scene scene = with_gravity(0, 0, 100, 1e-6);
   scene.gravity = {1e-8, 0, -10};
@@ -71,7 +71,7 @@ TEST_CASE("what creeps does not sleep if it would come farther than the toleranc
   CHECK(std::abs(run->position(1).x() - 5e-5) <= 1e-9);
 }
 
-TEST_CASE("towers in a crowd stand as still as they do alone, and come to sleep") {
+TEST_CASE("towers in a crowd are as much at rest as alone, and come to sleep") {
   Scene scene = with_gravity(0.3, 0.5, 2, 1e-3);
   plan_scenes::wall(scene, Point::UnitZ(), 0);
   for (int k = 0; k < 70; ++k)
@@ -85,7 +85,7 @@ TEST_CASE("towers in a crowd stand as still as they do alone, and come to sleep"
   }
 }
 
-TEST_CASE("a staggered tower stands still and comes to sleep, whatever lies on what") {
+TEST_CASE("a staggered tower is at rest and comes to sleep, whatever lies on what") {
   struct Tower {
     int boxes;
     double heavy;  // kg, of each second one or the topmost
@@ -134,7 +134,7 @@ Scene boxes_on_a_slope(double friction, double load) {
 
 }  // namespace
 
-TEST_CASE("plates on a slope stay or slide as its angle says, whatever lies on them") {
+TEST_CASE("plates on a slope stay or slide by its angle, whatever lies on them") {
   // A plate under a load is pushed and rubbed a million times as hard as it is heavy. That rounds
   // to 2⁻⁴⁰ of it a step, and is still below 1e-7 m after thirty. What slides is at its limit on
   // both faces: nothing brings a plate back that has come off the load by a little.
@@ -154,7 +154,7 @@ TEST_CASE("plates on a slope stay or slide as its angle says, whatever lies on t
   }
 }
 
-TEST_CASE("a heavy box comes to rest on light ones, which stand or go with it") {
+TEST_CASE("a heavy box comes to rest on light ones, which rest or move with it") {
   // μ = 1/2: from 1 m/s it stops after 0.2 s and 0.1 m, or, if that is a rounding later than the
   // end of a step, up to μ g h²/8 farther.
   for (const double load : {1.0, 1e3, 1e6}) {
@@ -182,7 +182,7 @@ TEST_CASE("a heavy box comes to rest on light ones, which stand or go with it") 
   }
 }
 
-TEST_CASE("what slides at a slant comes to rest on a straight line, whatever lies on it") {
+TEST_CASE("a body that slides obliquely comes to rest on a straight line, whatever lies on it") {
   const Point way(0.8, 0.6, 0);
   for (const double load : {1.0, 1e3, 1e6}) {
     Scene scene = with_gravity(0, 0.4, 0.6, 1e-4);
@@ -202,7 +202,7 @@ TEST_CASE("what slides at a slant comes to rest on a straight line, whatever lie
   }
 }
 
-TEST_CASE("what falls along a wall that it comes to falls as if nothing cut its steps") {
+TEST_CASE("a body that falls along a wall falls as if nothing divided its steps") {
   for (const int balls : {0, 1, 2, 3}) {
     CAPTURE(balls);
     Scene scene = with_gravity(0, 0, 1.0 / 60, 1e-4);
@@ -224,7 +224,7 @@ TEST_CASE("what falls along a wall that it comes to falls as if nothing cut its 
   }
 }
 
-TEST_CASE("an elastic ball comes back up from a box that much lies on") {
+TEST_CASE("an elastic ball rebounds from a box under a heavy load") {
   for (const double load : {1.0, 1e4, 1e6}) {
     CAPTURE(load);
     Scene scene = with_gravity(1, 0, 0.4, 1e-3);
@@ -239,7 +239,7 @@ TEST_CASE("an elastic ball comes back up from a box that much lies on") {
   }
 }
 
-TEST_CASE("a plate that leaves another with a corner beyond its edge does not fall through it") {
+TEST_CASE("a plate that leaves another with a vertex beyond its edge does not fall through it") {
   Scene scene = with_gravity(0, 0.5, 0.1, 1e-4);
   plan_scenes::box(scene, {0.5, 0.5, 0.0005}, 0, {0, 0, -0.0005});
   auto& plate = plan_scenes::box(scene, {0.25, 0.25, 0.0005}, 1, {0.4, 0, 0.0005}, {0, 0, 0.001});
@@ -250,7 +250,7 @@ TEST_CASE("a plate that leaves another with a corner beyond its edge does not fa
   CHECK(run->counts().largest_overlap < 5e-5);
 }
 
-TEST_CASE("contacts are solved together exactly where bodies that move link them") {
+TEST_CASE("contacts are solved together exactly where moving bodies connect them") {
   Random random(31);
   for (int round = 0; round < generators::tried(500); ++round) {
     contact::SteppedSetup setup;
