@@ -1,5 +1,5 @@
-// What meets nothing flies by a formula: right at any time, in no more numbers than the plan asks
-// for, and never where something may meet or a spin may change.
+// Bodies that meet nothing fly by a formula: right at any time, with only the numbers that the plan
+// needs, and never where bodies may meet or an angular velocity may change.
 #include <algorithm>
 #include <bit>
 #include <catch2/catch_test_macros.hpp>

@@ -58,7 +58,7 @@ TEST_CASE("only the effects that a setup needs are on") {
   CHECK(compose_hard_spheres(setup).effects.sizes);
   setup.restitution = {0.5};
   CHECK(compose_hard_spheres(setup).effects.restitution);
-  // An oblique wall pushes out of the plane.
+  // An oblique wall deflects balls out of the plane.
   setup.walls = {{Vector3<double>(0.6, 0.8, 0), -20, 0}};
   CHECK(compose_hard_spheres(setup).effects.dimension == 3);
 }

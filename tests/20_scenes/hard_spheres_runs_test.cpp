@@ -154,7 +154,7 @@ TEST_CASE("a ball dropped from 10 m comes back to 10 m after a minute, to the la
   const double v = run.velocity(0).z();
   // Height and v² / 2 g round a few times each.
   CHECK(std::abs(z + v * v / 20 - 10) <= 64 * u * 10);
-  // After an hour of it a hit still sends it up as fast as the first one did.
+  // After an hour a hit still sends it up as fast as the first one did.
   struct Rebounds final : HardSphereObserver {
     explicit Rebounds(const contact::HardSphereRun& watched) : run(watched) {}
     const contact::HardSphereRun& run;
@@ -170,7 +170,7 @@ TEST_CASE("a ball dropped from 10 m comes back to 10 m after a minute, to the la
 }
 
 TEST_CASE("two balls: the closed form of an oblique hit") {
-  // Unit balls, one at rest; the other comes along x with an offset of 1.2: sin = 0.6 at contact.
+  // Unit balls, one at rest; the other moves along x with an offset of 1.2: sin = 0.6 at contact.
   HardSphereSetup setup;
   setup.balls = {ball({0, 0, 0}, {0, 0, 0}, 1), ball({-5, 1.2, 0}, {1, 0, 0}, 1)};
   HardSpheres<HardSphereEffects{2, false, false, false, false}> run(setup);
@@ -303,7 +303,7 @@ TEST_CASE("state that no effect needs is not stored") {
   using D1 = HardSpheres<HardSphereEffects{1, false, false, false, false}>;
   HardSphereSetup setup;
   setup.balls = {ball({0, 0, 0}, {0, 0, 0})};
-  // Place, velocity, time and the last partner; lying down takes what alignment left over.
+  // Position, velocity, time and the last partner; resting uses what alignment left over.
   CHECK(D1(setup).bytes_per_state() == 2 * 8 + 8 + 8);
   CHECK(D3(setup).bytes_per_state() == 6 * 8 + 8 + 8);
   CHECK(G3(setup).bytes_per_state() == 6 * 8 + 8 + 8);

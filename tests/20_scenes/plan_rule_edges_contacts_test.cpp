@@ -1,6 +1,6 @@
 // The edges of rules that plan_rules_*_test.cpp leave, of motion and contacts: each scene was made
 // for one condition, one term or one order of a rule, so that a rule without it, or with another in
-// its place, answers wrongly.
+// its place, gives a wrong answer.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/bouncing.hpp>
@@ -72,7 +72,8 @@ TEST_CASE("gravity: a table is level and supports exactly, in all digits") {
   Scene deep = table();
   deep.bodies[2].position.z() = std::nextafter(0.5, 0);
   CHECK_FALSE(contact::holds(decision(deep, Effect::gravity).tried.at(2).conditions.at(0)));
-  // A normal that is too short by 2⁻⁵⁰: a product rounds to a ball that lies, which is above it.
+  // A normal that is too short by 2⁻⁵⁰: by a rounded product the ball lies on the floor, although
+  // it is above it.
   Scene shorter = table();
   shorter.bodies[0].shape = contact::HalfSpaceShape{{0, 0, 1 - 0x1p-50}, 4};
   for (const std::size_t i : {1U, 2U}) shorter.bodies[i].position.z() = 4.5 + 5 * 0x1p-50;
@@ -115,7 +116,7 @@ TEST_CASE(
   Scene pulled = flat;
   pulled.gravity.z() = -smallest;
   at_edge(pulled, Effect::third_dimension, 0, 0);
-  // A hull: nobody asks whether it has a mirror.
+  // A hull: its mirror symmetry is not tested.
   Scene hull = empty(1, 0, 2, 1e-6);
   contact::HullShape shape;
   shape.points = {Point(1, 0, 0), Point(-1, 1, 0), Point(-1, -1, 0), Point(-1, 0, 1)};
@@ -126,13 +127,13 @@ TEST_CASE(
 }
 
 TEST_CASE("the third dimension: a box's edge is its end, and a box is met at more than a point") {
-  // The ball's middle is above the edge by 2⁻⁶⁰ m, which the difference of both places hides.
+  // The ball's centre is above the edge by 2⁻⁶⁰ m, which the difference of both positions hides.
   Scene scene = empty(1, 0, 2, 1e-6);
   ball(scene, 0.5, 1, {0, 0, 0.25}, {2, 0.25, 0});
   box(scene, {0.5, 2, 0.25}, 0, {2, 0, -0x1p-60});
   CHECK(exact(0.25) + exact(0x1p-60) > exact(0.25));
   at_edge(scene, Effect::third_dimension, 0, 4);
-  // A box that is not level with the one that it meets is met beside its middle, and tips.
+  // A box that is not level with the other one is hit off its centre, and tips.
   Scene boxes = empty(1, 0, 2, 1e-6);
   box(boxes, {0.5, 0.5, 0.5}, 1, {0, 0, 0.25}, {2, 0.25, 0});
   box(boxes, {0.5, 2, 0.75}, 0, {3, 0, 0});
@@ -140,7 +141,7 @@ TEST_CASE("the third dimension: a box's edge is its end, and a box is met at mor
 }
 
 TEST_CASE("the gyroscopic term: every body counts, and all of the bound") {
-  // Whichever comes last.
+  // Whichever is last.
   for (const bool first : {true, false}) {
     Scene scene = empty(1, 0, 2, 1e-3);
     if (first) box(scene, {1, 2, 3}, 1, Point::Zero()).spin = {1, 2, 3};
@@ -150,8 +151,8 @@ TEST_CASE("the gyroscopic term: every body counts, and all of the bound") {
     CHECK_FALSE(
         contact::holds(decision(scene, Effect::gyroscopic_term).tried.at(0).conditions.at(0)));
   }
-  // Moments as 13 : 10 : 5, a corner √14 m away: R ½ (8/5) (13/5) |ω|² T², and it is that whatever
-  // the size and the mass.
+  // Moments of inertia as 13 : 10 : 5, a corner √14 m away: R ½ (8/5) (13/5) |ω|² T², whatever the
+  // size and the mass.
   for (const double size : {1.0, 0.125}) {
     Scene scene = empty(1, 0, 2, 1e-3);
     box(scene, size * Point(1, 2, 3), 4, Point::Zero()).spin = {1, 2, 3};
@@ -162,8 +163,8 @@ TEST_CASE("the gyroscopic term: every body counts, and all of the bound") {
 }
 
 TEST_CASE("the tolerance is kept to the last bit where errors use all of it") {
-  // Three errors of a free flight, and a tolerance of about what they come to: a little more is
-  // enough for all of them, a little less is not, and in between none is more than there is.
+  // Three errors of a free flight, and a tolerance of about their sum: a little more is enough for
+  // all of them, a little less is not, and in between the sum never exceeds the tolerance.
   Random random(44);
   for (int trial = 0; trial < tried(100); ++trial) {
     Scene scene = empty(1, 0, random.uniform(0.1, 1), 1);
@@ -231,7 +232,7 @@ TEST_CASE("friction, restitution, springs: whichever pair has them, the first as
     const double fastest = std::sqrt(10000.0 / 2 * 64);
     CHECK(contact::plan_scene(one_soft).step <= 1 / (10 * fastest) * (1 + 1e-12));
   }
-  // Both masses give way to a spring between them.
+  // Both masses move with a spring between them.
   Scene pair = empty(0, 0, 3, 1e-3);
   pair.materials[0].stiffness = 1000;
   ball(pair, 0.5, 1, {-2, 0, 0}, {1, 0, 0});

@@ -1,6 +1,6 @@
 // The edges of rules that plan_rules_*_test.cpp leave, between two steps and at rest: each scene
 // was made for one condition, one term or one order of a rule, so that a rule without it, or with
-// another in its place, answers wrongly.
+// another in its place, gives a wrong answer.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -33,7 +33,7 @@ using plan_scenes::wall;
 
 namespace {
 
-/// Where a body ends in steps in which impacts are looked for, from where it ends without.
+/// The displacement of a body's final position by leaving out detection between steps.
 double lateness(const Scene& scene, std::size_t body, double step) {
   const auto end = [&](bool looks) {
     contact::PlanOptions options = stepped(step);
@@ -49,7 +49,7 @@ double lateness(const Scene& scene, std::size_t body, double step) {
 
 TEST_CASE(
     "late hits: no bound for balls that lose speed, hit too often, or have friction in flight") {
-  // It does not come to rest before the end, and sinks all the same.
+  // It does not come to rest before the end, but sinks.
   Scene lossy = dropped(0.9, 2, 1.5, 1);
   lossy.materials[0].friction = 0.25;
   CHECK(std::isinf(said_of_late_hits(lossy, 0.01)));
@@ -67,7 +67,7 @@ TEST_CASE(
 }
 
 TEST_CASE("late hits: head on, the rebound of the two is the whole error") {
-  // Large and slow, so that the slant is none. The hit comes 1 ms after a step of 50 ms.
+  // Large and slow, so that the hit is not oblique. It happens 1 ms after a step of 50 ms.
   const double h = 0.05;
   Scene scene = empty(1, 0, 0.5, 1);
   ball(scene, 50, 1, {-100 - 0.201, 0, 0}, {1, 0, 0});
@@ -75,7 +75,7 @@ TEST_CASE("late hits: head on, the rebound of the two is the whole error") {
   const double late = lateness(scene, 0, h);
   CHECK(late > 0.97 * 2 * h);
   CHECK(late <= said_of_late_hits(scene, h));
-  // Thrown as far as the hit's slant says, and not more than it does in all of the time.
+  // Displaced by the oblique hit, and at most by its motion in the whole time.
   CHECK(said_of_late_hits(scene, h) <= 2 * h * (1 + 0.5 / 100) * (1 + 1e-3));
 }
 
@@ -89,14 +89,14 @@ TEST_CASE("grazing hits: a normal that is late by a step is rotated by the whole
   const double thrown = lateness(scene, 0, h);
   CHECK(thrown > 0.95 * 0.2);
   CHECK(thrown <= said_of_late_hits(scene, h));
-  // Whichever of two such pairs comes first.
+  // Whichever of two such pairs is first.
   Scene two = scene;
   ball(two, 50, 1, {-104, 500, 0}, {0.5, 0, 0});
   ball(two, 50, 1e9, {0, 500, 0});
   CHECK(thrown <= said_of_late_hits(two, h));
   std::rotate(two.bodies.begin(), two.bodies.begin() + 2, two.bodies.end());
   CHECK(thrown <= said_of_late_hits(two, h));
-  // What is accepted is what was compared.
+  // The error accepted is the one that was compared.
   const Decision accepted = decision(scene, Effect::continuous_detection, stepped(h));
   REQUIRE_FALSE(accepted.on);
   CHECK(accepted.error == said_of_late_hits(scene, h));
@@ -116,7 +116,7 @@ TEST_CASE("bounces that are left out: their bounds, wall by wall") {
     CHECK(resting(scene) == unbounded);
     CHECK(sleeping(scene) == unbounded);
   };
-  // On a ball it lies on no plane, and a box rocks from corner to corner.
+  // A ball is no plane to lie on, and a box rocks from corner to corner.
   Scene on_ball = alone;
   on_ball.bodies[0].shape = contact::BallShape{0.5};
   on_ball.bodies[0].position = {0, 0, -0.5};
@@ -125,7 +125,7 @@ TEST_CASE("bounces that are left out: their bounds, wall by wall") {
   rocks.bodies[1].shape = contact::BoxShape{{0.5, 0.5, 0.5}};
   rocks.bodies[1].orientation = contact::exponential<double>({0.3, 0.2, 0});
   has_none(rocks);
-  // A soft wall beside the floor; one that leans over it by 10⁻⁷; two slopes at a right angle.
+  // A compliant wall beside the floor; one that overhangs it by 10⁻⁷; two slopes at a right angle.
   Scene soft = alone;
   soft.materials.push_back({"soft", 0.5, 0, 1000, 0});
   wall(soft, Point::UnitX(), -5);
@@ -138,7 +138,7 @@ TEST_CASE("bounces that are left out: their bounds, wall by wall") {
   groove.bodies[0].shape = contact::HalfSpaceShape{{0.6, 0, 0.8}, 0};
   wall(groove, {-0.8, 0, 0.6}, 0);
   has_none(groove);
-  // Nobody lies on the floor but one whom another may hit that is named first, and never comes
+  // No body lies on the floor except one that another, named first, may hit, and that never comes
   // down.
   Scene hit = empty(0.5, 0, 0.5, 1e-4);
   hit.gravity = {0, 0, -8};
@@ -147,14 +147,14 @@ TEST_CASE("bounces that are left out: their bounds, wall by wall") {
   ball(hit, 0.5, 1, {0, 0, 0.7});
   REQUIRE(contact::plan_scene(hit).pairs == 2);
   CHECK(resting(hit) == unbounded);
-  // Nor if that one's hits leave out no hop themselves.
+  // Nor if hits on that one leave out no bounce.
   hit.materials.push_back({"dull", 0, 0, {}, 0});
   hit.bodies[1].material = 1;
   CHECK(resting(hit) == unbounded);
   std::swap(hit.bodies[1], hit.bodies[2]);
   REQUIRE(contact::plan_scene(hit).pairs == 2);
   CHECK(resting(hit) == unbounded);
-  // A wall that is all but upright presses a little; one that is upright does not.
+  // A nearly vertical wall presses a little; a vertical one does not.
   Scene steep = alone;
   const double slight = 1e-4;
   steep.bodies[0].shape =
@@ -189,8 +189,8 @@ TEST_CASE(
 }
 
 TEST_CASE("sleep: not at a speed that a short scene would show") {
-  // Slower than so many m/s for the whole of a quarter of a second is less than the share; so it is
-  // for ten seconds if what pushes it goes on, twice in a second.
+  // Slower than so many m/s for a whole quarter of a second is less than the share; so it is for
+  // ten seconds if its acceleration continues, twice in a second.
   for (const double duration : {0.25, 10.0}) {
     Scene scene = dropped(0, 0.01, duration, 1e-4);
     scene.materials[0].friction = 0.25;
@@ -211,7 +211,7 @@ TEST_CASE("springs, bounces and sleep together keep the tolerance") {
   scene.bodies[2].material = 1;
   const Plan plan = contact::plan_scene(scene, stepped(0.01));
   CHECK(contact::decision_on(plan, Effect::penalty_contact).error > 0.49e-3);
-  // The soft one's sleep has no bound. What has one is within the tolerance.
+  // The compliant body's sleep has no bound. A sleep with a bound is within the tolerance.
   Rational sum = 0;
   for (const Decision& made : plan.decisions)
     if (std::isfinite(made.error)) sum += exact(made.error);
@@ -230,7 +230,7 @@ TEST_CASE("without gravity no bounce is left out, though bodies may be pressed t
   const Plan plan = contact::plan_scene(scene, stepped(0.01));
   REQUIRE(contact::decision_on(plan, Effect::resting).on);
   CHECK(plan.rest_height == 0);
-  // What falls with all others has no floor to lie on, though two of it meet last.
+  // Bodies that all fall have no floor to lie on, though two of them meet last.
   Scene last = empty(0.5, 0, 0.5, 1e-4);
   last.gravity = {0, 0, -8};
   wall(last, Point::UnitZ(), 0);

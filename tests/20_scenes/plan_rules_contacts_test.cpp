@@ -1,8 +1,7 @@
-// Every rule of contacts at its edge: a scene in which one
-// condition of a proof fails, and no other. The plan
-// must keep the effect; the rule with that one condition weakened would leave it out; and an exact
-// argument or a plain simulation shows that the answer would be wrong then. Beside each stands a
-// scene on the other side of the edge, where the effect is off by proof.
+// Every rule of contacts, at its edge: a scene in which one condition of a proof fails, and no
+// other. The plan must keep the effect; the rule with that one condition weakened would leave it
+// out; and an exact argument or a plain simulation shows that the answer would be wrong then. With
+// each comes a scene on the other side of the edge, where the effect is off by proof.
 #include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -53,7 +52,7 @@ TEST_CASE("penalty contact: off if no contact that may occur is compliant") {
   off(dropped(0.5, 2, 3), Effect::penalty_contact);
   Scene soft = dropped(0.5, 2, 3);
   soft.materials.push_back({"felt", 0.5, 0, 1e4, 1});
-  off(soft, Effect::penalty_contact);  // nobody is made of it
+  off(soft, Effect::penalty_contact);  // no body is made of it
   soft.bodies[1].material = 1;
   at_edge(soft, Effect::penalty_contact, 0, 0);
   soft.duration = 0.001;  // the floor is out of reach
@@ -67,7 +66,7 @@ TEST_CASE("several contacts: two partners, or a face") {
   ball(row, 0.5, 2, Point::Zero());
   ball(row, 0.5, 4, {2, 0, 0}, {-1, 0, 0});
   at_edge(row, Effect::several_contacts, 0, 0);
-  // Both hit at t = 1. One after the other, the order decides who leaves how: exactly.
+  // Both hit at t = 1. One after the other, the order decides the velocities after them: exactly.
   const auto hit = [](Rational& u, Rational& v, const Rational& m, const Rational& n) {
     const Rational impulse = Rational(3) / 2 * (u - v) / (1 / m + 1 / n);
     u -= impulse / m;
@@ -86,7 +85,7 @@ TEST_CASE("several contacts: two partners, or a face") {
   face.gravity = {0, 0, -8};
   wall(face, Point::UnitZ(), 0);
   box(face, {1, 1, 1}, 1, {0, 0, 3});
-  at_edge(face, Effect::several_contacts, 0, 1);  // four corners come down at once
+  at_edge(face, Effect::several_contacts, 0, 1);  // four vertices land at once
 }
 
 TEST_CASE("resting: a ball that starts on the floor, and one that starts one ulp above it") {
@@ -132,11 +131,11 @@ TEST_CASE("resting: without gravity a rotating rod presses on a body that it pus
   box(scene, {2, 0.1, 0.1}, 1e6, Point::Zero()).spin = {0, 0, 1};
   ball(scene, 0.1, 1, {0.5, 0.25, 0});
   at_edge(scene, Effect::resting, 0, 1);
-  // It is hit at ½ m/s and leaves the rod's end at more than 2 m/s: pressed all the way.
+  // It is hit at ½ m/s and leaves the rod's end at more than 2 m/s: pressed all the time.
   const auto run = contact::scenes::make_run(scene, contact::plan_scene(scene));
   run->advance(2);
   CHECK(run->velocity(1).norm() > 2);
-  // What cannot turn presses nothing.
+  // A body that cannot rotate does not press.
   scene.bodies[0].spin = Point::Zero();
   scene.bodies[1].position = {0, 0.25, 0};
   scene.bodies[1].velocity.y() = -1;
@@ -168,14 +167,14 @@ TEST_CASE("bounces are left out on one floor, for a tolerance, and where nothing
   at_edge(corner, Effect::event_driven, 2, 5);
   at_edge(dropped(0.5, 2, 10, 0), Effect::event_driven, 2, 7);
 
-  // On a ball that stands still, aside of its top: no place to rest, but a slope to leave by.
+  // On a fixed ball, off its top: it cannot rest, but slides off.
   Scene slope = dropped(0.5, 2, 10);
   slope.bodies[0].shape = contact::BallShape{0.5};
   slope.bodies[0].position = {0.1, 0, -0.5};
   at_edge(slope, Effect::event_driven, 2, 6);
   CHECK(8 * 0.1 / 2 * 1 * 1 > 1e4 * *slope.tolerance.position);  // ½ g sin α t² after a second
 
-  // So little gravity that the longest hop that might be left out has no finite height.
+  // So little gravity that the longest bounce that might be left out has no finite height.
   Scene drifting = dropped(0.5, 0, 1e30, 1e30);
   drifting.gravity = {0, 0, -1e-280};
   drifting.bodies[1].velocity.z() = -1e-250;
@@ -217,8 +216,8 @@ TEST_CASE("substeps of springs: from the tolerance, unless there is friction or 
   CHECK(std::abs(springs.error / off - 1) <= 1e-9);
   CHECK(springs.because.back().right == 1e-3);
   CHECK(notice_of(plan).find("by an estimate that keeps the tolerance") != std::string::npos);
-  // A hundredth of the error for a tenth of the length. (What is late dips by the tolerance, and is
-  // faster for that, by a little.)
+  // A hundredth of the error for a tenth of the length. (A late hit dips by the tolerance, and is a
+  // little faster for that.)
   CHECK(std::abs(contact::plan_scene(soft(1e-5)).spring_part / part - 0.1) <= 1e-3);
   // As long as they are for energy's sake.
   const auto is_longest = [&](double length) {
@@ -227,7 +226,7 @@ TEST_CASE("substeps of springs: from the tolerance, unless there is friction or 
   CHECK(is_longest(contact::plan_scene(soft(10)).spring_part));
   CHECK(contact::plan_scene(soft(10)).error < 1);
 
-  // More than a thousand a step, no error of a place, a damper, friction: nothing is claimed.
+  // More than a thousand a step, no position error allowed, a damper, friction: no estimate.
   const auto unclaimed = [&](const Scene& scene, const std::string& why) {
     const contact::Plan other = contact::plan_scene(scene);
     const Decision& decision = contact::decision_on(other, Effect::penalty_contact);
@@ -245,7 +244,7 @@ TEST_CASE("substeps of springs: from the tolerance, unless there is friction or 
   Scene rough = soft(1e-3);
   rough.materials[0].friction = least;
   unclaimed(rough, "rubs, or is damped");
-  // Its damper slows it by what the part's end says: of first order.
+  // Its damper acts on the velocity at the end of the substep: of first order.
   const auto height = [](double shorter) {
     Scene scene = dropped(0.5, 0.5, 1.2, 1e-3);
     scene.materials[0].stiffness = 2000;
@@ -275,7 +274,7 @@ TEST_CASE("resting: a ball that starts an ulp too deep need not come out of the 
 }
 
 TEST_CASE("rotation is energy where there is friction") {
-  // At rest but for its spin; 4 m on there is another ball.
+  // At rest except for its rotation; 4 m further is another ball.
   Scene scene = empty(0, 0.5, 3, 1e-6);
   scene.gravity = {0, 0, -8};
   wall(scene, Point::UnitZ(), 0);
@@ -287,7 +286,7 @@ TEST_CASE("rotation is energy where there is friction") {
   const auto run = contact::scenes::make_run(scene, plan);
   run->advance(3);
   CHECK(run->position(2).x() > 5.5);
-  // Smooth, it spins where it is, and nobody meets anybody but the floor.
+  // Smooth, it rotates in its position, and no body meets anything but the floor.
   scene.materials[0].friction = 0;
   CHECK(contact::plan_scene(scene).pairs == 2);
 }

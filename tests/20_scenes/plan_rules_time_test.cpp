@@ -1,8 +1,8 @@
-// Every rule of cost, digits and time at its edge: a scene in which one
-// condition of a proof fails, and no other. The plan
-// must keep the effect; the rule with that one condition weakened would leave it out; and an exact
-// argument or a plain simulation shows that the answer would be wrong then. Beside each stands a
-// scene on the other side of the edge, where the effect is off by proof.
+// Every rule of cost, precision and time, at its edge: a scene in which one condition of a proof
+// fails, and no other. The plan must keep the effect; the rule with that one condition weakened
+// would leave it out; and an exact argument or a plain simulation shows that the answer would be
+// wrong then. With each comes a scene on the other side of the edge, where the effect is off by
+// proof.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/bouncing.hpp>
@@ -43,7 +43,7 @@ TEST_CASE("the broad phase is a question of cost: few bodies do without, many do
   off(spread(1), Effect::broad_phase);
   off(spread(4), Effect::broad_phase);
   at_edge(spread(200), Effect::broad_phase, 0, 0);
-  // From event to event the run asks everybody as long as the plan says so.
+  // From event to event the run tests all pairs as long as the plan says so.
   const auto most = static_cast<int>(contact::cost::most_asked_by_all);
   off(spread(most), Effect::broad_phase);
   at_edge(spread(most + 1), Effect::broad_phase, 0, 0);
@@ -59,7 +59,7 @@ TEST_CASE("the broad phase is a question of cost: few bodies do without, many do
   CHECK_FALSE(four.on);
   CHECK(four.because.at(0).left == contact::cost::box_test * 6);
   CHECK(contact::decision_on(contact::plan_scene(spread(200), steps), Effect::broad_phase).on);
-  // All of them fly alike, so nobody meets anybody.
+  // All of them fly alike, so no two meet.
   const Decision alike = plan_scenes::decision(spread(200, 3), Effect::broad_phase);
   CHECK_FALSE(alike.on);
   CHECK(alike.because.at(0).left == 0);
@@ -121,7 +121,7 @@ TEST_CASE("the horizon: a light body is fast, however heavy the others are") {
   ball(gas, 0.5, 1, {6, 6, 6});
   const double before = horizon(gas);
   gas.bodies.back().mass = 1e6;
-  CHECK(horizon(gas) <= before);  // somebody heavy at rest makes nobody slower
+  CHECK(horizon(gas) <= before);  // a heavy body at rest slows none
   gas.bodies.back().velocity = {1, 0, 0};
   CHECK(horizon(gas) <= before / 50);
 }
@@ -137,18 +137,18 @@ TEST_CASE("the horizon: errors grow from the earliest possible first hit") {
   ball(near, 0.5, 1, {311, 100, 100});
   CHECK(std::abs(first(near) - 5) < 1e-12);
   CHECK(*horizon(near).value > 5);
-  // Both move: how fast they come together counts. A wall that is nearer comes first.
+  // Both move: their speed of approach counts. A nearer wall is hit first.
   near.bodies.back().velocity = {-3, 0, 0};
   CHECK(std::abs(first(near) - 2) < 1e-12);
   near.bodies.back().velocity = {4, 0, 0};
-  CHECK(std::abs(first(near) - 188.5 / 4) < 1e-12);  // they part, and the far wall is next
+  CHECK(std::abs(first(near) - 188.5 / 4) < 1e-12);  // they separate, and the far wall is next
   ball(near, 0.5, 1, {100, 1.5, 400}, {0, -1, 0});
   CHECK(std::abs(first(near) - 1) < 1e-12);
-  // Gravity brings nobody together who falls, but all of them to what stands.
+  // Gravity does not bring falling bodies together, but all of them to fixed ones.
   near.gravity = {0, 0, -10};
   ball(near, 0.5, 1, {400, 400, 0.5 + 0.05});
   CHECK(std::abs(first(near) - 0.1) < 1e-9);
-  // What touches may hit at once.
+  // Touching bodies may hit at once.
   ball(near, 0.5, 1, {401, 400, 0.5 + 0.05}, {-1, 0, 0});
   CHECK(first(near) == 0);
 }
@@ -178,7 +178,8 @@ TEST_CASE("the step: a crowd's hits are late, even with continuous detection") {
     options.overrides.with = {Effect::continuous_detection};
     const contact::Plan plan = contact::plan_scene(scene, options);
     const Decision& step = contact::decision_on(plan, Effect::step_size);
-    // Each hits once, at 6 m/s, and its place is off by what it goes to the wall and back too late.
+    // Each hits once, at 6 m/s, and its error is the distance that it flies too far to the wall and
+    // back.
     CHECK(step.error == (count > 64 ? plan.error : 0));
     if (count > 64) {
       CHECK(step.error >= 2 * 6 * plan.step);
@@ -208,7 +209,8 @@ TEST_CASE("from event to event: only if the events are bounded") {
   const auto bounces = contact::bouncing_ball<double>(2, 0, 8, 0.5);
   const double rest = contact::rest_time(bounces);
   off(dropped(0.5, 2, 0.9 * rest, 0), Effect::event_driven);
-  // Beyond the last bounce there are infinitely many; only hops below a tolerance may be left out.
+  // Beyond the last bounce there are infinitely many; only bounces below a tolerance may be left
+  // out.
   const Scene zeno = dropped(0.5, 2, 10, 0);
   at_edge(zeno, Effect::event_driven, 1, 5);
   CHECK(std::isinf(contact::bounce_at<double>(bounces, 10).bounces));
@@ -283,7 +285,7 @@ TEST_CASE("from event to event: only motions that have a formula between events"
   wall(corners, Point::UnitX(), -2);
   box(corners, {0.5, 0.5, 0.5}, 1, Point::Zero(), {-1, 0, 0});
   at_edge(corners, Effect::event_driven, 0, 0);
-  // A box that turns over and meets nothing.
+  // A box that tumbles and meets nothing.
   Scene tumbling = empty(1, 0, 2, 1e-6);
   box(tumbling, {1, 2, 3}, 1, Point::Zero()).spin = {1, 2, 3};
   at_edge(tumbling, Effect::event_driven, 0, 4);

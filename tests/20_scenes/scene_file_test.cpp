@@ -61,7 +61,7 @@ contact::SceneShape any_shape(Random& random) {
       const double radius = size();
       return contact::CapsuleShape{radius, random.chance(0.2) ? 0 : size()};
     }
-    default: {  // four of the corners of a box, no two on an edge: the middle is that of the box
+    default: {  // four corners of a box, no two on an edge: the centre is that of the box
       const double x = size();
       const double y = size();
       const double z = size();

@@ -24,7 +24,7 @@ using sound_scene::u;
 
 namespace {
 
-/// The gap of two bodies, which must be one that can be told.
+/// The distance of two bodies, which must be defined.
 double gap_of(const SceneBody& a, const SceneBody& b) {
   const auto gap = contact::starting_gap(a, b);
   REQUIRE(gap);
@@ -60,7 +60,7 @@ TEST_CASE(
     const double slack = contact::touching_slack(a, b);
     const oracle::Vector d = oracle::exact(x) - oracle::exact(y);
     const Rational reach = Rational(r) + Rational(s);
-    const Rational beyond = squared(d) - reach * reach;  // its sign is that of the gap
+    const Rational beyond = squared(d) - reach * reach;  // its sign is that of the distance
     if (std::abs(gap) > slack) CHECK((gap > 0) == (beyond > 0));
     if (beyond == 0) {
       ++touching;
@@ -121,7 +121,7 @@ TEST_CASE("A ball at a box: in front of a face, an edge and a corner, and inside
   CHECK(gap(13, -5, 9) == 6.5);      // 2, 3 and 6 beyond a corner: 7
   CHECK(gap(10.5, 0, 0) == -1);      // 0.5 below a face, and the radius
   CHECK(gap(10, 0, 2.75) == -0.75);  // 0.25 below the nearest face
-  SceneBody turned = box;            // a quarter turn about z: x and y change places
+  SceneBody turned = box;            // a quarter of a revolution about z: x and y are exchanged
   turned.orientation = {std::sqrt(0.5), {0, 0, std::sqrt(0.5)}};
   const double got = gap_of(body_of("ball", BallShape{0.5}, {13, 0, 0}), turned);
   CHECK(std::abs(got - 0.5) <= 64 * u);

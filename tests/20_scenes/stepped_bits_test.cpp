@@ -1,5 +1,5 @@
-// Scenes step by step: the same gives the same bits, and what is off is neither computed nor
-// stored.
+// Scenes step by step: the same scene gives the same bits, and an effect that is off is neither
+// computed nor stored.
 #include <catch2/catch_test_macros.hpp>
 #include <cstdint>
 
@@ -35,7 +35,7 @@ TEST_CASE("the same scene gives the same bits, wherever the run is stopped on th
     for (int k = 0; k < 7; ++k) {
       other->advance(other->now() + random.uniform(0, 0.1));
       if (k != 3) continue;
-      // And from here on another that goes on from a checkpoint.
+      // And from here on another run that goes on from a checkpoint.
       const auto kept = other->checkpoint();
       const auto there = bits_of(scene, *other);
       other = run_of(scene, stepped(1.0 / 60));
@@ -179,7 +179,8 @@ TEST_CASE("the gyroscopic term includes angular velocities where rotation is off
   options.overrides.without = {Effect::rotation, Effect::sleeping};
   auto run = run_of(scene, options);
   CHECK(has_stage(*run, "rotation"));
-  // One number for its place and one for its velocity, and two for spins that two mirrors forbid.
+  // One number for its position and one for its velocity, and two for angular velocities that two
+  // mirrors exclude.
   CHECK(run->bytes_per_body() == 4 * sizeof(double) + sizeof(contact::Rotor<double>));
   run->advance(1);
   CHECK((run->position(1) - Point(0, 0, 0.3)).norm() <= 1e-9);
@@ -217,7 +218,7 @@ TEST_CASE("an effect that is proven inactive gives the same bits when it is forc
     same(gas, Effect::rotation, 0.02);
     same(gas, Effect::penalty_contact, 0.02);
     if (gas.materials[0].restitution == 0) same(gas, Effect::restitution, 0.02);
-    // With friction balls turn, but need no gyroscopic term.
+    // With friction balls rotate, but need no gyroscopic term.
     gas.materials[0].friction = 0.4;
     same(gas, Effect::gyroscopic_term, 0.02);
   }

@@ -48,7 +48,7 @@ TEST_CASE("in a crowd all impacts of a step are processed at once, and nothing l
 
 namespace {
 
-/// Bodies on a lattice with 0.4 m between them, flying and turning anywhere.
+/// Bodies on a lattice with 0.4 m between them, with random velocities and angular velocities.
 template <class Add>
 Scene lattice_of(int count, const Point& gravity, const Add& add) {
   Scene scene = plan_scenes::empty(1, 0, 1, 1e-3);
@@ -84,14 +84,14 @@ TEST_CASE("an elastic crowd conserves its energy, though its impacts are process
     const double energy = run->energy();
     run->advance(1);
     CHECK(run->counts().hits > 200);
-    // Corners turn on while they come to touch, and overlaps are pushed out.
+    // Vertices rotate on while they come to touch, and overlaps are pushed out.
     CHECK(std::abs(run->energy() - energy) < (boxes ? 1e-3 : 1e-6) * energy);
   }
 }
 
 TEST_CASE("a crowd of light and heavy balls conserves its energy, and no ball penetrates another") {
-  // Sweeps alone lose a thousandth, and overlap by a ninth of a ball; who is flung out between two
-  // heavy ones meets somebody who was not near before.
+  // Iterations alone lose a thousandth, and overlap by a ninth of a ball; a ball that is thrown out
+  // between two heavy ones meets another that was not near before.
   for (const double heavy : {1e3, 1e6}) {
     CAPTURE(heavy);
     Scene scene = lattice_of(100, Point::Zero(), lattice_ball);
@@ -110,7 +110,7 @@ TEST_CASE("a crowd of light and heavy balls conserves its energy, and no ball pe
 }
 
 TEST_CASE("in a crowd a body that touches one that is hit reacts at once") {
-  // With the mean of its velocities it would be half a step's way too late: a tenth of a ball.
+  // With the mean of its velocities it would be late by half a step's motion: a tenth of a ball.
   Scene scene = plan_scenes::empty(0, 0, 0.1, 1e-3);
   scene.gravity.setZero();
   plan_scenes::ball(scene, 0.5, 1000, {0, 0, 0}, {100, 0, 0});
@@ -161,7 +161,7 @@ TEST_CASE("in a crowd each ball bounces to e² of its height, and two of one mas
   plan_scenes::wall(scene, Point::UnitZ(), 0);
   for (int k = 0; k < 70; ++k) plan_scenes::ball(scene, 0.1, 1 + k, Point(k, 0, 0.2 + 0.01 * k));
   const auto run = run_of(scene, without({Effect::event_driven}));
-  run->advance(0.48);  // the lowest has not come down again, the highest has
+  run->advance(0.48);  // the lowest has not landed again, the highest has
   for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
     CAPTURE(i);
     const double drop = scene.bodies[i].position.z() - 0.1;
@@ -232,8 +232,9 @@ TEST_CASE("thin plates that a hit rotates fast do not rotate through each other"
 }
 
 TEST_CASE("plates meet at their edges, though their angular velocities change without torque") {
-  // A plate's spin leans over within a step. Taken for even, plates come into each other by several
-  // thicknesses; and where two edges almost touch, a normal that is off looks like a hit for ever.
+  // A plate's angular velocity changes direction within a step. If it were taken as constant,
+  // plates would penetrate each other by several thicknesses; and where two edges almost touch, a
+  // wrong normal looks like endless hits.
   Random random(31);
   std::uint64_t hits = 0;
   std::uint64_t crowded = 0;

@@ -75,7 +75,7 @@ TEST_CASE("a bullet does not pass, unless detection is forced off") {
     blind->advance(scene.duration);
     passed += blind->velocity(1).x() == v ? 1 : 0;
   }
-  // Nine of ten looks miss it.
+  // Nine of ten tests miss it.
   CHECK(passed > generators::tried(200) / 2);
 }
 
@@ -94,9 +94,9 @@ TEST_CASE("the material of a pair is what the format says: the smoother, the les
 }
 
 TEST_CASE("a ball between two walls hits as often as its speed says, however long the step is") {
-  // Its middle has 2 mm from wall to wall and starts halfway: at v it comes to a wall after 1 mm,
-  // and after each 2 mm from there. Friction stops a spin of 1 rad/s within the first few hits:
-  // that takes I ω²/2 = 0.002 J at most, of 50 J.
+  // Its centre has 2 mm from wall to wall and starts halfway: at v it reaches a wall after 1 mm,
+  // and then after each 2 mm. Friction stops a rotation of 1 rad/s within the first few hits: that
+  // takes I ω²/2 = 0.002 J at most, of 50 J.
   for (const double step : {1.0 / 60, 1.0 / 7, 0.001}) {
     for (const double friction : {0.0, 0.001}) {
       Scene scene = plan_scenes::empty(1, friction, 0.3, 1e-3);
@@ -106,7 +106,7 @@ TEST_CASE("a ball between two walls hits as often as its speed says, however lon
       scene.bodies.back().spin = Point(0, 0, friction > 0 ? 1 : 0);
       const auto run = run_of(scene, stepped(step));
       const double first = run->energy();
-      run->advance(0.29995);  // 2.9995 m of way: between two hits
+      run->advance(0.29995);  // 2.9995 m of motion: between two hits
       CHECK(run->counts().hits == 1500);
       CHECK(run->counts().crowded_steps == 0);
       const double rubbed = friction > 0 ? 0.0021 : 0;
@@ -114,7 +114,7 @@ TEST_CASE("a ball between two walls hits as often as its speed says, however lon
       CHECK(run->energy() >= (first - rubbed) * (1 - 1e-12));
     }
   }
-  // With e the n-th way takes 1/eⁿ times as long as the first. With d = 2 mm and v = 10 m/s:
+  // With e the n-th flight takes 1/eⁿ times as long as the first. With d = 2 mm and v = 10 m/s:
   Scene scene = plan_scenes::empty(0.999, 0, 0.3, 1e-6);
   plan_scenes::wall(scene, Point(1, 0, 0), -0.101);
   plan_scenes::wall(scene, Point(-1, 0, 0), -0.101);
@@ -128,7 +128,7 @@ TEST_CASE("a ball between two walls hits as often as its speed says, however lon
     speed *= 0.999;
   }
   CHECK(run->counts().hits == hits);
-  // Each hit rounds a few times: 916 of them come to less than 1e-12 of the energy.
+  // Each hit rounds a few times: for 916 of them less than 1e-12 of the energy.
   CHECK(std::abs(run->energy() - (speed * speed + 1) / 2) < 1e-11);
 }
 

@@ -1,5 +1,5 @@
-// Scenes step by step: what stands stays, what has been at rest sleeps, and what lies under a load
-// slides or comes to rest as its slope says.
+// Scenes step by step: stacks stay, bodies that have been at rest sleep, and bodies under a load
+// slide or come to rest by their slope.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -35,7 +35,7 @@ TEST_CASE("boxes on top of each other stay, with rotation or without") {
       run->advance(2);
       for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
         CAPTURE(count, i);
-        // What the sweeps leave, below the tolerance by a factor of ten.
+        // The residual of the iterations, below the tolerance by a factor of ten.
         CHECK((run->position(i) - scene.bodies[i].position).norm() <= 1e-7);
         CHECK(run->velocity(i).norm() <= 1e-7);
       }
@@ -60,7 +60,7 @@ TEST_CASE("a body that has been at rest for a second sleeps, and wakes when it i
 }
 
 TEST_CASE("a creeping body does not sleep if it would move farther than the tolerance") {
-  // A smooth slope of 1e-9: in 100 s a block comes ½ · 1e-8 · 1e4 m = 5e-5 m.
+  // A smooth slope of 1e-9: in 100 s a block moves ½ · 1e-8 · 1e4 m = 5e-5 m.
   Scene scene = with_gravity(0, 0, 100, 1e-6);
   scene.gravity = {1e-8, 0, -10};
   plan_scenes::wall(scene, Point::UnitZ(), 0);
@@ -135,9 +135,9 @@ Scene boxes_on_a_slope(double friction, double load) {
 }  // namespace
 
 TEST_CASE("plates on a slope stay or slide by its angle, whatever lies on them") {
-  // A plate under a load is pushed and rubbed a million times as hard as it is heavy. That rounds
-  // to 2⁻⁴⁰ of it a step, and is still below 1e-7 m after thirty. What slides is at its limit on
-  // both faces: nothing brings a plate back that has come off the load by a little.
+  // The forces on a plate under a load are a million times its weight. That rounds to 2⁻⁴⁰ of it a
+  // step, and is still below 1e-7 m after thirty. A sliding plate is at its limit on both faces:
+  // nothing brings it back once it has moved off the load by a little.
   for (const double load : {1.0, 1e3, 1e6}) {
     for (const double steep : {0.99, 1.01}) {  // times the friction angle's tangent
       const double friction = 0.75 / steep;
@@ -208,7 +208,7 @@ TEST_CASE("a body that falls along a wall falls as if nothing divided its steps"
     Scene scene = with_gravity(0, 0, 1.0 / 60, 1e-4);
     plan_scenes::wall(scene, Point::UnitY(), 0);
     plan_scenes::wall(scene, Point::UnitZ(), 0);
-    // It lies along the wall, one end touches it, and the other comes to it over a millimetre.
+    // It lies along the wall, one end touches it, and the other approaches it over a millimetre.
     const double angle = std::asin(1e-3 / 0.4);
     auto& capsule =
         plan_scenes::add(scene, contact::CapsuleShape{0.05, 0.2}, 1, {0, 0.0505, 3}, {0, -0.2, 0});
