@@ -132,7 +132,7 @@ void add_scene(Command app, Action& action) {
   const auto files = std::make_shared<std::vector<std::string>>();
 
   const Command checking = command.add_subcommand(
-      "check", "Says what a scene is, or everything that is wrong with it, each on its line");
+      "check", "Describes a scene, or reports all of its faults, one on a line");
   checking.add_option("FILE", *files, "A scene file, or the name of a scene of the book")
       .required();
   checking.add_flag("--json", *json, "Print JSON");

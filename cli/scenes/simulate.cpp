@@ -121,17 +121,16 @@ void add_simulate(Command app, Action& action) {
       .positive();
   command
       .add_option("--event-budget", options->event_budget,
-                  "From event to event: go on step by step after so many hits")
+                  "Event-driven: go on step by step after so many hits")
       .positive();
   add_plan_words(command, options->plan);
   command.add_option("--checkpoint", options->checkpoint,
-                     "Keep the state here at the end, on Ctrl-C and now and then");
+                     "Save the state here at the end, on Ctrl-C and from time to time");
   command.add_option("--resume", options->resume,
-                     "Go on from a checkpoint; --output and --events go on with their files");
+                     "Resume from a checkpoint; --output and --events continue their files");
   command.add_option("--jobs", options->jobs, "Scenes at a time (default: one a core)")
       .between(1, 1024);
-  command.add_flag("--expect", options->expect,
-                   "Say of everything that the scene expects whether it came out");
+  command.add_flag("--expect", options->expect, "Compare the results with what the scene expects");
   command.add_flag("--json", options->json, "Print JSON");
   command.callback([&action, options] { action = [options](Context&) { return run(*options); }; });
 }

@@ -107,12 +107,12 @@ class Simulation {
     if (!options_.resume.empty()) {
       from = read_checkpoint(options_.resume);
       if (from->scene != scene_number(scene_)) {
-        throw std::runtime_error(options_.resume + " was kept by a run of another scene than " +
+        throw std::runtime_error(options_.resume + " was saved by a run of another scene than " +
                                  options_.scenes.front());
       }
       if (from->plan != plan_number_)
         throw std::runtime_error(options_.resume +
-                                 " was kept by a run with another plan: the same " +
+                                 " was saved by a run with another plan: the same " +
                                  "--with, --without and --step go on with it");
       run_->restore(from->state);
       frames_ = from->frames;

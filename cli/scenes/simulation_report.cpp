@@ -141,9 +141,9 @@ void tell(const SimulationEnd& end, const Style& style, SimulateOutcome& outcome
               " hits, " + std::to_string(end.run.bytes_per_body()) + " bytes a body's state");
   if (!end.run.event_driven())
     outcome.say("  " + std::to_string(counts.steps) + " steps in " + std::to_string(counts.parts) +
-                " parts, " + std::to_string(counts.pairs) + " pairs tested, " +
+                " substeps, " + std::to_string(counts.pairs) + " pairs tested, " +
                 std::to_string(counts.contacts) + " contacts solved in " +
-                std::to_string(counts.sweeps) + " sweeps");
+                std::to_string(counts.sweeps) + " iterations");
   outcome.say("  energy " + shortest_text(end.first_energy) + " J, then " +
               shortest_text(end.run.energy()) + " J; largest overlap " +
               shortest_text(counts.largest_overlap) + " m");

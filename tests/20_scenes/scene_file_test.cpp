@@ -246,9 +246,9 @@ TEST_CASE("A text that is not a scene at all is reported without a path") {
     return "";
   };
   CHECK(said("[1]") == "file:1: [1]: a scene must be an object, {...}");
-  CHECK(said(" \n") == "file:2: is no JSON: the file is empty");
+  CHECK(said(" \n") == "file:2: is not JSON: the file is empty");
   const std::string bytes =
-      "file:1: is no JSON: must be a text in UTF-8, and holds bytes that are none";
+      "file:1: is not JSON: must be a text in UTF-8, and has bytes that are not";
   CHECK(said(std::string("\0\0", 2)) == bytes);
   CHECK(said("{\"name\": \"\xff\"}") == bytes);
 }

@@ -244,7 +244,7 @@ def test_a_checkpoint_of_another_scene_or_of_nothing_is_refused(
     kept.write_text("{}")
     done = contact("simulate", str(gas), "--resume", str(kept))
     assert done.returncode == 3
-    assert "no checkpoint" in done.stderr
+    assert "not a checkpoint" in done.stderr
 
 
 def test_a_budget_that_runs_out_is_said(contact: Run, gas: Path) -> None:

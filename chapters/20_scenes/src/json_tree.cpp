@@ -132,17 +132,17 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     if (is_foreign_number(word)) {
       return stop(path(), excerpt(word, 20),
                   "must be a JSON value: a number, a \"text\", true, false, [...] or {...}; NaN, "
-                  "Infinity, +1 and .5 are none");
+                  "Infinity, +1 and .5 are not JSON");
     }
     if (text_.find('\0') != std::string_view::npos || nlohmann_says(error, "UTF-8"))
-      return stop("", "", "is no JSON: must be a text in UTF-8, and holds bytes that are none");
+      return stop("", "", "is not JSON: must be a text in UTF-8, and has bytes that are not");
     if (text_.find_first_not_of(" \t\r\n") == std::string_view::npos)
-      return stop("", "", "is no JSON: the file is empty");
+      return stop("", "", "is not JSON: the file is empty");
     std::string why = error.what();
     const std::size_t colon = why.find(": ");
     if (why.rfind('[', 0) == 0 && colon != std::string::npos) why = why.substr(colon + 2);
     const bool ended = nlohmann_says(error, "unexpected end of input");
-    return stop(ended ? "" : path(), "", "is no JSON: " + excerpt(why, 200));
+    return stop(ended ? "" : path(), "", "is not JSON: " + excerpt(why, 200));
   }
 
   JsonNode take() { return std::move(root_); }

@@ -100,7 +100,7 @@ class FieldReader {
       std::string where = path + path_step(key);
       if (where.front() == '.') where.erase(where.begin());
       if (!seen.insert(key).second) {
-        unfit(where, value, "stands twice; a key may stand once");
+        unfit(where, value, "appears twice; a key may appear once");
       } else if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
         unfit(where, value, "is an unknown key; " + hint(key, keys) + "known are " + joined(keys));
       }

@@ -67,7 +67,7 @@ class Reader : private BodyFieldReader {
         if (node.find("stiffness")) {
           material.damping = number_if_there(node, path, "damping", "N s/m").value_or(0);
         } else {
-          absent(node, path, {"damping"}, "it goes with a stiffness");
+          absent(node, path, {"damping"}, "it belongs to a stiffness");
         }
       }
       scene_.materials.push_back(std::move(material));
@@ -97,7 +97,7 @@ class Reader : private BodyFieldReader {
       if (body.moves) fault(path + ".moves", "true", "must be false: a half-space never moves");
       absent(node, path,
              {"position", "orientation", "mass", "density", "velocity", "spin", "repeat"},
-             "a half-space lies where its normal and offset say, and never moves");
+             "a half-space is placed by its normal and offset, and never moves");
       body.moves = false;
     } else {
       body.position = vector(node, path, "position", true);
