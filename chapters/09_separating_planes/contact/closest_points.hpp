@@ -118,10 +118,10 @@ Vector2<S> crossing_fractions(const Segment<S>& a, const Segment<S>& b) {
 /// The closest points of two segments, which may be parallel or of length 0.
 ///
 /// Four candidates are an end of one segment and the closest point of the other. The fifth is the
-/// pair of closest points of the lines, if it lies between the ends; each of its points is
-/// projected onto the other segment once more, which removes the effect of rounding. The closest
-/// pair is kept; of equal ones the first, so parallel segments give an end.
-/// @return m; the error of their distance is a few u of the coordinates' magnitude, at any angle
+/// Four candidates are an end of one segment and the closest point of the other. The fifth is the
+/// pair of closest points of the lines, if it lies between the ends; the sixth projects these
+/// points onto the segments once more, which removes the effect of rounding. The closest pair is
+/// kept; of equal ones the first, so parallel segments give an end.
 template <std::floating_point S>
 ClosestPoints<S> closest_points(const Segment<S>& a, const Segment<S>& b) {
   ClosestPoints<S> best{a.start, closest_point<S>(a.start, b)};

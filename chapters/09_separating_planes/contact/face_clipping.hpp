@@ -113,7 +113,7 @@ Vector3<S> lowest_of(const std::vector<Vector3<S>>& points, const Vector3<S>& n)
 }
 
 /// The deepest point over the face of `box`, of the other box's incident face (that which faces
-/// against `outward`); if no point is over it, the deepest corner of that box.
+/// against `outward`); if no point is over it, the deepest corner of that face.
 template <std::floating_point S>
 Vector3<S> deepest_over_face(const OrientedBox<S>& box, int axis, const Vector3<S>& outward,
                              const OrientedBox<S>& other) {
