@@ -86,8 +86,7 @@ inline Rational least_squared(const Zonotope& z) {
       if (rest % 3 == 1) p = p + z.spans[i];
       if (rest % 3 == 2) free.push_back(i);
     }
-    if (free.size() > 3)
-      continue;  // dependent: there is an equally good answer with fewer free ones
+    if (free.size() > 3) continue;  // dependent: fewer free ones give an equally good answer
     std::vector<std::vector<Rational>> m;
     for (const std::size_t i : free) {
       m.emplace_back();

@@ -93,8 +93,7 @@ TEST_CASE("a box on a box: the corners of the overlap of two rectangles, in clos
     const double right = std::min(x + half.x(), other.x());
     const double front = std::max(y - half.y(), -other.y());
     const double back = std::min(y + half.y(), other.y());
-    if (right - left <= 1 || back - front <= 1)
-      continue;  // then a side face may have the smaller depth
+    if (right - left <= 1 || back - front <= 1) continue;  // then a side may be less deep
     const auto manifold = contact::contact_manifold(a, b, 0.0);
     CHECK(manifold.normal == V(0, 0, 1));
     REQUIRE(manifold.points.size() == 4);
