@@ -247,7 +247,7 @@ void add_boxes(hard_cases::Runner& runner) {
 
 void add_capsule(hard_cases::Runner& runner) {
   // Three quadratics: the side, and a ball at each end. The first root at which the distance of the
-  // centre from the segment is at most the reach.
+  // centre from the segment is at most the sum of the radii.
   runner.question("capsule", [](const Case& c) {
     const auto ball = oracle::exact(c.sphere("ball"));
     const oracle::Vector w = oracle::exact(c.vector("displacement"));

@@ -427,7 +427,7 @@ TEMPLATE_TEST_CASE("a moving ball against a capsule: the decision is right, and 
              sphere.centre) *
             static_cast<S>(random.uniform(0.5, 2));
       if (i % 3 == 2) {
-        // Along the side, or past an end, to within a few ulps of the reach.
+        // Along the side, or past an end, to within a few ulps of the sum of the radii.
         const Vector3<S> side =
             way.cross(i % 2 == 0 ? Vector3<S>(axis.end - axis.start) : place<S>(random, 1));
         if (side != Vector3<S>::Zero())

@@ -261,8 +261,8 @@ TEST_CASE("upper bounds are above the exact values, and the thickness of two bal
 }
 
 TEST_CASE("a rod that rotates above a floor is advanced to just before its end touches") {
-  // Half lengths l along the rod and s across it; it starts horizontal at the height h and rotates
-  // at ω. Its lowest point is at h − l sin ωt − s cos ωt: checked by intervals.
+  // Half lengths l along the rod and s perpendicular to it; it starts horizontal at the height h
+  // and rotates at ω. Its lowest point is at h − l sin ωt − s cos ωt: checked by intervals.
   Random random(7);
   for (int i = 0; i < generators::tried(300); ++i) {
     const double l = random.uniform(0.5, 2);

@@ -54,7 +54,7 @@ TranslatingBox<S> translating_box(const CoordinateFrame<S>& frame, const Vector3
       if (!(std::abs(product(k, j) - (k == j ? S(1) : S(0))) <= S(0x1p-20))) {
         const Vector3<S> axis = frame.axes.col(k);
         throw_invalid_argument("frame.axes", vector_text(axis),
-                               "the axes must have length 1 and stand upright on each other");
+                               "the axes must have length 1 and be orthogonal");
       }
     }
   }
@@ -164,10 +164,10 @@ struct RoundedSweep {
 /// The sweep in floating point, with error bounds.
 ///
 /// Let M be the sum of the absolute values of the two products in an axis. A number like axis · d
-/// has at most nine roundings (edge, cross product, difference of centres, dot product), a reach
-/// fifteen. γ(20) of M · |d|, and the same for speed and reach, includes the rounding of the bound
-/// itself. Coordinates are between 2^-100 m and 2^100 m, so no underflow matters and nothing
-/// overflows.
+/// has at most nine roundings (edge, cross product, difference of centres, dot product), the
+/// sum of the projected half edges fifteen. γ(20) of M · |d|, and the same for speed and sum,
+/// includes the rounding of the bound itself. Coordinates are between 2^-100 m and 2^100 m, so no
+/// underflow matters and nothing overflows.
 inline RoundedSweep rounded_sweep(const SweptPair<double>& pair) {
   constexpr double slack = tolerance::gamma<double>(20);
   double largest = std::max(pair.d.cwiseAbs().maxCoeff(), pair.w.cwiseAbs().maxCoeff());

@@ -147,8 +147,8 @@ TwoBallsAndWall<S> two_balls_in_steps(TwoBallsAndWall<S> now, const S& dt, long 
 ///
 /// One round of two collisions, with the wall and then of the balls, maps the two velocities by a
 /// matrix with determinant e² and trace 1 − e + (1 + e)(e M − m)/(M + m). If its eigenvalues are
-/// complex, the balls separate after finitely many rounds. If they are real, which means that the
-/// trace is at least 2 e, they never do.
+/// complex, the balls separate after finitely many collisions. If they are real, which means that
+/// the trace is at least 2 e, they never do.
 /// @param inner_mass, outer_mass m and M, kg, greater than 0
 /// @param restitution e, of the balls with each other and with the wall, 0 to 1
 /// @return decided by the sign of a polynomial of the stored numbers, computed exactly
