@@ -15,7 +15,7 @@ namespace contact {
 
 namespace detail {
 
-/// Whether the segments from 0 to u and from d to d + v have points at most R apart.
+/// Whether the segments from 0 to u and from d to d + v have points at most `reach` apart.
 ///
 /// The squared distance of two of their points is a convex quadratic over a square of parameters.
 /// Its minimum is on the boundary of the square, where an end of one segment is closest to the
