@@ -1,5 +1,5 @@
 /// @file
-/// Exercise: all collisions of beads on a wire, in the order in which they happen.
+/// Exercise: all meetings of beads on a wire, in the order in which they happen.
 #pragma once
 
 #include <contact/prelude.hpp>
@@ -12,7 +12,7 @@ struct Bead {
   double velocity;  ///< m/s
 };
 
-/// A collision of two neighbours.
+/// Two neighbours that meet and exchange their velocities.
 struct Meeting {
   double time;  ///< s from the start
   int left;     ///< index of the left bead; the other is left + 1
