@@ -140,7 +140,7 @@ int most_impacts_at_twenty_degrees(double restitution, int allowed) {
 
 }  // namespace
 
-TEST_CASE("with losses a wedge of angle θ has more than ⌈π/θ⌉ impacts") {
+TEST_CASE("with losses a wedge of angle θ can have more than ⌈π/θ⌉ impacts") {
   CHECK(most_impacts_at_twenty_degrees(1, 1000) == 9);
   CHECK(most_impacts_at_twenty_degrees(0.5, 1000) == 39);
   // Infinitely many: as many as are allowed.

@@ -102,7 +102,7 @@ TEST_CASE("the energy of a spring after each step, as identities") {
   }
 }
 
-TEST_CASE("Verlet's steps go back to where they came from, and the others do not") {
+TEST_CASE("Verlet's steps are reversible, and the others are not") {
   Random random(1903);
   for (int i = 0; i < 200; ++i) {
     const Rational pull = positive(random, 4);
