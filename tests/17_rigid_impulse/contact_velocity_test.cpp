@@ -60,7 +60,7 @@ Closing case_of(int sign) {
   return sign < 0 ? Closing::approaching : sign > 0 ? Closing::separating : Closing::touching;
 }
 
-/// The coordinates are whole numbers and a half at most, so no order of adding rounds.
+/// The coordinates are small multiples of one half, so no order of summation rounds.
 void check_closing(const Motion& a, const Motion& b, const Vector& p, const Vector& n) {
   const int sign = sign_of_closing(a, b, p, n);
   const auto with = [&](const auto& velocity) {
@@ -103,31 +103,31 @@ const Motion ground{{0, 0, -5}, {0, 0, 0}, {0, 0, 0}};
 
 }  // namespace
 
-TEST_CASE("a body that does not spin moves as its centre") {
+TEST_CASE("every point of a body without rotation has its velocity") {
   check_velocity({{1, 2, 3}, {4, -5, 6}, {0, 0, 0}}, {7, 7, 7});
   check_velocity({{0, 0, 0}, {0, 0, -2}, {0, 0, 0}}, {1, 0, 0});
 }
 
-TEST_CASE("a spin carries a point round the centre") {
+TEST_CASE("a rotation carries a point around the centre of mass") {
   check_velocity({{0, 0, 0}, {0, 0, 0}, {0, 0, 2}}, {3, 0, 0});
   check_velocity({{4, 0, 0}, {0, 0, 0}, {0, 0, 2}}, {3, 0, 0});
   check_velocity({{1, 1, 1}, {5, 0, 0}, {1, -2, 3}}, {2, 4, -1});
 }
 
-TEST_CASE("a rolling wheel stands where it touches") {
-  // To the right, so it spins clockwise as seen from the front (−y).
+TEST_CASE("a rolling wheel is at rest where it touches the road") {
+  // To the right, so it rotates clockwise as seen from the front (−y).
   const Motion wheel{{8, 0, 2}, {6, 0, 0}, {0, 3, 0}};
   check_velocity(wheel, {8, 0, 0});
   check_velocity(wheel, {8, 0, 4});
   check_velocity(wheel, {10, 0, 2});
 }
 
-TEST_CASE("three cases of closing") {
+TEST_CASE("the three cases of the normal velocity") {
   const Vector up(0, 0, 1);
   check_closing({{0, 0, 1}, {3, 0, -2}, {0, 0, 0}}, ground, {0, 0, 0}, up);
   check_closing({{0, 0, 1}, {3, 0, 2}, {0, 0, 0}}, ground, {0, 0, 0}, up);
   check_closing({{0, 0, 1}, {3, 0, 0}, {0, 0, 0}}, ground, {0, 0, 0}, up);
-  // The centre sinks, and the end that touches rises; then the other way.
+  // The centre of mass sinks and the end in contact rises; then the reverse.
   check_closing({{2, 0, 1}, {0, 0, -1}, {0, 2, 0}}, ground, {0, 0, 0}, up);
   check_closing({{2, 0, 1}, {0, 0, 1}, {0, -2, 0}}, ground, {0, 0, 0}, up);
   check_closing({{2, 0, 1}, {0, 0, -4}, {0, 2, 0}}, ground, {0, 0, 0}, up);
