@@ -1,6 +1,6 @@
-// Right parts are the formula without rounding, rounded once; a right axis is the difference of the
-// centres divided by its length. Every test asks for at least two different answers, so that no
-// constant passes one.
+// Right components are the formula without rounding, rounded once; a right axis is the difference
+// of the centres divided by its length. Every test asks for at least two different answers, so that
+// no constant passes one.
 #include "line_of_centres.hpp"
 
 #include <support/exercise.hpp>
@@ -75,13 +75,13 @@ TEST_CASE("coincident centres have no axis") {
   check_axis({-0.5, 8}, {-0.5, 8});
 }
 
-TEST_CASE("what is not along is across") {
+TEST_CASE("the tangential component is the rest") {
   check_parts({5, 2}, {1, 0});
   check_parts({5, 2}, {0, 1});
   check_parts({10, 5}, {0.6, 0.8});
 }
 
-TEST_CASE("a velocity against the axis keeps its sign") {
+TEST_CASE("a component against the axis is negative") {
   check_parts({-5, 2}, {1, 0});
   check_parts({5, 2}, {-1, 0});
   check_parts({-10, 5}, {0.6, -0.8});
