@@ -34,7 +34,7 @@ void check_crash(const Vehicle& a, const Vehicle& b) {
   const Motion right = motion(p, mass);
   // An angle is off by the error of the momentum over its magnitude.
   const Motion room{kRoom * scale / mass, kRoom * scale / p.norm() / kDegree + kRoom * 180};
-  ask("How does the wreck move?")
+  ask("What is the motion of the wreck?")
       .given("a", a)
       .given("b", b)
       .suspect("degrees-in-sin", [&] { return motion(momentum(a, 1) + momentum(b, 1), mass); })

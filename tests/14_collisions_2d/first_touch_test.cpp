@@ -78,7 +78,7 @@ First sliced(const Discs& discs, double slice) {
 void check(const Discs& discs) {
   const First right = earliest(discs, right_time);
   auto answer =
-      ask("Which two discs touch first, and when?")
+      ask("Which two discs touch first, and at what time?")
           .given("discs", discs)
           .suspect("other-disc-stands",
                    [&] {

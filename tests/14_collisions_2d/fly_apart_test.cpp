@@ -47,7 +47,7 @@ void check(double mass, const Vector& v, double piece, const Vector& w) {
   const auto with = [&](const Vector& rest, double rest_mass) -> Rest {
     return {rest, energy(piece, w) + energy(rest_mass, rest) - energy(mass, v)};
   };
-  ask("How does the rest move, and what kinetic energy is gained?")
+  ask("What is the velocity of the remainder, and what kinetic energy is gained?")
       .given("mass", mass)
       .given("velocity", v)
       .given("piece_mass", piece)
@@ -70,7 +70,7 @@ void check(double mass, const Vector& v, double piece, const Vector& w) {
 void check_refused(double mass, double piece) {
   const Vector v(1, 2);
   const Vector w(-3, 0);
-  ask("How does the rest move, and what kinetic energy is gained?")
+  ask("What is the velocity of the remainder, and what kinetic energy is gained?")
       .given("mass", mass)
       .given("velocity", v)
       .given("piece_mass", piece)

@@ -20,7 +20,7 @@ void check_axis(const Vector& a, const Vector& b) {
   const Vector d = a - b;
   const Axis right = a == b ? Axis() : Axis(d / std::sqrt(d.x() * d.x() + d.y() * d.y()));
   auto answer =
-      ask("What is the axis of the collision, from B to A?")
+      ask("What is the unit vector of the line of impact, from B to A?")
           .given("centre_a", a)
           .given("centre_b", b)
           .suspect_if("division-by-zero", [](const Axis& got) { return got && !got->allFinite(); })
@@ -44,7 +44,7 @@ void check_parts(const Vector& velocity, const Vector& axis) {
   // Two products and a sum, a product and a difference; the sum may be as large as |v|.
   const double bound = 8 * 0x1p-53 * (std::abs(velocity.x()) + std::abs(velocity.y()));
   const Vector room(bound, bound);
-  ask("What are the velocity's parts along the axis and across it?")
+  ask("What are the normal and tangential components of the velocity?")
       .given("velocity", velocity)
       .given("axis", axis)
       .suspect("parts-exchanged",

@@ -65,7 +65,7 @@ void check(const Disc& a, const Disc& b, double e) {
   // of velocity is at most twice as large.
   const double bound = 128 * 0x1p-53 * (a.velocity.norm() + b.velocity.norm());
   const Vector room(bound, bound);
-  ask("How do the two discs leave?")
+  ask("What are the velocities of the two discs afterwards?")
       .given("a", a)
       .given("b", b)
       .given("restitution", e)

@@ -26,7 +26,7 @@ void check_end(double drop, double gravity, double k) {
   const double right = fall * ((1 + k) / (1 - k));
   // Quotient and root, 1 + k, 1 - k, quotient and product: 6 u. As a sum, 1 + 2k/(1 − k), the same.
   const double bound = 16 * 0x1p-53 * right;
-  ask("When has the ball come to rest?")
+  ask("When does the ball come to rest?")
       .given("drop", drop)
       .given("gravity", gravity)
       .given("k", k)
@@ -39,7 +39,7 @@ void check_end(double drop, double gravity, double k) {
 
 void check_count(double drop, double gravity, double k, double time, int right) {
   const double fall = std::sqrt(2 * drop / gravity);
-  ask("How often has the ball touched the floor?")
+  ask("How many impacts have there been?")
       .given("drop", drop)
       .given("gravity", gravity)
       .given("k", k)

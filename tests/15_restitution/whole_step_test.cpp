@@ -48,7 +48,7 @@ Ball stepped(const Asked& q, Way way) {
 
 void check(const Asked& q, double room) {
   const Ball right = stepped(q, Way::right);
-  ask("Where is the ball one step later?")
+  ask("What is the state of the ball one step later?")
       .given("ball", q.ball)
       .given("gravity", q.gravity)
       .given("k", q.k)

@@ -89,7 +89,7 @@ void check(const Body& a, const Body& b, const Vector& point, const Vector& n, d
       return compute(a, b, point, n, e, ways);
     };
   };
-  ask("How do the two bodies move after the collision?")
+  ask("What is the motion of the two bodies after the collision?")
       .given("a", a)
       .given("b", b)
       .given("point", point)

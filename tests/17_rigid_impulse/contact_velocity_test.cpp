@@ -34,7 +34,7 @@ void check_velocity(const Motion& body, const Vector& p) {
     // Difference, product, difference, sum: 4 u of the terms, 1 u of the oracle's. Doubled.
     bound(k) = 10 * 0x1p-53 * (std::abs(body.velocity(k)) + spin(y) * arm(z) + spin(z) * arm(y));
   }
-  ask("How fast does the point of the body at `point` move?")
+  ask("What is the velocity of the body's point at `point`?")
       .given("body", body)
       .given("point", p)
       .suspect("omega-cross-r-reversed",
@@ -67,7 +67,7 @@ void check_closing(const Motion& a, const Motion& b, const Vector& p, const Vect
     const double v = n.dot(Vector(velocity(a) - velocity(b)));
     return case_of((v > 0) - (v < 0));
   };
-  ask("Do the two bodies close, touch or part?")
+  ask("Do the two bodies approach each other, touch or separate?")
       .given("a", a)
       .given("b", b)
       .given("point", p)

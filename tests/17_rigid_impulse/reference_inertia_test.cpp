@@ -194,7 +194,7 @@ TEST_CASE("principal axes give the tensor back") {
     const Matrix3<double> inertia = contact::rotated<double>(moments.asDiagonal(), turn);
     const auto got = contact::principal_axes<double>(inertia);
     const double largest = moments.maxCoeff();
-    // At most 12 sweeps of three rotations, each a few roundings of the largest entry.
+    // At most 12 iterations of three rotations, each a few roundings of the largest entry.
     const double room = 400 * u * largest;
     const Matrix3<double> again = contact::rotated<double>(got.moments.asDiagonal(), got.rotation);
     CHECK((again - inertia).cwiseAbs().maxCoeff() <= room);

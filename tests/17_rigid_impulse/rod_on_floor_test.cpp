@@ -110,7 +110,7 @@ void check(const Body& body, const Vector& point, double e, double friction) {
       body.velocity.norm() + std::abs(body.spin) * (1 + (point - body.centre).norm());
   const auto room =
       double(64 * 0x1p-53L * worst * worst * speed * (1 + 1 / Real((point - body.centre).norm())));
-  ask("How does the body move after its point has met the floor?")
+  ask("What is the motion of the body after the impact with the floor?")
       .given("body", body)
       .given("point", point)
       .given("e", e)

@@ -23,7 +23,7 @@ void check_box(double mass, const Vector& size) {
     const Exact z(size((k + 2) % 3));
     right(k, k) = quotient<double>(Exact(mass) * (y * y + z * z), Exact(12.0));
   }
-  ask("What is the box's tensor about its centre?")
+  ask("What is the tensor of the box about its centre of mass?")
       .given("mass", mass)
       .given("size", size)
       .suspect("half-lengths-for-lengths", [&]() -> Matrix { return 4 * right; })

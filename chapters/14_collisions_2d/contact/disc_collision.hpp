@@ -81,7 +81,7 @@ Exact exact_dot_of_differences(const Vector2<S>& a, const Vector2<S>& b, const V
 
 }  // namespace detail
 
-/// The axis of a collision of discs: the unit vector along the line of their centres, from B to A.
+/// The axis: the unit vector along the line of centres of two discs, from B to A.
 /// This is the line of impact (line of collision), the common normal of their rims at the contact.
 ///
 /// The same for spheres, with a third coordinate.

@@ -301,7 +301,7 @@ struct PrincipalAxes {
 // [principal-axes]
 /// The principal axes of a symmetric tensor, by Jacobi's rotations.
 ///
-/// Each rotation makes one pair of off-diagonal entries zero; after a few sweeps over the three
+/// Each rotation makes one pair of off-diagonal entries zero; after a few iterations over the three
 /// pairs all are as small as rounding allows.
 /// @param inertia symmetric, finite, kg·m²
 /// @return moments off by a few u of the largest; R · diag(moments) · Rᵀ gives the tensor back.

@@ -1,5 +1,5 @@
 /// @file
-/// Exercise: the axis of a collision, and the normal and tangential components of a velocity.
+/// Exercise: the line of impact, and the normal and tangential components of a velocity.
 #pragma once
 
 #include <contact/prelude.hpp>
