@@ -127,12 +127,12 @@ RigidBody<S> immovable(const Vector3<S>& position, const Vector3<S>& velocity,
   return body;
 }
 
-// [velocity-at]
 /// The velocity of the point of the body that is at p now: v + ω × r, with the lever arm r from the
 /// centre of mass to p.
 /// @param p in the world, m; it need not lie in the body
 /// @return m/s; each coordinate off by γ(5) of the sum of its terms' magnitudes
 /// @see *Interaction and Normals*, slide "Velocities of points of contact"
+// [velocity-at]
 template <Ring S>
 Vector3<S> velocity_at(const RigidBody<S>& body, const Vector3<S>& p) {
   const Vector3<S> r = p - body.position;
@@ -160,11 +160,11 @@ S kinetic_energy(const RigidBody<S>& body) {
 }
 // [/momenta]
 
-// [apply-impulse]
 /// The body after an impulse J at the point p: the velocity changes by J/m, the angular velocity by
 /// I⁻¹ (r × J). Its position does not change.
 /// @param impulse on this body, N·s
 /// @param p in the world, m
+// [apply-impulse]
 template <Ring S>
 RigidBody<S> after_impulse(RigidBody<S> body, const Vector3<S>& impulse, const Vector3<S>& p) {
   const Vector3<S> r = p - body.position;
