@@ -71,7 +71,6 @@ S dot_exactly(const Eigen::Matrix<S, N, 1>& u, const Eigen::Matrix<S, N, 1>& v) 
   return rounded<S>(sum);
 }
 
-// [difference-of-products]
 /// a b − c d, off by at most 2 u of itself.
 ///
 /// The first fused multiply-add finds what the product c d lost, the second subtracts the rounded
@@ -83,6 +82,7 @@ S dot_exactly(const Eigen::Matrix<S, N, 1>& u, const Eigen::Matrix<S, N, 1>& v) 
 /// Source: Kahan; the bound is that of Jeannerod, Louvet and Muller, *Further analysis of Kahan's
 /// algorithm for the accurate computation of 2 × 2 determinants*, Mathematics of Computation 82
 /// (2013).
+// [difference-of-products]
 template <std::floating_point S>
 S difference_of_products(S a, S b, S c, S d) {
   const S cd = c * d;
@@ -140,12 +140,12 @@ S difference_of_products_exactly(S a, S b, S c, S d) {
   return rounded<S>(Exact(double(a)) * Exact(double(b)) - Exact(double(c)) * Exact(double(d)));
 }
 
-// [cross-in-order]
 /// u × v as it is defined: two products and a difference for each coordinate.
 ///
 /// Each coordinate is off by at most γ(2) (|product| + |product|), plus the smallest positive
 /// number: nothing beside |u||v|, and everything beside u × v when u and v are nearly parallel. A
 /// product that overflows makes ∞ or NaN. Exact if S is exact.
+// [cross-in-order]
 template <Ring S>
 Vector3<S> cross_in_order(const Vector3<S>& u, const Vector3<S>& v) {
   return {u.y() * v.z() - u.z() * v.y(), u.z() * v.x() - u.x() * v.z(),
@@ -183,13 +183,13 @@ Vector3<S> cross_exactly(const Vector3<S>& u, const Vector3<S>& v) {
           difference_of_products_exactly(u.x(), v.y(), u.y(), v.x())};
 }
 
-// [line-side]
 /// On which side of the line from a to b the point p is: positive on the left, negative on the
 /// right. Twice the signed area of the triangle a, b, p, with products of the coordinates
 /// themselves.
 ///
 /// Limits: six products as large as |a||b|. Far from the origin they are much larger than the
 /// area, and the sign of what is left of them may be anything. Exact if S is exact.
+// [line-side]
 template <Ring S>
 S line_side_expanded(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& p) {
   return (a.x() * b.y() - a.y() * b.x()) + (b.x() * p.y() - b.y() * p.x()) +
