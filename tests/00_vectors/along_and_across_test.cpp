@@ -1,6 +1,6 @@
-// Right answers are the formulae without rounding, rounded once (the speed: its dot product and its
-// squared length, rounded once each). Every test asks for at least two different answers, so that
-// no constant passes one.
+// Right answers are computed exactly and rounded once (the speed: its dot product and its squared
+// length, rounded once each). Every test expects at least two different answers, so that no
+// constant passes.
 #include "along_and_across.hpp"
 
 #include <support/exercise.hpp>

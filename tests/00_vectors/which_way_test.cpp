@@ -1,6 +1,6 @@
-// Right answers are signs without rounding. A decision has no tolerance: random paths are taken
-// only where the plain formula is certain, and every named one has differences and products that a
-// double holds. Every test asks for at least two different answers.
+// Right answers are exact signs. A predicate has no tolerance: random paths are used only where the
+// rounded formula is certain, and every named one has differences and products that are exact in
+// double precision. Every test expects at least two different answers.
 #include "which_way.hpp"
 
 #include <support/exercise.hpp>
@@ -100,7 +100,7 @@ TEST_CASE("random paths agree with exact arithmetic") {
     const double bend = random.chance(0.5) ? random.uniform(-9, 9) : random.magnitude(-30, -10);
     const Point c = a + share * (b - a) + Point{0, bend};
     // Two rounded differences, a product and the last difference: 5 u of each product. Doubled, and
-    // taken over all the ways to pair the three points.
+    // taken over all pairings of the three points.
     const double size = (a - b).norm() * (c - b).norm() + (a - b).norm() * (c - a).norm();
     if (!(std::abs(plain(a, b, c)) > 20 * 0x1p-53 * size)) continue;
     check(a, b, c);
