@@ -44,8 +44,8 @@ Vector turned(const Wagon& wagon, const Vector& v) {
 }
 Vector mirrored(const Vector& v) { return {v.x(), -v.y()}; }
 
-/// A difference, a product and a sum; or the products before the difference; and 4 u for
-/// forward, which is not exactly a unit vector. Doubled.
+/// A difference, a product and a sum; or the products before the difference; and 4 u for forward,
+/// which is not exactly a unit vector. Doubled.
 Vector room(const Vector& p, const Vector& o) {
   const double size = p.cwiseAbs().sum() + o.cwiseAbs().sum();
   return Vector::Constant(16 * 0x1p-53 * size);

@@ -1,6 +1,6 @@
 // Right answers are computed exactly and rounded once. Each coordinate may have a relative error of
-// 4 u: Kahan's difference of products is off by 2 u, one with twice the digits by little more
-// than 1 u, and the right answer by 1 u. Every test expects at least two different answers.
+// 4 u: Kahan's difference of products is off by 2 u, one with twice the digits by little more than
+// 1 u, and the right answer by 1 u. Every test expects at least two different answers.
 #include "last_digits.hpp"
 
 #include <support/exercise.hpp>

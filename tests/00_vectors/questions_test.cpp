@@ -110,8 +110,8 @@ KEY("ahead-and-left") {
 }
 
 KEY("stopping-distance") {
-  // In other units the same distance must come out. A metre is 1000 mm, a second is
-  // 1/60 minute; only the right formula's value changes by just a factor of 1000.
+  // In other units the same distance must come out. A metre is 1000 mm, a second is 1/60 minute;
+  // only the right formula's value changes by just a factor of 1000.
   const auto formulas = [](double v, double a) {
     return std::array{v / (2 * a), 2 * a / (v * v), v * v / (2 * a), v * v * a / 2};
   };

@@ -1,6 +1,6 @@
 // The references against rational arithmetic on the stored numbers (class (a) of the oracle), the
-// angle against intervals (class (c)). u is the unit roundoff of the type. A bound stated in
-// a comment of the reference is tested exactly, without an allowance.
+// angle against intervals (class (c)). u is the unit roundoff of the type. A bound stated in a
+// comment of the reference is tested exactly, without an allowance.
 #include <array>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>

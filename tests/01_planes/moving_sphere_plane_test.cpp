@@ -1,5 +1,5 @@
-// Right answers come from exact arithmetic on the numbers as they are stored. Every test expects
-// at least two different answers.
+// Right answers come from exact arithmetic on the numbers as they are stored. Every test expects at
+// least two different answers.
 #include "moving_sphere_plane.hpp"
 
 #include <support/exercise.hpp>

@@ -1,5 +1,5 @@
-// Right planes come from exact arithmetic, with one rounding at each coordinate of N = (b − a) ×
-// (c − a); only its length is computed in rounded arithmetic.
+// Right planes come from exact arithmetic, with one rounding at each coordinate of N = (b − a) × (c
+// − a); only its length is computed in rounded arithmetic.
 #include "plane_from_points.hpp"
 
 #include <support/exercise.hpp>

@@ -35,8 +35,8 @@ TEMPLATE_TEST_CASE("a segment crosses where the oracle says", "", float, double)
     const Family family = all_families[static_cast<std::size_t>(i) % all_families.size()];
     if (!fits<S>(family)) continue;
     const auto t = generators::triangle(random, family);
-    // On the grid the plane lies along an axis: every intermediate result is a small whole
-    // number, so nothing is rounded and every contact must be found.
+    // On the grid the plane lies along an axis: every intermediate result is a small whole number,
+    // so nothing is rounded and every contact must be found.
     const bool rounds = family != Family::grid;
     const auto made = rounds ? plane_of(generators::rounded<S>(t)) : [&] {
       const auto p = generators::plane(random, family);
@@ -71,8 +71,8 @@ TEMPLATE_TEST_CASE("a segment crosses where the oracle says", "", float, double)
     const Rational tolerance =
         (e0 + right->t * (e0 + e1)) / (size - e0 - e1) + 3 * u<S>() * right->t + eta<S>();
     REQUIRE(oracle::exact(oracle::error(double(got->t), right->t)) <= tolerance);
-    // The two weights come from the same rounded distances, so their sum is 1 to within 2 u
-    // each; products and sum: 2 u.
+    // The two weights come from the same rounded distances, so their sum is 1 to within 2 u each;
+    // products and sum: 2 u.
     for (int k = 0; k < 3; ++k) {
       const Rational a = e.start(k);
       const Rational b = e.end(k);

@@ -1,5 +1,5 @@
-// Right answers come from exact arithmetic on the numbers as they are stored. Every test expects
-// a hit and a miss.
+// Right answers come from exact arithmetic on the numbers as they are stored. Every test expects a
+// hit and a miss.
 #include "segment_plane.hpp"
 
 #include <support/exercise.hpp>

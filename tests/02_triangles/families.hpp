@@ -1,7 +1,6 @@
 /// @file
 /// Rays and triangles that are hard to decide. All coordinates are floats, so that a method in
-/// float and one in double get the same input. Eigen only: the ladder uses them in the
-/// page.
+/// float and one in double get the same input. Eigen only: the ladder uses them in the page.
 #pragma once
 
 #include <support/generators.hpp>
@@ -40,8 +39,7 @@ inline contact::Vector3<float> between(const contact::Vector3<float>& p,
   return exact.cast<float>();
 }
 
-/// Random points in a box, and a ray from one point of it into the triangle's
-/// neighbourhood.
+/// Random points in a box, and a ray from one point of it into the triangle's neighbourhood.
 inline Aimed random(generators::Random& random) {
   const contact::Triangle<float> triangle{random_point(random), random_point(random),
                                           random_point(random)};

@@ -12,8 +12,8 @@ namespace contact {
 
 namespace angle_detail {
 
-/// v times the power of two that brings its largest coordinate into [1/2, 1), and that power;
-/// only coordinates far too small to matter are rounded. 0 for 0.
+/// v times the power of two that brings its largest coordinate into [1/2, 1), and that power; only
+/// coordinates far too small to matter are rounded. 0 for 0.
 template <std::floating_point S>
 Vector3<S> near_one(const Vector3<S>& v, int& power) {
   power = 0;

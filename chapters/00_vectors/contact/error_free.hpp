@@ -13,9 +13,8 @@ namespace contact {
 // [ulp]
 /// The distance from |x| to the next larger number of its type, one *unit in the last place*.
 ///
-/// It is constant between two powers of two and doubles at each: 2^(e−p+1) for
-/// 2^e ≤ |x| < 2^(e+1), where p is 24 for float and 53 for double. Below the smallest normal number
-/// it is constant.
+/// It is constant between two powers of two and doubles at each: 2^(e−p+1) for 2^e ≤ |x| < 2^(e+1),
+/// where p is 24 for float and 53 for double. Below the smallest normal number it is constant.
 /// @param x any number; for the largest finite one it is the distance to the number before it
 /// @return in the unit of x; the smallest positive number for 0, ∞ for ±∞, NaN for NaN
 template <std::floating_point S>

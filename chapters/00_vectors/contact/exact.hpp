@@ -30,8 +30,8 @@ class Exact {
   /// Zero.
   Exact() = default;
 
-  /// The value of a finite double. Implicit, because it is exact; -0.0 becomes 0.
-  /// A value that is not finite is a programming error, and asserts.
+  /// The value of a finite double. Implicit, because it is exact; -0.0 becomes 0. A value that is
+  /// not finite is a programming error, and asserts.
   Exact(double value);
 
   /// -1, 0 or +1.

@@ -17,8 +17,8 @@ namespace contact {
 /// u · v = Σ uᵢ vᵢ by recursive summation. With v = (1, 1, ...) it is the sum of u.
 ///
 /// Off by at most γ(n) Σ|uᵢ vᵢ| for n coordinates, plus half the smallest positive number for each
-/// product that underflows. The bound is relative to the *terms*: when they cancel, no digit of
-/// u · v need be right, nor its sign. Exact if S is exact.
+/// product that underflows. The bound is relative to the *terms*: when they cancel, no digit of u ·
+/// v need be right, nor its sign. Exact if S is exact.
 /// @param u n coordinates
 /// @param v as many
 /// @return in the unit of u times that of v; 0 for no coordinates
@@ -76,8 +76,7 @@ S dot_exactly(const Eigen::Matrix<S, N, 1>& u, const Eigen::Matrix<S, N, 1>& v) 
 /// the rounded product from a b without rounding a b; then the error is added.
 ///
 /// Limits: each product is 0 because a factor is, or is far enough from the ends of the number
-/// range
-/// (`product_keeps_its_digits`).
+/// range (`product_keeps_its_digits`).
 ///
 /// Source: Kahan; the bound is that of Jeannerod, Louvet and Muller, *Further analysis of Kahan's
 /// algorithm for the accurate computation of 2 × 2 determinants*, Mathematics of Computation 82

@@ -24,8 +24,8 @@ struct Segment {
   Vector3<S> end = Vector3<S>::Zero();    ///< m
 };
 
-/// All points origin + t direction with t ≥ 0. The direction need not be a unit vector: t is
-/// in multiples of its length.
+/// All points origin + t direction with t ≥ 0. The direction need not be a unit vector: t is in
+/// multiples of its length.
 template <Ring S>
 struct Ray {
   Vector3<S> origin = Vector3<S>::Zero();     ///< m

@@ -13,8 +13,8 @@ namespace contact {
 /// A number with +, −, × and an order: enough for every predicate that is polynomial in its input.
 ///
 /// float, double and long double are such numbers (rounded), and so are exact types. Integers are
-/// excluded on purpose: they overflow silently. An exact type that is used inside a vector
-/// must also specialise `Eigen::NumTraits`.
+/// excluded on purpose: they overflow silently. An exact type that is used inside a vector must
+/// also specialise `Eigen::NumTraits`.
 template <class S>
 concept Ring = !std::integral<S> && std::regular<S> && std::totally_ordered<S> &&
                std::constructible_from<S, int> && requires(const S a, const S b) {

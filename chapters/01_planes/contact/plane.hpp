@@ -64,8 +64,8 @@ Vector3<S> times_power_of_two(const Vector3<S>& v, int power) {
   return {std::ldexp(v.x(), power), std::ldexp(v.y(), power), std::ldexp(v.z(), power)};
 }
 
-/// (b − a) × (c − a) with each edge scaled by a power of two, its largest entry in [1, 2): only
-/// the direction matters.
+/// (b − a) × (c − a) with each edge scaled by a power of two, its largest entry in [1, 2): only the
+/// direction matters.
 template <std::floating_point S>
 Vector3<S> cross_of_edges(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c) {
   Vector3<S> edge_ab = b - a;
@@ -222,8 +222,7 @@ S signed_distance(const Plane<S>& plane, const Vector3<S>& x) {
 ///
 /// The product of each coordinate goes through at most four roundings (×, two +, −), so the error
 /// is at most γ(4) (Σ|nᵢ xᵢ| + |k|), plus 3 η / 2 for products that underflow. The bound is itself
-/// computed with at most six roundings, so γ(11) replaces γ(4), and 2 η replaces
-/// 3 η / 2.
+/// computed with at most six roundings, so γ(11) replaces γ(4), and 2 η replaces 3 η / 2.
 /// @return m, never NaN for finite input; ∞ if the sum of absolute values overflows
 template <std::floating_point S>
 S signed_distance_error(const Plane<S>& plane, const Vector3<S>& x) {

@@ -31,8 +31,8 @@ std::pair<S, S> comparable_distances(const Plane<S>& plane, const Segment<S>& se
   return {start, end};
 }
 
-/// weight_start × start + weight_end × end, clamped to the box of the two: rounding must not
-/// move the point beyond them.
+/// weight_start × start + weight_end × end, clamped to the box of the two: rounding must not move
+/// the point beyond them.
 template <Scalar S>
 Vector3<S> between(const Segment<S>& segment, const S& weight_start, const S& weight_end) {
   Vector3<S> point;

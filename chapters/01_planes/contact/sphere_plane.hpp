@@ -15,8 +15,8 @@ namespace contact {
 /// Whether a sphere and a plane have a point in common: |n · c − k| ≤ r. Touching counts.
 /// @param sphere with a radius that is not negative, m
 /// @param plane with a unit normal; with another length the test is wrong by that factor
-/// @note In a floating-point type the rounded distance decides: certain only if | |n · c −
-/// k| − r | exceeds signed_distance_error(plane, c).
+/// @note In a floating-point type the rounded distance decides: certain only if | |n · c − k| − r |
+/// exceeds signed_distance_error(plane, c).
 /// @see *Interaction and Normals*, slide "Sphere-Plane Intersection"
 // [sphere-plane]
 template <Ring S>
@@ -49,8 +49,8 @@ namespace detail {
 /// The floating-point filter: the answer of rounded arithmetic if it is certain, else nothing.
 /// Compares |N · (c − a)| with r |N|.
 ///
-/// With P = Σ Mᵢ |cᵢ − aᵢ| and Mᵢ the sum of the magnitudes of the products of entry i of the
-/// cross product: each term of N · (c − a) goes through at most eight roundings (two differences,
+/// With P = Σ Mᵢ |cᵢ − aᵢ| and Mᵢ the sum of the magnitudes of the products of entry i of the cross
+/// product: each term of N · (c − a) goes through at most eight roundings (two differences,
 /// product, difference; one difference, product, two sums), so the left side is off by at most γ(8)
 /// P. The entries of N are off by γ(4) Mᵢ and the root adds 4 u, so the right side is off by at
 /// most γ(8) r ΣMᵢ. γ(24) leaves room for the rounding of the bound itself, and for the squares in

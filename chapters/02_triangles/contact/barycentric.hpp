@@ -36,12 +36,12 @@ Vector2<S> drop_dimension(const Vector3<S>& v, int k) {
 // [/largest-dimension]
 
 /// The barycentric coordinates of a point in a triangle's plane: the weights of a, b and c, in that
-/// order, with w_a a + w_b b + w_c c = point and w_a + w_b + w_c = 1. All three are at least 0
-/// if and only if the point is in the triangle, its edges included.
+/// order, with w_a a + w_b b + w_c c = point and w_a + w_b + w_c = 1. All three are at least 0 if
+/// and only if the point is in the triangle, its edges included.
 ///
-/// The coordinate in which the normal is largest is dropped: the triangle's projection along
-/// that axis has the largest area, at least 1/√3 of the triangle's own. Dropping the smallest can
-/// leave a projection without area.
+/// The coordinate in which the normal is largest is dropped: the triangle's projection along that
+/// axis has the largest area, at least 1/√3 of the triangle's own. Dropping the smallest can leave
+/// a projection without area.
 ///
 /// @param point a point of the plane, m; for a point off the plane, the weights of its projection
 /// along the dropped axis

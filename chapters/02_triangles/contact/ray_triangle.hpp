@@ -63,8 +63,8 @@ std::optional<RayHit<S>> cross_plane(const Ray<S>& ray, const Vector3<S>& on_pla
 /// @param line a Ray or a Segment
 ///
 /// Limits: the point is rounded before the edge tests, so two triangles that share an edge can both
-/// reject a ray between them. t is off by a few u (Σ|terms of N| + |t| Σ|terms of D|) / |D|,
-/// where N and D are the numerator and the denominator of t; the decision has no error bound.
+/// reject a ray between them. t is off by a few u (Σ|terms of N| + |t| Σ|terms of D|) / |D|, where
+/// N and D are the numerator and the denominator of t; the decision has no error bound.
 ///
 /// Source: *Interaction and Normals*, slide "Segment vs. Triangle".
 // [edge-tests]

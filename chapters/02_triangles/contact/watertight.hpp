@@ -49,8 +49,7 @@ class WatertightRay {
   /// Limits: the shear rounds each vertex, so a hit near an edge may be assigned to the neighbour.
   /// It is not lost between the two, because both round the shared vertices alike. This holds as
   /// long as no product over- or underflows and t is not within its rounding of 0 or `last`, and
-  /// only without fused multiply-adds in the shear and the edge function
-  /// (`-ffp-contract=off`).
+  /// only without fused multiply-adds in the shear and the edge function (`-ffp-contract=off`).
   ///
   /// Source: Woop, Benthin and Wald,
   /// Watertight Ray/Triangle Intersection, 2013.

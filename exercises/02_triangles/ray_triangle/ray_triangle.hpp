@@ -18,8 +18,7 @@ namespace exercise {
 /// - Touching counts: on an edge, at a vertex, or at the origin itself (t = 0).
 /// - Both sides of the triangle can be hit.
 /// - A ray parallel to the plane of the triangle, or in it, has no single meeting point: nothing.
-/// The
-///   same holds for a zero direction and for a triangle without area.
+///   The same holds for a zero direction and for a triangle without area.
 /// - Size does not matter, from micrometres to kilometres.
 ///
 /// @param ray origin in m; direction of any length but finite, in m for each unit of t
