@@ -74,7 +74,7 @@ TEST_CASE("the lengths do not count") {
   check({1e-9, 0, 0}, {1e9, 1e9, 1e9});
 }
 
-TEST_CASE("small angles, and angles near π, keep their digits") {
+TEST_CASE("small angles, and angles near π, are accurate") {
   for (const double small : {1e-3, 1e-6, 1e-8, 1e-11}) {
     check({1, 0, 0}, {1, small, 0});
     check({1, 2, 3}, {1 + small, 2, 3});

@@ -52,7 +52,7 @@ Vector room(const Vector& p, const Vector& o) {
 }
 
 void check_place(const Wagon& wagon, const Vector& p) {
-  ask("Where is the place in the wagon's frame?")
+  ask("What are the coordinates of the position in the wagon's frame?")
       .given("wagon", wagon)
       .given("place", p)
       .suspect("place-not-subtracted", [&]() -> Vector { return plain(wagon, p); })
@@ -81,7 +81,7 @@ void check_velocity(const Wagon& wagon, const Vector& v) {
 }
 
 void check_world(const Wagon& wagon, const Vector& p) {
-  ask("Where is the place in the world?")
+  ask("What are the coordinates of the position in the world?")
       .given("wagon", wagon)
       .given("place_in_wagon", p)
       .suspect("place-not-subtracted", [&]() -> Vector { return turned(wagon, p); })

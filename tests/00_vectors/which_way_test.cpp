@@ -21,7 +21,7 @@ double plain(const Point& a, const Point& b, const Point& c) {
 
 void check(const Point& a, const Point& b, const Point& c) {
   const int right = contact::line_side_exactly<double>(a, b, c);
-  ask("Which way does the path turn at b?")
+  ask("In which direction does the path turn at b?")
       .given("a", a)
       .given("b", b)
       .given("c", c)
@@ -51,7 +51,7 @@ TEST_CASE("left, right and straight on") {
   check({1, 2}, {1, 2}, {3, 4});
 }
 
-TEST_CASE("in whatever direction one walks") {
+TEST_CASE("in every direction of the path") {
   // Bent to the left and to the right by less than a right angle, starting in eight directions.
   const std::array<Point, 8> steps{Point{2, 0},  Point{2, 2},   Point{0, 2},  Point{-2, 2},
                                    Point{-2, 0}, Point{-2, -2}, Point{0, -2}, Point{2, -2}};
@@ -64,7 +64,7 @@ TEST_CASE("in whatever direction one walks") {
   }
 }
 
-TEST_CASE("straight on is straight on, also along a slope") {
+TEST_CASE("a straight path is straight, also along a slope") {
   check({0, 0}, {3, 7}, {9, 21});
   check({0, 0}, {3, 7}, {9, 20});
   check({-5, 2}, {-2, 0.75}, {7, -3});
@@ -80,7 +80,7 @@ TEST_CASE("a tiny path turns like a large one") {
   }
 }
 
-TEST_CASE("far from the origin it is the same path") {
+TEST_CASE("a path far from the origin turns like one near it") {
   for (const double far : {0x1p30, -0x1p34, 0x1p40}) {
     const Point place(far, far + 12345);
     for (const Point& c : {Point{2, 1}, Point{2, -1}, Point{2, 0}, Point{1, 1}}) {

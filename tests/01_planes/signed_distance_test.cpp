@@ -42,7 +42,7 @@ double bound(const PlaneEquation& p, const Vector& x) {
 }
 
 void check_distance(const PlaneEquation& plane, const Vector& point) {
-  ask("How far is the point in front of the plane?")
+  ask("What is the signed distance of the point from the plane?")
       .given("plane", plane)
       .given("point", point)
       .suspect("offset-sign", [&] { return (value(plane, point) - 2 * plane.d) / length(plane); })

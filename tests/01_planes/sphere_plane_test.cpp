@@ -39,7 +39,7 @@ void check_loose(const Sphere& sphere, const LoosePlane& plane) {
   const auto value = [&] { return plane.normal.dot(sphere.centre) - plane.offset; };
   const auto square = [&] { return plane.normal.squaredNorm(); };
   const double r = sphere.radius;
-  ask("Does the sphere meet the plane, whose normal is no unit vector?")
+  ask("Does the sphere meet the plane, whose normal is not a unit vector?")
       .given("sphere", sphere)
       .given("plane", plane)
       .suspect("touching-rejected", [&] { return value() * value() < r * r * square(); })

@@ -48,7 +48,7 @@ Vector at(const Triangle& triangle, double beta, double gamma) {
 void check(const Triangle& triangle, const Vector& point) {
   const Vector right = exact_weights(triangle, point);
   const Vector sizes = right.cwiseAbs();
-  ask("What are the weights of the corners at this point?")
+  ask("What are the weights of the vertices at this point?")
       .given("triangle", triangle)
       .given("point", point)
       .suspect("beta-sign", [&] { return Vector(1 + right[1] - right[2], -right[1], right[2]); })
@@ -104,7 +104,7 @@ TEST_CASE("a triangle without area is refused") {
   check(kTilted, at(kTilted, 0.5, 0.125));
   const Triangle line{{0, 0, 0}, {2, 0, 0}, {4, 0, 0}}, point{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}};
   for (const Triangle& triangle : {line, point}) {
-    ask("What are the weights of the corners at this point?")
+    ask("What are the weights of the vertices at this point?")
         .given("triangle", triangle)
         .given("point", triangle.b)
         .answer([&] { return exercise::barycentric(triangle, triangle.b); })
@@ -119,7 +119,7 @@ TEST_CASE("temperature and velocity are interpolated by the weights") {
                                 Vector(1.5, 0.25, -0.75)}) {
     const Air right{weights.dot(Vector(a.temperature, b.temperature, c.temperature)),
                     weights[0] * a.velocity + weights[1] * b.velocity + weights[2] * c.velocity};
-    ask("What is the air like at the point with these weights?")
+    ask("What are the temperature and the velocity at the point with these weights?")
         .given("a", a)
         .given("b", b)
         .given("c", c)

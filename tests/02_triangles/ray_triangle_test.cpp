@@ -148,7 +148,7 @@ TEST_CASE("a triangle is hit from both sides") {
   check(aimed(kTilted, 0.25, 0.5, -kDown, 3), kTilted, {Mistake::one_sided});
 }
 
-TEST_CASE("a triangle is hit whichever way it faces") {
+TEST_CASE("a triangle is hit in every orientation") {
   check(aimed(kTilted, 0.25, 0.5, kDown, 3), kTilted);
   for (const int turn : {0, 1, 2}) {
     const auto turned = [&](const Vector& v) {

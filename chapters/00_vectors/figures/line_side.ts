@@ -20,11 +20,7 @@ const CELLS = 17;
 const RAIL = -1.6;
 const LAST = 42;
 const PER_STEP = CELLS / LAST;
-const METHODS = [
-  "products first",
-  "differences first",
-  "differences first, in single precision",
-] as const;
+const METHODS = ["products first", "differences first", "differences first, float"] as const;
 
 /** A distance in m or km. */
 const said = (metres: number): string =>

@@ -178,8 +178,18 @@ export default defineFigure<Input, Output>({
       role: "normal",
     },
     { name: "ulp", meaning: "spacing of the numbers", value: output.spacing.toExponential(2) },
-    { name: "a", meaning: "stored − decimal, in ulps of the sum", value: output.error_a, role: "a" },
-    { name: "b", meaning: "stored − decimal, in ulps of the sum", value: output.error_b, role: "b" },
+    {
+      name: "a",
+      meaning: "stored − decimal, in ulps of the sum",
+      value: output.error_a,
+      role: "a",
+    },
+    {
+      name: "b",
+      meaning: "stored − decimal, in ulps of the sum",
+      value: output.error_b,
+      role: "b",
+    },
   ],
   describe(input, output) {
     const tenths = (n: number): string => (n === 1 ? "one tenth" : `${pretty(n)} tenths`);
