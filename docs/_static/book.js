@@ -11,6 +11,39 @@
   document.fonts.ready.then(reach);
   reach();
 
+  // A Deeper box opens where an address, a search or the printer leads into it.
+  const openAround = (node) => {
+    for (
+      let box = node?.closest("details.deeper");
+      box;
+      box = box.parentElement.closest("details.deeper")
+    )
+      box.open = true;
+  };
+  const openAddress = () => {
+    const name = location.hash.slice(1);
+    const target =
+      name && (document.getElementById(name) ?? document.getElementById(decodeURI(name)));
+    if (!target?.closest("details.deeper:not([open])")) return;
+    openAround(target);
+    target.scrollIntoView();
+  };
+  addEventListener("hashchange", openAddress);
+  openAddress();
+  addEventListener("load", () => {
+    // What Sphinx's search marked.
+    for (const word of document.querySelectorAll("details.deeper .highlighted")) openAround(word);
+  });
+  let closedOnScreen = [];
+  addEventListener("beforeprint", () => {
+    closedOnScreen = [...document.querySelectorAll("details.deeper:not([open])")];
+    for (const box of closedOnScreen) box.open = true;
+  });
+  addEventListener("afterprint", () => {
+    for (const box of closedOnScreen) box.open = false;
+  });
+  document.addEventListener("toggle", reach, true);
+
   /** The site's root, as the page names it. */
   const root = new URL(document.documentElement.dataset.content_root ?? "./", document.baseURI);
 

@@ -19,6 +19,7 @@ from contact_book.chapter import (
     place_head,
 )
 from contact_book.chapter_map import ChapterMap
+from contact_book.deeper import Deeper
 from contact_book.ebook import connect as connect_ebook
 from contact_book.exercise import Exercise
 from contact_book.exercise_data import connect as connect_exercise_data
@@ -52,6 +53,7 @@ DIRECTIVES = {
     "code": Code,
     "measured": Measured,
     "objectives": Objectives,
+    "deeper": Deeper,
     "chapter-head": ChapterHead,
     "chapter-foot": ChapterFoot,
     "chapter-map": ChapterMap,

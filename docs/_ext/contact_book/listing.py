@@ -6,10 +6,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from docutils import nodes
+from regions import region, without_inline_macro, without_markers
 
 from contact_book.directive import BookDirective
 from contact_book.errors import BookError, unknown
-from contact_book.regions import region, without_inline_macro, without_markers
 
 
 def listing(text: str, language: str, caption: list[nodes.Node]) -> nodes.Element:
