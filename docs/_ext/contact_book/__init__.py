@@ -21,6 +21,7 @@ from contact_book.chapter import (
 from contact_book.chapter_map import ChapterMap
 from contact_book.deeper import Deeper
 from contact_book.ebook import connect as connect_ebook
+from contact_book.errata import ErrataRole
 from contact_book.exercise import Exercise
 from contact_book.exercise_data import connect as connect_exercise_data
 from contact_book.fonts import copy_fonts, subset_fonts
@@ -82,6 +83,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     for name, directive in DIRECTIVES.items():
         app.add_directive(name, directive, override=True)
     app.add_role("chapter", ChapterRole())
+    app.add_role("errata", ErrataRole())
     for node in (component, slot):
         _add_node(app, node)
     app.add_html_math_renderer("katex", (visit_inline, None), (visit_block, None))

@@ -25,7 +25,7 @@ class Deeper(BookDirective):
         title = self.inline_markdown(self.arguments[0])
         words = "".join(node.astext() for node in title)
         name = nodes.make_id(f"deeper {words}")
-        titles: tuple[str, ...] = self.env.temp_data.get(_TITLES, ())
+        titles: tuple[str, ...] = self.env.temp_data.get(_TITLES) or ()
         if name in titles:
             raise BookError(f"two boxes of this page are called '{words}'")
         self.env.temp_data[_TITLES] = (*titles, name)

@@ -10,6 +10,7 @@ from sphinx.writers.html5 import HTML5Translator
 from contact_book.book import PARTS, Chapter
 from contact_book.chapter import chapter_link, joined
 from contact_book.directive import BookDirective
+from contact_book.errata import faulted
 from contact_book.exercises import lesson_time
 from contact_book.html import can_run_scripts, renders
 from contact_book.nodes import component, make_component
@@ -85,6 +86,9 @@ class BookContents(BookDirective):
             self.toctree(name, [f"chapters/{chapter.slug}" for chapter in group])
             for name, group in _parts(lessons)
         ]
+        lectures = [f"lectures/{lecture}" for lecture in faulted(self.book)]
+        if lectures:
+            blocks.append(self.toctree("What the lectures get wrong", lectures))
         blocks.append(self.toctree("Reference code", ["api/index"]))
         return self.markdown("\n\n".join(blocks))
 
