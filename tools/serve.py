@@ -18,6 +18,7 @@ import sys
 import threading
 import time
 from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
 from html.parser import HTMLParser
 from http import HTTPStatus
 from typing import ClassVar
@@ -27,43 +28,64 @@ import steps
 from steps import SITE
 
 DEFAULT_PORT = 8000
+# Parts of the page that are built at a time: a figure keeps one core busy.
+AT_ONCE = 2
 
 
 class Waiting:
     """What is waiting to be built, in order; what an open page asks for goes first.
 
     `parts` are things that can be built by themselves, each with the name of what it is a part of.
+    Several things are built at a time, but of exercises one: all of them are told in one list.
     """
 
     def __init__(self, names: list[str], parts: Mapping[str, str] | None = None) -> None:
-        self._names = names
+        self._names = names  # those that are being built come first
         self._parts = parts or {}
+        self._begun: list[str] = []
         self._built: set[str] = set()
         self._lock = threading.Lock()
 
     def want(self, name: str) -> None:
         with self._lock:
-            # The first is being built already.
-            if name in self._names[:1] or name in self._built:
+            if name in self._begun or name in self._built:
                 return
             if name in self._names:
                 self._names.remove(name)
             elif self._parts.get(name) not in self._names:
                 return
-            self._names.insert(1, name)
+            self._names.insert(len(self._begun), name)
 
-    def first(self) -> str | None:
+    def take(self) -> str | None:
+        """The next that can be built now; from here on it is being built, until it is dropped."""
         with self._lock:
-            return self._names[0] if self._names else None
+            busy = any(is_of_exercises(name) for name in self._begun)
+            for name in self._names[len(self._begun) :]:
+                if not (busy and is_of_exercises(name)):
+                    self._names.remove(name)
+                    self._names.insert(len(self._begun), name)
+                    self._begun.append(name)
+                    return name
+            return None
 
     def drop(self, name: str) -> None:
         with self._lock:
             self._names.remove(name)
+            self._begun.remove(name)
             self._built.add(name)
 
     def names(self) -> list[str]:
         with self._lock:
             return list(self._names)
+
+    def begun(self) -> list[str]:
+        with self._lock:
+            return list(self._begun)
+
+
+def is_of_exercises(name: str) -> bool:
+    """Whether this is built as steps.part_of_page() builds exercises."""
+    return name.startswith(("exercise ", "exercises "))
 
 
 class Handler(http.server.SimpleHTTPRequestHandler):
@@ -91,7 +113,8 @@ class Handler(http.server.SimpleHTTPRequestHandler):
             return
         for name in parse_qs(address.query).get("want", [])[:1]:
             self.waiting.want(name)
-        text = json.dumps({"waiting": self.waiting.names()}).encode()
+        said = {"waiting": self.waiting.names(), "building": self.waiting.begun()}
+        text = json.dumps(said).encode()
         self.send_response(HTTPStatus.OK)
         self.send_header("Content-Type", "application/json")
         self.send_header("Content-Length", str(len(text)))
@@ -189,8 +212,12 @@ class Behind(threading.Thread):
             print("The book is served without what failed.", flush=True)
 
     def _what_pages_ask_for(self) -> bool:
+        with ThreadPoolExecutor(AT_ONCE) as pool:
+            return all(list(pool.map(lambda _: self._one_after_another(), range(AT_ONCE))))
+
+    def _one_after_another(self) -> bool:
         ok = True
-        while (name := self._waiting.first()) is not None and not steps.CHILDREN.stopping:
+        while (name := self._waiting.take()) is not None and not steps.CHILDREN.stopping:
             ok = build(steps.part_of_page(name)) and ok
             self._waiting.drop(name)
         return ok

@@ -7,10 +7,6 @@ import textwrap
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import steps
-
-# Where tools/sample.py and tests/browser/sample.mjs write, in every process of a stage.
-SLICES = steps.LOGS / "slices.jsonl"
 WIDTH = 120
 
 

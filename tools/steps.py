@@ -143,13 +143,13 @@ def run(
 
 
 @contextmanager
-def build_lock() -> Iterator[None]:
-    """One native build at a time: two Ninjas in one folder spoil each other's work.
+def build_lock(preset: str = "dev") -> Iterator[None]:
+    """One build in a folder at a time: two Ninjas in one spoil each other's work.
 
-    ./contact takes the same lock.
+    ./contact takes the lock of build/dev too.
     """
     BUILD.mkdir(exist_ok=True)
-    with (BUILD / "lock").open("w") as file:
+    with (BUILD / ("lock" if preset == "dev" else f"lock-{preset}")).open("w") as file:
         fcntl.flock(file, fcntl.LOCK_EX)
         yield
 
@@ -195,8 +195,10 @@ def _node(log: str, *words: str) -> Callable[[], Done]:
     return lambda: run(["node", *words], log, cwd=ROOT / "page", limit=STEP_LIMIT)
 
 
-def _page_exercises(only: str | None = None) -> Done:
+def page_exercises(*only: str) -> Done:
     """The compiler that the page loads and the exercises' tests, as WebAssembly.
+
+    `only`: exercises, or chapters; none of them are all. What is built already is kept.
 
     Catch2's source comes from the package archive; where there is none, the book goes without.
     """
@@ -206,7 +208,7 @@ def _page_exercises(only: str | None = None) -> Done:
         return Done(0, fetched.output, fetched.seconds, fetched.log)
     if not fetched.ok:
         return fetched
-    narrowed = ["--only", only] if only else []
+    narrowed = [word for name in only for word in ("--only", name)]
     return _node("book-exercises", "wasm/build.mjs", "toolchain", *narrowed)()
 
 
@@ -300,8 +302,14 @@ def part_of_page(name: str) -> Step:
     return Step(f"the {kind} {which}", lambda: _build_exercises(which))
 
 
+def _one_product(kind: str, name: str) -> Done:
+    """With one process, for two of them are made at a time; each has a log of its own."""
+    words = ("wasm/build.mjs", kind, "--only", name, "--workers", "1", "--quiet")
+    return _node(f"book-{kind}-{name.replace('/', '-')}", *words)()
+
+
 def _build_figure(name: str) -> Done:
-    done = _node("book-figure", "wasm/build.mjs", "figures", "--only", name, "--quiet")()
+    done = _one_product("figures", name)
     if done.ok:
         player = name.endswith("/scene_player")
         _beside_the_pages("scenes/player.wasm" if player else f"figures/{name}.wasm")
@@ -309,7 +317,7 @@ def _build_figure(name: str) -> Done:
 
 
 def _build_ladder(slug: str) -> Done:
-    done = _node("book-ladder", "wasm/build.mjs", "ladders", "--only", slug, "--quiet")()
+    done = _one_product("ladders", slug)
     if done.ok:
         _beside_the_pages(f"ladders/{slug}.wasm")
     return done
@@ -317,7 +325,7 @@ def _build_ladder(slug: str) -> Done:
 
 def _build_exercises(which: str) -> Done:
     """The tests of one exercise, or of a chapter's, and with the first the compiler."""
-    done = _page_exercises(which)
+    done = page_exercises(which)
     folder = BUILD / "web" / "cpp"
     if done.ok and (folder / "manifest.json").is_file():
         for file in sorted(folder.rglob("*")):
@@ -346,7 +354,7 @@ SCRIPTS_ONLY = Step("the page's scripts", _node("book-web", "web/build.mjs", "--
 SCRIPTS = Step("the page's scripts and pictures", _node("book-web", "web/build.mjs"))
 FIGURES = Step("the figures' C++ for the page", _node("book-figures", "wasm/build.mjs", "figures"))
 LADDERS = Step("the ladders' C++ for the page", _node("book-ladders", "wasm/build.mjs", "ladders"))
-COMPILER = Step("the compiler and the exercises for the page", _page_exercises)
+COMPILER = Step("the compiler and the exercises for the page", page_exercises)
 PAGE_PROGRAMS = Step("the programs whose results the pages show", _page_programs)
 PAGES = Step("the pages with all that", build_book)
 EBOOK_STEP = Step("the e-book", build_ebook)

@@ -1,9 +1,10 @@
 """./contact test: every check there is, stage by stage, and what each took.
 
 A stage is a list of checks; it goes on after one that fails, and so do the stages after it unless
-they need what the failed one was to build. The last line is `N passed, N failed, N skipped`, which
-adds up what the test programs themselves report: test cases of ctest, pytest and node:test, cases
-of `contact dev check`, and one for each linter, build and program that can only succeed or fail.
+they need what the failed one was to build. Two stages run at a time (lanes.py). The last line is
+`N passed, N failed, N skipped`, which adds up what the test programs themselves report: test cases
+of ctest, pytest and node:test, cases of `contact dev check`, and one for each linter, build and
+program that can only succeed or fail.
 """
 
 from __future__ import annotations
@@ -12,7 +13,6 @@ import argparse
 import json
 import os
 import re
-import resource
 import shutil
 import signal
 import subprocess
@@ -22,49 +22,17 @@ import time
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
 from pathlib import Path
 
 import landing
+import lanes
 import lengths
 import steps
 import touched
-from sample import chapters_asked_for, sample, turn, wanted
-from slices import SLICES, Slice, read_slices, slice_in_words
+from sample import chapters_asked_for, sample, wanted
+from stages import Check, Lane, Stage, Tally, closing_table, run_stage
 from steps import BUILD, DEV, PROGRAM, ROOT, Done
 from wrong_answers import write_whole  # where touched finds the registry's writer
-
-
-@dataclass
-class Tally:
-    """What a check found: counts, and for what failed or was not run, why."""
-
-    passed: int = 0
-    failed: int = 0
-    skipped: int = 0
-    why: list[str] = field(default_factory=list)
-    names: list[str] = field(default_factory=list)  # of what failed
-    explained: bool = False  # `why` says what failed, so nobody has to read the output for it
-
-    def add(self, other: Tally) -> None:
-        self.passed += other.passed
-        self.failed += other.failed
-        self.skipped += other.skipped
-        self.why += other.why
-        self.names += other.names
-
-
-Check = Callable[[float], Tally]  # takes the seconds that are left
-
-
-@dataclass(frozen=True)
-class Stage:
-    name: str
-    what: str
-    minutes: float  # a stage is stopped there, and has failed
-    checks: Callable[[], Iterator[Check]]
-    needs: tuple[str, ...] = ()
-
 
 # --- Checks ---------------------------------------------------------------------------------------
 
@@ -272,7 +240,7 @@ def cmake_build(preset: str, *targets: str) -> Iterator[Check]:
 
 def build_of(preset: str, *targets: str) -> Check:
     def build(seconds: float) -> Tally:
-        with steps.build_lock():
+        with steps.build_lock(preset):
             done = steps.run(
                 ["cmake", "--build", BUILD / preset, "--", "-k", "0", *targets],
                 log_name(f"build {preset}"),
@@ -441,9 +409,10 @@ def sanitize() -> Iterator[Check]:
 
 
 def tidy() -> Iterator[Check]:
-    """clang-tidy over the library that judges, and over all reference headers through one file.
+    """clang-tidy over all reference headers through one file, and over the library that judges.
 
-    The commands in cli/ are thin, and what they include takes clang-tidy minutes.
+    Of the library a third goes in a turn, and what the change touches. The commands in cli/ are
+    thin, and what they include takes clang-tidy minutes.
     """
     folder = BUILD / "tidy"
     folder.mkdir(parents=True, exist_ok=True)
@@ -459,9 +428,13 @@ def tidy() -> Iterator[Check]:
     command = ["c++", "-std=c++20", "-ffp-contract=off", "-DEIGEN_DONT_VECTORIZE"]
     command += [word for chapter in chapters for word in ("-I", str(chapter))]
     command += ["-isystem", "/usr/include/eigen3", "-c", str(everything)]
-    own = [
-        entry for entry in commands if re.match(r"grading/", os.path.relpath(entry["file"], ROOT))
-    ]
+    judging = {
+        name: entry
+        for entry in commands
+        if (name := os.path.relpath(entry["file"], ROOT)).startswith("grading/")
+    }
+    taken = sample(sorted(judging), 3, "clang-tidy of the library that judges", kind="tidy")
+    own = [judging[name] for name in taken]
     # clang would take g++'s precompiled header for one of its own.
     for entry in own:
         flags = r"-Winvalid-pch|-include \S+/cmake_pch\.hxx"
@@ -547,6 +520,24 @@ def _native_figures() -> steps.Done:
     return steps.build_native(figures, "native-figures")
 
 
+def exercises_for_the_page() -> list[str]:
+    """A third, the same as the tests in a browser take, and those that tests of the page name."""
+    all_there = sorted(
+        f"{file.parts[-3]}/{file.parts[-2]}" for file in ROOT.glob("exercises/*/*/exercise.toml")
+    )
+    patterns = ("tests/browser/*.mjs", "page/web/test/**/*.mjs", "page/wasm/*.test.mjs")
+    tests = [file.read_text("utf-8") for pattern in patterns for file in ROOT.glob(pattern)]
+    named = {name for text in tests for name in re.findall(r"\b\d\d_\w+/\w+", text)}
+    for folder in ("tests/browser/endings", "tests/grading/mistakes"):
+        named |= {"/".join(one.parts[-2:]) for one in (ROOT / folder).glob("*/*")}
+    taken = sample(all_there, 3, "exercises compiled for the page", kind="exercises")
+    return sorted({*taken, *(named & set(all_there))})
+
+
+EXERCISES = steps.Step(
+    "the compiler and exercises for the page",
+    lambda: steps.page_exercises(*exercises_for_the_page()),
+)
 NATIVE_FIGURES = steps.Step("native programs of figures", _native_figures)
 
 
@@ -559,7 +550,7 @@ def wasm() -> Iterator[Check]:
         return
     if shutil.which("apt-get"):
         yield once("Catch2's source", [ROOT / "tools" / "fetch_catch2_source.sh"])
-    yield from step_checks([steps.COMPILER, NATIVE_FIGURES])
+    yield from step_checks([EXERCISES, NATIVE_FIGURES])
     tests = [*sorted(here.glob("wasm/*.test.mjs")), *sorted(here.glob("web/test/cpp/*.test.mjs"))]
     if chapters_asked_for():
         # The figures and the ladders. The exercises are checked in a browser: parity.test.mjs.
@@ -636,8 +627,15 @@ READS = {
 BEYOND_CHAPTERS = tuple(name for name in READS if name != "tidy")
 
 # The minutes are where a stage is stopped on a busy machine; all of them together take far less.
+# Those of one lane run in this order, beside those of the other.
 STAGES = (
-    Stage("style", "format, linters and types of C++, Python, TypeScript and shell", 4, style),
+    Stage(
+        "style",
+        "format, linters and types of C++, Python, TypeScript and shell",
+        4,
+        style,
+        lane=Lane.WAITS,
+    ),
     Stage("native", "configure and build everything; headers alone", 30, native),
     Stage(
         "ctest",
@@ -645,14 +643,32 @@ STAGES = (
         10,
         native_tests,
         ("native",),
+        Lane.WAITS,
     ),
     Stage(
-        "dev-check", "stubs, solutions, wrong answers and null answers", 12, dev_check, ("native",)
+        "dev-check",
+        "stubs, solutions, wrong answers and null answers",
+        12,
+        dev_check,
+        ("native",),
+        Lane.WAITS,
     ),
-    Stage("program", "the contact program from outside", 8, program, ("native",)),
-    Stage("grade", "submissions that nobody trusts: boxes, marks, reports", 25, grade, ("native",)),
-    Stage("outside", "set-up; the headers in another project", 6, outside, ("native",)),
-    Stage("ladder", "every ladder at a small size", 4, ladder, ("native",)),
+    Stage("program", "the contact program from outside", 8, program, ("native",), Lane.WAITS),
+    Stage(
+        "grade",
+        "submissions that nobody trusts: boxes, marks, reports",
+        25,
+        grade,
+        ("native",),
+        Lane.WAITS,
+    ),
+    Stage("outside", "set-up; the headers in another project", 6, outside, ("native",), Lane.WAITS),
+    Stage("ladder", "every ladder at a small size", 4, ladder, ("native",), Lane.WAITS),
+    Stage("page", "the page's scripts, figures and ladders in WebAssembly", 15, page, ("native",)),
+    Stage("wasm", "the compiler in the page, and the exercises for it", 20, wasm, ("native",)),
+    Stage("book", "the book without a warning, and served", 15, book, ("page", "wasm")),
+    Stage("browser", "the book in a real browser", 25, browser, ("book",), Lane.WAITS),
+    Stage("sanitize", "references against the oracle, hard cases, questions", 25, sanitize),
     Stage(
         "tidy",
         "clang-tidy over the reference headers and the library that judges",
@@ -660,56 +676,7 @@ STAGES = (
         tidy,
         ("native",),
     ),
-    Stage("sanitize", "references against the oracle, hard cases, questions", 25, sanitize),
-    Stage("page", "the page's scripts, figures and ladders in WebAssembly", 15, page, ("native",)),
-    Stage("wasm", "the compiler in the page, and the exercises for it", 20, wasm, ("native",)),
-    Stage("book", "the book without a warning, and served", 15, book, ("page", "wasm")),
-    Stage("browser", "the book in a real browser", 25, browser, ("book",)),
 )
-
-
-def processor_seconds() -> float:
-    """What all commands that have ended took of processors."""
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
-
-
-@dataclass
-class Row:
-    """What a stage found, how long it took on the clock and of processors, and what it left out."""
-
-    stage: Stage
-    tally: Tally
-    seconds: float = 0.0
-    used: float = 0.0
-    slices: dict[str, Slice] = field(default_factory=dict)
-
-
-def run_stage(stage: Stage) -> Row:
-    began = time.monotonic()
-    used = processor_seconds()
-    tally = Tally()
-    SLICES.unlink(missing_ok=True)
-    try:
-        for check in stage.checks():
-            left = stage.minutes * 60 - (time.monotonic() - began)
-            if left <= 0:
-                why = f"no time was left of {stage.minutes:g} minutes"
-                tally.add(Tally(failed=1, why=[why], names=[f"{stage.name}: {why}"]))
-                break
-            tally.add(check(left))
-    except OSError as error:
-        why = f"{stage.name}: {error}"
-        tally.add(Tally(failed=1, why=[why], names=[why]))
-    # A chapter by itself may have no ladder, or no exercise.
-    nothing = tally.passed + tally.failed + tally.skipped == 0
-    if nothing and not chapters_asked_for():
-        why = f"{stage.name} found nothing to check"
-        tally.add(Tally(failed=1, why=[why], names=[why]))
-    slices = read_slices(SLICES)
-    # What waits for another turn was not run.
-    tally.skipped += sum(len(of.left) for of in slices.values())
-    return Row(stage, tally, time.monotonic() - began, processor_seconds() - used, slices)
 
 
 def chosen(names: Sequence[str], since: str | None) -> list[Stage]:
@@ -769,12 +736,6 @@ def since_revision(revision: str) -> list[Stage]:
     return with_needs(names)
 
 
-def result(tally: Tally) -> str:
-    if tally.failed:
-        return "FAILED"
-    return "passed" if tally.passed else "not run"
-
-
 def tell_what_is_touched() -> None:
     """Puts what the change touches where tools/sample.py looks for it; one who has set it knows."""
     if "CONTACT_TOUCHED" in os.environ or "CONTACT_ALL" in os.environ:
@@ -800,64 +761,28 @@ def main() -> int:
     )
     parser.add_argument("--since", metavar="REV", help="what the change since REV can touch")
     parser.add_argument("--list", action="store_true", help="show the stages and stop")
+    # How lanes.py runs one of them: what it found goes into --row as JSON.
+    parser.add_argument("--alone", metavar="STAGE", help=argparse.SUPPRESS)
+    parser.add_argument("--row", type=Path, help=argparse.SUPPRESS)
     arguments = parser.parse_args()
+    sys.stdout.reconfigure(line_buffering=True)  # type: ignore[union-attr]
     if arguments.list:
         for stage in STAGES:
             print(f"{stage.name:10} at most {stage.minutes:4g} min  {stage.what}")
         print("A chapter's name checks all of that chapter alone:")
         print(textwrap.fill(", ".join(CHAPTERS), 100, initial_indent="  ", subsequent_indent="  "))
         return 0
+    if arguments.alone:
+        stage = next(stage for stage in STAGES if stage.name == arguments.alone)
+        arguments.row.write_text(run_stage(stage).as_json(), encoding="utf-8")
+        return 0
 
-    sys.stdout.reconfigure(line_buffering=True)  # type: ignore[union-attr]
     steps.LOGS.mkdir(parents=True, exist_ok=True)
-    os.environ["CONTACT_SLICES"] = str(SLICES)
     stages = chosen(arguments.names, arguments.since)
-    rows: list[Row] = []
-    failed: set[str] = set()
-    for stage in stages:
-        missing = [need for need in stage.needs if need in failed]
-        if missing:
-            why = f"{stage.name} was not run: it needs {missing[0]}, which failed"
-            row = Row(stage, Tally(failed=1, why=[why], names=[why]))
-        else:
-            print(f"{stage.name}: {stage.what}")
-            row = run_stage(stage)
-        tally = row.tally
-        if tally.failed:
-            failed.add(stage.name)
-        rows.append(row)
-        for why in tally.why:
-            print("\n".join(f"    {line}" for line in why.splitlines()))
-        counts = f"{tally.passed} passed, {tally.failed} failed, {tally.skipped} skipped"
-        print(f"{stage.name}: {result(tally)} in {row.seconds:.0f} s ({counts})")
-    total = closing_table(rows)
+    began = time.monotonic()
+    rows = lanes.run_all(stages)
+    total = closing_table(rows, time.monotonic() - began, WHOLE_MINUTES * 60)
     return 1 if total.failed else 0
-
-
-def closing_table(rows: Sequence[Row]) -> Tally:
-    """Prints what each stage took, what went by turns, what failed, and last the sum."""
-    total = Tally()
-    head = ("stage", "seconds", "cpu", "limit", "passed", "failed", "skipped")
-    line = "{:10} {:>8} {:>8} {:>6} {:>7} {:>7} {:>8}  {}"
-    print("\n" + line.format(*head, "result"))
-    for row in rows:
-        total.add(row.tally)
-        numbers = (row.tally.passed, row.tally.failed, row.tally.skipped)
-        times = (f"{row.seconds:.1f}", f"{row.used:.1f}", int(row.stage.minutes * 60))
-        print(line.format(row.stage.name, *times, *numbers, result(row.tally)))
-    clock = sum(row.seconds for row in rows)
-    processors = sum(row.used for row in rows)
-    print(f"{'all':10} {clock:8.1f} {processors:8.1f} {WHOLE_MINUTES * 60:6}\n")
-    if any(row.slices for row in rows):
-        print(f"What goes by turns, in turn {turn()}; what did not run is counted as skipped:")
-        for row in rows:
-            for what, of in row.slices.items():
-                print(slice_in_words(what, of))
-        print()
-    for name in total.names:
-        print(f"failed: {name}")
-    print(f"{total.passed} passed, {total.failed} failed, {total.skipped} skipped")
-    return total
 
 
 if __name__ == "__main__":

@@ -38,6 +38,7 @@ HEADERS, TESTS, FIGURES, LADDER, EXERCISES, PAGE = KINDS = (
 )
 HOSTILE = "hostile"  # submissions that attack the grader
 EXPLAIN = "explain"  # a compiler's messages, explained
+TIDY = "tidy"  # sources of the library that judges, by their names
 CODE = (HEADERS, TESTS, FIGURES, LADDER, EXERCISES)
 
 Touched = dict[str, set[str]]  # of each kind, names of chapters; "*" is all of them
@@ -175,6 +176,10 @@ def touched_by(files: Iterable[str], book: Book) -> Touched:
         for pattern, kinds in SHARED:
             if re.match(pattern, file):
                 add(kinds, [EVERYTHING])
+        if re.match(r"grading/.*\.cpp$", file):
+            add((TIDY,), [file])
+        if re.match(r"grading/.*\.hpp$|\.clang-tidy$", file):
+            add((TIDY,), [EVERYTHING])
         if specimen := re.match(r"tests/grade/hostile/(\w+)\.cpp$", file):
             add((HOSTILE,), [specimen[1]])
         if own := _own(file):

@@ -1,5 +1,5 @@
-// What does it cost to know a sum of products: a sum, a dot product, a coordinate of a cross
-// product?
+// The cost and the accuracy of sums of products: a sum, a dot product, a coordinate of a cross
+// product.
 #include <support/ladder.hpp>
 
 #include <contact/products.hpp>
@@ -13,21 +13,21 @@ namespace {
 template <class S>
 using Column = Eigen::Matrix<S, Eigen::Dynamic, 1>;
 
-/// Σ xᵢ yᵢ as a float and as a double stores it; the change of type is not timed.
+/// The terms of Σ xᵢ yᵢ in float and in double; the conversion is not timed.
 struct Input {
   Column<float> x_float, y_float;
   Column<double> x, y;
 };
 
-/// A value as the number nearest to it and what that leaves, and Σ|xᵢ yᵢ|, beside which an error is
-/// large or small.
+/// A value as the number nearest to it and the remainder, and Σ|xᵢ yᵢ|, relative to which errors
+/// are measured.
 struct Value {
   double nearest = 0;
   double rest = 0;
   double size = 0;
 };
 
-/// What a method says, of the floats or of the doubles; the truth says both.
+/// The answer of a method, for the floats or for the doubles; the truth has both.
 struct Answer {
   bool of_floats = false;
   Value in_float, in_double;
@@ -79,7 +79,7 @@ Input dot(generators::Random& random) {
   }
   return in_both_types(u, v);
 }
-/// v upright on u, computed and so rounded.
+/// v perpendicular to u except for rounding.
 Input upright(generators::Random& random) {
   const double a = random.uniform(0.5, 1);
   const double b = random.uniform(-1, 1);
@@ -88,7 +88,7 @@ Input upright(generators::Random& random) {
   return in_both_types({a, b, c}, {-(b * d + c) / a, d, 1});
 }
 
-/// a b − c d for the edges of a triangle that is anything but a sliver.
+/// a b − c d for the edges of a triangle that is not a sliver.
 Input corner(generators::Random& random) {
   const double a = random.uniform(0.5, 1);
   const double c = random.uniform(-0.4, 0.4);
@@ -140,11 +140,11 @@ ladder::Ladder<Input, Answer> experiment() {
     verdict.error = std::abs((told.nearest - truth.nearest) - truth.rest) / truth.size;
     return verdict;
   };
-  ladder::Ladder<Input, Answer> ladder("What is a sum of products, and which sign has it?",
+  ladder::Ladder<Input, Answer> ladder("What are the value and the sign of a sum of products?",
                                        truth_of, judge);
 
-  ladder.family("one-way", "a sum of 32, all one way", one_way);
-  ladder.family("cancelling", "a sum of 32, the large ones cancel", cancelling);
+  ladder.family("one-way", "a sum of 32 terms of one sign", one_way);
+  ladder.family("cancelling", "a sum of 32 terms, the large ones cancel", cancelling);
   ladder.family("dot", "a dot product of two vectors", dot);
   ladder.family("upright", "a dot product of vectors at a right angle", upright);
   ladder.family("corner", "a cross product of two edges", corner);
@@ -162,7 +162,7 @@ ladder::Ladder<Input, Answer> experiment() {
           return Answer{false, {}, {method(input.x, input.y), 0, 0}};
         });
   };
-  in_both("order", "in order",
+  in_both("order", "recursive summation",
           [](const auto& x, const auto& y) { return contact::dot_in_order(x, y); });
   ladder.method(
       {.id = "widened", .title = "floats, in double", .scalar = "float in double", .exact = false},
@@ -188,7 +188,7 @@ ladder::Ladder<Input, Answer> experiment() {
   exact("exact", "exact", "exact",
         [](const Doubles& x, const Doubles& y) { return contact::dot_exactly(x, y); });
 #ifdef CONTACT_HAS_GMP
-  exact("rational", "in fractions (GMP)", "rational", by_rationals);
+  exact("rational", "rational numbers (GMP)", "rational", by_rationals);
 #endif
   return ladder;
 }

@@ -1,4 +1,4 @@
-// What does it cost to be right about a sphere and the plane through three points?
+// The cost of a correct test of a sphere against the plane through three points.
 #include <support/ladder.hpp>
 
 #include <contact/plane.hpp>
@@ -21,10 +21,10 @@ template <class S>
 struct Asked {
   Triangle<S> points;
   Sphere<S> sphere;
-  Plane<S> ready;  // for the method that keeps its plane
+  Plane<S> ready;  // for the method that reuses its plane
 };
 
-/// The numbers are floats, so that both types are asked the same; the change of type is not timed.
+/// The numbers are floats, so that both types get the same input; the conversion is not timed.
 struct Input {
   Asked<float> in_float;
   Asked<double> in_double;
@@ -53,7 +53,7 @@ bool collinear(const Triangle<float>& t) {
   return raw.normal == Vector3<contact::Exact>::Zero();
 }
 
-/// A sphere anywhere near a triangle.
+/// A random sphere near a triangle.
 Input anywhere(generators::Random& random, const Vector3<float>& place, double size) {
   for (;;) {
     const Triangle<float> t{place + in_box(random, size), place + in_box(random, size),
@@ -64,7 +64,7 @@ Input anywhere(generators::Random& random, const Vector3<float>& place, double s
   }
 }
 
-/// The radius is the float nearest to the distance, give or take two units in the last place.
+/// The radius is the float nearest to the distance, plus or minus up to two ulps.
 Input grazing(generators::Random& random) {
   for (;;) {
     const Triangle<float> t{in_box(random, 1), in_box(random, 1), in_box(random, 1)};
@@ -81,19 +81,18 @@ Input grazing(generators::Random& random) {
   }
 }
 
-/// Whole numbers, and normals whose length is a whole number, (1, 2, 2) and its like: the sphere
-/// touches exactly.
+/// Whole numbers, and normals of whole-number length such as (1, 2, 2): the sphere touches exactly.
 Input exact_touch(generators::Random& random) {
   static constexpr std::array<std::array<int, 4>, 4> quadruples{
       {{1, 2, 2, 3}, {2, 3, 6, 7}, {1, 4, 8, 9}, {2, 6, 9, 11}}};
   const auto& [x, y, z, length] = quadruples[static_cast<std::size_t>(random.integer(0, 3))];
   const auto whole = [&random] { return static_cast<float>(random.integer(-20, 20)); };
   const Vector3<float> a{whole(), whole(), whole()};
-  // Two edges at right angles to the normal (x, y, z).
+  // Two edges perpendicular to the normal (x, y, z).
   const Triangle<float> t{a, a + Vector3<float>(float(y), float(-x), 0),
                           a + Vector3<float>(float(z), 0, float(-x))};
   const int radius = random.integer(1, 9);
-  // From the corner along the plane, then up by the radius: (x, y, z) · (r / length) is whole if r
+  // From the vertex along the plane, then up by the radius: (x, y, z) · (r / length) is whole if r
   // is a multiple of it.
   const int times = random.chance(0.5) ? radius : -radius;
   const Vector3<float> centre = t.b + float(times) * Vector3<float>(float(x), float(y), float(z));
@@ -201,7 +200,7 @@ ladder::Ladder<Input, int> experiment() {
         [method](const Input& input) { return int(method(input.in_double)); });
   };
   in_both("unnormalised", "normal not normalised", [](const auto& q) { return unnormalised(q); });
-  in_both("first", "as one writes it first", [](const auto& q) { return written_first(q); });
+  in_both("first", "as first written", [](const auto& q) { return written_first(q); });
   in_both("squared", "squared, no root", [](const auto& q) { return squared(q); });
   in_both("unit", "the book's unit plane", [](const auto& q) { return unit_plane(q); });
   in_both("kept", "the same, plane made beforehand", [](const auto& q) { return kept_plane(q); });
@@ -215,7 +214,7 @@ ladder::Ladder<Input, int> experiment() {
   });
   exact("exact-unfiltered", "exact, no filter", "exact", unfiltered);
 #ifdef CONTACT_HAS_GMP
-  exact("rational", "squared, in fractions (GMP)", "rational", by_rationals);
+  exact("rational", "squared, rational numbers (GMP)", "rational", by_rationals);
 #endif
   return ladder;
 }

@@ -1,4 +1,4 @@
-// What does it cost to be right about a ray and a triangle? Each method in float and in double, on
+// The cost of a correct test of a ray against a triangle: each method in float and in double, on
 // four families of input.
 #include <support/ladder.hpp>
 
@@ -18,7 +18,7 @@ using contact::Ray;
 using contact::Triangle;
 using contact::TriangleHit;
 
-/// The same numbers in float and in double: the change of type is not timed.
+/// The same numbers in float and in double: the conversion is not timed.
 struct Input {
   Ray<float> ray;
   std::array<Triangle<float>, 2> triangles;
@@ -36,7 +36,7 @@ Input both_types(const families::Aimed& aimed) {
           aimed.count};
 }
 
-/// The first of the triangles that a method says is hit.
+/// The first of the triangles that a method reports as hit.
 template <class S, class Method>
 Answer ask(const Method& method, const Ray<S>& ray, const std::array<Triangle<S>, 2>& triangles,
            int count) {
@@ -76,7 +76,7 @@ contact::Vector3<Rational> rational(const contact::Vector3<double>& v) {
   return {Rational(v.x()), Rational(v.y()), Rational(v.z())};
 }
 
-/// Möller–Trumbore with fractions of whole numbers: the plain way to an exact answer.
+/// Möller–Trumbore with rational numbers: the simplest exact method.
 Answer by_rationals(const Ray<double>& ray, const Triangle<double>& triangle) {
   const auto hit = contact::intersect_moller_trumbore(
       Ray<Rational>{rational(ray.origin), rational(ray.direction)},
@@ -134,7 +134,7 @@ ladder::Ladder<Input, Answer> experiment() {
   exact("exact-unfiltered", "exact, no filter", "exact",
         [](const auto& r, const auto& t) { return contact::intersect_exact_unfiltered(r, t); });
 #ifdef CONTACT_HAS_GMP
-  exact("rational", "Möller–Trumbore in fractions (GMP)", "rational", by_rationals);
+  exact("rational", "Möller–Trumbore, rational numbers (GMP)", "rational", by_rationals);
 #endif
   return ladder;
 }

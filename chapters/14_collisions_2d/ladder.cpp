@@ -1,4 +1,4 @@
-// What does it cost to know whether two discs push each other, and how they leave?
+// The cost of deciding whether two discs push each other, and of their velocities afterwards.
 #include <support/ladder.hpp>
 
 #include <contact/disc_collision.hpp>
@@ -17,19 +17,19 @@ struct Pair {
   contact::Disc<S> a, b;
 };
 
-/// The same two discs as floats and as doubles store them; the change of type is not timed.
+/// The same two discs in float and in double; the conversion is not timed.
 struct Input {
   Pair<float> in_float;
   Pair<double> in_double;
 };
 
-/// Whether they push, and the velocities afterwards; what a float was asked is not what a double
-/// was.
+/// Whether there is an impulse, and the velocities afterwards; the input in float is not that in
+/// double.
 struct Said {
   bool hit = false;
   Vector<double> a = Vector<double>::Zero();
   Vector<double> b = Vector<double>::Zero();
-  double size = 0;  // |v_A| + |v_B|, beside which an error is large or small
+  double size = 0;  // |v_A| + |v_B|, to which errors are relative
 };
 struct Answer {
   bool of_floats = false;
@@ -67,7 +67,7 @@ Input anyhow(generators::Random& random) {
   return in_both_types(a, b);
 }
 
-/// The discs that a collision has just left.
+/// Two discs just after a collision.
 Input just_collided(generators::Random& random) {
   auto [a, b] = touching(random);
   const auto after = contact::collide_discs(a, b, restitution);
@@ -103,7 +103,7 @@ Input tiny(generators::Random& random) {
   return input;
 }
 
-/// In a field: a root is not needed, since d (d·w)/(d·d) has none.
+/// In a field: no root is needed, since d (d·w)/(d·d) has none.
 template <class T, class Divide>
 Said without_root(const Pair<double>& p, const Divide& divide) {
   const Vector<double>& va = p.a.velocity;
@@ -207,7 +207,7 @@ ladder::Ladder<Input, Answer> experiment() {
     verdict.wrong = told.hit != truth.hit;
     const double off = std::max((told.a - truth.a).cwiseAbs().maxCoeff(),
                                 (told.b - truth.b).cwiseAbs().maxCoeff());
-    // What is not a number is off by as much as there is.
+    // NaN counts as the largest error.
     verdict.error = std::isfinite(off) ? off / truth.size : 1;
     return verdict;
   };

@@ -1,5 +1,5 @@
-// Where is a bouncing ball after so long, and how often has it bounced? By formula, by events and
-// in steps.
+// The height of a bouncing ball at a time, and the number of impacts until then: by formula, by
+// events and in time steps.
 #include <support/ladder.hpp>
 
 #include <contact/bouncing.hpp>
@@ -8,8 +8,8 @@
 
 namespace {
 
-/// The same ball as a float and as a double stores it; the change of type is not timed. It starts
-/// on the floor, so that all its times are rational, and the truth needs no root.
+/// The same ball in float and in double; the conversion is not timed. It starts on the floor, so
+/// that all its times are rational, and the right answer needs no root.
 struct Input {
   contact::BouncingBall<double> in_double;
   contact::BouncingBall<float> in_float;
@@ -34,12 +34,12 @@ Input thrown(double speed, double gravity, double k, double time) {
       {0, speed, gravity, k}, {0, narrow(speed), narrow(gravity), narrow(k)}, time, narrow(time)};
 }
 
-/// In whole 256ths, so that the truth has not too many digits.
+/// In whole 256ths, to limit the digits of the right answer.
 double share(generators::Random& random, double low, double high) {
   return std::ldexp(std::round(std::ldexp(random.uniform(low, high), 8)), -8);
 }
 
-/// How many impacts, and where: n is the largest with (2 v / g)(1 + k + … + k^(n−1)) ≤ t.
+/// Number of impacts and height: n is the largest with (2 v / g)(1 + k + … + k^(n−1)) ≤ t.
 Place truth_of(double speed, double gravity, double k, double time) {
   using contact::Exact;
   const Exact v(speed), g(gravity), e(k), t(time);
@@ -87,7 +87,7 @@ Input plain(generators::Random& random) {
   return thrown(v, g, k, time + random.uniform(0.05, 0.95) * length);
 }
 
-/// At an impact, or one unit in the last place beside it.
+/// At an impact, or one ulp beside it.
 Input at_impact(generators::Random& random) {
   const double v = share(random, 3, 8);
   const double g = 9.8125;
@@ -100,7 +100,7 @@ Input at_impact(generators::Random& random) {
 }
 
 /// So near to the end that a flight takes less than a millionth of the time that has passed; some
-/// of the flights are shorter than the last digit of the time.
+/// flights are shorter than an ulp of the time.
 Input near_end(generators::Random& random) {
   const double v = share(random, 3, 8);
   const double g = 9.8125;

@@ -1,5 +1,5 @@
-// What does it cost to know how a body lies some seconds after it was hit? Two choices: how its
-// inertia is handled, in the hit and in flight, and how its orientation is kept.
+// The cost of a body's orientation some seconds after an impulse. Two choices: how its inertia is
+// handled, in the impact and in flight, and how its orientation is integrated.
 #include <support/ladder.hpp>
 
 #include <contact/rigid_body.hpp>
@@ -14,15 +14,15 @@ using M = contact::Matrix3<S>;
 
 constexpr int steps_a_second = 64;
 
-/// A body at rest with an axis of symmetry, and the blow that it gets. In double and in float.
+/// A body at rest with an axis of symmetry, and the impulse on it. In double and in float.
 template <class S>
 struct Hit {
   S across, along;          // moments, kg·m²
-  contact::Rotor<S> start;  // how it lies; its axis of symmetry is its own z
+  contact::Rotor<S> start;  // orientation; its axis of symmetry is its own z
   V<S> momentum;            // r × J, kg·m²/s
   M<S> tensor;              // in its own axes that are not the principal ones
-  M<S> frame;               // those axes, as the world sees them at first
-  int steps = 0;            // until it is looked at, of 1/64 s
+  M<S> frame;               // those axes in world coordinates, initially
+  int steps = 0;            // of 1/64 s
 
   S step() const { return S(1) / S(steps_a_second); }
 };
@@ -66,13 +66,13 @@ Input hit(generators::Random& random, double across, double along, int seconds =
   h.across = across;
   h.along = along;
   h.start = turn();
-  // A blow that makes it spin at 1 to 4 rad/s.
+  // An impulse that makes it rotate at 1 to 4 rad/s.
   const double rate = random.uniform(1, 4);
   const V<double> spin = direction(random) * rate;
   const M<double> r = contact::matrix_of(h.start);
   const M<double> own = contact::detail::diagonal<double>(across, across, along);
   h.momentum = contact::rotated<double>(own, r) * spin;
-  // The same body as a full tensor: in axes as a modeller left them.
+  // The same body as a full tensor, in arbitrary axes.
   const M<double> left = contact::matrix_of(turn());
   h.tensor = contact::rotated<double>(own, left);
   h.frame = r * left.transpose();
@@ -93,7 +93,7 @@ Answer truth_of(const Input& input) {
   return {false, right_end(input.in_double), right_end(input.in_float)};
 }
 
-/// How the spin is found from the angular momentum and the orientation.
+/// The angular velocity from the angular momentum and the orientation.
 struct ByAxes {
   template <class S>
   V<S> operator()(const Hit<S>& h, const M<S>& r) const {
@@ -107,7 +107,7 @@ struct AsSphere {
   }
 };
 struct ByTensor {
-  /// The frame turns with the body: R R₀ᵀ takes what was at first to what is now.
+  /// The frame rotates with the body: R R₀ᵀ takes the initial frame to the present one.
   template <class S>
   V<S> operator()(const Hit<S>& h, const M<S>& r) const {
     const M<S> first = contact::matrix_of(h.start);
@@ -166,11 +166,12 @@ ladder::Ladder<Input, Answer> experiment() {
         got.of_floats ? got.in_float - right.in_float : got.in_double - right.in_double;
     ladder::Verdict verdict;
     verdict.error = std::sqrt(off.cwiseAbs2().sum() / 2);
-    // Wrong, for a picture: a tenth of a radian, six degrees.
+    // Visibly wrong: a tenth of a radian, six degrees.
     verdict.wrong = !(verdict.error <= 0.1);
     return verdict;
   };
-  ladder::Ladder<Input, Answer> ladder("How does a body lie after it was hit?", truth_of, judge);
+  ladder::Ladder<Input, Answer> ladder("What is the orientation of a body after an impulse?",
+                                       truth_of, judge);
   ladder.family("balls", "balls", [](generators::Random& random) {
     const double i = random.uniform(0.5, 2);
     return hit(random, i, i);
@@ -189,7 +190,7 @@ ladder::Ladder<Input, Answer> experiment() {
     const double i = random.uniform(0.5, 2);
     return hit(random, i, 0.01 * i);
   });
-  // Drift: bricks of the same kind, looked at later.
+  // Drift: bricks of the same kind, later.
   ladder.family("bricks-4", "square bricks, 4 s",
                 [brick](generators::Random& random) { return brick(random, 4); });
   ladder.family("bricks-16", "square bricks, 16 s",
@@ -212,7 +213,7 @@ ladder::Ladder<Input, Answer> experiment() {
          [](const auto& h) { return by_exponential(h, AsSphere()); });
   method("axes-bare", "axes, Euler's matrix",
          [](const auto& h) { return by_bare_matrix(h, ByAxes()); });
-  method("axes-matrix", "axes, Euler's matrix, tidied",
+  method("axes-matrix", "axes, Euler's matrix, orthonormalised",
          [](const auto& h) { return by_matrix(h, ByAxes()); });
   method("axes-quaternion", "axes, quaternion",
          [](const auto& h) { return by_quaternion(h, ByAxes()); });

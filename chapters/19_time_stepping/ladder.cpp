@@ -1,5 +1,5 @@
-// Where is it after so long, and what has it met? A fall, a spring, a bouncing ball, two balls and
-// a wall: each in steps of several kinds, and without steps.
+// Positions after some seconds, and the number of impacts until then: a fall, a spring, a bouncing
+// ball, two balls and a wall, each in steps of several kinds and without steps.
 #include <support/ladder.hpp>
 
 #include <contact/ballistic.hpp>
@@ -20,7 +20,8 @@ using contact::TwoBallsAndWall;
 
 enum class Motion { fall, spring, bounce, two_balls };
 
-/// One of the four; what the others need is left as it is. The change to float is not timed.
+/// One of the four motions; members that only the others need keep their defaults. The conversion
+/// to float is not timed.
 template <class S>
 struct Scene {
   MotionState<S> start{S(0), S(0)};
@@ -37,12 +38,12 @@ struct Input {
   double size = 1;  // m, what an error is compared with
 };
 
-/// The second place is that of the outer ball.
+/// The second position is that of the outer ball.
 struct Answer {
   double first = 0;
   double second = 0;
   double hits = 0;
-  double size = 1;  // of the truth alone: what its errors are compared with
+  double size = 1;  // of the exact answer only: what errors are compared with
 };
 
 template <class To, class From>
@@ -55,7 +56,7 @@ TwoBallsAndWall<To> as(const TwoBallsAndWall<From>& b) {
           0};
 }
 
-/// Rounded to a 65,536th, so that a float holds it and both types are asked the same.
+/// Rounded to a multiple of 1/65,536, so that a float holds it and both types get the same input.
 double short_number(double x) { return std::nearbyint(x * 0x1p16) * 0x1p-16; }
 
 Input complete(Motion motion, const Scene<double>& wide, double size) {
@@ -93,7 +94,7 @@ Input spring(generators::Random& random) {
                   std::abs(place) + std::abs(speed) / scene.spring.angular_frequency);
 }
 
-/// Thrown up from the floor, in the first six flights and not just at an impact.
+/// Thrown upwards from the floor; the time is in the first six flights and not close to an impact.
 Input bounce(generators::Random& random) {
   Scene<double> scene;
   const double speed = short_number(random.uniform(3, 8));
@@ -109,7 +110,7 @@ Input bounce(generators::Random& random) {
   return complete(Motion::bounce, scene, speed * speed / (2 * 9.8125));
 }
 
-/// A ball of up to twenty times the mass comes in from the right, and nothing is lost.
+/// A ball of up to twenty times the mass approaches from the right, with e = 1.
 Input two_balls(generators::Random& random) {
   Scene<double> scene;
   const double mass = short_number(random.uniform(1, 20));
@@ -121,9 +122,9 @@ Input two_balls(generators::Random& random) {
   return complete(Motion::two_balls, scene, wall_gap + ball_gap + speed * scene.time);
 }
 
-// ---------------------------------------------------------------- the truth
+// ---------------------------------------------------------------- exact answers
 
-/// Sine and cosine to some 90 bits: a short series, and then the angle doubled ten times.
+/// Sine and cosine to about 90 bits: a short series, and then ten doublings of the angle.
 struct Turned {
   DoubleDouble sine, cosine;
 };
@@ -201,8 +202,8 @@ Steps steps_of(double time, double rate) {
   return {count, time / static_cast<double>(count)};
 }
 
-/// Steps of one integrator; what is below the floor, or overlaps, is turned round at the step's
-/// end.
+/// Steps of one integrator; a ball below the floor, or an overlap, is reflected at the end of the
+/// step.
 Answer at_the_end_of_steps(const Input& input, Integrator integrator, double rate) {
   const Scene<double>& scene = input.wide;
   const Steps steps = steps_of(scene.time, rate);
@@ -241,7 +242,7 @@ TwoBallsAndWall<double> moved(TwoBallsAndWall<double> balls, double t) {
   return balls;
 }
 
-/// Two balls one step on, back to the last free state before each collision.
+/// One step of two balls, rolled back to the last free state before each collision.
 TwoBallsAndWall<double> rolled_back(TwoBallsAndWall<double> now, double dt,
                                     const contact::RollbackRules<double>& rules) {
   for (int turns = 0; turns < 100; ++turns) {
@@ -269,7 +270,7 @@ TwoBallsAndWall<double> rolled_back(TwoBallsAndWall<double> now, double dt,
   return now;
 }
 
-/// Verlet's steps, which go back to the last free state before an impact.
+/// Steps of Verlet, rolled back to the last free state before an impact.
 Answer by_rolling_back(const Input& input, const contact::RollbackRules<double>& rules) {
   const Scene<double>& scene = input.wide;
   const Steps steps = steps_of(scene.time, 60);
@@ -288,7 +289,7 @@ Answer by_rolling_back(const Input& input, const contact::RollbackRules<double>&
   return at_the_end_of_steps(input, Integrator::velocity_verlet, 60);
 }
 
-/// Steps that advance to the impact: the lecture's straight ones, or true flights.
+/// Steps that advance to the impact: along the lecture's straight lines, or along parabolas.
 Answer by_advancing(const Input& input, contact::StepRule rule, Integrator integrator) {
   const Scene<double>& scene = input.wide;
   const Steps steps = steps_of(scene.time, 60);
@@ -336,7 +337,8 @@ ladder::Ladder<Input, Answer> experiment() {
         right.size;
     return verdict;
   };
-  ladder::Ladder<Input, Answer> ladder("Where is it, and what has it met?", truth, judge);
+  ladder::Ladder<Input, Answer> ladder("Where is it, and how many impacts has it had?", truth,
+                                       judge);
   ladder.family("fall", "free fall", fall);
   ladder.family("spring", "a spring", spring);
   ladder.family("bounce", "a bouncing ball", bounce);
@@ -349,32 +351,34 @@ ladder::Ladder<Input, Answer> experiment() {
                     return at_the_end_of_steps(input, integrator, rate);
                   });
   };
-  steps("position-60", "position first, 1/60 s", Integrator::position_first, 60);
-  steps("velocity-60", "velocity first, 1/60 s", Integrator::velocity_first, 60);
-  steps("velocity-960", "velocity first, 1/960 s", Integrator::velocity_first, 960);
+  steps("position-60", "explicit Euler, 1/60 s", Integrator::position_first, 60);
+  steps("velocity-60", "symplectic Euler, 1/60 s", Integrator::velocity_first, 60);
+  steps("velocity-960", "symplectic Euler, 1/960 s", Integrator::velocity_first, 960);
   steps("verlet-60", "Verlet, 1/60 s", Integrator::velocity_verlet, 60);
   steps("verlet-960", "Verlet, 1/960 s", Integrator::velocity_verlet, 960);
   steps("kutta-60", "Runge–Kutta, 1/60 s", Integrator::runge_kutta_4, 60);
 
   ladder.method({.id = "slices",
-                 .title = "Verlet, back to the last free of 8 slices",
+                 .title = "Verlet, rolled back to one of 8 slices",
                  .scalar = "double",
                  .exact = false},
                 [](const Input& input) {
                   return by_rolling_back(input, {8, std::numeric_limits<double>::infinity()});
                 });
-  ladder.method(
-      {.id = "bisection", .title = "Verlet, back by bisection", .scalar = "double", .exact = false},
-      [](const Input& input) {
-        return by_rolling_back(input, {1, 0x1p-40});
-      });
+  ladder.method({.id = "bisection",
+                 .title = "Verlet, rolled back by bisection",
+                 .scalar = "double",
+                 .exact = false},
+                [](const Input& input) {
+                  return by_rolling_back(input, {1, 0x1p-40});
+                });
   ladder.method(
       {.id = "lecture", .title = "the lecture's loop, 1/60 s", .scalar = "double", .exact = false},
       [](const Input& input) {
         return by_advancing(input, contact::StepRule::new_velocity, Integrator::velocity_first);
       });
   ladder.method({.id = "advance",
-                 .title = "advancing on true flights, 1/60 s",
+                 .title = "advancing on parabolas, 1/60 s",
                  .scalar = "double",
                  .exact = false},
                 [](const Input& input) {

@@ -1,5 +1,6 @@
-// Where are they after so long? Balls without loss, followed from event to event with what the
-// scene calls for and with everything, by a plain loop, and in steps that look at their end.
+// Where are the balls at the end? Elastic balls, simulated from event to event with the effects
+// that the scene needs and with all of them, by a plain loop, and in steps that test for overlap at
+// their end.
 #include <support/ladder.hpp>
 
 #include <array>
@@ -35,14 +36,14 @@ struct Answer {
   Asked asked = Asked::places;
   std::vector<contact::Vector3<double>> places;  // m
   double hits = 0;
-  double energy_change = 0;  // of all, as a share
-  double overlap = 0;        // deepest that was seen, m
+  double energy_change = 0;  // relative
+  double overlap = 0;        // deepest that occurred, m
 };
 
 /// Rounded to a 65,536th, so that a float holds it and both types are asked the same.
 double short_number(double x) { return std::nearbyint(x * 0x1p16) * 0x1p-16; }
 
-/// Balls on a lattice, each moved off its place, with walls round them.
+/// Balls on a lattice, each randomly shifted, between walls.
 Input balls(generators::Random& random, Motion motion, Asked asked) {
   const int dimension = motion == Motion::line ? 1 : motion == Motion::table ? 2 : 3;
   const int side = motion == Motion::line ? 5 : motion == Motion::table ? 3 : 2;
@@ -120,7 +121,7 @@ S squared_gap(const Ball<S>& a, const Ball<S>& b) {
   return square - S(4 * radius * radius);
 }
 
-/// When two balls meet; a negative number if never. Gravity bends both paths alike.
+/// When two balls meet; a negative number if never. Gravity accelerates both equally.
 template <class S>
 S pair_time(const Ball<S>& a, const Ball<S>& b) {
   using std::sqrt;
@@ -165,7 +166,7 @@ void fly(Balls<S>& all, const Input& input, S time) {
   }
 }
 
-/// Equal balls change the parts of their velocities along the line of their centres.
+/// Equal balls exchange the normal components of their velocities.
 template <class S>
 void collide_equal(Ball<S>& a, Ball<S>& b) {
   S square(0);
@@ -203,7 +204,7 @@ Answer answer(const Input& input, const Balls<S>& all, double hits, double overl
   return got;
 }
 
-/// Everybody asks everybody before each event.
+/// Tests all pairs before each event.
 template <class S>
 Answer plain_loop(const Input& input) {
   const std::size_t walls = input.setup.walls.size();
@@ -242,9 +243,9 @@ Answer plain_loop(const Input& input) {
   }
 }
 
-// ---------------------------------------------------------------- steps that look at their end
+// ---------------------------------------------------------------- steps that test at their end
 
-/// As engines have it: velocity first, then whoever overlaps is turned round and moved apart.
+/// As in engines: semi-implicit Euler; then overlapping balls collide and are moved apart.
 Answer in_steps(const Input& input, double rate) {
   const auto steps = static_cast<int>(std::ceil(input.time * rate));
   const double h = input.time / steps;
@@ -348,23 +349,23 @@ ladder::Verdict judge(const Answer& got, const Answer& right) {
 }
 
 ladder::Ladder<Input, Answer> experiment() {
-  ladder::Ladder<Input, Answer> ladder("Where are they, and what became of the energy?",
+  ladder::Ladder<Input, Answer> ladder("Where are the balls, and is the energy conserved?",
                                        plain_loop<DoubleDouble>, judge);
   const auto family = [&ladder](const char* id, const char* title, Motion motion, Asked asked) {
     ladder.family(id, title, [motion, asked](generators::Random& random) {
       return balls(random, motion, asked);
     });
   };
-  family("line", "five on a line: places, m", Motion::line, Asked::places);
-  family("table", "nine on a table: places, m", Motion::table, Asked::places);
+  family("line", "five on a line: positions, m", Motion::line, Asked::places);
+  family("table", "nine on a table: positions, m", Motion::table, Asked::places);
   family("table-overlap", "nine on a table: deepest overlap, m", Motion::table, Asked::overlap);
-  family("box", "eight in a box, with gravity: places, m", Motion::box, Asked::places);
-  family("box-energy", "eight in a box: change of energy, a share", Motion::box, Asked::energy);
+  family("box", "eight in a box, with gravity: positions, m", Motion::box, Asked::places);
+  family("box-energy", "eight in a box: relative change of energy", Motion::box, Asked::energy);
 
   for (const int rate : {60, 240}) {
     const std::string text = std::to_string(rate);
     ladder.method({.id = "steps-" + text,
-                   .title = "looks at the end of steps of 1/" + text + " s",
+                   .title = "tests at the end of steps of 1/" + text + " s",
                    .scalar = "double",
                    .exact = false},
                   [rate](const Input& input) { return in_steps(input, rate); });

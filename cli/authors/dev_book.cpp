@@ -200,8 +200,9 @@ DevResult check_chapter(const Book& book, const Chapter& chapter,
   problems.insert(problems.end(), questions.problems.begin(), questions.problems.end());
   check_includes(book, chapter, home, problems);
   static const std::set<std::string> known{
-      "chapter.toml", "lesson.md", "contact",           "src",           "figures", "examples",
-      "ladder.cpp",   "scenes",    "scene.schema.json", "questions.toml"};
+      "chapter.toml",      "lesson.md",      "contact",    "src",
+      "figures",           "examples",       "ladder.cpp", "scenes",
+      "scene.schema.json", "questions.toml", "lectures"};
   check_written(chapter.folder, problems);
   for (const fs::path& file : entries_of(book.root() / "tests" / chapter.slug)) {
     if (text_or_empty(file).find("TO WRITE") != std::string::npos)

@@ -1,4 +1,4 @@
-// contact plan: which effects a scene calls for, with the inequality and the numbers that decide.
+// contact plan: which effects a scene needs, with the inequality and the numbers that decide.
 
 #include <contact/plan/plan.hpp>
 #include <contact/plan/plan_report.hpp>
@@ -66,7 +66,7 @@ void add_plan(Command app, Action& action) {
       .required();
   add_plan_words(command, words->plan);
   command.add_flag("--measure", words->measure,
-                   "Run the scene with each effect the other way round, and say what that costs");
+                   "Run the scene with each effect switched, and report what that costs");
   command.add_flag("--json", words->json, "Print JSON");
   command.callback([&action, words] { action = [words](Context&) { return run(*words); }; });
 }

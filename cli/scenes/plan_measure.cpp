@@ -29,7 +29,7 @@ double processor_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// How far a run comes with so many seconds of the processor; a piece that was begun is finished.
+/// How far a run gets with so many seconds of processor time; a piece that was begun is finished.
 double time_within(const Scene& scene, const Plan& plan, double seconds) {
   const auto run = scenes::make_run(scene, plan);
   const double began = processor_seconds();
@@ -40,7 +40,7 @@ double time_within(const Scene& scene, const Plan& plan, double seconds) {
   return run->now();
 }
 
-/// Seconds of the processor for a second of the scene, from its beginning to a time.
+/// Processor time for a second of the scene, s, from its start to a time.
 double cost_until(const Scene& scene, const Plan& plan, double until) {
   const auto run = scenes::make_run(scene, plan);
   const double began = processor_seconds();
@@ -63,7 +63,7 @@ bool composed_alike(const SceneRun& one, const SceneRun& other) {
                     });
 }
 
-/// The plan with one effect the other way round, and with the same step.
+/// The plan with one effect switched, and with the same step.
 Plan turned_round(const Scene& scene, const Plan& plan, PlanOptions options, Effect effect) {
   const bool on = decision_on(plan, effect).on;
   auto& to = on ? options.overrides.without : options.overrides.with;
@@ -74,9 +74,9 @@ Plan turned_round(const Scene& scene, const Plan& plan, PlanOptions options, Eff
   return plan_scene(scene, options);
 }
 
-/// The scene an ulp away: what moves is faster or slower by that, in turns; what is at rest begins
-/// as much higher as an ulp of the largest place is. It moves in the same plane or on the same
-/// line.
+/// The scene an ulp away: the speeds of moving bodies are changed by an ulp, up and down in turns;
+/// bodies at rest start higher by an ulp of the largest coordinate. It moves in the same plane or
+/// on the same line.
 Scene twin_of(Scene scene) {
   const double ulp = std::numeric_limits<double>::epsilon();
   double size = 0;
@@ -95,7 +95,7 @@ Scene twin_of(Scene scene) {
   return scene;
 }
 
-/// Runs a scene and its twin until they have parted, or for so many seconds of the processor.
+/// Runs a scene and its twin until they have diverged, or for so many seconds of processor time.
 MeasuredHorizon measured_horizon(const Scene& scene, const Plan& plan, double seconds) {
   MeasuredHorizon measured;
   measured.allowed = std::numeric_limits<double>::infinity();
@@ -147,7 +147,7 @@ std::vector<MeasuredEffect> measure_effects(const Scene& scene, const Plan& plan
       const auto otherwise = scenes::make_run(scene, other);
       measured.planned_bytes = as_planned->bytes_per_body();
       measured.other_bytes = otherwise->bytes_per_body();
-      // Friction and restitution are numbers of the solver, and no stages.
+      // Friction and restitution are numbers of the solver, not stages.
       const bool number = effect == Effect::friction || effect == Effect::restitution;
       measured.same_stages =
           composed_alike(*as_planned, *otherwise) && (as_planned->event_driven() || !number);

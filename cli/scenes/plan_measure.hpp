@@ -1,7 +1,6 @@
 #pragma once
 
-// What the effects of a plan cost, measured: the run as planned beside runs in which one effect is
-// the other way round.
+// The measured costs of a plan's effects: the run as planned beside runs with one effect switched.
 
 #include <vector>
 
@@ -14,8 +13,7 @@
 namespace contact::cli {
 
 /// Measures each effect that can be switched, in turns with the run as planned: medians of five;
-/// and the horizon, by a run that begins an ulp away.
-/// How far it has come is the one piece of `progress`.
+/// and the horizon, by a run that starts an ulp away. Its progress is the one piece of `progress`.
 std::vector<scenes::MeasuredEffect> measure_effects(const Scene& scene, const Plan& plan,
                                                     const PlanOptions& options,
                                                     ProgressLine& progress);

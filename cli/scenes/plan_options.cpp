@@ -7,10 +7,10 @@
 namespace contact::cli {
 
 void add_plan_words(Command command, scenes::PlanWords& words) {
-  command.add_option("--with", words.with, "Force an effect on; may be given again")
+  command.add_option("--with", words.with, "Force an effect on; may be repeated")
       .type_name("EFFECT")
       .one_value();
-  command.add_option("--without", words.without, "Force an effect off; may be given again")
+  command.add_option("--without", words.without, "Force an effect off; may be repeated")
       .type_name("EFFECT")
       .one_value();
   command.add_option("--step", words.step, "Go step by step, in steps of so many seconds")

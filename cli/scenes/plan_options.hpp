@@ -1,6 +1,6 @@
 #pragma once
 
-// The options of a command that changes a plan, and what was typed for them.
+// The options of a command that changes a plan, as typed.
 
 #include <string>
 
@@ -13,12 +13,12 @@ namespace contact::cli {
 /// Adds --with, --without and --step to a command.
 void add_plan_words(Command command, scenes::PlanWords& words);
 
-/// scenes::plan_options(), whose error is that of the command line.
-/// @throws grading::UnknownName for an effect that is none, or a step that is none
+/// scenes::plan_options(), with its error as that of the command line.
+/// @throws grading::UnknownName for an unknown effect, or an invalid step
 PlanOptions typed_plan_options(const scenes::PlanWords& words);
 
-/// scenes::seconds_of(), whose error is that of the command line.
-/// @throws grading::UnknownName that names the option and what it may be
+/// scenes::seconds_of(), with its error as that of the command line.
+/// @throws grading::UnknownName with the option's name and what is allowed
 double seconds_of(const std::string& option, const std::string& text, bool zero);
 
 }  // namespace contact::cli

@@ -31,14 +31,14 @@ bool is_listed(const SceneBody& body) {
   return !std::holds_alternative<HalfSpaceShape>(body.shape);
 }
 
-/// Whether it must be told how bodies lie: some of them are no balls.
+/// Whether orientations must be written: some bodies are not balls.
 bool has_poses(const Scene& scene) {
   return std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const SceneBody& body) {
     return is_listed(body) && !std::holds_alternative<BallShape>(body.shape);
   });
 }
 
-/// A number as its bits, so that what is read is what was written.
+/// A number as its bits, so that the same number is read back.
 std::string bits_text(double x) {
   std::array<char, 48> text{};
   std::snprintf(text.data(), text.size(), "%a", x);
@@ -48,7 +48,7 @@ double from_bits(const nlohmann::json& json) {
   const auto text = json.get<std::string>();
   char* end = nullptr;
   const double x = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0') throw std::runtime_error("\"" + text + "\" is no number");
+  if (text.empty() || *end != '\0') throw std::runtime_error("\"" + text + "\" is not a number");
   return x;
 }
 
@@ -60,8 +60,8 @@ GrowingFile::GrowingFile(fs::path path, std::optional<std::uintmax_t> keep)
     std::error_code error;
     const std::uintmax_t there = fs::file_size(path_, error);
     if (error || there < *keep) {
-      throw std::runtime_error(path_.string() + " is shorter than when the run was kept: " +
-                               std::to_string(*keep) + " bytes are wanted");
+      throw std::runtime_error(path_.string() + " is shorter than when the run was saved: " +
+                               std::to_string(*keep) + " bytes are needed");
     }
     fs::resize_file(path_, *keep);
     size_ = *keep;
@@ -201,7 +201,7 @@ RunCheckpoint read_checkpoint(const fs::path& file) {
     return checkpoint;
   } catch (const std::exception& error) {
     throw std::runtime_error(file.string() +
-                             " is no checkpoint of contact simulate: " + error.what());
+                             " is not a checkpoint of contact simulate: " + error.what());
   }
 }
 

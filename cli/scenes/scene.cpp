@@ -1,4 +1,4 @@
-// contact scene: what a scene file says, what is wrong with it, and which scenes the book has.
+// contact scene: the contents of a scene file, its faults, and the list of the book's scenes.
 
 #include <algorithm>
 
@@ -28,7 +28,7 @@ std::size_t moving(const Scene& scene) {
 std::string tolerance_of(const Scene& scene) {
   std::string words;
   if (scene.tolerance.position)
-    words = "places to " + shortest_text(*scene.tolerance.position) + " m";
+    words = "positions to " + shortest_text(*scene.tolerance.position) + " m";
   if (scene.tolerance.event_order)
     words += (words.empty() ? "" : " and ") + std::string("hits in order");
   return words;
@@ -132,7 +132,7 @@ void add_scene(Command app, Action& action) {
   const auto files = std::make_shared<std::vector<std::string>>();
 
   const Command checking = command.add_subcommand(
-      "check", "Says what a scene is, or everything that is wrong with it, each on its line");
+      "check", "Describes a scene, or reports all of its faults, one on a line");
   checking.add_option("FILE", *files, "A scene file, or the name of a scene of the book")
       .required();
   checking.add_flag("--json", *json, "Print JSON");

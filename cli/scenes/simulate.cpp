@@ -1,5 +1,4 @@
-// contact simulate: scenes as their plans decide, by a formula, from event to event or step by
-// step.
+// contact simulate: runs scenes as their plans decide, by a formula, event-driven or step by step.
 
 #include <algorithm>
 #include <atomic>
@@ -27,7 +26,7 @@ using Outcome = SimulateOutcome;
 
 extern "C" void interrupt_simulations(int /*signal*/) { simulate_interruption = true; }
 
-/// Several scenes, so many at a time; each alone, so it comes out as if it were the only one.
+/// Several scenes, some at a time; each runs alone, with the same result as by itself.
 std::vector<Outcome> side_by_side(const Options& options, std::vector<Planned> all) {
   const auto cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const std::size_t workers =
@@ -58,7 +57,7 @@ std::vector<Outcome> side_by_side(const Options& options, std::vector<Planned> a
   return outcomes;
 }
 
-/// What names one file cannot serve several scenes.
+/// Options that name one file cannot serve several scenes.
 void require_one_scene(const Options& options) {
   if (options.scenes.size() == 1) return;
   for (const auto& [option, text] :
@@ -81,7 +80,7 @@ int run(const Options& options) {
   std::vector<Planned> all;
   for (const std::string& name : options.scenes) {
     Scene scene = scenes::read_scene(scene_path(name));
-    // What is proven is proven for so long.
+    // The proofs hold for this duration.
     if (!options.until.empty())
       scene.duration = std::max(scene.duration, seconds_of("--until", options.until, true));
     Plan plan = plan_scene(scene, wanted);
@@ -122,17 +121,16 @@ void add_simulate(Command app, Action& action) {
       .positive();
   command
       .add_option("--event-budget", options->event_budget,
-                  "From event to event: go on step by step after so many hits")
+                  "Event-driven: go on step by step after so many hits")
       .positive();
   add_plan_words(command, options->plan);
   command.add_option("--checkpoint", options->checkpoint,
-                     "Keep the state here at the end, on Ctrl-C and now and then");
+                     "Save the state here at the end, on Ctrl-C and from time to time");
   command.add_option("--resume", options->resume,
-                     "Go on from a checkpoint; --output and --events go on with their files");
+                     "Resume from a checkpoint; --output and --events continue their files");
   command.add_option("--jobs", options->jobs, "Scenes at a time (default: one a core)")
       .between(1, 1024);
-  command.add_flag("--expect", options->expect,
-                   "Say of everything that the scene expects whether it came out");
+  command.add_flag("--expect", options->expect, "Compare the results with what the scene expects");
   command.add_flag("--json", options->json, "Print JSON");
   command.callback([&action, options] { action = [options](Context&) { return run(*options); }; });
 }

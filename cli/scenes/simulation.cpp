@@ -28,7 +28,7 @@ namespace {
 using Options = SimulateOptions;
 using Outcome = SimulateOutcome;
 
-/// How many steps between two looks for Ctrl-C.
+/// Number of steps between two checks for Ctrl-C.
 constexpr std::uint64_t steps_at_a_time = 1;
 
 /// A time for the line of progress: four digits.
@@ -47,7 +47,7 @@ class Simulation {
         piece_(piece),
         scene_(std::move(scene)),
         run_(scenes::make_run(scene_, plan, options_.event_budget)),
-        way_(flies_freely(plan) ? "everything flies freely, by a formula"
+        way_(flies_freely(plan) ? "all bodies fly freely, by a formula"
                                 : "hard, smooth balls from event to event"),
         plan_number_(plan_number(plan)) {
     if (!options_.every.empty()) scene_.output.every = seconds_of("--every", options_.every, true);
@@ -59,7 +59,7 @@ class Simulation {
 
   Outcome go() {
     const Ending ending = advance_to_end();
-    // What is due once only comes after what a resumed run keeps.
+    // Output that is due once only comes after what a resumed run keeps.
     if (!options_.checkpoint.empty()) keep();
     if (events_) {
       Writer writer(*this);
@@ -80,7 +80,7 @@ class Simulation {
   }
 
  private:
-  /// Writes hits as they come.
+  /// Writes hits as they happen.
   struct Writer final : SceneObserver {
     explicit Writer(Simulation& of) : simulation(of) {}
     Simulation& simulation;
@@ -90,7 +90,7 @@ class Simulation {
     }
   };
 
-  /// What is on, and the step: two runs of a scene with the same move alike.
+  /// The effects that are on, and the step: two runs of a scene with the same ones are equal.
   static std::string plan_number(const Plan& plan) {
     std::string number = shortest_text(plan.step);
     for (const Decision& decision : plan.decisions) {
@@ -107,12 +107,12 @@ class Simulation {
     if (!options_.resume.empty()) {
       from = read_checkpoint(options_.resume);
       if (from->scene != scene_number(scene_)) {
-        throw std::runtime_error(options_.resume + " was kept by a run of another scene than " +
+        throw std::runtime_error(options_.resume + " was saved by a run of another scene than " +
                                  options_.scenes.front());
       }
       if (from->plan != plan_number_)
         throw std::runtime_error(options_.resume +
-                                 " was kept by a run with another plan: the same " +
+                                 " was saved by a run with another plan: the same " +
                                  "--with, --without and --step go on with it");
       run_->restore(from->state);
       frames_ = from->frames;
@@ -149,7 +149,7 @@ class Simulation {
     Writer writer(*this);
     SceneObserver* const observer = events_ ? &writer : nullptr;
     const std::uint64_t begun = run_->counts().hits;
-    // A look between two steps counts hits that the next look may not: count anew each time.
+    // Reporting between two steps counts hits that the next report may not: count anew each time.
     const auto left = [&] {
       const std::uint64_t hits = run_->counts().hits;
       const std::uint64_t done = hits > begun ? hits - begun : 0;
@@ -209,11 +209,11 @@ class Simulation {
   std::size_t piece_;
   Scene scene_;
   std::unique_ptr<SceneRun> run_;
-  std::string way_;  // it goes if it does not go step by step
+  std::string way_;  // how it runs if not step by step
   std::string plan_number_;
   double until_ = 0;
   double first_energy_ = 0;
-  std::uint64_t frames_ = 0;  // of those that are due
+  std::uint64_t frames_ = 0;  // number of those due
   double last_frame_ = -1;    // when, s
   std::optional<double> resumed_at_;
   std::vector<Checked> checked_;

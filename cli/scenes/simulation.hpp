@@ -1,6 +1,6 @@
 #pragma once
 
-// One scene of contact simulate: run to its end, written down as it goes, and what there is to say.
+// One scene of contact simulate: run to its end, with its output, and its report.
 
 #include <atomic>
 #include <cstddef>
@@ -20,7 +20,7 @@
 
 namespace contact::cli {
 
-/// What contact simulate was asked.
+/// The options of contact simulate.
 struct SimulateOptions {
   std::vector<std::string> scenes;
   std::string output;
@@ -37,7 +37,7 @@ struct SimulateOptions {
   bool json = false;
 };
 
-/// What a run has to say, once it is over.
+/// The report of a run that has ended.
 struct SimulateOutcome {
   int code = exit_passed;
   std::string said;   // lines for standard output
@@ -54,13 +54,14 @@ struct Planned {
   Plan plan;
 };
 
-/// Set by a signal: every simulation stops where it is.
+/// Set by a signal: every simulation stops at its present time.
 extern std::atomic<bool> simulate_interruption;
 
 /// Runs a scene as its plan decides.
-/// @param progress where to tell how far it has come
+/// @param progress where to report how far it is
 /// @param piece which of that line's pieces this scene is
-/// @throws std::runtime_error if a file cannot be written, or a checkpoint is of something else
+/// @throws std::runtime_error if a file cannot be written, or a checkpoint belongs to something
+/// else
 SimulateOutcome simulated(const SimulateOptions& options, Planned planned, ProgressLine& progress,
                           std::size_t piece);
 

@@ -23,7 +23,7 @@ std::string trouble(const SimulationEnd& end) {
   if (end.ending == Ending::endless_hits)
     return "no bound on the number of hits: " + end.scene.bodies[counts.endless_first].name +
            " hits " + end.scene.bodies[counts.endless_second].name +
-           " again and again without time going on" + at + " s";
+           " again and again at one instant" + at + " s";
   return "";
 }
 
@@ -119,7 +119,7 @@ void tell_expectations(const SimulationEnd& end, const Style& style, SimulateOut
     const std::string right =
         shortest_text(wanted.value) + " within " + shortest_text(wanted.within);
     if (!checked.got)
-      outcome.say("  " + style.warn("not looked at") + "  " + what + right);
+      outcome.say("  " + style.warn("not checked") + "  " + what + right);
     else
       outcome.say("  " +
                   (checked.met() ? style.good("as expected  ") : style.bad("not expected ")) +
@@ -141,21 +141,21 @@ void tell(const SimulationEnd& end, const Style& style, SimulateOutcome& outcome
               " hits, " + std::to_string(end.run.bytes_per_body()) + " bytes a body's state");
   if (!end.run.event_driven())
     outcome.say("  " + std::to_string(counts.steps) + " steps in " + std::to_string(counts.parts) +
-                " parts, " + std::to_string(counts.pairs) + " pairs looked at, " +
+                " substeps, " + std::to_string(counts.pairs) + " pairs tested, " +
                 std::to_string(counts.contacts) + " contacts solved in " +
-                std::to_string(counts.sweeps) + " sweeps");
+                std::to_string(counts.sweeps) + " iterations");
   outcome.say("  energy " + shortest_text(end.first_energy) + " J, then " +
               shortest_text(end.run.energy()) + " J; largest overlap " +
               shortest_text(counts.largest_overlap) + " m");
   if (counts.rests > 0)
-    outcome.say("  lay down " + std::to_string(counts.rests) + " times" +
-                (end.run.event_driven() ? ", which puts paths off by " +
+    outcome.say("  came to rest " + std::to_string(counts.rests) + " times" +
+                (end.run.event_driven() ? ", which displaces paths by " +
                                               shortest_text(counts.rest_error) + " m at most"
                                         : ""));
   if (counts.crowded_steps > 0)
     outcome.say("  " + style.warn(std::to_string(counts.crowded_steps) + " steps") +
                 " had more impacts than " + std::to_string(counts.most_impacts) +
-                "; what was left of them was taken at once, in parts in which a pair bounces once");
+                "; the rest of these steps was taken in substeps in which a pair bounces once");
   if (const auto fallback = end.run.fallback())
     outcome.say("  " + style.warn("step by step") + " from " + shortest_text(fallback->time) +
                 " s on: " + fallback->why);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What contact simulate says of a run that is over.
+// The report of contact simulate on a run that has ended.
 
 #include <cmath>
 #include <cstdint>
@@ -17,29 +17,29 @@ namespace contact::cli {
 
 enum class Ending { complete, out_of_events, endless_hits, interrupted };
 
-/// What a scene's file expects, and what the run gave.
+/// An expectation of a scene's file, and the result of the run.
 struct Checked {
   const SceneExpectation* wanted;
-  std::optional<double> got;  // nothing: its time was before the run was resumed, or never came
+  std::optional<double> got;  // empty: its time was before the run was resumed, or was not reached
 
   [[nodiscard]] bool met() const { return got && std::abs(*got - wanted->value) <= wanted->within; }
 };
 
-/// How a simulation ended, and what it found.
+/// How a simulation ended, and its results.
 struct SimulationEnd {
   const SimulateOptions& options;
   const Scene& scene;
   const SceneRun& run;
   const std::vector<Checked>& checked;
   Ending ending;
-  std::string way;  // how it goes if it does not go step by step
+  std::string way;  // how it runs if not step by step
   double until;
   double first_energy;
   std::uint64_t frames;
   double seconds;  // on the clock
 };
 
-/// As lines, or as JSON if that was asked for; the exit code is left to the caller.
+/// As lines, or as JSON if requested; the exit code is left to the caller.
 SimulateOutcome reported(const SimulationEnd& end);
 
 }  // namespace contact::cli

@@ -1,6 +1,5 @@
 // The scene player of the page: reads a scene, plans it, runs it as planned and, beside that, as
-// the reader switches it. Requests and replies are JSON; where bodies are, the page reads as
-// numbers.
+// the reader switches it. Requests and replies are JSON; the page reads positions as numbers.
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +63,7 @@ json json_of(const Scene& scene) {
           {"bodies", bodies}};
 }
 
-/// The plan as `contact plan --json` says it, and beside each decision its conditions in words.
+/// The plan as in `contact plan --json`, and with each decision its conditions in words.
 json told(const Scene& scene, const Plan& plan) {
   json all = plan_json(scene, plan);
   all["accepted"] = accepted_text(plan);
@@ -91,7 +90,7 @@ std::vector<Effect> effects_of(const json& names) {
   return effects;
 }
 
-/// A run with what the page shows of it.
+/// A run with the data that the page shows.
 class Side {
  public:
   Side(const Scene& scene, const Plan& plan) : run_(player_run(scene, plan)) {
@@ -114,8 +113,8 @@ class Side {
              fallback ? json({{"time", fallback->time}, {"why", fallback->why}}) : json(nullptr)}};
   }
 
-  /// What the page draws and counts; `numbers` gets `frame_head` of them, then seven a body: where
-  /// it is, and the quaternion by which it is turned.
+  /// The data that the page draws and counts; `numbers` gets `frame_head` of them, then seven a
+  /// body: its position, and the quaternion of its orientation.
   void write(const Scene& scene, const Side* other, std::vector<double>& numbers) const {
     const SceneRunCounts counts = run_->counts();
     numbers.clear();
@@ -168,7 +167,7 @@ class Player {
 
   json switched(const json& request) { return {{"sides", begin(request)}}; }
 
-  /// @return 0: it is there; 1: the budget is used up; 2: it cannot go on
+  /// @return 0: reached; 1: the budget is used up; 2: it cannot go on
   int advance(std::size_t which, double until, double budget) {
     try {
       SceneRun& run = side(which).run();
@@ -178,7 +177,7 @@ class Player {
         case SceneRunEnd::out_of_budget:
           return 1;
         default:
-          trouble_ = "Hits pile up without time going on: " + body(run.counts().endless_first) +
+          trouble_ = "Infinitely many hits at one instant: " + body(run.counts().endless_first) +
                      " and " + body(run.counts().endless_second) + ".";
       }
     } catch (const std::exception& error) {
@@ -274,13 +273,13 @@ const std::vector<double>* last_frame = nullptr;
 
 }  // namespace contact::scenes
 
-/// Room for a request of this many bytes; player_answer frees it.
+/// A buffer for a request of this many bytes; player_answer frees it.
 extern "C" CONTACT_PLAYER_EXPORT("player_room") char* player_room(std::size_t bytes) {
   return static_cast<char*>(std::malloc(bytes));
 }
 
-/// Takes a request, {"do": ..., ...}, and gives back {"ok": ...} or {"error": "..."}, which stays
-/// until the next call.
+/// Takes a request, {"do": ..., ...}, and returns {"ok": ...} or {"error": "..."}, which stays
+/// valid until the next call.
 extern "C" CONTACT_PLAYER_EXPORT("player_answer") const
     char* player_answer(char* request, std::size_t bytes) {
   static std::string reply;
@@ -295,7 +294,7 @@ extern "C" CONTACT_PLAYER_EXPORT("player_advance") int player_advance(std::size_
   return contact::scenes::player().advance(side, until, budget);
 }
 
-/// Makes the frame of a side: how many numbers it has. A side that is not there has none.
+/// Makes the frame of a side: its number of numbers. A side that does not exist has none.
 extern "C" CONTACT_PLAYER_EXPORT("player_frame") std::size_t player_frame(std::size_t side) {
   using namespace contact::scenes;
   try {
@@ -306,7 +305,7 @@ extern "C" CONTACT_PLAYER_EXPORT("player_frame") std::size_t player_frame(std::s
   return last_frame == nullptr ? 0 : last_frame->size();
 }
 
-/// Where the numbers of the last frame are.
+/// Address of the numbers of the last frame.
 extern "C" CONTACT_PLAYER_EXPORT("player_numbers") const double* player_numbers() {
   using namespace contact::scenes;
   return last_frame == nullptr ? nullptr : last_frame->data();

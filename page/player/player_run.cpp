@@ -10,9 +10,9 @@ namespace contact::scenes {
 
 namespace {
 
-/// A page need not have every composition of hard balls. What takes most of a run's time is left
-/// out where the scene does without it: dimensions, gravity, the grid. Sizes and restitution are
-/// always there; where they make no difference they change no bit.
+/// A page need not have every composition of hard balls. The effects that take most of a run's time
+/// are left out where the scene does not need them: dimensions, gravity, the grid. Sizes and
+/// restitution are always on; where they make no difference they change no bit.
 template <int Dimension, bool Gravity, bool Grid>
 std::unique_ptr<HardSphereRun> composed(const HardSphereSetup& setup,
                                         const std::array<int, 3>& axes) {

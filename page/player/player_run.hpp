@@ -1,7 +1,7 @@
 #pragma once
 
-// The run of the page's scene player. Apart from the rest, because a run is compiled for speed, and
-// what reads and tells for size.
+// The run of the page's scene player. In a file of its own, because runs are compiled for speed,
+// and reading and reporting for size.
 
 #include <memory>
 
@@ -12,7 +12,7 @@
 namespace contact::scenes {
 
 /// The run that a plan decides on, with the least composition.
-/// @throws std::invalid_argument if nothing can run it
+/// @throws std::invalid_argument if neither kind of run is possible
 std::unique_ptr<SceneRun> player_run(const Scene& scene, const Plan& plan);
 
 }  // namespace contact::scenes

@@ -1,5 +1,5 @@
-// What runs, in one file that is compiled to be quick: apart, each would instantiate the same
-// templates.
+// The code of runs, in one file that is compiled for speed: in separate files, each would
+// instantiate the same templates.
 
 #include <src/free_flight_run.cpp>
 #include <src/hard_sphere_compose.cpp>

@@ -1,4 +1,4 @@
-// What reads, plans and tells, in one file that is compiled to be small.
+// The code that reads, plans and reports, in one file that is compiled for size.
 
 #include <src/json_tree.cpp>
 #include <src/plan.cpp>

@@ -1,4 +1,4 @@
-// node page/wasm/build.mjs figures|ladders|toolchain|all... [--only NAME] [--out build/web] [--workers N] [--quiet]
+// node page/wasm/build.mjs figures|ladders|toolchain|all... [--only NAME]... [--out build/web] [--workers N] [--quiet]
 //
 // Compiles what the page runs. What has not changed is taken from build/wasm-cache. Exit code 0: all there;
 // 1: something does not compile (the rest is built all the same); 2: wrong usage.
@@ -9,7 +9,7 @@ import { gzipSync } from "node:zlib";
 import { inRoot, root, shown } from "./paths.mjs";
 import { playerProduct } from "./player.mjs";
 import { makeAll } from "./pool.mjs";
-import { exerciseList, figures, ladders } from "./products.mjs";
+import { exerciseList, figures, isAskedFor, ladders } from "./products.mjs";
 import { isMade, key, made, prune, writeWhole } from "./recipes.mjs";
 import { ship, toolchainRecipes } from "./toolchain.mjs";
 
@@ -26,7 +26,7 @@ const kinds = {
   toolchain: () => [],
 };
 const usage =
-  "usage: node page/wasm/build.mjs figures|ladders|toolchain|all... [--only NAME] [--out FOLDER] " +
+  "usage: node page/wasm/build.mjs figures|ladders|toolchain|all... [--only NAME]... [--out FOLDER] " +
   "[--workers N] [--quiet]";
 
 /** @param {string[]} args @returns {Promise<number>} the exit code */
@@ -46,16 +46,15 @@ async function main(args) {
   const all = Object.entries(kinds).flatMap(([name, list]) =>
     asked.includes("all") || asked.includes(name) ? list() : [],
   );
-  const products = only
-    ? all.filter(({ name }) => name === only || name.startsWith(`${only}/`))
-    : all;
-  const withToolchain = asked.includes("toolchain") || (asked.includes("all") && !only);
+  const products = all.filter(({ name }) => isAskedFor(name, only));
+  const withToolchain = asked.includes("toolchain") || (asked.includes("all") && only.length === 0);
   const exercises = withToolchain ? exerciseList() : [];
   const names = [...all, ...exercises].map(({ name }) => name);
-  if (only && !names.some((name) => name === only || name.startsWith(`${only}/`))) {
+  const unknown = only.find((one) => !names.some((name) => isAskedFor(name, [one])));
+  if (unknown !== undefined) {
     const each = { figures: "figure", ladders: "ladder", toolchain: "exercise" };
     const what = each[/** @type {keyof typeof each} */ (one)] ?? "product";
-    console.error(`There is no ${what} ${only}. There are:`);
+    console.error(`There is no ${what} ${unknown}. There are:`);
     for (const name of names) console.error(`  ${name}`);
     return 2;
   }
@@ -86,7 +85,7 @@ async function main(args) {
   const told = new Set();
   const isThere = (/** @type {Recipe} */ recipe) => {
     // Of what was not asked for, what is there already is shipped as well.
-    if (only && withToolchain && !failed.has(key(recipe))) return isMade(key(recipe));
+    if (only.length > 0 && withToolchain && !failed.has(key(recipe))) return isMade(key(recipe));
     const why = failed.get(key(recipe));
     if (why !== undefined && !told.has(why)) console.error(`\n${why}`);
     if (why !== undefined) told.add(why);
@@ -145,7 +144,7 @@ function read(args) {
     args,
     allowPositionals: true,
     options: {
-      only: { type: "string" },
+      only: { type: "string", multiple: true, default: [] },
       out: { type: "string", default: path.join("build", "web") },
       workers: { type: "string", default: "2" },
       quiet: { type: "boolean", default: false },
@@ -158,7 +157,7 @@ function read(args) {
   if (!Number.isInteger(workers) || workers < 1) throw new Error("--workers takes a number from 1");
   return {
     kinds: positionals,
-    only: values.only,
+    only: /** @type {string[]} */ (values.only),
     out: path.resolve(root, /** @type {string} */ (values.out)),
     workers,
     quiet: values.quiet === true,

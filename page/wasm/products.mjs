@@ -30,6 +30,13 @@ export function chapters() {
 }
 
 /**
+ * Whether a product is built: it is one of these, or belongs to one of these chapters. None: everything is.
+ * @param {string} name @param {readonly string[]} only
+ */
+export const isAskedFor = (name, only) =>
+  only.length === 0 || only.some((one) => name === one || name.startsWith(`${one}/`));
+
+/**
  * A chapter's own folder, then those of the chapters that it builds on, near ones first.
  * @param {string} slug @returns {string[]}
  */

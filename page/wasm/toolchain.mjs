@@ -17,6 +17,7 @@ import {
   checkPrelude,
   checksObject,
   exerciseList,
+  isAskedFor,
   studentFolders,
   testObject,
 } from "./products.mjs";
@@ -31,13 +32,13 @@ import { tar } from "./tar.mjs";
  *   link: { before: string[], after: string[] }, exercises: Record<string, Shipped> }} Manifest */
 
 /** Everything that must be made before `ship` can be called.
- * @param {string} [only] of the exercises: one, or those of one chapter. @returns {Recipe[]} */
-export const toolchainRecipes = (only) => [
+ * @param {readonly string[]} [only] of the exercises: these, or those of these chapters. @returns {Recipe[]} */
+export const toolchainRecipes = (only = []) => [
   checkPrelude,
   checksObject(),
   judgeRecipe(),
   ...exerciseList()
-    .filter(({ name }) => !only || name === only || name.startsWith(`${only}/`))
+    .filter(({ name }) => isAskedFor(name, only))
     .map((exercise) => testObject(exercise)),
 ];
 

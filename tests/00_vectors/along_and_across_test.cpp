@@ -1,6 +1,6 @@
-// Right answers are the formulae without rounding, rounded once (the speed: its dot product and its
-// squared length, rounded once each). Every test asks for at least two different answers, so that
-// no constant passes one.
+// Right answers are computed exactly and rounded once (the speed: its dot product and its squared
+// length, rounded once each). Every test expects at least two different answers, so that no
+// constant passes.
 #include "along_and_across.hpp"
 
 #include <support/exercise.hpp>
@@ -31,7 +31,7 @@ void check_speed(const Vector& v, const Vector& d) {
   // A dot product (3 u), a length (3 u) and a quotient; or a unit vector first (4 u and 3 u); and
   // 3 u of the right answer's own. Doubled.
   const double bound = 20 * 0x1p-53 * size(v, d) / length;
-  ask("How fast does it move along the direction?")
+  ask("What is the component of the velocity along the direction?")
       .given("velocity", v)
       .given("direction", d)
       .suspect("direction-not-normalised", [&]() -> double { return v.dot(d); })
@@ -60,7 +60,7 @@ void check_split(const Vector& v, const Vector& d) {
     const Vector along = factor * d;
     return Parts{along, v - along};
   };
-  ask("What are the parts of the velocity along the direction and across it?")
+  ask("What are the parts of the velocity along the direction and perpendicular to it?")
       .given("velocity", v)
       .given("direction", d)
       .suspect("direction-not-normalised", [&] { return parts(v.dot(d)); })
@@ -99,13 +99,13 @@ TEST_CASE("a direction without length is refused") {
   check_speed({3, -4, 0}, {2, 0, 0});
   const Vector velocity(3, -4, 0);
   const Vector nowhere(0, 0, 0);
-  ask("How fast does it move along the direction?")
+  ask("What is the component of the velocity along the direction?")
       .given("velocity", velocity)
       .given("direction", nowhere)
       .suspect_if("zero-direction-not-refused", [](const double&) { return true; })
       .answer([&] { return exercise::speed_along(velocity, nowhere); })
       .throws_invalid_argument();
-  ask("What are the parts of the velocity along the direction and across it?")
+  ask("What are the parts of the velocity along the direction and perpendicular to it?")
       .given("velocity", velocity)
       .given("direction", nowhere)
       .suspect_if("zero-direction-not-refused", [](const Parts&) { return true; })

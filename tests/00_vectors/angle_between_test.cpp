@@ -1,7 +1,7 @@
 // Right answers come from both products, each computed without rounding and rounded once, and from
-// atan2: off by 6 u of themselves at most. The contract's room is 36 u: a cross product in order is
+// atan2: their relative error is at most 6 u. The contract allows 36 u: a cross product in order is
 // off by 2 √3 u |u||v| (and its length by 4 u of it), a dot product by 3 u |u||v|, and the angle by
-// no more than both and the 2 u of atan2: under 14 u π / 2. Every test asks for at least two
+// no more than both and the 2 u of atan2: under 14 u π / 2. Every test expects at least two
 // different answers.
 #include "angle_between.hpp"
 
@@ -74,7 +74,7 @@ TEST_CASE("the lengths do not count") {
   check({1e-9, 0, 0}, {1e9, 1e9, 1e9});
 }
 
-TEST_CASE("small angles, and angles near π, keep their digits") {
+TEST_CASE("small angles, and angles near π, are accurate") {
   for (const double small : {1e-3, 1e-6, 1e-8, 1e-11}) {
     check({1, 0, 0}, {1, small, 0});
     check({1, 2, 3}, {1 + small, 2, 3});

@@ -1,9 +1,9 @@
-// Recomputes the answers of hard_cases.json and says which method gets which case right.
+// Recomputes the answers of hard_cases.json and checks which method is right in which case.
 //
 // Sums, dot products and cross products are of class (a): rational in the stored numbers, rounded
-// once. A value is right if it is off by at most 2^-40 of itself, and exactly 0 where it is 0. A
+// once. A value is right if its relative error is at most 2^-40, and exactly 0 where it is 0. A
 // side is a sign and has no tolerance. Angles are of class (c): intervals at growing precision; one
-// is right if it is off by at most 2^-40 of itself.
+// is right if its relative error is at most 2^-40.
 #include "support/hard_cases.hpp"
 
 #include <algorithm>
@@ -64,7 +64,7 @@ void add_sum(hard_cases::Runner& runner) {
       return close(sum(c.numbers("terms")), unhex(answer.at("sum")));
     });
   };
-  method("in order", in_order);
+  method("recursive summation", in_order);
   method("smallest first", largest_last);
   method("compensated", [](const Numbers& terms) {
     const Eigen::VectorXd x = column(terms);
@@ -88,7 +88,8 @@ void add_dot(hard_cases::Runner& runner) {
       return close(dot(c.vector("u"), c.vector("v")), unhex(answer.at("dot")));
     });
   };
-  method("in order", [](const Vector& u, const Vector& v) { return contact::dot_in_order(u, v); });
+  method("recursive summation",
+         [](const Vector& u, const Vector& v) { return contact::dot_in_order(u, v); });
   method("|u||v| cos θ, by way of |u − v|", [](const Vector& u, const Vector& v) {
     return (u.squaredNorm() + v.squaredNorm() - Vector(u - v).squaredNorm()) / 2;
   });

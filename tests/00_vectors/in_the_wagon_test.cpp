@@ -1,6 +1,6 @@
-// Right answers are the formulae without rounding, rounded once. `forward` is stored, and so a unit
-// vector to an ulp only; by how much its inverse differs from its transpose is in the bound. Every
-// test asks for at least two different answers, so that no constant passes one.
+// Right answers are computed exactly and rounded once. `forward` is stored, so it is a unit vector
+// to an ulp only; the bound includes the difference of its inverse from its transpose. Every test
+// expects at least two different answers, so that no constant passes.
 #include "in_the_wagon.hpp"
 
 #include <support/exercise.hpp>
@@ -18,7 +18,7 @@ using Vector = Eigen::Vector2d;
 double rounded_to_double(const Exact& x) { return quotient<double>(x, Exact(1.0)); }
 Vector left_of(const Wagon& wagon) { return {-wagon.forward.y(), wagon.forward.x()}; }
 
-/// f·v and l·v for v = p − o, without rounding on the way.
+/// f·v and l·v for v = p − o, computed exactly.
 Vector in_axes(const Wagon& wagon, const Vector& p, const Vector& o) {
   const Exact fx(wagon.forward.x());
   const Exact fy(wagon.forward.y());
@@ -44,15 +44,15 @@ Vector turned(const Wagon& wagon, const Vector& v) {
 }
 Vector mirrored(const Vector& v) { return {v.x(), -v.y()}; }
 
-/// A difference, a product and a sum; or the products before the difference; and 4 u by which
-/// forward is no unit vector. Doubled.
+/// A difference, a product and a sum; or the products before the difference; and 4 u for forward,
+/// which is not exactly a unit vector. Doubled.
 Vector room(const Vector& p, const Vector& o) {
   const double size = p.cwiseAbs().sum() + o.cwiseAbs().sum();
   return Vector::Constant(16 * 0x1p-53 * size);
 }
 
 void check_place(const Wagon& wagon, const Vector& p) {
-  ask("Where is the place in the wagon's frame?")
+  ask("What are the coordinates of the position in the wagon's frame?")
       .given("wagon", wagon)
       .given("place", p)
       .suspect("place-not-subtracted", [&]() -> Vector { return plain(wagon, p); })
@@ -81,7 +81,7 @@ void check_velocity(const Wagon& wagon, const Vector& v) {
 }
 
 void check_world(const Wagon& wagon, const Vector& p) {
-  ask("Where is the place in the world?")
+  ask("What are the coordinates of the position in the world?")
       .given("wagon", wagon)
       .given("place_in_wagon", p)
       .suspect("place-not-subtracted", [&]() -> Vector { return turned(wagon, p); })
@@ -110,7 +110,7 @@ TEST_CASE("left is positive") {
   check_place(kNorth, {5, 1});
 }
 
-TEST_CASE("a velocity has no place") {
+TEST_CASE("a velocity has no position") {
   check_velocity(kNorth, {0, 5});
   check_velocity(kNorth, {-2, 0});
   check_velocity(kSlanting, {6, 8});
@@ -124,7 +124,7 @@ TEST_CASE("from the wagon into the world") {
   check_world(kSlanting, {0, 0});
 }
 
-TEST_CASE("random places agree with exact arithmetic") {
+TEST_CASE("random positions agree with exact arithmetic") {
   generators::Random random(seed(0));
   for (int asked = 0; asked < 300; ++asked) {
     Vector f{random.uniform(-1, 1), random.uniform(-1, 1)};

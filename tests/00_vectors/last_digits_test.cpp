@@ -1,6 +1,6 @@
-// Right answers are computed without rounding and rounded once. Each coordinate may be off by 4 u
-// of itself: Kahan's difference of products is off by 2 u, one with twice the digits by little more
-// than 1 u, and the right answer by 1 u. Every test asks for at least two different answers.
+// Right answers are computed exactly and rounded once. Each coordinate may have a relative error of
+// 4 u: Kahan's difference of products is off by 2 u, one with twice the digits by little more than
+// 1 u, and the right answer by 1 u. Every test expects at least two different answers.
 #include "last_digits.hpp"
 
 #include <support/exercise.hpp>
@@ -54,7 +54,7 @@ TEST_CASE("parallel vectors give zero, and nearly parallel ones do not") {
   check({1, 1 + 0x1p-50, 1}, {1, 1, 1});
 }
 
-TEST_CASE("what two products have in common cancels and the rest is right") {
+TEST_CASE("the difference of nearly equal products is accurate") {
   check({1 + 0x1p-30, 1, 0}, {1, 1 - 0x1p-30, 0});
   check({1 + 0x1p-27, 1 + 0x1p-26, 3}, {1, 1 + 0x1p-27, 3});
   check({0.1, 0.3, 0.7}, {0.3, 0.9, 2.1});

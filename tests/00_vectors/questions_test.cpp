@@ -29,7 +29,7 @@ using contact::Vector3;
 
 namespace {
 
-/// The wagon of two questions: at (2, 1), looking along the world's y.
+/// The wagon of two questions: at (2, 1), facing along the world's y.
 contact::CoordinateFrame<double> wagon() {
   contact::CoordinateFrame<double> frame;
   frame.origin = {2, 1, 0};
@@ -104,14 +104,14 @@ KEY("wind-in-wagon") {
 }
 
 KEY("ahead-and-left") {
-  // Looking along (3, 4)/5: 2 ahead and 1 to the left is (1.2 - 0.8, 1.6 + 0.6) from the origin.
+  // Facing along (3, 4)/5: 2 ahead and 1 to the left is (1.2 - 0.8, 1.6 + 0.6) from the origin.
   const double winning = frames::compute({{1, 1}, {1.5, 2}, {1.4, 3.2}}).ahead_and_left;
   return questions::Construct{winning, frames::compute({{1, 1}, {2, 0}, {3, 2}}).ahead_and_left};
 }
 
 KEY("stopping-distance") {
-  // Measured in other units, the same way must be the same way. A metre is 1000 mm, a second is
-  // 1/60 minute; only the right formula's value changes by just a factor of 1000.
+  // In other units the same distance must come out. A metre is 1000 mm, a second is 1/60 minute;
+  // only the right formula's value changes by just a factor of 1000.
   const auto formulas = [](double v, double a) {
     return std::array{v / (2 * a), 2 * a / (v * v), v * v / (2 * a), v * v * a / 2};
   };
@@ -132,7 +132,7 @@ KEY("sine-of-thirty") { return std::sin(30.0); }
 
 KEY("tenth-sum") {
   const tenths::Output out = tenths::compute({1, 2, 53});
-  // None is stored as meant, the exact sum is rounded, and the sum is a neighbour of the nearest.
+  // None is stored exactly, the exact sum is rounded, and the result is a neighbour of the nearest.
   const tenths::Output three = tenths::compute({3, 3, 53});
   const bool none_as_meant = out.error_a != 0 && out.error_b != 0 && three.error_a != 0;
   const bool neighbour = out.equal == 0 && std::abs(out.nearest_at) == 1;
@@ -157,7 +157,7 @@ KEY("squares-apart") {
 }
 
 KEY("side-steps") {
-  // What each step needs to have been done before it.
+  // The steps that must precede each step.
   const std::vector<std::set<int>> needs{{4}, {0}, {}, {0, 1}, {2}};
   std::vector<int> order;
   std::set<int> done;
@@ -170,7 +170,8 @@ KEY("side-steps") {
         possible.push_back(i);
       }
     }
-    if (possible.size() != 1) return std::vector<int>{};  // two right orders would be no question
+    if (possible.size() != 1)
+      return std::vector<int>{};  // with two right orders the question has no single answer
     order.push_back(possible.front());
     done.insert(possible.front());
   }

@@ -1,6 +1,6 @@
 // The references against rational arithmetic on the stored numbers (class (a) of the oracle), the
-// angle against intervals (class (c)). u is the unit roundoff of the type. A bound that a comment
-// of the reference gives is tested as it stands, without an allowance.
+// angle against intervals (class (c)). u is the unit roundoff of the type. A bound stated in a
+// comment of the reference is tested exactly, without an allowance.
 #include <array>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -34,7 +34,7 @@ Rational smallest_normal() {
   return oracle::exact(std::numeric_limits<S>::min());
 }
 
-/// A vector as a family of generators::point has it, stored in S; or without any pattern.
+/// A vector of a family of generators::point, stored in S; or one without a pattern.
 template <class S>
 Vector3<S> any_vector(Random& random, int kind) {
   if (kind == 0)
@@ -45,7 +45,7 @@ Vector3<S> any_vector(Random& random, int kind) {
   return Vector3<S>{S(random.uniform(-1, 1)), S(random.uniform(-1, 1)), S(random.uniform(-1, 1))};
 }
 
-/// A second vector beside u: anything, or nearly parallel, or nearly upright on it.
+/// A second vector beside u: arbitrary, nearly parallel, or nearly perpendicular.
 template <class S>
 Vector3<S> beside(Random& random, int kind, const Vector3<S>& a) {
   const int relation = random.integer(0, 2);
@@ -95,7 +95,7 @@ TEMPLATE_TEST_CASE("an ulp is the distance to the next larger number", "", float
   CHECK(std::isnan(contact::ulp(std::numeric_limits<S>::quiet_NaN())));
 }
 
-TEMPLATE_TEST_CASE("a sum and what it lost are the whole", "", float, double) {
+TEMPLATE_TEST_CASE("a rounded sum and its error add up to the exact sum", "", float, double) {
   using S = TestType;
   Random random(2);
   for (int i = 0; i < 3000; ++i) {
@@ -110,7 +110,8 @@ TEMPLATE_TEST_CASE("a sum and what it lost are the whole", "", float, double) {
   }
 }
 
-TEMPLATE_TEST_CASE("a product and what it lost are the whole", "", float, double) {
+TEMPLATE_TEST_CASE("a rounded product and its error add up to the exact product", "", float,
+                   double) {
   using S = TestType;
   const Rational safe =
       oracle::exact(std::ldexp(std::numeric_limits<S>::min(), std::numeric_limits<S>::digits));
@@ -133,7 +134,7 @@ TEMPLATE_TEST_CASE("a product and what it lost are the whole", "", float, double
   CHECK(seen > 1000);
 }
 
-TEMPLATE_TEST_CASE("dot products are as near as they say", "", float, double) {
+TEMPLATE_TEST_CASE("errors of dot products are within their bounds", "", float, double) {
   using S = TestType;
   Random random(4);
   int rescued = 0;
@@ -186,7 +187,7 @@ TEST_CASE("a sum is a dot product with ones") {
   }
 }
 
-TEMPLATE_TEST_CASE("cross products are as near as they say", "", float, double) {
+TEMPLATE_TEST_CASE("errors of cross products are within their bounds", "", float, double) {
   using S = TestType;
   Random random(6);
   int rescued = 0;
@@ -220,8 +221,9 @@ TEMPLATE_TEST_CASE("cross products are as near as they say", "", float, double) 
   CHECK(rescued > 100);
 }
 
-TEST_CASE("a cross product is upright on its factors, turns round with them, and holds the area") {
-  // Whole numbers: nothing rounds, so the laws hold to the bit, for every way of computing.
+TEST_CASE(
+    "a cross product is perpendicular to its factors, antisymmetric, and as long as the area") {
+  // Whole numbers: nothing is rounded, so the laws hold exactly for every method.
   Random random(7);
   for (int i = 0; i < 500; ++i) {
     const auto a = any_vector<double>(random, 1);
@@ -240,7 +242,7 @@ TEST_CASE("a cross product is upright on its factors, turns round with them, and
   }
 }
 
-TEST_CASE("the side of a line is decided without a mistake") {
+TEST_CASE("the orientation predicate is exact") {
   Random random(8);
   int expanded_wrong = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -270,7 +272,7 @@ TEST_CASE("the side of a line is decided without a mistake") {
   CHECK(contact::line_side_exactly<double>({3, 4}, {3, 4}, {0, 1}) == 0);
 }
 
-TEMPLATE_TEST_CASE("an angle is as near as it says", "", float, double) {
+TEMPLATE_TEST_CASE("the error of an angle is within its bound", "", float, double) {
   using S = TestType;
   using oracle::Interval;
   Random random(9);
@@ -304,7 +306,7 @@ TEMPLATE_TEST_CASE("an angle is as near as it says", "", float, double) {
   CHECK(*contact::angle_between<S>({2, 4, -6}, {-1, -2, 3}) < infinity);
 }
 
-TEST_CASE("an angle by halves is as near as it says") {
+TEST_CASE("the error of an angle by half angles is within its bound") {
   using oracle::Interval;
   Random random(12);
   const auto check = [](double across, double along) {
@@ -362,7 +364,7 @@ TEMPLATE_TEST_CASE("a frame on a normal is orthonormal and right-handed", "", fl
   CHECK_THROWS_AS(contact::frame_on_normal<S>({0, nan, 0}, {0, 0, 1}), std::invalid_argument);
 }
 
-TEST_CASE("places and directions go into a frame and come back") {
+TEST_CASE("positions and directions convert into a frame and back") {
   // A frame whose axes are rational: nothing rounds.
   contact::CoordinateFrame<Rational> frame;
   const Rational third = Rational(1) / 3;
@@ -376,7 +378,7 @@ TEST_CASE("places and directions go into a frame and come back") {
     const oracle::Vector q = oracle::exact(any_vector<double>(random, 2));
     CHECK(contact::place_in_world(frame, contact::place_in_frame(frame, p)) == p);
     CHECK(contact::direction_in_world(frame, contact::direction_in_frame(frame, p)) == p);
-    // The difference of two places is a direction.
+    // The difference of two positions is a direction.
     CHECK(oracle::Vector(contact::place_in_frame(frame, p) - contact::place_in_frame(frame, q)) ==
           contact::direction_in_frame(frame, oracle::Vector(p - q)));
     // Dot products do not depend on the frame.
@@ -386,7 +388,7 @@ TEST_CASE("places and directions go into a frame and come back") {
   CHECK(contact::place_in_frame(frame, frame.origin) == oracle::Vector(0, 0, 0));
 }
 
-TEMPLATE_TEST_CASE("rounding in a frame stays within its bound", "", float, double) {
+TEMPLATE_TEST_CASE("rounding errors in a frame are within their bounds", "", float, double) {
   using S = TestType;
   Random random(12);
   for (int i = 0; i < 500; ++i) {

@@ -1,6 +1,6 @@
-// Right answers are signs without rounding. A decision has no tolerance: random paths are taken
-// only where the plain formula is certain, and every named one has differences and products that a
-// double holds. Every test asks for at least two different answers.
+// Right answers are exact signs. A predicate has no tolerance: random paths are used only where the
+// rounded formula is certain, and every named one has differences and products that are exact in
+// double precision. Every test expects at least two different answers.
 #include "which_way.hpp"
 
 #include <support/exercise.hpp>
@@ -21,7 +21,7 @@ double plain(const Point& a, const Point& b, const Point& c) {
 
 void check(const Point& a, const Point& b, const Point& c) {
   const int right = contact::line_side_exactly<double>(a, b, c);
-  ask("Which way does the path turn at b?")
+  ask("In which direction does the path turn at b?")
       .given("a", a)
       .given("b", b)
       .given("c", c)
@@ -51,7 +51,7 @@ TEST_CASE("left, right and straight on") {
   check({1, 2}, {1, 2}, {3, 4});
 }
 
-TEST_CASE("in whatever direction one walks") {
+TEST_CASE("in every direction of the path") {
   // Bent to the left and to the right by less than a right angle, starting in eight directions.
   const std::array<Point, 8> steps{Point{2, 0},  Point{2, 2},   Point{0, 2},  Point{-2, 2},
                                    Point{-2, 0}, Point{-2, -2}, Point{0, -2}, Point{2, -2}};
@@ -64,7 +64,7 @@ TEST_CASE("in whatever direction one walks") {
   }
 }
 
-TEST_CASE("straight on is straight on, also along a slope") {
+TEST_CASE("a straight path is straight, also along a slope") {
   check({0, 0}, {3, 7}, {9, 21});
   check({0, 0}, {3, 7}, {9, 20});
   check({-5, 2}, {-2, 0.75}, {7, -3});
@@ -80,7 +80,7 @@ TEST_CASE("a tiny path turns like a large one") {
   }
 }
 
-TEST_CASE("far from the origin it is the same path") {
+TEST_CASE("a path far from the origin turns like one near it") {
   for (const double far : {0x1p30, -0x1p34, 0x1p40}) {
     const Point place(far, far + 12345);
     for (const Point& c : {Point{2, 1}, Point{2, -1}, Point{2, 0}, Point{1, 1}}) {
@@ -100,7 +100,7 @@ TEST_CASE("random paths agree with exact arithmetic") {
     const double bend = random.chance(0.5) ? random.uniform(-9, 9) : random.magnitude(-30, -10);
     const Point c = a + share * (b - a) + Point{0, bend};
     // Two rounded differences, a product and the last difference: 5 u of each product. Doubled, and
-    // taken over all the ways to pair the three points.
+    // taken over all pairings of the three points.
     const double size = (a - b).norm() * (c - b).norm() + (a - b).norm() * (c - a).norm();
     if (!(std::abs(plain(a, b, c)) > 20 * 0x1p-53 * size)) continue;
     check(a, b, c);

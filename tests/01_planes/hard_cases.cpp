@@ -1,4 +1,4 @@
-// Recomputes the answers of hard_cases.json and says which method gets which case right.
+// Recomputes the answers of hard_cases.json and checks which method is right in which case.
 #include "support/hard_cases.hpp"
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 using Vector = contact::Vector3<double>;
 using Points = contact::Triangle<double>;
 
-/// The plane as one writes it first: cross product, divide by the root of the sum of squares,
+/// The plane as one would first write it: cross product, divide by the root of the sum of squares,
 /// offset by a dot product.
 template <class S>
 contact::Plane<S> naive_plane(const contact::Triangle<S>& p) {
@@ -33,9 +33,11 @@ oracle::ExactPlane exact_plane(const Points& p) {
   return oracle::plane_through(oracle::exact(p.a), oracle::exact(p.b), oracle::exact(p.c));
 }
 
-int sign_of(double x) { return x > 0 ? 1 : x < 0 ? -1 : x == 0 ? 0 : 99; }  // 99: NaN is no answer
+int sign_of(double x) {
+  return x > 0 ? 1 : x < 0 ? -1 : x == 0 ? 0 : 99;
+}  // 99: NaN is not an answer
 
-/// How near a computed number must come: 2^-40 of the right one, far more than rounding costs a
+/// The largest relative error of a right number: 2^-40, far more than the rounding errors of a
 /// sound method.
 bool close(double got, double right) {
   return std::abs(got - right) <= std::ldexp(std::abs(right), -40);
@@ -47,8 +49,8 @@ Json hit(const std::optional<oracle::Surd>& t) {
   return answer;
 }
 
-/// Whether a method's hit and time are the answer's. The time as a decimal text is read back to the
-/// same double.
+/// Whether a method's hit and time agree with the answer. The time as decimal text is read back to
+/// the same double.
 bool same_hit(const std::optional<double>& got, const Json& answer) {
   if (got.has_value() != answer.at("hit").get<bool>()) return false;
   return !got || close(*got, std::strtod(answer.at("t").get<std::string>().c_str(), nullptr));
@@ -90,7 +92,7 @@ void add_normalise(hard_cases::Runner& runner) {
     }
     return true;
   };
-  runner.method("normalise", "double, as one writes it first",
+  runner.method("normalise", "double, as first written",
                 [judge](const Case& c, const Json& answer) {
                   const Vector v = c.vector("v");
                   return judge(v / std::sqrt(v.dot(v)), answer);
@@ -111,7 +113,7 @@ void add_side(hard_cases::Runner& runner) {
     return sign_of(static_cast<double>(plane.normal.dot(x) - plane.offset)) ==
            answer.at("side").get<int>();
   });
-  runner.method("side", "double, as one writes it first", [](const Case& c, const Json& answer) {
+  runner.method("side", "double, as first written", [](const Case& c, const Json& answer) {
     const auto plane = naive_plane(c.triangle("plane"));
     return sign_of(plane.normal.dot(c.vector("x")) - plane.offset) == answer.at("side").get<int>();
   });
@@ -151,7 +153,7 @@ void add_exists(hard_cases::Runner& runner) {
     const bool found = contact::all_finite(plane.normal);
     return found == answer.at("plane").get<bool>() && (!found || good_normal(c, plane, 1e-3));
   });
-  runner.method("plane_from_points", "double, as one writes it first",
+  runner.method("plane_from_points", "double, as first written",
                 [good_normal](const Case& c, const Json& answer) {
                   const auto plane = naive_plane(c.triangle("plane"));
                   const bool found = contact::all_finite(plane.normal);

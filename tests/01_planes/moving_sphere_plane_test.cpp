@@ -1,5 +1,5 @@
-// Right answers come from exact arithmetic on the numbers as they are stored. Every test asks for
-// at least two different answers.
+// Right answers come from exact arithmetic on the numbers as they are stored. Every test expects at
+// least two different answers.
 #include "moving_sphere_plane.hpp"
 
 #include <support/exercise.hpp>
@@ -40,7 +40,7 @@ std::optional<FirstTouch> exact_touch(const Sphere& sphere, const Vector& displa
 
 /// The gap is off by 4 u (Σ|nᵢ cᵢ| + |k| + r), so t by that over the closing distance and a few u;
 /// the point by t's error along the displacement and a few u of its coordinates. A normal stored to
-/// 2 u stands for a touch 4 u r beside. 32 in place of 8.
+/// 2 u moves the contact point by 4 u r. 32 instead of 8.
 std::optional<FirstTouch> bound(const Sphere& sphere, const Vector& displacement,
                                 const Plane& plane) {
   const double closing = std::abs(plane.normal.dot(displacement));
@@ -89,8 +89,8 @@ void check(const Sphere& sphere, const Vector& displacement, const Plane& plane,
   const double distance = plane.normal.dot(sphere.centre) - plane.offset;
   std::vector<Suspect<std::optional<FirstTouch>>> suspects;
   for (const Mistake mistake : mistakes) {
-    // A hint must be true of what is in front of the student: "from behind" of a sphere there, and
-    // a touch where the centre arrives of an answer that is one.
+    // A hint must be true of the student's case: "from behind" only for a sphere that comes from
+    // there, and "the centre" only for an answer at which the centre reaches the plane.
     const bool misses = !mistaken(sphere, displacement, plane, mistake);
     const bool may_miss =
         mistake == Mistake::overlap_at_start_missed || mistake == Mistake::metres_for_fraction;
@@ -114,8 +114,8 @@ const Plane kFloor{{0, 0, 1}, 1};
 
 }  // namespace
 
-TEST_CASE("a falling sphere touches when its centre is a radius away") {
-  // A step of one metre first: who finds this touch and misses the next measures t in metres.
+TEST_CASE("a falling sphere touches when its centre is at the distance of its radius") {
+  // A step of one metre first: an answer that is right here and wrong next measures t in metres.
   check({{0, 0, 1.75}, 0.5}, {0, 0, -1}, kFloor, {Mistake::sphere_as_point});
   check({{0, 0, 9}, 2}, {0, 0, -8}, kFloor,
         {Mistake::sphere_as_point, Mistake::metres_for_fraction});
@@ -143,7 +143,7 @@ TEST_CASE("a sphere that meets the plane at the start touches at once") {
   check({{0, 0, 9}, 2}, {0, 0, -8}, kFloor);
 }
 
-TEST_CASE("a sphere that goes away, along or not far enough does not touch") {
+TEST_CASE("a sphere that moves away, along or not far enough does not touch") {
   check({{0, 0, 9}, 2}, {0, 0, -8}, kFloor);
   check({{0, 0, 9}, 2}, {0, 0, 8}, kFloor, {Mistake::separating_touches});
   check({{0, 0, -9}, 2}, {0, 0, -16}, kFloor, {Mistake::separating_touches});
@@ -163,7 +163,7 @@ TEST_CASE("random spheres agree with exact arithmetic") {
     if (normal.norm() < 0.1) continue;
     const Plane plane{normal.normalized(), random.uniform(-4, 4)};
     const Sphere sphere{vector(8), random.uniform(0.5, 2)};
-    // Keep away from ties, which plain arithmetic may decide either way, and from grazing motion.
+    // Avoid ties, which rounded arithmetic may decide either way, and grazing motion.
     const double distance = plane.normal.dot(sphere.centre) - plane.offset;
     const double closing = std::abs(plane.normal.dot(displacement));
     const double gap = std::abs(distance) - sphere.radius;

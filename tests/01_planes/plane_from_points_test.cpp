@@ -1,5 +1,5 @@
-// Right planes come from exact arithmetic, with one rounding at each coordinate of N = (b − a) ×
-// (c − a); N is then so near the true normal that only its length is left to plain arithmetic.
+// Right planes come from exact arithmetic, with one rounding at each coordinate of N = (b − a) × (c
+// − a); only its length is computed in rounded arithmetic.
 #include "plane_from_points.hpp"
 
 #include <support/exercise.hpp>
@@ -25,7 +25,7 @@ Plane right_plane(const Vector& a, const Vector& b, const Vector& c) {
 
 /// Each edge is rounded by u of the largest coordinate L (none for integers), so N is off by about
 /// 4 u L (|e₁| + |e₂|) + 4 u |e₁||e₂|, over |N| in the unit normal. The offset adds L times that
-/// and 4 u L of its own. 16 in place of 4 leaves room for other edges than e₁ and e₂.
+/// and 4 u L of its own. 16 instead of 4 allows for other edges than e₁ and e₂.
 Plane bound(const Vector& a, const Vector& b, const Vector& c) {
   const Vector e1 = b - a, e2 = c - a;
   const double largest = std::max({a.norm(), b.norm(), c.norm()});
@@ -59,7 +59,7 @@ void check(const Vector& a, const Vector& b, const Vector& c) {
       .close_to(right_plane(a, b, c), within(bound(a, b, c)));
 }
 
-/// A code that refuses here confuses small with degenerate.
+/// Code that refuses this input treats small as degenerate.
 void check_not_refused(const Vector& a, const Vector& b, const Vector& c) {
   const auto plane_or_nothing = [&]() -> std::optional<Plane> {
     try {
@@ -89,7 +89,7 @@ void check_refused(const Vector& a, const Vector& b, const Vector& c) {
 
 }  // namespace
 
-TEST_CASE("the normal faces the side from which the points run counter-clockwise") {
+TEST_CASE("the normal is on the side from which the points are counter-clockwise") {
   check({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   check({0, 0, 0}, {0, 1, 0}, {1, 0, 0});
   check({0, 0, 0}, {0, 1, 0}, {0, 0, 1});
@@ -117,7 +117,7 @@ TEST_CASE("points on one line are refused") {
 TEST_CASE("a tiny triangle has a plane") {
   check({1, 0, 0}, {0, 1, 0}, {0, 0, 1});
   check({1, 2, 0}, {0, 1, 0}, {1, 0, -1});
-  // Powers of two change the size and nothing else.
+  // Powers of two change only the size.
   for (const double scale : {0x1p-20, 0x1p-30, 0x1p-40}) {
     check_not_refused({scale, 0, 0}, {0, scale, 0}, {0, 0, scale});
     check_not_refused({scale, 2 * scale, 0}, {0, scale, 0}, {scale, 0, -scale});
@@ -131,7 +131,7 @@ TEST_CASE("random triangles agree with exact arithmetic") {
   };
   for (int asked = 0; asked < 500;) {
     const Vector a = vector(), b = vector(), c = vector();
-    // A sliver's normal is uncertain for every plain method.
+    // The normal of a sliver is uncertain for every rounded method.
     if ((b - a).cross(c - a).norm() < 1) continue;
     ++asked;
     check(a, b, c);

@@ -48,8 +48,8 @@ KEY("long-normal") {
 }
 
 KEY("moving-sphere-steps") {
-  // What each step needs to have been done before it: what it reads, and for the division, the two
-  // tests that make it safe.
+  // The steps that must precede each step: those that compute its input, and for the division, the
+  // two tests that make it safe.
   const std::vector<std::set<int>> needs{{1, 2, 3, 4, 5}, {}, {5}, {1}, {2, 5}, {1, 3}};
   std::vector<int> order;
   std::set<int> done;
@@ -62,7 +62,8 @@ KEY("moving-sphere-steps") {
         possible.push_back(i);
       }
     }
-    if (possible.size() != 1) return std::vector<int>{};  // two right orders would be no question
+    if (possible.size() != 1)
+      return std::vector<int>{};  // with two right orders the question has no single answer
     order.push_back(possible.front());
     done.insert(possible.front());
   }
@@ -97,7 +98,7 @@ KEY("touch-half-way") {
   moving_sphere::Input state{{0, 0, 1}, {0, 0, 0}, {0, 0, -3}, 1, {1, 0, 4}};
   const double winning = moving_sphere::compute(state).half_way_from_behind;
   state.centre.z() = 3;
-  state.displacement.z() = -4;  // half way, but from the front
+  state.displacement.z() = -4;  // at half of the displacement, but from the front
   return questions::Construct{winning, moving_sphere::compute(state).half_way_from_behind};
 }
 

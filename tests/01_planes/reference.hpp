@@ -1,5 +1,5 @@
 /// @file
-/// Random planes and numbers, and what a signed distance may be off by.
+/// Random planes and numbers, and error bounds of signed distances.
 #pragma once
 
 #include <contact/plane.hpp>
@@ -25,14 +25,13 @@ inline Rational absolute_dot(const Vector& a, const Vector& b) {
   return abs(a.x() * b.x()) + abs(a.y() * b.y()) + abs(a.z() * b.z());
 }
 
-/// The families whose numbers fit a float (huge and tiny do not: they would be ∞ and 0).
+/// The families whose numbers fit into a float (huge and tiny do not: they would be ∞ and 0).
 template <class S>
 bool fits(Family family) {
   return sizeof(S) == sizeof(double) || (family != Family::huge && family != Family::tiny);
 }
 
-/// A random plane of type S that meets the neighbourhood of a triangle: through its corners, or
-/// facing along its normal.
+/// A random plane of type S near a triangle: through its vertices, or facing along its normal.
 template <class S>
 std::optional<Plane<S>> plane_of(const Triangle<S>& t) {
   const ExactPlane plane =
@@ -41,7 +40,7 @@ std::optional<Plane<S>> plane_of(const Triangle<S>& t) {
   return contact::plane_from_points(t.a, t.b, t.c);
 }
 
-/// What |n·x − k| can be off by in type S: four roundings in a row, three products that may
+/// Bound on the error of |n·x − k| in type S: four successive roundings, three products that may
 /// underflow.
 template <class S>
 Rational distance_bound(const Plane<S>& plane, const Vector3<S>& x) {

@@ -78,8 +78,8 @@ TEMPLATE_TEST_CASE("a plane from a normal and a point passes the point within 4 
     const Vector3<S> point = generators::rounded<S>(generators::point(random, family));
     if (normal == Vector3<S>::Zero()) continue;
     const auto plane = contact::plane_from_normal_and_point(normal, point);
-    // For the stored normal, only the dot product of the offset is rounded: three roundings in a
-    // row.
+    // For the stored normal, only the dot product of the offset is rounded: three successive
+    // roundings.
     const ExactPlane stored = oracle::plane_as_stored(plane);
     const Vector x = oracle::exact(point);
     REQUIRE(abs(oracle::value(stored, x)) <=
@@ -104,7 +104,7 @@ TEMPLATE_TEST_CASE(
     const S d = static_cast<S>(random.magnitude(-range, range));
     const Surd right = oracle::unit_offset({oracle::exact(v), -oracle::exact(d)});
     const double size = std::abs(oracle::nearest(right));
-    // Near the largest number the offset may or may not overflow; that is tested by itself below.
+    // Near the largest number the offset may or may not overflow; that is tested separately below.
     if (size > double(std::numeric_limits<S>::max()) / 2) continue;
     const auto plane = contact::plane_from_coefficients(v.x(), v.y(), v.z(), d);
     // The length is off by 2.5 u (see above), the quotient adds u, scaling back may underflow: 3.5
@@ -145,13 +145,13 @@ TEMPLATE_TEST_CASE("three points give a normal within 256 u, and only collinear 
     const Family family = all_families[static_cast<std::size_t>(i) % all_families.size()];
     if (!fits<S>(family)) continue;
     Triangle<double> t = generators::triangle(random, family);
-    if (i % 3 == 1) t.c = t.a + random.uniform(-2, 2) * (t.b - t.a);   // collinear but for rounding
+    if (i % 3 == 1)
+      t.c = t.a + random.uniform(-2, 2) * (t.b - t.a);  // collinear except for rounding
     if (i % 3 == 2) t.b = generators::detail::nudged(random, t.a, 3);  // an edge a few ulps long
     check(generators::rounded<S>(t));
   }
   if constexpr (sizeof(S) == sizeof(double)) {
-    for (int i = 0; i < 1500;
-         ++i) {  // any exponents at all, and one corner near the largest number
+    for (int i = 0; i < 1500; ++i) {  // any exponents, and one vertex near the largest number
       Triangle<double> t{any_vector(random), any_vector(random), any_vector(random)};
       t = {t.a / 4, t.b / 4, t.c / 4};  // so that the offset can be stored
       check(t);
@@ -187,10 +187,10 @@ TEMPLATE_TEST_CASE("a signed distance is within its stated error, and its sign i
     }
   }
   CHECK(beyond > 2500);
-  CHECK(within > 1000);  // the generators do reach the inputs that no plain method decides
+  CHECK(within > 1000);  // the generators reach inputs that no rounded method decides
 }
 
-TEST_CASE("a distance from a point of the plane keeps its digits far from the origin") {
+TEST_CASE("a distance from a point of the plane is accurate far from the origin") {
   Random random(106);
   for (int i = 0; i < 4000; ++i) {
     const auto t = generators::triangle(random, Family::far);
@@ -199,7 +199,7 @@ TEST_CASE("a distance from a point of the plane keeps its digits far from the or
     const Vector3<double> x = generators::point(random, Family::far, t);
     const Vector to_x = oracle::exact(x) - oracle::exact(t.a);
     const Rational right = oracle::dot(oracle::exact(plane->normal), to_x);
-    // A rounded difference, a product, two sums: four roundings in a row, of x − a and not of x.
+    // A rounded difference, a product, two sums: four successive roundings, of x − a and not of x.
     REQUIRE(oracle::exact(
                 oracle::error(contact::signed_distance_from_point(plane->normal, t.a, x), right)) <=
             gamma<double>(4) * absolute_dot(oracle::exact(plane->normal), to_x) +
@@ -288,7 +288,7 @@ TEST_CASE("no query turns finite input into NaN, whatever the bits") {
   }
 }
 
-TEST_CASE("a distance that overflows only on the way is still right") {
+TEST_CASE("a distance is right though a partial sum overflows") {
   const double big = std::numeric_limits<double>::max();
   const Plane<double> plane =
       contact::plane_from_coefficients(0.529150262212918, 0.6, 0.6, -0.9 * big);

@@ -35,8 +35,8 @@ TEMPLATE_TEST_CASE("a segment crosses where the oracle says", "", float, double)
     const Family family = all_families[static_cast<std::size_t>(i) % all_families.size()];
     if (!fits<S>(family)) continue;
     const auto t = generators::triangle(random, family);
-    // On the grid the plane lies along an axis: every number on the way is a small whole number, so
-    // nothing is rounded and every touch must be seen.
+    // On the grid the plane lies along an axis: every intermediate result is a small whole number,
+    // so nothing is rounded and every contact must be found.
     const bool rounds = family != Family::grid;
     const auto made = rounds ? plane_of(generators::rounded<S>(t)) : [&] {
       const auto p = generators::plane(random, family);
@@ -66,13 +66,13 @@ TEMPLATE_TEST_CASE("a segment crosses where the oracle says", "", float, double)
     if (!got) continue;
     ++hits;
     // t = N / D with N = d0 off by e0 and D = d0 − d1 off by e0 + e1; the difference and the
-    // quotient add 2 u each way.
+    // quotient add 2 u in each direction.
     const Rational size = abs(d0 - d1);
     const Rational tolerance =
         (e0 + right->t * (e0 + e1)) / (size - e0 - e1) + 3 * u<S>() * right->t + eta<S>();
     REQUIRE(oracle::exact(oracle::error(double(got->t), right->t)) <= tolerance);
-    // The two weights come from the same rounded distances, so together they are 1 but for 2 u
-    // each; products and sum: 2 u.
+    // The two weights come from the same rounded distances, so their sum is 1 to within 2 u each;
+    // products and sum: 2 u.
     for (int k = 0; k < 3; ++k) {
       const Rational a = e.start(k);
       const Rational b = e.end(k);

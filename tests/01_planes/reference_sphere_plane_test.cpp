@@ -50,8 +50,8 @@ TEMPLATE_TEST_CASE("a sphere meets a plane as the oracle says", "", float, doubl
         {t.a.template cast<double>(), t.b.template cast<double>(), t.c.template cast<double>()}));
     const auto e = oracle::exact(ball);
 
-    // From the raw points, exactly: against a comparison of numbers with a root, which squares
-    // nothing by hand.
+    // From the raw points, exactly: against an exact comparison of numbers with a root, without
+    // squaring.
     const bool right = oracle::meets(
         e, oracle::plane_through(oracle::exact(t.a), oracle::exact(t.b), oracle::exact(t.c)));
     REQUIRE(contact::sphere_meets_plane_exactly(ball, t.a, t.b, t.c) == right);
@@ -72,7 +72,7 @@ TEMPLATE_TEST_CASE("a sphere meets a plane as the oracle says", "", float, doubl
   CHECK(meeting > 1000);
 }
 
-TEST_CASE("the exact sphere test is right for any bit patterns, and refuses what is no plane") {
+TEST_CASE("the exact sphere test is right for any bit patterns, and rejects collinear points") {
   Random random(111);
   for (int i = 0; i < 1500; ++i) {
     const Triangle<double> t{any_vector(random), any_vector(random), any_vector(random)};
@@ -103,7 +103,7 @@ TEMPLATE_TEST_CASE("a moving sphere touches when and where the oracle says", "",
     const auto wide = generators::triangle(random, family);
     const auto t = generators::rounded<S>(wide);
     const bool rounds =
-        family != Family::grid;  // as for segments: on the grid nothing rounds but the quotient
+        family != Family::grid;  // as for segments: on the grid only the quotient is rounded
     const auto made = rounds ? plane_of(t) : [&] {
       const auto p = generators::plane(random, family);
       return std::optional(Plane<S>{generators::rounded<S>(p.normal), static_cast<S>(p.offset)});
@@ -116,7 +116,7 @@ TEMPLATE_TEST_CASE("a moving sphere touches when and where the oracle says", "",
     const auto path = generators::segment(random, family, wide);
     const Vector3<S> displacement = generators::rounded<S>(Vector3<double>(path.end - path.start));
 
-    // As stored: the plane's normal taken for a unit vector, as its invariant says.
+    // As stored: the plane's normal is treated as a unit vector, by its invariant.
     const ExactPlane stored = oracle::plane_as_stored(plane);
     const auto e = oracle::exact(ball);
     const Vector way = oracle::exact(displacement);
@@ -193,13 +193,13 @@ TEST_CASE("a moving sphere touches at the time that the unrounded plane gives") 
         oracle::divided_by_root(oracle::dot(exact_plane.normal, oracle::exact(way)),
                                 oracle::dot(exact_plane.normal, exact_plane.normal))));
     // The normal is off by 4 u an entry, the offset by 8 u |through| ≤ 70 u, the centre is within
-    // 16, the way within 35 of 0: gap and closing are off by less than 300 u together, t by twice
+    // 16, the path within 35 of 0: gap and closing are off by less than 300 u together, t by twice
     // that over the closing distance.
     const Rational tolerance =
         600 * u<double>() / oracle::exact(std::max(closing, 1e-6)) + 4 * u<double>();
     if (!right || !got) {
       if (right.has_value() == got.has_value()) continue;
-      // They may differ only if the touch is at the very end or at the very start.
+      // They may differ only if the contact is at the very end or at the very start.
       const double t = right ? oracle::nearest(*right) : double(got->t);
       REQUIRE((t < 1e-9 || t > 1 - 1e-9));
       continue;
@@ -238,7 +238,7 @@ TEST_CASE(
   CHECK(inside->normal == Vector3<double>(0, 0, -1));
   const auto centred = contact::moving_sphere_plane<double>({{0, 0, 0}, 1}, {0, 0, 5}, floor);
   REQUIRE(centred.has_value());
-  CHECK(centred->normal == Vector3<double>(0, 0, -1));  // against the motion
+  CHECK(centred->normal == Vector3<double>(0, 0, -1));  // opposed to the motion
   const auto particle = contact::moving_sphere_plane<double>({{0, 0, 1}, 0}, {0, 0, -4}, floor);
   CHECK(particle->t == 0.25);
 }

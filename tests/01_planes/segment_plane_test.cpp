@@ -1,5 +1,5 @@
-// Right answers come from exact arithmetic on the numbers as they are stored. Every test asks for
-// a hit and for a miss.
+// Right answers come from exact arithmetic on the numbers as they are stored. Every test expects a
+// hit and a miss.
 #include "segment_plane.hpp"
 
 #include <support/exercise.hpp>
@@ -30,7 +30,7 @@ std::optional<Hit> exact_hit(const Segment& segment, const Plane& plane) {
 }
 
 /// A distance is off by 4 u (|n·x| term by term + |k|), so t by twice that over |d₀ − d₁| and a few
-/// u; the point by t's error along the segment and a few u of its coordinates. 16 in place of 8.
+/// u; the point by t's error along the segment and a few u of its coordinates. 16 instead of 8.
 std::optional<Hit> bound(const Segment& segment, const Plane& plane) {
   const double start = plane.normal.cwiseAbs().dot(segment.start.cwiseAbs());
   const double end = plane.normal.cwiseAbs().dot(segment.end.cwiseAbs());
@@ -109,14 +109,14 @@ void check(const Segment& segment, const Plane& plane,
       .close_to(exact_hit(segment, plane), within(bound(segment, plane)));
 }
 
-// z = 3, seen from above; and a plane that leans: its stored normal is what counts.
+// z = 3, seen from above; and an oblique plane, as stored.
 const Plane kLevel{{0, 0, 1}, 3};
 const Plane kLeaning{{0.6, 0, 0.8}, 2};
 
 }  // namespace
 
-TEST_CASE("a segment through the plane meets it at a fraction of its way") {
-  // A way of one metre first: who finds this point and not the next one measures t in metres.
+TEST_CASE("a segment through the plane meets it at a fraction of its length") {
+  // A segment of one metre first: an answer that is right here and wrong next measures t in metres.
   check({{0, 0, 3.25}, {0, 0, 2.25}}, kLevel, {Mistake::fraction_from_the_end});
   check({{0, 0, 4}, {8, 4, 0}}, kLevel,
         {Mistake::fraction_from_the_end, Mistake::metres_for_fraction});
@@ -159,7 +159,7 @@ TEST_CASE("tiny distances keep their signs") {
   const Plane floor{{0, 0, 1}, 0};
   check({{0, 0, 1}, {1, 0, -1}}, floor);
   check({{0, 0, 0x1p-600}, {1, 0, -0x1p-600}}, floor, {Mistake::absolute_epsilon});
-  // The same at a size whose products are not zero: who fails here does not fail for being tiny.
+  // The same at a size whose products are not zero: a failure here is not due to the size.
   check({{0, 0, 4}, {1, 0, 8}}, floor);
   check({{0, 0, 8}, {1, 0, 2}}, floor, {Mistake::hits_beyond_the_end});
   check({{0, 0, 0x1p-600}, {1, 0, 0x1p-599}}, floor, {Mistake::product_of_signs});
@@ -176,12 +176,12 @@ TEST_CASE("random segments agree with exact arithmetic") {
     const Vector normal = vector();
     if (normal.norm() < 1) continue;
     const Plane plane{normal.normalized(), random.uniform(-6, 6)};
-    // An end that rounding cannot tell from the plane may be judged either way.
+    // An end within rounding error of the plane may be classified either way.
     const double d0 = plane.normal.dot(segment.start) - plane.offset;
     const double d1 = plane.normal.dot(segment.end) - plane.offset;
     if (std::min({std::abs(d0), std::abs(d1), std::abs(d0 - d1)}) < 1e-3) continue;
     ++asked;
-    // Only mistakes that leave a number behind: a miss has too many causes here.
+    // Only mistakes that return a number: a miss has too many causes here.
     check(segment, plane, {Mistake::fraction_from_the_end, Mistake::hits_beyond_the_end});
   }
 }

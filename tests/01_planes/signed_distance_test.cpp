@@ -1,6 +1,6 @@
-// Integer planes with normals of integer length, so that right answers are known without rounding;
-// and random ones, where exact arithmetic gives the numerator. Every test asks for at least two
-// different answers, so that no constant passes one.
+// Integer planes with normals of integer length, so that right answers are known exactly; and
+// random ones, where exact arithmetic gives the numerator. Every test expects at least two
+// different answers, so that no constant passes.
 #include "signed_distance.hpp"
 
 #include <support/exercise.hpp>
@@ -15,7 +15,7 @@ using contact::Exact;
 using exercise::PlaneEquation;
 using Vector = Eigen::Vector3d;
 
-/// a·x + b·y + c·z + d without rounding.
+/// a·x + b·y + c·z + d, exact.
 Exact exact_value(const PlaneEquation& p, const Vector& x) {
   return Exact(p.a) * Exact(x.x()) + Exact(p.b) * Exact(x.y()) + Exact(p.c) * Exact(x.z()) +
          Exact(p.d);
@@ -27,7 +27,7 @@ double value(const PlaneEquation& p, const Vector& x) {
   return p.a * x.x() + p.b * x.y() + p.c * x.z() + p.d;
 }
 
-/// The exact numerator, rounded once, over the length, which is off by 3 u of itself at most.
+/// The exact numerator, rounded once, over the length, whose relative error is at most 3 u.
 double right_distance(const PlaneEquation& p, const Vector& x) {
   return quotient<double>(exact_value(p, x), Exact(1)) / length(p);
 }
@@ -42,7 +42,7 @@ double bound(const PlaneEquation& p, const Vector& x) {
 }
 
 void check_distance(const PlaneEquation& plane, const Vector& point) {
-  ask("How far is the point in front of the plane?")
+  ask("What is the signed distance of the point from the plane?")
       .given("plane", plane)
       .given("point", point)
       .suspect("offset-sign", [&] { return (value(plane, point) - 2 * plane.d) / length(plane); })
@@ -55,7 +55,7 @@ void check_distance(const PlaneEquation& plane, const Vector& point) {
 
 void check_side(const PlaneEquation& plane, const Vector& point) {
   const auto sign = [](double x) { return x > 0 ? 1 : (x < 0 ? -1 : 0); };
-  // "On the plane" shows a tolerance only where there is little between the two.
+  // "On the plane" indicates a tolerance only if the distance is small.
   const bool near = std::abs(value(plane, point)) < 1e-3 * length(plane);
   ask("On which side of the plane is the point?")
       .given("plane", plane)
@@ -78,7 +78,7 @@ TEST_CASE("the distance is in metres, whatever the length of the normal") {
   check_distance(kSeven, {3, -2, 1});
 }
 
-TEST_CASE("the constant of the equation stands on the left") {
+TEST_CASE("the constant of the equation is on its left-hand side") {
   check_distance({0, 0, 1, -3}, {1, 1, 4});
   check_distance({2, 3, 6, 14}, {1, 1, 1});
 }
@@ -112,7 +112,7 @@ TEST_CASE("random points agree with exact arithmetic") {
     const Vector point{number(), number(), number()};
     if (length(plane) < 1e-3) continue;
     check_distance(plane, point);
-    // A sign closer to the plane than rounding reaches may come out either way.
+    // A point within rounding error of the plane may be classified either way.
     if (std::abs(value(plane, point)) > 2 * bound(plane, point) * length(plane)) {
       check_side(plane, point);
     }

@@ -1,5 +1,5 @@
 // Decisions have no tolerance: the inputs are small integers and dyadic fractions, so that neither
-// a right answer nor the oracle's rounds anything. Every test asks for a yes and for a no.
+// a right answer nor the oracle rounds. Every test expects a yes and a no.
 #include "sphere_plane.hpp"
 
 #include <support/exercise.hpp>
@@ -16,7 +16,7 @@ using Plane = contact::Plane<double>;
 using Sphere = contact::Sphere<double>;
 using Vector = Eigen::Vector3d;
 
-/// (N·c − K)² ≤ r² N·N, without rounding.
+/// (N·c − K)² ≤ r² N·N, exact.
 bool exact_meets(const Sphere& sphere, const Vector& normal, double offset) {
   using V = contact::Vector3<Exact>;
   const V n = normal.cast<Exact>(), c = sphere.centre.cast<Exact>();
@@ -39,7 +39,7 @@ void check_loose(const Sphere& sphere, const LoosePlane& plane) {
   const auto value = [&] { return plane.normal.dot(sphere.centre) - plane.offset; };
   const auto square = [&] { return plane.normal.squaredNorm(); };
   const double r = sphere.radius;
-  ask("Does the sphere meet the plane, whose normal is no unit vector?")
+  ask("Does the sphere meet the plane, whose normal is not a unit vector?")
       .given("sphere", sphere)
       .given("plane", plane)
       .suspect("touching-rejected", [&] { return value() * value() < r * r * square(); })
@@ -76,7 +76,7 @@ TEST_CASE("the plane has two sides") {
   check({{5, 1, 4}, 1.5}, kLevel);
 }
 
-TEST_CASE("a loose plane is judged in lengths of its normal") {
+TEST_CASE("the length of a loose plane's normal is taken into account") {
   check_loose({{2, 3, 6}, 4}, kSeven);  // 49 − 14 = 35, and 35 / 7 = 5 > 4
   check_loose({{2, 3, 6}, 6}, kSeven);
   check_loose({{4, 6, 12}, 11}, kSeven);
@@ -84,9 +84,9 @@ TEST_CASE("a loose plane is judged in lengths of its normal") {
   check_loose({{0.25, 0, 0}, 0.25}, {{0.5, 0, 0}, 0.5});
 }
 
-TEST_CASE("a touch is a touch for integers, whatever the normal") {
+TEST_CASE("touching is decided exactly for integers, whatever the normal") {
   check_loose({{2, 3, 6}, 4.5}, kSeven);
-  check_loose({{2, 3, 6}, 6}, kSeven);  // deep in it: who fails here does not fail for touching
+  check_loose({{2, 3, 6}, 6}, kSeven);  // overlapping: a failure here is not due to touching
   check_loose({{2, 3, 6}, 5}, kSeven);  // 49 − 14 = 35 = 5 · 7
   check_loose({{0, 0, 0}, 2}, kSeven);
   check_loose({{0, 0, 0}, 1.75}, kSeven);

@@ -1,5 +1,5 @@
 /// @file
-/// Lines and triangles over every finite double, made to sit on the edge between hit and miss.
+/// Lines and triangles over all finite doubles, on the border between hit and miss.
 #pragma once
 
 #include <support/generators.hpp>
@@ -17,8 +17,7 @@ namespace adversarial {
 using Point = contact::Vector3<double>;
 using generators::Random;
 
-/// A line as two points or as a point and a direction: the caller reads it as a segment or as a
-/// ray.
+/// A line as two points or as a point and a direction: the caller uses it as a segment or as a ray.
 struct Case {
   Point start, second;
   contact::Triangle<double> triangle;
@@ -50,13 +49,13 @@ Case five_points(Draw draw) {
   return {start, second, {a, b, c}};
 }
 
-/// Nothing but bit patterns: exponents from one end of the range to the other in one query.
+/// Random bit patterns: exponents from the whole range in one query.
 inline Case bit_patterns(Random& random) {
   return five_points([&] { return any_double(random); });
 }
 
 /// Small whole numbers times one power of two from the smallest to the largest: every coincidence
-/// of a grid, where products underflow to nothing or overflow.
+/// of a grid, where products underflow or overflow.
 inline Case scaled_grid(Random& random) {
   const int power = random.integer(-1074, 1020);
   return five_points([&] { return std::ldexp(double(random.integer(-3, 3)), power); });
@@ -75,7 +74,7 @@ inline Case nudged_grid(Random& random) {
   });
 }
 
-/// Coordinates from a list of the extremes.
+/// Coordinates from a list of extreme values.
 inline Case extremes(Random& random) {
   constexpr double tiny = std::numeric_limits<double>::denorm_min();
   constexpr double normal = std::numeric_limits<double>::min();
@@ -85,7 +84,7 @@ inline Case extremes(Random& random) {
   return five_points([&] { return list[static_cast<std::size_t>(random.integer(0, 11))]; });
 }
 
-/// Through a point of an edge or corner as nearly as a double can say, at any scale.
+/// Through a point of an edge or a vertex up to rounding, at any scale.
 inline Case through_edge(Random& random) {
   const double scale = random.chance(0.3) ? std::ldexp(1.0, random.integer(-1040, 1010)) : 1.0;
   const auto draw = [&] { return random.uniform(-1, 1); };
@@ -99,8 +98,7 @@ inline Case through_edge(Random& random) {
   return c;
 }
 
-/// A triangle thinner than its own rounding, or with no area at all: c lies on a b as nearly as a
-/// double can say.
+/// A triangle thinner than its rounding errors, or without area: c is on a b up to rounding.
 inline Case sliver(Random& random) {
   Case c = through_edge(random);
   const auto& [a, b, unused] = c.triangle;

@@ -13,7 +13,7 @@ using exercise::Air;
 using Triangle = contact::Triangle<double>;
 using Vector = Eigen::Vector3d;
 
-/// The weights of the foot of the point on the triangle's plane, rounded once at the end.
+/// The weights of the projection of the point on the triangle's plane, rounded once at the end.
 Vector exact_weights(const Triangle& triangle, const Vector& point) {
   using contact::Exact;
   using V = contact::Vector3<Exact>;
@@ -25,11 +25,11 @@ Vector exact_weights(const Triangle& triangle, const Vector& point) {
           quotient<double>(gamma, all)};
 }
 
-/// A plain method works as if each coordinate were off by c·u·L, L the largest (u = 2^-53): a
-/// weight changes by that times (longest edge)/|n|. The way by dot products of the edges loses the
-/// square of |e₁||e₂|/|n| besides. Both in proportion to the weights. Over 50,000 of the random
-/// points below, areas, the dropped dimension and dot products stay within c = 4.5; c = 64 leaves
-/// room.
+/// A rounded method is equivalent to an exact one with an error c·u·L in each coordinate, L the
+/// largest (u = 2^-53): a weight changes by that times (longest edge)/|n|. The method by dot
+/// products of the edges has an additional error with the square of |e₁||e₂|/|n|. Both in
+/// proportion to the weights. Over 50,000 of the random points below, areas, the dropped dimension
+/// and dot products stay within c = 4.5; c = 64 is ample.
 Vector bound(const Triangle& triangle, const Vector& point) {
   const Vector e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a;
   const double n = e1.cross(e2).norm();
@@ -48,7 +48,7 @@ Vector at(const Triangle& triangle, double beta, double gamma) {
 void check(const Triangle& triangle, const Vector& point) {
   const Vector right = exact_weights(triangle, point);
   const Vector sizes = right.cwiseAbs();
-  ask("What are the weights of the corners at this point?")
+  ask("What are the weights of the vertices at this point?")
       .given("triangle", triangle)
       .given("point", point)
       .suspect("beta-sign", [&] { return Vector(1 + right[1] - right[2], -right[1], right[2]); })
@@ -67,17 +67,17 @@ const Triangle kTilted{{1, 0, 2}, {3, -2, -2}, {1, 4, -6}};
 
 }  // namespace
 
-TEST_CASE("each corner has all the weight at itself") {
+TEST_CASE("at each vertex its own weight is one") {
   for (const Vector& corner : {kTilted.c, kTilted.b, kTilted.a}) check(kTilted, corner);
 }
 
-TEST_CASE("inside, no weight is negative, and they add the corners up to the point") {
+TEST_CASE("inside, no weight is negative, and the weighted sum of the vertices is the point") {
   check(kTilted, at(kTilted, 0.25, 0.625));
   check(kTilted, at(kTilted, 0.5, 0.125));
   check(kTilted, at(kTilted, 0.25, 0.25));
 }
 
-TEST_CASE("beyond a side, the weight of the corner opposite is negative") {
+TEST_CASE("beyond an edge, the weight of the opposite vertex is negative") {
   check(kTilted, at(kTilted, 0.75, 0.75));
   check(kTilted, at(kTilted, -0.25, 0.5));
   check(kTilted, at(kTilted, 0.5, -0.25));
@@ -104,7 +104,7 @@ TEST_CASE("a triangle without area is refused") {
   check(kTilted, at(kTilted, 0.5, 0.125));
   const Triangle line{{0, 0, 0}, {2, 0, 0}, {4, 0, 0}}, point{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}};
   for (const Triangle& triangle : {line, point}) {
-    ask("What are the weights of the corners at this point?")
+    ask("What are the weights of the vertices at this point?")
         .given("triangle", triangle)
         .given("point", triangle.b)
         .answer([&] { return exercise::barycentric(triangle, triangle.b); })
@@ -112,14 +112,14 @@ TEST_CASE("a triangle without area is refused") {
   }
 }
 
-TEST_CASE("temperature and velocity are blended by the weights") {
-  // Numbers whose products and sums need few bits, so that every order of adding gives the same.
+TEST_CASE("temperature and velocity are interpolated by the weights") {
+  // Numbers whose products and sums need few bits, so that every order of addition gives the same.
   const Air a{280, {4, 0, -2}}, b{300, {0, 8, 2}}, c{324, {-4, 2, 16}};
   for (const Vector& weights : {Vector(0.5, 0.375, 0.125), Vector(0, 0.25, 0.75), Vector(0, 0, 1),
                                 Vector(1.5, 0.25, -0.75)}) {
     const Air right{weights.dot(Vector(a.temperature, b.temperature, c.temperature)),
                     weights[0] * a.velocity + weights[1] * b.velocity + weights[2] * c.velocity};
-    ask("What is the air like at the point with these weights?")
+    ask("What are the temperature and the velocity at the point with these weights?")
         .given("a", a)
         .given("b", b)
         .given("c", c)

@@ -1,6 +1,6 @@
 /// @file
-/// What is right, for the exercises of this chapter. Works wherever the tests do: it needs no
-/// library.
+/// The right answers for the exercises of this chapter. It needs no library, so it works wherever
+/// the tests do.
 #pragma once
 
 #include <optional>

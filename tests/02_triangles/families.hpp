@@ -1,7 +1,6 @@
 /// @file
 /// Rays and triangles that are hard to decide. All coordinates are floats, so that a method in
-/// float and one in double are asked the same question. Eigen only: the ladder uses them in the
-/// page.
+/// float and one in double get the same input. Eigen only: the ladder uses them in the page.
 #pragma once
 
 #include <support/generators.hpp>
@@ -40,8 +39,7 @@ inline contact::Vector3<float> between(const contact::Vector3<float>& p,
   return exact.cast<float>();
 }
 
-/// Nothing special: points in a box, and a ray from one point of it into the triangle's
-/// neighbourhood.
+/// Random points in a box, and a ray from one point of it into the triangle's neighbourhood.
 inline Aimed random(generators::Random& random) {
   const contact::Triangle<float> triangle{random_point(random), random_point(random),
                                           random_point(random)};
@@ -74,7 +72,7 @@ inline contact::Vector3<float> grid_point(generators::Random& random, int limit)
   return {x, y, z};
 }
 
-/// On a grid, exactly through an edge or a corner: the ray goes to the middle of a b, which is a
+/// On a grid, exactly through an edge or a vertex: the ray goes to the midpoint of a b, which is a
 /// grid point too, or to a. Touching counts, so every ray hits a triangle that it is not parallel
 /// to; the products of its coordinates need more bits than a double has.
 inline Aimed on_grid(generators::Random& random) {
@@ -87,7 +85,7 @@ inline Aimed on_grid(generators::Random& random) {
 }
 
 /// Between two triangles that share an edge, at a point of that edge well away from its ends. Their
-/// other corners are on either side of it as the ray sees them, so there is no gap to go through.
+/// other vertices are on either side of it as seen along the ray, so there is no gap.
 inline Aimed at_shared_edge(generators::Random& random) {
   for (;;) {
     const contact::Vector3<float> a = random_point(random);
@@ -96,8 +94,8 @@ inline Aimed at_shared_edge(generators::Random& random) {
     const contact::Vector3<float> d = random_point(random);
     const contact::Vector3<float> origin = random_point(random);
     const contact::Ray<float> ray = towards(origin, between(a, b, random.uniform(0.1, 0.9)));
-    // The sides of the plane through the ray and the edge, with a margin that no rounding here
-    // comes near.
+    // The sides of the plane through the ray and the edge, with a margin much larger than rounding
+    // errors.
     const contact::Vector3<double> normal =
         (b - a).cast<double>().cross(ray.direction.cast<double>());
     const double of_c = normal.dot((c - a).cast<double>());

@@ -1,4 +1,4 @@
-// A returned index is only ever compared, never used. Every test asks for a hit somewhere.
+// A returned index is only compared, not used. Every test expects a hit somewhere.
 #include "first_hit.hpp"
 
 #include <support/exercise.hpp>
@@ -18,7 +18,7 @@ using Triangle = contact::Triangle<double>;
 using Vector = Eigen::Vector3d;
 using Found = std::optional<FirstHit>;
 
-/// Every hit of the whole line that lies after `from`, in the order of the list.
+/// Every hit of the whole line after `from`, in the order of the list.
 std::vector<FirstHit> hits(const Ray& ray, const Scene& scene, double from) {
   const Ray start{ray.origin + from * ray.direction, ray.direction};
   std::vector<FirstHit> all;
@@ -28,7 +28,7 @@ std::vector<FirstHit> hits(const Ray& ray, const Scene& scene, double from) {
   return all;
 }
 
-/// The hit that comes first when `before(one, other)` says whether one comes before the other.
+/// The first hit in the order `before(one, other)`.
 template <class Before>
 Found least(const std::vector<FirstHit>& all, Before&& before) {
   Found found;
@@ -42,7 +42,7 @@ Found nearest(const std::vector<FirstHit>& all) {
   return least(all, [](const FirstHit& x, const FirstHit& y) { return x.t < y.t; });
 }
 
-/// `tolerance` is how far t may be off.
+/// `tolerance` bounds the error of t.
 void check(const Ray& ray, const Scene& scene, double tolerance) {
   const auto ahead = hits(ray, scene, 0);
   const Found right = nearest(ahead);
@@ -65,14 +65,14 @@ void check(const Ray& ray, const Scene& scene, double tolerance) {
       .close_to(right, within(tolerance));
 }
 
-/// A triangle across the z axis at this height.
+/// A triangle perpendicular to the z axis at this height.
 Triangle floor_at(double z) { return {{-4, -4, z}, {4, -4, z}, {0, 4, z}}; }
 
 const Ray kUp{{0, 0, 0}, {0, 0, 2}};
 
 }  // namespace
 
-TEST_CASE("the nearest triangle is found wherever it stands in the list") {
+TEST_CASE("the nearest triangle is found at any position in the list") {
   check(kUp, {floor_at(8)}, 1e-12);
   check(kUp, {floor_at(16), floor_at(4), floor_at(32), floor_at(8)}, 1e-12);
   check(kUp, {floor_at(4), floor_at(16), floor_at(8), floor_at(32)}, 1e-12);
@@ -88,7 +88,7 @@ TEST_CASE("triangles behind the origin do not count, and without a hit there is 
   check(kUp, {}, 1e-12);
 }
 
-TEST_CASE("of triangles met at the same place the one that stands first counts") {
+TEST_CASE("of triangles hit at the same t the first in the list counts") {
   // The same triangle twice: every program finds the same t for both.
   const Scene scene{floor_at(16), floor_at(8), floor_at(8), floor_at(8)};
   ask("Which triangle does the ray meet first?")
@@ -115,7 +115,7 @@ TEST_CASE("random scenes agree with exact arithmetic") {
     std::vector<double> places;
     const Ray ray{vector(1), direction};
     while (scene.size() < 12) {
-      // Built so that the line meets it at t with these weights, clear of sides, of grazing and of
+      // Built so that the line meets it at t with these weights, clear of edges, of grazing and of
       // the other triangles.
       const double beta = random.uniform(-0.5, 1), gamma = random.uniform(-0.5, 1);
       const double t = random.uniform(-8, 16), alpha = 1 - beta - gamma;

@@ -1,4 +1,4 @@
-// Recomputes the answers of hard_cases.json and says which method gets which case right.
+// Recomputes the answers of hard_cases.json and checks which method is right in which case.
 #include "support/hard_cases.hpp"
 
 #include <02_triangles/truth.hpp>

@@ -79,7 +79,7 @@ TEST_CASE("the dropped dimension is the one in which the normal is largest") {
   check_dropped({0.25, 0.25, 0.25});
 }
 
-TEST_CASE("a point inside is found whichever way the corners run") {
+TEST_CASE("a point inside is found for either orientation of the vertices") {
   check({4, 4}, kLeft);
   for (const Point& beside : {Point(-2, 4), Point(4, -2), Point(10, 10), Point(20, -2)}) {
     check(beside, kLeft);
@@ -90,7 +90,7 @@ TEST_CASE("a point inside is found whichever way the corners run") {
   }
 }
 
-TEST_CASE("a point on a side or a corner is inside") {
+TEST_CASE("a point on an edge or a vertex is inside") {
   check({-2, 4}, kLeft);
   check({4, 4}, kLeft);
   for (const Point& on :

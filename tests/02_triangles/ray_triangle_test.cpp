@@ -127,7 +127,7 @@ TEST_CASE("a ray hits where it passes inside the triangle and misses beside it")
   check(aimed(kTilted, 0.125, 0.125, kDown, 1.5), kTilted);
 }
 
-TEST_CASE("t counts lengths of the direction as it is given") {
+TEST_CASE("t is in multiples of the direction as it is given") {
   // Half a metre away, then half a direction: who hits the first and misses the second takes a ray
   // for a way that ends at t = 1, and measures it in metres.
   check(aimed(kTilted, 0.25, 0.5, kDown, 0.5), kTilted);
@@ -138,7 +138,7 @@ TEST_CASE("t counts lengths of the direction as it is given") {
   }
 }
 
-TEST_CASE("what lies behind the origin is not hit") {
+TEST_CASE("a triangle behind the origin is not hit") {
   check(aimed(kTilted, 0.25, 0.5, kDown, -3), kTilted, {Mistake::hits_behind_origin});
   check(aimed(kTilted, 0.25, 0.5, kDown, 3), kTilted);
 }
@@ -148,7 +148,7 @@ TEST_CASE("a triangle is hit from both sides") {
   check(aimed(kTilted, 0.25, 0.5, -kDown, 3), kTilted, {Mistake::one_sided});
 }
 
-TEST_CASE("a triangle is hit whichever way it faces") {
+TEST_CASE("a triangle is hit in every orientation") {
   check(aimed(kTilted, 0.25, 0.5, kDown, 3), kTilted);
   for (const int turn : {0, 1, 2}) {
     const auto turned = [&](const Vector& v) {
@@ -160,7 +160,7 @@ TEST_CASE("a triangle is hit whichever way it faces") {
   }
 }
 
-TEST_CASE("touching an edge, a corner or the origin counts as a hit") {
+TEST_CASE("touching an edge, a vertex or the origin counts as a hit") {
   check(aimed(kFlat, 0.25, 0.5, kDown, 3), kFlat);
   for (const auto& [beta, gamma] : {std::pair{0.5, 0.0}, {0.0, 0.5}, {0.5, 0.5}}) {
     check(aimed(kFlat, beta, gamma, kDown, 3), kFlat, {Mistake::touching_rejected});

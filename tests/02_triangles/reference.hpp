@@ -1,5 +1,5 @@
 /// @file
-/// What every bound of these tests is made of: the terms of a query, exactly.
+/// The terms of a query, exactly, from which the bounds of these tests are computed.
 #pragma once
 
 #include <02_triangles/truth.hpp>

@@ -117,7 +117,7 @@ TEST_CASE("for floats the exact test has no wrong answer, where float methods ha
   REQUIRE(wrong_in_double > 200);
 }
 
-TEST_CASE("with and without its filter the exact test decides alike, and agrees on t") {
+TEST_CASE("with and without its filter the exact test makes the same decision, and agrees on t") {
   Random random(35);
   for (int i = 0; i < 6000; ++i) {
     const adversarial::Case c =

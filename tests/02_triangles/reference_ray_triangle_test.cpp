@@ -1,4 +1,5 @@
-// ray_triangle.hpp: what the plain methods decide beyond their rounding, and what all methods keep.
+// ray_triangle.hpp: decisions of the rounded methods beyond their rounding errors, and invariants
+// of all methods.
 #include <02_triangles/adversarial.hpp>
 #include <02_triangles/families.hpp>
 #include <02_triangles/truth.hpp>
@@ -46,8 +47,8 @@ Rational sum_of_terms(const Vector& p, const Vector& q, const Vector& r) {
          a.z() * (b.x() * c.y() + b.y() * c.x());
 }
 
-/// The quantities of a query, exactly, and the sums of their terms: what every bound below is made
-/// of.
+/// The quantities of a query, exactly, and the sums of their terms, from which the bounds below are
+/// computed.
 struct Conditions {
   Vector d, a, b, c, ab, ac;
   Rational denominator, of_a, of_b, of_c, start;
@@ -62,7 +63,7 @@ struct Conditions {
         ac(t.c - t.a) {
     denominator = determinant(d, ab, ac);
     denominator_terms = sum_of_terms(d, ab, ac);
-    // As Möller and Trumbore measure them, from corner a: of_b = d·(−a × ac)…, so that the terms
+    // As Möller and Trumbore measure them, from vertex a: of_b = d·(−a × ac)…, so that the terms
     // are those they round.
     of_b = determinant(d, ac, a);
     of_b_terms = sum_of_terms(d, ac, a);
@@ -94,13 +95,13 @@ bool well_conditioned(const Conditions& x, int c = 10) {
   return absolute(x.denominator) > Rational(c) * 1024 * oracle::exact(u) * x.denominator_terms;
 }
 
-/// How far a decision of a plain method is from the nearest wrong one: all of these must be beyond
-/// rounding.
+/// The distances of a decision of a rounded method from the opposite one: all must exceed the
+/// rounding errors.
 ///
-/// The methods that form the point x = o + t d first carry its error into the edges. With e_t the
-/// bound on t, each coordinate of x is off by e_t|d| + 3u(|o| + |t d|), and a weight, a quotient of
-/// areas over the normal squared, moves by that times |edge||n|/n², plus its own rounding. `safe`
-/// takes eight times the sum as the distance that no rounding here covers.
+/// The methods that compute the point x = o + t d first propagate its error to the edge tests. With
+/// e_t the bound on t, each coordinate of x is off by e_t|d| + 3u(|o| + |t d|), and a weight, a
+/// quotient of areas over the normal squared, moves by that times |edge||n|/n², plus its own
+/// rounding. `safe` takes eight times the sum as a distance that exceeds all rounding errors here.
 struct Margins {
   bool safe_for_point_methods = false;
   bool safe_for_determinants = false;
@@ -146,8 +147,8 @@ struct Tally {
   int asked = 0, hits = 0, decided_by_point = 0, decided_by_determinant = 0, values = 0;
 };
 
-/// One method held against the truth: its decision where rounding cannot reach it, its t within the
-/// bound, never a NaN.
+/// Compares one method with the truth: its decision where it exceeds the rounding errors, its t
+/// within the bound, and no NaN.
 template <class Line, class Method>
 void hold_plain(const Line& line, const Triangle<double>& triangle, const Method& method,
                 bool point_method, bool bounded, Tally& tally) {
@@ -197,8 +198,8 @@ void hold_plain_on_families(const Method& method, bool point_method, std::uint64
                             bool any_scale) {
   Random random(seed);
   // `huge` and `tiny` are 2^±200 to 2^±320. Products of three such numbers neither overflow nor
-  // underflow, so the bounds hold; edge tests multiply four, and the hard cases show what becomes
-  // of that.
+  // underflow, so the bounds hold; edge tests multiply four, and the hard cases show the
+  // consequences.
   for (const Family family : generators::all_families) {
     if (!any_scale && (family == Family::huge || family == Family::tiny)) continue;
     Tally tally;
@@ -220,25 +221,26 @@ void hold_plain_on_families(const Method& method, bool point_method, std::uint64
 
 }  // namespace
 
-TEST_CASE("edge tests decide beyond their rounding, with t inside its bound") {
+TEST_CASE("edge tests are right beyond their rounding errors, with t within its bound") {
   hold_plain_on_families(
       [](const auto& line, const auto& t) { return contact::intersect_by_edges(line, t); }, true,
       11, false);
 }
 
-TEST_CASE("the dropped dimension decides beyond its rounding, with t inside its bound") {
+TEST_CASE("the dropped dimension is right beyond its rounding errors, with t within its bound") {
   hold_plain_on_families(
       [](const auto& line, const auto& t) { return contact::intersect_by_dropping(line, t); }, true,
       12, true);
 }
 
-TEST_CASE("Möller-Trumbore decides beyond its rounding, with t and weights inside their bounds") {
+TEST_CASE(
+    "Möller-Trumbore is right beyond its rounding errors, with t and weights within their bounds") {
   hold_plain_on_families(
       [](const auto& line, const auto& t) { return contact::intersect_moller_trumbore(line, t); },
       false, 13, true);
 }
 
-TEST_CASE("in rational arithmetic the plain methods are exact") {
+TEST_CASE("in rational arithmetic the rounded methods are exact") {
   Random random(14);
   int hits = 0;
   for (int i = 0; i < 1500; ++i) {
@@ -285,7 +287,8 @@ TEST_CASE("without a division, Möller-Trumbore is exact in dyadic numbers") {
   REQUIRE(hits > 200);
 }
 
-TEST_CASE("every plain method in float fails on rays aimed at an edge, and the count is recorded") {
+TEST_CASE(
+    "every rounded method in float fails on rays aimed at an edge, and the count is recorded") {
   Random random(34);
   std::map<std::string, int> wrong;
   for (int i = 0; i < 5000; ++i) {
@@ -361,7 +364,7 @@ TEST_CASE(
                     .has_value());
 }
 
-TEST_CASE("touching counts from both sides: corners, edges and the ends of a segment") {
+TEST_CASE("touching counts from both sides: vertices, edges and the ends of a segment") {
   const Triangle<double> triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
   const auto hit = [&triangle](const auto& query, double t) {
     for (const auto& got : {contact::intersect_by_edges(query, triangle),
@@ -374,9 +377,9 @@ TEST_CASE("touching counts from both sides: corners, edges and the ends of a seg
     }
   };
   for (const double side : {1.0, -1.0}) {
-    hit(Ray<double>{{0, 0, side}, {0, 0, -side}}, 1.0);  // a corner
+    hit(Ray<double>{{0, 0, side}, {0, 0, -side}}, 1.0);  // a vertex
     hit(Ray<double>{{2, 2, side}, {0, 0, -2 * side}},
-        0.5);  // the long edge; t counts lengths of the direction
+        0.5);  // the long edge; t is in multiples of the direction
     hit(Segment<double>{{1, 1, side}, {1, 1, 0}}, 1.0);  // ends on it
     hit(Segment<double>{{1, 1, 0}, {1, 1, side}}, 0.0);  // starts on it
     hit(Ray<double>{{1, 1, 0}, {0, 0, side}}, 0.0);

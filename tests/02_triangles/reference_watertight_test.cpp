@@ -45,12 +45,12 @@ TEST_CASE(
     REQUIRE(contact::cross2_right_sign(q, p) == -got);
     ties += p.x() * q.y() == p.y() * q.x() && right != 0;
   }
-  REQUIRE(ties > 500);  // the plain difference would have said 0
+  REQUIRE(ties > 500);  // the plain difference would be 0
 }
 
 namespace {
 
-/// Of the rays aimed between two triangles, those that a method sees pass through neither.
+/// Of the rays aimed between two triangles, those that hit neither by a method.
 template <class S, class Method>
 int leaks(int rays, std::uint64_t seed, const Method& method) {
   Random random(seed);
@@ -85,7 +85,7 @@ TEST_CASE("the watertight test in double leaks none") {
   REQUIRE(leaks<double>(200000, 24, watertight) == 0);
 }
 
-TEST_CASE("the plain methods in float do leak, at about the rate that the ladder shows") {
+TEST_CASE("the rounded methods in float leak, at about the rate that the ladder shows") {
   const auto by_edges = [](const auto& ray, const auto& t) {
     return contact::intersect_by_edges(ray, t);
   };
@@ -105,9 +105,9 @@ TEST_CASE("the plain methods in float do leak, at about the rate that the ladder
   REQUIRE(of_moller > 500);
 }
 
-TEST_CASE("a closed mesh takes every ray that starts inside it") {
-  // An octahedron, moved off the origin and slightly bent, so that nothing about it is exact. Rays
-  // from inside are aimed at its corners and edges, where a crack would be.
+TEST_CASE("a closed mesh is hit by every ray that starts inside it") {
+  // An octahedron, moved off the origin and slightly deformed, so that nothing about it is exact.
+  // Rays from inside are aimed at its vertices and edges, where a crack would be.
   Random random(26);
   for (int round = 0; round < 400; ++round) {
     std::array<Vector3<float>, 6> corners;
@@ -139,8 +139,8 @@ TEST_CASE("a closed mesh takes every ray that starts inside it") {
   }
 }
 
-TEST_CASE("the watertight test decides beyond its rounding, with t inside its bound") {
-  // The sheared x of a corner is x − (d_x/d_z) z: at most four roundings a term. An edge function
+TEST_CASE("the watertight test is right beyond its rounding errors, with t within its bound") {
+  // The sheared x of a vertex is x − (d_x/d_z) z: at most four roundings a term. An edge function
   // multiplies two such, five more with its difference; sum, quotient, z, product, sum of three and
   // the last division bring it to less than 20. The terms are those of the sheared products.
   Random random(27);

@@ -1,7 +1,7 @@
 /// @file
-/// What is right about a line and a triangle, in arithmetic that does not round, and by another
-/// road than the reference's: the crossing with the plane is found first, and then judged edge by
-/// edge. No determinant is shared with the code under test.
+/// The right answers about a line and a triangle, in exact arithmetic and by another method than
+/// the reference: the crossing with the plane is computed first, then tested edge by edge. No
+/// determinant is shared with the code under test.
 #pragma once
 
 #include <support/oracle.hpp>
@@ -25,7 +25,7 @@ struct Hit {
   Vector weights;
 };
 
-/// @tparam T Rational or Integer: nothing is divided before the end, so whole numbers will do
+/// @tparam T Rational or Integer: there is no division before the end, so whole numbers suffice
 template <class T>
 std::optional<Hit> meet(const contact::Vector3<T>& origin, const contact::Vector3<T>& direction,
                         bool bounded, const contact::Triangle<T>& triangle) {
@@ -54,8 +54,8 @@ std::optional<Hit> meet(const contact::Vector3<T>& origin, const contact::Vector
 }
 
 /// Stored points as whole numbers: all coordinates times one power of two, which changes neither t
-/// nor a weight. Rational arithmetic would look for common divisors at each step; numbers of a
-/// thousand digits make that slow.
+/// nor a weight. Rational arithmetic would compute common divisors at each step, which is slow for
+/// numbers of a thousand digits.
 class Whole {
  public:
   explicit Whole(const std::array<contact::Vector3<double>, 5>& points) {

@@ -1,9 +1,9 @@
 // Recomputes the answers of hard_cases.json and says which method gets which case right.
 //
-// The question "cases" asks whether two bodies separate (1), touch (0) or collide (−1): class (a),
-// by fractions of the stored numbers. A decision is right if it is the same. The question
-// "distance" asks for the distance, or minus the depth: class (b), a rational number and one
-// square root. A distance is right if it is off by at most 64 u of the coordinates' sizes.
+// The question "cases": whether two bodies separate (1), touch (0) or collide (−1); class (a), by
+// fractions of the stored numbers. The question "distance": the distance, or minus the depth; class
+// (b), a rational number and one square root. A distance may have an error of 64 u of the
+// coordinates' magnitudes.
 #include "support/hard_cases.hpp"
 
 #include <algorithm>
@@ -64,7 +64,7 @@ contact::HalfSpace<float> narrow(const contact::HalfSpace<double>& h) {
   return {{h.boundary.normal.cast<float>(), static_cast<float>(h.boundary.offset)}};
 }
 
-/// Calls f(a, b) with the shapes as what they are; a half-space comes second.
+/// Calls f(a, b) with the shapes in their own types; a half-space comes second.
 template <class F>
 auto with(const Case& c, const F& f) {
   return std::visit(
@@ -80,7 +80,7 @@ auto with(const Case& c, const F& f) {
       body(c, "a"), body(c, "b"));
 }
 
-/// The exact distance, squared if positive: the bodies' oracle.
+/// The exact distance, squared if positive, by the oracle of the bodies.
 struct Exactly {
   int sign = 0;
   Surd distance;
@@ -112,7 +112,7 @@ Surd widest(const std::vector<Vector>& all, const shape_oracle::Zonotope& z) {
   }
   return *best;
 }
-/// The three cases of a zonotope of differences and the origin: every pair of spans makes two of
+/// The three cases of a zonotope of differences and the origin: every pair of spans gives two of
 /// its faces.
 Exactly exactly(const shape_oracle::Zonotope& z, const Rational& radius) {
   const Rational squared = shape_oracle::least_squared(z);
@@ -139,7 +139,7 @@ Exactly exactly(const contact::OrientedBox<double>& a, const contact::OrientedBo
                             shape_oracle::zonotope(shape_oracle::exact(b))),
                  0);
 }
-/// All x with n · x ≤ k, for n of any length: (lowest n · x − k) / |n| − radius.
+/// All x with n · x ≤ k, for n of any length: (smallest n · x − k) / |n| − radius.
 Exactly exactly(const std::vector<Vector>& points, double radius,
                 const contact::HalfSpace<double>& h) {
   const Vector n = oracle::exact(h.boundary.normal);
@@ -171,10 +171,10 @@ double size_of(const contact::HalfSpace<double>& h) { return std::abs(h.boundary
 
 int sign(double x) { return x > 0 ? 1 : (x < 0 ? -1 : 0); }
 
-// ------------------------------------------------------------------ the methods beside the book's
+// ---------------------------------------------------------------- the methods to compare with
 
-/// The closest points of two segments as most textbooks solve for them: a 2 × 2 system, with an
-/// epsilon for parallel lines, and one clamp after the other.
+/// The closest points of two segments as in most textbooks: a 2 × 2 system, with an epsilon for
+/// parallel lines, and two clamps in sequence.
 double textbook_distance(const contact::Capsule<double>& a, const contact::Capsule<double>& b) {
   const V d = a.core.end - a.core.start;
   const V e = b.core.end - b.core.start;
@@ -203,8 +203,8 @@ double textbook_distance(const contact::Capsule<double>& a, const contact::Capsu
   return between.norm() - a.radius - b.radius;
 }
 
-/// Gap of two boxes along normalised axes; cross products are normalised however short they are,
-/// those of exactly 0 left out.
+/// The gap of two boxes along normalised axes; cross products are normalised however short they
+/// are, and left out only if they are exactly 0.
 double textbook_room(const contact::OrientedBox<double>& a, const contact::OrientedBox<double>& b,
                      double skip_below) {
   double most = -INFINITY;

@@ -12,7 +12,7 @@ namespace random_poses {
 using contact::Vector3;
 using generators::Random;
 
-/// Every coordinate from -most to most.
+/// Each coordinate from -most to most.
 inline Vector3<double> any_point(Random& random, double most) {
   const double x = random.uniform(-most, most);
   const double y = random.uniform(-most, most);
@@ -25,7 +25,7 @@ inline Vector3<double> direction(Random& random) {
     if (v.norm() > 0.1 && v.norm() <= 1) return v.normalized();
   }
 }
-/// A stored rotation by any angle.
+/// A stored rotation by a random angle.
 inline contact::Matrix3<double> turn(Random& random) {
   return contact::matrix_of(
       contact::exponential<double>(Vector3<double>(direction(random) * random.uniform(0, 3))));

@@ -1,5 +1,5 @@
 /// @file
-/// Random pairs of convex bodies, near-degenerate ones included.
+/// Random pairs of convex bodies, including nearly degenerate ones.
 #pragma once
 
 #include <cmath>
@@ -38,7 +38,7 @@ inline V sizes(Random& random) {
   return {x, y, random.uniform(0.2, 2)};
 }
 
-/// What makes a pair near-degenerate, or not.
+/// The families of pairs.
 enum class Kind { any, grid, rational, parallel, nearly_parallel, grazing };
 
 inline constexpr Kind kinds[] = {
@@ -60,7 +60,7 @@ inline Box box(Random& random, Kind kind) {
   return {place, axes, sizes(random)};
 }
 
-/// A box whose axes have to do with those of another.
+/// A box whose axes are related to those of another.
 inline Box partner(Random& random, Kind kind, const Box& a) {
   Box b = box(random, kind);
   if (kind == Kind::parallel || kind == Kind::grazing) b.axes = a.axes;
@@ -70,7 +70,7 @@ inline Box partner(Random& random, Kind kind, const Box& a) {
         contact::matrix_of(contact::exponential<double>(V(direction(random) * angle))) * a.axes;
   }
   if (kind == Kind::grazing) {
-    // Face to face, give or take a few ulps.
+    // Face to face, up to a few ulps.
     const int axis = random.integer(0, 2);
     const V n = a.axes.col(axis);
     const V side = a.axes.col((axis + 1) % 3);
@@ -100,7 +100,7 @@ inline Segment<double> partner(Random& random, Kind kind, const Segment<double>&
     if (random.chance(0.5)) b.start = a.start + direction(random) * off;
     b.end = b.start + (a.end - a.start) + direction(random) * off;
   }
-  if (kind == Kind::grazing) {  // they cross, or nearly
+  if (kind == Kind::grazing) {  // they cross, or almost do
     const V meeting = a.start + random.uniform() * (a.end - a.start);
     const V d = direction(random);
     b = {generators::detail::nudged(random, V(meeting - d), 2), V(meeting + d)};
@@ -112,7 +112,7 @@ inline double size_of(const V& v) { return v.cwiseAbs().sum(); }
 inline double size_of(const Segment<double>& s) { return size_of(s.start) + size_of(s.end); }
 inline double size_of(const Box& b) { return size_of(b.centre) + b.half_lengths.sum(); }
 
-/// The exact gaps along the fifteen axes: largest gap, as g / √n².
+/// The exact gaps along the fifteen axes: the largest, as g / √n².
 inline oracle::Surd widest(const ExactBox& a, const ExactBox& b) {
   std::optional<oracle::Surd> best;
   for (int k = 0; k < contact::box_axis_count; ++k) {

@@ -1,8 +1,8 @@
 // Every distance of the chapter against fractions. u is the unit roundoff.
 //
-// The oracle does not know the book's methods: the least distance of two bodies is found by trying
-// all sets of active bounds (shape_oracle.hpp), and overlap is told from touching by shrinking the
-// bodies by less than any overlap that the stored numbers could make.
+// The oracle is independent of the book's methods: it finds the smallest distance of two bodies by
+// testing all sets of active bounds (shape_oracle.hpp), and distinguishes overlap from touching by
+// shrinking the bodies by less than any overlap of stored numbers.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -41,8 +41,8 @@ namespace {
 
 constexpr double u = 0x1p-53;
 
-/// How much further than `right` the two points are from lying in A and B, and the normal from
-/// being one. Every gap must pass it.
+/// By how much more than `right` the two points are outside A and B, and the normal deviates from a
+/// unit normal. Every gap must pass it.
 template <class A, class B>
 void check_gap(const Gap<double>& gap, const A& squared_from_a, const B& squared_from_b,
                double room) {
@@ -54,7 +54,7 @@ void check_gap(const Gap<double>& gap, const A& squared_from_a, const B& squared
   CHECK(squared_from_b(oracle::exact(gap.on_b)) <= 1);
 }
 
-/// How far a point is out of a body, at most: (distance from its core / (radius + room))².
+/// Upper bound of a point's distance outside a body: (distance from its core / (radius + room))².
 template <class Core>
 auto out_of(const Core& core, double radius, double room) {
   return [core, radius, room](const Vector& p) {
@@ -65,10 +65,10 @@ auto out_of(const Core& core, double radius, double room) {
 
 }  // namespace
 
-// A distance goes through the axes of a box and back (two dot products of three terms, each with
-// the difference or sum before it), a fraction of a segment and a length: fewer than 40 roundings
-// in a row, each at most u of the coordinates. The rotation of a box is itself off by up to 8 u.
-// 64 u of all coordinates' sizes covers them.
+// A distance passes through the axes of a box and back (two dot products of three terms, each after
+// a difference or a sum), a fraction of a segment and a length: fewer than 40 roundings in
+// sequence, each of at most u of the coordinates. The rotation of a box has an error of up to 8 u.
+// 64 u of the magnitudes of all coordinates covers them.
 constexpr double gap_room = 64 * u;
 TEST_CASE("gaps of capsules are right to a few u, at any angle") {
   Random random(908);
@@ -105,7 +105,8 @@ TEST_CASE("gaps of capsules, spheres and boxes are right to a few u") {
       CHECK(oracle::error(gap.distance, oracle::Surd{-oracle::exact(a.radius), 1, squared}) <=
             room);
     } else {
-      // The least of the ways out, each exact: face normals, and across the segment and an edge.
+      // The shortest of the exact translations: face normals, and cross products of the segment and
+      // edges.
       ++inside;
       std::optional<oracle::Surd> best;
       const ExactBox eb = exact(b);
@@ -159,7 +160,7 @@ TEST_CASE("gaps of boxes are right to a few u, parallel edges and nearly paralle
         low = std::min(low, n.dot(contact::box_corner(a, k) - gap.on_b));
         high = std::max(high, n.dot(contact::box_corner(b, k) - gap.on_b));
       }
-      // Near touching, a direction made of rounded points is off by room / distance.
+      // Close to touching, a direction from rounded points has an error of room / distance.
       const double tilt = room / std::max(gap.distance, room);
       CHECK(low - high >=
             gap.distance - room - 8 * tilt * (a.half_lengths.sum() + b.half_lengths.sum()));
@@ -180,9 +181,9 @@ TEST_CASE("gaps of boxes are right to a few u, parallel edges and nearly paralle
   CHECK(edges > tried(30));
 }
 
-TEST_CASE("the normal of boxes that almost touch has all its digits, at faces and across edges") {
-  // A direction made of two points a billionth apart, each off by an ulp, has half of them; and
-  // whoever turns about such a plane comes through it.
+TEST_CASE("the normal of boxes that almost touch has full precision, at faces and between edges") {
+  // A direction from two points at a distance of 1e-9, each with an error of an ulp, has half of
+  // its digits; a body that rotates about such a plane penetrates it.
   Random random(917);
   int edges = 0;
   int faces = 0;
@@ -198,7 +199,8 @@ TEST_CASE("the normal of boxes that almost touch has all its digits, at faces an
     const double room = gap_room * size;
     const auto gap = contact::gap(a, b);
     if (!(widest.room > 64 * room)) continue;
-    // Not at a corner or an end of an edge: there the line between two points is all there is.
+    // Not at a corner or an end of an edge: there the line between the two points is the only
+    // direction.
     const V aside = gap.on_a - gap.on_b - widest.normal * widest.room;
     if (aside.norm() > 0x1p-50 * size) continue;
     (widest.axis < 6 ? faces : edges) += 1;
@@ -236,7 +238,7 @@ TEST_CASE("gaps to half-spaces") {
   }
 }
 
-TEST_CASE("a gap's normal, moved along, parts bodies that overlap") {
+TEST_CASE("a translation along the normal of a gap separates overlapping bodies") {
   Random random(912);
   for (int i = 0; i < tried(3000); ++i) {
     Box a = box(random, kinds[i % 6]);

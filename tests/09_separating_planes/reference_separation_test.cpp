@@ -1,8 +1,8 @@
 // Every decision of the chapter against fractions. u is the unit roundoff.
 //
-// The oracle does not know the book's methods: the least distance of two bodies is found by trying
-// all sets of active bounds (shape_oracle.hpp), and overlap is told from touching by shrinking the
-// bodies by less than any overlap that the stored numbers could make.
+// The oracle is independent of the book's methods: it finds the smallest distance of two bodies by
+// testing all sets of active bounds (shape_oracle.hpp), and distinguishes overlap from touching by
+// shrinking the bodies by less than any overlap of stored numbers.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -57,7 +57,7 @@ int beyond(const Rational& squared, const Rational& reach) {
   return oracle::sign(Rational(squared - reach * reach));
 }
 
-/// By the oracle of active sets: separate, or overlap even if shrunk, or touch.
+/// By the oracle of active sets: separated, or overlapping even if shrunk, or touching.
 Separation by_active_sets(const ExactBox& a, const ExactBox& b) {
   if (least_squared(difference(zonotope(a), zonotope(b))) > 0) return Separation::separating;
   ExactBox smaller = a;
@@ -71,7 +71,7 @@ Separation by_active_sets(const ExactBox& a, const ExactBox& b) {
 
 }  // namespace
 
-TEST_CASE("exact squared distances are those of all active sets") {
+TEST_CASE("exact squared distances agree with all active sets") {
   Random random(901);
   for (int i = 0; i < tried(1200); ++i) {
     const Kind kind = kinds[i % 6];
@@ -98,7 +98,7 @@ TEST_CASE("exact squared distances are those of all active sets") {
   }
 }
 
-TEST_CASE("fractions of exact numbers are fractions") {
+TEST_CASE("fractions of exact numbers obey the rules of fractions") {
   Random random(902);
   for (int i = 0; i < tried(2000); ++i) {
     const double x = random.magnitude(-60, 60);
@@ -135,7 +135,7 @@ TEST_CASE("capsules and spheres: three cases, never wrong") {
         a.radius = root - b.radius;
       }
     } else {
-      // As near to touching as stored numbers come, or not.
+      // As close to touching as stored numbers allow, or random.
       const double distance = std::sqrt(oracle::nearest(squared));
       b.radius = distance * random.uniform();
       a.radius = distance - b.radius;
@@ -178,7 +178,7 @@ TEST_CASE("capsules, spheres and boxes: three cases, never wrong") {
     if (oracle::exact(root * root) == squared) a.radius = root;  // to touch exactly
     int right = beyond(squared, oracle::exact(a.radius));
     if (right == 0 && a.radius == 0) {
-      // A core without thickness collides if it enters the box shrunk by next to nothing.
+      // A core without thickness collides if it enters the box shrunk by a tiny amount.
       ExactBox smaller = exact(b);
       smaller.half_lengths =
           smaller.half_lengths * Rational(1 - Rational(1) / (oracle::Integer(1) << 700));
@@ -213,7 +213,7 @@ TEST_CASE("boxes: three cases, never wrong") {
   CHECK(seen[2] > tried(500));
 }
 
-TEST_CASE("boxes: the fifteen axes say what all active sets say") {
+TEST_CASE("boxes: the fifteen axes agree with all active sets") {
   Random random(906);
   int touching = 0;
   for (int i = 0; i < tried(48); ++i) {
@@ -236,7 +236,7 @@ TEST_CASE("half-spaces: three cases, never wrong") {
     if (kind == Kind::grid) h = {{V::Unit(random.integer(0, 2)), double(random.integer(-4, 4))}};
     const Box a = box(random, kind);
     Capsule<double> c{segment(random, kind), double(random.integer(0, 3))};
-    if (i % 4 == 3) {  // as near to touching as stored numbers come
+    if (i % 4 == 3) {  // as close to touching as stored numbers allow
       h.boundary.offset =
           std::min(contact::signed_distance<double>({h.boundary.normal, 0}, c.core.start),
                    contact::signed_distance<double>({h.boundary.normal, 0}, c.core.end)) -
@@ -321,11 +321,11 @@ TEST_CASE("a certificate is a proof: whatever direction it accepts separates in 
   CHECK(accepted > tried(500));
   const Sphere<double> ball{V(0, 0, 2), 1};
   CHECK_FALSE(contact::surely_separates(ball, Sphere<double>{V(0, 0, -2), 1}, V(0, 0, 0)));
-  // Squares that underflow must not lose the radius.
+  // The radius must not be lost if squares underflow.
   CHECK_FALSE(contact::surely_separates(ball, Sphere<double>{V(0, 0, 1), 1}, V(0, 0, 0x1p-560)));
 }
 
-TEST_CASE("the same in float, off by float's u") {
+TEST_CASE("the same in float, with errors of float's u") {
   Random random(915);
   constexpr double float_u = 0x1p-24;
   for (int i = 0; i < tried(1000); ++i) {
@@ -345,7 +345,7 @@ TEST_CASE("the same in float, off by float's u") {
   }
 }
 
-TEST_CASE("bodies that are none are refused, with the argument's name and value") {
+TEST_CASE("invalid bodies are refused, with the argument's name and value") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Matrix3<double> identity = Matrix3<double>::Identity();
   CHECK(contains(refusal([&] { contact::sphere_from_radius<double>(V(0, nan, 0), 1); }), "centre"));

@@ -1,6 +1,6 @@
 /// @file
-/// Exact answers about convex bodies by another way than the book's: least distance by trying every
-/// set of active bounds.
+/// Exact answers about convex bodies, independent of the book's methods: the smallest distance by
+/// testing every set of active bounds.
 #pragma once
 
 #include <contact/convex_shapes.hpp>
@@ -30,8 +30,8 @@ inline ExactBox exact(const contact::OrientedBox<double>& b) {
   return {oracle::exact(b.centre), exact(b.axes), oracle::exact(b.half_lengths)};
 }
 
-/// All points origin + Σ xᵢ spanᵢ with −1 ≤ xᵢ ≤ 1: a segment, a box, or what two of them differ
-/// by.
+/// All points origin + Σ xᵢ spanᵢ with −1 ≤ xᵢ ≤ 1: a segment, a box, or the Minkowski difference
+/// of two of them.
 struct Zonotope {
   Vector origin;
   std::vector<Vector> spans;
@@ -70,8 +70,8 @@ inline std::optional<std::vector<Rational>> solved(std::vector<std::vector<Ratio
   return x;
 }
 
-/// The squared distance of the origin from a zonotope: every coordinate is at −1, at 1 or free, the
-/// free ones make the distance least, and of all that are allowed the least counts.
+/// The squared distance of the origin from a zonotope: every coordinate is −1, 1 or free, the free
+/// ones minimise the distance, and the smallest of all admissible distances is the result.
 inline Rational least_squared(const Zonotope& z) {
   std::optional<Rational> best;
   const std::size_t n = z.spans.size();
@@ -86,7 +86,7 @@ inline Rational least_squared(const Zonotope& z) {
       if (rest % 3 == 1) p = p + z.spans[i];
       if (rest % 3 == 2) free.push_back(i);
     }
-    if (free.size() > 3) continue;  // dependent: an answer with fewer free ones is as good
+    if (free.size() > 3) continue;  // dependent: fewer free ones give an equally good answer
     std::vector<std::vector<Rational>> m;
     for (const std::size_t i : free) {
       m.emplace_back();
@@ -106,7 +106,7 @@ inline Rational least_squared(const Zonotope& z) {
   return *best;
 }
 
-/// A rotation with whole parts: that of a quaternion, divided by its squared length.
+/// A rotation by an integer quaternion, divided by its squared length.
 inline contact::Matrix3<Rational> rotation(int w, int x, int y, int z) {
   const Rational s = w * w + x * x + y * y + z * z;
   contact::Matrix3<Rational> m;
@@ -123,7 +123,7 @@ inline contact::Matrix3<double> rounded(const contact::Matrix3<Rational>& m) {
   return r;
 }
 
-/// A rotation by whole quaternion parts; on a grid, one of those that turn axes into axes.
+/// A rotation by an integer quaternion; on a grid, one that permutes the axes.
 inline contact::Matrix3<Rational> rotation(generators::Random& random, bool grid) {
   for (;;) {
     const int most = grid ? 1 : 6;

@@ -1,5 +1,5 @@
 /// @file
-/// Lists of boxes for the tests of the chapter: nothing special, and everything that is special.
+/// Lists of boxes for the tests of the chapter: a general family, and special ones.
 #pragma once
 
 #include <array>
@@ -14,19 +14,19 @@ namespace families {
 
 using generators::Random;
 
-/// What is special about a list of boxes.
+/// The families of lists of boxes.
 enum class Boxes {
-  scattered,   ///< sizes and places alike by chance
-  grid,        ///< whole numbers: faces coincide everywhere
+  scattered,   ///< random sizes and positions
+  grid,        ///< integers: faces coincide everywhere
   equal,       ///< many copies of a few boxes
-  points,      ///< no size at all, several in one place
-  one_huge,    ///< one that holds all the others, and one that holds half of them
-  on_a_line,   ///< all places on one axis
-  touching,    ///< a row in which each ends where the next begins, to the last bit or one off
-  far,         ///< near each other and far from the origin
+  points,      ///< without extent, several at one position
+  one_huge,    ///< one that contains all the others, and one that contains half of them
+  on_a_line,   ///< all positions on one axis
+  touching,    ///< a row in which each ends where the next begins, exactly or one ulp off
+  far,         ///< close to each other and far from the origin
   huge,        ///< up to the largest numbers
   tiny,        ///< down to the smallest
-  clusters,    ///< a few crowds far apart
+  clusters,    ///< a few clusters far apart
   mixed_sizes  ///< every order of magnitude
 };
 

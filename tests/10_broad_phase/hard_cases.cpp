@@ -1,8 +1,8 @@
 // Recomputes the answers of hard_cases.json and says which method gets which case right.
 //
-// All answers are of class (a), rational in the stored numbers. Pairs are right or wrong. A box
-// that encloses is right if it holds what it should; the answer is the tightest box of doubles, and
-// one that is more than four steps of the type wider is wrong too.
+// All answers are rational in the stored numbers (class (a)). Pairs are right or wrong. An
+// enclosing box is right if it contains what it should; the answer is the tightest box of doubles,
+// and a box that is more than four ulps wider is wrong too.
 #include "support/hard_cases.hpp"
 
 #include <algorithm>
@@ -96,7 +96,7 @@ void add_pairs(hard_cases::Runner& runner) {
     });
   });
   method("one cell of 1 m for each centre", [](const Boxes& boxes) {
-    // A box is entered in the cell of its centre only, and compared with the 27 cells round it.
+    // A box is entered only in the cell of its centre, and compared with the 27 cells around it.
     const auto cell = [](const Box& box, int k) {
       return std::floor(box.low(k) / 2 + box.high(k) / 2);
     };
@@ -108,7 +108,7 @@ void add_pairs(hard_cases::Runner& runner) {
     });
   });
   method("a sweep that ends before it begins", [](const Boxes& boxes) {
-    // Ends and beginnings in one list; of equal ones the end comes first, so a touch is lost.
+    // Ends and beginnings in one list; of equal ones the end comes first, so a touch is missed.
     std::vector<std::tuple<double, int, std::uint32_t>> events;
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
       events.emplace_back(boxes[i].low.x(), 1, i);
@@ -143,7 +143,7 @@ void add_pairs(hard_cases::Runner& runner) {
   }
 }
 
-/// The greatest double that is not above x, and the least that is not below.
+/// The largest double that is at most x, and the smallest that is at least x.
 double down(const Rational& x) {
   const double near = oracle::nearest(x);
   const double infinity = std::numeric_limits<double>::infinity();
@@ -157,7 +157,7 @@ struct ExactBox {
   oracle::Vector low, high;
 };
 
-/// Where a sphere is on its way, in fractions; the way is 0 if there is none.
+/// A sphere and its displacement, in fractions; the displacement is 0 if there is none.
 ExactBox exact_box(const Case& c) {
   const auto sphere = oracle::exact(c.sphere("sphere"));
   ExactBox box;
@@ -185,7 +185,7 @@ void add_enclosure(hard_cases::Runner& runner) {
       const V way = c.has("displacement") ? c.vector("displacement") : V(0, 0, 0);
       const Box got = enclose(c.sphere("sphere"), way);
       const ExactBox right = exact_box(c);
-      // Four steps of the type at the size of the largest of what is added.
+      // Four ulps of the largest term.
       const double size = std::max({c.sphere("sphere").centre.cwiseAbs().maxCoeff(),
                                     way.cwiseAbs().maxCoeff(), c.sphere("sphere").radius});
       const double room = std::ldexp(size, -50);
@@ -220,7 +220,7 @@ void add_enclosure(hard_cases::Runner& runner) {
   });
 }
 
-/// How many comparisons a sweep along x takes: the pairs that overlap there.
+/// The number of comparisons of a sweep along x: the pairs that overlap there.
 void add_cost(hard_cases::Runner& runner) {
   runner.question("sweep cost", [](const Case& c) {
     const auto pairs = pairs_by(read_boxes(c), [](const Box& a, const Box& b) {

@@ -1,5 +1,5 @@
 /// @file
-/// Which boxes touch, by trying all pairs.
+/// Which boxes touch, by testing all pairs.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using contact::Aabb;
 using contact::BoxPair;
 using oracle::Rational;
 
-/// Whether boxes touch, in fractions: the common part of their ranges is not empty on any axis.
+/// Whether boxes touch, in fractions: the intersection of their ranges is not empty on any axis.
 template <class S>
 bool touch(const Aabb<S>& a, const Aabb<S>& b) {
   for (int k = 0; k < 3; ++k) {
@@ -36,7 +36,7 @@ std::vector<BoxPair> right_pairs(const std::vector<Aabb<S>>& boxes) {
   return pairs;
 }
 
-/// How many pairs overlap on one axis, one by one.
+/// The number of pairs that overlap on one axis, by testing all.
 template <class S>
 std::uint64_t overlaps(const std::vector<Aabb<S>>& boxes, int axis) {
   std::uint64_t count = 0;

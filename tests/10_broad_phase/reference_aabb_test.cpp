@@ -1,5 +1,4 @@
-// aabb.hpp and outward.hpp: boxes hold what they are the boxes of, and are no larger than they
-// must.
+// aabb.hpp and outward.hpp: boxes contain what they enclose, and are as small as possible.
 #include <algorithm>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -44,7 +43,7 @@ TEMPLATE_TEST_CASE("sums are rounded outwards to the next number, and no further
   CHECK(contact::sum_up(largest, -largest) == 0);
 }
 
-TEMPLATE_TEST_CASE("the box of a sphere holds it, and no smaller one does", "", float, double) {
+TEMPLATE_TEST_CASE("the box of a sphere contains it, and no smaller one does", "", float, double) {
   using S = TestType;
   Random random(11);
   const S infinity = std::numeric_limits<S>::infinity();
@@ -79,7 +78,7 @@ TEMPLATE_TEST_CASE("the box of a sphere holds it, and no smaller one does", "", 
         CHECK(oracle::exact(moved.high(k)) >=
               oracle::exact(box.high(k)) + shift + oracle::exact(margin));
       }
-      // Two roundings outwards, each by less than one step at the size of what is added.
+      // Two sums rounded outwards, each by less than an ulp of its terms.
       const Rational size = abs(exact.centre(k)) + abs(oracle::exact(way(k))) + exact.radius;
       const Rational room = 4 * oracle::exact(contact::tolerance::unit_roundoff<S>) * size;
       const Rational least =
@@ -89,7 +88,7 @@ TEMPLATE_TEST_CASE("the box of a sphere holds it, and no smaller one does", "", 
   }
 }
 
-TEMPLATE_TEST_CASE("the box of a turned box holds its corners", "", float, double) {
+TEMPLATE_TEST_CASE("the box of an oriented box contains its corners", "", float, double) {
   using S = TestType;
   Random random(12);
   for (int i = 0; i < generators::tried(2000); ++i) {
@@ -113,7 +112,7 @@ TEMPLATE_TEST_CASE("the box of a turned box holds its corners", "", float, doubl
   }
 }
 
-TEST_CASE("boxes round points and boxes") {
+TEST_CASE("boxes that contain points and boxes") {
   const std::vector<Vector3<double>> points{{1, 5, -2}, {3, -1, 0}, {2, 2, 2}};
   const auto box = contact::aabb_of_points<double>(points);
   CHECK(box.low == Vector3<double>(1, -1, -2));
@@ -123,7 +122,7 @@ TEST_CASE("boxes round points and boxes") {
   CHECK(both.high == Vector3<double>(9, 5, 2));
 }
 
-TEST_CASE("what is no box is refused, with the argument and the value") {
+TEST_CASE("an invalid box is refused, with the argument and the value") {
   using V = Vector3<double>;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();

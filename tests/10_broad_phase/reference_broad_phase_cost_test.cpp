@@ -18,7 +18,7 @@ using generators::Random;
 using reference::overlaps;
 using reference::right_pairs;
 
-TEST_CASE("what is said to be the exact cost is what is counted") {
+TEST_CASE("exact costs equal the counted comparisons") {
   Random random(6);
   for (const Boxes family : families::all) {
     for (const int n : {0, 1, 2, 3, 10, 75, 200}) {
@@ -52,7 +52,7 @@ TEST_CASE("a grid never takes more comparisons than its bound") {
   Random random(7);
   int useful = 0;
   for (const Boxes family : families::all) {
-    // Where coordinates overflow or are far beyond the grid the bound is not claimed.
+    // If coordinates overflow or are far outside the grid, the bound is not claimed.
     if (family == Boxes::huge || family == Boxes::tiny) continue;
     for (int round = 0; round < generators::tried(24); ++round) {
       const auto boxes = families::make<double>(random, family, random.integer(2, 400));
@@ -68,8 +68,8 @@ TEST_CASE("a grid never takes more comparisons than its bound") {
 }
 
 TEST_CASE("expected comparisons are the mean of many counts") {
-  // Extents are fixed, lower ends by chance in [0, L): the mean of m counts is within six standard
-  // errors of the expectation; the spread of the counts is measured beside their mean.
+  // Extents are fixed, lower ends uniformly distributed in [0, L): the mean of m counts is within
+  // six standard errors of the expectation; the variance of the counts is measured as well.
   Random random(8);
   const int n = 40;
   const int rounds = 4000;
@@ -79,7 +79,7 @@ TEST_CASE("expected comparisons are the mean of many counts") {
     profile.count = n;
     profile.spread = Vector3<double>(8, 8, 8);
     for (int i = 0; i < n; ++i) {
-      // One size for all on axis 0; different ones on axis 1; on axis 2 some exceed the spread.
+      // Equal sizes on axis 0; different ones on axis 1; on axis 2 some exceed the spread.
       const double y = random.uniform(0, 8 * largest);
       const double z = random.uniform(0, 20 * largest);
       extents.push_back({8 * largest / 2, y, z});
@@ -164,15 +164,15 @@ TEST_CASE("expected touching pairs and grid comparisons of boxes of one size") {
   CHECK(grid_sum / rounds >= bound / 4);
 }
 
-TEST_CASE("few boxes are all in the sample, and of many the estimate is near the count") {
+TEST_CASE("a sample of few boxes is exact, and of many the estimate is close to the count") {
   Random random(13);
   for (const Boxes family : families::all) {
     const auto few = families::make<double>(random, family, 32);
     CHECK(contact::sampled_pairs<double>(few, 0) == double(right_pairs(few).size()));
   }
   CHECK(contact::sampled_pairs<double>({}, 1) == 0);
-  // Each sampled box meets a number of others between 0 and n − 1; in crowds of equal size the mean
-  // of 32 is within a half of the mean of all.
+  // Each sampled box touches between 0 and n − 1 others; in clusters of equal size the mean of 32
+  // is within a half of the mean of all.
   const auto many = families::make<double>(random, Boxes::clusters, 1500);
   const auto count = double(contact::all_pairs<double>(many).pairs.size());
   const double estimate = contact::sampled_pairs<double>(many, 0);
@@ -180,7 +180,7 @@ TEST_CASE("few boxes are all in the sample, and of many the estimate is near the
   CHECK(estimate < count * 3 / 2);
 }
 
-TEST_CASE("a profile is what was measured") {
+TEST_CASE("a profile holds the measured extents") {
   const std::vector<Aabb<float>> boxes{{{0, 0, 0}, {1, 2, 3}}, {{4, -2, 0}, {7, 4, 1}}};
   const auto profile = contact::profile_of<float>(boxes);
   CHECK(profile.count == 2);
@@ -194,8 +194,8 @@ TEST_CASE("a profile is what was measured") {
   CHECK(contact::expected_touching_pairs(none) == 0);
 }
 
-TEST_CASE("the cheapest method by the model is not much dearer than the cheapest by the count") {
-  // Counted costs in the model's unit: comparisons, and half for each step of sorting.
+TEST_CASE("the cheapest method by the model is almost as cheap as the cheapest by the count") {
+  // Counted costs in the model's unit: comparisons, and half a comparison for each step of sorting.
   Random random(10);
   for (const Boxes family : families::all) {
     if (family == Boxes::huge) continue;  // squares of extents overflow: no profile

@@ -37,7 +37,7 @@ TEMPLATE_TEST_CASE("every broad phase finds the same pairs, and they are the rig
       CHECK(contact::sweep_pairs(view).pairs == right);
       CHECK(contact::tree_pairs(view).pairs == right);
       for (int axis = 0; axis < 3; ++axis) CHECK(contact::sweep_pairs(view, axis).pairs == right);
-      // Any grid will do, also one that suits nothing.
+      // Any grid gives the pairs, also one that does not suit the boxes.
       for (const double edge : {1e-3, 0.3, 1.0, 77.0, 1e30}) {
         const contact::PairGrid<S> grid{families::place<S>(random, 5), static_cast<S>(edge)};
         CHECK(contact::grid_pairs(view, grid).pairs == right);
@@ -65,7 +65,7 @@ TEST_CASE("large lists: the methods agree with all pairs, and pairs are in order
   }
 }
 
-TEST_CASE("a tree tells what a box touches") {
+TEST_CASE("a tree finds the boxes that touch a given one") {
   Random random(4);
   for (const Boxes family : families::all) {
     const auto boxes = families::make<double>(random, family, 70);
@@ -82,7 +82,7 @@ TEST_CASE("a tree tells what a box touches") {
   CHECK(contact::BoxTree<double>(std::vector<Aabb<double>>{}).touching({}).empty());
 }
 
-TEST_CASE("a sweep from step to step finds what a fresh one finds, and counts what moved") {
+TEST_CASE("an incremental sweep finds the pairs of a fresh one, and counts exchanges") {
   Random random(5);
   for (const Boxes family : families::all) {
     auto boxes = families::make<double>(random, family, 60);
@@ -90,7 +90,7 @@ TEST_CASE("a sweep from step to step finds what a fresh one finds, and counts wh
     CHECK(sweep.axis() == 1);
     sweep.update(boxes);
     CHECK(sweep.resorted());
-    // The order by low end, then place: the only one there is.
+    // The order by low end, then by index, which is unique.
     const auto order = [&boxes] {
       std::vector<std::uint32_t> places;
       for (std::uint32_t i = 0; i < boxes.size(); ++i) places.push_back(i);
@@ -127,7 +127,7 @@ TEST_CASE("a sweep from step to step finds what a fresh one finds, and counts wh
   }
 }
 
-TEST_CASE("an order turned round is sorted anew instead of move by move") {
+TEST_CASE("a reversed order is sorted from scratch") {
   std::vector<Aabb<double>> boxes;
   for (int i = 0; i < 400; ++i)
     boxes.push_back({Vector3<double>(i, 0, 0), Vector3<double>(i + 1.0, 1, 1)});

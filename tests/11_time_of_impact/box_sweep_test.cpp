@@ -1,4 +1,4 @@
-// Boxes that move without turning, against fractions: none missed, none invented.
+// Translating boxes against fractions: no touch missed, none invented.
 #include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -31,7 +31,7 @@ TEST_CASE("2,000 translating box pairs: none missed, none invented") {
     const auto filtered =
         contact::detail::rounded_sweep(contact::detail::rounded_pair(a, b)).answer;
     (filtered == contact::detail::RoundedSweep::Answer::unsure ? beyond_filter : by_filter) += 1;
-    // What the filter says is never against the fractions.
+    // The filter never contradicts the fractions.
     if (filtered == contact::detail::RoundedSweep::Answer::hit) CHECK(right.has_value());
     if (filtered == contact::detail::RoundedSweep::Answer::miss) CHECK_FALSE(right.has_value());
     if (!right) {
@@ -41,7 +41,7 @@ TEST_CASE("2,000 translating box pairs: none missed, none invented") {
     ++hits;
     CHECK(oracle::error(got->t, *right) <= 0x1p-42);
     CHECK((got->t == 0) == (*right == 0));
-    // Seen from the other box it is the same touch.
+    // With the boxes exchanged the touch is the same.
     const auto mirrored = contact::box_sweep(b, a);
     REQUIRE(mirrored.has_value());
     CHECK(oracle::error(mirrored->t, *right) <= 0x1p-42);
@@ -49,8 +49,8 @@ TEST_CASE("2,000 translating box pairs: none missed, none invented") {
       CHECK(got->normal == V(0, 0, 0));
       continue;
     }
-    // At the touch the normal separates them: b's corners are behind all of a's, but for the
-    // normal's rounding, 16 u of the sizes, and what the time may be off.
+    // At the touch the normal separates them: the corners of b are behind all of a's, up to the
+    // rounding of the normal, 16 u of the sizes, and the error of the time.
     CHECK(std::abs(got->normal.dot(got->normal) - 1) <= 0x1p-48);
     const oracle::Vector n = oracle::exact(got->normal);
     Rational front = 0;
@@ -105,7 +105,7 @@ TEST_CASE("sizes beyond the filter's range are decided exactly") {
   }
 }
 
-TEST_CASE("boxes along the axes: decided exactly, and the time rounded once") {
+TEST_CASE("axis-aligned boxes: decided exactly, and the time rounded once") {
   Random random(3);
   int hits = 0;
   int misses = 0;
@@ -125,9 +125,9 @@ TEST_CASE("boxes along the axes: decided exactly, and the time rounded once") {
         way[k] = boxes::place(random, 4);
       }
     }
-    // Most of those that are not on whole numbers are aimed.
+    // Most pairs that are not on integers are aimed at each other.
     if (i % 4 == 1) way[1] = way[0] + (box[0].low - box[1].low) * random.uniform(0.5, 2);
-    // In fractions: the times at which each axis' ranges meet and part.
+    // In fractions: the times at which the intervals on each axis begin and end to overlap.
     Rational from = 0;
     Rational to = 1;
     bool apart = false;
@@ -152,7 +152,7 @@ TEST_CASE("boxes along the axes: decided exactly, and the time rounded once") {
   CHECK(misses > generators::tried(500));
 }
 
-TEST_CASE("what is no moving box is refused, with the argument and the value") {
+TEST_CASE("an invalid moving box is refused, with the argument and the value") {
   const auto says = [](auto make, const std::string& words) {
     try {
       make();

@@ -1,5 +1,5 @@
 /// @file
-/// Pairs of boxes that move without turning, and what fractions say of them.
+/// Pairs of translating boxes, and exact answers about them.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using V = contact::Vector3<double>;
 using generators::Random;
 using oracle::Rational;
 
-/// A box's eight corners at the start, as stored, in fractions.
+/// The eight corners of a box at the start, as stored, in fractions.
 inline std::vector<oracle::Vector> corners(const Box& box) {
   std::array<oracle::Vector, 3> edge;
   for (int k = 0; k < 3; ++k) {
@@ -39,8 +39,8 @@ inline std::vector<oracle::Vector> corners(const Box& box) {
   return all;
 }
 
-/// The first time in [0, 1] at which the boxes touch, from the shadows of all corners on each axis,
-/// in fractions.
+/// The first time in [0, 1] at which the boxes touch, from the projections of all corners on each
+/// axis, in fractions.
 inline std::optional<Rational> first_touch(const Box& a, const Box& b) {
   const auto at_a = corners(a);
   const auto at_b = corners(b);
@@ -98,7 +98,7 @@ inline V whole(Random& random, int size) {
   return {double(x), double(y), double(z)};
 }
 
-/// What is special about a pair.
+/// The families of pairs.
 enum class Kind { plain, grid, last_moment, edges, far, thin_and_fast, aligned, sized };
 inline constexpr std::array<Kind, 8> all_kinds{Kind::plain,   Kind::grid, Kind::last_moment,
                                                Kind::edges,   Kind::far,  Kind::thin_and_fast,
@@ -109,9 +109,9 @@ inline contact::Matrix3<double> turned(Random& random) {
   return contact::matrix_of(contact::normalised(contact::exponential<double>(axis)));
 }
 
-/// Two boxes: turned and moving anywhere; on whole numbers, along the axes; touching at the very
-/// end of the step, to rounding; edges that meet crosswise, to rounding; far from the origin; a
-/// bullet and a wall; along the axes with any size; of every size together.
+/// Two boxes: with any orientation and motion; on integers, axis-aligned; touching exactly at the
+/// end of the step, up to rounding; with crossing edges that touch, up to rounding; far from the
+/// origin; a bullet and a wall; axis-aligned of any size; of every size together.
 inline std::array<Box, 2> make(Random& random, Kind kind) {
   std::array<Box, 2> pair;
   for (Box& box : pair) {
@@ -141,7 +141,7 @@ inline std::array<Box, 2> make(Random& random, Kind kind) {
       break;
     }
     case Kind::edges: {
-      // Turned by an eighth about x and about y, so an edge of each faces the other.
+      // Rotated by 45 degrees about x and about y, so that an edge of each faces the other.
       const double half = std::sqrt(0.5);
       a.frame.axes << 1, 0, 0, 0, half, -half, 0, half, half;
       b.frame.axes << half, 0, half, 0, 1, 0, -half, 0, half;

@@ -1,8 +1,8 @@
 // Recomputes the answers of hard_cases.json and says which method gets which case right.
 //
-// Decisions are of class (a), rational in the stored numbers; times of boxes too. Times of balls
-// are of class (b), with one square root. A decision is right or wrong. A time is right if it is
-// off by at most 2^-40 of itself, that of boxes by 2^-40 of the step.
+// Decisions and times of boxes are rational in the stored numbers (class (a)). Times of balls have
+// one square root (class (b)). A decision is right or wrong. A time may have a relative error of
+// 2^-40, that of boxes an error of 2^-40 of the step.
 #include "support/hard_cases.hpp"
 
 #include <cmath>
@@ -246,8 +246,8 @@ void add_boxes(hard_cases::Runner& runner) {
 }
 
 void add_capsule(hard_cases::Runner& runner) {
-  // Three quadratics: the side, and a ball at each end. The first root at which the centre is
-  // within the reach of the segment.
+  // Three quadratics: the side, and a ball at each end. The first root at which the distance of the
+  // centre from the segment is at most the sum of the radii.
   runner.question("capsule", [](const Case& c) {
     const auto ball = oracle::exact(c.sphere("ball"));
     const oracle::Vector w = oracle::exact(c.vector("displacement"));

@@ -1,5 +1,6 @@
 // Roots and times of impact against fractions with one square root. u is the unit roundoff of the
-// type. A bound that a comment of the reference gives is tested as it stands, without an allowance.
+// type. A bound stated in a comment of the reference code is tested as stated, without an
+// allowance.
 #include <algorithm>
 #include <array>
 #include <catch2/catch_template_test_macros.hpp>
@@ -33,8 +34,8 @@ Rational magnitude(const Surd& x) {
   return std::max(Rational(abs(range.low)), Rational(abs(range.high)));
 }
 
-/// Whether got is off by at most `units` u of right, or by the smallest positive number; ±∞ stands
-/// for what is beyond the largest.
+/// Whether the error of got is at most `units` u of right, or the smallest positive number; ±∞
+/// stands for numbers beyond the largest.
 template <class S>
 bool close(S got, const Surd& right, int units) {
   const Rational size = magnitude(right);
@@ -82,8 +83,8 @@ struct Pair {
   Vector3<S> va, vb;
 };
 
-/// Spheres anywhere; on whole numbers; on ways that graze to within a few steps; that touch to
-/// within a few; far from the origin; very large and very small.
+/// Spheres anywhere; on integers; on paths that graze to within a few ulps; that touch to within a
+/// few ulps; far from the origin; very large and very small.
 template <class S>
 Pair<S> pair_of(Random& random, int kind) {
   Pair<S> p;
@@ -104,7 +105,7 @@ Pair<S> pair_of(Random& random, int kind) {
   if (random.chance(0.5)) p.va = p.vb + (p.b.centre - p.a.centre) * S(0.7) + place<S>(random, 0.5);
   const S reach = p.a.radius + p.b.radius;
   if (kind == 2) {
-    // The way passes at the distance of both radii.
+    // The path passes at a distance of the sum of both radii.
     const Vector3<S> d = p.b.centre - p.a.centre;
     const Vector3<S> across = contact::normalised(Vector3<S>(d.cross(place<S>(random, 1))));
     p.va = p.vb + d;
@@ -152,7 +153,7 @@ TEST_CASE("a coefficient that is not finite has no root") {
   }
 }
 
-TEMPLATE_TEST_CASE("roots of quadratics: how many, and each to 8 u", "", float, double) {
+TEMPLATE_TEST_CASE("roots of quadratics: their number, and each to 8 u", "", float, double) {
   using S = TestType;
   Random random(1);
   std::array<int, 3> counts{};
@@ -162,12 +163,12 @@ TEMPLATE_TEST_CASE("roots of quadratics: how many, and each to 8 u", "", float, 
     S b = 0;
     S c = 0;
     switch (i % 6) {
-      case 0:  // nothing special
+      case 0:  // general
         a = static_cast<S>(random.uniform(-3, 3));
         b = static_cast<S>(random.uniform(-3, 3));
         c = static_cast<S>(random.uniform(-3, 3));
         break;
-      case 1:  // whole numbers: double roots, zeros
+      case 1:  // integers: double roots, zeros
         a = S(random.integer(-4, 4));
         b = S(random.integer(-4, 4));
         c = S(random.integer(-4, 4));
@@ -177,12 +178,12 @@ TEMPLATE_TEST_CASE("roots of quadratics: how many, and each to 8 u", "", float, 
         b = static_cast<S>(random.magnitude(10, 40));
         c = static_cast<S>(random.uniform(-1, 1));
         break;
-      case 3:  // nearly a double root
+      case 3:  // almost a double root
         a = static_cast<S>(random.uniform(0.5, 2));
         b = static_cast<S>(random.uniform(-4, 4));
         c = nudged(random, b * b / (S(4) * a), 3);
         break;
-      case 4: {  // (p t − q)² with few digits: a double root exactly, or one step beside it
+      case 4: {  // (p t − q)² with few digits: an exact double root, or one ulp beside it
         const S p = S(random.integer(1, 1000));
         const S q = S(random.integer(-1000, 1000));
         a = p * p;
@@ -190,7 +191,7 @@ TEMPLATE_TEST_CASE("roots of quadratics: how many, and each to 8 u", "", float, 
         c = nudged(random, q * q, 1);
         break;
       }
-      default:  // every size
+      default:  // every magnitude
         a = static_cast<S>(random.magnitude(-most, most));
         b = static_cast<S>(random.magnitude(-most, most));
         c = static_cast<S>(random.magnitude(-most, most));
@@ -245,7 +246,7 @@ TEMPLATE_TEST_CASE("moving spheres: the decision is right, and the time to 256 u
     ++touched;
     INFO("kind " << i % 6);
     CHECK(close(*got, right, 256));
-    // By the end of a step: also right where the step ends with the touch.
+    // Until the end of a step: also right if the step ends with the touch.
     for (const S last : {*got, std::nextafter(*got, S(0)), *got / 2, *got * 2, S(1)}) {
       if (!std::isfinite(last)) continue;
       const bool by_then = oracle::compare(right, Surd{oracle::exact(last)}) <= 0;
@@ -259,8 +260,9 @@ TEMPLATE_TEST_CASE("moving spheres: the decision is right, and the time to 256 u
       contact::spheres_touch_by<S>({{0, 0, 0}, 1}, {1, 0, 0}, {{1, 0, 0}, 1}, {0, 0, 0}, -1));
 }
 
-TEST_CASE("balls that fall together touch when they would without gravity") {
-  // Both fall for t: their places differ as on straight ways, exactly, in fractions.
+TEST_CASE("balls in the same free fall touch when they would without gravity") {
+  // Both fall for t: the difference of their positions is that of straight paths, exactly, in
+  // fractions.
   Random random(3);
   int touched = 0;
   for (int i = 0; i < generators::tried(400); ++i) {
@@ -278,7 +280,8 @@ TEST_CASE("balls that fall together touch when they would without gravity") {
     const Rational reach = oracle::exact(p.a.radius) + oracle::exact(p.b.radius);
     const Quadratic polynomial = distance_polynomial(p);
     CHECK(d.dot(d) - reach * reach == polynomial.at(time));
-    // The residual is the slope there times the error of the time, 256 u, and a square of it.
+    // The residual is the slope there times the error of the time, 256 u, plus a term in its
+    // square.
     const Rational slope = abs(2 * polynomial.a * time + polynomial.b);
     const Rational off = 256 * u<double>() * time;
     CHECK(abs(d.dot(d) - reach * reach) <= slope * off + polynomial.a * off * off);
@@ -304,13 +307,13 @@ TEMPLATE_TEST_CASE("a ball in free fall against a plane, to 8 u", "", float, dou
         gravity = {S(0), S(0), static_cast<S>(-9.81)};
         sphere.centre.z() = sphere.radius + static_cast<S>(random.uniform(0, 2));
         break;
-      case 1:  // whole numbers, and gravity away from the plane: grazing is exact
+      case 1:  // integers, and gravity away from the plane: grazing is exact
         plane = {Vector3<S>::UnitZ(), S(random.integer(-2, 2))};
         sphere = {whole<S>(random, 4), S(random.integer(0, 2))};
         velocity = whole<S>(random, 4);
         gravity = whole<S>(random, 2);
         break;
-      case 2:  // lies on the floor, give or take a step, and is thrown up or down
+      case 2:  // lies on the floor, up to an ulp, and is thrown up or down
         plane = {Vector3<S>::UnitZ(), S(0)};
         gravity = {S(0), S(0), static_cast<S>(-9.81)};
         sphere.centre.z() = nudged(random, sphere.radius, 2);
@@ -319,7 +322,7 @@ TEMPLATE_TEST_CASE("a ball in free fall against a plane, to 8 u", "", float, dou
         plane = contact::plane_from_normal_and_point<S>(place<S>(random, 1) + Vector3<S>(0, 0, 2),
                                                         place<S>(random, 2));
         break;
-      default:  // no gravity, or hardly any
+      default:  // no gravity, or almost none
         plane = {Vector3<S>::UnitX(), S(-2)};
         gravity *= static_cast<S>(std::ldexp(1.0, -random.integer(20, 60)));
         if (random.chance(0.3)) gravity = Vector3<S>::Zero();
@@ -338,7 +341,7 @@ TEMPLATE_TEST_CASE("a ball in free fall against a plane, to 8 u", "", float, dou
       ++seen[0];
       continue;
     }
-    // The first root at which the gap closes; or the top of a rise that does not get clear.
+    // The first root at which the gap closes; or the highest point of a rise without separation.
     std::optional<Surd> right;
     if (bend != 0 || rate != 0) {
       for (const Surd& root : Quadratic{bend / 2, rate, gap}.roots()) {
@@ -347,7 +350,7 @@ TEMPLATE_TEST_CASE("a ball in free fall against a plane, to 8 u", "", float, dou
         if (!right && oracle::sign(root) > 0 && closes) right = root;
       }
       if (bend < 0 && rate * rate - 2 * bend * gap < 0) right = Surd{-rate / bend};
-      // Rising, and at the top just touching: there it begins to come down.
+      // Rising, and just touching at the highest point: there it begins to fall.
       if (bend < 0 && rate * rate == 2 * bend * gap) right = Surd{-rate / bend};
     }
     REQUIRE(got.has_value() == right.has_value());
@@ -363,8 +366,8 @@ TEMPLATE_TEST_CASE("a ball in free fall against a plane, to 8 u", "", float, dou
 
 namespace {
 
-/// The least squared distance of m + t w, 0 ≤ t ≤ last, from the segment from 0 to e: the least of
-/// a convex quadratic over a rectangle, exactly.
+/// The smallest squared distance of m + t w, 0 ≤ t ≤ last, from the segment from 0 to e: the
+/// minimum of a convex quadratic over a rectangle, exactly.
 Rational least_square(const oracle::Vector& m, const oracle::Vector& w, const oracle::Vector& e,
                       const Rational& last) {
   const auto clamp = [](const Rational& x, const Rational& high) {
@@ -377,7 +380,7 @@ Rational least_square(const oracle::Vector& m, const oracle::Vector& w, const or
   const Rational ww = w.dot(w);
   const Rational we = w.dot(e);
   const Rational ee = e.dot(e);
-  // The best s for a t, and the best t for an s.
+  // The best s for a given t, and the best t for a given s.
   const auto best_s = [&](const Rational& t) {
     return ee == 0 ? Rational(0)
                    : clamp(Rational(oracle::Vector(m + w * t).dot(e)) / ee, Rational(1));
@@ -424,7 +427,7 @@ TEMPLATE_TEST_CASE("a moving ball against a capsule: the decision is right, and 
              sphere.centre) *
             static_cast<S>(random.uniform(0.5, 2));
       if (i % 3 == 2) {
-        // Along the side, or past an end, to within a few steps of the reach.
+        // Along the side, or past an end, to within a few ulps of the sum of the radii.
         const Vector3<S> side =
             way.cross(i % 2 == 0 ? Vector3<S>(axis.end - axis.start) : place<S>(random, 1));
         if (side != Vector3<S>::Zero())
@@ -447,7 +450,7 @@ TEMPLATE_TEST_CASE("a moving ball against a capsule: the decision is right, and 
     CHECK((*got == 0) == at_start);
     if (at_start) continue;
     ++touched;
-    // They touch by t and 5 u of it, and not before t less 5 u of it.
+    // They touch by t plus 5 u of it, and not before t less 5 u of it.
     const Rational t = oracle::exact(*got);
     const Rational step = 5 * u<S>() * t;
     CHECK(least_square(m, w, e, t - step) >= reach * reach);
@@ -462,14 +465,14 @@ TEMPLATE_TEST_CASE("a moving ball against a capsule: the decision is right, and 
 }
 
 TEST_CASE(
-    "swept volumes: decided exactly, never apart where the balls touch, and often met in vain") {
+    "swept volumes: decided exactly, never disjoint where balls touch, often met without a touch") {
   Random random(6);
   int met = 0;
   int apart = 0;
   int in_vain = 0;
   for (int i = 0; i < generators::tried(3000); ++i) {
     Pair<double> p = pair_of<double>(random, i % 4);
-    if (i % 8 == 4) p.vb = p.va * 2;  // parallel ways
+    if (i % 8 == 4) p.vb = p.va * 2;  // parallel paths
     if (i % 8 == 5) p.va = Vector3<double>::Zero();
     const bool got = contact::swept_spheres_meet(p.a, p.va, p.b, p.vb);
     const oracle::Vector d = oracle::exact(p.a.centre) - oracle::exact(p.b.centre);

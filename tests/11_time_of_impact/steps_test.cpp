@@ -1,4 +1,4 @@
-// Looking for impacts, advancing to them, and proving that none is passed.
+// Finding impacts by tests, advancing to them, and proving that none is missed.
 #include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -35,7 +35,7 @@ void says(const std::function<void()>& make, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE("slices see what lasts a slice, and bisection closes in on its beginning") {
+TEST_CASE("slices find an overlap that lasts a slice, and bisection its beginning") {
   Random random(1);
   int seen = 0;
   int unseen = 0;
@@ -49,14 +49,14 @@ TEST_CASE("slices see what lasts a slice, and bisection closes in on its beginni
     const double slice = duration / slices;
     if (!bracket) {
       ++unseen;
-      // What lasts longer than a slice, rounding included, is seen, if the step does not end first.
+      // An overlap longer than a slice, rounding included, is found, unless the step ends before.
       CHECK((to - from <= slice + 0x1p-50 * duration || to > duration));
       continue;
     }
     ++seen;
     CHECK(overlap(bracket->hit));
     CHECK_FALSE(overlap(bracket->free));
-    // Two looks, each rounded twice.
+    // Two tests, each with a time rounded twice.
     CHECK(bracket->hit - bracket->free <= slice + 0x1p-50 * duration);
     const int halvings = random.integer(0, 45);
     const auto close = contact::bisect_impact<double>(overlap, *bracket, halvings);
@@ -64,7 +64,7 @@ TEST_CASE("slices see what lasts a slice, and bisection closes in on its beginni
     CHECK_FALSE(overlap(close.free));
     CHECK(close.free <= from);
     CHECK(from <= close.hit);
-    // Each halving rounds a middle to the nearest number: an ulp of the time is left at the least.
+    // Each halving rounds a middle to the nearest number: at least an ulp of the time remains.
     CHECK(close.hit - close.free <=
           std::ldexp(bracket->hit - bracket->free, -halvings) + 0x1p-52 * duration);
     const auto all = contact::bisect_impact<double>(overlap, *bracket, 2000);
@@ -80,7 +80,7 @@ TEST_CASE("slices see what lasts a slice, and bisection closes in on its beginni
   says([] { contact::sliced_step<double>([](double) { return true; }, -1.0, 4); }, "duration = -1");
 }
 
-TEST_CASE("interpolation is off by no more than its bound") {
+TEST_CASE("the error of interpolation is within its bound") {
   // A ball falls from the height h: the gap is h − v t − g t²/2, with |gap''| = g.
   Random random(2);
   for (int i = 0; i < generators::tried(1000); ++i) {
@@ -92,7 +92,7 @@ TEST_CASE("interpolation is off by no more than its bound") {
     const auto gap = [&](double t) { return h - v * t - g * t * t / 2; };
     const ImpactBracket<double> bracket{0, width};
     const double got = contact::interpolated_impact(bracket, gap(0), gap(width));
-    // Closing no slower than v; and 2^-45 for the rounding of the heights here.
+    // Closing at least at v; and 2^-45 for the rounding of the heights here.
     CHECK(std::abs(got - impact) <= g * width * width / (8 * v) + 0x1p-45 * (h + v * width) / v);
     CHECK(got >= 0);
     CHECK(got <= width);
@@ -101,7 +101,7 @@ TEST_CASE("interpolation is off by no more than its bound") {
   CHECK(contact::interpolated_impact<double>({1, 2}, 3, 0) == 2);
 }
 
-TEST_CASE("where the bound holds no ball gets through a wall unseen") {
+TEST_CASE("where the bound holds, no ball passes through a wall unnoticed") {
   Random random(3);
   int proven = 0;
   int passed = 0;
@@ -113,7 +113,7 @@ TEST_CASE("where the bound holds no ball gets through a wall unseen") {
     const auto body = contact::mover(radius, radius, 0.0);
     const auto bound =
         contact::slab_tunnelling(body, wall, contact::centre_displacement(speed, 0.0, step));
-    // Looks at the times k h, in fractions: the ball starts somewhere within a step of the wall.
+    // Tests at the times k h, in fractions: the ball starts within a step of the wall.
     const Rational start = -(oracle::exact(wall) / 2 + oracle::exact(radius)) -
                            oracle::exact(random.uniform()) * oracle::exact(speed) / 60;
     const Rational advance = oracle::exact(speed) * oracle::exact(step);
@@ -126,21 +126,21 @@ TEST_CASE("where the bound holds no ball gets through a wall unseen") {
     } else if (!seen) {
       ++passed;
     }
-    // The bound gives nothing away: it fails only if a step is really longer, to rounding.
+    // The bound is sharp: it fails only if a step is really longer, up to rounding.
     if (!bound.nothing_passes()) CHECK(advance * (1 + oracle::exact(0x1p-40)) > 2 * near);
   }
   CHECK(proven > generators::tried(500));
   CHECK(passed > generators::tried(100));
 }
 
-TEST_CASE("a chord that is missed is no longer, deeper or steeper than its bound") {
+TEST_CASE("a missed chord is within the bounds on length, depth and angle") {
   Random random(4);
   int missed = 0;
   double deepest = 0;
   for (int i = 0; i < generators::tried(4000); ++i) {
     const double reach = random.uniform(0.2, 2);
     const double step = reach * random.uniform(0.05, 2.2);
-    // A path along x at the height y above the middle: chord c = 2 √(ρ² − y²); looks every `step`.
+    // A path along x at the height y above the centre: chord c = 2 √(ρ² − y²); a test every `step`.
     const double y = reach * (1 - random.uniform() * random.uniform());
     const double first = -2 * reach - step * random.uniform();
     bool seen = false;
@@ -156,19 +156,19 @@ TEST_CASE("a chord that is missed is no longer, deeper or steeper than its bound
         oracle::exact(reach) * oracle::exact(reach) - oracle::exact(y) * oracle::exact(y);
     CHECK(oracle::exact(bound.depth) >= oracle::exact(reach) - oracle::exact(y));
     CHECK(oracle::exact(bound.length) * oracle::exact(bound.length) >= 4 * square);
-    // The cosine at the entry is half the chord over ρ.
+    // The cosine at the entry is half the chord divided by ρ.
     CHECK(oracle::exact(bound.approach) * oracle::exact(bound.approach) * oracle::exact(reach) *
               oracle::exact(reach) >=
           square);
     deepest = std::max(deepest, (reach - y) / bound.depth);
   }
   CHECK(missed > generators::tried(500));
-  CHECK(deepest > 0.8);  // the bound is nearly reached
+  CHECK(deepest > 0.8);  // the bound is almost attained
   const auto all = contact::missed_chord(1.0, 2.0);
   CHECK(all.length == 2);
   CHECK(all.depth == 1);
   CHECK(all.approach == 1);
-  // The depth itself, ρ − √(ρ² − D²/4), is below the bound, and near it also for a small D.
+  // The depth itself, ρ − √(ρ² − D²/4), is below the bound, and close to it also for a small D.
   for (const double d : {1e-9, 1e-3, 0.5, 1.0, 1.9, 1.999999999}) {
     const auto bound = contact::missed_chord(1.0, d);
     const oracle::Surd right{1, -1, 1 - oracle::exact(d) * oracle::exact(d) / 4};
@@ -177,7 +177,7 @@ TEST_CASE("a chord that is missed is no longer, deeper or steeper than its bound
   }
 }
 
-TEST_CASE("no point gets further than the bound, spin and acceleration included") {
+TEST_CASE("no point moves further than the bound, with rotation and acceleration") {
   Random random(5);
   double nearest = 0;
   for (int i = 0; i < generators::tried(2000); ++i) {
@@ -193,7 +193,7 @@ TEST_CASE("no point gets further than the bound, spin and acceleration included"
     const double centres = contact::centre_displacement(v.norm() * (1 + 0x1p-50),
                                                         acceleration.norm() * (1 + 0x1p-50), h);
     const double bound = contact::relative_displacement(a, b, centres, h);
-    // The centre of a seen from b, and a point of a at its rim, in the frame that turns with b.
+    // The centre of a relative to b, and a point of a at its rim, in the frame that rotates with b.
     const V x0 = contact::normalised(boxes::place(random, 1)) * ((ra + rb) * random.uniform());
     const V p0 = contact::normalised(boxes::place(random, 1)) * ra;
     const auto in_b = [&](const V& x, double t) {
@@ -204,7 +204,7 @@ TEST_CASE("no point gets further than the bound, spin and acceleration included"
       const V p1 = contact::matrix_of(contact::exponential<double>(spin_a * t)) * p0;
       const V centre = in_b(x1, t) - x0;
       CHECK(centre.norm() <= bound);
-      // Within the reach of b only: a point of a that is farther cannot touch it.
+      // Only within the radius of b: a point of a that is farther away cannot touch it.
       if (V(x0 + p0).norm() <= ra + rb) {
         const V point = in_b(V(x1 + p1), t) - V(x0 + p0);
         CHECK(point.norm() <= bound);
@@ -219,7 +219,7 @@ TEST_CASE("no point gets further than the bound, spin and acceleration included"
   says([] { contact::missed_chord(0.0, 1.0); }, "reach = 0");
 }
 
-TEST_CASE("bounds are above the fractions they stand for, and two balls' thickness below") {
+TEST_CASE("upper bounds are above the exact values, and the thickness of two balls below") {
   Random random(6);
   for (int i = 0; i < generators::tried(2000); ++i) {
     const double v = random.uniform(0, 100);
@@ -260,9 +260,9 @@ TEST_CASE("bounds are above the fractions they stand for, and two balls' thickne
   says([] { contact::energy_speed(1.0, 0.0, 0.0); }, "mass = 0");
 }
 
-TEST_CASE("a rod that turns over a floor: advanced to just before its end touches") {
-  // Half lengths l along the rod and s across; it starts level at the height h and turns at ω. Its
-  // lowest point is at h − l sin ωt − s cos ωt: judged by intervals.
+TEST_CASE("a rod that rotates above a floor is advanced to just before its end touches") {
+  // Half lengths l along the rod and s perpendicular to it; it starts horizontal at the height h
+  // and rotates at ω. Its lowest point is at h − l sin ωt − s cos ωt: checked by intervals.
   Random random(7);
   for (int i = 0; i < generators::tried(300); ++i) {
     const double l = random.uniform(0.5, 2);
@@ -283,18 +283,18 @@ TEST_CASE("a rod that turns over a floor: advanced to just before its end touche
     const Interval gap = Interval(oracle::exact(h), 128) -
                          Interval(oracle::exact(l), 128) * sin(angle) -
                          Interval(oracle::exact(s), 128) * cos(angle);
-    // Not passed: before the touch the gap is positive. Near: no more than the tolerance and the
+    // Not passed: before the touch the gap is positive. Close: at most the tolerance and the
     // rounding of the distance, 64 u of its terms.
     const Rational room = oracle::exact(64 * 0x1p-53 * (h + l + s));
     CHECK(gap.low() > -room);
     CHECK(gap.high() <= oracle::exact(tolerance) + room);
-    // It turns no more than to the quarter, where the gap has only shrunk.
+    // It rotates by at most a quarter turn, in which the gap only shrinks.
     CHECK(w * end.t < 1.5707963267948966);
   }
 }
 
 TEST_CASE(
-    "turning boxes: no impact is passed, and those that do not turn meet when swept ones do") {
+    "rotating boxes: no impact is passed, and without rotation the time is that of the sweep") {
   Random random(8);
   std::array<int, 3> ends{};
   for (int i = 0; i < generators::tried(160); ++i) {
@@ -313,7 +313,7 @@ TEST_CASE(
     ++ends[static_cast<std::size_t>(end.end)];
     INFO("pair " << i);
     REQUIRE(end.end != ConservativeEnd::gave_up);
-    // Decided exactly for the boxes as they lie at many times before: they are apart.
+    // Decided exactly for the boxes at many earlier times: they are separated.
     const auto touch_at = [&](double t) {
       boxes::Box at_a{contact::frame_at(a, t), a.half_lengths, V(0, 0, 0)};
       boxes::Box at_b{contact::frame_at(b, t), b.half_lengths, V(0, 0, 0)};
@@ -342,7 +342,7 @@ TEST_CASE(
   CHECK(ends[static_cast<std::size_t>(ConservativeEnd::clear)] > generators::tried(20));
 }
 
-TEST_CASE("the bound on the approach is no less than any two points' approach") {
+TEST_CASE("the bound on the approach speed holds for any two points") {
   Random random(9);
   double nearest = 0;
   for (int i = 0; i < generators::tried(2000); ++i) {
@@ -364,8 +364,8 @@ TEST_CASE("the bound on the approach is no less than any two points' approach") 
   CHECK(nearest > 0.8);
 }
 
-TEST_CASE("an advance that cannot come to an end says so, and bad numbers are refused") {
-  // The lower bound never reaches 0 and the bound on the approach is far too large.
+TEST_CASE("an advance that does not converge gives up, and invalid numbers are refused") {
+  // The lower bound never reaches 0, and the bound on the approach speed is far too large.
   const auto slow = [](double t) { return 1 - t / 2; };
   const auto end = contact::conservative_advancement<double>(slow, 1e6, 1.0, 1e-3, 50);
   CHECK(end.end == ConservativeEnd::gave_up);

@@ -1,6 +1,6 @@
 // Angles go through sine, cosine and arctangent, which differ in their last digits from library to
-// library; and whoever writes π with twelve digits is off by 1e-12. So answers are allowed a part
-// in 1e10 of what they are made from. Every test asks for at least two different answers, so that
+// library; and a π written with twelve digits is off by 1e-12. So answers may have an error of
+// 1e-10 of their terms. Every test asks for at least two different answers, so that
 // no constant passes one.
 #include "at_an_angle.hpp"
 
@@ -32,9 +32,9 @@ void check_crash(const Vehicle& a, const Vehicle& b) {
   const double mass = a.mass + b.mass;
   const double scale = a.mass * a.speed + b.mass * b.speed;
   const Motion right = motion(p, mass);
-  // An angle is off by the error of the momentum over its size.
+  // An angle is off by the error of the momentum over its magnitude.
   const Motion room{kRoom * scale / mass, kRoom * scale / p.norm() / kDegree + kRoom * 180};
-  ask("How does the wreck move?")
+  ask("What is the motion of the wreck?")
       .given("a", a)
       .given("b", b)
       .suspect("degrees-in-sin", [&] { return motion(momentum(a, 1) + momentum(b, 1), mass); })
@@ -113,7 +113,7 @@ TEST_CASE("random crashes and triangles") {
     const Vehicle a{random.uniform(500, 3000), random.uniform(0, 40), random.uniform(-179, 179)};
     const Vehicle b{random.uniform(500, 3000), random.uniform(0, 40), random.uniform(-179, 179)};
     const Vector p = momentum(a) + momentum(b);
-    // What cancels to nothing has no heading, and -180 degrees are 180.
+    // A momentum that cancels has no heading, and -180 degrees are 180.
     if (p.norm() < 0.1 * (a.mass * a.speed + b.mass * b.speed)) continue;
     if (p.x() < 0 && std::abs(p.y()) < 1e-3 * p.norm()) continue;
     check_crash(a, b);

@@ -1,7 +1,7 @@
-// A right time has one square root: gap, approach and what is under the root are computed without
-// rounding, and the quotient gap / (approach + √depth) of their roundings is off by 4 u. Random
-// discs neither nearly graze nor nearly touch, so that the formula as it stands in school books,
-// which cancels there, keeps 35 bits. Every test asks for at least two different answers, so that
+// A right time has one square root: gap, approach and the expression under the root are computed
+// without rounding, and the quotient gap / (approach + √depth) of their roundings is off by 4 u.
+// Random discs neither nearly graze nor nearly touch, so that the textbook formula, which cancels
+// there, keeps 35 bits. Every test asks for at least two different answers, so that
 // no constant passes one.
 #include "first_touch.hpp"
 
@@ -37,7 +37,7 @@ Terms terms(const Disc& a, const Disc& b) {
           rounded<double>(reach * reach * speed2 - cross * cross), rounded<double>(speed2)};
 }
 
-/// The earliest of the times that `when` gives for pairs.
+/// The earliest of the times that `when` returns for the pairs.
 template <class When>
 First earliest(const Discs& discs, const When& when) {
   First first;
@@ -78,7 +78,7 @@ First sliced(const Discs& discs, double slice) {
 void check(const Discs& discs) {
   const First right = earliest(discs, right_time);
   auto answer =
-      ask("Which two discs touch first, and when?")
+      ask("Which two discs touch first, and at what time?")
           .given("discs", discs)
           .suspect("other-disc-stands",
                    [&] {
@@ -149,7 +149,7 @@ const Disc kStanding{{0, 0}, {0, 0}, 0.5};
 
 }  // namespace
 
-TEST_CASE("one disc meets one that stands") {
+TEST_CASE("one disc meets one at rest") {
   check({{{-3.3, 0}, {1, 0}, 0.5}, kStanding});
   check({{{-3, 0.6}, {1, 0}, 0.5}, kStanding});
   check({kStanding, {{1, 7}, {-0.25, -2}, 0.75}});
@@ -161,7 +161,7 @@ TEST_CASE("both discs move") {
   check({{{0, 0}, {1, 0}, 0.5}, {{3, 0}, {0.75, 0}, 0.5}});
 }
 
-TEST_CASE("discs that pass each other by, or part, do not touch") {
+TEST_CASE("discs that miss each other or separate do not touch") {
   check({{{-3, 2}, {1, 0}, 0.5}, kStanding});
   check({{{-3, 0}, {-1, 0}, 0.5}, kStanding});
   check({{{-3, 0}, {1, 1}, 0.5}, {{3, 0}, {1, 1}, 0.5}});
@@ -169,7 +169,7 @@ TEST_CASE("discs that pass each other by, or part, do not touch") {
   check({kStanding});
 }
 
-TEST_CASE("discs that touch now push only if they approach") {
+TEST_CASE("discs in contact touch only if they approach") {
   check({{{-1, 0}, {1, 0.5}, 0.5}, kStanding});
   check({{{-1, 0}, {-1, 0.5}, 0.5}, kStanding});
   check({{{-0.75, 0}, {-1, 0.5}, 0.5}, kStanding, {{5, 0}, {-1, 0}, 0.5}});
@@ -181,7 +181,7 @@ TEST_CASE("the earliest of several pairs") {
   check({{{-9, 0}, {1, 0}, 0.5}, kStanding, {{8, 8}, {0, -1}, 0.5}, {{8, 5}, {0, 0}, 0.5}});
 }
 
-TEST_CASE("a fast disc does not jump over a slow one") {
+TEST_CASE("a fast disc does not tunnel through a slow one") {
   check({{{-51.3, 0}, {1000, 0}, 0.1}, {{0, 0}, {0, 0}, 0.1}});
   check({{{0, -77.7}, {0, 3000}, 0.1}, {{0.05, 0}, {0, 0}, 0.1}});
 }

@@ -35,7 +35,7 @@ void check(double mass, const Vector& v, double piece, const Vector& w) {
   const double left = mass - piece;
   const double scale = mass * v.norm() + piece * w.norm();
   // Two products, a difference, a quotient by a difference: 6 u of the momenta. An energy is off by
-  // m v' times that, and by 8 u of what it is the sum of.
+  // m v' times that, and by 8 u of the sum of its terms.
   const double off = 8 * 0x1p-53 * scale / left;
   const double speed = right.velocity.norm();
   const double energies =
@@ -47,7 +47,7 @@ void check(double mass, const Vector& v, double piece, const Vector& w) {
   const auto with = [&](const Vector& rest, double rest_mass) -> Rest {
     return {rest, energy(piece, w) + energy(rest_mass, rest) - energy(mass, v)};
   };
-  ask("How does the rest move, and what kinetic energy is gained?")
+  ask("What is the velocity of the remainder, and what kinetic energy is gained?")
       .given("mass", mass)
       .given("velocity", v)
       .given("piece_mass", piece)
@@ -70,7 +70,7 @@ void check(double mass, const Vector& v, double piece, const Vector& w) {
 void check_refused(double mass, double piece) {
   const Vector v(1, 2);
   const Vector w(-3, 0);
-  ask("How does the rest move, and what kinetic energy is gained?")
+  ask("What is the velocity of the remainder, and what kinetic energy is gained?")
       .given("mass", mass)
       .given("velocity", v)
       .given("piece_mass", piece)
@@ -82,12 +82,12 @@ void check_refused(double mass, double piece) {
 
 }  // namespace
 
-TEST_CASE("from rest the two leave in opposite directions") {
+TEST_CASE("from rest the two pieces leave in opposite directions") {
   check(210, {0, 0}, 4, {16, 0});
   check(8, {0, 0}, 2, {3, -6});
 }
 
-TEST_CASE("a moving nucleus carries its momentum on") {
+TEST_CASE("the momentum of a moving nucleus is conserved") {
   check(8, {2, 1}, 2, {2, -6});
   check(8, {2, 1}, 4, {0, 0});
   check(210, {-3, 1}, 4, {16, 2});
@@ -99,7 +99,7 @@ TEST_CASE("kinetic energy is gained") {
   check(8, {1, 0}, 2, {1, 0});
 }
 
-TEST_CASE("a piece that is no piece is refused") {
+TEST_CASE("an invalid mass of the piece is refused") {
   check(8, {2, 1}, 2, {2, -6});
   check(8, {2, 1}, 7.5, {2, -6});
   check_refused(8, 8);

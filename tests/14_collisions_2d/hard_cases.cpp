@@ -1,9 +1,9 @@
 // Recomputes the answers of hard_cases.json and says which method gets which case right.
 //
-// Decisions and velocities are of class (a), rational in the stored numbers: a push along the line
-// of centres needs no root. Times are of class (b), with one square root. A decision is right or
-// wrong. A velocity is right if it is off by at most 2^-40 of the velocities that went in; a time,
-// and a share of a momentum, if by at most 2^-40 of itself.
+// Decisions and velocities are of class (a), rational in the stored numbers: an impulse along the
+// line of centres needs no root. Times are of class (b), with one square root. A decision is right
+// or wrong. A velocity is right if it is off by at most 2^-40 of the velocities that went in; a
+// time, and a share of a momentum, if by at most 2^-40 of itself.
 #include "support/hard_cases.hpp"
 
 #include <cmath>
@@ -24,7 +24,7 @@ namespace {
 using Disc = contact::Disc<double>;
 using Vector = contact::Vector2<double>;
 
-/// A disc as the corpus has it: centre, velocity, radius, mass.
+/// A disc of the corpus: centre, velocity, radius, mass.
 Disc read_disc(const Case& c, const char* field) {
   const std::vector<double> n = c.numbers(field);
   return contact::disc<double>(n.at(5), n.at(4), {n.at(0), n.at(1)}, {n.at(2), n.at(3)});
@@ -50,7 +50,7 @@ Pair exact_pair(const Case& c) { return exact_pair(read_disc(c, "a"), read_disc(
 
 int sign_of(double x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
 
-/// The axis as one writes it first; not a number for coincident centres.
+/// The axis by the plain formula; not a number for coincident centres.
 Vector plain_axis(const Disc& a, const Disc& b) {
   const Vector d = a.centre - b.centre;
   return d / std::sqrt(d.x() * d.x() + d.y() * d.y());
@@ -78,7 +78,7 @@ void add_approach(hard_cases::Runner& runner) {
 
 bool ever_meet(const Pair& p) { return p.approach() > 0 && (p.gap() <= 0 || p.depth() >= 0); }
 
-/// Where they would be at t, for the method that slices: touching or overlapping.
+/// Whether the discs touch or overlap at t, for the method with time steps.
 bool overlap_at(const Disc& a, const Disc& b, double t) {
   const Vector d = (a.centre + a.velocity * t) - (b.centre + b.velocity * t);
   const double reach = a.radius + b.radius;
@@ -94,7 +94,7 @@ void add_meets(hard_cases::Runner& runner) {
       return meets(read_disc(c, "a"), read_disc(c, "b")) == answer.at("meets").get<bool>();
     });
   };
-  method("slices of 0.1 s", [](const Disc& a, const Disc& b) {
+  method("steps of 0.1 s", [](const Disc& a, const Disc& b) {
     for (int k = 0; k <= 200; ++k) {
       if (overlap_at(a, b, 0.1 * k)) return true;
     }
@@ -132,7 +132,7 @@ void add_when(hard_cases::Runner& runner) {
       return std::isfinite(got) && std::abs(got - right) <= std::ldexp(right, -40);
     });
   };
-  method("school formula", [](const Disc& a, const Disc& b) {
+  method("textbook formula", [](const Disc& a, const Disc& b) {
     const Vector d = a.centre - b.centre;
     const Vector w = a.velocity - b.velocity;
     const double reach = a.radius + b.radius;
@@ -166,7 +166,7 @@ void add_after(hard_cases::Runner& runner) {
       const Rational ma = oracle::exact(a.mass);
       const Rational mb = oracle::exact(b.mass);
       const Rational e = oracle::exact(c.number("e"));
-      // The push in units of d: (1 + e) (−d·w)/(d·d), shared by the masses.
+      // The impulse in units of d: (1 + e) (−d·w)/(d·d), times the reduced mass.
       const Rational push = (1 + e) * p.approach() / (p.dx * p.dx + p.dy * p.dy);
       vax += push * p.dx * mb / (ma + mb);
       vay += push * p.dy * mb / (ma + mb);
@@ -202,7 +202,7 @@ void add_after(hard_cases::Runner& runner) {
     const Vector vb = b.velocity + n * ((p - e * (ub - ua) * a.mass) / m - ub);
     return Velocities{va, vb};
   };
-  method("whole velocities turned round", [](const Disc& a, const Disc& b, double e) {
+  method("whole velocities reversed", [](const Disc& a, const Disc& b, double e) {
     return Velocities{-e * a.velocity, -e * b.velocity};
   });
   method("axis not normalised", [steps_with_axis](const Disc& a, const Disc& b, double e) {
@@ -260,7 +260,7 @@ void add_share(hard_cases::Runner& runner) {
   using Shares = contact::MomentumShares<double>;
   runner.method("share", "two equations, by elimination",
                 [vector, judge](const Case& c, const Json& answer) {
-                  // p_x = s a_x + t b_x and p_y = s a_y + t b_y, without a look at the pivot.
+                  // p_x = s a_x + t b_x and p_y = s a_y + t b_y, without a test of the pivot.
                   const Vector p = vector(c, "total");
                   const Vector a = vector(c, "direction_a");
                   const Vector b = vector(c, "direction_b");

@@ -1,6 +1,6 @@
-// Right parts are the formula without rounding, rounded once; a right axis is the difference of the
-// centres divided by its length. Every test asks for at least two different answers, so that no
-// constant passes one.
+// Right components are the formula without rounding, rounded once; a right axis is the difference
+// of the centres divided by its length. Every test asks for at least two different answers, so that
+// no constant passes one.
 #include "line_of_centres.hpp"
 
 #include <support/exercise.hpp>
@@ -20,7 +20,7 @@ void check_axis(const Vector& a, const Vector& b) {
   const Vector d = a - b;
   const Axis right = a == b ? Axis() : Axis(d / std::sqrt(d.x() * d.x() + d.y() * d.y()));
   auto answer =
-      ask("What is the axis of the collision, from B to A?")
+      ask("What is the unit vector of the line of impact, from B to A?")
           .given("centre_a", a)
           .given("centre_b", b)
           .suspect_if("division-by-zero", [](const Axis& got) { return got && !got->allFinite(); })
@@ -44,7 +44,7 @@ void check_parts(const Vector& velocity, const Vector& axis) {
   // Two products and a sum, a product and a difference; the sum may be as large as |v|.
   const double bound = 8 * 0x1p-53 * (std::abs(velocity.x()) + std::abs(velocity.y()));
   const Vector room(bound, bound);
-  ask("What are the velocity's parts along the axis and across it?")
+  ask("What are the normal and tangential components of the velocity?")
       .given("velocity", velocity)
       .given("axis", axis)
       .suspect("parts-exchanged",
@@ -75,13 +75,13 @@ TEST_CASE("coincident centres have no axis") {
   check_axis({-0.5, 8}, {-0.5, 8});
 }
 
-TEST_CASE("what is not along is across") {
+TEST_CASE("the tangential component is the rest") {
   check_parts({5, 2}, {1, 0});
   check_parts({5, 2}, {0, 1});
   check_parts({10, 5}, {0.6, 0.8});
 }
 
-TEST_CASE("a velocity against the axis keeps its sign") {
+TEST_CASE("a component against the axis is negative") {
   check_parts({-5, 2}, {1, 0});
   check_parts({5, 2}, {-1, 0});
   check_parts({-10, 5}, {0.6, -0.8});

@@ -47,8 +47,7 @@ KEY("which-pair-pushes") {
 }
 
 KEY("response-steps") {
-  // What each step needs to have been done before it; the question whether they approach needs
-  // nothing, and nothing is done before it.
+  // The prerequisites of each step; the test for approach has none and comes first.
   const std::vector<std::set<int>> needs{{2}, {4}, {3}, {1}, {}};
   std::vector<int> order;
   std::set<int> done;
@@ -113,7 +112,7 @@ KEY("speed-of-the-wreck") {
 }
 
 KEY("how-fast-was-a") {
-  // The momentum of b along its way is the component of the whole; what is across came from a.
+  // The momentum of b is the component of the whole along b's direction; the rest is that of a.
   const double along = 1400 * 15;
   const Vector whole = direction(25) * (along / direction(25).x());
   return contact::share_momentum<double>(whole, {1, 0}, {0, 1})->b.norm() / 1000;

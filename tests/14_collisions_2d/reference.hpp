@@ -1,5 +1,5 @@
 /// @file
-/// Random discs, and what they do in fractions.
+/// Random discs, and their collisions in exact fractions.
 #pragma once
 
 #include <array>
@@ -47,8 +47,8 @@ enum class Kind { anywhere, touching, grazing, grid, far };
 inline constexpr std::array<Kind, 5> all_kinds{Kind::anywhere, Kind::touching, Kind::grazing,
                                                Kind::grid, Kind::far};
 
-/// Two discs: anywhere; with the centres as far apart as the radii, to rounding; on paths that
-/// graze to within a few ulps; on whole numbers; touching and far from the origin.
+/// Two discs: anywhere; with the distance of the centres equal to the radii, to rounding; on paths
+/// that graze to within a few ulps; on whole numbers; touching and far from the origin.
 template <class S>
 std::array<Disc<S>, 2> pair_of(Random& random, Kind kind) {
   const auto number = [&](double low, double high) {

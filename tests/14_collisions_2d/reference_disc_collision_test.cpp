@@ -29,7 +29,7 @@ using rounding::u;
 
 namespace {
 
-/// √x rounded up a little: for bounds only.
+/// √x, slightly rounded up: for bounds only.
 Rational root_up(const Rational& x) { return oracle::enclose(Surd{0, 1, x}, 64).high; }
 
 }  // namespace
@@ -63,8 +63,7 @@ TEMPLATE_TEST_CASE("the line of centres has length 1 and the right direction", "
   }
 }
 
-TEMPLATE_TEST_CASE("whether discs approach is decided right for every finite input", "", float,
-                   double) {
+TEMPLATE_TEST_CASE("approach is decided exactly for every finite input", "", float, double) {
   using S = TestType;
   Random random(2);
   int ties = 0;
@@ -149,7 +148,7 @@ TEMPLATE_TEST_CASE("velocities after a collision are those of rational arithmeti
       CHECK(error(after.velocity_a(k), va) <= room_a);
       CHECK(error(after.velocity_b(k), vb) <= room_b);
       CHECK(error(after.impulse(k), push * d * ma * mb / (ma + mb)) <= room * ma * mb / (ma + mb));
-      // What is conserved: momentum to the errors of the velocities, energy as e says.
+      // Momentum is conserved up to the errors of the velocities; energy is as e says.
       const Rational wa = oracle::exact(after.velocity_a(k));
       const Rational wb = oracle::exact(after.velocity_b(k));
       const Rational drift =
@@ -189,28 +188,28 @@ TEST_CASE("equal smooth discs, elastic, one at rest, leave at right angles") {
     return after.velocity_a.dot(after.velocity_b);
   };
   CHECK(std::abs(product(1, 1, {0, 0})) < 1e-15);
-  CHECK(product(2, 1, {0, 0}) < -0.1);   // wider
-  CHECK(product(0.5, 1, {0, 0}) > 0.1);  // narrower
+  CHECK(product(2, 1, {0, 0}) < -0.1);   // larger than 90°
+  CHECK(product(0.5, 1, {0, 0}) > 0.1);  // smaller than 90°
   CHECK(product(1, 0.5, {0, 0}) > 0.1);
   CHECK(std::abs(product(2, 0.5, {0, 0})) < 1e-15);
-  // For a target that moves, v_A'·v_B' is what v_A·v_B was.
+  // For a moving target, v_A'·v_B' = v_A·v_B.
   CHECK(std::abs(product(1, 1, {0.5, 0.5}) - 1) < 1e-14);
   CHECK(std::abs(product(1, 1, {0, 0.5})) < 1e-14);
 }
 
 TEST_CASE("special cases of a collision") {
   using D = Disc<double>;
-  // Head-on equals exchange their velocities exactly.
+  // Equal discs exchange their velocities exactly if head-on.
   auto after = contact::collide_discs(D{2, 1, {-1, 0}, {3, 0}}, D{2, 1, {1, 0}, {-1, 0}}, 1.0);
   CHECK(after.velocity_a == Vector2<double>(-1, 0));
   CHECK(after.velocity_b == Vector2<double>(3, 0));
-  // A second look at the same discs finds them parting.
+  // A second test of the same discs finds them separating.
   const auto again = contact::collide_discs(D{2, 1, {-1, 0}, after.velocity_a},
                                             D{2, 1, {1, 0}, after.velocity_b}, 1.0);
   CHECK_FALSE(again.hit);
   // No axis.
   CHECK_FALSE(contact::collide_discs(D{1, 1, {2, 3}, {1, 0}}, D{1, 1, {2, 3}, {-1, 0}}, 1.0).hit);
-  // A disc that nothing turns.
+  // An immovable disc.
   const double wall = std::numeric_limits<double>::infinity();
   after = contact::collide_discs(D{1, 1, {-1, 0}, {3, 2}}, D{wall, 1, {1, 0}, {0, 0}}, 1.0);
   CHECK(after.velocity_a == Vector2<double>(-3, 2));
@@ -224,7 +223,7 @@ TEST_CASE("special cases of a collision") {
   CHECK(contact::off_cushion<double>({-3, 2}, {-1, 0}, 0.5) == Vector2<double>(-3, 2));
 }
 
-TEST_CASE("what is no disc is refused") {
+TEST_CASE("invalid discs are refused") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_NOTHROW(contact::disc<double>(1, 0, {0, 0}, {0, 0}));
   CHECK_THROWS_AS(contact::disc<double>(0, 1, {0, 0}, {0, 0}), std::invalid_argument);

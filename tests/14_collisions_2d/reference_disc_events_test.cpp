@@ -30,7 +30,8 @@ using reference::vector_of;
 using rounding::error;
 using rounding::u;
 
-TEMPLATE_TEST_CASE("the time to the touch is decided right and rounded little", "", float, double) {
+TEMPLATE_TEST_CASE("the touch is decided exactly, and its time is within its bound", "", float,
+                   double) {
   using S = TestType;
   Random random(8);
   int met = 0;
@@ -43,7 +44,7 @@ TEMPLATE_TEST_CASE("the time to the touch is decided right and rounded little", 
       }
       a.radius = std::abs(any_finite<S>(random));
     }
-    if (i % 11 == 7) {  // slow giants, fast dwarfs: squares of one kind vanish, of the other do not
+    if (i % 11 == 7) {  // large and slow, small and fast: some squares underflow, others do not
       const int most = std::numeric_limits<S>::max_exponent - 28;
       const int length = random.integer(-most, most);
       const int speed = random.integer(-most, most);
@@ -79,7 +80,7 @@ TEMPLATE_TEST_CASE("the time to the touch is decided right and rounded little", 
   CHECK(missed > 300);
 }
 
-TEST_CASE("far apart and very slow, or very near and fast, two discs touch as they do at hand") {
+TEST_CASE("extreme distances and speeds are computed like ordinary ones") {
   // The square of 2^-541 is 0; times the square of 2^480 it would be 2^-122.
   const int length = GENERATE(480, -541);
   const int speed = -61 - length;
@@ -96,7 +97,7 @@ TEST_CASE("far apart and very slow, or very near and fast, two discs touch as th
   CHECK(std::abs(std::ldexp(*time, speed - length) - right) <= 512 * u<double>() * right);
 }
 
-TEST_CASE("on a table each event is a true touch, and energy and order are kept") {
+TEST_CASE("on a table each event is a touch, in order, and energy is conserved") {
   const contact::Table<double> table{2, 1.5, 1, 1};
   Random random(9);
   for (int round = 0; round < 20; ++round) {
@@ -135,12 +136,12 @@ TEST_CASE("on a table each event is a true touch, and energy and order are kept"
     };
     CHECK(contact::play(table, discs, 3.0, 200, seen) == 3.0);
     CHECK(events > 3);
-    // 66 u of the velocities an event, and twice that of the energy.
+    // 66 u of the velocities for each event, and twice that of the energy.
     CHECK(std::abs(energy() - before) <= events * 4 * 66 * 2 * 0x1p-53 * before);
   }
 }
 
-TEST_CASE("fixed steps find a touch late, and miss a fast one") {
+TEST_CASE("fixed time steps find a touch late, and miss a fast one") {
   const contact::Table<double> table{10, 2, 1, 1};
   const std::vector<Disc<double>> start{contact::disc<double>(1, 0.1, {1, 1}, {8, 0}),
                                         contact::disc<double>(1, 0.1, {5, 1.15}, {0, 0})};

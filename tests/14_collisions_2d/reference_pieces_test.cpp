@@ -63,7 +63,7 @@ TEMPLATE_TEST_CASE("shares of a momentum are those of rational arithmetic", "", 
   CHECK(exact->a + exact->b == Vector2<Rational>(1, 0));
 }
 
-TEST_CASE("pieces that fly apart keep the momentum and gain the energy") {
+TEST_CASE("pieces that fly apart conserve momentum and gain the energy") {
   Random random(7);
   for (int i = 0; i < 300; ++i) {
     const double m1 = random.uniform(0.1, 240);
@@ -85,7 +85,7 @@ TEST_CASE("pieces that fly apart keep the momentum and gain the energy") {
       gained += (a * first * first + b * second * second - (a + b) * before * before) / 2;
       size += a * first * first + b * second * second + (a + b) * before * before;
     }
-    // Velocities off by a few u each: energies by twice as much of themselves.
+    // Velocities are off by a few u each, energies by twice as much.
     CHECK(abs(gained - oracle::exact(energy)) <= 32 * u<double>() * (size + oracle::exact(energy)));
     const Vector3<double> apart = after.second - after.first;
     CHECK(std::abs(contact::energy_apart<double>(m1, m2, apart) - energy) <=

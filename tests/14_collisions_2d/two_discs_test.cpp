@@ -1,6 +1,6 @@
-// Right answers need no root: along d = c_A − c_B the push is (1 + e)(d·w)/(d·d) d, shared by the
-// masses. They are computed without rounding and rounded once. Every test asks for at least two
-// different answers, so that no constant passes one.
+// Right answers need no root: the change of the relative velocity is (1 + e)(d·w)/(d·d) d with
+// d = c_A − c_B, shared inversely to the masses. They are computed without rounding and rounded
+// once. Every test asks for at least two different answers, so that no constant passes one.
 #include "two_discs.hpp"
 
 #include <support/exercise.hpp>
@@ -42,7 +42,7 @@ Velocities exact_velocities(const Disc& a, const Disc& b, double e) {
   return after;
 }
 
-/// The right formula along an axis that may not be the right one.
+/// The right formula along an axis that may be wrong.
 Velocities along(const Vector& n, const Disc& a, const Disc& b, double e, double ma, double mb) {
   const double w = n.dot(a.velocity - b.velocity);
   const double j = -(1 + e) * w * a.mass * b.mass / (a.mass + b.mass);
@@ -61,11 +61,11 @@ void check_approach(const Disc& a, const Disc& b) {
 void check(const Disc& a, const Disc& b, double e) {
   const Vector d = a.centre - b.centre;
   const Vector n = d.normalized();
-  // The axis is off by 6 u, a projection by 12 u of the velocity, what comes of it by 20 u more; a
-  // push is at most twice as large.
+  // The axis is off by 6 u, a projection by 12 u of the velocity, the result by 20 u more; a change
+  // of velocity is at most twice as large.
   const double bound = 128 * 0x1p-53 * (a.velocity.norm() + b.velocity.norm());
   const Vector room(bound, bound);
-  ask("How do the two discs leave?")
+  ask("What are the velocities of the two discs afterwards?")
       .given("a", a)
       .given("b", b)
       .given("restitution", e)
@@ -107,7 +107,7 @@ TEST_CASE("head-on it is a collision on a line") {
   check({1, {0, -0.5}, {0, 4}}, {1, {0, 0.5}, {0, 0}}, 0.5);
 }
 
-TEST_CASE("at an angle only the part along the centres changes") {
+TEST_CASE("an oblique collision changes only the normal components") {
   check({1, {-0.6, -0.8}, {5, 0}}, {1, {0, 0}, {0, 0}}, 1);
   check({1, {0.8, -0.6}, {-2, 3}}, {1, {0, 0}, {1, 1}}, 0.5);
   check({1, {-0.6, 0.8}, {1, -4}}, {1, {0, 0}, {0, 2}}, 0);
@@ -118,12 +118,12 @@ TEST_CASE("the size of the discs does not matter") {
   check({1, {-0.0625, -0.125}, {5, 0}}, {1, {0, 0}, {0, 0}}, 1);
 }
 
-TEST_CASE("masses share the change") {
+TEST_CASE("the change of velocity is inversely proportional to the mass") {
   check({1, {-0.6, -0.8}, {5, 0}}, {3, {0, 0}, {0, 0}}, 1);
   check({8, {-0.6, -0.8}, {5, 0}}, {0.5, {0, 0}, {0, -1}}, 0.25);
 }
 
-TEST_CASE("what separates is left alone") {
+TEST_CASE("separating discs are left alone") {
   check({1, {-0.6, -0.8}, {-5, 0}}, {1, {0, 0}, {0, 0}}, 1);
   check({1, {-0.5, 0}, {1, 2}}, {2, {0.5, 0}, {4, 0}}, 0.5);
   check({1, {-0.5, 0}, {1, 2}}, {2, {0.5, 0}, {0, 0}}, 0.5);

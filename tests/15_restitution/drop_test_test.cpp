@@ -29,7 +29,7 @@ void check_height(double drop, double k, int bounces) {
   }
   // Two roundings a bounce, in whatever order; a power function is off by less than as many again.
   const double bound = (4 * bounces + 8) * 0x1p-53 * right;
-  ask("How high does the ball come after so many bounces?")
+  ask("How high does the ball rise after these bounces?")
       .given("drop", drop)
       .given("k", k)
       .given("bounces", bounces)

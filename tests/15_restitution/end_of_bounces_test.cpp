@@ -10,8 +10,8 @@ namespace {
 
 using namespace contact::testing;
 
-/// How many impacts of a series that begins at `first` and whose flights begin with `flight` and
-/// shrink by `ratio` there are by the time.
+/// The number of impacts by the time, of a series that begins at `first` and whose flights begin
+/// with `flight` and shrink by `ratio`.
 int counted(double first, double flight, double ratio, double time) {
   int n = 0;
   for (double impact = first; impact <= time && n < 10000; ++n) {
@@ -26,7 +26,7 @@ void check_end(double drop, double gravity, double k) {
   const double right = fall * ((1 + k) / (1 - k));
   // Quotient and root, 1 + k, 1 - k, quotient and product: 6 u. As a sum, 1 + 2k/(1 − k), the same.
   const double bound = 16 * 0x1p-53 * right;
-  ask("When has the ball come to rest?")
+  ask("When does the ball come to rest?")
       .given("drop", drop)
       .given("gravity", gravity)
       .given("k", k)
@@ -39,7 +39,7 @@ void check_end(double drop, double gravity, double k) {
 
 void check_count(double drop, double gravity, double k, double time, int right) {
   const double fall = std::sqrt(2 * drop / gravity);
-  ask("How often has the ball touched the floor?")
+  ask("How many impacts have there been?")
       .given("drop", drop)
       .given("gravity", gravity)
       .given("k", k)
@@ -55,7 +55,7 @@ void check_count(double drop, double gravity, double k, double time, int right) 
 
 }  // namespace
 
-TEST_CASE("a ball that keeps half its speed rests after three falls' time") {
+TEST_CASE("with k = 1/2 the ball rests after three times the first fall") {
   check_end(1, 8, 0.5);  // falls for half a second
   check_end(1, 8, 0.75);
   check_end(2, 16, 0.875);

@@ -1,6 +1,6 @@
 // Right answers are the formula without rounding, rounded once. Every test asks for at least two
-// different answers, so that no constant passes one, and no velocity comes back unchanged but where
-// that is what is asked.
+// different answers, so that no constant passes one, and no velocity is returned unchanged except
+// where that is right.
 #include "floor_bounce.hpp"
 
 #include <support/exercise.hpp>
@@ -25,8 +25,8 @@ Vector right_answer(const Vector& v, const Vector& n, double k) {
 }
 
 void check(const Vector& v, const Vector& n, double k) {
-  // Dot product, 1 + k, two products and a difference: 24 u |v|. A normal that is off its unit
-  // length by 4 u is one more 4 u for whoever splits the velocity in two parts.
+  // Dot product, 1 + k, two products and a difference: 24 u |v|. A normal whose length is
+  // off by 4 u adds 4 u for a solution that splits the velocity into two components.
   const double bound = 32 * 0x1p-53 * v.norm();
   const double along = v.dot(n);
   ask("What is the velocity after the bounce?")
@@ -43,21 +43,21 @@ void check(const Vector& v, const Vector& n, double k) {
 
 }  // namespace
 
-TEST_CASE("a ball that falls straight down comes back k times as fast") {
+TEST_CASE("a ball that falls vertically leaves with k times its speed") {
   check({0, 0, -4}, {0, 0, 1}, 0.5);
   check({0, 0, -4}, {0, 0, 1}, 1);
   check({0, 8, 0}, {0, -1, 0}, 0.25);
   check({0, 0, -4}, {0, 0, 1}, 0);
 }
 
-TEST_CASE("the part along the surface stays") {
+TEST_CASE("the tangential component is unchanged") {
   check({3, 0, -4}, {0, 0, 1}, 0.5);
   check({3, -2, -4}, {0, 0, 1}, 1);
   check({-5, 1, 2}, {1, 0, 0}, 0.75);
   check({3, 0, -4}, {0.6, 0, 0.8}, 0.5);
 }
 
-TEST_CASE("what moves away is left alone") {
+TEST_CASE("a body that moves away is left alone") {
   check({1, 2, -3}, {0, 0, 1}, 0.5);
   check({1, 2, 3}, {0, 0, 1}, 0.5);
   check({-2, 0, 0}, {0, 0, 1}, 0.5);
@@ -74,7 +74,7 @@ TEST_CASE("random bounces agree with exact arithmetic") {
     const Vector v = vector();
     const Vector n = vector().normalized();
     const double k = random.uniform();
-    // What moves along the surface but for rounding is nobody's fault.
+    // Motion along the surface up to rounding is left out.
     if (!(std::abs(v.dot(n)) > 1e-9)) continue;
     bounced += v.dot(n) < 0;
     check(v, n, k);

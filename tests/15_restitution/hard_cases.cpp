@@ -39,7 +39,7 @@ struct ExactBall {
         k(c.has("restitution") ? oracle::exact(c.number("restitution")) : Rational(0)),
         d(v * v + 2 * g * h) {}
 
-  /// 1 + k + … with m terms and k^m, by doubling: k = 1 and millions of terms are no trouble.
+  /// 1 + k + … with m terms and k^m, by doubling: k = 1 and millions of terms are possible.
   std::pair<Rational, Rational> series(long long m) const {
     if (k == 1) return {Rational(m), Rational(1)};
     Rational sum = 0;
@@ -113,7 +113,8 @@ void add_bounces(hard_cases::Runner& runner) {
   };
   const auto followed = [](const auto& b, auto t, decltype(t) rest_speed = 0) {
     const auto state = contact::follow_bounces(b, t, rest_speed);
-    // An event-driven simulation cannot tell endless from very many; let a stopped clock say so.
+    // An event-driven simulation cannot tell infinitely many from very many: if the time no longer
+    // grows, count it as infinite.
     const bool endless = state.resting && b.restitution > 0;
     return endless ? std::numeric_limits<double>::infinity() : static_cast<double>(state.bounces);
   };
@@ -172,7 +173,7 @@ void add_reflected(hard_cases::Runner& runner) {
   method("d for N", [](const Vector& v, const Vector& d, double k) {
     return v.dot(d) < 0 ? Vector(v - (1 + k) * v.dot(d) * d) : v;
   });
-  method("as one writes it first", [](const Vector& v, const Vector& d, double k) {
+  method("plain formula", [](const Vector& v, const Vector& d, double k) {
     return v.dot(d) < 0 ? Vector(v - (1 + k) * v.dot(d) / d.dot(d) * d) : v;
   });
   method("book", [](const Vector& v, const Vector& d, double k) {

@@ -76,7 +76,7 @@ KEY("which-velocity") {
 }
 
 KEY("order-of-a-step") {
-  // What each piece of work needs to have been done before it.
+  // The prerequisites of each piece of work.
   const std::vector<std::set<int>> needs{{3}, {}, {0, 5}, {1, 4}, {1}, {0}};
   std::vector<int> order;
   std::set<int> done;

@@ -1,5 +1,5 @@
 /// @file
-/// Random balls, and bounces in fractions with one square root.
+/// Random balls, and bounces in exact fractions with one square root.
 #pragma once
 
 #include <catch2/catch_test_macros.hpp>

@@ -25,7 +25,7 @@ using rounding::u;
 
 namespace {
 
-/// The ball's times and places as numbers a + b √(v² + 2 g h).
+/// The ball's times and heights as numbers a + b √(v² + 2 g h).
 struct ExactBall {
   Rational h, v, g, k, d;
 
@@ -73,7 +73,7 @@ BouncingBall<S> any_ball(Random& random, double least = 0.3) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("the times of impacts and of rest are as near as their comments say", "", float,
+TEMPLATE_TEST_CASE("the times of impacts and of rest are within their documented errors", "", float,
                    double) {
   using S = TestType;
   Random random(1506);
@@ -89,7 +89,7 @@ TEMPLATE_TEST_CASE("the times of impacts and of rest are as near as their commen
       const S memory = std::min(S(n), S(1) / (S(1) - ball.restitution));
       const Rational factor = 16 + oracle::exact(S(2) * std::log2(S(n)) + S(2) * memory);
       REQUIRE(error(time, exact.impact(n)) <= factor * u<S>() * oracle::exact(time));
-      // √d kⁿ and d k²ⁿ / (2 g); in float the slowest ones underflow.
+      // √d kⁿ and d k²ⁿ / (2 g); in float the smallest ones underflow.
       const S leaving = contact::leaving_speed(ball, n);
       if (leaving * leaving < S(1e-30)) continue;
       const Rational power = exact.power(n);
@@ -108,8 +108,8 @@ TEMPLATE_TEST_CASE("the times of impacts and of rest are as near as their commen
   }
 }
 
-TEMPLATE_TEST_CASE("bounces are counted exactly, a last digit before an impact and after it", "",
-                   float, double) {
+TEMPLATE_TEST_CASE("bounces are counted exactly one ulp before and after an impact", "", float,
+                   double) {
   using S = TestType;
   Random random(1507);
   int at_impact = 0;
@@ -136,7 +136,7 @@ TEMPLATE_TEST_CASE("bounces are counted exactly, a last digit before an impact a
   CHECK(at_impact > 150);
 }
 
-TEST_CASE("bounces are counted exactly in the last digits before rest") {
+TEST_CASE("bounces are counted exactly in the last ulps before rest") {
   Random random(1523);
   int counted = 0;
   for (int i = 0; i < generators::tried(200); ++i) {
@@ -178,7 +178,7 @@ TEST_CASE("counts and rest where everything is exact") {
   CHECK(contact::peak_height(ball, 1) == 0.25);
   CHECK(contact::peak_height(ball, 2) == 0.0625);
   CHECK(contact::bounce_at(ball, 2.0).resting);
-  // k = 0: one impact, then rest. k = 1: as many as there is time for.
+  // k = 0: one impact, then rest. k = 1: as many as fit into the time.
   CHECK(contact::bounces_by(contact::bouncing_ball(1.0, 0.0, 8.0, 0.0), 9.0) == 1);
   CHECK(contact::bounce_at(contact::bouncing_ball(1.0, 0.0, 8.0, 0.0), 0.5).resting);
   const auto forever = contact::bouncing_ball(1.0, 0.0, 8.0, 1.0);
@@ -192,7 +192,7 @@ TEST_CASE("counts and rest where everything is exact") {
   CHECK(contact::bounce_at(lying, 3.0).bounces == 1);
 }
 
-TEST_CASE("the ball is where fractions and roots say") {
+TEST_CASE("the height agrees with fractions and one square root") {
   Random random(1508);
   for (int i = 0; i < 600; ++i) {
     const auto ball = any_ball<double>(random);
@@ -210,7 +210,7 @@ TEST_CASE("the ball is where fractions and roots say") {
         n == 0 ? 8 * u * (ball.height + std::abs(ball.velocity) * t + ball.gravity * t * t / 2)
                : 4 * factor * u * w * t;
     REQUIRE(oracle::error(got.height, exact.height(oracle::exact(t), n)) <= room);
-    // Flight by flight comes to the same.
+    // Flight by flight agrees.
     const auto followed = contact::follow_bounces(ball, t, 0.0);
     REQUIRE(std::abs(followed.height - got.height) <=
             (3.0 * static_cast<double>(n) + 40) * u * w * t);
@@ -233,7 +233,7 @@ TEST_CASE("energy never grows from bounce to bounce, and falls by k squared") {
   }
 }
 
-TEST_CASE("resting too early costs at most the height that was asked for") {
+TEST_CASE("an early rest has at most the error of height that was asked for") {
   Random random(1510);
   int early = 0;
   for (int i = 0; i < 500; ++i) {
@@ -246,7 +246,7 @@ TEST_CASE("resting too early costs at most the height that was asked for") {
     const auto exact = contact::bounce_at(ball, t);
     REQUIRE(std::abs(cut.height - exact.height) <= allowed * (1 + 1e-9));
     early += cut.resting && !exact.resting;
-    // Without a rest speed the clock ends it.
+    // Without a rest speed the loop ends when the time no longer grows.
     const auto endless = contact::follow_bounces(ball, 2 * contact::rest_time(ball), 0.0);
     REQUIRE(endless.resting);
     REQUIRE(endless.bounces < 60 / std::log2(1 / ball.restitution) + 5);
@@ -254,7 +254,7 @@ TEST_CASE("resting too early costs at most the height that was asked for") {
   CHECK(early > 10);
 }
 
-TEST_CASE("an early rest begins at the first impact that is left slowly enough") {
+TEST_CASE("an early rest begins at the first impact with a small enough leaving speed") {
   // It arrives with 4 m/s and leaves with 2, 1, 1/2 …
   const auto ball = contact::bouncing_ball(1.0, 0.0, 8.0, 0.5);
   const auto rest = [&ball](double speed) { return contact::early_rest(ball, speed); };
@@ -274,7 +274,7 @@ TEST_CASE("an early rest begins at the first impact that is left slowly enough")
   CHECK(contact::early_rest(falls_dead, 0.0).impacts == 1);
   CHECK(contact::early_rest(falls_dead, 0.0).time == 0.5);
   CHECK(contact::early_rest(contact::bouncing_ball(0.0, 0.0, 8.0, 0.5), 0.0).impacts == 1);
-  // So slow a loss that nobody could follow it.
+  // A loss too small to be followed flight by flight.
   const auto patient = contact::bouncing_ball(1.0, 0.0, 8.0, std::nextafter(1.0, 0.0));
   CHECK(contact::early_rest(patient, 2.0).impacts > 6e15);
   CHECK(contact::early_rest(patient, 2.0).impacts < 6.5e15);
@@ -316,8 +316,8 @@ TEST_CASE("which step rule gains, and which loses") {
     // The end of the step is later than the impact, so its velocity is larger.
     REQUIRE(energy(until_bounce(StepRule::end_velocity)) > top);
     REQUIRE(std::abs(energy(until_bounce(StepRule::impact_velocity)) - top) <= 1e-12 * top);
-    // Euler's steps keep v²/2 + g x − g dt v/2. With the impact a share s into the step, and w the
-    // new speed, the lecture's loop changes that by g dt w (1 − 2 s).
+    // Semi-implicit Euler conserves v²/2 + g x − g dt v/2. With the impact at the fraction s of the
+    // step, and w the new speed, the lecture's loop changes that by g dt w (1 − 2 s).
     contact::BounceState<double> state{ball.height, 0, 0, false};
     contact::BounceState<double> before = state;
     while (state.bounces == 0) {
@@ -336,7 +336,7 @@ TEST_CASE("which step rule gains, and which loses") {
   CHECK(lecture_loses > 90);
 }
 
-TEST_CASE("steps with the impact velocity land where the formula does, in any number of steps") {
+TEST_CASE("steps with the impact velocity agree with the formula for any number of steps") {
   Random random(1512);
   for (int i = 0; i < 200; ++i) {
     const auto ball = any_ball<double>(random);
@@ -351,14 +351,14 @@ TEST_CASE("steps with the impact velocity land where the formula does, in any nu
   }
 }
 
-TEST_CASE("a flip without a test for approach sinks through the floor") {
+TEST_CASE("a ball that is flipped without a test for approach sinks through the floor") {
   const auto ball = contact::bouncing_ball(1.0, 0.0, 9.81, 0.5);
   const auto sunk = contact::bounce_in_steps(ball, 1.0 / 60, 600, StepRule::flip_below);
   CHECK(sunk.height < -0.01);
   CHECK(contact::bounce_in_steps(ball, 1.0 / 60, 600, StepRule::clamp).height >= 0);
 }
 
-TEST_CASE("no finite ball makes a NaN") {
+TEST_CASE("no finite ball gives a NaN") {
   Random random(1514);
   for (int i = 0; i < 3000; ++i) {
     const double h = random.chance(0.2) ? 0 : std::abs(random.magnitude(-1070, 1000));

@@ -45,14 +45,14 @@ bool within(const Vector3<S>& got, const oracle::Vector& right, const Rational& 
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("what approaches is decided exactly", "", float, double) {
+TEMPLATE_TEST_CASE("approach is decided exactly", "", float, double) {
   using S = TestType;
   Random random(1501);
   int close = 0;
   for (int i = 0; i < 4000; ++i) {
     const Vector3<S> n = vector<S>(random, -3, 3);
     Vector3<S> v = vector<S>(random, -3, 3);
-    if (i % 2 == 0) {  // along the surface but for rounding
+    if (i % 2 == 0) {  // tangential up to rounding
       v = n.cross(v);
     }
     if (i % 40 == 0) v *= S(std::ldexp(1.0, -130));
@@ -63,7 +63,7 @@ TEMPLATE_TEST_CASE("what approaches is decided exactly", "", float, double) {
   CHECK(close > 1000);
 }
 
-TEMPLATE_TEST_CASE("a bounce is v - (1 + k)(v.N)N for what approaches", "", float, double) {
+TEMPLATE_TEST_CASE("a bounce is v - (1 + k)(v.N)N for approaching bodies", "", float, double) {
   using S = TestType;
   Random random(1502);
   int left = 0;
@@ -84,8 +84,8 @@ TEMPLATE_TEST_CASE("a bounce is v - (1 + k)(v.N)N for what approaches", "", floa
     } else {
       const oracle::Vector right = exact_v - exact_n * Rational(bounce * exact_v.dot(exact_n));
       REQUIRE(within(got, right, 24 * u<S>(), v));
-      // What the bounce must do, whatever the formula: the normal part comes back k times as fast,
-      // and no kinetic energy is gained.
+      // Whatever the formula: the normal component is multiplied by −k, and no kinetic energy is
+      // gained.
       const S roundoff = contact::tolerance::unit_roundoff<S>;
       REQUIRE(got.dot(n) >= -S(64) * roundoff * v.norm());
       REQUIRE(got.squaredNorm() <= v.squaredNorm() * (S(1) + S(128) * roundoff));
@@ -98,7 +98,7 @@ TEMPLATE_TEST_CASE("a bounce is v - (1 + k)(v.N)N for what approaches", "", floa
     }
     const Rational share = bounce * exact_v.dot(exact_d) / exact_d.dot(exact_d);
     REQUIRE(within(along, oracle::Vector(exact_v - exact_d * share), 24 * u<S>(), v));
-    // Sizes do not matter: powers of two change no bit.
+    // Scaling by powers of two changes no bit.
     const int up = sizeof(S) == sizeof(float) ? 100 : 900;
     const Vector3<S> large = d * S(std::ldexp(1.0, up));
     const Vector3<S> small = d * S(std::ldexp(1.0, -up));
@@ -117,7 +117,7 @@ TEST_CASE("a bounce of rationals is exact") {
 }
 
 TEST_CASE("the lecture's steel ball: 60 degrees from the wall, 259.8 N") {
-  // Twice 3 kg times the normal part of 10 m/s, 5 √3 m/s, over 0.2 s: 150 √3 N.
+  // Twice 3 kg times the normal component of 10 m/s, 5 √3 m/s, over 0.2 s: 150 √3 N.
   const Vector3<double> wall(1, 0, 0);
   const Vector3<double> v(-5 * std::sqrt(3.0), 5, 0);
   const Vector3<double> after = contact::after_bounce(v, wall, 1.0);
@@ -160,13 +160,13 @@ TEST_CASE("friction slows the slip, and at most stops it") {
     if (mu == 0) REQUIRE((got - contact::after_bounce(v, n, k)).norm() <= room);
   }
   CHECK(stopped > 300);
-  // Straight down there is nothing to slow.
+  // Vertically there is no slip.
   CHECK(contact::after_bounce_with_friction<double>({0, 0, -2}, {0, 0, 1}, 0.5, 0.7) ==
         Vector3<double>(0, 0, 1));
 }
 
-TEMPLATE_TEST_CASE("k is the root of the ratio of heights, also where the ratio is not a number",
-                   "", float, double) {
+TEMPLATE_TEST_CASE("k is the root of the ratio of heights, also where the ratio overflows", "",
+                   float, double) {
   using S = TestType;
   Random random(1504);
   const int range = sizeof(S) == sizeof(float) ? 120 : 1000;
@@ -189,7 +189,7 @@ TEMPLATE_TEST_CASE("k is the root of the ratio of heights, also where the ratio 
   CHECK(contact::restitution_from_speeds(S(4), S(3)) == S(0.75));
 }
 
-TEST_CASE("what is no measurement is refused by name") {
+TEST_CASE("invalid measurements are refused, naming the argument") {
   using contact::restitution_from_heights;
   using contact::restitution_from_speeds;
   static constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -230,7 +230,7 @@ TEST_CASE("angles agree with intervals") {
   CHECK(contact::angle_from_normal<double>({0, 0, 0}, {0, 0, 1}) == 0);
 }
 
-TEST_CASE("two balls on each other obey momentum and restitution, in fractions") {
+TEST_CASE("two balls dropped together obey momentum and restitution, in exact fractions") {
   Random random(1513);
   for (int i = 0; i < 500; ++i) {
     const Rational m = oracle::exact(std::abs(random.magnitude(-8, 8)));

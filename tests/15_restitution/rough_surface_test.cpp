@@ -1,5 +1,5 @@
 // Every test asks for at least two different answers, so that no constant passes one. Random cases
-// keep away from where friction just stops the slip, though the answer is continuous there.
+// avoid friction that just stops the slip, though the answer is continuous there.
 #include "rough_surface.hpp"
 
 #include <support/exercise.hpp>
@@ -10,7 +10,7 @@ namespace {
 using namespace contact::testing;
 using Vector = Eigen::Vector3d;
 
-/// What each rule for the slip that is left comes to; `taken` is what friction would take.
+/// The remaining slip by each rule; `taken` is what friction would take.
 template <class Kept>
 Vector with(const Vector& v, const Vector& n, double k, const Kept& kept) {
   const double along = v.dot(n);
@@ -28,8 +28,8 @@ Vector right_answer(const Vector& v, const Vector& n, double k, double mu) {
 }
 
 void check(const Vector& v, const Vector& n, double k, double mu) {
-  // The parts along the normal and along the surface are each off by some 10 u |v|, and what
-  // friction takes by (1 + k) μ as much: twice 20 (1 + μ) u |v|.
+  // The normal and the tangential component are each off by some 10 u |v|, and the effect of
+  // friction by (1 + k) μ as much: twice 20 (1 + μ) u |v|.
   const double bound = 40 * (1 + mu) * 0x1p-53 * v.norm();
   ask("What is the velocity after the bounce?")
       .given("velocity", v)
@@ -79,25 +79,25 @@ void check_angle(double incidence, double k, double mu) {
 
 }  // namespace
 
-TEST_CASE("without friction the part along the surface stays") {
+TEST_CASE("without friction the tangential component is unchanged") {
   check({3, 0, -4}, {0, 0, 1}, 0.5, 0);
   check({0, -2, -4}, {0, 0, 1}, 1, 0);
   check({0, 0, -4}, {0, 0, 1}, 0.5, 0);
 }
 
-TEST_CASE("friction takes its share of the whole change") {
+TEST_CASE("friction acts during the whole change of the normal velocity") {
   check({6, 0, -4}, {0, 0, 1}, 0.5, 0.25);  // 0.25 · 1.5 · 4 = 1.5 of 6
   check({0, 8, -4}, {0, 0, 1}, 1, 0.5);
   check({-5, 1, 2}, {0, 0, -1}, 0.75, 0.125);
 }
 
-TEST_CASE("friction stops the slip and does not turn it round") {
+TEST_CASE("friction stops the slip and does not reverse it") {
   check({1, 0, -4}, {0, 0, 1}, 0.5, 0.5);
   check({0, 2, -8}, {0, 0, 1}, 0.25, 1);
   check({0, 0, -8}, {0, 0, 1}, 0.25, 1);
 }
 
-TEST_CASE("what moves away is left alone") {
+TEST_CASE("a body that moves away is left alone") {
   check({1, 2, -3}, {0, 0, 1}, 0.5, 0.25);
   check({1, 2, 3}, {0, 0, 1}, 0.5, 0.25);
   check({5, 0, 1}, {0, 0, 1}, 0.5, 0.5);

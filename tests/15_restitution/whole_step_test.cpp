@@ -1,5 +1,5 @@
-// Named tests take times and speeds that are exact, so that an impact at the end of a step is one.
-// The long step is judged where no impact and no rest is close by. Every test asks for at least two
+// Named tests use exact times and speeds, so that an impact can be exactly at the end of a step.
+// The long step is tested where no impact and no rest is close. Every test asks for at least two
 // different answers, so that no constant passes one.
 #include "whole_step.hpp"
 
@@ -16,7 +16,7 @@ struct Asked {
   double gravity, k, rest_speed, step;
 };
 
-/// How the step is made, in all the ways that are known.
+/// The variations of the step: the solution, and the wrong answers of the misconceptions.
 enum class Way { right, end_velocity, one_impact, rest_lost, incoming };
 
 Ball stepped(const Asked& q, Way way) {
@@ -48,7 +48,7 @@ Ball stepped(const Asked& q, Way way) {
 
 void check(const Asked& q, double room) {
   const Ball right = stepped(q, Way::right);
-  ask("Where is the ball one step later?")
+  ask("What is the state of the ball one step later?")
       .given("ball", q.ball)
       .given("gravity", q.gravity)
       .given("k", q.k)
@@ -62,7 +62,7 @@ void check(const Asked& q, double room) {
       .close_to(right, within(room));
 }
 
-/// For numbers whose times and speeds are exact: rounding to spare.
+/// For numbers whose times and speeds are exact: more than enough for rounding.
 void check_exact(const Asked& q) { check(q, 0x1p-40); }
 
 }  // namespace
@@ -78,7 +78,7 @@ TEST_CASE("a step with one impact") {
   check_exact({{1, 0, 0, false}, 8, 0.5, 0.01, 0.75});
   check_exact({{1, 0, 0, false}, 8, 1, 0.01, 0.625});
   check_exact({{0.4375, -3, 2, false}, 8, 0.5, 0.01, 0.25});
-  check_exact({{1, 0, 0, false}, 8, 0.5, 0.01, 0.5});  // at its very end
+  check_exact({{1, 0, 0, false}, 8, 0.5, 0.01, 0.5});  // exactly at its end
 }
 
 TEST_CASE("a step with several impacts") {

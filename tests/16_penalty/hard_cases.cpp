@@ -1,10 +1,9 @@
 // Recomputes the answers of hard_cases.json and says which method gets which case right.
 //
-// What steps come to, the regime of a damper, whether balls touch and whether a contact pulls are
+// The stability of steps, the damping regime, whether balls touch and whether a contact pulls are
 // signs of polynomials of the stored numbers (class (a)); a longest step and a depth under gravity
-// have one square root in them (class (b)); restitution, duration and depth of an impact are
-// transcendental (class (c)). Decisions must be right. A number is right if it is off by at most
-// 2^-40 of itself.
+// have one square root (class (b)); restitution, duration and depth of an impact are transcendental
+// (class (c)). Decisions must be right. A number may have a relative error of 2^-40.
 #include "support/hard_cases.hpp"
 
 #include <cmath>
@@ -60,7 +59,7 @@ std::string text(StepBehaviour behaviour) {
   }
 }
 
-/// From the roots of x² − T x + D of the step's matrix.
+/// From the roots of x² − T x + D, the characteristic polynomial of the step's matrix.
 std::string exact_steps(const Case& c) {
   const contact::SpringDamper<Rational> s{oracle::exact(c.number("stiffness")),
                                           oracle::exact(c.number("damping"))};
@@ -193,7 +192,7 @@ void add_limit(hard_cases::Runner& runner) {
          [](const Case& c) { return contact::step_limit(scheme(c), spring(c), c.number("mass")); });
 }
 
-/// Restitution, duration and depth of an impact in intervals.
+/// Restitution, duration and depth of an impact by intervals.
 struct ExactImpact {
   Rational k, c, m;
 

@@ -62,7 +62,7 @@ TEMPLATE_TEST_CASE("a half-space pushes a ball along its normal", "", float, dou
     const auto got = contact::half_space_force(ball, plane, spring);
     if (!got.touching) {
       REQUIRE(depth <= (i % 3 == 0 ? Rational(0) : room));
-      REQUIRE((i % 3 != 0 || depth < 0));  // whole numbers: a touch is a contact
+      REQUIRE((i % 3 != 0 || depth < 0));  // integers: touching is a contact
       REQUIRE(got.force == Vector3<S>::Zero());
       REQUIRE(got.penetration == S(0));
       continue;
@@ -74,8 +74,8 @@ TEMPLATE_TEST_CASE("a half-space pushes a ball along its normal", "", float, dou
     const Rational k = oracle::exact(spring.stiffness);
     const Rational c = oracle::exact(spring.damping);
     const Rational sum = k * depth + c * approach;
-    // The force is off by k times the penetration's room, and by 12 u of its parts: 4 for the
-    // speed, 3 for the push, 1 for the product with the normal, the rest to spare. |v| is below 6.
+    // The error of the force is k times that of the penetration, plus 12 u of its terms: 4 for the
+    // speed, 3 for the sum, 1 for the product with the normal, the rest is reserve. |v| is below 6.
     const Rational force_room = k * room + 12 * u * (k * abs(depth) + c * 6);
     const auto glued = contact::half_space_force(ball, plane, spring, LetGo::at_zero_penetration);
     for (int j = 0; j < 3; ++j) {
@@ -96,12 +96,12 @@ TEMPLATE_TEST_CASE("whether balls touch is decided exactly", "", float, double) 
   for (int i = 0; i < generators::tried(6000); ++i) {
     contact::Sphere<S> a{vector<S>(random, 4), S(random.uniform(0, 2))};
     contact::Sphere<S> b{vector<S>(random, 4), S(random.uniform(0, 2))};
-    if (i % 3 == 0) {  // touching but for the last bits
+    if (i % 3 == 0) {  // touching up to the last bits
       b.radius = S((a.centre - b.centre).norm()) - a.radius;
       if (b.radius < S(0)) b.radius = S(0);
       for (int n = random.integer(0, 2); n > 0; --n)
         b.radius = std::nextafter(b.radius, S(random.chance(0.5) ? 0 : 9));
-    } else if (i % 3 == 1) {  // 2, 3 and 6 make 7: touching on the spot
+    } else if (i % 3 == 1) {  // 2² + 3² + 6² = 7²: exactly touching
       const int s = random.integer(1, 50);
       b.centre = Vector3<S>::Constant(S(random.integer(-9, 9)));
       a.centre = b.centre + Vector3<S>(S(2 * s), S(-3 * s), S(6 * s));
@@ -124,7 +124,8 @@ TEMPLATE_TEST_CASE("whether balls touch is decided exactly", "", float, double) 
   CHECK(equal > generators::tried(600));
 }
 
-TEMPLATE_TEST_CASE("balls push each other apart, and their momentum stays", "", float, double) {
+TEMPLATE_TEST_CASE("the forces on two balls are opposite, and their momentum is conserved", "",
+                   float, double) {
   using S = TestType;
   Random random(1633);
   const double u = double(contact::tolerance::unit_roundoff<S>);
@@ -152,12 +153,12 @@ TEMPLATE_TEST_CASE("balls push each other apart, and their momentum stays", "", 
     const Rational reach = oracle::exact(a.sphere.radius) + oracle::exact(b.sphere.radius);
     const Rational square = apart.dot(apart);
     const Surd depth{reach, -1, square};
-    // Beside 8 u (r₁ + r₂), the difference of centres of sizes up to 1 rounds to 2 u.
+    // In addition to 8 u (r₁ + r₂), the difference of centres of magnitude up to 1 rounds to 2 u.
     const double room = 8 * u * oracle::nearest(reach) + 4 * u;
     REQUIRE(oracle::error(double(got.penetration), depth) <= room);
     shallow += oracle::nearest(depth) < 100 * u;
     // Along the line of centres: k d + c ḋ with ḋ = −(v · x) / |x|, so the force is
-    // x (k (R/|x| − 1) − c (v · x) / |x|²), by its root of x · x.
+    // x (k (R/|x| − 1) − c (v · x) / |x|²), with the root of x · x.
     const Rational k = oracle::exact(spring.stiffness);
     const Rational c = oracle::exact(spring.damping);
     const Rational closing =
@@ -166,7 +167,7 @@ TEMPLATE_TEST_CASE("balls push each other apart, and their momentum stays", "", 
     const double size = oracle::nearest(Rational(k * reach + c * 12));
     for (int j = 0; j < 3; ++j) {
       const Surd right{apart(j) * (c * closing - k), apart(j) * k * reach / square, square};
-      // A direction is off by some u, more if the centres are near each other.
+      // A direction has an error of a few u, more if the centres are close to each other.
       const double near = 1 + 1 / std::sqrt(oracle::nearest(square));
       REQUIRE(oracle::error(double(glued.force(j)), right) <= 40 * u * size * near);
     }
@@ -176,7 +177,7 @@ TEMPLATE_TEST_CASE("balls push each other apart, and their momentum stays", "", 
   CHECK(shallow > generators::tried(300));
 }
 
-TEMPLATE_TEST_CASE("balls of any size, and balls about one centre", "", float, double) {
+TEMPLATE_TEST_CASE("balls of any size, and concentric balls", "", float, double) {
   using S = TestType;
   const S large = std::numeric_limits<S>::max() / S(16);
   const S small = std::numeric_limits<S>::min() * S(16);

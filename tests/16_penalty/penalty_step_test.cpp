@@ -42,8 +42,9 @@ struct StepMatrix {
     d = second.approach;
   }
 
-  /// Both roots of x² − T x + D inside the unit circle, on it, or not: from the roots themselves. A
-  /// complex pair has |x|² = D; real roots are compared with ±1 as numbers with a square root.
+  /// Whether the roots of x² − T x + D are inside the unit circle, on it, or outside, from the
+  /// roots. A complex pair has |x|² = D; real roots are compared with ±1 as numbers with a square
+  /// root.
   StepBehaviour behaviour() const {
     const Rational trace = a + d;
     const Rational product = a * d - b * c;
@@ -58,7 +59,7 @@ struct StepMatrix {
     const int bottom = oracle::compare(low, {-1, 0, 0});
     if (top > 0 || bottom < 0) return StepBehaviour::grows;
     if (top < 0 && bottom > 0) return StepBehaviour::decays;
-    // A double root on the circle, of a matrix that is no multiple of the identity, grows.
+    // A double root on the circle of a matrix that is not a multiple of the identity: it grows.
     return discriminant == 0 && (b != 0 || c != 0) ? StepBehaviour::grows : StepBehaviour::bounded;
   }
 };
@@ -76,7 +77,7 @@ struct Sample {
 
   Sample(Random& random, int i) {
     if (i % 2 == 0) {
-      // Small whole numbers times powers of two: ties abound.
+      // Small integers times powers of two give many ties.
       const int k = random.integer(1, 16);
       const int c = random.integer(0, 12);
       const int m = random.integer(1, 6);
@@ -99,7 +100,8 @@ struct Sample {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("what steps come to is decided exactly, for every scheme", "", float, double) {
+TEMPLATE_TEST_CASE("the stability of a step is decided exactly, for every scheme", "", float,
+                   double) {
   using S = TestType;
   Random random(1621);
   std::array<std::array<int, 3>, 4> seen{};
@@ -123,8 +125,8 @@ TEMPLATE_TEST_CASE("what steps come to is decided exactly, for every scheme", ""
   CHECK(borders > generators::tried(50));
 }
 
-TEST_CASE("with both inequalities equalities it grows, though no root is beyond the circle") {
-  // a = b = 4 with explicit Euler; a = 4 and b = 0 with the two that follow.
+TEST_CASE("if both inequalities are equalities it grows, though no root is outside the circle") {
+  // a = b = 4 with explicit Euler; a = 4 and b = 0 with the two schemes after it.
   const auto grows = [](PenaltyScheme scheme, double c) {
     return contact::step_behaviour(scheme, contact::spring_damper(4.0, c), 1.0, 1.0) ==
            StepBehaviour::grows;
@@ -140,9 +142,9 @@ TEST_CASE("with both inequalities equalities it grows, though no root is beyond 
   CHECK(abs(state.approach) > 1000);
 }
 
-TEST_CASE("what is said of steps is what they do") {
-  // Followed in fractions with a short denominator. A step that decays shrinks, in the norm of its
-  // own eigenvectors; 4,000 steps show it wherever it is not too near the border.
+TEST_CASE("the decided stability agrees with many steps") {
+  // Computed in fractions with short denominators. A step that decays shrinks in the norm of its
+  // eigenvectors; 4,000 steps show it wherever it is not too close to the limit.
   Random random(1622);
   int decayed = 0;
   int grown = 0;
@@ -177,7 +179,7 @@ TEST_CASE("what is said of steps is what they do") {
   CHECK(grown > generators::tried(300));
 }
 
-TEMPLATE_TEST_CASE("the longest calm step, against its square root and against the decision", "",
+TEMPLATE_TEST_CASE("the stability limit, against its square root and against the decision", "",
                    float, double) {
   using S = TestType;
   Random random(1623);
@@ -213,12 +215,12 @@ TEMPLATE_TEST_CASE("the longest calm step, against its square root and against t
   CHECK(contact::step_limit(PenaltyScheme::explicit_euler, spring, S(1)) == S(0));
 }
 
-TEST_CASE("the energy that an impact in steps gains or loses is within its bound") {
+TEST_CASE("the energy that an impact in steps gains or loses is within its bounds") {
   Random random(1624);
   double nearest_least = 1;
   double nearest_most = 1;
   for (int i = 0; i < generators::tried(3000); ++i) {
-    // Whole numbers over small powers of two keep the fractions short.
+    // Integers over small powers of two keep the fractions short.
     const Rational k(random.integer(1, 4095), 1024);  // a = k below 4
     const Rational v(random.integer(1, 64), 16);
     const Rational start = -v * Rational(random.integer(1, 256), 256);
@@ -246,12 +248,12 @@ TEST_CASE("the energy that an impact in steps gains or loses is within its bound
                               oracle::nearest(Rational((bound.most - factor) / (bound.most - 1))));
     }
   }
-  // The bound is no luxury: some impacts come near to both ends.
+  // The bounds are sharp: some impacts come close to both.
   CHECK(nearest_least < 0.1);
   CHECK(nearest_most < 0.1);
 }
 
-TEMPLATE_TEST_CASE("the step for an accuracy of energy", "", float, double) {
+TEMPLATE_TEST_CASE("the step for a required accuracy of the energy", "", float, double) {
   using S = TestType;
   Random random(1625);
   const double u = double(contact::tolerance::unit_roundoff<S>);
@@ -263,15 +265,14 @@ TEMPLATE_TEST_CASE("the step for an accuracy of energy", "", float, double) {
     const Rational e = oracle::exact(share);
     const Rational square = 4 * e / (1 + e) * oracle::exact(m) / oracle::exact(spring.stiffness);
     REQUIRE(oracle::error(double(h), Surd{0, 1, square}) <= 6.01 * u * double(h));
-    // With exactly this step the larger end of the bound is 1 + ε: 1 / (1 − a/4) with a = 4
-    // ε/(1+ε).
+    // With exactly this step the upper bound is 1 + ε: 1 / (1 − a/4) with a = 4 ε/(1+ε).
     const Rational a = square * oracle::exact(spring.stiffness) / oracle::exact(m);
     REQUIRE(1 / (1 - a / 4) == 1 + e);
     REQUIRE(1 - a / 4 >= 1 - e);
   }
 }
 
-TEST_CASE("a contact spring does not pull in steps, unless it is told to") {
+TEST_CASE("a contact spring pulls in steps only with at_zero_penetration") {
   Random random(1626);
   int kept = 0;
   for (int i = 0; i < generators::tried(4000); ++i) {
@@ -307,7 +308,7 @@ TEST_CASE("a contact spring does not pull in steps, unless it is told to") {
   CHECK(kept > generators::tried(500));
 }
 
-TEST_CASE("what is implicit holds at the end of the step, exactly") {
+TEST_CASE("implicit forces are those of the end of the step, exactly") {
   Random random(1627);
   for (int i = 0; i < generators::tried(2000); ++i) {
     const Rational k(random.integer(1, 99), random.integer(1, 9));
@@ -338,9 +339,9 @@ TEST_CASE("what is implicit holds at the end of the step, exactly") {
   }
 }
 
-TEST_CASE("with shorter steps each scheme comes to the closed form, at first order") {
-  // From the first touch at the start of a step. The error of the restitution is about h: sixteen
-  // times shorter, it is at most a quarter.
+TEST_CASE("with shorter steps each scheme converges to the closed form, at first order") {
+  // From the first touch at the start of a step. The error of the restitution is about h: with a
+  // step 16 times shorter it is at most a quarter.
   for (const PenaltyScheme scheme : kSchemes) {
     for (const double ratio : {0.0, 0.1, 0.4, 0.9}) {
       for (const LetGo rule : {LetGo::at_zero_force, LetGo::at_zero_penetration}) {
@@ -367,7 +368,7 @@ TEST_CASE("with shorter steps each scheme comes to the closed form, at first ord
   }
 }
 
-TEST_CASE("a body at rest on a spring stays where weight and spring cancel, exactly") {
+TEST_CASE("a body at rest on a spring stays at its equilibrium, exactly") {
   Random random(1628);
   for (int i = 0; i < generators::tried(1000); ++i) {
     const Rational k(random.integer(1, 99), random.integer(1, 9));

@@ -34,7 +34,7 @@ SpringDamper<S> any_spring(Random& random, int range) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("a contact pushes k d + c d', and only if it is asked to does it pull", "",
+TEMPLATE_TEST_CASE("the contact force is k d + c d', and a pull only with at_zero_penetration", "",
                    float, double) {
   using S = TestType;
   Random random(1601);
@@ -70,7 +70,7 @@ TEMPLATE_TEST_CASE("a contact pushes k d + c d', and only if it is asked to does
   CHECK(contact::contact_spring_energy(SpringDamper<S>{S(2), S(1)}, S(-3)) == S(0));
 }
 
-TEST_CASE("what spring and damper take from the motion is what they store and waste, exactly") {
+TEST_CASE("spring and damper take from the motion what they store and dissipate, exactly") {
   // The rate of k d²/2 is k d d', that of the damper's heat c d'²: together the force times d'.
   Random random(1602);
   for (int i = 0; i < generators::tried(2000); ++i) {
@@ -80,7 +80,7 @@ TEST_CASE("what spring and damper take from the motion is what they store and wa
     const Rational v(random.integer(-99, 99), random.integer(1, 99));
     const auto spring = contact::spring_damper(k, c);
     const Rational step(1, 1 << 20);
-    // Of a parabola the symmetric difference quotient is the derivative.
+    // For a parabola the symmetric difference quotient is the derivative.
     const Rational stored = (contact::contact_spring_energy<Rational>(spring, d + 100 + step) -
                              contact::contact_spring_energy<Rational>(spring, d + 100 - step)) /
                             (2 * step) * v;
@@ -90,7 +90,7 @@ TEST_CASE("what spring and damper take from the motion is what they store and wa
   }
 }
 
-TEMPLATE_TEST_CASE("the regime is decided exactly", "", float, double) {
+TEMPLATE_TEST_CASE("the damping regime is decided exactly", "", float, double) {
   using S = TestType;
   Random random(1603);
   int close = 0;
@@ -98,7 +98,7 @@ TEMPLATE_TEST_CASE("the regime is decided exactly", "", float, double) {
   for (int i = 0; i < generators::tried(6000); ++i) {
     S m = S(std::abs(random.magnitude(-20, 20)));
     SpringDamper<S> spring = any_spring<S>(random, 20);
-    if (i % 3 == 0) {  // as near to critical as numbers of the type come
+    if (i % 3 == 0) {  // as close to critical as numbers of the type allow
       spring.damping = S(2) * std::sqrt(spring.stiffness) * std::sqrt(m);
       for (int n = random.integer(0, 2); n > 0; --n)
         spring.damping = std::nextafter(spring.damping, S(random.chance(0.5) ? 0 : 1e6));
@@ -131,7 +131,8 @@ TEMPLATE_TEST_CASE("the regime is decided exactly", "", float, double) {
   CHECK(critical > generators::tried(500));
 }
 
-TEMPLATE_TEST_CASE("a damping ratio beyond all numbers is the largest one", "", float, double) {
+TEMPLATE_TEST_CASE("a damping ratio that overflows is the largest finite number", "", float,
+                   double) {
   using S = TestType;
   const S tiny = std::numeric_limits<S>::min();
   const SpringDamper<S> spring = contact::spring_damper(tiny, std::numeric_limits<S>::max());
@@ -139,7 +140,7 @@ TEMPLATE_TEST_CASE("a damping ratio beyond all numbers is the largest one", "", 
   CHECK(contact::damping_regime(spring, tiny) == DampingRegime::overdamped);
 }
 
-TEST_CASE("a spring or a damper that is none is refused, with its value") {
+TEST_CASE("an invalid spring or damper is refused, with its value") {
   const double inf = std::numeric_limits<double>::infinity();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double k : {0.0, -1.0, inf, nan}) {

@@ -1,6 +1,6 @@
 // One impact in closed form against intervals (class (c) of the oracle), and the formulas
-// themselves against the motion's power series, which knows none of them (class (d)). U is the unit
-// roundoff of double, in which all is computed; u that of the type.
+// themselves against the power series of the motion, which does not use them (class (d)). U is the
+// unit roundoff of double, in which everything is computed; u that of the type.
 #include <array>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -36,7 +36,7 @@ double last(const S&) {
   return double(contact::tolerance::unit_roundoff<S>);
 }
 
-/// θ / sin θ by the functions of the library of intervals. ζ = 1 is left to the caller.
+/// θ / sin θ by the interval library. The caller handles ζ = 1.
 Interval arc_over_sine(const Interval& z, bool below_one) {
   const Interval one(Rational(1), z.bits());
   if (below_one) return acos(z) / sqrt((one - z) * (one + z));
@@ -52,7 +52,7 @@ bool within(double got, const Interval& value, double room) {
   return off.high() <= allowed && off.low() >= -allowed;
 }
 
-/// Damping ratios of every size, and as near to 1 as numbers come.
+/// Damping ratios of every magnitude, and as close to 1 as numbers allow.
 double any_ratio(Random& random, int i) {
   switch (i % 5) {
     case 0:
@@ -72,7 +72,7 @@ double any_ratio(Random& random, int i) {
 }
 
 /// x and ẋ of ẍ = load − ω² x − 2 γ ẋ from x = 0 and ẋ = v, after time t, by their power series in
-/// intervals. For ω t and 2 γ t up to 9 the terms left out are below 2^-250.
+/// intervals. For ω t and 2 γ t up to 9 the omitted terms are below 2^-250.
 struct Motion {
   Interval place;
   Interval speed;
@@ -104,7 +104,7 @@ double middle(const Interval& x) { return oracle::nearest(Rational((x.low() + x.
 
 }  // namespace
 
-TEST_CASE("the arc over its sine is right for every damping ratio") {
+TEST_CASE("θ / sin θ is right for every damping ratio") {
   Random random(1611);
   for (int i = 0; i < generators::tried(5000); ++i) {
     const double z = any_ratio(random, i);
@@ -125,7 +125,7 @@ TEST_CASE("the arc over its sine is right for every damping ratio") {
   CHECK(contact::arc_over_sine(std::numeric_limits<double>::infinity()) > 0);
 }
 
-TEST_CASE("exponential and logarithm from the four operations") {
+TEST_CASE("exponential and logarithm by the four basic operations") {
   Random random(1612);
   for (int i = 0; i < generators::tried(5000); ++i) {
     const double y = i % 2 == 0 ? random.uniform(0, 708) : std::abs(random.magnitude(-60, 8));
@@ -145,7 +145,7 @@ TEST_CASE("exponential and logarithm from the four operations") {
   CHECK(contact::detail::decay(745) > 0);
 }
 
-TEST_CASE("restitution of a damping ratio, both ways to let go") {
+TEST_CASE("restitution of a damping ratio, for both rules") {
   Random random(1613);
   for (int i = 0; i < generators::tried(4000); ++i) {
     const double z = any_ratio(random, i);
@@ -178,7 +178,7 @@ TEST_CASE("restitution of a damping ratio, both ways to let go") {
                exp(-Interval(Rational(2), 128)), 200 * kUnit));
 }
 
-TEST_CASE("the damping ratio of a restitution is the way back") {
+TEST_CASE("the damping ratio of a restitution is the inverse function") {
   Random random(1614);
   const auto exponent = [](const Rational& z) {
     const Interval x(z, 2400);
@@ -191,7 +191,7 @@ TEST_CASE("the damping ratio of a restitution is the way back") {
     INFO(e);
     const Interval l = -log(Interval(oracle::exact(e), 2400));
     const double room = 200 * (1 + middle(l)) * kUnit;
-    // 2 ζ θ / sin θ grows with ζ: a little below it is too small, a little above too large.
+    // 2 ζ θ / sin θ increases with ζ: too small a little below, too large a little above.
     const double z = contact::damping_ratio_for(e, LetGo::at_zero_force);
     const Rational less = oracle::exact(z) * (1 - oracle::exact(room));
     const Rational more = oracle::exact(z) * (1 + oracle::exact(room));
@@ -216,7 +216,7 @@ TEST_CASE("the damping ratio of a restitution is the way back") {
         std::string::npos);
 }
 
-TEMPLATE_TEST_CASE("an impact's formulas are those of the motion", "", float, double) {
+TEMPLATE_TEST_CASE("the formulas of an impact agree with the motion", "", float, double) {
   using S = TestType;
   Random random(1615);
   int soft = 0;
@@ -235,7 +235,7 @@ TEMPLATE_TEST_CASE("an impact's formulas are those of the motion", "", float, do
     const auto force = [&](const Motion& x) {
       return double(k) * middle(x.place) + double(c) * middle(x.speed);
     };
-    // A time is off by some hundred u, so a speed by that times ω v, and a place by that times v.
+    // A time has an error of some hundred u, a velocity ω v times that, a position v times that.
     const double rate = std::sqrt(double(k) / double(m));
     const double room = 2000 * last(S(1)) * (1 + z);
     const double scale = double(v) / rate;
@@ -248,7 +248,7 @@ TEMPLATE_TEST_CASE("an impact's formulas are those of the motion", "", float, do
     REQUIRE(std::abs(force(end)) <= room * double(m) * double(v) * rate * (1 + 2 * z));
     REQUIRE(std::abs(middle(end.speed) + double(free.restitution * v)) <= room * double(v));
     REQUIRE(std::abs(middle(end.place) - double(free.left_overlap)) <= room * scale);
-    // The energy in the spring at its deepest is the share that comes back (without the damper's).
+    // At the greatest penetration the spring holds the fraction e of the kinetic energy before.
     REQUIRE(std::abs(double(k) * double(free.greatest_depth) * double(free.greatest_depth) -
                      double(free.restitution) * double(m) * double(v) * double(v)) <=
             room * double(m) * double(v) * double(v));
@@ -261,7 +261,7 @@ TEMPLATE_TEST_CASE("an impact's formulas are those of the motion", "", float, do
       REQUIRE(middle(x.place) <= double(free.greatest_depth) * (1 + room));
       most = std::max(most, force(x));
     }
-    // A sine between two samples is at most 1 − cos(π/32) above the larger one, of its size.
+    // Between two samples a sine exceeds the larger one by at most 1 − cos(π/32) of its amplitude.
     REQUIRE(most >= double(free.greatest_force) * 0.99);
 
     const auto glued = contact::spring_impact(spring, m, v, LetGo::at_zero_penetration);
@@ -277,8 +277,8 @@ TEMPLATE_TEST_CASE("an impact's formulas are those of the motion", "", float, do
     const Motion out = at(glued.duration);
     REQUIRE(std::abs(middle(out.place)) <= 4 * room * scale);
     REQUIRE(std::abs(middle(out.speed) + double(glued.restitution * v)) <= 4 * room * double(v));
-    REQUIRE(force(out) <= room * double(free.greatest_force));  // by then it pulls, or is 0
-    // The velocities after it are those of an impulse with this restitution.
+    REQUIRE(force(out) <= room * double(free.greatest_force));  // then it pulls, or is 0
+    // The velocities afterwards are those of an impulse with this restitution.
     const contact::Vector3<S> up(S(0), S(0), S(1));
     const auto bounced = contact::after_bounce<S>(up * S(-v), up, glued.restitution);
     REQUIRE(std::abs(double(bounced.z()) - double(glued.restitution) * double(v)) <=
@@ -287,7 +287,7 @@ TEMPLATE_TEST_CASE("an impact's formulas are those of the motion", "", float, do
   CHECK(soft > generators::tried(60));
 }
 
-TEMPLATE_TEST_CASE("an impact's numbers are within their bound", "", float, double) {
+TEMPLATE_TEST_CASE("the numbers of an impact are within their error bounds", "", float, double) {
   using S = TestType;
   Random random(1619);
   for (int i = 0; i < generators::tried(2000); ++i) {
@@ -319,13 +319,13 @@ TEMPLATE_TEST_CASE("an impact's numbers are within their bound", "", float, doub
     const Interval turn = Interval::pi(bits);
     REQUIRE(within(double(glued.duration), turn / (rate * root), room));
     const Interval late = turn * ratio / root;
-    if (middle(late) > 80) continue;  // near the least numbers of the type
+    if (middle(late) > 80) continue;  // close to the smallest numbers of the type
     REQUIRE(within(double(glued.restitution), exp(-late),
                    (100 + 100 * middle(late)) * kUnit + 1.001 * last(S(1))));
   }
 }
 
-TEST_CASE("near the critical damper the time to part is that of the stored numbers") {
+TEST_CASE("near critical damping the time of separation is that of the stored numbers") {
   // c² = 4 k m − δ with k and m near 1: rounding c / (2 √k √m) to ζ would lose δ altogether.
   Random random(1616);
   for (int i = 0; i < generators::tried(500); ++i) {
@@ -344,7 +344,7 @@ TEST_CASE("near the critical damper the time to part is that of the stored numbe
   }
 }
 
-TEST_CASE("a stiffness keeps an impact as shallow as it is asked to") {
+TEST_CASE("an impact penetrates as much as its stiffness was chosen for") {
   Random random(1617);
   for (int i = 0; i < generators::tried(2000); ++i) {
     // Without damper: k d² / 2 = m v² / 2 + m g d, in fractions.
@@ -396,7 +396,7 @@ TEMPLATE_TEST_CASE("a jump on a trampoline", "", float, double) {
       REQUIRE(within(double(jump.contact_time), period, room));
       continue;
     }
-    // By the power series: at the end of the contact the mat is level, and the speed is reversed.
+    // By the power series: at the end of the contact the mat is flat, and the velocity is reversed.
     const double v = std::sqrt(2 * double(g) * double(h));
     const Motion out = motion(oracle::exact(k) / oracle::exact(m), 0, oracle::exact(g),
                               oracle::exact(v), oracle::exact(jump.contact_time));
@@ -408,7 +408,7 @@ TEMPLATE_TEST_CASE("a jump on a trampoline", "", float, double) {
   }
 }
 
-TEST_CASE("a stiff trampoline is a floor, and a bad one is refused") {
+TEST_CASE("a stiff trampoline is a floor, and an invalid one is refused") {
   double before = 10;
   for (int power = 10; power <= 60; power += 10) {
     const auto jump =

@@ -1,5 +1,5 @@
-// Right answers come from the formula by principal axes, which no ratio of moments upsets. Every
-// test asks for at least two different answers, so that no constant passes one.
+// Right answers come from the formula in principal axes, which is accurate for every ratio of
+// moments. Every test asks for at least two different answers, so that no constant passes one.
 #include "collide_and_turn.hpp"
 
 #include <support/exercise.hpp>
@@ -14,7 +14,7 @@ using exercise::Motion;
 using Matrix = Eigen::Matrix3d;
 using Vector = Eigen::Vector3d;
 
-/// What the wrong formulas change.
+/// Variations: the wrong formulas of the misconceptions.
 struct Ways {
   bool approach_tested = true;
   bool turning_counts = true;  // in the divisor
@@ -62,9 +62,10 @@ After compute(const Body& a, const Body& b, const Vector& point, const Vector& n
   return after;
 }
 
-/// Thirty roundings at most on the way from the input to j, and six from there, each of at most the
-/// largest velocity; the sums in the divisor have only positive terms, so nothing grows. The other
-/// stable way, by R diag Rᵀ as a full tensor, loses at most the ratio of the moments, 2⁸, more.
+/// At most thirty roundings from the input to j, and six from there, each of at most the largest
+/// velocity; the sums in the divisor have only positive terms, so there is no cancellation. The
+/// other stable method, with R diag Rᵀ as a full tensor, loses at most the ratio of the moments,
+/// 2⁸, more.
 double room_of(const Body& a, const Body& b, const Vector& point, const After& after) {
   double speed = 0;
   double turn = 0;
@@ -88,7 +89,7 @@ void check(const Body& a, const Body& b, const Vector& point, const Vector& n, d
       return compute(a, b, point, n, e, ways);
     };
   };
-  ask("How do the two bodies move after the collision?")
+  ask("What is the motion of the two bodies after the collision?")
       .given("a", a)
       .given("b", b)
       .given("point", point)
@@ -116,25 +117,25 @@ Body ball(double mass, const Vector& centre, const Vector& velocity) {
 
 }  // namespace
 
-TEST_CASE("through the centres nothing turns") {
+TEST_CASE("an impulse through the centres of mass rotates nothing") {
   check(ball(2, {1, 0, 0}, {-3, 1, 0}), ball(1, {-1, 0, 0}, {1, 0, 0}), {0, 0, 0}, {1, 0, 0}, 1);
   check(ball(2, {1, 0, 0}, {-3, 1, 0}), ball(1, {-1, 0, 0}, {1, 0, 0}), {0, 0, 0}, {1, 0, 0}, 0.5);
   check(ball(3, {0, 1, 0}, {0, -4, 0}), ball(3, {0, -1, 0}, {0, 0, 2}), {0, 0, 0}, {0, 1, 0}, 0);
 }
 
-TEST_CASE("what goes apart is left alone") {
+TEST_CASE("separating bodies are left alone") {
   check(ball(2, {1, 0, 0}, {3, 1, 0}), ball(1, {-1, 0, 0}, {1, 0, 0}), {0, 0, 0}, {1, 0, 0}, 1);
   check(ball(1, {0, 1, 0}, {0, 2, 0}), ball(3, {0, -1, 0}, {0, 1, 1}), {0, 0, 0}, {0, 1, 0}, 0.5);
 }
 
-TEST_CASE("a rod that is hit at its end turns") {
+TEST_CASE("a rod that is hit at its end rotates") {
   const Body rod{3, {0.25, 4, 4}, straight, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
   check(ball(1, {2, 0, 1}, {0, 0, -6}), rod, {2, 0, 0}, {0, 0, 1}, 1);
   check(ball(1, {2, 0, 1}, {0, 0, -6}), rod, {2, 0, 0}, {0, 0, 1}, 0);
   check(ball(1, {-1, 0, 1}, {0, 0, -6}), rod, {-1, 0, 0}, {0, 0, 1}, 0.5);
 }
 
-TEST_CASE("the point that spins into the contact counts") {
+TEST_CASE("the rotation contributes to the closing velocity") {
   const Body still = ball(1, {5, 0, 1}, {0, 0, 0});
   const Body down{3, {0.25, 4, 4}, straight, {3, 0, 0}, {0, 0, 0}, {0, -2, 0}};
   check(ball(1, {5, 0, 1}, {0, 0, -8}), down, {5, 0, 0}, {0, 0, 1}, 1);
@@ -143,7 +144,7 @@ TEST_CASE("the point that spins into the contact counts") {
   check(still, up, {5, 0, 0}, {0, 0, 1}, 1);
 }
 
-TEST_CASE("a plank askew has its tensor in the world") {
+TEST_CASE("a rotated plank needs its tensor in world axes") {
   Matrix askew;
   askew << 0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1;
   const Body plank{2, {0.25, 3, 4}, askew, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -189,7 +190,7 @@ TEST_CASE("random collisions") {
     const Body b = body();
     const Vector point = vector(-2, 2);
     const Vector n = unit();
-    // Whether they close must be beyond doubt.
+    // The sign of the normal velocity must be clear.
     const double v = n.dot(a.velocity + a.spin.cross(Vector(point - a.centre)) - b.velocity -
                            b.spin.cross(Vector(point - b.centre)));
     if (std::abs(v) < 0x1p-40) continue;

@@ -34,7 +34,7 @@ void check_velocity(const Motion& body, const Vector& p) {
     // Difference, product, difference, sum: 4 u of the terms, 1 u of the oracle's. Doubled.
     bound(k) = 10 * 0x1p-53 * (std::abs(body.velocity(k)) + spin(y) * arm(z) + spin(z) * arm(y));
   }
-  ask("How fast does the point of the body at `point` move?")
+  ask("What is the velocity of the body's point at `point`?")
       .given("body", body)
       .given("point", p)
       .suspect("omega-cross-r-reversed",
@@ -60,14 +60,14 @@ Closing case_of(int sign) {
   return sign < 0 ? Closing::approaching : sign > 0 ? Closing::separating : Closing::touching;
 }
 
-/// The coordinates are whole numbers and a half at most, so no order of adding rounds.
+/// The coordinates are small multiples of one half, so no order of summation rounds.
 void check_closing(const Motion& a, const Motion& b, const Vector& p, const Vector& n) {
   const int sign = sign_of_closing(a, b, p, n);
   const auto with = [&](const auto& velocity) {
     const double v = n.dot(Vector(velocity(a) - velocity(b)));
     return case_of((v > 0) - (v < 0));
   };
-  ask("Do the two bodies close, touch or part?")
+  ask("Do the two bodies approach each other, touch or separate?")
       .given("a", a)
       .given("b", b)
       .given("point", p)
@@ -103,31 +103,31 @@ const Motion ground{{0, 0, -5}, {0, 0, 0}, {0, 0, 0}};
 
 }  // namespace
 
-TEST_CASE("a body that does not spin moves as its centre") {
+TEST_CASE("every point of a body without rotation has its velocity") {
   check_velocity({{1, 2, 3}, {4, -5, 6}, {0, 0, 0}}, {7, 7, 7});
   check_velocity({{0, 0, 0}, {0, 0, -2}, {0, 0, 0}}, {1, 0, 0});
 }
 
-TEST_CASE("a spin carries a point round the centre") {
+TEST_CASE("a rotation carries a point around the centre of mass") {
   check_velocity({{0, 0, 0}, {0, 0, 0}, {0, 0, 2}}, {3, 0, 0});
   check_velocity({{4, 0, 0}, {0, 0, 0}, {0, 0, 2}}, {3, 0, 0});
   check_velocity({{1, 1, 1}, {5, 0, 0}, {1, -2, 3}}, {2, 4, -1});
 }
 
-TEST_CASE("a rolling wheel stands where it touches") {
-  // To the right, so it spins clockwise as seen from the front (−y).
+TEST_CASE("a rolling wheel is at rest where it touches the road") {
+  // To the right, so it rotates clockwise as seen from the front (−y).
   const Motion wheel{{8, 0, 2}, {6, 0, 0}, {0, 3, 0}};
   check_velocity(wheel, {8, 0, 0});
   check_velocity(wheel, {8, 0, 4});
   check_velocity(wheel, {10, 0, 2});
 }
 
-TEST_CASE("three cases of closing") {
+TEST_CASE("the three cases of the normal velocity") {
   const Vector up(0, 0, 1);
   check_closing({{0, 0, 1}, {3, 0, -2}, {0, 0, 0}}, ground, {0, 0, 0}, up);
   check_closing({{0, 0, 1}, {3, 0, 2}, {0, 0, 0}}, ground, {0, 0, 0}, up);
   check_closing({{0, 0, 1}, {3, 0, 0}, {0, 0, 0}}, ground, {0, 0, 0}, up);
-  // The centre sinks, and the end that touches rises; then the other way.
+  // The centre of mass sinks and the end in contact rises; then the reverse.
   check_closing({{2, 0, 1}, {0, 0, -1}, {0, 2, 0}}, ground, {0, 0, 0}, up);
   check_closing({{2, 0, 1}, {0, 0, 1}, {0, -2, 0}}, ground, {0, 0, 0}, up);
   check_closing({{2, 0, 1}, {0, 0, -4}, {0, 2, 0}}, ground, {0, 0, 0}, up);

@@ -1,5 +1,5 @@
 /// @file
-/// The bodies and contacts of this chapter's corpus, stored or in fractions.
+/// The bodies and contacts of this chapter's corpus, stored or in exact fractions.
 #pragma once
 
 #include <contact/impact_friction.hpp>
@@ -21,7 +21,7 @@ contact::Vector3<S> convert(const V& v) {
   return {convert<S>(v.x()), convert<S>(v.y()), convert<S>(v.z())};
 }
 
-/// A body as the corpus has it: moments about the world's axes, or about axes turned about z by
+/// A body of the corpus: moments about the world's axes, or about axes rotated about z by
 /// `turn` = (cosine, sine, 0). Mass 0 stands for an immovable body.
 template <class S>
 contact::RigidBody<S> body(const Case& c, const std::string& name) {

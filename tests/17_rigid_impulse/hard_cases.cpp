@@ -3,10 +3,10 @@
 // Answers of class (a) are rational in the stored numbers, and rounded once: which of the three
 // cases of closing, the motion after a frictionless collision or an impact by Newton's or Poisson's
 // law, the moments of a mesh. Those of class (b) hold the square root of Stronge's law; those of
-// class (c) the sine of an angle. A decision is right if it is the same. A velocity or spin is
-// right if it is off by at most 2^-36 of the velocities (or spins) that went in and came out: the
-// mass ratios of this table cost nothing, but the ratio of two moments may cost a full tensor all
-// of its digits. Whether bodies part afterwards is the sign of v_n, computed without rounding.
+// class (c) the sine of an angle. A decision is right if it is the same. A velocity or an
+// angular velocity is right if it is off by at most 2^-36 of those that went in and came out: the
+// mass ratios of this table lose nothing, but the ratio of two moments may cost a full tensor all
+// of its digits. Whether bodies separate afterwards is the sign of v_n, computed without rounding.
 #include "support/hard_cases.hpp"
 
 #include <algorithm>
@@ -74,8 +74,8 @@ void add_closing(hard_cases::Runner& runner) {
   });
 }
 
-/// Collisions of stout bodies, and of slender ones that lie askew: the same question, and other
-/// ways to fail.
+/// Collisions of stout bodies, and of slender rotated ones: the same question, and other ways to
+/// fail.
 void add_collision(hard_cases::Runner& runner, const std::string& question) {
   runner.question(question, [](const Case& c) {
     const Rational j =
@@ -123,7 +123,7 @@ void add_collision(hard_cases::Runner& runner, const std::string& question) {
            });
     method("mass product",
            [push](const Body& a, const Body& b, const auto& at, double e, const Case&) -> Pair {
-             // Multiplied through by m_A m_B, as one does on paper: 0/0 where one is immovable.
+             // Multiplied through by m_A m_B, as on paper: 0/0 where one body is immovable.
              const double v = contact::normal_velocity(a, b, at);
              if (!(v < 0)) return {a, b};
              Body alone_a = a;
@@ -158,7 +158,7 @@ void add_collision(hard_cases::Runner& runner, const std::string& question) {
              const Body b2 = unturned(b, "b_moments");
              return push(a2, b2, at, contact::collision_impulse<double>(a2, b2, at, e));
            });
-    method("as of a sphere",
+    method("scalar inertia",
            [push](const Body& a, const Body& b, const auto& at, double e, const Case& c) -> Pair {
              // One number in place of the tensor, the mean of the moments.
              const auto round = [&](Body x, const char* moments) {
@@ -205,9 +205,8 @@ void add_collision(hard_cases::Runner& runner, const std::string& question) {
   });
 }
 
-/// Bodies that close slowly, and whether they do not close any more afterwards: v_n' ≥ 0, without
-/// rounding, for the motion as it was stored. How fast they part cannot be asked: their velocities
-/// have no digits for that.
+/// Bodies that close slowly: afterwards they must not close, v_n' ≥ 0, without rounding, for the
+/// motion as stored. Their separation speed is not tested: the velocities have no digits for it.
 void add_parting(hard_cases::Runner& runner) {
   runner.question("parting", [](const Case& c) {
     const Rational v = contact::normal_velocity(body<Rational>(c, "a"), body<Rational>(c, "b"),
@@ -229,7 +228,7 @@ void add_parting(hard_cases::Runner& runner) {
             contact::after_impulse<double>(b, V(-impulse), at.point)};
   };
   method("impulse as computed", push);
-  method("and once more", [push](const Body& a, const Body& b, const auto& at, double e) -> Pair {
+  method("applied twice", [push](const Body& a, const Body& b, const auto& at, double e) -> Pair {
     const auto [a2, b2] = push(a, b, at, e);
     return push(a2, b2, at, 0);
   });
@@ -239,7 +238,7 @@ void add_parting(hard_cases::Runner& runner) {
   });
 }
 
-/// Velocities afterwards, by the law that the question names.
+/// Velocities afterwards, by the law of the question.
 void add_friction(hard_cases::Runner& runner, const char* question, auto exactly, auto book) {
   runner.question(question, [exactly](const Case& c) { return exactly(c); });
   const auto judge = [](const Case& c, double slip, double normal, const Json& answer) {
@@ -277,17 +276,17 @@ Json answer_of(const contact::Impact<Rational>& impact) {
   return {{"class", "a"}, {"slip", hex(impact.end().slip)}, {"normal", hex(impact.end().normal)}};
 }
 
-/// Stronge's end from the path of Poisson's with e = 1 (the turn, and where the slip stops after
-/// it), with one square root.
+/// Stronge's end from the path of Poisson's with e = 1 (greatest compression, and where the slip
+/// stops after it), with one square root.
 Json stronge_answer(const Case& c) {
   const auto k = planar<Rational>(c);
   const Rational e = oracle::exact(c.number("e"));
-  const auto path =
-      contact::newton_impact<Rational>(k, 0, oracle::exact(c.number("friction")));  // to the turn
+  const auto path = contact::newton_impact<Rational>(
+      k, 0, oracle::exact(c.number("friction")));  // to greatest compression
   const auto& turn = path.end();
   const std::size_t last = path.count - 1;
   const Rational all = -e * e * contact::detail::normal_work(path, 0, last);
-  // After the turn the slip may stop once more; Newton's law with a large e goes past that.
+  // After greatest compression the slip may stop again; Newton's law with a large e goes past that.
   const auto on = contact::newton_impact<Rational>(k, 64, oracle::exact(c.number("friction")));
   std::size_t from = 0;
   while (on.path[from].impulse < turn.impulse) ++from;
@@ -300,7 +299,7 @@ Json stronge_answer(const Case& c) {
       left -= work;
       continue;
     }
-    // On this piece u_n² grows by 2 · rate for each unit of work, and the slip evenly with u_n.
+    // On this segment u_n² grows by 2 · rate for each unit of work, and the slip linearly with u_n.
     const Rational rate = (q.normal - p.normal) / (q.impulse - p.impulse);
     const Rational slope = (q.slip - p.slip) / (q.normal - p.normal);
     const oracle::Surd normal{0, 1, p.normal * p.normal + 2 * rate * left};
@@ -311,14 +310,14 @@ Json stronge_answer(const Case& c) {
   }
 }
 
-/// Whether a law makes energy: right if it does not.
+/// Whether a law gains energy: right if it does not.
 void add_energy(hard_cases::Runner& runner) {
   runner.question("energy", [](const Case& c) {
     const auto impact = contact::newton_impact<Rational>(
         planar<Rational>(c), oracle::exact(c.number("e")), oracle::exact(c.number("friction")));
     return Json{{"class", "a"}, {"newton_gain", hex(contact::energy_change(impact))}};
   });
-  // A law that makes energy is off by the gain itself, far above rounding: 2^-40 of the sizes.
+  // A law that gains energy is off by the gain itself, far above rounding: 2^-40 of the magnitudes.
   const auto method = [&runner](const char* name, auto law) {
     runner.method("energy", name, [law](const Case& c, const Json&) {
       const auto k = planar<double>(c);
@@ -401,7 +400,7 @@ void add_spin(hard_cases::Runner& runner) {
   };
   method("Euler's matrix",
          [](const V& w, double h) { return contact::matrix_step<double>(M::Identity(), w, h); });
-  method("Euler's matrix, tidied", [](const V& w, double h) {
+  method("Euler's matrix, orthonormalised", [](const V& w, double h) {
     return contact::orthonormalised<double>(contact::matrix_step<double>(M::Identity(), w, h));
   });
   method("quaternion", [](const V& w, double h) {
@@ -412,8 +411,8 @@ void add_spin(hard_cases::Runner& runner) {
   });
 }
 
-/// Where the axis of a symmetric top points that nothing pushes, which pointed along z: it goes
-/// round the angular momentum. A method takes 64 steps; it is right within a thousandth.
+/// The axis of a free symmetric top, which pointed along z: it precesses about the angular
+/// momentum. A method takes 64 steps; it is right within a thousandth.
 void add_top(hard_cases::Runner& runner) {
   runner.question("top", [](const Case& c) {
     const auto part = [&](auto f) {

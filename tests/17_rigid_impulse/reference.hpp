@@ -1,5 +1,5 @@
 /// @file
-/// Random rigid bodies, stored and in fractions. What has no tolerance is exact there.
+/// Random rigid bodies, stored and in exact fractions. Comparisons without tolerance are exact.
 #pragma once
 
 #include <contact/inertia.hpp>

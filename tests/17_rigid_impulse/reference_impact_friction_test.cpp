@@ -1,5 +1,5 @@
-// impact_friction.hpp: impacts with friction in fractions, by Newton's, Poisson's and Stronge's
-// laws.
+// impact_friction.hpp: impacts with friction by Newton's, Poisson's and Stronge's laws, in exact
+// fractions.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/impact_friction.hpp>
@@ -31,7 +31,7 @@ contact::PlanarContact<Rational> random_contact(Random& random) {
   return c;
 }
 
-/// What every path must hold to: velocities follow impulses, and Coulomb's law at each piece.
+/// Every path: velocities follow from impulses, and Coulomb's law holds on each segment.
 void check_path(const contact::PlanarContact<Rational>& c, const contact::Impact<Rational>& impact,
                 const Rational& friction) {
   for (std::size_t i = 0; i < impact.count; ++i) {
@@ -44,7 +44,7 @@ void check_path(const contact::PlanarContact<Rational>& c, const contact::Impact
     const Rational dt = p.tangential - q.tangential;
     REQUIRE(dn >= 0);
     REQUIRE(abs(dt) <= friction * dn);
-    const Rational slip = p.slip + q.slip;  // of one sign on the whole piece
+    const Rational slip = p.slip + q.slip;  // of one sign on the whole segment
     REQUIRE(p.slip * q.slip >= 0);
     if (slip != 0 && dn > 0) REQUIRE(dt == (slip > 0 ? Rational(-friction) : friction) * dn);
   }
@@ -65,7 +65,7 @@ TEST_CASE("impacts with friction obey Coulomb's law at every moment, and each la
     check_path(c, newton, friction);
     check_path(c, poisson, friction);
     REQUIRE(newton.end().normal == -e * c.normal);
-    // Up to the largest compression the two are one.
+    // Up to greatest compression the two agree.
     std::size_t turn = 0;
     while (newton.path[turn].normal != 0 || turn == 0) ++turn;
     REQUIRE(poisson.path[turn].impulse == newton.path[turn].impulse);
@@ -79,13 +79,13 @@ TEST_CASE("impacts with friction obey Coulomb's law at every moment, and each la
                                            oracle::nearest(c.k_nn)};
     const double ed = oracle::nearest(e);
     const auto stronge = contact::stronge_impact(d, ed, oracle::nearest(friction));
-    // The turn of the stored contact; its work is given back by e².
+    // Greatest compression of the stored contact; e² of its work is given back.
     std::size_t middle = 1;
     while (stronge.path[middle].normal != 0) ++middle;
     const double pressed = -contact::detail::normal_work(stronge, 0, middle);
     const double back = contact::detail::normal_work(stronge, middle, stronge.count - 1);
-    // Pieces of opposite sign do not occur after the turn; before it the work can cancel by as much
-    // as friction presses the bodies together.
+    // Segments of opposite sign do not occur after greatest compression; before it the work can
+    // cancel by as much as friction closes the contact.
     double size = 0;
     for (std::size_t k = 0; k + 1 < stronge.count; ++k) {
       size += (std::abs(stronge.path[k].normal) + std::abs(stronge.path[k + 1].normal)) *
@@ -93,7 +93,7 @@ TEST_CASE("impacts with friction obey Coulomb's law at every moment, and each la
     }
     REQUIRE(std::abs(back - ed * ed * pressed) <= 64 * u * size);
     REQUIRE(contact::energy_change(stronge) <= 64 * u * size * 4);
-    // Without coupling or friction all three are one law.
+    // Without coupling or friction all three are equivalent.
     auto plain = c;
     if (i % 2 == 0) plain.k_tn = 0;
     const Rational none = i % 2 == 0 ? friction : Rational(0);
@@ -107,7 +107,7 @@ TEST_CASE("impacts with friction obey Coulomb's law at every moment, and each la
   CHECK(reversed > 20);
 }
 
-TEST_CASE("Stronge's law is Newton's and Poisson's where nothing couples") {
+TEST_CASE("Stronge's law is Newton's and Poisson's without coupling") {
   Random random(1713);
   for (int i = 0; i < 500; ++i) {
     const contact::PlanarContact<double> c{random.uniform(-3, 3), -random.uniform(0.1, 3),
@@ -146,18 +146,18 @@ TEST_CASE("the rod that gains energy: 1 kg, 2 m, at 45 degrees, its end meeting 
   const contact::PlanarContact<double> d{-0.6, -1, 2.5, 1.5, 2.5};
   CHECK(std::abs(1 + contact::energy_change(contact::stronge_impact(d, 1.0, 0.5)) / before - 0.74) <
         0.005);
-  // The slip stops and, since μ is below k_tn/k_tt = 3/5, turns.
+  // The slip stops and, since μ is below k_tn/k_tt = 3/5, reverses.
   REQUIRE(newton.count == 4);
   CHECK(newton.path[1].slip == 0);
   CHECK(newton.path[3].slip > 0);
-  // Friction after the normal impulse: e is asked to be 1, and comes out otherwise.
+  // Friction after the normal impulse: e = 1 is demanded, and the result differs.
   const auto clamped = contact::clamped_impact<Rational>(c, 1, half);
   REQUIRE(clamped.count == 3);
   CHECK(clamped.path[1].normal == 1);
   CHECK(clamped.end().normal == Rational(16) / 25);  // p_t is −0.24 N·s: 1 − 1.5 · 0.24
 }
 
-TEST_CASE("the plane contact of a rod is what its two bodies say") {
+TEST_CASE("the planar contact of a rod agrees with that of its two bodies") {
   const double s = std::sqrt(0.5);
   const double inertia = 1.0 * 2 * 2 / 12;
   const Vector3<double> r(s, -s, 0);
@@ -181,13 +181,13 @@ TEST_CASE("the plane contact of a rod is what its two bodies say") {
   CHECK(std::abs(contact::kinetic_energy(after) / before - 1.25) < 0.005);
 }
 
-TEST_CASE("an impact that does not close, or jams at first, has its answer") {
+TEST_CASE("an impact that does not close, or jams at first, has an answer") {
   const contact::PlanarContact<Rational> apart{1, 1, 1, 0, 1};
   CHECK(contact::newton_impact<Rational>(apart, 1, 1).count == 1);
   CHECK(contact::poisson_impact<Rational>(apart, 1, 1).count == 1);
   CHECK(contact::clamped_impact<Rational>(apart, 1, 1).count == 1);
   CHECK(contact::energy_change(contact::joint_impact<Rational>(apart, 1, 1).value()) == 0);
-  // Friction presses the bodies together: k_nn − μ k_tn = 1 − 2·3/4 < 0 while they slip.
+  // Jamming: friction closes the contact, k_nn − μ k_tn = 1 − 2·3/4 < 0 during the slip.
   const contact::PlanarContact<Rational> jam{1, -1, 1, Rational(3) / 4, 1};
   const auto impact = contact::poisson_impact<Rational>(jam, 1, 2);
   check_path(jam, impact, 2);

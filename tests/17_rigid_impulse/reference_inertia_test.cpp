@@ -1,4 +1,4 @@
-// inertia.hpp against integrals and the parallel-axis theorem, in fractions.
+// inertia.hpp against integrals and the parallel-axis theorem, in exact fractions.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/inertia.hpp>
@@ -54,9 +54,10 @@ std::vector<Vector> box_corners(const Vector& size, const Vector& centre, const 
 
 }  // namespace
 
-TEST_CASE("shapes of revolution have the moments that slicing gives, in fractions") {
-  // A slice at z is a disc of radius ρ: ½ dm ρ² about the axis, dm (ρ²/4 + z²) across. With a
-  // density of 1/π a slice weighs ρ² dz; ρ² is a polynomial of z, so the integrals are exact.
+TEST_CASE("solids of revolution have the moments found by slicing, in exact fractions") {
+  // A slice at z is a disc of radius ρ: ½ dm ρ² about the axis, dm (ρ²/4 + z²) about a
+  // perpendicular one. With a density of 1/π a slice has the mass ρ² dz; ρ² is a polynomial of z,
+  // so the integrals are exact.
   Random random(1701);
   for (int i = 0; i < 40; ++i) {
     const Rational r = positive(random);
@@ -87,14 +88,14 @@ TEST_CASE("shapes of revolution have the moments that slicing gives, in fraction
     CHECK(capsule(2, 2) == sum(along, true, true));
     CHECK(capsule(0, 0) == sum(across, true, true));
     CHECK(capsule(1, 1) == capsule(0, 0));
-    // Without a middle it is a sphere.
+    // Without its cylinder it is a sphere.
     const Rational m = positive(random);
     CHECK(contact::capsule_inertia<Rational>(m, r, 0) == contact::sphere_inertia<Rational>(m, r));
     CHECK(contact::sphere_inertia<Rational>(m, r)(0, 0) == 2 * m * r * r / 5);
   }
 }
 
-TEST_CASE("a mesh of a box has the box's mass, centre and tensor, in fractions") {
+TEST_CASE("a mesh of a box has the box's mass, centre of mass and tensor, in exact fractions") {
   Random random(1702);
   for (int i = 0; i < 20; ++i) {
     const Vector size{positive(random), positive(random), positive(random)};
@@ -128,7 +129,7 @@ TEST_CASE("a mesh of a box has the box's mass, centre and tensor, in fractions")
   CHECK_FALSE(contact::mesh_mass<Rational>(1, corners, {}).has_value());
 }
 
-TEST_CASE("a mesh far from the origin keeps the digits that its corners have") {
+TEST_CASE("a mesh far from the origin keeps the digits of its vertices") {
   Random random(1703);
   for (int i = 0; i < 20; ++i) {
     const Vector3<double> far{random.magnitude(20, 24), random.magnitude(20, 24), 0};
@@ -143,14 +144,14 @@ TEST_CASE("a mesh far from the origin keeps the digits that its corners have") {
     REQUIRE(got.has_value());
     for (int k = 0; k < 3; ++k) {
       CHECK(oracle::error(got->inertia(k, k), right->inertia(k, k)) <= 1e-13);
-      // γ(22) of the sizes of twelve tetrahedra about a point near the centre, a few times the
-      // tensor's own size of 6.5; and the centre to the spacing of doubles there.
+      // γ(22) of the magnitudes of twelve tetrahedra about a point near the centre, a few times the
+      // tensor's own 6.5; and the centre of mass to the spacing of doubles there.
       CHECK(oracle::error(got->centre(k), right->centre(k)) <= 0x1p-28);
     }
   }
 }
 
-TEST_CASE("the parallel-axis theorem, and parts fixed together, in fractions") {
+TEST_CASE("the parallel-axis theorem and composite bodies, in exact fractions") {
   Random random(1704);
   for (int i = 0; i < 40; ++i) {
     // Two boxes end to end are one box.
@@ -171,7 +172,7 @@ TEST_CASE("the parallel-axis theorem, and parts fixed together, in fractions") {
     CHECK(whole->mass == mass);
     CHECK(whole->centre == corner + Vector(size.x() / 2, 0, 0));
     CHECK(whole->inertia == contact::box_inertia<Rational>(mass, size));
-    // m |ω × d|² is the energy that the moved mass adds.
+    // m |ω × d|² is twice the kinetic energy that the offset adds.
     const Vector d = vector(random);
     const Vector w = vector(random);
     const Vector moved = Vector(w.cross(d));
@@ -193,7 +194,7 @@ TEST_CASE("principal axes give the tensor back") {
     const Matrix3<double> inertia = contact::rotated<double>(moments.asDiagonal(), turn);
     const auto got = contact::principal_axes<double>(inertia);
     const double largest = moments.maxCoeff();
-    // At most 12 rounds of three rotations, each a few roundings of the largest entry.
+    // At most 12 iterations of three rotations, each a few roundings of the largest entry.
     const double room = 400 * u * largest;
     const Matrix3<double> again = contact::rotated<double>(got.moments.asDiagonal(), got.rotation);
     CHECK((again - inertia).cwiseAbs().maxCoeff() <= room);

@@ -1,5 +1,5 @@
-// rigid_body.hpp and rigid_impulse.hpp: what a collision without friction keeps, in fractions and
-// to rounding.
+// rigid_body.hpp and rigid_impulse.hpp: what a collision without friction conserves, in exact
+// fractions and to rounding.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/inertia.hpp>
@@ -77,7 +77,7 @@ Rational energy(const Body& a, const Body& b) {
 
 }  // namespace
 
-TEST_CASE("a frictionless collision keeps all that it must, in fractions") {
+TEST_CASE("a frictionless collision conserves what it must, in exact fractions") {
   Random random(1706);
   int met = 0;
   int grounded = 0;
@@ -112,11 +112,11 @@ TEST_CASE("a frictionless collision keeps all that it must, in fractions") {
       CHECK(Vector(contact::angular_momentum(a, o) + contact::angular_momentum(b, o)) ==
             Vector(contact::angular_momentum(a2, o) + contact::angular_momentum(b2, o)));
     }
-    // What moves and cannot be moved does work; the ground does none.
+    // An immovable body that moves does work; the ground does none.
     if (!against_moving) {
       grounded += against_ground;
       CHECK(k1 <= k0);
-      // What is lost is ½ (1 − e²) v_n² / k, with k the response along n.
+      // The loss is ½ (1 − e²) v_n² / k, with k the inverse effective mass along n.
       const Rational k = contact::response<Rational>(a, b, at.point, at.normal, at.normal);
       CHECK(k0 - k1 == (1 - e * e) * before * before / k / 2);
     }
@@ -125,7 +125,7 @@ TEST_CASE("a frictionless collision keeps all that it must, in fractions") {
   CHECK(grounded > 20);
 }
 
-TEST_CASE("the response is what one unit of impulse does") {
+TEST_CASE("the inverse effective mass is the effect of one unit of impulse") {
   Random random(1707);
   for (int i = 0; i < 100; ++i) {
     const Exactly a = rational_body(random);
@@ -145,7 +145,7 @@ TEST_CASE("the response is what one unit of impulse does") {
   }
 }
 
-TEST_CASE("through the centres, a collision is one without rotation") {
+TEST_CASE("a collision through the centres of mass is one without rotation") {
   Random random(1708);
   for (int i = 0; i < 100; ++i) {
     Exactly a = rational_body(random);
@@ -161,7 +161,7 @@ TEST_CASE("through the centres, a collision is one without rotation") {
   }
 }
 
-TEST_CASE("in floating point a collision keeps momentum to rounding, and e") {
+TEST_CASE("in floating point a collision conserves momentum to rounding, and meets e") {
   Random random(1709);
   int met = 0;
   int grounded = 0;
@@ -200,8 +200,9 @@ TEST_CASE("in floating point a collision keeps momentum to rounding, and e") {
                            contact::angular_momentum(exactly(b2), oracle::exact(o)) -
                            contact::angular_momentum(exactly(a), oracle::exact(o)) -
                            contact::angular_momentum(exactly(b), oracle::exact(o));
-      // Σ|r||p|, the spins' own Iω, and the twists I I⁻¹ (r × J). The stored inverse is off by 20 u
-      // of I⁻¹ (two products of three), that is by 20 u times I's ratio of at most 20 of r × J.
+      // Σ|r||p|, the rotations' Iω, and the angular impulses I I⁻¹ (r × J). The stored inverse is
+      // off by 20 u of I⁻¹ (two products of three), so by 20 u times I's ratio of at most 20 of r ×
+      // J.
       const auto turning = [](const Body& x) {
         return x.position.norm() * x.mass * x.velocity.norm() + x.inertia.norm() * x.spin.norm();
       };
@@ -225,9 +226,9 @@ TEST_CASE("in floating point a collision keeps momentum to rounding, and e") {
   CHECK(grounded > 50);
 }
 
-TEST_CASE("bodies that collided do not close, however slowly they came") {
-  // The spins and velocities are of the order of 10; what they close by is one digit of one of
-  // them, a few digits of all, or what is left when the rest has cancelled.
+TEST_CASE("bodies do not close after a collision, however slow they were") {
+  // Velocities and angular velocities are of the order of 10; the closing velocity is one ulp of
+  // one of them, a few ulps of all, or the remainder of a cancellation.
   Random random(1717);
   int met = 0;
   for (int i = 0; i < 1200; ++i) {
@@ -251,8 +252,8 @@ TEST_CASE("bodies that collided do not close, however slowly they came") {
     const ContactPoint<Rational> exact_at{oracle::exact(at.point), oracle::exact(at.normal)};
     const Rational after = contact::normal_velocity(exactly(a2), exactly(b2), exact_at);
     REQUIRE(after >= 0);
-    // The impulse is raised until v_n is not below 0, in steps that double: by at most three times
-    // what the velocities are rounded by, as in the test above.
+    // The impulse is raised until v_n is not below 0, in doubling steps: by at most three times the
+    // rounding of the velocities, as in the test above.
     const auto speed = [&](const Body& x) {
       return x.velocity.norm() + x.spin.norm() * (at.point - x.position).norm();
     };
@@ -260,7 +261,7 @@ TEST_CASE("bodies that collided do not close, however slowly they came") {
         -oracle::exact(e) * contact::normal_velocity(exactly(a), exactly(b), exact_at);
     CHECK(abs(after - right) <=
           oracle::exact(600 * u * (speed(a) + speed(b) + speed(a2) + speed(b2))));
-    // One impulse for both, whatever it is: momentum, and no energy made.
+    // One impulse for both, whatever it is: momentum is conserved, and no energy gained.
     if (!ground) {
       const Vector3<double> size = a.mass * (a.velocity.cwiseAbs() + a2.velocity.cwiseAbs()) +
                                    b.mass * (b.velocity.cwiseAbs() + b2.velocity.cwiseAbs());
@@ -276,7 +277,7 @@ TEST_CASE("bodies that collided do not close, however slowly they came") {
   CHECK(met > 600);
 }
 
-TEST_CASE("a collision at the edge of overflow stays finite, and one at that of underflow parts") {
+TEST_CASE("a collision near overflow stays finite, and one near underflow separates") {
   for (const double speed : {0x1p1022, 0x1p-1070}) {
     for (const double e : {0.0, 0.5}) {
       Random random(1718);
@@ -291,14 +292,14 @@ TEST_CASE("a collision at the edge of overflow stays finite, and one at that of 
                                       Vector3<double>::UnitZ()};
         const auto [a2, b2, impulse] = contact::collide<double>(a, b, at, e);
         for (const Body& x : {a2, b2}) CHECK((x.velocity.allFinite() && x.spin.allFinite()));
-        if (!(impulse.norm() > 0) && speed < 1) continue;  // less than the smallest number
+        if (!(impulse.norm() > 0) && speed < 1) continue;  // below the smallest number
         if (speed < 1) CHECK(contact::closing_case(a2, b2, at) != Closing::approaching);
       }
     }
   }
 }
 
-TEST_CASE("the closing case is never wrong for the numbers as stored") {
+TEST_CASE("the closing case is exact for the numbers as stored") {
   Random random(1710);
   int rescued = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -308,7 +309,7 @@ TEST_CASE("the closing case is never wrong for the numbers as stored") {
                             direction(random)};
     const int scale = random.integer(-3, 3) * 150;
     if (i % 2 == 0) {
-      // Matched so that v_n is about 0: far below what plain arithmetic can tell.
+      // Chosen so that v_n is about 0: far below what plain arithmetic can resolve.
       const Vector3<double> relative =
           contact::velocity_at(a, at.point) - contact::velocity_at(b, at.point);
       b.velocity += at.normal * at.normal.dot(relative);
@@ -333,10 +334,10 @@ TEST_CASE("the closing case is never wrong for the numbers as stored") {
       CHECK(contact::collision_impulse<double>(a, b, at, 0.5) > 0);
     }
   }
-  CHECK(rescued > 100);  // plain arithmetic has these wrong
+  CHECK(rescued > 100);  // wrong in plain arithmetic
 }
 
-TEST_CASE("a thin rod is a box whose other edges are nothing") {
+TEST_CASE("a thin rod is a box whose other edges have length 0") {
   Random random(1716);
   for (int i = 0; i < 100; ++i) {
     const Rational length = positive(random);
@@ -350,7 +351,7 @@ TEST_CASE("a thin rod is a box whose other edges are nothing") {
   CHECK_THROWS_AS(contact::rod_inertia(1.0, -1.0), std::invalid_argument);
 }
 
-TEST_CASE("a hit at the centre of percussion leaves the other end where it is") {
+TEST_CASE("a hit at the centre of percussion leaves the other end at rest") {
   Random random(1711);
   for (int i = 0; i < 100; ++i) {
     const Rational length = positive(random);

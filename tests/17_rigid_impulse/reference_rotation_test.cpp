@@ -31,14 +31,14 @@ TEST_CASE("sine and cosine, to a few u and u times the angle") {
   CHECK(contact::sine_cosine(0.0).cosine == 1);
 }
 
-TEST_CASE("the exponential map turns by the angle that it is given") {
+TEST_CASE("the exponential map rotates by the given angle") {
   Random random(1715);
   for (int i = 0; i < 500; ++i) {
     const Vector3<double> axis = direction(random);
     const double angle = random.uniform(-3, 3);
     const Matrix3<double> m =
         contact::matrix_of(contact::exponential<double>(Vector3<double>(axis * angle)));
-    // The axis stays; a vector across it turns by the angle.
+    // The axis is fixed; a vector perpendicular to it rotates by the angle.
     CHECK((m * axis - axis).norm() <= 64 * u);
     const Vector3<double> across = axis.unitOrthogonal();
     const Vector3<double> right = across * std::cos(angle) + axis.cross(across) * std::sin(angle);
@@ -51,7 +51,8 @@ TEST_CASE("the exponential map turns by the angle that it is given") {
   CHECK((tiny.w == 1 && tiny.v.y() == 5e-201));
 }
 
-TEST_CASE("steps of orientation converge as they should, and a free top keeps its momentum") {
+TEST_CASE(
+    "steps of orientation converge at their order, and a free top conserves its angular momentum") {
   const Vector3<double> moments(2, 2, 1);
   const auto start = contact::exponential<double>({0.3, 0.5, -0.2});
   const Vector3<double> momentum(3, -1, 4);
@@ -72,7 +73,7 @@ TEST_CASE("steps of orientation converge as they should, and a free top keeps it
     return ((method == 0 ? m : contact::matrix_of(q)) - right).norm();
   };
   // Halving h halves an error of first order and quarters one of second order; the next term of the
-  // series is what is left, a few h.
+  // series remains, a few h.
   for (const int method : {0, 1, 2}) {
     const double ratio = error(1000, method) / error(2000, method);
     CHECK(std::abs(ratio - 2) < 0.05);
@@ -90,7 +91,7 @@ TEST_CASE("steps of orientation converge as they should, and a free top keeps it
   CHECK((slope - contact::cross_matrix<double>(spin) * right).norm() < 1e-7);
 }
 
-TEST_CASE("Euler's matrix grows, and the quaternion lags, as their comments say") {
+TEST_CASE("Euler's matrix grows and the quaternion lags as documented") {
   const double w = 3;
   const double h = 1.0 / 64;
   Matrix3<double> m = Matrix3<double>::Identity();

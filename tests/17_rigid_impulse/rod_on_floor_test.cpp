@@ -1,6 +1,6 @@
-// Right answers come from the impact followed piece by piece in a long double, written out once
-// more and not taken from the reference; the reference's own tests hold it against fractions. Every
-// test asks for at least two different answers, so that no constant passes one.
+// Right answers come from a second implementation in long double, which follows the impact segment
+// by segment; the reference has its own tests against exact fractions. Every test asks for at least
+// two different answers, so that no constant passes one.
 #include "rod_on_floor.hpp"
 
 #include <support/exercise.hpp>
@@ -46,7 +46,7 @@ std::pair<Real, Real> impact(const Contact& c, Real e, Real mu, Law law, Slip wa
   Real t = 0;
   Real n = 0;
   Real work = 0;    // of the normal impulse
-  Real turned = 0;  // normal impulse at the largest compression; 0 before it
+  Real turned = 0;  // normal impulse at greatest compression; 0 before it
   Real owed = 0;    // work to be given back
   for (int piece = 0; piece < 8; ++piece) {
     Real pull = slip > 0 ? -mu : mu;
@@ -99,9 +99,9 @@ void check(const Body& body, const Vector& point, double e, double friction) {
   const bool sinks = c.sink < 0;
   const Motion right =
       sinks ? by_law(body, point, e, friction, Law::stronge) : Motion{body.velocity, body.spin};
-  // At most four pieces of some ten roundings. A rounding is of the size of the velocities, and
-  // grows by at most the ratio of the largest response to the smallest stiffness that occurs, which
-  // is det/k_tt = (1/m)(1/m + |r|²/I)/k_tt, or what Coulomb leaves of k_nn.
+  // At most four segments of some ten roundings. A rounding has the magnitude of the velocities,
+  // and grows by at most the ratio of the largest inverse effective mass to the smallest that
+  // occurs, det/k_tt = (1/m)(1/m + |r|²/I)/k_tt, or k_nn reduced by Coulomb friction.
   const Real det = c.tt * c.nn - c.tn * c.tn;
   const Real pressed = std::abs(c.nn - friction * std::abs(c.tn));
   const Real least = std::min(det / c.tt, std::max(pressed, Real(0x1p-6)));
@@ -110,7 +110,7 @@ void check(const Body& body, const Vector& point, double e, double friction) {
       body.velocity.norm() + std::abs(body.spin) * (1 + (point - body.centre).norm());
   const auto room =
       double(64 * 0x1p-53L * worst * worst * speed * (1 + 1 / Real((point - body.centre).norm())));
-  ask("How does the body move after its point has met the floor?")
+  ask("What is the motion of the body after the impact with the floor?")
       .given("body", body)
       .given("point", point)
       .given("e", e)
@@ -155,24 +155,24 @@ TEST_CASE("without friction") {
   check(rod, {-1, 0}, 0, 0);
 }
 
-TEST_CASE("a point that does not sink is left alone") {
+TEST_CASE("a point that does not move down is left alone") {
   check({1, 0.25, {0, 1}, {2, 3}, 0}, {0, 0}, 0.5, 0.5);
   check({1, 0.25, {-1, 1}, {0, -1}, 2}, {0, 0}, 0.5, 0.5);
 }
 
-TEST_CASE("the end slides all the way") {
+TEST_CASE("the end slips during the whole impact") {
   check({1, 0.25, {0, 0.5}, {9, -1}, 0}, {0, 0}, 1, 0.25);
   check({1, 0.25, {-0.5, 0.5}, {9, -1}, 0}, {0, 0}, 0.5, 0.25);
   check({2, 1, {0.5, 0.5}, {-9, -2}, 1}, {0, 0}, 0.5, 0.125);
 }
 
-TEST_CASE("the slip stops, and stays stopped") {
+TEST_CASE("the slip stops and the end sticks") {
   check({1, 0.25, {0, 0.5}, {0.5, -2}, 0}, {0, 0}, 0.5, 1);
   check({1, 0.25, {-0.5, 1}, {1, -2}, 0}, {0, 0}, 0.5, 1.5);
   check({1, 0.25, {0.5, 0.5}, {0.25, -2}, 1}, {0, 0}, 1, 2);
 }
 
-TEST_CASE("the slip stops, and turns") {
+TEST_CASE("the slip stops and reverses") {
   // The lesson's rod, with s = 0.70710678118654757 for √½; and two others.
   const double s = 0.70710678118654757;
   check({1, 1.0 / 3, {-s, s}, {-0.6 + s, -1 + s}, -1}, {0, 0}, 1, 0.5);
@@ -192,7 +192,7 @@ TEST_CASE("random rods") {
     const Body body{mass, mass * half * half / 3, {x, y}, {vx, vy}, random.uniform(-2, 2)};
     const Contact c = contact_of(body, {0, 0});
     const double friction = random.uniform(0, 1.5);
-    // Whether the point sinks, and what follows where the slip stops, must be beyond doubt.
+    // Whether the point moves down, and what follows where the slip stops, must be clear.
     if (std::abs(c.sink) < 0x1p-20 || std::abs(std::abs(c.tn) - friction * c.tt) < 0x1p-6 * c.tt) {
       continue;
     }

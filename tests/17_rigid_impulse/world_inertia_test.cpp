@@ -23,7 +23,7 @@ void check_box(double mass, const Vector& size) {
     const Exact z(size((k + 2) % 3));
     right(k, k) = quotient<double>(Exact(mass) * (y * y + z * z), Exact(12.0));
   }
-  ask("What is the box's tensor about its centre?")
+  ask("What is the tensor of the box about its centre of mass?")
       .given("mass", mass)
       .given("size", size)
       .suspect("half-lengths-for-lengths", [&]() -> Matrix { return 4 * right; })
@@ -102,7 +102,7 @@ Matrix rotation_of(double w, const Vector& v) {
 
 }  // namespace
 
-TEST_CASE("a box is harder to turn across its length") {
+TEST_CASE("a box has a larger moment perpendicular to its length") {
   check_box(12, {1, 2, 3});
   check_box(3, {8, 1, 1});
   check_box(6, {2, 2, 2});
@@ -123,7 +123,7 @@ TEST_CASE("a quarter turn exchanges two moments") {
   check_world(diagonal(1, 2, 3), about_x);
 }
 
-TEST_CASE("a plank askew") {
+TEST_CASE("a plank at an oblique rotation") {
   Matrix askew;
   askew << 0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1;
   check_world(diagonal(1, 8, 8.5), askew);

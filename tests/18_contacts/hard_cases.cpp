@@ -1,10 +1,10 @@
 // Recomputes the answers of hard_cases.json and says which method gets which case right.
 //
-// The question "impulses" asks how bodies move after several contacts at once, without friction:
+// The question "impulses": the velocities of bodies after simultaneous contacts without friction;
 // class (a), the complementarity problem solved in fractions and each coordinate rounded once. A
-// method is right if every velocity is off by at most 2^-30 of the largest that went in. The
-// question "points" asks how many points hold one body on another: class (a), corners counted and
-// polygons cut off in fractions. A count is right if it is the same.
+// method is right if the error of every velocity is at most 2^-30 of the largest initial one. The
+// question "points": the number of contact points of two bodies; class (a), by counting corners and
+// clipping polygons in fractions. A count is right if it is equal.
 #include "support/hard_cases.hpp"
 
 #include <algorithm>
@@ -37,8 +37,9 @@ struct Problem {
   std::vector<BodyContact<S>> contacts;
 };
 
-/// Nine numbers a body: mass (0: immovable), moment of inertia about any axis, position, velocity,
-/// and spin about y. Nine numbers a contact: A, B, point, normal, least velocity.
+/// Nine numbers for each body: mass (0: immovable), moment of inertia about any axis, position,
+/// velocity, and angular velocity about y. Nine numbers for each contact: A, B, point, normal,
+/// least velocity.
 template <class S>
 Problem<S> problem(const Case& c) {
   Problem<S> p;
@@ -84,7 +85,7 @@ bool right(const Case& c, const std::vector<RigidBody<double>>& got, const Json&
   return true;
 }
 
-/// Each contact as a collision of its own, so many times over.
+/// Each contact as a separate collision, for a number of iterations.
 std::vector<RigidBody<double>> one_by_one(Problem<double> p, int rounds) {
   for (int i = 0; i < rounds; ++i) {
     for (const auto& c : p.contacts) {
@@ -101,7 +102,7 @@ std::vector<RigidBody<double>> one_by_one(Problem<double> p, int rounds) {
   return p.bodies;
 }
 
-/// All velocities to their least value at once, pulls included.
+/// All velocities to their least values simultaneously, pulls included.
 std::vector<RigidBody<double>> glued(const Problem<double>& p) {
   std::vector<double> wanted;
   for (const auto& c : p.contacts) {
@@ -163,9 +164,9 @@ contact::HalfSpace<double> half_space(const Case& c) {
   return {{c.vector("b_normal"), c.number("b_offset")}};
 }
 
-/// In fractions. On a half-space: corners within the margin, four at most. On a box: of the face
-/// "axis" of B (1 to 3, negative for the lower side), what of A's face that looks at it lies over
-/// it, corners that coincide counted once.
+/// In fractions. On a half-space: corners within the margin, at most four. On a box: the part of
+/// A's incident face over the face "axis" of B (1 to 3, negative for the lower side), with corners
+/// that coincide counted once.
 int exact_points(const Case& c) {
   const auto a = shape_oracle::exact(box(c, "a"));
   const Rational margin = oracle::exact(c.number("margin"));

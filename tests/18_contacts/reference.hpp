@@ -1,5 +1,5 @@
 /// @file
-/// Random bodies and contacts, stored and in fractions, and what a solution must keep.
+/// Random bodies and contacts, stored and in fractions, and the conditions of a solution.
 #pragma once
 
 #include <contact/contact_lcp.hpp>

@@ -1,5 +1,5 @@
-// contact_finish.hpp: what sweeps have left is finished to the direct solution, or as near as the
-// report says.
+// contact_finish.hpp: the active-set solve reaches the direct solution, within the error of the
+// report.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -37,11 +37,11 @@ void make_heavier(Body& body, double factor) {
 
 }  // namespace
 
-TEST_CASE("what sweeps have left is finished to the direct solution, with masses 1 to a million") {
-  // Every other body is 2^20 times as heavy. Sweeps would take millions to bring a light one
-  // between two heavy ones to rest; elimination is told by none of them, or by a few. Velocities of
-  // the heavy ones come with impulses a million times those of the light ones: what is rounded
-  // there is 2^20 u of them, and a few.
+TEST_CASE("the active-set solve reaches the direct solution, with mass ratios of a million") {
+  // Every other body is 2^20 times as heavy. The iterations would take millions to bring a light
+  // body between two heavy ones to rest; elimination starts from none of them, or from a few. The
+  // velocities of the heavy bodies come with impulses a million times those of the light ones:
+  // their rounding is a few times 2^20 u of these.
   Random random(1816);
   for (int i = 0; i < tried(150); ++i) {
     auto d = down(problem(random, random.integer(3, 6), random.integer(1, 6)));
@@ -64,7 +64,8 @@ TEST_CASE("what sweeps have left is finished to the direct solution, with masses
   }
 }
 
-TEST_CASE("a light ball between two a million times as heavy: a million sweeps are not enough") {
+TEST_CASE(
+    "a light ball between two a million times as heavy: a million iterations are not enough") {
   std::vector<Body> bodies;
   for (int k = 0; k < 3; ++k) {
     const double mass = k == 1 ? 1 : 1e6;
@@ -86,10 +87,9 @@ TEST_CASE("a light ball between two a million times as heavy: a million sweeps a
   for (const auto& c : contacts) CHECK(contact::contact_velocity(got->bodies, c) > -1e-9);
 }
 
-TEST_CASE(
-    "a row of light balls between heavy ones: sweeps do not come to an end, elimination does") {
-  // One half of the row comes at the other. All contacts are touched, and those that close leave as
-  // fast as they came: no energy is lost.
+TEST_CASE("a row of light balls between heavy ones: iterations do not converge, elimination does") {
+  // One half of the row moves towards the other. All contacts are touching, and those that close
+  // separate with the same speed: no energy is lost.
   std::vector<Body> bodies;
   std::vector<BodyContact<double>> contacts;
   for (int k = 0; k < 12; ++k) {
@@ -116,7 +116,7 @@ TEST_CASE(
     CHECK(contact::contact_velocity(got->bodies, c) >= c.least_velocity - 1e-7);
 }
 
-TEST_CASE("what stands under a great weight is finished, as near to rest as its report says") {
+TEST_CASE("bodies under a heavy load come to rest, within the error of the report") {
   for (const double weight : {1e3, 1e6, 1e9}) {
     CAPTURE(weight);
     std::vector<Body> bodies{contact::immovable<double>({0, 0, 0}, {0, 0, 0}, {0, 0, 0})};
@@ -149,7 +149,7 @@ TEST_CASE("what stands under a great weight is finished, as near to rest as its 
   }
 }
 
-TEST_CASE("what is finished closes no faster, makes no energy, and rubs within its cone") {
+TEST_CASE("the active-set solve closes no faster, adds no energy, and keeps friction in its cone") {
   Random random(1817);
   int finished = 0;
   for (int i = 0; i < tried(400); ++i) {
@@ -183,9 +183,10 @@ TEST_CASE("what is finished closes no faster, makes no energy, and rubs within i
   CHECK(finished > tried(400) / 2);
 }
 
-TEST_CASE("what is finished obeys Coulomb's law: friction is against the slip, or nothing slips") {
-  // Velocities are as right as 2^14 roundings of what has been added up for them, 64 times what the
-  // report counts; impulses to 2^14 u of the largest.
+TEST_CASE(
+    "the active-set solve obeys Coulomb's law: friction opposes the slip, or contacts stick") {
+  // Velocities are right to 2^14 roundings of the sum of their absolute terms, 64 times the bound
+  // of the report; impulses to 2^14 u of the largest.
   Random random(1818);
   int finished = 0;
   int slides = 0;
@@ -212,7 +213,7 @@ TEST_CASE("what is finished obeys Coulomb's law: friction is against the slip, o
       CHECK(c.normal.dot(between) >= -wrong);
       if (x.normal > 0x1p-36 * largest) CHECK(c.normal.dot(between) <= wrong);
       CHECK(x.tangential.norm() <= c.friction * x.normal * (1 + 32 * u));
-      // It takes as much energy as any friction in its cone can.
+      // It dissipates as much energy as any friction in its cone can.
       const double most = c.friction * x.normal;
       CHECK(x.tangential.dot(slip) + most * slip.norm() <=
             2 * most * wrong + 0x1p-36 * largest * slip.norm());
@@ -224,7 +225,7 @@ TEST_CASE("what is finished obeys Coulomb's law: friction is against the slip, o
   CHECK(slides > tried(150));
 }
 
-TEST_CASE("friction that is only kept in its cones makes no energy, and lets nothing close") {
+TEST_CASE("friction by the cones alone adds no energy, and no contact closes") {
   Random random(1819);
   int finished = 0;
   for (int i = 0; i < tried(100); ++i) {
@@ -249,11 +250,11 @@ TEST_CASE("friction that is only kept in its cones makes no energy, and lets not
   CHECK(finished > tried(100) * 4 / 5);
 }
 
-TEST_CASE("plates on a slope are finished to rest, or to one speed, whatever lies on them") {
+TEST_CASE("plates on a slope come to rest, or to one speed, under any load") {
   for (const double load : {1.0, 1e3, 1e6}) {
-    for (const double steep : {0.5, 0.99, 1.01, 2.0}) {  // times the friction angle's tangent
+    for (const double steep : {0.5, 0.99, 1.01, 2.0}) {  // times the tangent of the friction angle
       CAPTURE(load, steep);
-      // The slope is the plane of x and y here: g h is 1/6, of the angle whose tangent is steep/2.
+      // The slope is the plane of x and y here: g h is 1/6, at the angle whose tangent is steep/2.
       const double cosine = 1 / std::sqrt(1 + steep * steep / 4);
       const V free = V(steep / 2, 0, -1) * (cosine / 6);
       std::vector<Body> bodies{contact::immovable<double>({0, 0, 0}, {0, 0, 0}, {0, 0, 0})};
@@ -282,7 +283,8 @@ TEST_CASE("plates on a slope are finished to rest, or to one speed, whatever lie
       const double wrong = 64 * std::max(1e-12, got->report.rounding);
       CHECK((got->bodies[4].velocity - V(speed, 0, 0)).norm() <= wrong);
       CHECK(energy(got->bodies) <= energy(bodies));
-      // What slides is at its limit on both faces: a plate may be anywhere between slope and load.
+      // A sliding plate is at the limit on both faces: any velocity between slope and load is a
+      // solution.
       for (std::size_t k = 1; k < 4; ++k) {
         const V v = got->bodies[k].velocity;
         CHECK(v.x() >= -wrong);
@@ -293,7 +295,7 @@ TEST_CASE("plates on a slope are finished to rest, or to one speed, whatever lie
   }
 }
 
-TEST_CASE("what cannot be finished is left") {
+TEST_CASE("unsolvable contacts return nothing") {
   const std::vector<Body> walls(2, contact::immovable<double>({0, 0, 0}, {0, 0, 0}, {0, 0, 0}));
   BodyContact<double> c;
   c.a = 0;

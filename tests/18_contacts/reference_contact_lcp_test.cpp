@@ -1,4 +1,4 @@
-// contact_lcp.hpp in fractions: the direct solution of all contacts at once.
+// contact_lcp.hpp in fractions: the direct solution of simultaneous contacts.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <contact/contact_lcp.hpp>
@@ -23,7 +23,7 @@ using reference::vector;
 using support::contains;
 using support::refusal;
 
-TEST_CASE("the direct solution is one, in fractions: complementarity, momentum, least energy") {
+TEST_CASE("the direct solution, in fractions: complementarity, momentum, minimum energy") {
   Random random(1804);
   int pushes = 0;
   for (int i = 0; i < tried(120); ++i) {
@@ -39,7 +39,7 @@ TEST_CASE("the direct solution is one, in fractions: complementarity, momentum, 
       pushes += (*impulses)[k] > 0 ? 1 : 0;
     }
     CHECK(energy(after) <= energy(p.bodies));
-    // No other pushes leave less.
+    // No other admissible impulses leave less energy.
     for (int other = 0; other < 5; ++other) {
       std::vector<Rational> changed = *impulses;
       for (Rational& x : changed) {
@@ -48,14 +48,14 @@ TEST_CASE("the direct solution is one, in fractions: complementarity, momentum, 
       }
       CHECK(energy(after) <= energy(contact::after_normal_impulses(p.bodies, p.contacts, changed)));
     }
-    // Between movable bodies, momentum and angular momentum stay.
+    // Between movable bodies momentum and angular momentum are conserved.
     bool movable = true;
     for (const auto& c : p.contacts) movable = movable && c.a != 0 && c.b != 0;
     if (movable) {
       CHECK(momentum(after) == momentum(p.bodies));
       CHECK(turning(after) == turning(p.bodies));
     }
-    // In any order of the contacts, the same velocities.
+    // The velocities do not depend on the order of the contacts.
     auto turned = p;
     std::rotate(turned.contacts.begin(), turned.contacts.begin() + 1, turned.contacts.end());
     const auto again = contact::complementary_impulses(turned.bodies, turned.contacts);
@@ -69,7 +69,7 @@ TEST_CASE("the direct solution is one, in fractions: complementarity, momentum, 
   CHECK(pushes > tried(100));
 }
 
-TEST_CASE("restitution at all contacts at once keeps or loses energy, in fractions") {
+TEST_CASE("simultaneous restitution conserves or loses energy, in fractions") {
   Random random(1805);
   for (int i = 0; i < tried(100); ++i) {
     auto p = problem(random, 4, random.integer(1, 5));
@@ -83,7 +83,7 @@ TEST_CASE("restitution at all contacts at once keeps or loses energy, in fractio
   }
 }
 
-TEST_CASE("a table on four legs, and what has no answer") {
+TEST_CASE("a table on four legs, and problems without a solution") {
   std::vector<Exactly> bodies;
   bodies.push_back(contact::immovable<Rational>({0, 0, 0}, {0, 0, 0}, {0, 0, 0}));
   bodies.push_back(contact::rigid_body<Rational>(4, contact::box_inertia<Rational>(4, {2, 2, 1}),

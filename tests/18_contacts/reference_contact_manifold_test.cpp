@@ -1,4 +1,4 @@
-// contact_manifold.hpp against closed forms and fractions: where bodies touch.
+// contact_manifold.hpp against closed forms and fractions.
 #include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
@@ -32,7 +32,7 @@ namespace {
 
 double size_of(const Box& b) { return b.centre.cwiseAbs().sum() + b.half_lengths.sum(); }
 
-/// Whether a point is in the box, or at most `room` away: exactly.
+/// Whether a point is in the box, or at most `room` outside, exactly.
 bool near_box(const V& p, const Box& b, double room) {
   return contact::exact_squared_distance<Rational>(oracle::exact(p), shape_oracle::exact(b)) <=
          oracle::exact(room) * oracle::exact(room);
@@ -70,7 +70,7 @@ TEST_CASE("a box on a floor: the corners within the margin, at most the four low
     std::vector<double> got;
     for (const auto& p : manifold.points) {
       got.push_back(p.distance);
-      // Midway: as far from the box's corner as from the floor.
+      // Midway: at equal distances from the box's corner and the floor.
       CHECK(near_box(V(p.point + manifold.normal * (p.distance / 2)), b, room));
       CHECK(std::abs(contact::signed_distance(h.boundary, p.point) - p.distance / 2) <= room);
     }
@@ -93,7 +93,7 @@ TEST_CASE("a box on a box: the corners of the overlap of two rectangles, in clos
     const double right = std::min(x + half.x(), other.x());
     const double front = std::max(y - half.y(), -other.y());
     const double back = std::min(y + half.y(), other.y());
-    if (right - left <= 1 || back - front <= 1) continue;  // then a side may be the way out
+    if (right - left <= 1 || back - front <= 1) continue;  // then a side may be less deep
     const auto manifold = contact::contact_manifold(a, b, 0.0);
     CHECK(manifold.normal == V(0, 0, 1));
     REQUIRE(manifold.points.size() == 4);
@@ -110,7 +110,7 @@ TEST_CASE("a box on a box: the corners of the overlap of two rectangles, in clos
   }
 }
 
-TEST_CASE("the points of two boxes lie midway between both surfaces, whatever the pose") {
+TEST_CASE("the points of two boxes lie midway between both surfaces, for any pose") {
   Random random(1803);
   int faces = 0;
   int edges = 0;
@@ -138,7 +138,7 @@ TEST_CASE("the points of two boxes lie midway between both surfaces, whatever th
   CHECK(edges > tried(8));
 }
 
-TEST_CASE("where corners meet the normal is always the same") {
+TEST_CASE("where corners meet the normal is the same in every run") {
   const Box a{V(2, 2, 2), Matrix3<double>::Identity(), V(1, 1, 1)};
   const Box b{V(0, 0, 0), Matrix3<double>::Identity(), V(1, 1, 1)};
   const auto corner = contact::contact_manifold(a, b, 0.0);
@@ -149,7 +149,8 @@ TEST_CASE("where corners meet the normal is always the same") {
   const auto back = contact::contact_manifold(b, a, 0.0);
   CHECK(back.normal == V(-1, 0, 0));
   CHECK(back.points.size() == 1);
-  // A gap on the diagonal: no face shows how far it is, and the margin counts the true distance.
+  // A gap on the diagonal: no face normal shows the distance, and the margin applies to the true
+  // distance.
   const Box off{V(2.01, 2.01, 2.01), Matrix3<double>::Identity(), V(1, 1, 1)};
   CHECK(contact::contact_manifold(off, b, 0.015).points.empty());
   const auto near = contact::contact_manifold(off, b, 0.02);
@@ -158,7 +159,7 @@ TEST_CASE("where corners meet the normal is always the same") {
   CHECK((near.normal - V(1, 1, 1).normalized()).norm() <= 1e-13);
 }
 
-TEST_CASE("capsules lie on two points and stand on one") {
+TEST_CASE("a lying capsule has two points, and a standing one has one") {
   const Capsule<double> lying{{V(-3, 0, 1), V(3, 0, 1)}, 1};
   const Box table{V(0, 0, -1), Matrix3<double>::Identity(), V(2, 2, 1)};
   const auto on_table = contact::contact_manifold(lying, table, 0.01);

@@ -1,4 +1,4 @@
-// contact_solver.hpp: what holds after any number of sweeps, with friction and restitution.
+// contact_solver.hpp: properties after any number of iterations, with friction and restitution.
 #include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
@@ -27,10 +27,10 @@ using reference::u;
 using reference::V;
 using reference::vector;
 
-TEST_CASE("without friction the sweeps end where the direct solution is") {
-  // A sweep changes no velocity by more than 1e-13 at the end. How far that is from the answer
-  // depends on how fast the sweeps converge: each takes out at least a ten thousandth of the error
-  // in all of these problems, so 1e-9 and a little.
+TEST_CASE("without friction the iterations converge to the direct solution") {
+  // At the end an iteration changes no velocity by more than 1e-13. The remaining error depends on
+  // the rate of convergence: each iteration removes at least a ten-thousandth of the error in all
+  // of these problems, so it is about 1e-9.
   Random random(1806);
   for (int i = 0; i < tried(150); ++i) {
     const auto p = problem(random, random.integer(2, 5), random.integer(1, 5));
@@ -50,7 +50,7 @@ TEST_CASE("without friction the sweeps end where the direct solution is") {
   }
 }
 
-TEST_CASE("after any number of sweeps nothing pulls, friction is in its cone, momentum stays") {
+TEST_CASE("after any number of iterations: no pull, friction in its cone, momentum conserved") {
   Random random(1807);
   for (int i = 0; i < tried(600); ++i) {
     auto p = down(problem(random, random.integer(3, 6), random.integer(1, 8)));
@@ -74,8 +74,8 @@ TEST_CASE("after any number of sweeps nothing pulls, friction is in its cone, mo
       pushed += x.normal * (1 + p.contacts[k].friction);
     }
     // Each impulse is divided by both masses and added to both velocities: a few roundings each, of
-    // what was pushed and of what was there. Arms and coordinates are below 16 m here, and the
-    // tensor and its inverse are not exactly inverse, by 1e2 u.
+    // the impulse and of the velocity. Lever arms and coordinates are below 16 m here, and the
+    // product of the tensor and its stored inverse has an error of 1e2 u.
     double scale = pushed * 16;
     for (const Body& b : p.bodies) {
       scale += b.mass * b.velocity.norm() * 16 + (b.inertia * b.spin).norm();
@@ -91,7 +91,7 @@ TEST_CASE("after any number of sweeps nothing pulls, friction is in its cone, mo
   }
 }
 
-TEST_CASE("contacts do not bring energy, with friction and restitution") {
+TEST_CASE("contacts add no energy, with friction and restitution") {
   Random random(1808);
   int blended = 0;
   for (int i = 0; i < tried(400); ++i) {
@@ -104,13 +104,13 @@ TEST_CASE("contacts do not bring energy, with friction and restitution") {
     const auto got = contact::solve_contacts<double>(p.bodies, p.contacts, {},
                                                      {20000, 1e-12, 1.0, random.chance(0.5)});
     blended += got.report.blended ? 1 : 0;
-    // What the velocities are off by, times the momenta.
+    // The error of the velocities, times the momenta.
     CHECK(energy(got.bodies) <= energy(p.bodies) * (1 + 1e-9));
   }
   CHECK(blended > tried(4));
 }
 
-TEST_CASE("no number of sweeps makes energy where nothing bounces") {
+TEST_CASE("without restitution no number of iterations adds energy") {
   Random random(1811);
   for (int i = 0; i < tried(400); ++i) {
     auto p = down(problem(random, random.integer(2, 5), random.integer(1, 8)));
@@ -128,8 +128,8 @@ TEST_CASE("no number of sweeps makes energy where nothing bounces") {
 
 namespace {
 
-/// A box that is its own mirror image across the plane of x and z, and moves in it, on a floor with
-/// its four lower corners, in any order.
+/// A box that is symmetric about the plane of x and z, and moves in it, on a floor with its four
+/// lower corners, in any order.
 Problem<double> mirrored(Random& random) {
   Problem<double> p;
   const V half(random.uniform(0.2, 1), random.uniform(0.2, 1), random.uniform(0.2, 1));
@@ -152,7 +152,7 @@ Problem<double> mirrored(Random& random) {
 
 }  // namespace
 
-TEST_CASE("solved at once, a box that is its own mirror image stays so, in any order of contacts") {
+TEST_CASE("with Jacobi a symmetric box stays symmetric, in any order of contacts") {
   Random random(1812);
   for (int i = 0; i < tried(200); ++i) {
     const auto p = mirrored(random);
@@ -166,7 +166,7 @@ TEST_CASE("solved at once, a box that is its own mirror image stays so, in any o
   }
 }
 
-TEST_CASE("sweeps that go beyond a contact's answer settle with friction too") {
+TEST_CASE("over-relaxed iterations converge with friction too") {
   Random random(1813);
   for (int i = 0; i < tried(200); ++i) {
     const auto p = mirrored(random);
@@ -194,8 +194,8 @@ TEST_CASE("one contact without friction is the collision of rigid bodies") {
 }
 
 TEST_CASE(
-    "who is light bounces off who is heavy, though the energy of the heavy one rounds to more") {
-  // 5e17 J round to 64 J; the light one takes 2 J.
+    "a light body bounces off a very heavy one, despite the rounding of the heavy one's energy") {
+  // The energy of the heavy body is 5e17 J with an ulp of 64 J; the light body gains 2,000 J.
   std::vector<Body> bodies(2);
   const double masses[] = {1e12, 1e-3};
   for (std::size_t i = 0; i < 2; ++i) {

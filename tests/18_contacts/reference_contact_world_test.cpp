@@ -1,4 +1,4 @@
-// contact_world.hpp: boxes that stand, slide and rest, and what is refused.
+// contact_world.hpp: boxes at rest and sliding, and invalid input.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -23,7 +23,7 @@ using reference::vector;
 using support::contains;
 using support::refusal;
 
-TEST_CASE("ten boxes on a floor stay where they are for ten seconds") {
+TEST_CASE("a stack of ten boxes stays at rest for ten seconds") {
   std::vector<contact::ShapedBody<double>> bodies{contact::ground<double>({V(0, 0, 1), 0})};
   for (int i = 0; i < 10; ++i) {
     bodies.push_back(contact::solid_box<double>(1, V(1, 1, 1), V(0, 0, 0.5 + i)));
@@ -44,7 +44,7 @@ TEST_CASE("ten boxes on a floor stay where they are for ten seconds") {
   CAPTURE(moved);
   CHECK(moved < 1e-8);
   CHECK(lowest == 0);
-  // The floor carries all of them: ten kilograms for a sixtieth of a second.
+  // The floor supports all of them: ten kilograms for a sixtieth of a second.
   double carried = 0;
   for (std::size_t i = 0; i < memory.contacts.size(); ++i) {
     if (memory.contacts[i].a == 0) carried += memory.impulses[i].normal;
@@ -52,16 +52,17 @@ TEST_CASE("ten boxes on a floor stay where they are for ten seconds") {
   CHECK(std::abs(carried - 10 * 9.80665 / 60) < 1e-8);
 }
 
-TEST_CASE("a box on a slope rests or slides as the angle says") {
-  // tan of the angle is 3/4: it rests for μ = 0.8, and slides for 0.5 with g (0.6 − 0.5·0.8).
+TEST_CASE("a box on a slope rests or slides, depending on the angle") {
+  // The tangent of the angle is 3/4: the box rests for μ = 0.8, and slides for 0.5 with g (0.6 −
+  // 0.5·0.8).
   const V up(-0.6, 0, 0.8);
   const Matrix3<double> axes = (Matrix3<double>() << 0.8, 0, -0.6, 0, 1, 0, 0.6, 0, 0.8).finished();
-  // The sweeps of a step end at changes of 1e-11; with at least a ten thousandth of the error taken
-  // out in each, sixty steps are off by less than 60 · 1e-7.
+  // The iterations of a step end at changes of 1e-11; each removes at least a ten-thousandth of the
+  // error, so after sixty steps it is less than 60 · 1e-7.
   for (const double friction : {0.8, 0.5}) {
     std::vector<contact::ShapedBody<double>> bodies{contact::ground<double>({up, 0})};
     bodies.push_back(contact::solid_box<double>(2, V(2, 2, 1), V(up * 0.5)));
-    // A half turn of the slope's angle: its cosine is 3/√10.
+    // Half of the slope's angle: its cosine is 3/√10.
     bodies[1].orientation = contact::normalised(contact::Rotor<double>{3, V(0, -1, 0)});
     bodies[1].motion = contact::rigid_body_from_axes<double>(
         2, bodies[1].moments, contact::matrix_of(bodies[1].orientation), V(up * 0.5), V(0, 0, 0),
@@ -76,7 +77,7 @@ TEST_CASE("a box on a slope rests or slides as the angle says") {
   }
 }
 
-TEST_CASE("the same start gives the same bits, and a ball rolls, bounces and comes to rest") {
+TEST_CASE("equal starts give equal bits, and a ball rolls, bounces and comes to rest") {
   const auto run = [] {
     std::vector<contact::ShapedBody<double>> bodies{contact::ground<double>({V(0, 0, 1), 0})};
     bodies.push_back(contact::solid_box<double>(3, V(2, 2, 2), V(0.1, 0, 2)));
@@ -105,7 +106,7 @@ TEST_CASE("the same start gives the same bits, and a ball rolls, bounces and com
   CHECK(std::abs(one[3].motion.position.z() - 0.5) < 1e-3);
 }
 
-TEST_CASE("contacts that are none are refused, with the argument's name and value") {
+TEST_CASE("invalid contacts are refused, with the argument's name and value") {
   std::vector<Body> bodies(2);
   bodies[1] = contact::rigid_body<double>(1, Matrix3<double>::Identity(), V(0, 0, 0), V(0, 0, 0),
                                           V(0, 0, 0));

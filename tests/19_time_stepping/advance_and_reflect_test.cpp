@@ -1,6 +1,6 @@
-// Named tests take numbers that are exact. Random rooms are boxes without loss, in which each
-// coordinate is a straight line that is folded: a way of computing that knows no impacts. Every
-// test asks for at least two different answers, so that no constant passes one.
+// Named tests use exactly representable numbers. Random rooms are boxes with k = 1, in which each
+// coordinate is a folded straight line: a computation without impacts. Every test asks for at least
+// two different answers, so that no constant passes.
 #include "advance_and_reflect.hpp"
 
 #include <support/exercise.hpp>
@@ -13,7 +13,7 @@ using exercise::Ball;
 using exercise::Wall;
 using Vector = Eigen::Vector3d;
 
-/// The loop, and the ways in which it goes wrong.
+/// The loop, right and with each of its usual mistakes.
 enum class Way { right, one_impact, rest_lost, separating, point, last_wall, fraction };
 
 Ball advanced(const Ball& ball, const std::vector<Wall>& walls, double k, double step, Way way) {
@@ -80,14 +80,14 @@ TEST_CASE("a step without an impact") {
   check_exact({Vector(0, 0, 2), Vector(1, 2, 4), 0, 0}, {floor_wall}, 0.5, 2);
 }
 
-TEST_CASE("half of the step, and back") {
-  // The lecture's numbers: a step of a second, the impact after half of it.
+TEST_CASE("an impact after half of the step") {
+  // The lecture's numbers: a step of one second, the impact after half of it.
   check_exact({Vector(0, 0, 0.5), Vector(0, 0, -1), 0, 0}, {floor_wall}, 1, 1);
   check_exact({Vector(0, 0, 1), Vector(1, 0, -4), 0, 2}, {floor_wall}, 0.5, 0.75);
   check_exact({Vector(0, 0, 1), Vector(1, 0, -4), 0, 2}, {floor_wall}, 0.5, 0.25);
 }
 
-TEST_CASE("to and fro in one step") {
+TEST_CASE("several impacts in one step") {
   check_exact({Vector(0.5, 0, 0), Vector(4, 0, 0), 0, 0}, {left, right_wall}, 1, 1);
   check_exact({Vector(0.5, 0, 0), Vector(4, 0, 0), 0, 0}, {left, right_wall}, 0.5, 2.5);
   check_exact({Vector(0.5, 0, 1), Vector(8, 0, -1), 0, 0}, {left, right_wall, floor_wall}, 1, 1.25);
@@ -99,18 +99,18 @@ TEST_CASE("the nearest wall comes first") {
   check_exact({Vector(0.25, 0, 0), Vector(4, 0, 0), 0, 0}, {far, right_wall, left, far}, 1, 0.625);
 }
 
-TEST_CASE("what touches and leaves is left alone") {
+TEST_CASE("a ball that touches a wall and moves away is not reflected") {
   check_exact({Vector(0, 0, 0), Vector(1, 0, 2), 0, 0}, {floor_wall}, 0.5, 1);
   check_exact({Vector(0, 0, 0), Vector(1, 0, 0), 0, 0}, {floor_wall}, 0.5, 1);
   check_exact({Vector(0, 0, 0), Vector(1, 0, -2), 0, 0}, {floor_wall}, 0.5, 1);
 }
 
-TEST_CASE("a ball is larger than its centre") {
+TEST_CASE("the radius of the ball counts") {
   check_exact({Vector(0, 0, 1), Vector(0, 0, -2), 0.25, 0}, {floor_wall}, 1, 1);
   check_exact({Vector(0.5, 0, 0), Vector(2, 0, 0), 0.25, 0}, {left, right_wall}, 1, 0.75);
 }
 
-TEST_CASE("random rooms agree with mirrors") {
+TEST_CASE("random rooms agree with mirror images") {
   generators::Random random(seed(0));
   for (int asked = 0; asked < 200; ++asked) {
     const double radius = random.uniform(0.05, 0.2);
@@ -128,7 +128,7 @@ TEST_CASE("random rooms agree with mirrors") {
       normal(i) = 1;
       walls.push_back({normal, 0});
       walls.push_back({-normal, -size(i)});
-      // A straight line through mirrors: the line's place, folded to and fro.
+      // The position on a straight line, folded back at the mirrors.
       const double length = size(i) - 2 * radius;
       const double place = ball.centre(i) - radius + ball.velocity(i) * step;
       const double turns = std::floor(place / length);
@@ -140,7 +140,7 @@ TEST_CASE("random rooms agree with mirrors") {
       close = close || rest < 1e-9 || length - rest < 1e-9;
     }
     if (close) continue;
-    // Some thirty impacts, each with a few roundings of numbers below 10.
+    // About thirty impacts, each with a few roundings of numbers below 10.
     check(ball, walls, 1, step, right, 1e-11);
   }
 }

@@ -1,5 +1,5 @@
-// The queue against a list that is searched, and two balls before a wall against fractions and what
-// is conserved (class (a) of the oracle).
+// The queue against a list that is searched, and two balls near a wall against fractions and
+// conserved quantities (class (a) of the oracle).
 #include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
@@ -93,7 +93,7 @@ TEST_CASE("the queue gives what a searched list gives, ties and stale events inc
   CHECK(popped > 3000);
 }
 
-TEST_CASE("the order does not depend on the order of putting in") {
+TEST_CASE("the order of events does not depend on the order in which they are added") {
   Random random(1932);
   std::vector<QueuedEvent<double>> events;
   for (int i = 0; i < 40; ++i) {
@@ -121,7 +121,7 @@ TEST_CASE("the order does not depend on the order of putting in") {
   }
 }
 
-TEST_CASE("stale events do not pile up") {
+TEST_CASE("stale events do not accumulate") {
   EventQueue<double> queue(100);
   Random random(1933);
   std::size_t most = 0;
@@ -131,7 +131,7 @@ TEST_CASE("stale events do not pile up") {
     queue.push(i + random.uniform(), body);
     most = std::max(most, queue.size());
   }
-  // At most a hundred count at a time.
+  // At most a hundred are valid at a time.
   CHECK(most <= 2 * 100 + 2 * 100);
 }
 
@@ -154,9 +154,9 @@ TwoBallsAndWall<Rational> any_balls(Random& random, const Rational& e) {
 
 }  // namespace
 
-TEST_CASE("two elastic balls keep energy, and m x² + M y² is the parabola it must be") {
-  // Seen with √m x and √M y for axes, the two are a point in a wedge that bounces without loss, and
-  // its distance from the corner is that of a straight line: Q(t) = Q + 2 P t + 2 E t².
+TEST_CASE("two elastic balls conserve energy, and m x² + M y² is a parabola in time") {
+  // In the coordinates √m x and √M y the two balls are a point in a wedge that bounces without
+  // loss, and its distance from the apex is that of a straight line: Q(t) = Q + 2 P t + 2 E t².
   Random random(1934);
   std::int64_t hits = 0;
   for (int i = 0; i < 500; ++i) {
@@ -187,7 +187,7 @@ TEST_CASE("two elastic balls keep energy, and m x² + M y² is the parabola it m
   CHECK(hits > 500);
 }
 
-TEST_CASE("equal elastic balls pass through each other, as far as anybody can tell") {
+TEST_CASE("equal elastic balls move as if they passed through each other") {
   Random random(1935);
   for (int i = 0; i < 300; ++i) {
     auto start = any_balls(random, 1);
@@ -203,7 +203,7 @@ TEST_CASE("equal elastic balls pass through each other, as far as anybody can te
   }
 }
 
-TEST_CASE("the clicks are the digits of pi, by events") {
+TEST_CASE("the numbers of collisions by events are the digits of pi") {
   for (const double ratio : {1.0, 2.0, 16.0, 100.0, 1000.0, 10000.0}) {
     auto blocks = contact::two_balls_and_wall<double>({1, 0}, {ratio, -1}, 1.0, 1.0, 1.0);
     double forever = 1e9;
@@ -212,7 +212,7 @@ TEST_CASE("the clicks are the digits of pi, by events") {
   }
 }
 
-TEST_CASE("a round of two balls and a wall has determinant e² and the trace that decides") {
+TEST_CASE("a round of two balls and a wall has determinant e², and its trace decides") {
   Random random(1938);
   for (int i = 0; i < 400; ++i) {
     const double restitution = random.integer(0, 16) / 16.0;
@@ -225,7 +225,7 @@ TEST_CASE("a round of two balls and a wall has determinant e² and the trace tha
       const auto after = contact::collide<Rational>({m, -e * u}, {n, w}, e);
       return std::pair<Rational, Rational>(after.first, after.second);
     };
-    // Both towards the wall, so that they do meet; the rest is linear.
+    // Both move towards the wall, so that they collide; the map is linear.
     const auto one = round(-1, 0);
     const auto both = round(-1, -1);
     const Rational a = -one.first;
@@ -238,7 +238,7 @@ TEST_CASE("a round of two balls and a wall has determinant e² and the trace tha
   }
 }
 
-TEST_CASE("whether collisions have an end is what the polynomial says") {
+TEST_CASE("the polynomial decides whether there are infinitely many collisions") {
   Random random(1936);
   int endless = 0;
   int ending = 0;
@@ -246,7 +246,8 @@ TEST_CASE("whether collisions have an end is what the polynomial says") {
     const double e = random.integer(1, 15) / 16.0;
     const double outer = random.integer(1, 64);
     const double inner = random.integer(1, 16);
-    // Near the border the pair of velocities turns so slowly that its end is far away.
+    // Near the limit the vector of the velocities rotates so slowly that the last collision is
+    // late.
     const double trace = 1 - e + (1 + e) * (e * outer - inner) / (outer + inner);
     if (trace < 2 * e && trace > 1.9 * e) continue;
     const auto start = contact::two_balls_and_wall<Rational>(
@@ -260,7 +261,7 @@ TEST_CASE("whether collisions have an end is what the polynomial says") {
   }
   CHECK(endless > 50);
   CHECK(ending > 50);
-  // On the border: e = 1/2 and M = 8 m; e = 1/3 is no double.
+  // At the limit: e = 1/2 and M = 8 m; e = 1/3 is not a double.
   CHECK(contact::collapses(1.0, 8.0, 0.5));
   CHECK_FALSE(contact::collapses(1.0, std::nextafter(8.0, 0.0), 0.5));
   CHECK_FALSE(contact::collapses(std::nextafter(1.0, 2.0), 8.0, 0.5));
@@ -268,7 +269,7 @@ TEST_CASE("whether collisions have an end is what the polynomial says") {
   CHECK_FALSE(contact::collapses(1e-300, 1e300, 1.0));
 }
 
-TEST_CASE("steps of two balls are right while nothing is met, and lose a pass between two looks") {
+TEST_CASE("steps of two balls are exact without collisions, and find an overlap a step late") {
   Random random(1937);
   for (int i = 0; i < 200; ++i) {
     auto start = any_balls(random, 1);
@@ -278,14 +279,14 @@ TEST_CASE("steps of two balls are right while nothing is met, and lose a pass be
     REQUIRE(end.hits == 0);
     REQUIRE(end.wall_gap == start.wall_gap + 2 * start.inner.velocity);
   }
-  // Overlap is found a step late: the inner ball gets 1 m into the wall before it turns.
+  // The overlap is found at the end of the step: the inner ball is 1 m inside the wall by then.
   const auto late = contact::two_balls_in_steps<Rational>(
       contact::two_balls_and_wall<Rational>({1, -4}, {1, 0}, 1, 100, 1), Rational(1) / 2, 1);
   CHECK(late.wall_gap == -1);
   CHECK(late.inner.velocity == 4);
 }
 
-TEST_CASE("balls that cannot be are refused by name") {
+TEST_CASE("invalid balls are refused by name") {
   const contact::LineBody<double> ball{1, 0};
   const contact::LineBody<double> wall{std::numeric_limits<double>::infinity(), 0};
   CHECK(contains(refusal([&] { contact::two_balls_and_wall(wall, ball, 0.0, 0.0, 1.0); }),

@@ -1,10 +1,11 @@
 // Recomputes the answers of hard_cases.json and says which method gets which case right.
 //
 // What is rational in the stored numbers is computed in fractions (class (a)); the time at which a
-// gap closes has one square root (b); a place on a spring is a cosine, enclosed (c). Whether
-// something happens, how often and whether it ever ends must be right. A time is right if it is off
-// by at most 2^-40 of itself, a place in a fall by 2^-40 of |x| + |v t| + |a t²/2|, one on a spring
-// by 2^-10 of |x| + |v|/ω, one between walls by 2^-40 of the way and the start together.
+// gap closes has one square root (b); a position on a spring is a cosine, enclosed by intervals
+// (c). Whether a gap closes, the number of impacts and whether it is finite must be right. A time
+// may have a relative error of 2^-40, a position in a fall an error of 2^-40 of |x| + |v t| + |a
+// t²/2|, on a spring of 2^-10 of |x| + |v|/ω, between walls of 2^-40 of the path plus the start's
+// distance from the origin.
 #include "support/hard_cases.hpp"
 
 #include <cmath>
@@ -75,7 +76,7 @@ void add_closing(hard_cases::Runner& runner) {
     const double t = 2 * gap / (std::sqrt(square) - rate);
     return t >= 0 ? std::optional(t) : std::nullopt;
   });
-  method("as if straight",
+  method("without acceleration",
          [](double gap, double rate, double) { return contact::straight_closing_time(gap, rate); });
   method("book",
          [](double gap, double rate, double a) { return contact::closing_time(gap, rate, a); });
@@ -110,8 +111,8 @@ void add_fall(hard_cases::Runner& runner) {
           .position;
     };
   };
-  method("position first", by(Integrator::position_first));
-  method("velocity first", by(Integrator::velocity_first));
+  method("explicit Euler", by(Integrator::position_first));
+  method("symplectic Euler", by(Integrator::velocity_first));
   method("Verlet", by(Integrator::velocity_verlet));
   method("Runge–Kutta", by(Integrator::runge_kutta_4));
   method("book", [](const Case& c) {
@@ -152,8 +153,8 @@ void add_spring(hard_cases::Runner& runner) {
           .position;
     };
   };
-  method("position first", by(Integrator::position_first));
-  method("velocity first", by(Integrator::velocity_first));
+  method("explicit Euler", by(Integrator::position_first));
+  method("symplectic Euler", by(Integrator::velocity_first));
   method("Verlet", by(Integrator::velocity_verlet));
   method("Runge–Kutta", by(Integrator::runge_kutta_4));
   method("book", [](const Case& c) {
@@ -187,7 +188,7 @@ struct Place {
   int impacts = 0;
 };
 
-/// The loop as it is first written: each mistake can be switched on.
+/// A naive loop, in which each mistake can be switched on.
 Place naive(const Case& c, bool once, bool lost, bool approach) {
   Vector x = c.vector("position");
   Vector v = c.vector("velocity");
@@ -250,7 +251,7 @@ void add_walls(hard_cases::Runner& runner) {
   method("one impact a step", [](const Case& c) { return naive(c, true, false, true); });
   method("ends at the impact", [](const Case& c) { return naive(c, false, true, true); });
   method("no test for approach", [](const Case& c) { return naive(c, false, false, false); });
-  method("as one writes it first", [](const Case& c) { return naive(c, false, false, true); });
+  method("naive loop", [](const Case& c) { return naive(c, false, false, true); });
   method("book", [](const Case& c) {
     const auto end = contact::advance_straight<double>(
         {c.vector("position"), c.vector("velocity")}, 0, c.number("step"), walls_of<double>(c),

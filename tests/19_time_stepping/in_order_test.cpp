@@ -1,8 +1,8 @@
-// Beads that are alike and exchange their velocities are, to anybody who cannot tell them apart,
-// beads that pass through each other. So every meeting is a crossing of two straight lines, and its
-// index says how many lines are to the left of it. Named tests take times that are exact; where
-// several lines cross at one point and time, the rule of the contract is followed by hand. Every
-// test asks for at least two different answers, so that no constant passes one.
+// Identical beads that exchange their velocities move as if they passed through each other. So
+// every meeting is a crossing of two straight lines, and its index is the number of lines to the
+// left of it. Named tests use exact times; where several lines cross at one point, the expected
+// order was derived by hand from the contract. Every test asks for at least two different answers,
+// so that no constant passes.
 #include "in_order.hpp"
 
 #include <support/exercise.hpp>
@@ -18,7 +18,7 @@ using exercise::Meeting;
 using Meetings = std::vector<Meeting>;
 using Wire = std::vector<Bead>;
 
-/// From the velocities of the start alone.
+/// Computed from the velocities at the start alone.
 Meetings of_the_start(const Wire& beads, double until) {
   Meetings list;
   for (std::size_t i = 0; i + 1 < beads.size(); ++i) {
@@ -33,7 +33,7 @@ Meetings of_the_start(const Wire& beads, double until) {
 }
 
 bool ordered_the_other_way(const Meetings& got, Meetings right) {
-  // The same meetings, with those of one time in the opposite order.
+  // The same meetings, with those at the same time in the opposite order.
   std::stable_sort(right.begin(), right.end(), [](const Meeting& a, const Meeting& b) {
     return a.time < b.time || (a.time == b.time && a.left > b.left);
   });
@@ -82,7 +82,7 @@ void check(const Wire& beads, double until, const Meetings& right) {
       .suspect_if("stale-meetings-kept",
                   [&](const Meetings& got) { return got.size() > right.size(); })
       .answer([&] { return exercise::meetings(beads, until); })
-      // Places below 100 m with speeds of some 5 m/s, and a few roundings a meeting.
+      // Positions below 100 m, speeds of about 5 m/s, and a few roundings a meeting.
       .close_to(right, within(1e-9));
 }
 
@@ -97,31 +97,31 @@ TEST_CASE("two beads meet once or never") {
 }
 
 TEST_CASE("a chain of three") {
-  // The first pushes the second, that the third.
+  // The first hits the second, which hits the third.
   check({{0, 2}, {1, 0}, {3, 0}}, 10, {{0.5, 0}, {1.5, 1}});
-  // The third comes back, and the first two meet again.
+  // The third moves towards them, and the first two meet again.
   check({{0, 2}, {1, 0}, {4, -1}}, 10, {{0.5, 0}, {4.0 / 3, 1}, {3, 0}});
-  // The second would have met the third at 4 s; it meets the first before, and so the third sooner.
+  // Without the first, the second would meet the third at 4 s; with it, they meet earlier.
   check({{0, 4}, {2, 1}, {6, 0}}, 10, {{2.0 / 3, 0}, {1.5, 1}, {4, 0}});
 }
 
-TEST_CASE("the end belongs to it") {
+TEST_CASE("a meeting at the end is included") {
   check({{0, 1}, {2, -1}}, 1, {{1, 0}});
   check({{0, 1}, {2, -1}}, 0.875, {});
   check({{0, 2}, {1, 0}, {3, 0}}, 1.5, {{0.5, 0}, {1.5, 1}});
 }
 
-TEST_CASE("three at one place meet three times") {
+TEST_CASE("three at one position meet three times") {
   check({{-1, 1}, {0, 0}, {1, -1}}, 10, {{1, 0}, {1, 1}, {1, 0}});
   check({{-2, 1}, {0, 0}, {2, -1}, {9, 0}}, 20, {{2, 0}, {2, 1}, {2, 0}, {11, 2}});
 }
 
-TEST_CASE("far pairs at one time go by index") {
+TEST_CASE("distant pairs that meet at one time are ordered by index") {
   check({{0, 1}, {2, -1}, {100, 1}, {102, -1}}, 5, {{1, 0}, {1, 2}});
   check({{0, 2}, {4, -2}, {50, 4}, {54, 0}, {99, 1}, {101, -1}}, 5, {{1, 0}, {1, 2}, {1, 4}});
 }
 
-TEST_CASE("random wires agree with lines that cross") {
+TEST_CASE("random wires agree with crossing lines") {
   generators::Random random(seed(0));
   for (int asked = 0; asked < 150; ++asked) {
     Wire beads;

@@ -1,4 +1,4 @@
-// advance.hpp: from impact to impact among walls, in fractions.
+// advance.hpp: from impact to impact between walls, in fractions.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/advance.hpp>
@@ -35,7 +35,7 @@ std::vector<Plane<S>> box(const Vector3<S>& size) {
   return walls;
 }
 
-/// Where a point is that bounces between 0 and `length` without loss: a straight line, folded.
+/// The position of a point that bounces between 0 and `length` with k = 1: a folded straight line.
 Rational folded(const Rational& x, const Rational& length) {
   Rational rest = x / (2 * length);
   const oracle::Integer whole = numerator(rest) / denominator(rest);
@@ -46,7 +46,7 @@ Rational folded(const Rational& x, const Rational& length) {
 
 }  // namespace
 
-TEST_CASE("advancing in a box is a straight line, folded: exactly, in fractions") {
+TEST_CASE("advancing in a box is a folded straight line, exactly, in fractions") {
   Random random(1909);
   int impacts = 0;
   for (int i = 0; i < 400; ++i) {
@@ -96,7 +96,7 @@ TEST_CASE("two half steps are one step") {
   }
 }
 
-TEST_CASE("in a wedge there is an end of impacts, at most the angles that fit into half a turn") {
+TEST_CASE("in a wedge of angle θ there are at most ⌈π/θ⌉ impacts without loss") {
   // The tangent of the wedge's angle is 3/4: 36.87°, and 180/36.87 = 4.9. Its walls have rational
   // unit normals.
   const std::vector<Plane<Rational>> walls{
@@ -121,7 +121,7 @@ TEST_CASE("in a wedge there is an end of impacts, at most the angles that fit in
 
 namespace {
 
-/// The most impacts of a ball in a wedge of 20 degrees, over 5000 directions that lead into it.
+/// The largest number of impacts in a wedge of 20 degrees, over 5,000 directions that lead into it.
 int most_impacts_at_twenty_degrees(double restitution, int allowed) {
   const double wedge = std::numbers::pi / 9;
   const std::vector<Plane<double>> walls{{{0, 0, 1}, 0},
@@ -140,36 +140,36 @@ int most_impacts_at_twenty_degrees(double restitution, int allowed) {
 
 }  // namespace
 
-TEST_CASE("with losses a wedge holds more impacts than angles fit into half a turn") {
+TEST_CASE("with losses a wedge of angle θ can have more than ⌈π/θ⌉ impacts") {
   CHECK(most_impacts_at_twenty_degrees(1, 1000) == 9);
   CHECK(most_impacts_at_twenty_degrees(0.5, 1000) == 39);
-  // Without an end: as many as are allowed.
+  // Infinitely many: as many as are allowed.
   CHECK(most_impacts_at_twenty_degrees(0.1, 1000) == 1000);
 }
 
-TEST_CASE("impacts at one time are met in the order of the list, and all of them") {
+TEST_CASE("simultaneous impacts are all handled, in the order of the list") {
   const auto walls = box<Rational>(oracle::Vector(2, 2, 2));
   const auto rules = contact::impact_rules<Rational>(1, 0, 10);
-  // Into the corner, three walls at once, at half of the step.
+  // Into the corner: three walls at once, after half of the step.
   const auto got = contact::advance_straight<Rational>(
       {oracle::Vector(1, 1, 1), oracle::Vector(-2, -2, -2)}, 0, 1, walls, rules);
   CHECK(got.impacts == 3);
   CHECK(got.state.position == oracle::Vector(1, 1, 1));
   CHECK(got.state.velocity == oracle::Vector(2, 2, 2));
   CHECK(got.wall == 4);
-  // An impact at the very end belongs to the step.
+  // An impact exactly at the end of the step counts.
   const auto end = contact::advance_straight<Rational>(
       {oracle::Vector(1, 1, 1), oracle::Vector(-1, 0, 0)}, 0, 1, walls, rules);
   CHECK(end.impacts == 1);
   CHECK(end.state.velocity == oracle::Vector(1, 0, 0));
-  // What touches a wall and moves away from it, or along it, does not meet it.
+  // A ball that touches a wall and moves away from it, or along it, does not hit it.
   const auto away = contact::advance_straight<Rational>(
       {oracle::Vector(0, 0, 1), oracle::Vector(1, 0, 0)}, 0, 1, walls, rules);
   CHECK(away.impacts == 0);
   CHECK(away.wall == -1);
 }
 
-TEST_CASE("a number of impacts that is spent is said, with the time that is left") {
+TEST_CASE("when the limit on impacts is reached, the unused time is returned") {
   const std::vector<Plane<Rational>> gap{{oracle::Vector(1, 0, 0), 0},
                                          {oracle::Vector(-1, 0, 0), Rational(-1)}};
   const auto got = contact::advance_straight<Rational>(
@@ -180,7 +180,7 @@ TEST_CASE("a number of impacts that is spent is said, with the time that is left
   CHECK(got.time_left == Rational(13) / 2);
   CHECK(got.state.position.x() == 0);
   CHECK(got.state.velocity.x() == -1);
-  // With none allowed it stops at the first wall, which it still approaches.
+  // With a limit of 0 the ball stops at the first wall, which it still approaches.
   const auto none = contact::advance_straight<Rational>(
       {oracle::Vector(Rational(1) / 2, 0, 0), oracle::Vector(1, 0, 0)}, 0, 10, gap,
       contact::impact_rules<Rational>(1, 0, 0));
@@ -191,7 +191,7 @@ TEST_CASE("a number of impacts that is spent is said, with the time that is left
   CHECK(none.state.velocity.x() == 1);
 }
 
-TEST_CASE("a ball on a level floor does what the formula of the bounces says") {
+TEST_CASE("a ball on a horizontal floor agrees with the formula of its bounces") {
   Random random(1912);
   int bounced = 0;
   int rested = 0;
@@ -210,11 +210,11 @@ TEST_CASE("a ball on a level floor does what the formula of the bounces says") {
         {Vector3<double>(1, 2, height + radius), Vector3<double>(along, 0, velocity)},
         Vector3<double>(0, 0, -gravity), radius, step, {{Vector3<double>(0, 0, 1), 0.0}},
         contact::impact_rules(k, rest_speed, 10000));
-    // Near an impact the two may count differently, by rounding.
+    // Near an impact rounding may make the two counts differ.
     if (std::abs(wanted.height) < 1e-9 && !wanted.resting) continue;
     REQUIRE(double(got.impacts) == wanted.bounces);
     REQUIRE((got.end == contact::AdvanceEnd::rests) == wanted.resting);
-    // Some 100 impacts at most, each off by 16 u of a time below 10 s, times a speed below 20 m/s.
+    // At most about 100 impacts, each with an error of 16 u of a time below 10 s, at most 20 m/s.
     REQUIRE(std::abs(got.state.position.z() - radius - wanted.height) <= 1e-11);
     REQUIRE(std::abs(got.state.position.x() - 1 - along * (step - got.time_left)) <= 1e-12);
     if (wanted.resting) {
@@ -228,7 +228,7 @@ TEST_CASE("a ball on a level floor does what the formula of the bounces says") {
   CHECK(rested > 100);
 }
 
-TEST_CASE("without a rest speed, bounces without end spend the rules' number") {
+TEST_CASE("without a rest speed, infinitely many bounces reach the limit") {
   const auto advance = [](int most) {
     return contact::advance_ballistic<double>(
         {Vector3<double>(0, 0, 1), Vector3<double>(0, 0, 0)}, Vector3<double>(0, 0, -8), 0.0, 2.0,
@@ -237,10 +237,10 @@ TEST_CASE("without a rest speed, bounces without end spend the rules' number") {
   const auto got = advance(30);
   CHECK(got.end == contact::AdvanceEnd::out_of_impacts);
   CHECK(got.impacts == 30);
-  // All impacts are over after 3/2 s: what is left is half a second and a little.
+  // All impacts are over after 3/2 s: a little more than half a second is unused.
   CHECK(got.time_left > 0.5);
   CHECK(got.time_left < 0.5 + 0x1p-28);
-  // A body that lies on the floor from the start rests at once, and has met nothing.
+  // A body that lies on the floor at the start rests at once, without an impact.
   const auto lying = contact::advance_ballistic<double>(
       {Vector3<double>(0, 0, 0), Vector3<double>(1, 0, 0)}, Vector3<double>(0, 0, -8), 0.0, 2.0,
       {{Vector3<double>(0, 0, 1), 0.0}}, contact::impact_rules(0.5, 0.0, 30));
@@ -254,7 +254,7 @@ TEST_CASE("among oblique walls no energy is gained, and no wall is passed") {
   int impacts = 0;
   for (int i = 0; i < 500; ++i) {
     std::vector<Plane<double>> walls = box<double>(Vector3<double>(4, 4, 4));
-    // A slope across a corner.
+    // An oblique wall that cuts off a corner.
     const Vector3<double> normal =
         Vector3<double>{random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)}
             .normalized();
@@ -271,7 +271,7 @@ TEST_CASE("among oblique walls no energy is gained, and no wall is passed") {
       return s.velocity.squaredNorm() / 2 + 9.81 * s.position.z();
     };
     const double before = energy(start);
-    // A hundred impacts at most for k = 1, each with some 50 roundings of numbers below 300.
+    // At most a hundred impacts for k = 1, each with about 50 roundings of numbers below 300.
     const double room = 100 * 50 * 300 * 0x1p-53;
     REQUIRE(energy(got.state) <= before + room);
     if (k == 1 && got.end == contact::AdvanceEnd::used_up) {

@@ -1,4 +1,4 @@
-// ballistic.hpp: flights, and when a gap closes, against fractions with one square root.
+// ballistic.hpp: flights and closing times, against fractions with one square root.
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -16,7 +16,7 @@ using oracle::Rational;
 using oracle::Surd;
 using rounding::u;
 
-TEMPLATE_TEST_CASE("a flight of any length is right to some digits of its parts", "", float,
+TEMPLATE_TEST_CASE("a flight of any length has an error of a few u of its terms", "", float,
                    double) {
   using S = TestType;
   Random random(1906);
@@ -36,8 +36,8 @@ TEMPLATE_TEST_CASE("a flight of any length is right to some digits of its parts"
 
 namespace {
 
-/// The first t ≥ 0 at which gap + rate t + a t²/2 ≤ 0 for a gap that gets smaller, as a number with
-/// one root; nothing if there is none.
+/// The first t ≥ 0 at which gap + rate t + a t²/2 ≤ 0 and the gap shrinks, as a number with one
+/// square root; nothing if there is none.
 std::optional<Surd> closing(const Rational& gap, const Rational& rate, const Rational& a) {
   const bool shrinks = rate < 0 || (rate == 0 && a < 0);
   if (gap <= 0) {
@@ -48,7 +48,7 @@ std::optional<Surd> closing(const Rational& gap, const Rational& rate, const Rat
   if (a == 0) return rate < 0 ? std::optional<Surd>(Surd{-gap / rate, 0, 0}) : std::nullopt;
   if (square < 0) return gap <= 0 ? std::optional<Surd>(Surd{-rate / a, 0, 0}) : std::nullopt;
   if (gap > 0 && a > 0 && rate >= 0) return std::nullopt;
-  // For a > 0 the smaller root of the two that are positive, for a < 0 the only or the later one:
+  // For a > 0 the smaller of the two positive roots, for a < 0 the only positive one or the later:
   // (−rate − √square) / a in both cases.
   return Surd{-rate / a, -1 / a, square};
 }
@@ -69,7 +69,7 @@ TEMPLATE_TEST_CASE("whether and when a gap closes", "", float, double) {
     if (kind == 1) gap = -gap;
     if (kind == 2) a = S(0);
     if (kind == 3) rate = S(0);
-    if (kind >= 6) {  // a ceiling that is only just reached, or not
+    if (kind >= 6) {  // a ceiling that is only just reached, or just missed
       a = std::abs(a);
       rate = -std::abs(rate);
       gap = rate * rate / (S(2) * a);
@@ -97,7 +97,7 @@ TEMPLATE_TEST_CASE("whether and when a gap closes", "", float, double) {
   CHECK(grazing > 1000);
 }
 
-TEST_CASE("sizes do not matter to a closing gap, but for the largest and smallest") {
+TEST_CASE("closing times scale by powers of two, except for the largest and smallest numbers") {
   Random random(1908);
   for (int i = 0; i < 2000; ++i) {
     const double gap = std::abs(random.magnitude(-2, 2));
@@ -112,7 +112,7 @@ TEST_CASE("sizes do not matter to a closing gap, but for the largest and smalles
     REQUIRE(plain.has_value() == scaled.has_value());
     if (plain) REQUIRE(*scaled == std::ldexp(*plain, seconds));
   }
-  // Total: the worst finite numbers give a number or nothing.
+  // The function is total: extreme finite numbers give a finite time or nothing.
   const double huge = std::numeric_limits<double>::max();
   const double tiny = std::numeric_limits<double>::denorm_min();
   for (const double gap : {0.0, tiny, 1.0, huge, -huge, -tiny}) {

@@ -1,4 +1,4 @@
-// rollback.hpp: brackets of an impact, and going back to before it.
+// rollback.hpp: brackets of an impact, and rolling back to their free end.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/bouncing.hpp>
@@ -11,7 +11,7 @@
 using generators::Random;
 using oracle::Rational;
 
-TEST_CASE("brackets keep their promise, and bisection makes them as narrow as numbers are") {
+TEST_CASE("brackets are free at one end and blocked at the other, down to neighbouring numbers") {
   Random random(1914);
   for (int i = 0; i < 1000; ++i) {
     const double wall = random.uniform(0.01, 0.99);
@@ -40,7 +40,7 @@ TEST_CASE("brackets keep their promise, and bisection makes them as narrow as nu
   }
 }
 
-TEST_CASE("what is in and out between two looks is not seen") {
+TEST_CASE("an overlap that begins and ends between two tests is missed") {
   const auto is_free = [](const Rational& t) {
     return t < Rational(4) / 10 || t > Rational(6) / 10;
   };
@@ -52,7 +52,7 @@ TEST_CASE("what is in and out between two looks is not seen") {
   CHECK(seen->blocked == Rational(2) / 5);
 }
 
-TEST_CASE("rolling back neither gains energy nor passes the floor, and comes to the truth") {
+TEST_CASE("rolling back gains no energy, never passes the floor, and converges") {
   Random random(1915);
   for (int i = 0; i < 200; ++i) {
     const double height = random.uniform(0.5, 3);

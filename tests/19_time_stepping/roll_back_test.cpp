@@ -1,7 +1,7 @@
-// What is right is an interval: after the impact less the tolerance, and not after the impact,
-// which is known by its formula. Both ends have room for the rounding of the formula, 10⁻¹³ of the
-// step; tolerances are far larger. Every test asks for at least two different answers, so that no
-// constant passes one.
+// The right answers are an interval: from the time of impact less the tolerance to the time of
+// impact, which is known by a formula. Both ends allow for the rounding of the formula, 10⁻¹³ of
+// the step; tolerances are far larger. Every test asks for at least two different answers, so that
+// no constant passes.
 #include "roll_back.hpp"
 
 #include <support/exercise.hpp>
@@ -18,7 +18,7 @@ double impact(const Ball& ball, double gravity) {
                            : 2 * ball.height / (speed - ball.velocity);
 }
 
-/// Bisection with one of its parts changed.
+/// Bisection with one of its steps changed.
 struct Halving {
   bool ask_end = true;
   bool right_half = true;
@@ -46,9 +46,9 @@ void check(const Ball& ball, double gravity, double step, double tolerance) {
       return halved(ball, gravity, step, tolerance, how);
     };
   };
-  // A time near the impact, to within the tolerance, but on its far side.
+  // A time within the tolerance of the impact, but after it.
   const auto behind = [&](const double& t) { return t > until && t <= until + tolerance + room; };
-  ask("When is the ball still free?")
+  ask("Until when is the ball free?")
       .given("ball", ball)
       .given("gravity", gravity)
       .given("step", step)

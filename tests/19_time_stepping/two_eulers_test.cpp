@@ -1,5 +1,5 @@
-// Right answers come from the formulae written with the step squared. Named tests take numbers that
-// are exact. Every test asks for at least two different answers, so that no constant passes one.
+// Expected answers come from formulae with the step squared. Named tests use exactly representable
+// numbers. Every test asks for at least two different answers, so that no constant passes.
 #include "two_eulers.hpp"
 
 #include <support/exercise.hpp>
@@ -11,20 +11,20 @@ using namespace contact::testing;
 using exercise::Body;
 using Vector = Eigen::Vector3d;
 
-/// x + h v + c h² a: c is 0 for the one order, 1 for the other, 1/2 for the true parabola.
+/// x + h v + c h² a: c is 0 for explicit Euler, 1 for symplectic Euler, 1/2 for the parabola.
 Body moved(const Body& body, const Vector& a, double h, double share) {
   return {body.position + h * body.velocity + share * h * h * a, body.velocity + h * a};
 }
 
 void check(const Body& body, const Vector& acceleration, double step) {
   const auto size = [&](const Vector& v) { return v.cwiseAbs().maxCoeff(); };
-  // A handful of roundings of each number.
+  // A few roundings of each number.
   const double room =
       16 * 0x1p-53 *
       (size(body.position) + (1 + step) * (size(body.velocity) + step * size(acceleration)));
   for (const bool first : {true, false}) {
-    ask(first ? "Where is it one step later, with the position first?"
-              : "Where is it one step later, with the velocity first?")
+    ask(first ? "Where is it one step later, by explicit Euler (position first)?"
+              : "Where is it one step later, by symplectic Euler (velocity first)?")
         .given("body", body)
         .given("acceleration", acceleration)
         .given("step", step)
@@ -42,7 +42,7 @@ void check(const Body& body, const Vector& acceleration, double step) {
 
 }  // namespace
 
-TEST_CASE("from rest, one order stays and the other moves") {
+TEST_CASE("from rest, explicit Euler stays and symplectic Euler moves") {
   check({Vector(0, 0, 1), Vector(0, 0, 0)}, Vector(0, 0, -8), 0.5);
   check({Vector(3, 0, 0), Vector(0, 0, 0)}, Vector(1, 2, 4), 0.25);
 }
@@ -52,7 +52,7 @@ TEST_CASE("the lecture's frame of two seconds") {
   check({Vector(2, 9, 0), Vector(1, -1, 0)}, Vector(0, -0.5, 0), 2);
 }
 
-TEST_CASE("without a force both go straight") {
+TEST_CASE("without a force both methods move straight") {
   check({Vector(1, 2, 3), Vector(4, -2, 1)}, Vector(0, 0, 0), 0.5);
   check({Vector(0, 0, 0), Vector(-1, 0, 6)}, Vector(0, 0, 0), 0.125);
 }

@@ -1,6 +1,6 @@
-// Right answers come from the step multiplied out: x' = x (1 − z²/2) + h v and
+// Expected answers come from the step multiplied out: x' = x (1 − z²/2) + h v and
 // v' = v (1 − z²/2) − ω z x (1 − z²/4) with z = ω h. Every test asks for at least two different
-// answers, so that no constant passes one.
+// answers, so that no constant passes.
 #include "verlet_step.hpp"
 
 #include <support/exercise.hpp>
@@ -17,8 +17,8 @@ Swinging right_step(const Swinging& body, double w, double h) {
           body.velocity * (1 - z * z / 2) - w * z * body.position * (1 - z * z / 4)};
 }
 
-/// The step with `first` of the push before the way and `last` after it, with the force of the end
-/// or of the start.
+/// The step with the fraction `first` of the velocity update before the position update and `last`
+/// after it, with the acceleration of the end or of the start.
 Swinging pushed(const Swinging& body, double pull, double h, double first, double last,
                 bool at_end) {
   const double middle = body.velocity - first * pull * body.position * h;
@@ -37,25 +37,25 @@ void check(const Swinging& body, double w, double h) {
       .suspect("euler-for-verlet", [&] { return pushed(body, w * w, h, 1, 0, true); })
       .suspect("omega-not-squared", [&] { return pushed(body, w, h, 0.5, 0.5, true); })
       .answer([&] { return exercise::verlet_step(body, w, h); })
-      // z is at most 2: some ten roundings of numbers no larger than a few times the size.
+      // z is at most 2: about ten roundings of numbers of at most a few times the size.
       .close_to(right_step(body, w, h), within(64 * 0x1p-53 * size));
 }
 
 }  // namespace
 
-TEST_CASE("one step from the end of the swing") {
+TEST_CASE("one step from the turning point") {
   check({1, 0}, 2, 0.25);
   check({-2, 0}, 3, 0.25);
 }
 
-TEST_CASE("one step through the middle") {
+TEST_CASE("one step through the equilibrium") {
   check({0, 1}, 2, 0.5);
   check({0, -3}, 4, 0.125);
 }
 
-TEST_CASE("forth and back is where it was") {
-  // The answer of one call goes into the next with its velocity turned: in exact numbers a step
-  // back. What is right is the start itself.
+TEST_CASE("a step back returns to the start") {
+  // The result of one step is the input of the next, with its velocity reversed: a step back. The
+  // expected answer is the start.
   generators::Random random(seed(1));
   for (int asked = 0; asked < 50; ++asked) {
     const double x = random.uniform(-2, 2);
@@ -67,7 +67,7 @@ TEST_CASE("forth and back is where it was") {
   }
 }
 
-TEST_CASE("a swing of many steps keeps its size") {
+TEST_CASE("many steps keep the amplitude") {
   Swinging body{1, 0};
   for (int i = 0; i < 60; ++i) {
     check(body, 2, 0.25);

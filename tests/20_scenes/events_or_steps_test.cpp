@@ -1,7 +1,7 @@
-// Named tests take numbers that are exact, followed by hand. Random ones begin with the answer: the
-// hop that is left out is chosen, and then a tolerance between it and the one before, and an end of
-// the scene between two impacts. Every test asks for at least two different answers, so that no
-// constant passes one.
+// Named tests use exact numbers, computed by hand. Random ones begin with the answer: they choose
+// the first bounce that is left out, then a tolerance between its height and the previous one, and
+// an end of the scene between two impacts. Every test asks for at least two different answers, so
+// that no constant passes it.
 #include "events_or_steps.hpp"
 
 #include <support/exercise.hpp>
@@ -13,7 +13,7 @@ using namespace contact::testing;
 using exercise::Ball;
 using exercise::Run;
 
-/// The ways in which it goes wrong.
+/// Its mistakes.
 enum class Way { heights_by_k, one_hop, no_zeno, finite_anyway, to_the_end, seconds, half };
 
 Run followed(const Ball& ball, double duration, double tolerance, int budget, Way way) {
@@ -68,25 +68,25 @@ void check(const Ball& ball, double duration, double tolerance, int budget, cons
 }
 
 const Run steps{false, 0, 0, 0};
-/// Its impacts are at 1/2, 1, 5/4, 11/8 ... s, and its hops rise to 1/4, 1/16, 1/64 ... m.
+/// Its impacts are at 1/2, 1, 5/4, 11/8 ... s, and its bounces rise to 1/4, 1/16, 1/64 ... m.
 const Ball half{1, 8, 0.5};
 /// Its impacts are at 1/2, 3/2, 5/2 ... s.
 const Ball elastic{1, 8, 1};
 
 }  // namespace
 
-TEST_CASE("hops above the tolerance are followed") {
+TEST_CASE("bounces above the tolerance are followed") {
   check(half, 10, 0.03125, 100, {true, 3, 0.015625, 0.25});
   check(half, 10, 0.0625, 100, {true, 2, 0.0625, 0.5});
   check(half, 10, 0.3, 100, {true, 1, 0.25, 1});
   check({1, 8, 0}, 10, 0.03125, 100, {true, 1, 0, 0});
 }
 
-TEST_CASE("what is left out is a whole series") {
-  // Hops of 3/4 and 9/16 of a second; the second rises to (3/4)⁴.
+TEST_CASE("all later bounces are left out too") {
+  // Bounces of 3/4 and 9/16 of a second; the second rises to (3/4)⁴.
   check({1, 8, 0.75}, 20, 0.5, 100, {true, 2, 0.31640625, 2.25});
   check({1, 8, 0.75}, 20, 0.75, 100, {true, 1, 0.5625, 3});
-  // Lower hops on a small planet take longer.
+  // With less gravity, bounces of the same height take longer.
   check({1, 2, 0.5}, 20, 0.03125, 100, {true, 3, 0.015625, 0.5});
 }
 
@@ -97,7 +97,7 @@ TEST_CASE("the scene may end before the ball rests") {
   check(half, 0.25, 0.03125, 100, {true, 0, 0, 0});
 }
 
-TEST_CASE("an elastic ball is paid for by the second") {
+TEST_CASE("an elastic ball needs a budget") {
   check(elastic, 10, 0.03125, 10, {true, 10, 0, 0});
   check(elastic, 10.5, 0.03125, 10, steps);
   check(elastic, 86400, 0.03125, 1000, steps);
@@ -119,7 +119,7 @@ TEST_CASE("random balls agree") {
     const double gravity = random.uniform(1, 20);
     const bool loses = random.chance(0.8);
     const double k = loses ? random.uniform(0.3, 0.93) : 1;
-    const int left_out = random.integer(1, 12);  // the number of the first hop that is
+    const int left_out = random.integer(1, 12);  // the number of the first bounce that is
     const bool whole = loses && random.chance(0.5);
     const int before = random.integer(0, left_out - 1);
     // Impact n + 1 comes 1 + 2 (k + ... + kⁿ) falls after the start.

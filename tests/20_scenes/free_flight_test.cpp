@@ -1,5 +1,5 @@
-// What meets nothing flies by a formula: right at any time, in no more numbers than the plan asks
-// for, and never where something may meet or a spin may change.
+// Bodies that meet nothing fly by a formula: right at any time, with only the numbers that the plan
+// needs, and never where bodies may meet or an angular velocity may change.
 #include <algorithm>
 #include <bit>
 #include <catch2/catch_test_macros.hpp>
@@ -69,7 +69,7 @@ Place place_of(const Scene& scene, std::size_t body, int k, double t) {
 
 }  // namespace
 
-TEST_CASE("a free flight is where the parabola is, at any time and in any order of asking") {
+TEST_CASE("a free flight is on its parabola at any time, in any order of calls") {
   Random random(41);
   for (int i = 0; i < generators::tried(300); ++i) {
     const Scene scene = far_apart(random, 1e-12);
@@ -90,7 +90,7 @@ TEST_CASE("a free flight is where the parabola is, at any time and in any order 
   }
 }
 
-TEST_CASE("in float it is off by less than the plan says") {
+TEST_CASE("in float its error is less than the plan says") {
   Random random(42);
   int floats = 0;
   for (int i = 0; i < generators::tried(300); ++i) {
@@ -111,7 +111,7 @@ TEST_CASE("in float it is off by less than the plan says") {
   CHECK(floats > generators::tried(300) / 4);
 }
 
-TEST_CASE("in float every corner of what turns is off by less than the plan says") {
+TEST_CASE("in float the error of every vertex of a rotating body is less than the plan says") {
   Random random(43);
   int floats = 0;
   for (int i = 0; i < generators::tried(200); ++i) {
@@ -141,7 +141,7 @@ TEST_CASE("in float every corner of what turns is off by less than the plan says
   CHECK(floats > generators::tried(200) / 2);
 }
 
-TEST_CASE("an even spin turns as in steps of any length") {
+TEST_CASE("a constant angular velocity rotates as in steps of any length") {
   Random random(44);
   for (int i = 0; i < generators::tried(100); ++i) {
     Scene scene = plan_scenes::empty(1, 0.5, 2, 1e-9);
@@ -164,7 +164,7 @@ TEST_CASE("an even spin turns as in steps of any length") {
   }
 }
 
-TEST_CASE("it keeps the numbers that the plan asks for, and no others") {
+TEST_CASE("it stores the numbers that the plan needs, and no others") {
   const auto bytes = [](double tolerance, const Point& velocity, const Point& gravity,
                         const Point& spin, const PlanOptions& options = {}) {
     Scene scene = plan_scenes::empty(1, 0.5, 1, tolerance);
@@ -202,7 +202,7 @@ TEST_CASE("gravity that the tolerance leaves out is left out of the formula") {
   CHECK(run->stages().size() == 1);
 }
 
-TEST_CASE("what may meet, or may change its spin, does not fly by the formula") {
+TEST_CASE("bodies that may meet, or change their angular velocity, do not fly by the formula") {
   Scene scene = plan_scenes::empty(1, 0, 1, 1e-3);
   plan_scenes::box(scene, {0.5, 0.25, 0.125}, 1, Point::Zero(), {1, 0, 0});
   REQUIRE(flies(scene));
@@ -221,7 +221,7 @@ TEST_CASE("what may meet, or may change its spin, does not fly by the formula") 
   }
 }
 
-TEST_CASE("float is not enough where only the turning would be off by too much") {
+TEST_CASE("float is not enough where only the rotation has too large an error") {
   Scene scene = plan_scenes::empty(1, 0, 100, 1e-3);
   contact::SceneBody& cube = plan_scenes::box(scene, {5, 5, 5}, 1, Point::Zero(), Point::Zero());
   REQUIRE_FALSE(plan_scenes::is_on(scene, Effect::double_precision));
@@ -229,7 +229,7 @@ TEST_CASE("float is not enough where only the turning would be off by too much")
   CHECK(plan_scenes::is_on(scene, Effect::double_precision));
 }
 
-TEST_CASE("float is not enough where a gyroscopic term changes a spin") {
+TEST_CASE("float is not enough where a gyroscopic term changes an angular velocity") {
   Scene scene = plan_scenes::empty(1, 0, 1, 1e-2);
   plan_scenes::box(scene, {0.5, 0.25, 0.125}, 1, Point::Zero(), Point::Zero()).spin = {1, 1, 1};
   REQUIRE(plan_scenes::is_on(scene, Effect::gyroscopic_term));
@@ -262,7 +262,7 @@ TEST_CASE("a free flight refuses a checkpoint of another kind") {
   CHECK_THROWS_AS(run->restore(other), std::invalid_argument);
 }
 
-TEST_CASE("the book's scenes that fly freely do what they say") {
+TEST_CASE("the book's scenes of free flights give what they expect") {
   const std::filesystem::path folder = CONTACT_SOURCE_DIR "/chapters/20_scenes/scenes";
   int tried = 0;
   for (const auto& file : std::filesystem::directory_iterator(folder)) {

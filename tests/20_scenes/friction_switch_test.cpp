@@ -1,6 +1,6 @@
-// The right answer is computed by the friction that is still to be taken: what is left of the slip
-// is its length times what is left of 1. Where friction is left out, the velocities of named tests
-// are exact. Every test asks for at least two different answers, so that no constant passes one.
+// The right answer scales the slip by the share that friction leaves of it. Where friction is left
+// out, the velocities of named tests are exact. Every test asks for at least two different answers,
+// so that no constant passes it.
 #include "friction_switch.hpp"
 
 #include <support/exercise.hpp>
@@ -14,7 +14,7 @@ using exercise::Stepped;
 using Vector = Eigen::Vector3d;
 using Blocks = std::vector<Block>;
 
-/// A step, and the ways in which it goes wrong.
+/// The right step, and its mistakes.
 enum class Way { right, any_smooth, velocity_alone, rougher, weight, glued, pushes_on };
 
 Stepped stepped(const Blocks& blocks, const Vector& gravity, double step, Way way) {
@@ -84,21 +84,21 @@ TEST_CASE("smooth pairs need no friction") {
   check({{Vector(4, 0, -1), up, 0.5, 0.25}}, down, 0.25);
 }
 
-TEST_CASE("one smooth pair does not speak for the others") {
+TEST_CASE("one smooth pair is not enough") {
   check({{Vector(4, 0, 0), up, 0.5, 0}, {Vector(4, 0, 0), up, 0.5, 0.5}}, down, 0.25);
   check({{Vector(4, 0, 0), up, 1, 0.25}, {Vector(0, 2, 0), up, 0, 1}}, down, 0.25);
   // One that never slides beside one that does.
   check({{Vector(0, 0, 0), up, 1, 1}, {Vector(4, 0, 0), up, 1, 0.25}}, down, 0.25);
 }
 
-TEST_CASE("what rests on a slope may slide") {
+TEST_CASE("a block at rest on a slope may slide") {
   check({{Vector(0, 0, 0), slope, 0.5, 0.5}}, down, 0.25);  // too steep for 0.5: it slides
-  check({{Vector(0, 0, 0), slope, 1, 0.875}}, down, 0.25);  // it would, but for friction
+  check({{Vector(0, 0, 0), slope, 1, 0.875}}, down, 0.25);  // without friction it would slide
   check({{Vector(0, 0, 0), up, 0.25, 1}}, Vector(8, 0, -8), 0.25);
   check({{Vector(0, 0, -1), up, 0.25, 1}}, Vector(0, 1e-9, -8), 0.25);
 }
 
-TEST_CASE("what never slides needs no friction") {
+TEST_CASE("a block that never slides needs no friction") {
   check({{Vector(0, 0, 0), up, 1, 1}}, down, 0.25);
   check({{Vector(0, 0, -3), up, 1, 1}, {Vector(0, 0, 4), up, 0.5, 1}}, down, 0.25);
   check({{Vector(2, 0, 0), Vector(-1, 0, 0), 1, 1}}, Vector(0, 0, 0), 0.25);
@@ -108,11 +108,11 @@ TEST_CASE("what never slides needs no friction") {
 TEST_CASE("an impact presses harder than the weight") {
   check({{Vector(8, 0, -2), up, 0.5, 0.5}}, down, 0.25);
   check({{Vector(8, 0, -4), up, 0.5, 0.25}}, Vector(0, 0, 0), 0.25);
-  check({{Vector(8, 0, 1), up, 0.5, 0.5}}, down, 0.25);  // and one that was leaving, less
-  check({{Vector(8, 0, 4), up, 0.5, 0.5}}, down, 0.25);  // it leaves, and nothing presses
+  check({{Vector(8, 0, 1), up, 0.5, 0.5}}, down, 0.25);  // a block that was separating presses less
+  check({{Vector(8, 0, 4), up, 0.5, 0.5}}, down, 0.25);  // it separates, and nothing presses
 }
 
-TEST_CASE("friction stops and does not turn back") {
+TEST_CASE("friction stops and does not reverse") {
   check({{Vector(0.5, 0, 0), up, 0.5, 0.5}}, down, 0.25);
   check({{Vector(0.25, 0, -8), up, 0.5, 0.5}}, down, 0.25);
   check({{Vector(0, -3, 0), up, 0.5, 0.5}}, down, 0.25);

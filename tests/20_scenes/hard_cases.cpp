@@ -1,9 +1,9 @@
-// Recomputes the answers of hard_cases.json and says which method gets which case right.
+// Recomputes the answers of hard_cases.json and reports which method gets which case right.
 //
 // Whether two balls meet, and whether a plane is reached, is of class (a); the time and the speed
-// are of class (b), with one square root, rounded once. They are right if they are off by at most
-// 2^-40 of themselves; a time of 0 must be 0. Runs on a line are of class (a), in fractions, one
-// hit after the other, of several at one moment the one with the lower names; places are right if
+// are of class (b), with one square root, rounded once. They are right if their relative error is
+// at most 2^-40; a time of 0 must be 0. Runs on a line are of class (a), in fractions, one hit
+// after the other, of several at one instant the one with the lower indices; positions are right if
 // they are off by at most 2^-36 of the largest coordinate, and the number of hits is right or
 // wrong.
 #include "support/hard_cases.hpp"

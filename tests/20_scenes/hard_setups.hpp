@@ -1,5 +1,5 @@
 /// @file
-/// Hard balls for tests: random ones in a box, and what a run of them is asked.
+/// Hard balls for tests: random ones in a box, and queries of their runs.
 #pragma once
 
 #include <contact/events/hard_spheres.hpp>
@@ -20,7 +20,7 @@ using generators::Random;
 inline constexpr double u = 0x1p-53;
 inline constexpr HardSphereEffects everything{3, true, true, true, true};
 
-/// Writes down who hit whom, and when.
+/// Records which bodies hit, and when.
 struct Log final : HardSphereObserver {
   std::vector<HardSphereHit> hits;
   bool on_hit(const HardSphereHit& hit) override {
@@ -40,7 +40,7 @@ inline Vector3<double> in_cube(Random& random, double half) {
   return {x, y, random.uniform(-half, half)};
 }
 
-/// A box with corners (0, 0, 0) and (edge, edge, height).
+/// A box from (0, 0, 0) to (edge, edge, height).
 inline void add_box(HardSphereSetup& setup, double edge, double height) {
   for (int k = 0; k < 3; ++k) {
     setup.walls.push_back({Vector3<double>::Unit(k), 0, 0});
@@ -48,7 +48,7 @@ inline void add_box(HardSphereSetup& setup, double edge, double height) {
   }
 }
 
-/// Balls at random places of a box of edge 6, of which no two overlap.
+/// Balls at random positions in a box of edge 6, without overlaps.
 inline HardSphereSetup random_setup(Random& random, int balls, bool alike, double gravity) {
   HardSphereSetup setup;
   setup.gravity = {0, 0, -gravity};

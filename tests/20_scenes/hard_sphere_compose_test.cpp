@@ -44,7 +44,7 @@ contact::Scene scene() {
 
 }  // namespace
 
-TEST_CASE("only what a setup calls for is on") {
+TEST_CASE("only the effects that a setup needs are on") {
   HardSphereSetup setup;
   setup.balls = {{{1, 2, 3}, {0, 0, 0}, 0.5, 1, 0, true}, {{1, 5, 3}, {0, -1, 0}, 0.5, 1, 0, true}};
   CHECK(compose_hard_spheres(setup).effects == HardSphereEffects{1, false, false, false, false});
@@ -58,7 +58,7 @@ TEST_CASE("only what a setup calls for is on") {
   CHECK(compose_hard_spheres(setup).effects.sizes);
   setup.restitution = {0.5};
   CHECK(compose_hard_spheres(setup).effects.restitution);
-  // An oblique wall pushes out of the plane.
+  // An oblique wall deflects balls out of the plane.
   setup.walls = {{Vector3<double>(0.6, 0.8, 0), -20, 0}};
   CHECK(compose_hard_spheres(setup).effects.dimension == 3);
 }
@@ -124,7 +124,7 @@ TEST_CASE("a scene of balls and half-spaces becomes a setup, and says which body
   CHECK(contact::hard_sphere_setup(elastic).setup.cutoff == 0x1p-30);
 }
 
-TEST_CASE("a scene that is not one of hard, smooth balls is refused with the reason") {
+TEST_CASE("a scene that is not one of hard, smooth balls is rejected with the reason") {
   const auto refusal = [](auto change) {
     contact::Scene changed = scene();
     change(changed);
@@ -135,11 +135,11 @@ TEST_CASE("a scene that is not one of hard, smooth balls is refused with the rea
           s.bodies[2].shape = contact::BoxShape{{1, 1, 1}};
         }) == "bodies[2] (two) is neither a ball nor a half-space");
   CHECK(refusal([](auto& s) { s.materials[0].friction = 0.25; }) ==
-        "bodies[0] (one) and bodies[1] (floor) rub: their coefficient of friction is 0.25");
+        "bodies[0] (one) and bodies[1] (floor) have friction: their coefficient is 0.25");
   // The smoother decides: a rough floor alone does not matter.
   CHECK(refusal([](auto& s) { s.bodies[1].material = 1; }).empty());
   CHECK(refusal([](auto& s) { s.materials[0].stiffness = 100; }) ==
-        "bodies[0] (one) and bodies[1] (floor) give way: their stiffness is 50 N/m");
+        "bodies[0] (one) and bodies[1] (floor) are compliant: their stiffness is 50 N/m");
   CHECK(refusal([](auto& s) {
           s.bodies[0].moves = false;
           s.bodies[2].moves = false;

@@ -1,4 +1,4 @@
-// Hard balls from event to event: whole runs against intervals, and what never changes.
+// Hard balls from event to event: whole runs against interval arithmetic, and invariants.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/events/hard_spheres.hpp>
@@ -29,8 +29,8 @@ using oracle::Rational;
 
 namespace {
 
-/// Balls in a box without gravity, in intervals of many bits: everybody asks everybody, and who is
-/// next must be certain.
+/// Balls in a box without gravity, in intervals of many bits: all pairs are tested, and which hit
+/// is next must be certain.
 struct CertainBilliards {
   using V = std::array<Interval, 3>;
   unsigned bits;
@@ -42,7 +42,7 @@ struct CertainBilliards {
   Interval dot(const V& a, const V& b) const { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
   static V minus(const V& a, const V& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-  /// Time to the next hit, and who; nothing if two cannot be told apart.
+  /// Time to the next hit, and its bodies; empty if two hits cannot be distinguished.
   std::optional<std::tuple<Interval, std::size_t, std::size_t>> step() {
     const std::size_t n = x.size();
     std::optional<std::tuple<Interval, std::size_t, std::size_t>> first;
@@ -166,7 +166,7 @@ TEST_CASE("billiards follow the intervals, hit for hit, until rounding has grown
   CHECK(followed > tried(16) * 15);
 }
 
-TEST_CASE("elastic runs keep their energy, and nothing overlaps but for rounding") {
+TEST_CASE("elastic runs conserve energy, and overlaps are rounding errors only") {
   Random random(9);
   for (int n = 0; n < tried(40); ++n) {
     const bool alike = n % 2 == 0;
@@ -185,7 +185,9 @@ TEST_CASE("elastic runs keep their energy, and nothing overlaps but for rounding
   }
 }
 
-TEST_CASE("without walls momentum and the centre's path stay, whatever the restitution") {
+TEST_CASE(
+    "without walls momentum and the path of the centre of mass are conserved, whatever the "
+    "restitution") {
   Random random(10);
   for (int n = 0; n < tried(40); ++n) {
     HardSphereSetup setup = random_setup(random, 20, false, 0);

@@ -32,7 +32,7 @@ TEST_CASE("two balls meet when the exact roots say, far from grazing") {
     const double got = contact::meeting<3>(d, w, reach);
     const double depth = oracle::nearest(Rational(q.discriminant() / (q.a * r * r)));
     // The discriminant 4 w² (R² − p²) is off by less than 64 u |d|² w²: nearer to grazing than
-    // this nobody can decide in double.
+    // this, double precision cannot decide.
     if (std::abs(depth) < 1e-10) continue;
     if (q.c > 0 && q.b < 0 && depth > 0) {
       const oracle::Surd right = q.roots().front();
@@ -85,7 +85,8 @@ TEST_CASE("a plane is reached when the exact roots say, and the speed is that of
       continue;
     }
     for (const oracle::Surd& root : q.roots()) {
-      // Of the roots, the first at which the gap closes: its rate there, v + a t, is negative.
+      // Of the roots, the first at which the distance decreases: its rate there, v + a t, is
+      // negative.
       const oracle::Surd rate{oracle::exact(v) + oracle::exact(a) * root.a,
                               oracle::exact(a) * root.b, root.d};
       if (!right && oracle::sign(root) >= 0 && oracle::sign(rate) < 0) right = root;
@@ -105,14 +106,16 @@ TEST_CASE("a plane is reached when the exact roots say, and the speed is that of
     REQUIRE(oracle::error(got.speed, speed) <= 8 * u * worse * got.speed);
   }
   CHECK(reached > tried(8000));
-  // What leaves with s comes back with s, to the last bit.
+  // A ball that leaves with s comes back with s, to the last bit.
   for (int n = 0; n < tried(5000); ++n) {
     const double s = random.uniform(0, 100);
     REQUIRE(contact::arrival_at_plane(0, s, -random.uniform(0.1, 20)).speed == s);
   }
 }
 
-TEST_CASE("where one path bends, the meeting is the first zero at which the gap closes") {
+TEST_CASE(
+    "where one path is a parabola, the balls meet at the first zero at which their distance "
+    "decreases") {
   Random random(4);
   int met = 0;
   for (int n = 0; n < tried(3000); ++n) {
@@ -131,7 +134,7 @@ TEST_CASE("where one path bends, the meeting is the first zero at which the gap 
     const double last = got == contact::never ? 20 : got;
     const double size = d.squaredNorm() + w.squaredNorm() * last * last +
                         a.squaredNorm() * last * last * last * last + reach * reach;
-    // No zero is passed over: up to there f is positive, wherever one looks, but for rounding.
+    // No zero is missed: up to there f is positive at every sample, except for rounding.
     for (int k = 0; k < 40; ++k)
       REQUIRE(oracle::nearest(f(oracle::exact(last) * k / 40)) > -64 * u * size);
     if (got == contact::never) continue;
@@ -139,12 +142,12 @@ TEST_CASE("where one path bends, the meeting is the first zero at which the gap 
     REQUIRE(std::abs(oracle::nearest(f(oracle::exact(got)))) <= 64 * u * size);
   }
   CHECK(met > tried(3000) / 30);
-  // Thrown straight up beside it, and back onto it: closed form 2 v / g.
+  // Thrown vertically upwards beside it, and back onto it: closed form 2 v / g.
   const double back = contact::bent_meeting<3>({0, 0, 1}, {0, 0, 5}, {0, 0, -10}, 1, true);
   CHECK(std::abs(back - 1) <= 4 * u);
 }
 
-TEST_CASE("the tournament's winner is the least, whatever changes") {
+TEST_CASE("the tournament's winner is the earliest, whatever changes") {
   Random random(5);
   for (int n = 0; n < tried(60); ++n) {
     const auto slots = static_cast<std::size_t>(random.integer(1, 40));

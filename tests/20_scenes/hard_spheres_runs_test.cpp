@@ -60,7 +60,7 @@ void check_same_hits(const Log& a, const Log& b) {
 
 }  // namespace
 
-TEST_CASE("a composition without an effect that does nothing gives the same bits as all effects") {
+TEST_CASE("a composition without an inactive effect gives the same bits as all effects") {
   Random random(11);
   for (int n = 0; n < tried(12); ++n) {
     const HardSphereSetup setup = random_setup(random, 24, true, n % 2 == 0 ? 10 : 0);
@@ -115,7 +115,7 @@ TEST_CASE("a motion in a plane, or on a line, is the same without the other coor
   }
 }
 
-TEST_CASE("a run that is stopped, kept and resumed gives the bits of one that is not") {
+TEST_CASE("a run that is stopped, saved and resumed gives the bits of an uninterrupted one") {
   Random random(13);
   for (int n = 0; n < tried(12); ++n) {
     HardSphereSetup setup = random_setup(random, 16, n % 2 == 0, 10);
@@ -154,7 +154,7 @@ TEST_CASE("a ball dropped from 10 m comes back to 10 m after a minute, to the la
   const double v = run.velocity(0).z();
   // Height and v² / 2 g round a few times each.
   CHECK(std::abs(z + v * v / 20 - 10) <= 64 * u * 10);
-  // After an hour of it a hit still sends it up as fast as the first one did.
+  // After an hour a hit still sends it up as fast as the first one did.
   struct Rebounds final : HardSphereObserver {
     explicit Rebounds(const contact::HardSphereRun& watched) : run(watched) {}
     const contact::HardSphereRun& run;
@@ -170,7 +170,7 @@ TEST_CASE("a ball dropped from 10 m comes back to 10 m after a minute, to the la
 }
 
 TEST_CASE("two balls: the closed form of an oblique hit") {
-  // Unit balls, one at rest; the other comes along x with an offset of 1.2: sin = 0.6 at contact.
+  // Unit balls, one at rest; the other moves along x with an offset of 1.2: sin = 0.6 at contact.
   HardSphereSetup setup;
   setup.balls = {ball({0, 0, 0}, {0, 0, 0}, 1), ball({-5, 1.2, 0}, {1, 0, 0}, 1)};
   HardSpheres<HardSphereEffects{2, false, false, false, false}> run(setup);
@@ -182,7 +182,7 @@ TEST_CASE("two balls: the closed form of an oblique hit") {
   CHECK((run.velocity(1) - Vector3<double>(0.36, 0.48, 0)).norm() <= 64 * u);
 }
 
-TEST_CASE("a bouncing ball with e < 1 follows the closed form and then lies still") {
+TEST_CASE("a bouncing ball with e < 1 follows the closed form and then rests") {
   Random random(14);
   for (int n = 0; n < tried(50); ++n) {
     const double height = random.uniform(0.5, 5);
@@ -211,7 +211,7 @@ TEST_CASE("a bouncing ball with e < 1 follows the closed form and then lies stil
   }
 }
 
-TEST_CASE("a ball that lies is hit, flies, and lies again") {
+TEST_CASE("a resting ball is hit, flies, and rests again") {
   HardSphereSetup setup;
   setup.gravity = {0, 0, -10};
   setup.restitution = {0.5};
@@ -246,7 +246,7 @@ TEST_CASE("on a slope a ball slides down with g sin, without friction") {
   CHECK((run.position(0) - right).norm() <= 1e-13);
 }
 
-TEST_CASE("balls that never move push back, with gravity and without") {
+TEST_CASE("fixed balls push back, with gravity and without") {
   Random random(15);
   for (int n = 0; n < tried(20); ++n) {
     HardSphereSetup setup = random_setup(random, 8, n % 2 == 0, n % 3 == 0 ? 0 : 10);
@@ -268,7 +268,7 @@ TEST_CASE("balls that never move push back, with gravity and without") {
   }
 }
 
-TEST_CASE("what has no bound on its hits is refused, and never hangs") {
+TEST_CASE("a run without a bound on its hits is rejected, and never hangs") {
   // Three balls on a line with e below 7 − 4√3: hits pile up before a finite time.
   HardSphereSetup line;
   line.restitution = {0.01};
@@ -296,14 +296,14 @@ TEST_CASE("what has no bound on its hits is refused, and never hangs") {
   CHECK(wedge.advance(10) == HardSphereEnd::endless_hits);
 }
 
-TEST_CASE("what no effect needs is not kept") {
+TEST_CASE("state that no effect needs is not stored") {
   using D3 = HardSpheres<HardSphereEffects{3, false, false, false, true}>;
   using G3 = HardSpheres<HardSphereEffects{3, true, false, false, true}>;
   using F3 = HardSpheres<everything>;
   using D1 = HardSpheres<HardSphereEffects{1, false, false, false, false}>;
   HardSphereSetup setup;
   setup.balls = {ball({0, 0, 0}, {0, 0, 0})};
-  // Place, velocity, time and the last partner; lying down takes what alignment left over.
+  // Position, velocity, time and the last partner; resting uses what alignment left over.
   CHECK(D1(setup).bytes_per_state() == 2 * 8 + 8 + 8);
   CHECK(D3(setup).bytes_per_state() == 6 * 8 + 8 + 8);
   CHECK(G3(setup).bytes_per_state() == 6 * 8 + 8 + 8);
@@ -315,7 +315,7 @@ TEST_CASE("what no effect needs is not kept") {
   CHECK(growth <= std::pow(8, 1.1));
 }
 
-TEST_CASE("a setup that is none is refused with what is wrong") {
+TEST_CASE("an invalid setup is rejected with its fault") {
   const auto refusal = [](auto change) -> std::string {
     HardSphereSetup setup;
     setup.balls = {ball({0, 0, 0}, {0, 0, 0}), ball({2, 0, 0}, {0, 0, 0})};

@@ -1,7 +1,7 @@
-// Named tests take a path that can be followed by hand. Random ones run a billiard with numbers
-// that carry their derivative by the start along: that is the distance of two paths to first order,
-// and knows nothing of angles and curved mirrors. Every test asks for at least two different
-// answers, so that no constant passes one.
+// Named tests use a path that can be computed by hand. Random ones run a billiard with dual numbers
+// (automatic differentiation with respect to the start): the derivative is the distance of two
+// paths to first order, computed without angles and curvatures. Every test asks for at least two
+// different answers, so that no constant passes it.
 #include "horizon.hpp"
 
 #include <support/exercise.hpp>
@@ -14,7 +14,7 @@ using exercise::Hit;
 using Hits = std::vector<Hit>;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The ways in which it goes wrong.
+/// Its mistakes.
 enum class Way { one_lens, head_on, added_up, once, at_the_hit, parallel };
 
 double predicted(const Hits& hits, double speed, double error, double tolerance, Way way) {
@@ -53,12 +53,12 @@ void check(const Hits& hits, double speed, double error, double tolerance, doubl
       .suspect("errors-added-up", like(Way::added_up))
       .suspect("horizon-at-a-hit", like(Way::at_the_hit))
       .answer([&] { return exercise::horizon(hits, speed, error, tolerance); })
-      // Some ten roundings a hit, eight hits, and at each the error of a place is an error of the
-      // angle 2/(r cosine) times as large, up to 50: below 1e-12 of the whole.
+      // Some ten roundings a hit, eight hits, and at each the error of a position becomes an error
+      // of the angle 2/(r cosine) times as large, up to 50: below 1e-12 of the whole.
       .close_to(right, std::isinf(right) ? within(0.0) : within(1e-10 * right));
 }
 
-/// A number and its derivative by the start across the path.
+/// A number and its derivative with respect to the start, perpendicular to the path.
 struct Dual {
   double value;
   double slope;
@@ -96,7 +96,7 @@ class Billiard {
   Billiard(std::vector<Pillar> pillars, double side, DualVector place, DualVector velocity)
       : pillars_(std::move(pillars)), side_(side), place_(place), velocity_(velocity) {}
 
-  /// How far beside the other point is after a flight of that length, to first order.
+  /// How far apart the two paths are after a flight of that length, to first order.
   double beside(double length) const {
     const double dx = place_.x.slope + velocity_.x.slope * length;
     const double dy = place_.y.slope + velocity_.y.slope * length;
@@ -130,8 +130,8 @@ class Billiard {
       if (!(time.value > 1e-9) || time.value >= flight.value) continue;
       flight = time;
       const DualVector out = off + time * velocity_;
-      // Divided by its own length and not by the radius: else what rounding has put beside the
-      // pillar makes the point faster or slower, which puts it further beside the next.
+      // Divided by its own length and not by the radius: otherwise a position that rounding has
+      // moved off the pillar changes the speed, which moves it farther off at the next hit.
       normal = {out.x / root(dot(out, out)), out.y / root(dot(out, out))};
       radius = pillar.radius;
     }
@@ -153,13 +153,13 @@ constexpr double ulp = 0x1p-52;
 }  // namespace
 
 TEST_CASE("one pillar, head on") {
-  // After the hit the paths part by 2 ulp / 2 m a metre.
+  // After the hit the paths diverge by 2 ulp / 2 m for each metre.
   check({{3, 2, 1}}, 1, ulp, 5 * ulp, 3 + 4);
   check({{3, 2, 1}}, 2, ulp, 9 * ulp, (3 + 8) / 2.0);
   check({{3, 0.5, 1}}, 1, ulp, 5 * ulp, 3 + 1);
 }
 
-TEST_CASE("a slanting hit") {
+TEST_CASE("an oblique hit") {
   check({{3, 2, 0.5}}, 1, ulp, 5 * ulp, 3 + 2);
   check({{1, 1, 0.25}}, 4, ulp, 17 * ulp, (1 + 2) / 4.0);
 }
@@ -198,7 +198,7 @@ TEST_CASE("random billiards agree with their derivative") {
     const double length = std::sqrt(1 + slope * slope);
     const double x = 1 / length;
     const double y = slope / length;
-    // The other point starts beside it.
+    // The other point starts beside it, at a distance of 1 times the error.
     const DualVector place{{random.uniform(0.1, 0.4), -y}, {0.25, x}};
     Billiard point(pillars, 7, place, still(x, y));
     const int last = random.integer(0, 6);
@@ -210,12 +210,12 @@ TEST_CASE("random billiards agree with their derivative") {
     double right = infinite;
     double tolerance = 0;
     bool grazes = false;
-    const bool open = random.chance(0.3);  // the horizon is behind the last hit
+    const bool open = random.chance(0.3);  // the horizon is after the last hit
     for (int i = 0; i < 8; ++i) {
       const Billiard here = point;
       const Hit hit = point.next();
       grazes = grazes || hit.cosine < 0.2;
-      // The horizon is put into this flight, if the paths part in it.
+      // The horizon is put into this flight, if the paths diverge in it.
       if (i >= last && std::isinf(right) && here.beside(hit.flight) > 1.01 * here.beside(0)) {
         right = (before + share * hit.flight) / speed;
         tolerance = error * here.beside(share * hit.flight);

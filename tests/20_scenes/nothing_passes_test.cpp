@@ -1,6 +1,6 @@
-// The right displacement is the area under the greatest speed, written term by term. Named tests
-// take numbers that are exact; random ones keep the displacement away from the thickness. Every
-// test asks for at least two different answers, so that no constant passes one.
+// The right displacement is the integral of the largest speed, written term by term. Named tests
+// use exact numbers; random ones keep the displacement away from the thickness. Every test asks for
+// at least two different answers, so that no constant passes it.
 #include "nothing_passes.hpp"
 
 #include <support/exercise.hpp>
@@ -12,7 +12,7 @@ using namespace contact::testing;
 using exercise::Mover;
 using exercise::Proof;
 
-/// What goes into a bound.
+/// The terms of a bound.
 struct Terms {
   double second = 1;     ///< share of B's path
   double direction = 1;  ///< −1: B's speed is subtracted
@@ -58,8 +58,8 @@ const Mover wall{0, 0, 4, 0};
 
 TEST_CASE("a bullet and a wall") {
   const Mover bullet{512, 0, 0.0625, 0};
-  check(bullet, wall, 0.0078125, 0.5);      // 4 m a step: through
-  check(bullet, wall, 0.00048828125, 0.5);  // a sixteenth of that: not
+  check(bullet, wall, 0.0078125, 0.5);      // 4 m a step: not proven
+  check(bullet, wall, 0.00048828125, 0.5);  // a sixteenth of that: proven
   check({64, 0, 0.0625, 0}, wall, 0.0078125, 1);
 }
 
@@ -69,21 +69,21 @@ TEST_CASE("both move") {
   check({3, 0, 1, 0}, {16, 0, 1, 0}, 0.125, 2);
 }
 
-TEST_CASE("what gets faster within the step") {
-  check({1, 8, 1, 0}, wall, 0.5, 1);  // 0.5 m of its own, 1 m by falling
+TEST_CASE("acceleration within the step") {
+  check({1, 8, 1, 0}, wall, 0.5, 1);  // 0.5 m by its speed, 1 m by acceleration
   check({1, 8, 1, 0}, wall, 0.25, 1);
   check({0, 4, 1, 0}, {0, 12, 1, 0}, 0.5, 1.5);
   check({2, 0, 1, 0}, {0, 16, 1, 0}, 0.25, 1.25);
 }
 
-TEST_CASE("what spins") {
+TEST_CASE("rotation") {
   const Mover bat{1, 0, 0.75, 16};  // its end is twelve times as fast as its centre
   check(bat, wall, 0.0625, 0.5);
   check(bat, wall, 0.03125, 0.5);
   check({1, 0, 0.5, 8}, {2, 0, 0.25, 4}, 0.125, 1.25);
 }
 
-TEST_CASE("as far as it is thick") {
+TEST_CASE("a displacement equal to the thickness") {
   check({4, 0, 0.5, 0}, wall, 0.125, 0.5);
   check({4, 0, 0.5, 0}, wall, 0.125, 0.4375);
   check({1, 8, 0.5, 2}, {1, 0, 0.5, 0}, 0.5, 2.5);

@@ -85,7 +85,7 @@ inline Scene free_ball(double g, double duration, double tolerance) {
   return scene;
 }
 
-/// Balls of radius ½ on a level table, side by side and on their way.
+/// Balls of radius ½ on a level table, side by side and moving.
 inline Scene table(double friction = 0) {
   Scene scene = empty(1, friction, 2, 1e-6);
   scene.gravity = {0, 0, -8};
@@ -103,8 +103,8 @@ inline Scene dropped(double e, double height, double duration, double tolerance 
   return scene;
 }
 
-/// More balls than are asked one by one, in rows of `row`, in the plane of x and y; the last comes
-/// back at the one before it.
+/// More balls than are tested one by one, in rows of `row`, in the plane of x and y; the last moves
+/// back towards the one before it.
 inline Scene crowd(int row) {
   Scene scene = empty(1, 0, 0.5, 1e-6);
   for (int i = 0; i < 300; ++i) ball(scene, 0.25, 1, {1.0 * (i % row), 1.0 * (i / row), 0});
@@ -112,7 +112,7 @@ inline Scene crowd(int row) {
   return scene;
 }
 
-/// What hits that are late or missed cost at most, as the rule on continuous detection says.
+/// The largest error of late or missed hits, by the rule on continuous detection.
 inline double said_of_late_hits(const Scene& scene, double step) {
   return decision(scene, Effect::continuous_detection, stepped(step))
       .tried.at(1)

@@ -1,5 +1,5 @@
-// The plans of the book's scenes: what each calls for and what it does without, by what is known of
-// the scene, not by what a plan once said.
+// The plans of the book's scenes: the effects that each needs and does not need, by what is known
+// of the scene, not by what a plan once said.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/plan/plan.hpp>
@@ -23,7 +23,7 @@ Scene scene_of_book(const std::string& name) {
   return contact::scenes::read_scene(folder() / (name + ".json"));
 }
 
-/// What a scene needs and what it does without, for a reason that a reader can give.
+/// The effects that a scene needs and does not need, for a reason that a reader can give.
 struct Known {
   std::string name;
   std::vector<Effect> on;
@@ -32,7 +32,7 @@ struct Known {
 
 const std::vector<Known>& known_scenes() {
   static const std::vector<Known> known{
-      // Straight down on a floor with 4/5 of its speed; the last bounce comes after 4.5 s.
+      // Vertically onto a floor with 4/5 of its speed; the last bounce comes after 4.5 s.
       {"bouncing_ball",
        {Effect::gravity, Effect::restitution, Effect::event_driven},
        {Effect::rotation, Effect::gyroscopic_term, Effect::friction, Effect::resting,
@@ -53,7 +53,7 @@ const std::vector<Known>& known_scenes() {
        {Effect::continuous_detection, Effect::restitution, Effect::step_size},
        {Effect::gravity, Effect::rotation, Effect::friction, Effect::second_dimension,
         Effect::event_driven, Effect::resting}},
-      // Boxes exactly on top of each other: two mirrors, so nothing slides and nothing turns.
+      // Boxes exactly on top of each other: two mirrors, so nothing slides and nothing rotates.
       {"stack_of_ten",
        {Effect::gravity, Effect::resting, Effect::sleeping, Effect::several_contacts},
        {Effect::rotation, Effect::gyroscopic_term, Effect::friction, Effect::restitution,
@@ -66,11 +66,11 @@ const std::vector<Known>& known_scenes() {
       {"precessing_plate",
        {Effect::rotation, Effect::gyroscopic_term, Effect::double_precision},
        {Effect::gravity, Effect::event_driven}},
-      // They fall side by side, and a millimetre is close enough.
+      // They fall side by side, with a tolerance of a millimetre.
       {"hail",
        {Effect::gravity, Effect::event_driven},
        {Effect::rotation, Effect::second_dimension, Effect::double_precision, Effect::broad_phase}},
-      // A spring in place of an impact.
+      // A spring instead of an impact.
       {"penalty_trampoline",
        {Effect::gravity, Effect::penalty_contact, Effect::step_size},
        {Effect::restitution, Effect::resting, Effect::rotation, Effect::second_dimension,
@@ -83,7 +83,7 @@ const std::vector<Known>& known_scenes() {
       {"gas_in_a_box",
        {Effect::restitution, Effect::event_driven, Effect::horizon},
        {Effect::gravity, Effect::rotation, Effect::friction, Effect::resting}},
-      // Friction turns ten thousand balls that come to rest.
+      // Friction rotates ten thousand balls that come to rest.
       {"ball_pit",
        {Effect::gravity, Effect::rotation, Effect::friction, Effect::restitution,
         Effect::broad_phase, Effect::several_contacts, Effect::resting, Effect::sleeping},
@@ -105,7 +105,7 @@ const std::vector<Known>& known_scenes() {
       {"sliding_then_rolling",
        {Effect::gravity, Effect::friction, Effect::rotation},
        {Effect::third_dimension, Effect::gyroscopic_term}},
-      // It comes down after the scene's end. A regular tetrahedron's moments are equal.
+      // It lands after the scene's end. A regular tetrahedron's moments of inertia are equal.
       {"thrown_stone",
        {Effect::gravity, Effect::rotation, Effect::event_driven, Effect::double_precision},
        {Effect::gyroscopic_term, Effect::friction, Effect::restitution,
@@ -116,7 +116,7 @@ const std::vector<Known>& known_scenes() {
 
 }  // namespace
 
-TEST_CASE("the book's scenes call for what is known of them") {
+TEST_CASE("the book's scenes need the effects that are known of them") {
   for (const Known& known : known_scenes()) {
     const Plan plan = contact::plan_scene(scene_of_book(known.name));
     for (const Effect effect : known.on) {
@@ -149,8 +149,8 @@ TEST_CASE("every scene of the book has a plan whose proofs hold") {
         CHECK_FALSE(condition.left_is.empty());
         CHECK_FALSE(condition.right_is.empty());
       }
-      // What is accepted is never more than what the scene allows.
-      // What may rest or sleep, and a crowd's steps, may have no bound; then the plan says so.
+      // The error accepted is never more than the scene's tolerance. Resting, sleeping, and a
+      // crowd's steps may have no bound; then the plan says so.
       if (!std::isfinite(decision.error)) {
         CHECK((decision.effect == Effect::resting || decision.effect == Effect::sleeping ||
                decision.effect == Effect::step_size));
@@ -162,7 +162,7 @@ TEST_CASE("every scene of the book has a plan whose proofs hold") {
   }
 }
 
-TEST_CASE("a bullet in steps of a frame passes its wall, and the plan says by how much") {
+TEST_CASE("a bullet in steps of a frame tunnels through its wall, and the plan says by how much") {
   const Scene scene = scene_of_book("bullet_and_wall");
   contact::PlanOptions options;
   options.step = 1.0 / 60;

@@ -1,4 +1,4 @@
-// What bounds of crowds are made of, at its edge: each scene was made for one term of a bound.
+// The bounds of crowds at their edges: each scene was made for one term of a bound.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -28,8 +28,8 @@ using plan_scenes::wall;
 
 namespace {
 
-/// More bodies than are asked one by one: 254 balls of ½ m in rows, and three others. All but the
-/// first two of the balls lie still.
+/// More bodies than are tested one by one: 254 balls of ½ m in rows, and three others. All but the
+/// first two of the balls are at rest.
 Scene unlike_crowd() {
   Scene scene = empty(1, 0, 1, 1e-6);
   scene.materials = {{"hard", 0.5, 0.25, {}, 0},
@@ -58,7 +58,7 @@ TEST_CASE("a crowd's bound is as bad as the worst of its pairs, whichever it is"
       for (auto& body : scene.bodies) body.material ^= body.material < 2 ? 1U : 0U;
     }
     const auto k = static_cast<std::size_t>(where);
-    // Somebody thin and light, who turns most easily.
+    // A thin and light body, which rotates most easily.
     scene.bodies[k].shape = contact::CapsuleShape{0.0625, 0.4};
     scene.bodies[k].mass = 0.125;
     scene.bodies[k].inertia = contact::solid_inertia(scene.bodies[k].shape, 0.125);
@@ -122,8 +122,8 @@ TEST_CASE("a crowd's decisions follow from the worst of its pairs") {
   // ω of the stiffest pair, two of 10⁴ N/m in a row: the soft ball and a hard one.
   CHECK(contact::plan_scene(scene, stepped(1)).spring_part <=
         1 / (128 * std::sqrt(1e4 * (0.5 + 0.5))) * (1 + 1e-12));
-  // Without gravity, elastic, smooth: something soft is enough to go in steps, and so is what is
-  // dull.
+  // Without gravity, elastic, smooth: one compliant body is enough to go in steps, and so is one
+  // that is inelastic.
   Scene mixed = scene;
   mixed.materials[0] = {"dull", 0, 0, {}, 0};
   for (auto& body : mixed.bodies) body.material = 1;
@@ -132,9 +132,9 @@ TEST_CASE("a crowd's decisions follow from the worst of its pairs") {
   at_edge(mixed, Effect::event_driven, 0, 2);
   mixed.bodies[100].material = 0;
   at_edge(mixed, Effect::event_driven, 0, 5);
-  // Nobody asks each pair of them when it meets first: that may be at once.
+  // Pairs of a crowd are not tested for their first meeting: it may be at once.
   CHECK(decision(mixed, Effect::horizon).because.at(0).right == 0);
-  // Nothing but hard balls, most of which return all: one that does not is enough to come to rest.
+  // Only hard balls, most of them elastic: one that is not is enough to come to rest.
   for (auto& body : scene.bodies) body.material = 1;
   scene.materials[0] = {"dull", 0, 0, {}, 0};
   scene.gravity = {0, 0, -8};
@@ -148,7 +148,7 @@ TEST_CASE("a crowd's decisions follow from the worst of its pairs") {
   CHECK(plan_scenes::is_on(scene, Effect::restitution));  // not all are dull
 }
 
-TEST_CASE("passing through: in a crowd it is said who is thin") {
+TEST_CASE("tunnelling: in a crowd the plan names the thin body") {
   Scene scene = unlike_crowd();
   for (int k = 0; k < 8; ++k) ball(scene, 0.5, 2, {60.0 + 3 * k, 0, 0});
   const auto passing = [&] {
@@ -156,15 +156,15 @@ TEST_CASE("passing through: in a crowd it is said who is thin") {
         .tried.at(1)
         .conditions.at(0);
   };
-  CHECK(passing().left_is == "any two moving bodies towards each other in a step");
+  CHECK(passing().left_is == "approach of any two moving bodies in a step");
   const auto& plate = box(scene, {0x1p-10, 1, 1}, 0, {100, 0, 0});
   const std::string words = "any moving body and " + plate.name;
-  CHECK(passing().left_is == words + " towards each other in a step");
+  CHECK(passing().left_is == "approach of " + words + " in a step");
   CHECK(passing().right <= 2 * (0.5 + 0x1p-10));
   CHECK_FALSE(contact::scene_bounds(scene).pairs.back().round);
 }
 
-TEST_CASE("a crowd begins apart only if nobody touches anybody, or the floor") {
+TEST_CASE("a crowd starts apart only if no body touches another, or the floor") {
   const auto rests = [](const Scene& scene) { return plan_scenes::is_on(scene, Effect::resting); };
   const auto crowd = [](const std::vector<Point>& more, double radius) {
     Scene scene = empty(1, 0, 1, 1e-6);

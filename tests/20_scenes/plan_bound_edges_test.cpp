@@ -1,6 +1,6 @@
-// What bounds are made of, at its edge: shapes, what energy allows, who may meet whom. Each scene
-// was made for one term of a bound, so that a bound without it, or with another in its place, is
-// too small for a motion that can be.
+// Bounds at their edges: shapes, what energy allows, which pairs may meet. Each scene was made for
+// one term of a bound, so that a bound without it, or with another in its place, is too small for a
+// possible motion.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -33,7 +33,7 @@ using plan_scenes::stepped;
 using plan_scenes::unbounded;
 using plan_scenes::wall;
 
-TEST_CASE("thickness and reach of a shape, whichever way it is long") {
+TEST_CASE("thickness and bounding radius of a shape, whichever side is longest") {
   using contact::inner_radius;
   using contact::outer_radius;
   for (const Point& half : {Point(2, 1, 3), Point(1, 2, 3), Point(3, 2, 1)}) {
@@ -51,7 +51,7 @@ TEST_CASE("thickness and reach of a shape, whichever way it is long") {
   CHECK_FALSE(contact::is_proven({}));
 }
 
-TEST_CASE("a distance is never said to be more than it is, to the last bit") {
+TEST_CASE("a distance is never overestimated, to the last bit") {
   Random random(40);
   for (int trial = 0; trial < tried(1000); ++trial) {
     const auto any = [&](double size) {
@@ -89,8 +89,8 @@ TEST_CASE("a distance is never said to be more than it is, to the last bit") {
     }
     const Rational from_box = exact(contact::distance_at_least(scene.bodies[2], p));
     REQUIRE((from_box <= 0 || from_box * from_box <= square));
-    // A box and a capsule that are turned, by a rotor as long as 1 but for 10⁻¹²: its rotation,
-    // with the square of its length below, is a matrix of fractions.
+    // A box and a capsule, rotated by a quaternion of length 1 to 10⁻¹²: its rotation, divided by
+    // the square of its length below, is a matrix of fractions.
     auto turned = contact::exponential<double>(any(2));
     const double longer = 1 + random.uniform(-5e-13, 5e-13);
     turned = {turned.w * longer, turned.v * longer};
@@ -125,7 +125,7 @@ TEST_CASE("a distance is never said to be more than it is, to the last bit") {
   }
 }
 
-TEST_CASE("the moments of a body that lies askew in its own axes") {
+TEST_CASE("the moments of inertia of a body rotated in its own axes") {
   Random random(41);
   for (int trial = 0; trial < tried(200); ++trial) {
     // [[a, b], [b, a]] has the moments a ± b: whole numbers here.
@@ -142,16 +142,17 @@ TEST_CASE("the moments of a body that lies askew in its own axes") {
   }
 }
 
-TEST_CASE("a point of a plate is taken to be as fast as its energy allows, and not faster") {
-  // A thin plate of 1 m half-lengths that flies at 1 m/s along its normal and turns about a
-  // diagonal: its moment there is ⅓ kg m², and a corner √2 m away. At 6/√2 rad/s the corner adds 6
-  // m/s. 2 K is 1 + ⅓ · 18 = 7 J, and 7 m/s is the most that 7 J can do: 1/m + R²/I = 7.
+TEST_CASE("the bound on the speed of a plate's point is what its energy allows") {
+  // A thin plate of 1 m half-lengths that flies at 1 m/s along its normal and rotates about a
+  // diagonal: its moment of inertia there is ⅓ kg m², and a corner is at √2 m. At 6/√2 rad/s the
+  // corner adds 6 m/s. 2 K is 1 + ⅓ · 18 = 7 J, and 7 m/s is the most that 7 J can give: 1/m + R²/I
+  // = 7.
   const auto plates = [](double speed) {
     Scene scene = empty(1, 0, 1, 1e-6);
     box(scene, {1, 1, 0x1p-20}, 1, {0, 0, -2}, {0, 0, speed});
     return scene;
   };
-  // One has 14 J. Two like that could use them to come towards each other at 14 m/s.
+  // One has 14 J. Two like that could use it to approach each other at 14 m/s.
   Scene two = plates(std::sqrt(14.0));
   box(two, {1, 1, 0x1p-20}, 1, Point::Zero());
   const auto pair = contact::scene_bounds(two).pairs.at(0);
@@ -166,16 +167,16 @@ TEST_CASE("a point of a plate is taken to be as fast as its energy allows, and n
   }
 }
 
-TEST_CASE("passing through: the end of a rod is faster than its middle, and a plate is thin") {
-  // The rod's end turns by 0.8 rad a step about its middle: the chord is 0.78 m, and two radii of ¼
-  // m and 0.05 m together are 0.6 m. At the speed of its energy all of it would move 0.47 m.
+TEST_CASE("tunnelling: the end of a rod is faster than its centre, and a plate is thin") {
+  // The rod's end rotates by 0.8 rad a step about its centre: the chord is 0.78 m, and two radii of
+  // ¼ m and 0.05 m together are 0.6 m. At the speed of its energy all of it would move 0.47 m.
   const double h = 0.2;
   Scene rod = empty(0.5, 0, 1, 1e9);
   plan_scenes::add(rod, contact::CapsuleShape{0.05, 1}, 1, Point::Zero()).spin = {4, 0, 0};
   ball(rod, 0.25, 1e6, {0, -std::sin(0.4) * 0.9, std::cos(0.4) * 0.9});
   CHECK_FALSE(contact::holds(
       decision(rod, Effect::continuous_detection, stepped(h)).tried.at(1).conditions.at(0)));
-  // A bullet of 5 cm and a plate of 5 cm half thickness: 0.2 m, not what their reach says.
+  // A bullet of 5 cm and a plate of 5 cm half thickness: 0.2 m, not their bounding radii.
   Scene bullet = empty(0.5, 0, 1, 1e9);
   ball(bullet, 0.05, 1, {-1.25, 0, 0}, {2.5, 0, 0});
   box(bullet, {0.05, 1, 1}, 0, Point::Zero());
@@ -191,7 +192,7 @@ TEST_CASE("passing through: the end of a rod is faster than its middle, and a pl
       decision(unlike, Effect::continuous_detection, stepped(0.1)).tried.at(1).conditions.at(0)));
 }
 
-TEST_CASE("passing through: the worst of several pairs counts, wherever it stands") {
+TEST_CASE("tunnelling: the worst of several pairs counts, in any order") {
   // Fast and thick, 0.5 < 4; slow and thin, 0.25 > 0.2.
   for (const bool thin_first : {false, true}) {
     Scene scene = empty(0.5, 0, 1, 1e9);
@@ -211,7 +212,7 @@ TEST_CASE("passing through: the worst of several pairs counts, wherever it stand
   }
 }
 
-TEST_CASE("a light ball is as fast as what a heavy one that falls on it makes it") {
+TEST_CASE("a light ball is as fast as a heavy one that falls on it can make it") {
   Scene scene = empty(1, 0, 1, 1e-6);
   scene.gravity = {0, 0, -8};
   ball(scene, 0.5, 0, Point::Zero());
@@ -234,9 +235,8 @@ TEST_CASE("a light ball is as fast as what a heavy one that falls on it makes it
   CHECK(bounds.bodies[1].travel >= 4 * std::sqrt(1001.0) * (1 - 1e-9));
 }
 
-TEST_CASE(
-    "what falls on a floor falls as far as its thinnest side lets it, on a slope without end") {
-  // A box that stands 6 m high lies 1 m high at last.
+TEST_CASE("a body falls to a floor as far as its thickness allows, on a slope without end") {
+  // A box that is upright 6 m high lies 1 m high at last.
   Scene standing = empty(0, 0, 100, 0);
   standing.gravity = {0, 0, -8};
   wall(standing, Point::UnitZ(), 0);
@@ -249,7 +249,7 @@ TEST_CASE(
   wall(slope, {0.6, 0, 0.8}, 0);
   ball(slope, 0.5, 1, Point(0.6, 0, 0.8) * 0.5);
   CHECK(contact::plan_scene(slope).speed >= 8 * 0.6 * 10);
-  // Gravity aside of the floor's normal: it slides off along the floor.
+  // Gravity oblique to the floor's normal: it slides off along the floor.
   Scene aside = dropped(0, 0, 10, 0);
   aside.gravity = {6, 0, -8};
   CHECK(contact::plan_scene(aside).speed >= 6 * 10);
@@ -257,11 +257,11 @@ TEST_CASE(
   Scene weak = dropped(0, 1024, 1e6, 0);
   weak.gravity = {0, 0, -0x1p-11};
   CHECK(exact(contact::plan_scene(weak).speed) * contact::plan_scene(weak).speed >= 1);
-  // Gravity askew is as large as all of its components.
+  // The size of oblique gravity includes all of its components.
   Scene askew = free_ball(0, 10, 1e-6);
   askew.gravity = {3, 4, -12};
   CHECK(contact::plan_scene(askew).speed >= 13 * 10);
-  // A ball that begins within its floor has all of its speed all the same.
+  // A ball that starts within its floor still has all of its speed.
   Scene deep = dropped(0, -1e-6, 100, 0);
   deep.bodies[1].velocity = {0.1, 0, 0};
   CHECK(contact::plan_scene(deep).speed >= 0.1);
@@ -273,7 +273,7 @@ TEST_CASE(
   CHECK(exact(contact::plan_scene(hair).speed) * contact::plan_scene(hair).speed >= 2 * 8 * height);
 }
 
-TEST_CASE("spin is energy: of the largest moment, and however little rubs") {
+TEST_CASE("rotation is energy: of the largest moment of inertia, and with any friction") {
   Scene scene = empty(1, 0, 1, 1e-6);
   box(scene, {1, 2, 3}, 1, Point::Zero()).spin = {2, 0, 0};  // about x the moment is 13/3
   ball(scene, 0.5, 1, {5, 0, 0}, {-2, 0, 0});
@@ -287,7 +287,7 @@ TEST_CASE("spin is energy: of the largest moment, and however little rubs") {
   CHECK(contact::plan_scene(rolling).pairs == 3);
 }
 
-TEST_CASE("what just touches by fractions meets, whatever rounding says") {
+TEST_CASE("bodies that just touch in exact fractions meet, whatever rounding says") {
   Random random(42);
   for (int trial = 0; trial < tried(600); ++trial) {
     const double v = random.uniform(0.5, 30);
@@ -296,7 +296,7 @@ TEST_CASE("what just touches by fractions meets, whatever rounding says") {
     const double other = random.uniform(0.1, 1);
     const double start = random.uniform(-5000, 5000);
     const Rational reach = exact(start) + exact(v) * exact(t) + exact(radius);
-    // A place that is not beyond that.
+    // A position that is not beyond that.
     double place = oracle::nearest(reach);
     if (exact(place) > reach) place = std::nextafter(place, -unbounded);
     double centre = oracle::nearest(Rational(reach + exact(other)));
@@ -318,7 +318,7 @@ TEST_CASE("what just touches by fractions meets, whatever rounding says") {
   }
 }
 
-TEST_CASE("a path that bends is met at its very end") {
+TEST_CASE("a parabola is met at its very end") {
   // 4 m in the second: in the last 64th it bends by all of g dt²/8.
   for (const bool on_a_ball : {false, true}) {
     Scene scene = dropped(0.5, 4 * (1 - 1e-12), 1);
@@ -330,8 +330,8 @@ TEST_CASE("a path that bends is met at its very end") {
   }
 }
 
-TEST_CASE("who is thrown reaches as far as both go, and with its corners") {
-  // Two balls meet; the second may then fly at 4 m/s for 1 s, and the third comes at 3 m/s.
+TEST_CASE("a thrown body reaches as far as both paths go, and with its vertices") {
+  // Two balls meet; the second may then fly at 4 m/s for 1 s, and the third arrives at 3 m/s.
   const auto third = [](double gap) {
     Scene scene = empty(1, 0, 1, 1e-6);
     ball(scene, 0.5, 1, {-1.5, 0, 0}, {4, 0, 0});
@@ -341,7 +341,7 @@ TEST_CASE("who is thrown reaches as far as both go, and with its corners") {
   };
   CHECK(third(6.9));
   CHECK_FALSE(third(7.1));
-  // A box that is hit may turn: its corners are √14 m from its middle.
+  // A box that is hit may rotate: its corners are √14 m from its centre.
   const auto corner = [](double gap) {
     Scene scene = empty(1, 0, 1, 1e-6);
     ball(scene, 0.5, 1, {-2, 0, 0}, {2, 0, 0});

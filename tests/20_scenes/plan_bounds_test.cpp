@@ -1,6 +1,6 @@
-// What the planner says that energy allows, against motions: exact ones in fractions, and seeded
-// scenes of balls that are run from impact to impact. A bound is rounded outward, so it is tested
-// without an allowance where the motion is exact, and with that of the run where it is computed.
+// The planner's energy bounds, compared with motions: exact ones in fractions, and seeded scenes of
+// balls that are run from impact to impact. A bound is rounded outwards, so it is tested without an
+// allowance where the motion is exact, and with that of the run where it is computed.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -25,7 +25,7 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// Smooth hard balls from impact to impact: every pair is asked for its next impact each time.
+/// Smooth hard balls from impact to impact: every pair is tested for its next impact each time.
 class PlainRun {
  public:
   explicit PlainRun(const Scene& scene) : scene_(scene) {
@@ -38,7 +38,7 @@ class PlainRun {
     met.assign(x.size() * x.size(), false);
   }
 
-  /// Runs to the end of the scene, or to so many impacts. Looks at every body on the way.
+  /// Runs to the end of the scene, or to so many impacts. Samples every body on the way.
   void run(int most_hits) {
     double now = 0;
     for (int hits = 0; hits < most_hits; ++hits) {
@@ -139,7 +139,7 @@ class PlainRun {
   const Scene& scene_;
 };
 
-/// A few balls, some of them on their way to each other, over a floor, in a box or in free space.
+/// A few balls, some of them flying towards each other, over a floor, in a box or in free space.
 Scene random_scene(Random& random) {
   const int kind = random.integer(0, 3);
   const double e = random.chance(0.5) ? 1.0 : random.uniform(0.5, 1);
@@ -179,7 +179,7 @@ Scene random_scene(Random& random) {
 
 }  // namespace
 
-TEST_CASE("no motion is faster or comes farther than the bounds, and no other pairs meet") {
+TEST_CASE("no motion is faster or goes farther than the bounds, and no other pairs meet") {
   Random random(20);
   int hits = 0;
   int pairs_left_out = 0;
@@ -205,7 +205,7 @@ TEST_CASE("no motion is faster or comes farther than the bounds, and no other pa
       }
     }
   }
-  // The test says something only if balls do meet, and if some pairs are left out.
+  // The test is only meaningful if balls do meet, and if some pairs are left out.
   CHECK(hits > generators::tried(2000));
   CHECK(pairs_left_out > generators::tried(500));
 }
@@ -230,7 +230,7 @@ TEST_CASE("the bound of a ball alone is its closed form, rounded up by little") 
   }
 }
 
-TEST_CASE("over a floor a ball is never faster than falling to the floor makes it") {
+TEST_CASE("over a floor a ball is never faster than after falling to the floor") {
   Random random(22);
   for (int trial = 0; trial < generators::tried(2000); ++trial) {
     const double height = random.uniform(0, 30);
@@ -244,14 +244,14 @@ TEST_CASE("over a floor a ball is never faster than falling to the floor makes i
     const Rational rise = exact(height + 0.5) - exact(0.5);
     const Rational squared = exact(v) * exact(v) + 2 * exact(g) * rise;
     REQUIRE(exact(bound) * exact(bound) >= squared);
-    // And what it gains in a dip of the tolerance, no less and no more.
+    // And its gain in a dip of the tolerance, no less and no more.
     REQUIRE(bound * bound >= (oracle::nearest(squared) + 2 * g * 1e-6) * (1 - 1e-12));
     REQUIRE(bound * bound <= (oracle::nearest(squared) + 2 * g * 1e-6) * (1 + 1e-9));
   }
 }
 
-TEST_CASE("a soft floor lets a ball fall farther by what it gives way") {
-  // At the deepest of a drop from height h on a spring the speed is 0; on the way it is largest
+TEST_CASE("a compliant floor lets a ball fall farther by its compression") {
+  // At the lowest point of a drop from height h on a spring the speed is 0; before, it is largest
   // where the spring carries the weight, m g/k deep: v² = 2 g h + m g²/k.
   Scene scene = plan_scenes::empty(0, 0, 100, 1e-6);
   scene.materials[0].stiffness = 64;
@@ -265,8 +265,9 @@ TEST_CASE("a soft floor lets a ball fall farther by what it gives way") {
   CHECK(bound * bound <= (squared + 2 * 8.0 * 1e-6) * (1 + 1e-9));
 }
 
-TEST_CASE("what is late by a step is in the floor, and no faster than the bound all the same") {
-  // A drop of 2 m with a step as long as the tolerance allows. The run is asked within its steps.
+TEST_CASE(
+    "a ball whose hit is late by a step is in the floor, and still no faster than the bound") {
+  // A drop of 2 m with a step as long as the tolerance allows. The run is sampled within its steps.
   Scene scene = plan_scenes::empty(1, 0, 1.5, 0.25);
   scene.gravity = {0, 0, -8};
   plan_scenes::wall(scene, Point::UnitZ(), 0);
@@ -289,8 +290,9 @@ TEST_CASE("what is late by a step is in the floor, and no faster than the bound 
   CHECK(dip <= 0.25);
 }
 
-TEST_CASE("a ball reaches a body exactly as far off as it travels, and not one a little farther") {
-  // 3 m in 1 s at 3 m/s: both balls' radii are 1, so the gap of 3 is just closed.
+TEST_CASE(
+    "a ball reaches a body at exactly the distance that it travels, and not one a little farther") {
+  // 3 m in 1 s at 3 m/s: both balls' radii are 1, so the distance of 3 is just closed.
   const auto meets = [](double gap) {
     Scene scene = plan_scenes::empty(1, 0, 1, 1e-6);
     plan_scenes::ball(scene, 1, 1, Point::Zero(), {3, 0, 0});
@@ -302,9 +304,9 @@ TEST_CASE("a ball reaches a body exactly as far off as it travels, and not one a
   CHECK_FALSE(meets(3 * (1 + 1e-9)));
 }
 
-TEST_CASE("a disturbed ball brings in others, one after the other") {
+TEST_CASE("a disturbed ball disturbs others, one after the other") {
   // A row: only the first moves, each can only push the next. With all the energy the last of the
-  // row comes 8 m far, so it just closes a gap of 8 m and not one of a little more.
+  // row moves 8 m, so it just closes a distance of 8 m and not one of a little more.
   const auto reached = [](double gap) {
     Scene scene = plan_scenes::empty(1, 0, 4, 1e-6);
     plan_scenes::ball(scene, 0.5, 1, Point::Zero(), {2, 0, 0});

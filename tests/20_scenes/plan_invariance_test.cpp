@@ -53,7 +53,7 @@ Scene crowded_scene(Random& random) {
   return scene;
 }
 
-/// Everything of two plans that a reader sees: decisions, both sides of what decided, words.
+/// Everything that a reader sees of two plans: decisions, both sides of what decided, words.
 void same(const Plan& a, const Plan& b, double length, double time) {
   REQUIRE(a.decisions.size() == b.decisions.size());
   CHECK(a.step * time == b.step);
@@ -127,7 +127,7 @@ TEST_CASE("a plan does not depend on the units, to the last bit for powers of tw
       if (auto* box = std::get_if<contact::BoxShape>(&body.shape)) box->half_lengths *= length;
       if (auto* wall = std::get_if<contact::HalfSpaceShape>(&body.shape)) wall->offset *= length;
     }
-    // A frame of a sixtieth of a second is no number of the scene: ask for a step instead.
+    // A frame of a sixtieth of a second is not a number of the scene: set a step instead.
     contact::PlanOptions first;
     contact::PlanOptions second;
     first.step = scene.duration / 64;
@@ -148,7 +148,7 @@ TEST_CASE("a body that nothing can reach changes no decision on the others") {
     CHECK(plan.pairs == with.pairs);
     CHECK(plan.step == with.step);
     for (const Effect effect : contact::all_effects) {
-      // Costs and digits are the exception: one body more to sort, one far away to place in float.
+      // Costs and precision are exceptions: one more body to sort, and a distant position in float.
       if (effect == Effect::broad_phase || effect == Effect::double_precision) continue;
       const Decision& one = contact::decision_on(plan, effect);
       const Decision& other = contact::decision_on(with, effect);

@@ -1,6 +1,6 @@
 // The edges of rules that plan_rules_*_test.cpp leave, of motion and contacts: each scene was made
 // for one condition, one term or one order of a rule, so that a rule without it, or with another in
-// its place, answers wrongly.
+// its place, gives a wrong answer.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/bouncing.hpp>
@@ -62,7 +62,7 @@ TEST_CASE("gravity: the fall that is left out is rounded up") {
   CHECK(edges > tried(40));
 }
 
-TEST_CASE("gravity: a table is level and bears exactly, in all digits") {
+TEST_CASE("gravity: a table is level and supports exactly, in all digits") {
   // The floor is at 10⁻²⁰ m: a ball at ½ m is within it.
   Scene hair = table();
   std::get<contact::HalfSpaceShape>(hair.bodies[0].shape).offset = 1e-20;
@@ -72,7 +72,8 @@ TEST_CASE("gravity: a table is level and bears exactly, in all digits") {
   Scene deep = table();
   deep.bodies[2].position.z() = std::nextafter(0.5, 0);
   CHECK_FALSE(contact::holds(decision(deep, Effect::gravity).tried.at(2).conditions.at(0)));
-  // A normal that is too short by 2⁻⁵⁰: a product rounds to a ball that lies, which is above it.
+  // A normal that is too short by 2⁻⁵⁰: by a rounded product the ball lies on the floor, although
+  // it is above it.
   Scene shorter = table();
   shorter.bodies[0].shape = contact::HalfSpaceShape{{0, 0, 1 - 0x1p-50}, 4};
   for (const std::size_t i : {1U, 2U}) shorter.bodies[i].position.z() = 4.5 + 5 * 0x1p-50;
@@ -81,7 +82,7 @@ TEST_CASE("gravity: a table is level and bears exactly, in all digits") {
   CHECK_FALSE(contact::holds(decision(shorter, Effect::gravity).tried.at(2).conditions.at(0)));
 }
 
-TEST_CASE("rotation: a spin about any axis, and of the smallest size") {
+TEST_CASE("rotation: an angular velocity about any axis, and of the smallest size") {
   for (int axis = 0; axis < 3; ++axis) {
     Scene scene = empty(1, 0, 5, 1e-6);
     box(scene, {1, 2, 3}, 1, Point::Zero()).spin = smallest * Point::Unit(axis);
@@ -89,7 +90,8 @@ TEST_CASE("rotation: a spin about any axis, and of the smallest size") {
   }
 }
 
-TEST_CASE("the third dimension: spins of either sign, hulls, and any pair of several") {
+TEST_CASE(
+    "the third dimension: angular velocities of either sign, hulls, and any pair of several") {
   Scene flat = empty(1, 0.5, 2, 1e-6);
   box(flat, {1, 2, 3}, 1, Point::Zero(), {1, 0.25, 0}).spin = {0, 0, 2};
   ball(flat, 0.5, 1, {5, 0, 0});
@@ -114,7 +116,7 @@ TEST_CASE("the third dimension: spins of either sign, hulls, and any pair of sev
   Scene pulled = flat;
   pulled.gravity.z() = -smallest;
   at_edge(pulled, Effect::third_dimension, 0, 0);
-  // A hull: nobody asks whether it has a mirror.
+  // A hull: its mirror symmetry is not tested.
   Scene hull = empty(1, 0, 2, 1e-6);
   contact::HullShape shape;
   shape.points = {Point(1, 0, 0), Point(-1, 1, 0), Point(-1, -1, 0), Point(-1, 0, 1)};
@@ -125,13 +127,13 @@ TEST_CASE("the third dimension: spins of either sign, hulls, and any pair of sev
 }
 
 TEST_CASE("the third dimension: a box's edge is its end, and a box is met at more than a point") {
-  // The ball's middle is above the edge by 2⁻⁶⁰ m, which the difference of both places hides.
+  // The ball's centre is above the edge by 2⁻⁶⁰ m, which the difference of both positions hides.
   Scene scene = empty(1, 0, 2, 1e-6);
   ball(scene, 0.5, 1, {0, 0, 0.25}, {2, 0.25, 0});
   box(scene, {0.5, 2, 0.25}, 0, {2, 0, -0x1p-60});
   CHECK(exact(0.25) + exact(0x1p-60) > exact(0.25));
   at_edge(scene, Effect::third_dimension, 0, 4);
-  // A box that is not level with the one that it meets is met beside its middle, and tips.
+  // A box that is not level with the other one is hit off its centre, and tips.
   Scene boxes = empty(1, 0, 2, 1e-6);
   box(boxes, {0.5, 0.5, 0.5}, 1, {0, 0, 0.25}, {2, 0.25, 0});
   box(boxes, {0.5, 2, 0.75}, 0, {3, 0, 0});
@@ -139,7 +141,7 @@ TEST_CASE("the third dimension: a box's edge is its end, and a box is met at mor
 }
 
 TEST_CASE("the gyroscopic term: every body counts, and all of the bound") {
-  // Whichever comes last.
+  // Whichever is last.
   for (const bool first : {true, false}) {
     Scene scene = empty(1, 0, 2, 1e-3);
     if (first) box(scene, {1, 2, 3}, 1, Point::Zero()).spin = {1, 2, 3};
@@ -149,8 +151,8 @@ TEST_CASE("the gyroscopic term: every body counts, and all of the bound") {
     CHECK_FALSE(
         contact::holds(decision(scene, Effect::gyroscopic_term).tried.at(0).conditions.at(0)));
   }
-  // Moments as 13 : 10 : 5, a corner √14 m away: R ½ (8/5) (13/5) |ω|² T², and it is that whatever
-  // the size and the mass.
+  // Moments of inertia as 13 : 10 : 5, a corner √14 m away: R ½ (8/5) (13/5) |ω|² T², whatever the
+  // size and the mass.
   for (const double size : {1.0, 0.125}) {
     Scene scene = empty(1, 0, 2, 1e-3);
     box(scene, size * Point(1, 2, 3), 4, Point::Zero()).spin = {1, 2, 3};
@@ -160,9 +162,9 @@ TEST_CASE("the gyroscopic term: every body counts, and all of the bound") {
   }
 }
 
-TEST_CASE("the tolerance is kept to the last bit where errors fill it") {
-  // Three errors of a free flight, and a tolerance of about what they come to: a little more is
-  // enough for all of them, a little less is not, and in between none is more than there is.
+TEST_CASE("the tolerance is kept to the last bit where errors use all of it") {
+  // Three errors of a free flight, and a tolerance of about their sum: a little more is enough for
+  // all of them, a little less is not, and in between the sum never exceeds the tolerance.
   Random random(44);
   for (int trial = 0; trial < tried(100); ++trial) {
     Scene scene = empty(1, 0, random.uniform(0.1, 1), 1);
@@ -230,7 +232,7 @@ TEST_CASE("friction, restitution, springs: whichever pair has them, the first as
     const double fastest = std::sqrt(10000.0 / 2 * 64);
     CHECK(contact::plan_scene(one_soft).step <= 1 / (10 * fastest) * (1 + 1e-12));
   }
-  // Both masses give way to a spring between them.
+  // Both masses move with a spring between them.
   Scene pair = empty(0, 0, 3, 1e-3);
   pair.materials[0].stiffness = 1000;
   ball(pair, 0.5, 1, {-2, 0, 0}, {1, 0, 0});
@@ -238,7 +240,7 @@ TEST_CASE("friction, restitution, springs: whichever pair has them, the first as
   CHECK(contact::plan_scene(pair).step <= 1 / (10 * std::sqrt(500.0 * 65)) * (1 + 1e-12));
 }
 
-TEST_CASE("several contacts: who is met by two, though it is named last") {
+TEST_CASE("several contacts: a body that two may meet, though it is named last") {
   // A large ball in the middle, which two meet from both sides that cannot meet each other.
   Scene scene = empty(0.5, 0, 1, 1e-6);
   ball(scene, 0.5, 1, {-51, 0, 0}, {1, 0, 0});
@@ -248,7 +250,7 @@ TEST_CASE("several contacts: who is met by two, though it is named last") {
   at_edge(scene, Effect::several_contacts, 0, 0);
 }
 
-TEST_CASE("resting: the last bounce by its closed form, thrown up or down") {
+TEST_CASE("resting: the last bounce by its closed form, from a throw up or down") {
   for (const double up : {-4.0, -0.5, 0.5, 4.0}) {
     CAPTURE(up);
     const double rest = contact::rest_time(contact::bouncing_ball<double>(1, up, 8, 0.5));
@@ -260,7 +262,7 @@ TEST_CASE("resting: the last bounce by its closed form, thrown up or down") {
   }
 }
 
-TEST_CASE("resting: two that touch, and fall on a floor, need not part") {
+TEST_CASE("resting: two that touch, and fall on a floor, need not separate") {
   Scene column = dropped(1, 1, 3);
   ball(column, 0.5, 1, {0, 0, 2.5});
   at_edge(column, Effect::resting, 2, 2);
@@ -276,7 +278,7 @@ TEST_CASE("resting: two that touch, and fall on a floor, need not part") {
   off(slope, Effect::resting);
 }
 
-TEST_CASE("from event to event: a wall that hardly pulls has no budget of one hit") {
+TEST_CASE("from event to event: a wall with weak gravity towards it has no bound of one hit") {
   // 8 · 2⁻⁵² m/s² along the normal: thrown off at 10⁻⁹ m/s it is back after a million seconds.
   Scene scene = dropped(0.5, 0, 1e8, 0);
   scene.bodies[0].shape = contact::HalfSpaceShape{{1, 0, 0x1p-52}, 0};

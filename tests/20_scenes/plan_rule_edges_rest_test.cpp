@@ -1,6 +1,6 @@
 // The edges of rules that plan_rules_*_test.cpp leave, between two steps and at rest: each scene
 // was made for one condition, one term or one order of a rule, so that a rule without it, or with
-// another in its place, answers wrongly.
+// another in its place, gives a wrong answer.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -33,7 +33,7 @@ using plan_scenes::wall;
 
 namespace {
 
-/// Where a body ends in steps in which impacts are looked for, from where it ends without.
+/// The displacement of a body's final position by leaving out detection between steps.
 double lateness(const Scene& scene, std::size_t body, double step) {
   const auto end = [&](bool looks) {
     contact::PlanOptions options = stepped(step);
@@ -47,8 +47,9 @@ double lateness(const Scene& scene, std::size_t body, double step) {
 
 }  // namespace
 
-TEST_CASE("late hits: no bound for what loses speed, hits too often, or rubs in flight") {
-  // It does not come to rest before the end, and sinks all the same.
+TEST_CASE(
+    "late hits: no bound for balls that lose speed, hit too often, or have friction in flight") {
+  // It does not come to rest before the end, but sinks.
   Scene lossy = dropped(0.9, 2, 1.5, 1);
   lossy.materials[0].friction = 0.25;
   CHECK(std::isinf(said_of_late_hits(lossy, 0.01)));
@@ -65,8 +66,8 @@ TEST_CASE("late hits: no bound for what loses speed, hits too often, or rubs in 
   CHECK(std::isfinite(said_of_late_hits(rough, 0.01)));
 }
 
-TEST_CASE("late hits: head on, what two come back from each other by is all of it") {
-  // Large and slow, so that the slant is none. The hit comes 1 ms after a step of 50 ms.
+TEST_CASE("late hits: head on, the rebound of the two is the whole error") {
+  // Large and slow, so that the hit is not oblique. It happens 1 ms after a step of 50 ms.
   const double h = 0.05;
   Scene scene = empty(1, 0, 0.5, 1);
   ball(scene, 50, 1, {-100 - 0.201, 0, 0}, {1, 0, 0});
@@ -74,11 +75,11 @@ TEST_CASE("late hits: head on, what two come back from each other by is all of i
   const double late = lateness(scene, 0, h);
   CHECK(late > 0.97 * 2 * h);
   CHECK(late <= said_of_late_hits(scene, h));
-  // Thrown as far as the hit's slant says, and not more than it does in all of the time.
+  // Displaced by the oblique hit, and at most by its motion in the whole time.
   CHECK(said_of_late_hits(scene, h) <= 2 * h * (1 + 0.5 / 100) * (1 + 1e-3));
 }
 
-TEST_CASE("grazing hits: a normal that is late by a step is turned by all of it") {
+TEST_CASE("grazing hits: a normal that is late by a step is rotated by the whole step") {
   // It touches at cos θ = 0.02 just after a step, and the next step finds it at 0.01: of the
   // velocity 2 · 0.01 m/s along the normal are missing, for ten seconds.
   const double h = 0.01;
@@ -88,20 +89,20 @@ TEST_CASE("grazing hits: a normal that is late by a step is turned by all of it"
   const double thrown = lateness(scene, 0, h);
   CHECK(thrown > 0.95 * 0.2);
   CHECK(thrown <= said_of_late_hits(scene, h));
-  // Whichever of two such pairs comes first.
+  // Whichever of two such pairs is first.
   Scene two = scene;
   ball(two, 50, 1, {-104, 500, 0}, {0.5, 0, 0});
   ball(two, 50, 1e9, {0, 500, 0});
   CHECK(thrown <= said_of_late_hits(two, h));
   std::rotate(two.bodies.begin(), two.bodies.begin() + 2, two.bodies.end());
   CHECK(thrown <= said_of_late_hits(two, h));
-  // What is accepted is what was compared.
+  // The error accepted is the one that was compared.
   const Decision accepted = decision(scene, Effect::continuous_detection, stepped(h));
   REQUIRE_FALSE(accepted.on);
   CHECK(accepted.error == said_of_late_hits(scene, h));
 }
 
-TEST_CASE("hops that are left out: what bounds them, wall by wall") {
+TEST_CASE("bounces that are left out: their bounds, wall by wall") {
   const auto resting = [](const Scene& scene) {
     return decision(scene, Effect::resting, stepped(0.01)).error;
   };
@@ -115,7 +116,7 @@ TEST_CASE("hops that are left out: what bounds them, wall by wall") {
     CHECK(resting(scene) == unbounded);
     CHECK(sleeping(scene) == unbounded);
   };
-  // On a ball it lies on no plane, and a box rocks from corner to corner.
+  // A ball is no plane to lie on, and a box rocks from corner to corner.
   Scene on_ball = alone;
   on_ball.bodies[0].shape = contact::BallShape{0.5};
   on_ball.bodies[0].position = {0, 0, -0.5};
@@ -124,7 +125,7 @@ TEST_CASE("hops that are left out: what bounds them, wall by wall") {
   rocks.bodies[1].shape = contact::BoxShape{{0.5, 0.5, 0.5}};
   rocks.bodies[1].orientation = contact::exponential<double>({0.3, 0.2, 0});
   has_none(rocks);
-  // A soft wall beside the floor; one that leans over it by 10⁻⁷; two slopes at a right angle.
+  // A compliant wall beside the floor; one that overhangs it by 10⁻⁷; two slopes at a right angle.
   Scene soft = alone;
   soft.materials.push_back({"soft", 0.5, 0, 1000, 0});
   wall(soft, Point::UnitX(), -5);
@@ -137,7 +138,7 @@ TEST_CASE("hops that are left out: what bounds them, wall by wall") {
   groove.bodies[0].shape = contact::HalfSpaceShape{{0.6, 0, 0.8}, 0};
   wall(groove, {-0.8, 0, 0.6}, 0);
   has_none(groove);
-  // Nobody lies on the floor but one whom another may hit that is named first, and never comes
+  // No body lies on the floor except one that another, named first, may hit, and that never comes
   // down.
   Scene hit = empty(0.5, 0, 0.5, 1e-4);
   hit.gravity = {0, 0, -8};
@@ -146,14 +147,14 @@ TEST_CASE("hops that are left out: what bounds them, wall by wall") {
   ball(hit, 0.5, 1, {0, 0, 0.7});
   REQUIRE(contact::plan_scene(hit).pairs == 2);
   CHECK(resting(hit) == unbounded);
-  // Nor if that one's hits leave out no hop themselves.
+  // Nor if hits on that one leave out no bounce.
   hit.materials.push_back({"dull", 0, 0, {}, 0});
   hit.bodies[1].material = 1;
   CHECK(resting(hit) == unbounded);
   std::swap(hit.bodies[1], hit.bodies[2]);
   REQUIRE(contact::plan_scene(hit).pairs == 2);
   CHECK(resting(hit) == unbounded);
-  // A wall that is all but upright presses a little; one that is upright does not.
+  // A nearly vertical wall presses a little; a vertical one does not.
   Scene steep = alone;
   const double slight = 1e-4;
   steep.bodies[0].shape =
@@ -162,7 +163,8 @@ TEST_CASE("hops that are left out: what bounds them, wall by wall") {
   CHECK(resting(steep) <= 8 * slight * 0.01 * 0.01 / 8 / 4 * (1 + 1e-9));
 }
 
-TEST_CASE("sleep has no bound for what slides along an upright wall, unless it is a smooth ball") {
+TEST_CASE(
+    "sleep has no bound for a body that slides along a vertical wall, unless it is a smooth ball") {
   const auto sleeping = [](const Scene& scene) {
     return decision(scene, Effect::sleeping, stepped(0.01)).error;
   };
@@ -186,9 +188,9 @@ TEST_CASE("sleep has no bound for what slides along an upright wall, unless it i
   CHECK(sleeping(corners) == unbounded);
 }
 
-TEST_CASE("sleep: not so fast that a short scene would tell") {
-  // Slower than so many m/s for the whole of a quarter of a second is less than the share; so it is
-  // for ten seconds if what pushes it goes on, twice in a second.
+TEST_CASE("sleep: not at a speed that a short scene would show") {
+  // Slower than so many m/s for a whole quarter of a second is less than the share; so it is for
+  // ten seconds if its acceleration continues, twice in a second.
   for (const double duration : {0.25, 10.0}) {
     Scene scene = dropped(0, 0.01, duration, 1e-4);
     scene.materials[0].friction = 0.25;
@@ -202,14 +204,14 @@ TEST_CASE("sleep: not so fast that a short scene would tell") {
   }
 }
 
-TEST_CASE("springs, hops and sleep together keep the tolerance") {
+TEST_CASE("springs, bounces and sleep together keep the tolerance") {
   Scene scene = dropped(0.5, 0.5, 2, 1e-3);
   ball(scene, 0.5, 1, {100, 0, 1});
   scene.materials.push_back({"soft", 0.5, 0, 2000, 0});
   scene.bodies[2].material = 1;
   const Plan plan = contact::plan_scene(scene, stepped(0.01));
   CHECK(contact::decision_on(plan, Effect::penalty_contact).error > 0.49e-3);
-  // The soft one's sleep has no bound. What has one is within the tolerance.
+  // The compliant body's sleep has no bound. A sleep with a bound is within the tolerance.
   Rational sum = 0;
   for (const Decision& made : plan.decisions)
     if (std::isfinite(made.error)) sum += exact(made.error);
@@ -220,7 +222,7 @@ TEST_CASE("springs, hops and sleep together keep the tolerance") {
   CHECK(contact::holds(sleeping.because.back()));
 }
 
-TEST_CASE("without gravity no hop is left out, though something may be pressed") {
+TEST_CASE("without gravity no bounce is left out, though bodies may be pressed together") {
   Scene scene = empty(0.5, 0, 2, 1e-3);
   box(scene, {2, 0.1, 0.1}, 1e6, Point::Zero()).spin = {0, 0, 1};
   ball(scene, 0.1, 1, {0.5, 0.25, 0});
@@ -228,7 +230,7 @@ TEST_CASE("without gravity no hop is left out, though something may be pressed")
   const Plan plan = contact::plan_scene(scene, stepped(0.01));
   REQUIRE(contact::decision_on(plan, Effect::resting).on);
   CHECK(plan.rest_height == 0);
-  // What falls with all others has no floor to lie on, though two of it meet last.
+  // Bodies that all fall have no floor to lie on, though two of them meet last.
   Scene last = empty(0.5, 0, 0.5, 1e-4);
   last.gravity = {0, 0, -8};
   wall(last, Point::UnitZ(), 0);
@@ -237,8 +239,7 @@ TEST_CASE("without gravity no hop is left out, though something may be pressed")
   CHECK(contact::plan_scene(last, stepped(0.01)).rest_height > 0);
 }
 
-TEST_CASE(
-    "hops from event to event are as high as the cutoff says, in a run that goes on in steps") {
+TEST_CASE("bounces are left out at the cutoff's height in a run that goes on in steps") {
   const Plan plan = contact::plan_scene(dropped(0.5, 2, 10, 1e-6));
   const Decision& events = contact::decision_on(plan, Effect::event_driven);
   REQUIRE(events.on);

@@ -1,6 +1,6 @@
-// The edges of rules that plan_rules_*_test.cpp leave, of time, digits and the horizon: each scene
-// was made for one condition, one term or one order of a rule, so that a rule without it, or with
-// another in its place, answers wrongly.
+// The edges of rules that plan_rules_*_test.cpp leave, of time, precision and the horizon: each
+// scene was made for one condition, one term or one order of a rule, so that a rule without it, or
+// with another in its place, gives a wrong answer.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -32,8 +32,10 @@ using plan_scenes::Point;
 using plan_scenes::stepped;
 using plan_scenes::wall;
 
-TEST_CASE("from event to event: who touches at first hands a hit on, unless it is alone") {
-  // Two hits on one instant: which comes first decides.
+TEST_CASE(
+    "from event to event: a ball that touches another at the start passes a hit on, unless it is "
+    "alone") {
+  // Two hits at one instant: their order decides.
   Scene row = empty(1, 0, 3, 0);
   ball(row, 0.5, 1, {-2, 0, 0}, {1, 0, 0});
   ball(row, 0.5, 2, Point::Zero());
@@ -43,7 +45,7 @@ TEST_CASE("from event to event: who touches at first hands a hit on, unless it i
   off(row, Effect::event_driven);
 }
 
-TEST_CASE("float: only numbers of a size that it squares, and no digit less than it has") {
+TEST_CASE("float: only numbers whose squares it holds, and all of its digits") {
   Scene endless = empty(1, 0, 1e-15, 1e-3);
   endless.gravity = {0, 0, -1e19};
   ball(endless, 0.5, 1, Point::Zero());
@@ -54,7 +56,7 @@ TEST_CASE("float: only numbers of a size that it squares, and no digit less than
   Scene tiny = empty(1, 0, 1, 0x1p-81);
   ball(tiny, 0.5, 1, Point::Zero(), {1e-38, 0, 0});
   at_edge(tiny, Effect::double_precision, 0, 3);
-  // Ten thousand kilometres of way, of fall and of turning, each by itself: floats there are a
+  // Ten thousand kilometres of motion, of fall and of rotation, each by itself: floats there are a
   // metre apart.
   Scene far = free_ball(0, 1, 0.3);
   far.bodies[0].velocity = {1e7 + 1, 0, 0};
@@ -73,7 +75,7 @@ TEST_CASE("float: only numbers of a size that it squares, and no digit less than
   at_edge(often, Effect::double_precision, 0, 1);
 }
 
-TEST_CASE("float: a flight and a turn are off by less than is said, but not by much less") {
+TEST_CASE("float: the errors of a flight and a rotation are below the bound, but not far below") {
   Random random(45);
   constexpr double u = 0x1p-24;
   double most = 0;
@@ -98,14 +100,14 @@ TEST_CASE("float: a flight and a turn are off by less than is said, but not by m
   CHECK(most <= 16);
   CHECK(most > 2);
   CHECK(most_turned <= 32);
-  // What the rule says of both: 16 and 32 of these.
+  // The rule's bounds on both: 16 and 32 of these.
   Scene moved = free_ball(0, 1.5, 1);
   moved.bodies[0].velocity = {3, 0, 0};
   CHECK(decision(moved, Effect::double_precision).tried.at(0).conditions.at(1).left >=
         most * u * 4.5);
 }
 
-TEST_CASE("the step: no longer than what is written, nor proven if a hit may be missed") {
+TEST_CASE("the step: no longer than the output interval, nor proven if a hit may be missed") {
   Scene scene = dropped(1, 2, 1.5, 1e-3);
   scene.materials[0].friction = 0.5;
   scene.bodies[1].velocity.x() = 1;
@@ -113,7 +115,7 @@ TEST_CASE("the step: no longer than what is written, nor proven if a hit may be 
   CHECK(contact::plan_scene(scene).step == 1.0 / 60);
   scene.output.every = 0x1p-8;
   CHECK(contact::plan_scene(scene).step == 0x1p-8);
-  // A crowd whose hits come later than there is room for.
+  // A crowd whose late hits exceed the error budget.
   Scene crowd = empty(1, 0, 2, 1e-3);
   wall(crowd, {1, 0, 0}, -10);
   for (int k = 0; k < 65; ++k) ball(crowd, 0.1, 1, {0, 100.0 * k, 0}, {-6, 0, 0});
@@ -131,7 +133,7 @@ TEST_CASE("the horizon: a die on a floor, and balls that a spring throws up") {
   at_edge(die, Effect::horizon, 0, 1);
   Scene column = dropped(0, 1, 30);
   ball(column, 0.5, 2, {0, 0, 3});
-  off(column, Effect::horizon);  // nothing comes back
+  off(column, Effect::horizon);  // no rebound
   column.materials[0].stiffness = 1000;
   CHECK(is_on(column, Effect::horizon));
   // Two that fall and bounce on one line, of which one alone would be known.
@@ -141,8 +143,8 @@ TEST_CASE("the horizon: a die on a floor, and balls that a spring throws up") {
   CHECK(is_on(two, Effect::horizon));
 }
 
-TEST_CASE("the horizon does not depend on who is named first") {
-  // Unlike in everything, among posts, on its way down.
+TEST_CASE("the horizon does not depend on the order of names") {
+  // Different in everything, among posts, falling.
   for (const auto& [g, tolerance] :
        {std::pair(0.0, 1e-6), std::pair(2.0, 1e-6), std::pair(0.0, 0.0)}) {
     Scene scene = empty(1, 0, 1000, tolerance);
@@ -163,7 +165,7 @@ TEST_CASE("the horizon does not depend on who is named first") {
   }
 }
 
-TEST_CASE("the horizon: the fastest sets the pace, by its speed or by what it may be given") {
+TEST_CASE("the horizon: the fastest body decides, by its speed or by the energy that it may get") {
   const auto pace = [](const Scene& scene) {  // from the first hit on
     const Decision made = decision(scene, Effect::horizon);
     return *made.value - made.because[0].right;
@@ -177,7 +179,7 @@ TEST_CASE("the horizon: the fastest sets the pace, by its speed or by what it ma
     return scene;
   };
   CHECK(std::abs(pace(gas(0)) / pace(gas(3)) - 1) < 1e-12);
-  // What begins at rest and falls has a pace as well.
+  // A body that starts at rest and falls has a rate of hits as well.
   Scene falls = gas(0);
   falls.bodies[9].velocity.setZero();
   falls.gravity = {0, 0, -8};
@@ -187,7 +189,7 @@ TEST_CASE("the horizon: the fastest sets the pace, by its speed or by what it ma
   for (std::size_t k = 6; k < alone.bodies.size(); ++k)
     if (k != 9) alone.bodies[k].moves = false;
   CHECK(pace(alone) > pace(gas(0)));
-  // A large post among them makes nobody rounder, and far away an ulp is longer.
+  // A large post among them makes no ball larger, and far away an ulp is larger.
   Scene post = gas(3);
   ball(post, 2, 0, {9.5, 9.5, 9.5});
   CHECK(pace(post) <= pace(gas(3)) * (1 + 1e-12));
@@ -207,8 +209,8 @@ TEST_CASE("the horizon: the fastest sets the pace, by its speed or by what it ma
   CHECK(pace(pulled) < pace(gas(3)));
 }
 
-TEST_CASE("the horizon: what turns may touch as early as its corners come") {
-  // A rod that turns at 1 rad/s, 2.02 m long to each side, one metre above a floor for its middle.
+TEST_CASE("the horizon: a rotating body may touch as early as its vertices arrive") {
+  // A rod that rotates at 1 rad/s, 2.02 m long to each side, its centre one metre above a floor.
   const auto first = [](double spin, bool both) {
     Scene scene = empty(1, 0, 1000, 1e-6);
     plan_scenes::add(scene, contact::CapsuleShape{0.25, 2}, 1, {0, 0, 1}, {0, 0, -0.125}).spin = {
@@ -229,7 +231,7 @@ TEST_CASE("the horizon: what turns may touch as early as its corners come") {
     CHECK(first(-2, both) <= first(1, both));
   }
   CHECK(first(1, true) <= 5.5 / (1 + 2 * 2.25) * (1 + 1e-9));
-  // What is at rest over a ball that stands falls on it after a second.
+  // A body at rest above a fixed ball falls on it after a second.
   Scene over = empty(1, 0, 1000, 1e-6);
   over.gravity = {0, 0, -10};
   ball(over, 0.5, 0, Point::Zero());

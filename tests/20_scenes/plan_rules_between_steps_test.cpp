@@ -1,8 +1,8 @@
-// Every rule of what happens between two steps at its edge: a scene in which one
-// condition of a proof fails, and no other. The plan
-// must keep the effect; the rule with that one condition weakened would leave it out; and an exact
-// argument or a plain simulation shows that the answer would be wrong then. Beside each stands a
-// scene on the other side of the edge, where the effect is off by proof.
+// Every rule on what happens between two steps, at its edge: a scene in which one condition of a
+// proof fails, and no other. The plan must keep the effect; the rule with that one condition
+// weakened would leave it out; and an exact argument or a plain simulation shows that the answer
+// would be wrong then. With each comes a scene on the other side of the edge, where the effect is
+// off by proof.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -36,8 +36,8 @@ using plan_scenes::wall;
 
 namespace {
 
-/// A ball that flies at a ball that stands still, head on; a step's end falls on both sides of it
-/// alike. Both have radius ¼: passing takes more than twice ½ m in a step.
+/// A ball that flies head-on at a fixed ball; the ends of a step are symmetric to it. Both have
+/// radius ¼: tunnelling takes more than twice ½ m in a step.
 Scene shot(double speed, double h) {
   Scene scene = empty(0.5, 0, 4 * h, 1e9);
   ball(scene, 0.25, 1, {-1.5 * speed * h, 0, 0}, {speed, 0, 0});
@@ -58,11 +58,11 @@ bool seen_at_steps(const Scene& scene, const Rational& h, int steps, const Ratio
 
 }  // namespace
 
-TEST_CASE("passing through: a step of twice the thickness is too long, a little less is not") {
+TEST_CASE("tunnelling: a step of twice the thickness is too long, a little less is not") {
   const double h = 0.25;
   const Rational reach = Rational(1) / 2;
-  // Its late hits have no bound in this scene (nobody counts how often it hits what stands still),
-  // so the first condition is looked at by itself.
+  // Its late hits have no bound in this scene (hits on fixed balls are not counted), so the first
+  // condition is tested by itself.
   const auto passing = [&](double speed) {
     const Decision decision =
         plan_scenes::decision(shot(speed, h), Effect::continuous_detection, stepped(h));
@@ -77,7 +77,7 @@ TEST_CASE("passing through: a step of twice the thickness is too long, a little 
   CHECK(passing(3).left >= 0.75);
 }
 
-TEST_CASE("passing through: both movers count") {
+TEST_CASE("tunnelling: both moving bodies count") {
   const double h = 0.25;
   Scene scene = empty(0.5, 0, 1, 1e9);
   ball(scene, 0.25, 1, {-1.125, 0, 0}, {3, 0, 0});
@@ -87,24 +87,24 @@ TEST_CASE("passing through: both movers count") {
   CHECK_FALSE(seen_at_steps(scene, exact(h), 4, Rational(1) / 2));
 }
 
-TEST_CASE("passing through: acceleration counts") {
+TEST_CASE("tunnelling: acceleration counts") {
   const double h = 0.25;
   Scene scene = empty(0.5, 0, 1.25, 1e9);
   scene.gravity = {0, 0, -8};
   ball(scene, 0.25, 1, {0, 0, 0.375 * 8 * 0.375}, {0, 0, 0});
   ball(scene, 0.25, 0, {0, 0, -4});
-  // It falls from 1.125 with no speed at first; between t = 0.75 and 1.25 it passes what it meets.
+  // It falls from 1.125 at rest; between t = 0.75 and 1.25 it passes the other.
   const Decision decision = plan_scenes::decision(scene, Effect::continuous_detection, stepped(h));
   CHECK(decision.on);
   CHECK_FALSE(contact::holds(decision.tried.at(1).conditions.at(0)));
   const double at_rest = std::sqrt(scene.bodies[0].velocity.squaredNorm()) * h;
-  CHECK(at_rest < 1);  // what the speed at the beginning alone says
+  CHECK(at_rest < 1);  // by the initial speed alone
   CHECK_FALSE(seen_at_steps(scene, exact(h), 5, Rational(1) / 2));
   const Vector end = flight(scene, 0, exact(1.25));
   CHECK(end.z() < exact(-4.0) - Rational(1) / 2);  // it came out below
 }
 
-TEST_CASE("passing through: spin counts") {
+TEST_CASE("tunnelling: rotation counts") {
   const double h = 0.25;
   Scene scene = empty(0.5, 0, 1, 1e9);
   plan_scenes::add(scene, contact::CapsuleShape{0.05, 1}, 1, Point::Zero()).spin = {4, 0, 0};
@@ -112,7 +112,7 @@ TEST_CASE("passing through: spin counts") {
   const Decision decision = plan_scenes::decision(scene, Effect::continuous_detection, stepped(h));
   CHECK(decision.on);
   CHECK_FALSE(contact::holds(decision.tried.at(1).conditions.at(0)));
-  // The rod's tip turns by 1 rad a step: it is ½ rad before the ball, then ½ rad beyond.
+  // The rod's tip rotates by 1 rad a step: from ½ rad before the ball to ½ rad beyond.
   const auto distance = [&](double angle) {
     const Point axis = contact::matrix_of(contact::exponential<double>({angle, 0, 0})).col(2);
     const Point d = scene.bodies[1].position;
@@ -125,14 +125,14 @@ TEST_CASE("passing through: spin counts") {
   CHECK(distance(0.5) < 1e-12);
 }
 
-TEST_CASE("late hits: what one step of lateness costs is the tolerance's business") {
+TEST_CASE("late hits: the tolerance decides on the error of one late step") {
   // 3 m/s without gravity, e = 1, h = ¼: up to 2 · 3 · ¼ = 1.5 m. The hit is 1 ms after a step.
   Scene scene = empty(1, 0, 1, 1.4);
   wall(scene, Point::UnitZ(), 0);
   ball(scene, 0.5, 1, {0, 0, 0.5 + 3 * 0.251}, {0, 0, -3});
   at_edge(scene, Effect::continuous_detection, 1, 1, stepped(0.25));
   const double noticed = 0.5;
-  const double turned_at = 3 * 0.251 - 3 * noticed;  // below the floor, turned back there
+  const double turned_at = 3 * 0.251 - 3 * noticed;  // below the floor, reversed there
   const double right = 3 * (1 - 0.251);
   CHECK(std::abs(turned_at + 3 * (1 - noticed) - right) > 1.4);
   scene.tolerance.position = 1.5 * (1 + 1e-9);
@@ -140,7 +140,7 @@ TEST_CASE("late hits: what one step of lateness costs is the tolerance's busines
 }
 
 TEST_CASE("late hits: a ball that loses speed leaves a floor from too deep, for ever") {
-  // It would rest, and sinks into the floor a little with each bounce that comes late.
+  // It would rest, and sinks into the floor a little with each late bounce.
   Scene scene = dropped(0.0625, 2, 60, 1);
   scene.materials[0].friction = 0.25;
   scene.bodies[1].velocity.x() = 1;
@@ -155,8 +155,9 @@ TEST_CASE("late hits: a ball that loses speed leaves a floor from too deep, for 
   CHECK(run->position(1).z() < 0.45);
 }
 
-TEST_CASE("late hits: at a slant the normal is another, and the ball leaves another way") {
-  // Head-on but for half a radius, and as late as can be: a look just before they touch.
+TEST_CASE(
+    "late hits: in an oblique hit the normal changes, and the ball leaves in another direction") {
+  // Head-on but for half a radius, and as late as possible: a test just before they touch.
   const double h = 1.0 / 64;
   Scene scene = empty(1, 0, 1, 1);
   const double apart = std::sqrt(0.75) + 1e-6;
@@ -178,7 +179,7 @@ TEST_CASE("late hits: at a slant the normal is another, and the ball leaves anot
   CHECK(off_by > late + 4 * 2 * 4 * h / 2 * 0.5);  // more than a missed chord would cost
 }
 
-TEST_CASE("grazing hits: a chord shorter than a step is missed, and throws a ball off") {
+TEST_CASE("grazing hits: a chord shorter than a step is missed, which changes the path") {
   const double h = 0.25;
   const double chord = 0.99;
   const double aside = std::sqrt(1 - chord * chord / 4);
@@ -193,7 +194,7 @@ TEST_CASE("grazing hits: a chord shorter than a step is missed, and throws a bal
   CHECK(thrown > 2.5);
 }
 
-TEST_CASE("grazing hits: what gravity bends away from a ceiling is charged as a late hit") {
+TEST_CASE("grazing hits: a path that gravity bends away from a ceiling is charged as a late hit") {
   generators::Random random(31);
   for (int i = 0; i < 200; ++i) {
     const double e = random.chance(0.5) ? 1 : random.uniform(0, 1);
@@ -203,7 +204,7 @@ TEST_CASE("grazing hits: what gravity bends away from a ceiling is charged as a 
     Scene scene = empty(e, 0, duration, 1e9);
     scene.gravity = {0, 0, -g};
     wall(scene, -Point::UnitZ(), 0);
-    // It comes at least near enough to touch.
+    // It gets at least near enough to touch.
     const double up = random.uniform(0.1, 4);
     ball(scene, 0.5, 1, {0, 0, -0.5 - random.uniform(0, up * up / (2 * g))}, {1, 0, up});
     if (random.chance(0.5)) wall(scene, Point::UnitZ(), -100);
@@ -231,8 +232,8 @@ TEST_CASE("a floor has no other side, and boxes have edges") {
   CHECK_FALSE(contact::holds(edges.tried.at(1).conditions.at(2)));
 }
 
-TEST_CASE("late hits: what gives way has no bound, on a wall or in flight") {
-  // Noticed a step late, a spring begins deep: it gives more speed than it takes.
+TEST_CASE("late hits: compliant contacts have no bound, on a wall or in flight") {
+  // Detected a step late, a spring starts deep: it adds more speed than it should.
   const double h = 0.05;
   const auto thrown = [&](Scene& scene) {
     scene.materials[0].stiffness = 200;
@@ -252,7 +253,7 @@ TEST_CASE("late hits: what gives way has no bound, on a wall or in flight") {
   ball(on_wall, 0.5, 1, {0.5 + 20 * h + 1e-6, 0, 0}, {-1, 0, 0});
   off(on_wall, Effect::continuous_detection, stepped(h));
   thrown(on_wall);
-  // Two balls may be late by both ways, and at a slant.
+  // Two balls may be late by both paths, and in an oblique hit.
   Scene in_flight = empty(0, 0, 20, 0.3);
   ball(in_flight, 5, 1, {-10 - 20 * h - 1e-6, 0, 0}, {1, 0, 0});
   ball(in_flight, 5, 1, Point::Zero());
@@ -260,8 +261,8 @@ TEST_CASE("late hits: what gives way has no bound, on a wall or in flight") {
   thrown(in_flight);
 }
 
-TEST_CASE("late hits: a rod that turns is hit more than once") {
-  // A heavy ball hits a rod aside of its middle. The rod turns over, and its other half hits back.
+TEST_CASE("late hits: a rotating rod is hit more than once") {
+  // A heavy ball hits a rod off its centre. The rod turns over, and its other half hits back.
   Scene scene = empty(1, 0, 8, 1e9);
   ball(scene, 0.25, 100, {-0.5, 0, 1.2}, {1, 0, 0});
   box(scene, {0.05, 0.05, 2}, 1, Point::Zero());
@@ -279,7 +280,7 @@ TEST_CASE("late hits: a rod that turns is hit more than once") {
   CHECK(once->counts().hits == 1);
 }
 
-TEST_CASE("a path bends between two looks: a floor that is touched in its last moment is met") {
+TEST_CASE("a path bends between two tests: a floor that is touched at its very end is met") {
   // 4 m in the second; in its last 64th gravity bends the path by g dt²/8 = 0.24 mm.
   const double bend = 8.0 / 64 / 64 / 8;
   for (const bool on_a_ball : {false, true}) {

@@ -1,8 +1,7 @@
-// Every rule of contacts at its edge: a scene in which one
-// condition of a proof fails, and no other. The plan
-// must keep the effect; the rule with that one condition weakened would leave it out; and an exact
-// argument or a plain simulation shows that the answer would be wrong then. Beside each stands a
-// scene on the other side of the edge, where the effect is off by proof.
+// Every rule of contacts, at its edge: a scene in which one condition of a proof fails, and no
+// other. The plan must keep the effect; the rule with that one condition weakened would leave it
+// out; and an exact argument or a plain simulation shows that the answer would be wrong then. With
+// each comes a scene on the other side of the edge, where the effect is off by proof.
 #include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -33,7 +32,7 @@ using plan_scenes::off;
 using plan_scenes::Point;
 using plan_scenes::wall;
 
-TEST_CASE("friction: however small, it takes speed from what slides") {
+TEST_CASE("friction: however small, it slows a sliding body") {
   Scene sliding = dropped(0.5, 2, 3);
   sliding.bodies[1].velocity.x() = 1;
   off(sliding, Effect::friction);
@@ -42,18 +41,18 @@ TEST_CASE("friction: however small, it takes speed from what slides") {
   CHECK(exact(least) > 0);  // times (1 + e) v of the hit: not 0 without rounding
 }
 
-TEST_CASE("restitution: off only if nothing comes back") {
+TEST_CASE("restitution: off only if nothing rebounds") {
   off(dropped(0, 2, 3), Effect::restitution);
   at_edge(dropped(0x1p-60, 2, 3), Effect::restitution, 0, 0);
   CHECK(exact(0x1p-60) * 4 > 0);  // the speed after a hit at 4 m/s
   off(free_ball(8, 1, 1e-9), Effect::restitution);
 }
 
-TEST_CASE("penalty contact: off if nothing gives way that may be touched") {
+TEST_CASE("penalty contact: off if no contact that may occur is compliant") {
   off(dropped(0.5, 2, 3), Effect::penalty_contact);
   Scene soft = dropped(0.5, 2, 3);
   soft.materials.push_back({"felt", 0.5, 0, 1e4, 1});
-  off(soft, Effect::penalty_contact);  // nobody is made of it
+  off(soft, Effect::penalty_contact);  // no body is made of it
   soft.bodies[1].material = 1;
   at_edge(soft, Effect::penalty_contact, 0, 0);
   soft.duration = 0.001;  // the floor is out of reach
@@ -67,7 +66,7 @@ TEST_CASE("several contacts: two partners, or a face") {
   ball(row, 0.5, 2, Point::Zero());
   ball(row, 0.5, 4, {2, 0, 0}, {-1, 0, 0});
   at_edge(row, Effect::several_contacts, 0, 0);
-  // Both hit at t = 1. One after the other, the order decides who leaves how: exactly.
+  // Both hit at t = 1. One after the other, the order decides the velocities after them: exactly.
   const auto hit = [](Rational& u, Rational& v, const Rational& m, const Rational& n) {
     const Rational impulse = Rational(3) / 2 * (u - v) / (1 / m + 1 / n);
     u -= impulse / m;
@@ -86,10 +85,10 @@ TEST_CASE("several contacts: two partners, or a face") {
   face.gravity = {0, 0, -8};
   wall(face, Point::UnitZ(), 0);
   box(face, {1, 1, 1}, 1, {0, 0, 3});
-  at_edge(face, Effect::several_contacts, 0, 1);  // four corners come down at once
+  at_edge(face, Effect::several_contacts, 0, 1);  // four vertices land at once
 }
 
-TEST_CASE("resting: a ball that begins on the floor, and one that begins one ulp above it") {
+TEST_CASE("resting: a ball that starts on the floor, and one that starts one ulp above it") {
   // With friction, or the floor would be a level table that cancels gravity.
   Scene lying = dropped(1, 0, 3);
   lying.materials[0].friction = 0.25;
@@ -127,23 +126,23 @@ TEST_CASE("resting: until the last bounce of a ball, by its closed form") {
   off(dropped(1, 2, 1e6), Effect::resting);
 }
 
-TEST_CASE("resting: without gravity a rod that turns presses on what it pushes along") {
+TEST_CASE("resting: without gravity a rotating rod presses on a body that it pushes along") {
   Scene scene = empty(0, 0, 2, 1e-6);
   box(scene, {2, 0.1, 0.1}, 1e6, Point::Zero()).spin = {0, 0, 1};
   ball(scene, 0.1, 1, {0.5, 0.25, 0});
   at_edge(scene, Effect::resting, 0, 1);
-  // It is hit at ½ m/s and leaves the rod's end at more than 2 m/s: pressed all the way.
+  // It is hit at ½ m/s and leaves the rod's end at more than 2 m/s: pressed all the time.
   const auto run = contact::scenes::make_run(scene, contact::plan_scene(scene));
   run->advance(2);
   CHECK(run->velocity(1).norm() > 2);
-  // What cannot turn presses nothing.
+  // A body that cannot rotate does not press.
   scene.bodies[0].spin = Point::Zero();
   scene.bodies[1].position = {0, 0.25, 0};
   scene.bodies[1].velocity.y() = -1;
   off(scene, Effect::resting);
 }
 
-TEST_CASE("sleeping: what never rests never sleeps") {
+TEST_CASE("sleeping: a body that never rests never sleeps") {
   off(dropped(1, 2, 100), Effect::sleeping);
   Scene lying = dropped(1, 0, 100);
   off(lying, Effect::sleeping);  // a level table: gravity is cancelled, nothing presses
@@ -160,7 +159,7 @@ TEST_CASE("resting: an elastic box may rest on a floor, where an elastic ball ma
   CHECK(plan_scenes::is_on(elastic, Effect::resting));
 }
 
-TEST_CASE("hops are left out on one floor, for a tolerance, and where nothing else is hit") {
+TEST_CASE("bounces are left out on one floor, for a tolerance, and where nothing else is hit") {
   off(dropped(0.5, 2, 10), Effect::event_driven);
   Scene corner = dropped(0.5, 2, 10);
   wall(corner, Point::UnitX(), -1);
@@ -168,21 +167,21 @@ TEST_CASE("hops are left out on one floor, for a tolerance, and where nothing el
   at_edge(corner, Effect::event_driven, 2, 5);
   at_edge(dropped(0.5, 2, 10, 0), Effect::event_driven, 2, 7);
 
-  // On a ball that stands still, aside of its top: no place to rest, but a slope to leave by.
+  // On a fixed ball, off its top: it cannot rest, but slides off.
   Scene slope = dropped(0.5, 2, 10);
   slope.bodies[0].shape = contact::BallShape{0.5};
   slope.bodies[0].position = {0.1, 0, -0.5};
   at_edge(slope, Effect::event_driven, 2, 6);
   CHECK(8 * 0.1 / 2 * 1 * 1 > 1e4 * *slope.tolerance.position);  // ½ g sin α t² after a second
 
-  // So little gravity that the longest hop that might be left out has no finite height.
+  // So little gravity that the longest bounce that might be left out has no finite height.
   Scene drifting = dropped(0.5, 0, 1e30, 1e30);
   drifting.gravity = {0, 0, -1e-280};
   drifting.bodies[1].velocity.z() = -1e-250;
   at_edge(drifting, Effect::event_driven, 2, 8);
 }
 
-TEST_CASE("a step is at most a tenth of what a spring's frequency asks for") {
+TEST_CASE("a step is at most a tenth of a radian of a spring") {
   for (const double stiffness : {100.0, 10000.0, 1000000.0}) {
     Scene scene = dropped(0.5, 0.1, 1);
     scene.materials[0].stiffness = stiffness;
@@ -194,7 +193,7 @@ TEST_CASE("a step is at most a tenth of what a spring's frequency asks for") {
   }
 }
 
-TEST_CASE("parts of springs: from the tolerance, unless something rubs or is damped") {
+TEST_CASE("substeps of springs: from the tolerance, unless there is friction or damping") {
   const auto soft = [](double tolerance) {
     Scene scene = dropped(0.5, 0.5, 2, tolerance);
     scene.materials[0].stiffness = 2000;
@@ -202,7 +201,7 @@ TEST_CASE("parts of springs: from the tolerance, unless something rubs or is dam
   };
   const auto notice_of = [](const contact::Plan& plan) {
     for (const std::string& notice : plan.notices)
-      if (notice.starts_with("Springs push in parts of ")) return notice;
+      if (notice.starts_with("Springs push in substeps of ")) return notice;
     return std::string();
   };
   const double swing = std::sqrt(1000.0);  // two equal springs in a row
@@ -217,8 +216,8 @@ TEST_CASE("parts of springs: from the tolerance, unless something rubs or is dam
   CHECK(std::abs(springs.error / off - 1) <= 1e-9);
   CHECK(springs.because.back().right == 1e-3);
   CHECK(notice_of(plan).find("by an estimate that keeps the tolerance") != std::string::npos);
-  // A hundredth of the error for a tenth of the length. (What is late dips by the tolerance, and is
-  // faster for that, by a little.)
+  // A hundredth of the error for a tenth of the length. (A late hit dips by the tolerance, and is a
+  // little faster for that.)
   CHECK(std::abs(contact::plan_scene(soft(1e-5)).spring_part / part - 0.1) <= 1e-3);
   // As long as they are for energy's sake.
   const auto is_longest = [&](double length) {
@@ -227,7 +226,7 @@ TEST_CASE("parts of springs: from the tolerance, unless something rubs or is dam
   CHECK(is_longest(contact::plan_scene(soft(10)).spring_part));
   CHECK(contact::plan_scene(soft(10)).error < 1);
 
-  // More than a thousand a step, no error of a place, a damper, friction: nothing is claimed.
+  // More than a thousand a step, no position error allowed, a damper, friction: no estimate.
   const auto unclaimed = [&](const Scene& scene, const std::string& why) {
     const contact::Plan other = contact::plan_scene(scene);
     const Decision& decision = contact::decision_on(other, Effect::penalty_contact);
@@ -245,7 +244,7 @@ TEST_CASE("parts of springs: from the tolerance, unless something rubs or is dam
   Scene rough = soft(1e-3);
   rough.materials[0].friction = least;
   unclaimed(rough, "rubs, or is damped");
-  // Its damper slows it by what the part's end says: of first order.
+  // Its damper acts on the velocity at the end of the substep: of first order.
   const auto height = [](double shorter) {
     Scene scene = dropped(0.5, 0.5, 1.2, 1e-3);
     scene.materials[0].stiffness = 2000;
@@ -262,7 +261,7 @@ TEST_CASE("parts of springs: from the tolerance, unless something rubs or is dam
   CHECK(ratio < 2.3);
 }
 
-TEST_CASE("resting: a ball that begins an ulp too deep need not come out of the floor") {
+TEST_CASE("resting: a ball that starts an ulp too deep need not come out of the floor") {
   Scene deep = dropped(1 - 0x1p-40, 0, 100);
   deep.bodies[1].position.z() = std::nextafter(0.5, 0);
   deep.bodies[1].velocity.z() = 1e-9;
@@ -274,8 +273,8 @@ TEST_CASE("resting: a ball that begins an ulp too deep need not come out of the 
   off(deep, Effect::resting);
 }
 
-TEST_CASE("spin is energy where something rubs") {
-  // At rest but for its spin; 4 m on there is another ball.
+TEST_CASE("rotation is energy where there is friction") {
+  // At rest except for its rotation; 4 m further is another ball.
   Scene scene = empty(0, 0.5, 3, 1e-6);
   scene.gravity = {0, 0, -8};
   wall(scene, Point::UnitZ(), 0);
@@ -287,7 +286,7 @@ TEST_CASE("spin is energy where something rubs") {
   const auto run = contact::scenes::make_run(scene, plan);
   run->advance(3);
   CHECK(run->position(2).x() > 5.5);
-  // Smooth, it spins where it is, and nobody meets anybody but the floor.
+  // Smooth, it rotates in its position, and no body meets anything but the floor.
   scene.materials[0].friction = 0;
   CHECK(contact::plan_scene(scene).pairs == 2);
 }

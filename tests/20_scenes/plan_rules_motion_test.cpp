@@ -1,8 +1,7 @@
-// Every rule of how bodies move at its edge: a scene in which one
-// condition of a proof fails, and no other. The plan
-// must keep the effect; the rule with that one condition weakened would leave it out; and an exact
-// argument or a plain simulation shows that the answer would be wrong then. Beside each stands a
-// scene on the other side of the edge, where the effect is off by proof.
+// Every rule of motion, at its edge: a scene in which one condition of a proof fails, and no other.
+// The plan must keep the effect; the rule with that one condition weakened would leave it out; and
+// an exact argument or a plain simulation shows that the answer would be wrong then. With each
+// comes a scene on the other side of the edge, where the effect is off by proof.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/plan/plan.hpp>
@@ -100,7 +99,8 @@ TEST_CASE("rotation: one ulp of friction turns a ball, and a corner turns a box"
   Scene rough = smooth;
   rough.materials[0].friction = 0x1p-60;
   at_edge(rough, Effect::rotation, 0, 2);
-  // It slides when it hits at 4 m/s: the impulse μ (1 + e) m v turns it by 5 μ (1 + e) v/(2 r).
+  // It slides when it hits at 4 m/s: the impulse μ (1 + e) m v changes its angular velocity by 5 μ
+  // (1 + e) v/(2 r).
   CHECK(exact(0x1p-60) * 5 * Rational(3) / 2 * 4 / (2 * Rational(1) / 2) > 0);
 
   Scene corner = empty(0.5, 0, 5, 1e-6);
@@ -108,7 +108,7 @@ TEST_CASE("rotation: one ulp of friction turns a ball, and a corner turns a box"
   wall(corner, Point::UnitZ(), 0);
   box(corner, {1, 2, 3}, 1, {0, 0, 6}).orientation = contact::exponential<double>({0.3, 0, 0});
   at_edge(corner, Effect::rotation, 0, 0);
-  // The lowest corner is not below the centre: r × n is not 0.
+  // The lowest vertex is not below the centre: r × n is not 0.
   const auto turn = contact::matrix_of(corner.bodies[1].orientation);
   const Point low = turn * Point(1, -2, -3);
   CHECK(std::abs(low.y()) > 0.1);
@@ -119,7 +119,7 @@ TEST_CASE("rotation: one ulp of friction turns a ball, and a corner turns a box"
   tumbling.bodies[0].spin = Point::Zero();
   off(tumbling, Effect::rotation);
 
-  // Flat on the floor two mirrors leave no room for spin.
+  // Flat on the floor two mirrors exclude rotation.
   Scene flat = empty(0.5, 0.5, 5, 1e-6);
   flat.gravity = {0, 0, -8};
   wall(flat, Point::UnitZ(), 0);
@@ -143,7 +143,7 @@ TEST_CASE("the gyroscopic term: a box that is no cube tumbles, and within bounds
   const auto& inertia = nearly.bodies[0].inertia;
   CHECK((exact(inertia(2, 2)) - exact(inertia(1, 1))) * 2 * 3 != 0);  // of ω × I ω, about x
 
-  // A tolerance below what the term does to a corner in 2 s, found by small steps.
+  // A tolerance below the term's displacement of a vertex in 2 s, found by small steps.
   const Scene tumbling = spinning({1, 2, 3}, {1, 2, 3}, 2, 1e-3);
   at_edge(tumbling, Effect::gyroscopic_term, 2, 1);
   const auto& body = tumbling.bodies[0];
@@ -206,7 +206,7 @@ TEST_CASE("the second dimension: a ball that drops straight, and one that drifts
   drifting.bodies[1].velocity.x() = least;
   at_edge(drifting, Effect::second_dimension, 0, 1);
   off(drifting, Effect::third_dimension);
-  // It slides when it touches, so friction acts, and turns it.
+  // It slides when it touches, so friction acts, and rotates it.
   CHECK(plan_scenes::is_on(drifting, Effect::friction));
   CHECK(plan_scenes::is_on(drifting, Effect::rotation));
 }
@@ -218,7 +218,7 @@ TEST_CASE("gravity: a table cancels it only from below, and only if nothing push
   wall(hanging, -Point::UnitZ(), 0);
   ball(hanging, 0.5, 1, {0, 0, -0.5}, {1, 0, 0});
   CHECK(plan_scenes::is_on(hanging, Effect::gravity));
-  // A wall that leans throws what meets it up.
+  // An oblique wall deflects bodies upwards.
   Scene ramp = table();
   off(ramp, Effect::gravity);
   wall(ramp, Point(-0.6, 0, 0.8), -1.5);
@@ -246,14 +246,14 @@ TEST_CASE("the gyroscopic term: its bound is for what touches nothing") {
   at_edge(scene, Effect::gyroscopic_term, 2, 0);
 }
 
-TEST_CASE("a crowd lies in a plane if each of its balls does, and what stands still among it") {
+TEST_CASE("a crowd lies in a plane if each of its balls does, and each fixed body among them") {
   off(crowd(20), Effect::third_dimension);
   off(crowd(300), Effect::second_dimension);
 
   for (const int row : {20, 300}) {
     Scene lifted = crowd(row);
     lifted.bodies.back().position.z() = least;
-    // What is on a line has another plane.
+    // Motion on a line has another plane.
     if (row == 20)
       at_edge(lifted, Effect::third_dimension, 0, 4);
     else
@@ -264,13 +264,13 @@ TEST_CASE("a crowd lies in a plane if each of its balls does, and what stands st
     run->advance(0.5);
     CHECK(run->velocity(299).z() > 0.01);
   }
-  // On a line: aside of it, in the plane.
+  // On a line: beside it, in the plane.
   Scene aside = crowd(300);
   aside.bodies[150].position.y() = least;
   off(aside, Effect::third_dimension);
   at_edge(aside, Effect::second_dimension, 2, 4);
 
-  // A ball that stands still above the plane, and a box that ends below it.
+  // A fixed ball above the plane, and a box that ends below it.
   Scene post = crowd(20);
   ball(post, 0.25, 0, {18.5, 14.5, 0});
   off(post, Effect::third_dimension);

@@ -1,8 +1,8 @@
-// Every rule of cost, digits and time at its edge: a scene in which one
-// condition of a proof fails, and no other. The plan
-// must keep the effect; the rule with that one condition weakened would leave it out; and an exact
-// argument or a plain simulation shows that the answer would be wrong then. Beside each stands a
-// scene on the other side of the edge, where the effect is off by proof.
+// Every rule of cost, precision and time, at its edge: a scene in which one condition of a proof
+// fails, and no other. The plan must keep the effect; the rule with that one condition weakened
+// would leave it out; and an exact argument or a plain simulation shows that the answer would be
+// wrong then. With each comes a scene on the other side of the edge, where the effect is off by
+// proof.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/bouncing.hpp>
@@ -43,7 +43,7 @@ TEST_CASE("the broad phase is a question of cost: few bodies do without, many do
   off(spread(1), Effect::broad_phase);
   off(spread(4), Effect::broad_phase);
   at_edge(spread(200), Effect::broad_phase, 0, 0);
-  // From event to event the run asks everybody as long as the plan says so.
+  // From event to event the run tests all pairs as long as the plan says so.
   const auto most = static_cast<int>(contact::cost::most_asked_by_all);
   off(spread(most), Effect::broad_phase);
   at_edge(spread(most + 1), Effect::broad_phase, 0, 0);
@@ -59,13 +59,13 @@ TEST_CASE("the broad phase is a question of cost: few bodies do without, many do
   CHECK_FALSE(four.on);
   CHECK(four.because.at(0).left == contact::cost::box_test * 6);
   CHECK(contact::decision_on(contact::plan_scene(spread(200), steps), Effect::broad_phase).on);
-  // All of them fly alike, so nobody meets anybody.
+  // All of them fly alike, so no two meet.
   const Decision alike = plan_scenes::decision(spread(200, 3), Effect::broad_phase);
   CHECK_FALSE(alike.on);
   CHECK(alike.because.at(0).left == 0);
 }
 
-TEST_CASE("float: not where the square of a time is none") {
+TEST_CASE("float: not where the square of a time overflows") {
   Scene endless = free_ball(0, 1e20, 1e-3);
   endless.bodies[0].velocity.setZero();
   CHECK(plan_scenes::is_on(endless, Effect::double_precision));
@@ -109,7 +109,7 @@ TEST_CASE("the horizon: off only where nothing spreads") {
   CHECK(told);
 }
 
-TEST_CASE("the horizon: who is light is fast, however heavy the others are") {
+TEST_CASE("the horizon: a light body is fast, however heavy the others are") {
   Scene gas = empty(1, 0, 1000, 1e-6);
   plan_scenes::walls(gas, {8, 8, 8});
   for (int i = 0; i < 8; ++i)
@@ -121,12 +121,12 @@ TEST_CASE("the horizon: who is light is fast, however heavy the others are") {
   ball(gas, 0.5, 1, {6, 6, 6});
   const double before = horizon(gas);
   gas.bodies.back().mass = 1e6;
-  CHECK(horizon(gas) <= before);  // somebody heavy at rest makes nobody slower
+  CHECK(horizon(gas) <= before);  // a heavy body at rest slows none
   gas.bodies.back().velocity = {1, 0, 0};
   CHECK(horizon(gas) <= before / 50);
 }
 
-TEST_CASE("the horizon: nothing grows before the first hit, and that is when one may come") {
+TEST_CASE("the horizon: errors grow from the earliest possible first hit") {
   const auto horizon = [](const Scene& scene) {
     return contact::decision_on(contact::plan_scene(scene), Effect::horizon);
   };
@@ -137,23 +137,23 @@ TEST_CASE("the horizon: nothing grows before the first hit, and that is when one
   ball(near, 0.5, 1, {311, 100, 100});
   CHECK(std::abs(first(near) - 5) < 1e-12);
   CHECK(*horizon(near).value > 5);
-  // Both move: how fast they come together counts. A wall that is nearer comes first.
+  // Both move: their speed of approach counts. A nearer wall is hit first.
   near.bodies.back().velocity = {-3, 0, 0};
   CHECK(std::abs(first(near) - 2) < 1e-12);
   near.bodies.back().velocity = {4, 0, 0};
-  CHECK(std::abs(first(near) - 188.5 / 4) < 1e-12);  // they part, and the far wall is next
+  CHECK(std::abs(first(near) - 188.5 / 4) < 1e-12);  // they separate, and the far wall is next
   ball(near, 0.5, 1, {100, 1.5, 400}, {0, -1, 0});
   CHECK(std::abs(first(near) - 1) < 1e-12);
-  // Gravity brings nobody together who falls, but all of them to what stands.
+  // Gravity does not bring falling bodies together, but all of them to fixed ones.
   near.gravity = {0, 0, -10};
   ball(near, 0.5, 1, {400, 400, 0.5 + 0.05});
   CHECK(std::abs(first(near) - 0.1) < 1e-9);
-  // What touches may hit at once.
+  // Touching bodies may hit at once.
   ball(near, 0.5, 1, {401, 400, 0.5 + 0.05}, {-1, 0, 0});
   CHECK(first(near) == 0);
 }
 
-TEST_CASE("the horizon: a crowd is one, however far away somebody else is") {
+TEST_CASE("the horizon: a crowd is one, however far away another body is") {
   Scene crowd = empty(1, 0, 1000, 1e-6);
   plan_scenes::walls(crowd, {400, 400, 400});
   for (int i = 0; i < 27; ++i)
@@ -167,7 +167,7 @@ TEST_CASE("the horizon: a crowd is one, however far away somebody else is") {
   CHECK(horizon(crowd) <= 2 * before);
 }
 
-TEST_CASE("the step: a crowd takes its hits late, however it looks for them") {
+TEST_CASE("the step: a crowd's hits are late, even with continuous detection") {
   for (const int count : {64, 65}) {
     CAPTURE(count);
     Scene scene = empty(1, 0, 2, 1);
@@ -178,7 +178,8 @@ TEST_CASE("the step: a crowd takes its hits late, however it looks for them") {
     options.overrides.with = {Effect::continuous_detection};
     const contact::Plan plan = contact::plan_scene(scene, options);
     const Decision& step = contact::decision_on(plan, Effect::step_size);
-    // Each hits once, at 6 m/s, and its place is off by what it goes to the wall and back too late.
+    // Each hits once, at 6 m/s, and its error is the distance that it flies too far to the wall and
+    // back.
     CHECK(step.error == (count > 64 ? plan.error : 0));
     if (count > 64) {
       CHECK(step.error >= 2 * 6 * plan.step);
@@ -188,7 +189,7 @@ TEST_CASE("the step: a crowd takes its hits late, however it looks for them") {
   }
 }
 
-TEST_CASE("float: enough for a short flight, not for a place that it cannot hold") {
+TEST_CASE("float: enough for a short flight, not for a position that it cannot represent") {
   const Scene near = free_ball(8, 1, 1e-3);
   off(near, Effect::double_precision);
   const auto& body = near.bodies[0];
@@ -208,7 +209,8 @@ TEST_CASE("from event to event: only if the events are bounded") {
   const auto bounces = contact::bouncing_ball<double>(2, 0, 8, 0.5);
   const double rest = contact::rest_time(bounces);
   off(dropped(0.5, 2, 0.9 * rest, 0), Effect::event_driven);
-  // Beyond the last bounce there are infinitely many; only hops below a tolerance may be left out.
+  // Beyond the last bounce there are infinitely many; only bounces below a tolerance may be left
+  // out.
   const Scene zeno = dropped(0.5, 2, 10, 0);
   at_edge(zeno, Effect::event_driven, 1, 5);
   CHECK(std::isinf(contact::bounce_at<double>(bounces, 10).bounces));
@@ -233,7 +235,7 @@ TEST_CASE("from event to event: only if the events are bounded") {
   off(gas, Effect::event_driven);
 }
 
-TEST_CASE("the step follows from the tolerance, and a hit that is late by it stays inside") {
+TEST_CASE("the step follows from the tolerance, and a hit that is late by it stays within") {
   Scene scene = dropped(1, 2, 1.5, 1e-3);
   scene.materials[0].friction = 0.5;
   scene.bodies[1].velocity.x() = 1;  // friction: step by step
@@ -270,20 +272,20 @@ TEST_CASE("the horizon: flat walls have none, balls have one that a tolerance ca
     CHECK(notice.find("only conserved quantities and statistics") == std::string::npos);
 }
 
-TEST_CASE("from event to event: what stands still is a half-space or a ball") {
+TEST_CASE("from event to event: fixed bodies are half-spaces or balls") {
   Scene scene = empty(1, 0, 2, 1e-6);
   ball(scene, 0.5, 1, {0, 0, 0}, {2, 0.25, 0});
   box(scene, {0.5, 2, 0.75}, 0, {2, 0, 0.5});
   at_edge(scene, Effect::event_driven, 0, 1);
 }
 
-TEST_CASE("from event to event: only what a formula takes from one event to the next") {
+TEST_CASE("from event to event: only motions that have a formula between events") {
   // Without gravity, and elastic: a box that meets a wall.
   Scene corners = empty(1, 0, 10, 1e-6);
   wall(corners, Point::UnitX(), -2);
   box(corners, {0.5, 0.5, 0.5}, 1, Point::Zero(), {-1, 0, 0});
   at_edge(corners, Effect::event_driven, 0, 0);
-  // A box that turns over and meets nothing.
+  // A box that tumbles and meets nothing.
   Scene tumbling = empty(1, 0, 2, 1e-6);
   box(tumbling, {1, 2, 3}, 1, Point::Zero()).spin = {1, 2, 3};
   at_edge(tumbling, Effect::event_driven, 0, 4);

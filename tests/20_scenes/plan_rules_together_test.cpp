@@ -1,5 +1,5 @@
-// What rules make together: errors share one tolerance, an override has the last word, and every
-// effect has a decision.
+// Rules in combination: errors share one tolerance, an override has the last word, and every effect
+// has a decision.
 #include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -38,7 +38,7 @@ Scene tumbling_fall(double tolerance) {
   return scene;
 }
 
-/// The bounds of its three errors: aside, fall, rounding in float.
+/// The bounds of its three errors: gyroscopic, fall, rounding in float.
 std::array<double, 3> errors_of_fall() {
   const contact::Plan plan = contact::plan_scene(tumbling_fall(1));
   return {contact::decision_on(plan, Effect::gyroscopic_term).error,
@@ -48,7 +48,8 @@ std::array<double, 3> errors_of_fall() {
 
 }  // namespace
 
-TEST_CASE("the tolerance holds for all errors together: each rule takes from what is left") {
+TEST_CASE(
+    "the tolerance holds for the sum of all errors: each rule takes from the rest of the budget") {
   const auto [aside, fall, rounding] = errors_of_fall();
   REQUIRE(rounding < aside);
   REQUIRE(aside < fall);
@@ -71,22 +72,22 @@ TEST_CASE("the tolerance holds for all errors together: each rule takes from wha
   const double little = 1e-12;
   CHECK(left_out((aside + fall + rounding) * (1 + little)) ==
         Effects{Effect::gravity, Effect::gyroscopic_term, Effect::double_precision});
-  // Each fits by itself, and any two, but not all three: float was asked last.
+  // Each fits by itself, and any two, but not all three: float was considered last.
   CHECK(left_out((aside + fall + rounding) * (1 - little)) ==
         Effects{Effect::gravity, Effect::gyroscopic_term});
-  // What is left after the gyroscopic term is less than the fall, and enough for float.
+  // The rest after the gyroscopic term is less than the fall, and enough for float.
   CHECK(left_out((aside + fall) * (1 - little)) ==
         Effects{Effect::gyroscopic_term, Effect::double_precision});
   CHECK(left_out((aside + rounding) * (1 - little)) == Effects{Effect::gyroscopic_term});
-  // Where a spin changes float has no bound.
+  // Where an angular velocity changes float has no bound.
   CHECK(left_out(aside * (1 - little)).empty());
   const Decision gravity =
       plan_scenes::decision(tumbling_fall((aside + fall) * (1 - little)), Effect::gravity);
-  CHECK(gravity.tried.back().conditions.at(1).right_is == "what is left of the tolerance");
+  CHECK(gravity.tried.back().conditions.at(1).right_is == "rest of the error budget");
   CHECK(only_lacks(gravity, gravity.tried.size() - 1, 1));
 }
 
-TEST_CASE("the errors of a run in steps share the tolerance: hops a half, sleep a half") {
+TEST_CASE("the errors of a run in steps share the tolerance: bounces a half, sleep a half") {
   Scene scene = dropped(0.5, 2, 10, 1e-4);
   scene.materials[0].friction = 0.5;
   scene.bodies[1].velocity.x() = 1;
@@ -95,12 +96,12 @@ TEST_CASE("the errors of a run in steps share the tolerance: hops a half, sleep 
   const Decision& sleeping = contact::decision_on(plan, Effect::sleeping);
   REQUIRE(resting.on);
   REQUIRE(sleeping.on);
-  // Hops of half the tolerance do not happen: what leaves at e v rises e² of that.
+  // Bounces of half the tolerance are left out: a rebound at e v rises e² of that.
   CHECK(plan.rest_height == 0.5e-4);
   CHECK(contact::holds(resting.because.back()));
   CHECK(std::abs(resting.because.back().left / 0.125e-4 - 1) <= 1e-12);
   CHECK(std::abs(plan.sleep_speed * 10 * 10 / 0.5 / 0.5e-4 - 1) <= 1e-12);
-  // The ball rubs while it lies, so its way depends on when it lies: no number is a bound.
+  // The ball has friction while it lies, so its path depends on when it lies: no number is a bound.
   CHECK(std::isinf(resting.error));
   CHECK(std::isinf(sleeping.error));
   CHECK(std::isinf(plan.error));
@@ -112,15 +113,15 @@ TEST_CASE("the errors of a run in steps share the tolerance: hops a half, sleep 
   CHECK(contact::decision_on(gliding, Effect::sleeping).error == 0.5e-4);
   CHECK(gliding.error > 0.6e-4);
   CHECK(gliding.error <= 1e-4);
-  // A step is shorter than that hop: then hops that fit into one are left out, g h²/8 high.
+  // A step is shorter than that bounce: then bounces that fit into one are left out, g h²/8 high.
   const contact::Plan fine = contact::plan_scene(smooth, stepped(1e-4));
   CHECK(std::abs(contact::decision_on(fine, Effect::resting).error / 0.25e-8 - 1) <= 1e-12);
-  // Nothing comes back, so nothing hops.
+  // No rebound, so no bounce.
   scene.materials[0].restitution = 0;
   CHECK(plan_scenes::decision(scene, Effect::resting).error == 0);
-  // What never rests bounces however slow it is.
+  // A body that never rests bounces however slow it is.
   CHECK(contact::plan_scene(dropped(1, 2, 3), stepped(0.01)).rest_height == 0);
-  // No error of a place is allowed: hops that rounding hides, and no sleep of what moves.
+  // No position error is allowed: bounces that rounding hides, and no sleep of moving bodies.
   scene = dropped(0.5, 2, 10, 0);
   scene.materials[0].friction = 0.5;
   const contact::Plan strict = contact::plan_scene(scene);
@@ -130,7 +131,8 @@ TEST_CASE("the errors of a run in steps share the tolerance: hops a half, sleep 
   CHECK(strict.rest_height <= 2.5 * 0x1p-53 * (1 + 1e-12));
 }
 
-TEST_CASE("hops that steps leave out have a bound where a smooth ball lies alone, and only there") {
+TEST_CASE(
+    "bounces that steps leave out have a bound where a smooth ball lies alone, and only there") {
   const auto error = [](const Scene& scene) {
     return plan_scenes::decision(scene, Effect::resting, stepped(0.01)).error;
   };
@@ -147,7 +149,7 @@ TEST_CASE("hops that steps leave out have a bound where a smooth ball lies alone
   wall(walled, Point::UnitX(), -5);
   CHECK(error(walled) == hop);
   CHECK(sleeping(walled) == 0.5e-4);
-  // At a slant it does, from below as from above; so does a rough one, and a second ball.
+  // Obliquely it does, from below as from above; so does a rough one, and a second ball.
   for (const Point& slant : {Point(0.6, 0, 0.8), Point(0.6, 0, -0.8)}) {
     Scene wedge = alone;
     wall(wedge, slant, -5);
@@ -170,7 +172,7 @@ TEST_CASE("hops that steps leave out have a bound where a smooth ball lies alone
   CHECK(plan.rest_height == 0);
   CHECK(plan.sleep_speed == 0);
   CHECK(plan.error == 0);
-  // Between walls that stand upright neither.
+  // Nor between vertical walls.
   Scene shaft = alone;
   std::get<contact::HalfSpaceShape>(shaft.bodies[0].shape) = {Point::UnitX(), -5};
   CHECK(error(shaft) == 0);
@@ -215,7 +217,7 @@ TEST_CASE("an override has the last word, and both are kept") {
     CHECK_THROWS_AS(contact::plan_scene(dropped(0.5, 2, 3), stepped(bad)), std::invalid_argument);
 }
 
-TEST_CASE("a switch that changes nothing in the run is told") {
+TEST_CASE("an override that changes nothing in the run is reported") {
   const auto told = [](const Scene& scene, const contact::PlanOptions& options) {
     std::string all;
     for (const std::string& notice : contact::plan_scene(scene, options).notices) all += notice;
@@ -239,7 +241,7 @@ TEST_CASE("a switch that changes nothing in the run is told") {
   CHECK(told(table(), in_float).find(idle + std::string("double-precision.")) != std::string::npos);
 }
 
-TEST_CASE("every effect has a decision in its place, and a name that leads back to it") {
+TEST_CASE("every effect has a decision in its position, and a name that leads back to it") {
   const contact::Plan plan = contact::plan_scene(table());
   REQUIRE(plan.decisions.size() == contact::all_effects.size());
   for (std::size_t i = 0; i < plan.decisions.size(); ++i) {
@@ -267,8 +269,8 @@ TEST_CASE("a scene in which nothing moves needs nothing") {
   }
 }
 
-TEST_CASE("who asks for the order of events allows no error of a place") {
-  // The second one comes down a hundredth of a second earlier, in the same step.
+TEST_CASE("a tolerance of the order of events allows no error of a position") {
+  // The second one lands a hundredth of a second earlier, in the same step.
   Scene scene = plan_scenes::empty(1, 0.5, 0.6, 0.5);
   scene.gravity = {0, 0, -9.8125};
   plan_scenes::wall(scene, {0, 0, 1}, 0);

@@ -1,5 +1,5 @@
 /// @file
-/// Scenes for the planner's tests, made by hand, and what a plan says of them.
+/// Scenes for the planner's tests, made by hand, and accessors of their plans.
 #pragma once
 
 #include <memory>

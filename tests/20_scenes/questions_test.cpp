@@ -145,7 +145,7 @@ KEY("not-proven") {
 }
 
 KEY("shortest-hop") {
-  // The cutoff leaves out hops of half of the tolerance.
+  // The cutoff leaves out bounces of half of the tolerance.
   return 1000 * contact::contact_time_cutoff(0.001, 10);
 }
 
@@ -171,8 +171,8 @@ KEY("comparisons") {
 }
 
 KEY("who-must-be-asked") {
-  // A third ball had planned to meet one of the two. If it were asked at once, no plan would ever
-  // be found stale.
+  // A third ball had planned to hit one of the two. If it were predicted anew at once, no plan
+  // would ever be found stale.
   contact::HardSphereSetup setup;
   const auto add = [&setup](double x, double y, double vx, double vy) {
     contact::HardBall one;
@@ -196,7 +196,7 @@ KEY("who-must-be-asked") {
 }
 
 KEY("from-scene-to-run") {
-  // What each piece of work needs to have been done before it.
+  // What each item requires before it.
   const std::vector<std::set<int>> needs{{4}, {}, {1}, {0}, {2}};
   std::vector<int> order;
   std::set<int> done;

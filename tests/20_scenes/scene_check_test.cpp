@@ -119,7 +119,7 @@ TEST_CASE("A scene without a fault has none") {
   CHECK(faults.empty());
 }
 
-TEST_CASE("Every number of a scene is refused where it is none, by its path") {
+TEST_CASE("Every number of a scene is rejected where it is not finite, by its path") {
   for (const Place& place : places()) {
     for (const double bad : {no_number, infinity, -infinity, 1.5e30, -1.5e30}) {
       Scene scene = sound();
@@ -135,7 +135,7 @@ TEST_CASE("Every number of a scene is refused where it is none, by its path") {
   }
 }
 
-TEST_CASE("What a file cannot say is checked all the same") {
+TEST_CASE("Faults that a file cannot have are checked too") {
   const auto only = [](const Scene& scene, const std::string& path, const std::string& says) {
     const auto faults = contact::check_scene(scene);
     INFO(path << ": " << says << "\n" << all(faults));
@@ -176,7 +176,7 @@ TEST_CASE("What a file cannot say is checked all the same") {
   only(scene, "bodies[2].name", "another body");
 }
 
-TEST_CASE("A box of corners has the volume and the inertia of the box") {
+TEST_CASE("The hull of a box's vertices has the volume and the inertia of the box") {
   Random random(1);
   for (int i = 0; i < generators::tried(500); ++i) {
     const double x = std::abs(random.magnitude(-3, 3));
@@ -224,7 +224,7 @@ TEST_CASE("A hull that is flat has neither volume nor inertia") {
   CHECK(contact::solid_volume(HalfSpaceShape{}) == 0);
 }
 
-TEST_CASE("A hull that begins within another body is a fault") {
+TEST_CASE("A hull that starts within another body is a fault") {
   Scene scene = sound();
   SceneBody& hull = scene.bodies[4];
   hull.position = scene.bodies[2].position;
@@ -234,7 +234,7 @@ TEST_CASE("A hull that begins within another body is a fault") {
   CHECK(faults[0].path == "bodies[4].position");
 }
 
-TEST_CASE("Overlaps are found among many: those that looking at every pair finds") {
+TEST_CASE("Overlaps are found among many: the same as by testing every pair") {
   Random random(5);
   int found = 0;
   for (int i = 0; i < generators::tried(300); ++i) {
@@ -299,7 +299,7 @@ TEST_CASE("A number's shortest text gives the same bits back") {
   CHECK(contact::shortest_text(-infinity) == "-Infinity");
 }
 
-TEST_CASE("The material of a pair: lesser restitution and friction, springs in a row") {
+TEST_CASE("The material of a pair: smaller restitution and friction, springs in series") {
   const contact::SceneMaterial a{"a", 0.5, 0.25, 100.0, 1};
   const contact::SceneMaterial b{"b", 0.25, 0.5, 300.0, 2};
   const contact::SceneMaterial hard{"hard", 1, 1, std::nullopt, 0};

@@ -1,4 +1,4 @@
-// What a body's entry in a file stands for: an orientation, a lattice of bodies, a density.
+// The meaning of a body's entry in a file: an orientation, a lattice of bodies, a density.
 #include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -35,7 +35,7 @@ Rotor<double> orientation_of(const nlohmann::json& said) {
 }  // namespace
 
 TEST_CASE("Axis and angle: multiples of 90 degrees exactly, others as sine and cosine say") {
-  // Twice the half turn: the sign of a quaternion does not matter.
+  // Twice half a revolution: the sign of a quaternion does not matter.
   const double r = std::sqrt(0.5);
   const std::array<std::array<double, 2>, 9> turns{
       {{0, 1}, {90, r}, {180, 0}, {270, -r}, {360, -1}, {-90, r}, {-180, 0}, {720, 1}, {-540, 0}}};

@@ -61,7 +61,7 @@ contact::SceneShape any_shape(Random& random) {
       const double radius = size();
       return contact::CapsuleShape{radius, random.chance(0.2) ? 0 : size()};
     }
-    default: {  // four of the corners of a box, no two on an edge: the middle is that of the box
+    default: {  // four corners of a box, no two on an edge: the centre is that of the box
       const double x = size();
       const double y = size();
       const double z = size();
@@ -132,7 +132,7 @@ Scene any_scene(Random& random) {
 
 }  // namespace
 
-TEST_CASE("Every scene of the book is read, is named as its file and comes back bit for bit") {
+TEST_CASE("Every scene of the book is read, is named like its file and is reproduced bit for bit") {
   const auto files = contact::scenes::scenes_in(folder);
   REQUIRE(files.size() >= 20);
   for (const fs::path& file : files) {
@@ -157,7 +157,7 @@ TEST_CASE("Between them the book's scenes have every shape") {
   CHECK(shapes.size() == std::variant_size_v<contact::SceneShape>);
 }
 
-TEST_CASE("Where nothing is lost, a scene expects the energy that it begins with") {
+TEST_CASE("Where nothing is lost, a scene expects its initial energy") {
   int asked = 0;
   for (const fs::path& file : contact::scenes::scenes_in(folder)) {
     const Scene scene = contact::scenes::read_scene(file);
@@ -188,7 +188,7 @@ TEST_CASE("Where nothing is lost, a scene expects the energy that it begins with
   CHECK(asked >= 8);
 }
 
-TEST_CASE("Every fault of the table is told with its path, its line and what is allowed") {
+TEST_CASE("Every fault of the table is reported with its path, its line and what is allowed") {
   const std::string specimen = text_in(root / "tests/20_scenes/specimen.json");
   const auto table = nlohmann::json::parse(text_in(root / "tests/20_scenes/scene_faults.json"));
   REQUIRE(faults_of(specimen).empty());
@@ -222,7 +222,7 @@ TEST_CASE("Every fault of the table is told with its path, its line and what is 
   }
 }
 
-TEST_CASE("A value that is no number is told as it stands in the file") {
+TEST_CASE("A value that is not a number is reported as it is written in the file") {
   const std::string specimen = text_in(root / "tests/20_scenes/specimen.json");
   const std::string mass = "\"mass\": 2";
   for (const std::string written :
@@ -236,7 +236,7 @@ TEST_CASE("A value that is no number is told as it stands in the file") {
   }
 }
 
-TEST_CASE("What is no scene at all is told without a path") {
+TEST_CASE("A text that is not a scene at all is reported without a path") {
   const auto said = [](const std::string& text) -> std::string {
     try {
       contact::scenes::scene_from_text(text, "file");
@@ -246,15 +246,15 @@ TEST_CASE("What is no scene at all is told without a path") {
     return "";
   };
   CHECK(said("[1]") == "file:1: [1]: a scene must be an object, {...}");
-  CHECK(said(" \n") == "file:2: is no JSON: the file is empty");
+  CHECK(said(" \n") == "file:2: is not JSON: the file is empty");
   const std::string bytes =
-      "file:1: is no JSON: must be a text in UTF-8, and holds bytes that are none";
+      "file:1: is not JSON: must be a text in UTF-8, and has bytes that are not";
   CHECK(said(std::string("\0\0", 2)) == bytes);
   CHECK(said("{\"name\": \"\xff\"}") == bytes);
 }
 
 TEST_CASE(
-    "All faults of a file are told at once, in the order of its lines, the file's name first") {
+    "All faults of a file are reported at once, in the order of its lines, the file's name first") {
   const std::string text =
       "{\n"
       "  \"format\": \"contact-scene/1\", \"units\": \"SI\", \"name\": \"broken\", \"about\": "
@@ -293,7 +293,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("A text cut off anywhere is no scene, and says so without a crash") {
+TEST_CASE("A text cut off anywhere is rejected without a crash") {
   const std::string specimen = text_in(root / "tests/20_scenes/specimen.json");
   for (std::size_t length = 0; length + 2 < specimen.size(); length += 7) {
     INFO(length);
@@ -301,7 +301,7 @@ TEST_CASE("A text cut off anywhere is no scene, and says so without a crash") {
   }
 }
 
-TEST_CASE("Any scene comes back from its text bit for bit") {
+TEST_CASE("Any scene is reproduced from its text bit for bit") {
   Random random(20);
   for (int i = 0; i < generators::tried(800); ++i) {
     const Scene scene = any_scene(random);
@@ -314,14 +314,14 @@ TEST_CASE("Any scene comes back from its text bit for bit") {
   }
 }
 
-TEST_CASE("What is no scene is not written") {
+TEST_CASE("An invalid scene is not written") {
   Random random(21);
   Scene scene = any_scene(random);
   scene.duration = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(text_of_scene(scene), SceneFileError);
 }
 
-TEST_CASE("A scene is written into a file and read from there; what is no file says so") {
+TEST_CASE("A scene is written into a file and read from it; a missing file is reported") {
   Random random(22);
   const Scene scene = any_scene(random);
   const fs::path file = fs::temp_directory_path() / "contact_scene_file_test.json";

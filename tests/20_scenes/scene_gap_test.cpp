@@ -24,7 +24,7 @@ using sound_scene::u;
 
 namespace {
 
-/// The gap of two bodies, which must be one that can be told.
+/// The distance of two bodies, which must be defined.
 double gap_of(const SceneBody& a, const SceneBody& b) {
   const auto gap = contact::starting_gap(a, b);
   REQUIRE(gap);
@@ -36,7 +36,8 @@ Rational squared(const oracle::Vector& v) { return v.dot(v); }
 
 }  // namespace
 
-TEST_CASE("Two balls: the gap has the sign that exact arithmetic gives, but for the slack") {
+TEST_CASE(
+    "Two balls: the signed distance has the sign of exact arithmetic, except within the slack") {
   Random random(3);
   int touching = 0;
   for (int i = 0; i < generators::tried(20000); ++i) {
@@ -59,7 +60,7 @@ TEST_CASE("Two balls: the gap has the sign that exact arithmetic gives, but for 
     const double slack = contact::touching_slack(a, b);
     const oracle::Vector d = oracle::exact(x) - oracle::exact(y);
     const Rational reach = Rational(r) + Rational(s);
-    const Rational beyond = squared(d) - reach * reach;  // its sign is that of the gap
+    const Rational beyond = squared(d) - reach * reach;  // its sign is that of the distance
     if (std::abs(gap) > slack) CHECK((gap > 0) == (beyond > 0));
     if (beyond == 0) {
       ++touching;
@@ -69,7 +70,7 @@ TEST_CASE("Two balls: the gap has the sign that exact arithmetic gives, but for 
   CHECK(touching > 0);
 }
 
-TEST_CASE("A turned box or hull over a half-space: the deepest corner decides") {
+TEST_CASE("A rotated box or hull over a half-space: the deepest vertex decides") {
   Random random(4);
   for (int i = 0; i < generators::tried(4000); ++i) {
     const double hx = random.uniform(0.1, 3);
@@ -108,7 +109,7 @@ TEST_CASE("A turned box or hull over a half-space: the deepest corner decides") 
   }
 }
 
-TEST_CASE("A ball at a box: before a face, an edge and a corner, and inside") {
+TEST_CASE("A ball at a box: in front of a face, an edge and a corner, and inside") {
   const SceneBody box = body_of("box", BoxShape{{1, 2, 3}}, {10, 0, 0});
   const auto gap = [&](double x, double y, double z) {
     return gap_of(body_of("ball", BallShape{0.5}, {x, y, z}), box);
@@ -120,7 +121,7 @@ TEST_CASE("A ball at a box: before a face, an edge and a corner, and inside") {
   CHECK(gap(13, -5, 9) == 6.5);      // 2, 3 and 6 beyond a corner: 7
   CHECK(gap(10.5, 0, 0) == -1);      // 0.5 below a face, and the radius
   CHECK(gap(10, 0, 2.75) == -0.75);  // 0.25 below the nearest face
-  SceneBody turned = box;            // a quarter turn about z: x and y change places
+  SceneBody turned = box;            // a quarter of a revolution about z: x and y are exchanged
   turned.orientation = {std::sqrt(0.5), {0, 0, std::sqrt(0.5)}};
   const double got = gap_of(body_of("ball", BallShape{0.5}, {13, 0, 0}), turned);
   CHECK(std::abs(got - 0.5) <= 64 * u);
@@ -137,13 +138,14 @@ TEST_CASE("A ball at a capsule: beside the segment and beyond its ends") {
   CHECK(gap(0, 0, 0) == -0.75);
 }
 
-TEST_CASE("No gap is told of two half-spaces") {
+TEST_CASE("Two half-spaces have no distance") {
   const SceneBody floor = body_of("floor", HalfSpaceShape{}, {0, 0, 0}, false);
   CHECK_FALSE(contact::starting_gap(floor, floor));
 }
 
 TEST_CASE(
-    "The gap between tetrahedra: face to face, corner to face, edge to edge, and in each other") {
+    "The distance between tetrahedra: face to face, vertex to face, edge to edge, and "
+    "overlapping") {
   const HullShape shape{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}};
   const auto gap = [&](double x, double y, double z) {
     return gap_of(body_of("a", shape, {0, 0, 0}), body_of("b", shape, {x, y, z}));
@@ -158,7 +160,7 @@ TEST_CASE(
   CHECK(gap(0, 0, 0) == -2);
 }
 
-TEST_CASE("A hull of a box's corners is as far from everything as the box") {
+TEST_CASE("The hull of a box's corners has the distances of the box") {
   Random random(31);
   int apart = 0;
   for (int i = 0; i < generators::tried(160); ++i) {
@@ -201,7 +203,7 @@ TEST_CASE("A hull of a box's corners is as far from everything as the box") {
   CHECK(apart < generators::tried(448));
 }
 
-TEST_CASE("Gaps between boxes and capsules are those of the closed forms, either way round") {
+TEST_CASE("Distances between boxes and capsules are those of the closed forms, in either order") {
   const SceneBody box = body_of("box", BoxShape{{1, 2, 3}}, {0, 0, 0});
   const SceneBody rod = body_of("rod", CapsuleShape{0.5, 1}, {0, 0, 0});
   const auto told = [](const SceneBody& a, SceneBody b, const Vector3<double>& at) {

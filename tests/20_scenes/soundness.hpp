@@ -1,5 +1,5 @@
 /// @file
-/// Random scenes, and how far apart two runs of one come.
+/// Random scenes, and the distance between two runs of one.
 #pragma once
 
 #include <algorithm>
@@ -32,8 +32,8 @@ inline std::vector<Scene> scenes_of_the_book() {
   return scenes;
 }
 
-/// Until when places can be compared: the end, the horizon, or what there is time for. Where bodies
-/// with corners turn no horizon is known, and every moment costs more: an eighth of the time.
+/// Until when positions can be compared: the end, the horizon, or what time allows. For rotating
+/// bodies with vertices no horizon is known, and time costs more: an eighth of it.
 inline double comparable_time(const Scene& scene, const Plan& plan) {
   double end = scene.duration;
   const auto& horizon = contact::decision_on(plan, Effect::horizon);
@@ -50,7 +50,8 @@ inline bool same_lie(const contact::Rotor<double>& one, const contact::Rotor<dou
 }
 
 /// The largest distance between the same bodies of two runs, at sixteen times; 0 only if all bits
-/// of places, velocities and spins agree, and of how bodies lie that are no balls.
+/// of positions, velocities and angular velocities agree, and of orientations of bodies other than
+/// balls.
 inline double farthest_apart(const Scene& scene, SceneRun& one, SceneRun& other, double end) {
   double farthest = 0;
   for (int k = 1; k <= 16; ++k) {
@@ -68,15 +69,15 @@ inline double farthest_apart(const Scene& scene, SceneRun& one, SceneRun& other,
   return farthest;
 }
 
-/// Effects that a run step by step can have beside those of its plan, each of which takes nothing
-/// away from its accuracy.
+/// Effects that a run step by step can have beside those of its plan, none of which reduces its
+/// accuracy.
 inline constexpr Effect all_physics[] = {Effect::gravity,         Effect::rotation,
                                          Effect::gyroscopic_term, Effect::friction,
                                          Effect::restitution,     Effect::continuous_detection,
                                          Effect::broad_phase,     Effect::several_contacts,
                                          Effect::resting,         Effect::penalty_contact};
 
-/// Balls that do not touch yet between walls: on a line, in a plane or in space, alike or not, with
+/// Balls that do not touch yet between walls: on a line, in a plane or in space, equal or not, with
 /// gravity or without, elastic or not.
 inline Scene random_balls(Random& random) {
   const int dimension = random.integer(1, 3);

@@ -1,6 +1,5 @@
-// What a plan leaves out is left out rightly: the run that it decides on, beside runs with more in
-// them. Where nothing but a proof of "does nothing" stands behind a decision the bits must be the
-// same.
+// A plan leaves out only what it may: the run that it decides on, compared with runs with more
+// effects. Where a decision rests only on a proof of inactivity the bits must be the same.
 #include <catch2/catch_test_macros.hpp>
 #include <contact/events/hard_sphere_compose.hpp>
 #include <contact/events/hard_sphere_make.hpp>

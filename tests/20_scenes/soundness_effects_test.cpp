@@ -1,5 +1,5 @@
-// What a plan leaves out is left out rightly: the run that it decides on, beside runs with more in
-// them. Places agree within what the decision says, up to the horizon.
+// A plan leaves out only what it may: the run that it decides on, compared with runs with more
+// effects. Positions agree within the error of the decision, up to the horizon.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -38,21 +38,22 @@ struct Compared {
   double largest = 0;  ///< by which one did, m
 };
 
-/// Whether an effect that is proven to do nothing keeps every bit if it is forced on. All do, but
-/// the gyroscopic term of a spin that a mirror keeps along a principal axis: ω × I ω is 0, but who
-/// computes with it rounds otherwise.
+/// Whether an effect that is proven inactive keeps every bit if it is forced on. All do, except the
+/// gyroscopic term of an angular velocity that a mirror keeps along a principal axis: ω × I ω is 0,
+/// but computing with it rounds differently.
 bool keeps_bits(const Plan& plan, const contact::Decision& decision) {
   if (decision.effect != Effect::gyroscopic_term) return true;
   if (!contact::decision_on(plan, Effect::rotation).on) return true;
   return contact::is_proven(decision.tried.at(0)) || contact::is_proven(decision.tried.at(1));
 }
 
-/// What such rounding comes to at most, m: of these scenes, of some metres and seconds. A search
+/// The largest effect of such rounding, m: in these scenes, of some metres and seconds. A search
 /// for an impact ends where two are within 2^-40 of their sizes of touching, and rounding decides
-/// at which look that is. The largest that was measured is 3.2e-12.
+/// at which test that is. The largest that was measured is 3.2e-12.
 constexpr double spin_rounding = 0x1p-36;
 
-/// Whether a plan says that hops it leaves out, what sleeps, or a crowd's late hits have no bound.
+/// Whether a plan says that bounces that it leaves out, sleep, or a crowd's late hits have no
+/// bound.
 bool may_add_up(const Plan& plan) {
   return std::isinf(contact::decision_on(plan, Effect::resting).error) ||
          std::isinf(contact::decision_on(plan, Effect::step_size).error) ||
@@ -73,9 +74,9 @@ double met_time(const Scene& scene, const Plan& plan, double most, double end, b
   return std::max(end, std::min(last, time + 2 * plan.step));
 }
 
-/// A scene step by step as planned, beside runs with each effect that its plan leaves out by a
-/// proof, for at most `most` seconds; of spins where several contacts are solved together, for two
-/// steps, or not at all.
+/// A scene step by step as planned, compared with runs with each effect that its plan leaves out by
+/// a proof, for at most `most` seconds; rotation where several contacts are solved together, for
+/// two steps, or not at all.
 void compare_with_each_effect(const Scene& scene, double most, Compared& compared) {
   PlanOptions options;
   const Plan planned = contact::plan_scene(scene);
@@ -98,8 +99,8 @@ void compare_with_each_effect(const Scene& scene, double most, Compared& compare
     if (decision.on || !decision.proven) continue;
     PlanOptions with = options;
     with.overrides.with = {effect};
-    // Where many contacts are solved together a last bit soon decides who touches whom, and neither
-    // run is nearer the truth.
+    // Where many contacts are solved together a last bit soon decides which bodies touch, and
+    // neither run is nearer the truth.
     const bool same = keeps_bits(plan, decision);
     const bool crowded =
         !same && contact::decision_on(plan, Effect::several_contacts).on && scene.bodies.size() > 6;
@@ -127,7 +128,7 @@ void compare_with_each_effect(const Scene& scene, double most, Compared& compare
   REQUIRE(left_out <= plan.tolerance);
 }
 
-/// Up to four bodies of any shape that may lie, slide, fly, turn, fall or meet, on a floor or
+/// Up to four bodies of any shape that may lie, slide, fly, rotate, fall or meet, on a floor or
 /// without one.
 Scene random_bodies(Random& random) {
   Scene scene = plan_scenes::empty(0.5 * random.integer(0, 2), random.chance(0.5) ? 0 : 0.4,
@@ -163,7 +164,8 @@ Scene random_bodies(Random& random) {
 }  // namespace
 
 TEST_CASE(
-    "each effect that a plan leaves out of the book's scenes makes no more error than it says") {
+    "each effect that a plan leaves out of the book's scenes makes at most the error that it "
+    "says") {
   Compared compared;
   // Where less is tried, one scene of four.
   const std::size_t every = tried(8) == 8 ? 1 : 4;
@@ -176,7 +178,8 @@ TEST_CASE(
   CHECK(4 * compared.met >= 3 * compared.scenes);
 }
 
-TEST_CASE("each effect that a plan leaves out of random scenes makes no more error than it says") {
+TEST_CASE(
+    "each effect that a plan leaves out of random scenes makes at most the error that it says") {
   Random random(23);
   Compared compared;
   for (int trial = 0; trial < tried(400); ++trial) {
@@ -192,7 +195,7 @@ TEST_CASE("each effect that a plan leaves out of random scenes makes no more err
   if (tried(8) == 8) CHECK(compared.largest > 0);
 }
 
-TEST_CASE("what a table cancels of gravity is cancelled to the last bit") {
+TEST_CASE("a table cancels gravity to the last bit") {
   Random random(33);
   std::uint64_t hits = 0;
   for (int trial = 0; trial < tried(80); ++trial) {
@@ -244,7 +247,7 @@ Scene random_tumbling(Random& random, double tolerance) {
   return scene;
 }
 
-/// The largest distance of a corner of a box from where it is in another run.
+/// The largest distance of a box's vertex between two runs.
 double corners_apart(const Scene& scene, const SceneRun& one, const SceneRun& other) {
   double farthest = 0;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -271,7 +274,7 @@ TEST_CASE("all that a plan leaves out of free flights at once keeps the toleranc
   int beyond_one = 0;
   for (int trial = 0; trial < tried(600); ++trial) {
     Scene scene = random_tumbling(random, 1e3);
-    // With so much tolerance all is left out, and the plan says what each would be off by.
+    // With so much tolerance all effects are left out, and the plan gives the error of each.
     const Plan most = contact::plan_scene(scene);
     constexpr Effect effects[] = {Effect::gyroscopic_term, Effect::gravity,
                                   Effect::double_precision};
@@ -301,7 +304,7 @@ TEST_CASE("all that a plan leaves out of free flights at once keeps the toleranc
     }
     const double apart = corners_apart(scene, *less, *more);
     CAPTURE(trial, off, apart, plan.error);
-    // Some 60 steps at places of up to 10 km, each rounded a few times.
+    // Some 60 steps at positions of up to 10 km, each rounded a few times.
     REQUIRE(apart <= plan.error + 1e-9);
     beyond_one += apart > largest ? 1 : 0;
   }
@@ -313,7 +316,7 @@ TEST_CASE("all that a plan leaves out of free flights at once keeps the toleranc
   CHECK(beyond_one > 0);
 }
 
-TEST_CASE("where impacts are not looked for between steps the error is what the plan says") {
+TEST_CASE("without detection between steps the error is at most what the plan says") {
   Random random(29);
   int off = 0;
   for (int trial = 0; trial < tried(2000); ++trial) {
@@ -329,7 +332,7 @@ TEST_CASE("where impacts are not looked for between steps the error is what the 
       plan_scenes::wall(scene, side * Point::UnitZ(), 0);
       plan_scenes::ball(scene, 0.5, 1, {0, 0, side * random.uniform(0.51, 3)}, side * v);
     } else {
-      // At each other, at any slant.
+      // At each other, in any direction.
       plan_scenes::ball(scene, 0.5, 1, {0, 0, random.uniform(1.2, 4)}, {0, 0, 2 * v.z()});
       plan_scenes::ball(scene, 0.5, random.chance(0.5) ? 1 : 1e6, {random.uniform(-1, 1), 0, 0});
     }

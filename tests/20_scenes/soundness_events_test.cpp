@@ -1,5 +1,5 @@
-// What a plan leaves out is left out rightly: the run that it decides on, beside runs with more in
-// them. From event to event, and up to the horizon.
+// A plan leaves out only what it may: the run that it decides on, compared with runs with more
+// effects. From event to event, and up to the horizon.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -41,7 +41,7 @@ double from_steps_with_everything(const Scene& scene, double end, double step) {
 
 }  // namespace
 
-TEST_CASE("from event to event, the book's scenes go where steps with all of physics go") {
+TEST_CASE("from event to event, the book's scenes agree with steps with all effects") {
   int runs = 0;
   for (const Scene& scene : scenes_of_the_book()) {
     const Plan plan = contact::plan_scene(scene);
@@ -57,7 +57,7 @@ TEST_CASE("from event to event, the book's scenes go where steps with all of phy
   CHECK(runs >= 6);
 }
 
-TEST_CASE("from event to event, random balls go where steps with all of physics go") {
+TEST_CASE("from event to event, random balls agree with steps with all effects") {
   Random random(21);
   double farthest = 0;
   for (int trial = 0; trial < tried(400); ++trial) {
@@ -70,13 +70,13 @@ TEST_CASE("from event to event, random balls go where steps with all of physics 
     farthest = std::max(farthest, apart);
     REQUIRE(apart <= *scene.tolerance.position);
   }
-  // They are two programs: the same bits everywhere would mean that one of them was asked twice.
+  // They are two programs: the same bits everywhere would mean that one of them was run twice.
   CHECK(farthest > 0);
 }
 
 namespace {
 
-/// What moves begins an ulp faster or slower, in turns: in the same plane, or on the same line.
+/// Moving bodies start an ulp faster or slower, in turns: in the same plane, or on the same line.
 Scene an_ulp_away(Scene scene) {
   double sign = 1;
   for (auto& body : scene.bodies) {
@@ -112,7 +112,7 @@ Scene that_falls(Random& random) {
 }
 
 /// Balls in a room, in a crowd in the middle of it, or in a plane; one ball among posts, in a cage
-/// of posts or of boxes within a room that is much larger, perhaps with somebody heavy beside it.
+/// of posts or of boxes within a much larger room, perhaps with a heavy body beside it.
 Scene that_spreads(Random& random) {
   Scene scene = plan_scenes::empty(1, 0, 20, std::pow(10.0, -random.integer(3, 9)));
   scene.gravity = Point::Zero();
@@ -128,7 +128,7 @@ Scene that_spreads(Random& random) {
     return v;
   };
   if (kind <= 2) {
-    // Discs lie in the plane; nothing begins within anything else.
+    // Discs lie in the plane; no body starts within another.
     const double spacing = kind == 1 ? random.uniform(0.9, 1.2) : (room - 0.8) / 3;
     const int count = random.integer(2, 16);
     for (int i = 0; i < count; ++i) {
@@ -158,7 +158,7 @@ Scene that_spreads(Random& random) {
 
 }  // namespace
 
-TEST_CASE("before the horizon a run that begins an ulp away is within the tolerance") {
+TEST_CASE("before the horizon a run that starts an ulp away is within the tolerance") {
   Random random(77);
   int asked = 0;
   int parted_later = 0;

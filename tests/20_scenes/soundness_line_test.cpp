@@ -1,7 +1,7 @@
-// Balls on a line, and what they do in fractions: each hit at its time, each place and each
-// velocity after it. Where all numbers are dyadic and no step of the arithmetic leaves them, every
-// bit is the same; with other fractions, within a bound that grows along with the hits. Step by
-// step the same scenes keep the tolerance that their plan states.
+// Balls on a line, compared with fractions: each hit at its time, each position and each velocity
+// after it. Where all numbers are dyadic and no step of the arithmetic leaves them, every bit is
+// the same; with other fractions, within a bound that grows with the number of hits. Step by step
+// the same scenes keep the tolerance of their plan.
 #include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
@@ -27,12 +27,12 @@ using plan_scenes::Point;
 
 namespace {
 
-/// One body of a line: a ball, or a post, which is a ball that stands still.
+/// One body of a line: a ball, or a post, which is a fixed ball.
 struct OnLine {
   Rational place;
   Rational velocity;
   Rational radius;
-  Rational mass;         ///< 0: it stands still
+  Rational mass;         ///< 0: fixed
   Rational restitution;  ///< of a pair the smaller one counts
 };
 
@@ -47,23 +47,24 @@ struct LineHit {
 double size_of(const Rational& x) { return std::abs(oracle::nearest(x)); }
 
 // [error]
-/// Balls between walls at 0 and `length`, in fractions, and how far a run that rounds may be off.
+/// Balls between walls at 0 and `length`, in fractions, and a bound on the error of a run that
+/// rounds.
 ///
-/// Let δ be how far a computed path is from the right one, and ε how far its velocity is, both for
-/// each ball. From hit to hit ε stays and δ grows by ε a second. At a hit the right velocities
-/// change by a linear map M, which keeps momentum and takes −e times the velocity at which two
-/// close. A computed hit does the same to the computed velocities, so ε becomes M ε. Two paths that
-/// are off cross late by τ = (δ′ − δ)/w, where w = V − V′ is how fast they close; each turns off
-/// that much too late, and δ becomes δ + τ (V − M V), which is M δ. M never makes Σ m ε² larger, as
-/// it never makes energy larger. So neither √(Σ m δ²) nor √(Σ m ε²) grows by a hit but by its
-/// roundings: errors on a line add up.
+/// Let δ be the position error of a computed path, and ε its velocity error, both for each ball.
+/// From hit to hit ε is constant and δ grows by ε a second. At a hit the exact velocities change by
+/// a linear map M, which conserves momentum and multiplies the closing velocity by −e. A computed
+/// hit does the same to the computed velocities, so ε becomes M ε. Two displaced paths cross late
+/// by τ = (δ′ − δ)/w, with the closing speed w = V − V′; each changes velocity that much too late,
+/// and δ becomes δ + τ (V − M V), which is M δ. M never increases Σ m ε², as it never increases
+/// energy. So a hit adds to √(Σ m δ²) and √(Σ m ε²) only its roundings: errors on a line add up.
 ///
-/// *Roundings.* All places, and all ways from one hit of a ball to its next, are at most the length
-/// L. A hit's time is found from places at the last hit of both (3 roundings each, of L), squares
-/// of a distance and of the radii (4 of L), roots and a quotient (8 of the way of at most L); then
-/// both fly there (3), and u of the time T is u s T of way, at a speed s. That is at most 24 u (L +
-/// s T), taken at its double plus what c = (1 + e) m′/(m + m′) ≤ 2 makes of it in δ. A change of
-/// velocity c w passes 14 roundings, with those of the stored data; |c w| is at most 4 s.
+/// *Roundings.* All positions, and all flights of a ball from one hit to its next, are at most the
+/// length L. A hit's time is computed from positions at the last hit of both (3 roundings each, of
+/// L), squares of a distance and of the radii (4 of L), roots and a quotient (8 of a flight of at
+/// most L); then both fly there (3), and u of the time T is u s T of flight, at a speed s. That is
+/// at most 24 u (L + s T), of which twice is taken, plus what c = (1 + e) m′/(m + m′) ≤ 2 makes of
+/// it in δ. A change of velocity c w goes through 14 roundings, with those of the stored data; |c
+/// w| is at most 4 s.
 class ExactLine {
  public:
   ExactLine(std::vector<OnLine> bodies, Rational length)
@@ -71,14 +72,14 @@ class ExactLine {
     for (std::size_t i = 0; i < bodies_.size(); ++i) along_.push_back(i);
     std::sort(along_.begin(), along_.end(),
               [&](std::size_t a, std::size_t b) { return bodies_[a].place < bodies_[b].place; });
-    for (const OnLine& body : bodies_) {  // what is stored is rounded
+    for (const OnLine& body : bodies_) {  // stored data are rounded
       const double root = std::sqrt(size_of(body.mass));
       placed_ += root * u * size_of(length_);
       moving_ += root * u * size_of(body.velocity);
     }
   }
 
-  /// Goes to the next hit, in the order of time and then of names, if it comes before `until`.
+  /// Advances to the next hit, in the order of time and then of names, if it comes before `until`.
   std::optional<LineHit> step(const Rational& until) {
     using When = std::tuple<Rational, std::size_t, std::size_t>;
     std::optional<When> next;
@@ -119,7 +120,7 @@ class ExactLine {
 
   /// How far a hit's time may be off that has just been, s.
   double off_in_time() const { return late_; }
-  /// How far a ball's place, and its velocity, may be off.
+  /// Bounds on the errors of a ball's position and velocity.
   double off_in_place(std::size_t i) const {
     return (placed_ + moving_ * late_) / std::sqrt(size_of(bodies_[i].mass)) +
            4 * u * size_of(length_);
@@ -139,7 +140,7 @@ class ExactLine {
     const Rational w = one.velocity - other.velocity;
     const double fast = std::max(size_of(one.velocity), size_of(other.velocity)) + size_of(w);
     const double rounded = 48 * u * (size_of(length_) + fast * size_of(now_));
-    // Of both balls, each with its own mass; what stands still is where it is.
+    // Of both balls, each with its own mass; a fixed one has no error.
     const double roots = std::sqrt(size_of(one.mass)) + std::sqrt(size_of(other.mass));
     double apart = rounded;
     double slower = 0;
@@ -176,7 +177,7 @@ class ExactLine {
 };
 // [/error]
 
-/// The scene of a line: its bodies in their order, those that stand still last, and the walls.
+/// The scene of a line: its bodies in their order, fixed ones last, and the walls.
 Scene scene_on_line(const std::vector<OnLine>& bodies, const Rational& length, double duration) {
   Scene scene = plan_scenes::empty(1, 0, duration, 1e-6);
   for (const OnLine& body : bodies) {
@@ -199,7 +200,7 @@ struct HitsOnLine final : contact::SceneObserver {
   }
 };
 
-/// Who takes part, the smaller number first.
+/// The bodies that take part, the smaller index first.
 std::pair<std::size_t, std::size_t> who(std::size_t a, std::size_t b) { return std::minmax(a, b); }
 
 /// From event to event, though something may be lost in hits.
@@ -212,9 +213,9 @@ std::unique_ptr<contact::SceneRun> by_events(const Scene& scene) {
 }
 
 /// Rooms in a row, with posts between them. In each all velocities stay powers of two times a
-/// speed, and so are all that two close at: a ball that loses half of its speed, or two; balls
-/// alike; a light one and one three times as heavy, which go from (s, −s) to (−2 s, 0) and, after a
-/// wall, from (2 s, 0) to (−s, s). Radii of two that meet add up to 1 or 2.
+/// speed, and so do all closing speeds: a ball that loses half of its speed, or two; equal balls; a
+/// light one and one three times as heavy, which go from (s, −s) to (−2 s, 0) and, after a wall,
+/// from (2 s, 0) to (−s, s). Radii of two that meet add up to 1 or 2.
 std::vector<OnLine> dyadic_rooms(Random& random, Rational& length) {
   std::vector<OnLine> balls;
   std::vector<OnLine> posts;
@@ -247,8 +248,8 @@ std::vector<OnLine> dyadic_rooms(Random& random, Rational& length) {
   return balls;
 }
 
-/// Balls of any masses, places, speeds and sizes that are fractions with small numbers, not many of
-/// which a double holds; and posts among them.
+/// Balls with masses, positions, speeds and sizes that are fractions of small numbers, most of them
+/// not doubles; and posts among them.
 std::vector<OnLine> rooms_of_fractions(Random& random, Rational& length) {
   std::vector<OnLine> balls;
   std::vector<OnLine> posts;
@@ -311,7 +312,8 @@ TEST_CASE("on a line of dyadic numbers each hit is exact to the last bit") {
   CHECK(hits > tried(1000));
 }
 
-TEST_CASE("on a line of fractions each hit, place and velocity is off by what hits add up to") {
+TEST_CASE(
+    "on a line of fractions the errors of each hit, position and velocity are the sum over hits") {
   Random random(7);
   std::size_t hits = 0;
   double worst = 0;
@@ -342,10 +344,10 @@ TEST_CASE("on a line of fractions each hit, place and velocity is off by what hi
     }
   }
   CHECK(hits > tried(2000));
-  CHECK(worst < 1e-8);  // the bound says something
+  CHECK(worst < 1e-8);  // the bound is meaningful
 }
 
-TEST_CASE("on a line of fractions steps end where the fractions do, after as many hits") {
+TEST_CASE("on a line of fractions steps end at the exact positions, after as many hits") {
   Random random(8);
   std::uint64_t hits = 0;
   for (int n = 0; n < tried(60); ++n) {

@@ -1,7 +1,7 @@
-// Long after the horizon nothing can be said of any place. What can be said holds of many runs that
-// each begin elsewhere: what is conserved is, and averages are what they must be, or what the same
-// scenes come to in another kind of run. All are compared to 4.4 standard errors of a mean: one
-// comparison of a hundred thousand fails though nothing is wrong, and seeds are fixed.
+// Long after the horizon no position can be predicted. What can be predicted concerns many runs
+// with different starts: conserved quantities, and averages, which have known values or agree with
+// those of the same scenes in another kind of run. All are compared to 4.4 standard errors of a
+// mean: one comparison of a hundred thousand fails by chance, and seeds are fixed.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/plan/plan.hpp>
@@ -39,7 +39,7 @@ Average average_of(const std::vector<double>& found) {
   return {sum / count, std::sqrt(squares / (count * (count - 1)))};
 }
 
-/// That a mean may be what it must be; and that so many runs would have told what is off by more
+/// That a mean may have its known value; and that so many runs would have shown a deviation of more
 /// than some five times the largest error.
 void within_chance(const Average& found, double must_be, double largest_error) {
   CAPTURE(found.mean, must_be, found.error);
@@ -47,11 +47,11 @@ void within_chance(const Average& found, double must_be, double largest_error) {
   CHECK(std::abs(found.mean - must_be) < 4.4 * found.error);
 }
 
-/// Runs gases that each begin elsewhere, so that they are independent, to twice their horizon and
-/// more, and takes the mean of what is measured of them. Energies stay as they are.
+/// Runs gases with different starts, so that they are independent, to twice their horizon and more,
+/// and takes the mean of a measured quantity. Energies are conserved.
 /// @param number_of of a test, so that each has its own gases
 /// @param make a scene from random numbers
-/// @param measure takes the scene as it was and the run at its end
+/// @param measure takes the initial scene and the run at its end
 template <class Make, class Measure>
 Average long_after(std::uint64_t number_of, const Make& make, const Measure& measure) {
   Random random(number_of);
@@ -102,23 +102,23 @@ double spread_of_speeds(const Scene& scene, const contact::SceneRun& gas) {
 
 }  // namespace
 
-// The velocities of n elastic balls alike are spread evenly over a sphere in d n dimensions. Then a
-// ball's share of Σ v² has a beta distribution, and the mean of v⁴ over the square of the mean of
-// v² is (d + 2)/d · d n/(d n + 2).
-TEST_CASE("long after the horizon the speeds of a gas are spread as they must be") {
+// The velocities of n equal elastic balls are evenly distributed over a sphere in d n dimensions.
+// Then a ball's share of Σ v² has a beta distribution, and the mean of v⁴ over the square of the
+// mean of v² is (d + 2)/d · d n/(d n + 2).
+TEST_CASE("long after the horizon the speeds of a gas have the right distribution") {
   const auto found = long_after(
       22, [](Random& random) { return gas_of_sixteen(random, 3); }, spread_of_speeds);
   within_chance(found, 5.0 / 3 * 48 / 50, 0.8 / std::sqrt(tried(800)));
 }
 
-TEST_CASE("long after the horizon the speeds of discs are spread as they must be") {
+TEST_CASE("long after the horizon the speeds of discs have the right distribution") {
   const auto found = long_after(
       23, [](Random& random) { return gas_of_sixteen(random, 2); }, spread_of_speeds);
   within_chance(found, 2.0 * 32 / 34, 0.8 / std::sqrt(tried(800)));
 }
 
 TEST_CASE("long after the horizon light and heavy balls have their shares of the energy") {
-  // All of the energy is in the light ones at first; on the average each ball comes to the same.
+  // Initially all of the energy is in the light ones; on average each ball gets the same.
   const auto make = [](Random& random) {
     Scene scene = gas_of_sixteen(random, 3);
     scene.duration = 80;
@@ -149,7 +149,7 @@ TEST_CASE("long after the horizon light and heavy balls have their shares of the
   within_chance(long_after(24, make, share), 0, 0.2 / std::sqrt(tried(800)));
 }
 
-TEST_CASE("long after the horizon gravity leaves a third of the motion to each axis") {
+TEST_CASE("long after the horizon with gravity each axis has a third of the kinetic energy") {
   const auto make = [](Random& random) {
     Scene scene = gas_of_sixteen(random, 3);
     scene.gravity = {0, 0, -0.25};
@@ -228,10 +228,10 @@ double kinetic_energy(const Scene& scene, const SceneRun& run) {
 
 }  // namespace
 
-// Where gravity gives and takes, no formula is at hand for how fast balls are, or how high. The
-// same scenes run in both ways; the difference of the two ends of a scene has the mean 0 if the two
-// spread alike, whatever the end of one says of the other.
-TEST_CASE("long after the horizon steps leave what hits from event to event leave") {
+// With gravity there is no formula at hand for the distribution of speeds and heights. The same
+// scenes run in both ways; the difference of the two ends of a scene has the mean 0 if both have
+// the same distribution, whatever their correlation.
+TEST_CASE("long after the horizon steps give the averages of event-driven runs") {
   Random random(28);
   std::vector<double> upright;
   std::vector<double> energy;
@@ -259,8 +259,9 @@ TEST_CASE("long after the horizon steps leave what hits from event to event leav
   within_chance(average_of(spread), 0, 1.5 / root);
 }
 
-// Nobody but they themselves pushes them: eight balls that come together from all corners.
-TEST_CASE("long after the horizon what no wall takes is kept in steps and from event to event") {
+// No external force: eight balls that approach from all corners.
+TEST_CASE(
+    "long after the horizon what no wall changes is conserved in steps and from event to event") {
   Random random(31);
   for (int trial = 0; trial < tried(16); ++trial) {
     const double e = trial % 2 == 0 ? 1 : 0.75;
@@ -292,8 +293,8 @@ TEST_CASE("long after the horizon what no wall takes is kept in steps and from e
                              [&](std::size_t i) { return run->velocity(i); });
       CAPTURE(trial, run->event_driven());
       CHECK(run->counts().hits >= 8);
-      // Some hundred roundings of up to 32 kg m/s; as many of that times a place, of 256 m at most,
-      // and two of a place in each step.
+      // Some hundred roundings of up to 32 kg m/s; as many of that times a position, of 256 m at
+      // most, and two of a position in each step.
       CHECK((last.first - first.first).norm() <= 100 * 0x1p-53 * 32);
       const double rounded = 100 + 2 * static_cast<double>(run->counts().steps);
       CHECK((last.second - first.second).norm() <= rounded * 0x1p-53 * 32 * 256);
@@ -305,7 +306,7 @@ TEST_CASE("long after the horizon what no wall takes is kept in steps and from e
 }
 
 // A gas that loses energy in hits cools: the slower it is the fewer hits there are.
-TEST_CASE("long after the horizon a gas that loses energy has cooled alike in steps") {
+TEST_CASE("long after the horizon a gas that loses energy has cooled as much in steps") {
   Random random(29);
   std::vector<double> cooled;
   std::vector<double> lost;
@@ -322,9 +323,10 @@ TEST_CASE("long after the horizon a gas that loses energy has cooled alike in st
   CHECK(average_of(lost).mean > 1.4);
 }
 
-// Elastic and smooth: on the average each way to move or to turn has the same energy. A box has
-// three of each, a ball three to move.
-TEST_CASE("long after the first hits a box turns with a third of the energy of it and a ball") {
+// Elastic and smooth: on average each degree of freedom has the same energy. A box has three of
+// translation and three of rotation, a ball three of translation.
+TEST_CASE(
+    "long after the first hits a third of the energy of a box and a ball is rotation of the box") {
   Random random(30);
   std::vector<double> turning;
   for (int run = 0; run < tried(64); ++run) {

@@ -1,6 +1,6 @@
-// The right answer is taken from the images: everything is reflected, coordinate by coordinate, in
-// the plane through the first centre, and compared with itself. Every test asks for at least two
-// different answers, so that no constant passes one.
+// The right answer is computed from mirror images: each quantity is reflected in the plane through
+// the first centre, coordinate by coordinate, and compared with itself. Every test asks for at
+// least two different answers, so that no constant passes it.
 #include "stays_in_a_plane.hpp"
 
 #include <support/exercise.hpp>
@@ -14,7 +14,7 @@ using exercise::Scene;
 using Still = std::array<bool, 3>;
 using Vector = Eigen::Vector3d;
 
-/// A rule, and the ways in which it goes wrong.
+/// The right rule, and its mistakes.
 enum class Way { right, forces, walls, centres, epsilon, sums };
 
 bool is_still(const Scene& scene, int k, Way way) {
@@ -80,14 +80,14 @@ TEST_CASE("balls push along the line of their centres") {
   check({none, {{Vector(0, 2, 1), right}, {Vector(3, 2, 1), none}}, {}});
   check({none, {{Vector(0, 2, 1), right}, {Vector(3, 2, 1.25), none}}, {}});
   check({none, {{Vector(0, 2, 1), right}, {Vector(3, 2.5, 1), none}}, {Vector(0, 1, 0)}});
-  // The last is far away; the rule does not ask how far.
+  // The last is far away; the rule does not depend on distance.
   check({none,
          {{Vector(0, 2, 1), right}, {Vector(3, 2, 1), none}, {Vector(900, 7, 1), none}},
          {Vector(1, 0, 0)}});
 }
 
 TEST_CASE("each ball is its own image") {
-  // Reflected as a whole, the scene is the same; but each ball has become the other.
+  // As a whole the scene is its own image, but the image of each ball is the other ball.
   check({none, {{Vector(0, 0, 1), Vector(3, 0, -2)}, {Vector(0, 0, -1), Vector(3, 0, 2)}}, {}});
   check({none, {{Vector(0, 0, 0), Vector(3, 0, -2)}, {Vector(4, 0, 0), Vector(-3, 0, 2)}}, {}});
   check({none,
@@ -96,13 +96,13 @@ TEST_CASE("each ball is its own image") {
   check({none, {{Vector(0, 0, 0), Vector(3, 0, 0)}, {Vector(4, 0, 0), Vector(-3, 0, 0)}}, {}});
 }
 
-TEST_CASE("next to nothing is something") {
+TEST_CASE("the smallest component counts") {
   const double little = 0x1p-40;
   check({Vector(0, little, -9.81), {{none, Vector(1, 0, 0)}}, {}});
   check({Vector(0, 0, -9.81), {{none, Vector(little, 0, 0)}}, {}});
   check({none, {{none, none}}, {Vector(1, 0, little)}});
   check({none, {{Vector(1, 1, 1), none}, {Vector(2, 1, 1 + 0x1p-52), none}}, {}});
-  // Zero has two signs, and both are one place.
+  // Zero has two signs, which are the same position.
   check({Vector(-0.0, 0, -9.81), {{Vector(0.0, 1, 2), none}, {Vector(-0.0, 1, 2), none}}, {}});
 }
 

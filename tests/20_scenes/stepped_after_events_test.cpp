@@ -1,4 +1,4 @@
-// Runs from event to event that go on step by step, and hops that are left out.
+// Event-driven runs that go on step by step, and bounces that are left out.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -56,7 +56,8 @@ TEST_CASE("where events do not end the run goes on step by step, and says so") {
   CHECK(budget->fallback()->why == "the budget of 2 hits ran out");
 }
 
-TEST_CASE("what goes on in steps has the tolerance that hops from event to event have left") {
+TEST_CASE(
+    "a run that goes on in steps has the tolerance that bounces from event to event have left") {
   struct Slowest final : contact::SceneObserver {
     double speed = 100;
     bool on_hit(const contact::SceneHit& hit) override {
@@ -73,13 +74,13 @@ TEST_CASE("what goes on in steps has the tolerance that hops from event to event
   run->advance(20, std::numeric_limits<std::uint64_t>::max(), &slowest);
   REQUIRE(run->fallback());
   CHECK(run->counts().rests > 0);
-  // Half of the tolerance is left, and half of that is for hops: v²/(2 g) = 25 µm.
+  // Half of the tolerance is left, and half of that is for bounces: v²/(2 g) = 25 µm.
   const double rest = std::sqrt(20 * 0.25e-4);
   CHECK(slowest.speed >= rest);
   CHECK(slowest.speed <= rest / 0.9);
 }
 
-TEST_CASE("forced off, gravity and restitution are gone from event to event too") {
+TEST_CASE("forced off, gravity and restitution are off from event to event too") {
   Scene scene = with_gravity(1, 0, 1, 1e-6);
   plan_scenes::wall(scene, Point::UnitZ(), 0);
   plan_scenes::ball(scene, 0.5, 1, {0, 0, 3}, {1, 0, 0});
@@ -93,7 +94,7 @@ TEST_CASE("forced off, gravity and restitution are gone from event to event too"
   CHECK(std::abs(dull->position(1).z() - 0.5) <= 1e-9);
 }
 
-TEST_CASE("the hops that a run leaves out are those that its plan leaves out") {
+TEST_CASE("the bounces that a run leaves out are those that its plan leaves out") {
   Random random(71);
   int rested = 0;
   for (int i = 0; i < generators::tried(100); ++i) {
@@ -108,7 +109,7 @@ TEST_CASE("the hops that a run leaves out are those that its plan leaves out") {
     run->advance(10);
     CAPTURE(tolerance, events.error, run->counts().hits);
     CHECK(run->counts().rest_error <= events.error);
-    // And not many times fewer than could be: of two hops that follow each other one is e² as high.
+    // And not many times fewer than possible: of two successive bounces the second is e² as high.
     if (run->counts().rests == 0) continue;
     ++rested;
     CHECK(run->counts().rest_error >= events.error * 0.03);
@@ -117,7 +118,8 @@ TEST_CASE("the hops that a run leaves out are those that its plan leaves out") {
 }
 
 TEST_CASE("however slowly, a ball that falls along a wall bounces off it") {
-  // Its way across is the unfolded one, with e of the speed after each wall; gravity has no say.
+  // Its horizontal path is the unfolded one, with e of the speed after each wall; gravity does not
+  // matter.
   Random random(81);
   for (int i = 0; i < generators::tried(24); ++i) {
     const double e = random.uniform(0.5, 0.95);
@@ -155,7 +157,7 @@ TEST_CASE("however slowly, a ball that falls along a wall bounces off it") {
 }
 
 TEST_CASE("under a ceiling a slow ball bounces as a fast one does") {
-  // It comes up with w, leaves with e w, and falls.
+  // It arrives with w, leaves with e w, and falls.
   Random random(82);
   for (int i = 0; i < generators::tried(24); ++i) {
     const double e = random.uniform(0.5, 0.95);
@@ -175,9 +177,9 @@ TEST_CASE("under a ceiling a slow ball bounces as a fast one does") {
   }
 }
 
-TEST_CASE("bodies that fall together hit each other however slowly, and come to an end of it") {
-  // Balls in a row, the first slow: with e each hit hands on (1 + e)/2 of the speed. What each has
-  // in the end is a product of these as long as nobody is caught up with, which 10 s do not do.
+TEST_CASE("bodies that fall together hit each other however slowly, and the run ends") {
+  // Balls in a row, the first slow: with e each hit passes on (1 + e)/2 of the speed. Final speeds
+  // are products of these as long as no ball is caught up with, which does not happen in 10 s.
   const double e = 0.9;
   Scene scene = with_gravity(e, 0, 10, 1e-2);
   plan_scenes::ball(scene, 0.1, 1, {0, 0, 0}, {0.05, 0, 0});
@@ -196,8 +198,9 @@ TEST_CASE("bodies that fall together hit each other however slowly, and come to 
   CHECK(std::abs(run->velocity(1).x() - 0.05 * on * back) <= 1e-12);
   CHECK(std::abs(run->velocity(2).x() - 0.05 * on * on) <= 1e-12);
   CHECK(plan.error == 0);
-  // Between two that come together the middle one hits without end: each time a part of the gap is
-  // left, and when rounding cannot tell it from none all three are solved together.
+  // Between two that approach, the middle one hits infinitely often: each time a part of the
+  // distance is left, and when rounding cannot distinguish it from zero all three are solved
+  // together.
   Scene caught = with_gravity(0.5, 0, 10, 1e-2);
   plan_scenes::ball(caught, 0.1, 1e3, {-0.3, 0, 0}, {0.05, 0, 0});
   plan_scenes::ball(caught, 0.1, 1, {0.03, 0, 0});
@@ -213,9 +216,10 @@ TEST_CASE("bodies that fall together hit each other however slowly, and come to 
 }
 
 TEST_CASE("balls that roll on a floor hit each other however slowly") {
-  // The floor's normal is upright: it changes nothing along the line of the balls. The rolling one
-  // rubs the other down by μ P at most, and so the floor rubs that by μ² P at most. For the balls
-  // to part with e v the hit must be (1 + e) v = 2 P, and more by what the floor takes.
+  // The floor's normal is vertical: it changes nothing along the line of the balls. The rolling one
+  // pushes the other down by friction of at most μ P, and so the floor's friction on that is at
+  // most μ² P. For the balls to separate with e v the hit must be (1 + e) v = 2 P, plus the floor's
+  // friction.
   Random random(83);
   for (int i = 0; i < generators::tried(16); ++i) {
     const double e = random.uniform(0.5, 0.95);
@@ -237,9 +241,9 @@ TEST_CASE("balls that roll on a floor hit each other however slowly") {
   }
 }
 
-TEST_CASE("on a steep slope hops are left out by their height along its normal") {
-  // Along the normal a ball bounces as on a level floor with g cos α. What is left out is at most
-  // what the plan says, and the hop with which it begins is far above that.
+TEST_CASE("on a steep slope bounces are left out by their height along its normal") {
+  // Along the normal a ball bounces as on a level floor with g cos α. The bounces left out are at
+  // most as high as the plan says, and the first bounce is far higher.
   Random random(84);
   int rested = 0;
   for (int i = 0; i < generators::tried(24); ++i) {
@@ -258,7 +262,7 @@ TEST_CASE("on a steep slope hops are left out by their height along its normal")
     CHECK(error <= 0.5e-2);
     rested += error > 0;
     // Its flights, one after the other.
-    double start = -std::sqrt(2 * height / g);  // of the first, as if it had come up before
+    double start = -std::sqrt(2 * height / g);  // of the first, as if it had bounced before
     double up = std::sqrt(2 * g * height);
     double most = 0;
     for (int k = 1; k <= 240; ++k) {
@@ -272,7 +276,7 @@ TEST_CASE("on a steep slope hops are left out by their height along its normal")
       const double right = std::max(0.0, (up - g * into / 2) * into);
       most = std::max(most, std::abs(n.dot(run->position(1)) - 0.1 - right));
     }
-    // Its places are rounded at 720 m, which each bounce hands on.
+    // Its positions are rounded at 720 m, which each bounce passes on.
     CHECK(most <= error + 1e-7);
   }
   CHECK(rested > generators::tried(24) / 2);

@@ -1,5 +1,5 @@
-// Scenes step by step: the same gives the same bits, and what is off is neither computed nor
-// stored.
+// Scenes step by step: the same scene gives the same bits, and an effect that is off is neither
+// computed nor stored.
 #include <catch2/catch_test_macros.hpp>
 #include <cstdint>
 
@@ -23,7 +23,7 @@ using stepped_scenes::with;
 using stepped_scenes::with_gravity;
 using stepped_scenes::without;
 
-TEST_CASE("the same scene gives the same bits, wherever one looks on the way") {
+TEST_CASE("the same scene gives the same bits, wherever the run is stopped on the way") {
   Random random(8);
   for (int i = 0; i < generators::tried(24); ++i) {
     Scene scene = crash(random, 0.5, 0.3);
@@ -35,7 +35,7 @@ TEST_CASE("the same scene gives the same bits, wherever one looks on the way") {
     for (int k = 0; k < 7; ++k) {
       other->advance(other->now() + random.uniform(0, 0.1));
       if (k != 3) continue;
-      // And from here on another that goes on from a checkpoint.
+      // And from here on another run that goes on from a checkpoint.
       const auto kept = other->checkpoint();
       const auto there = bits_of(scene, *other);
       other = run_of(scene, stepped(1.0 / 60));
@@ -50,7 +50,7 @@ TEST_CASE("the same scene gives the same bits, wherever one looks on the way") {
   }
 }
 
-TEST_CASE("a checkpoint of something else is refused") {
+TEST_CASE("a checkpoint of something else is rejected") {
   Scene scene = plan_scenes::empty(1, 0, 1, 1e-6);
   plan_scenes::ball(scene, 0.5, 1, {0, 0, 0}, {1, 0, 0});
   plan_scenes::ball(scene, 0.5, 1, {5, 0, 0});
@@ -64,7 +64,7 @@ TEST_CASE("a checkpoint of something else is refused") {
   CHECK_THROWS_AS(run->restore(kept), std::invalid_argument);
 }
 
-TEST_CASE("what no effect needs is not stored, and what is off is no stage") {
+TEST_CASE("state that no effect needs is not stored, and an effect that is off has no stage") {
   Scene smooth = with_gravity(0.5, 0, 1, 1e-6);
   plan_scenes::wall(smooth, Point::UnitZ(), 0);
   plan_scenes::ball(smooth, 0.5, 1, {0, 0, 2});
@@ -91,7 +91,7 @@ TEST_CASE("what no effect needs is not stored, and what is off is no stage") {
   CHECK(run_of(smooth, bare)->bytes_per_body() == turning + resting);
 }
 
-TEST_CASE("places and velocities have no coordinate that never changes") {
+TEST_CASE("positions and velocities have no coordinate that never changes") {
   Scene line = with_gravity(0.5, 0, 2, 1e-6);
   plan_scenes::wall(line, Point::UnitZ(), 0);
   plan_scenes::ball(line, 0.5, 1, {0.3, -0.7, 2});
@@ -122,7 +122,8 @@ TEST_CASE("places and velocities have no coordinate that never changes") {
 }
 
 TEST_CASE(
-    "balls that roll in a plane have one number for their spins, and the bits of all effects") {
+    "balls that roll in a plane have one number for angular velocity, and the bits of all "
+    "effects") {
   int hits = 0;
   for (int axis = 0; axis < 3; ++axis) {  // across the plane
     const Point across = Point::Unit(axis);
@@ -154,7 +155,8 @@ TEST_CASE(
   CHECK(hits > 12);
 }
 
-TEST_CASE("a smooth ball that moves in a plane or on a line keeps a spin about any axis") {
+TEST_CASE(
+    "a smooth ball that moves in a plane or on a line keeps an angular velocity about any axis") {
   Scene scene = with_gravity(1, 0, 1, 1e-6);
   plan_scenes::wall(scene, Point::UnitZ(), 0);
   plan_scenes::ball(scene, 0.5, 1, {0, 0, 2}).spin = {3, 4, 12};
@@ -168,7 +170,7 @@ TEST_CASE("a smooth ball that moves in a plane or on a line keeps a spin about a
   }
 }
 
-TEST_CASE("the gyroscopic term brings spins along where rotation is off") {
+TEST_CASE("the gyroscopic term includes angular velocities where rotation is off") {
   Scene scene = with_gravity(0, 0.5, 1, 1e-6);
   plan_scenes::wall(scene, Point::UnitZ(), 0);
   plan_scenes::box(scene, {0.5, 0.4, 0.3}, 1, {0, 0, 0.3});
@@ -177,14 +179,15 @@ TEST_CASE("the gyroscopic term brings spins along where rotation is off") {
   options.overrides.without = {Effect::rotation, Effect::sleeping};
   auto run = run_of(scene, options);
   CHECK(has_stage(*run, "rotation"));
-  // One number for its place and one for its velocity, and two for spins that two mirrors forbid.
+  // One number for its position and one for its velocity, and two for angular velocities that two
+  // mirrors exclude.
   CHECK(run->bytes_per_body() == 4 * sizeof(double) + sizeof(contact::Rotor<double>));
   run->advance(1);
   CHECK((run->position(1) - Point(0, 0, 0.3)).norm() <= 1e-9);
   CHECK(run->spin(1).norm() <= 1e-9);
 }
 
-TEST_CASE("what is proved inactive gives the same bits when it is forced on") {
+TEST_CASE("an effect that is proven inactive gives the same bits when it is forced on") {
   const auto same = [](const Scene& scene, Effect effect, double step) {
     auto off = stepped(step);
     const auto plan = contact::plan_scene(scene, off);
@@ -215,7 +218,7 @@ TEST_CASE("what is proved inactive gives the same bits when it is forced on") {
     same(gas, Effect::rotation, 0.02);
     same(gas, Effect::penalty_contact, 0.02);
     if (gas.materials[0].restitution == 0) same(gas, Effect::restitution, 0.02);
-    // With friction balls turn, but need no gyroscopic term.
+    // With friction balls rotate, but need no gyroscopic term.
     gas.materials[0].friction = 0.4;
     same(gas, Effect::gyroscopic_term, 0.02);
   }

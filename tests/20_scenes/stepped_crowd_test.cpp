@@ -21,7 +21,7 @@ using stepped_scenes::with;
 using stepped_scenes::with_gravity;
 using stepped_scenes::without;
 
-TEST_CASE("in a crowd all impacts of a step are taken at once, and nothing leaves its box") {
+TEST_CASE("in a crowd all impacts of a step are processed at once, and nothing leaves its box") {
   Random random(10);
   Scene scene = with_gravity(0.5, 0.3, 1, 1e-3);
   plan_scenes::walls(scene, {2, 2, 40});
@@ -48,7 +48,7 @@ TEST_CASE("in a crowd all impacts of a step are taken at once, and nothing leave
 
 namespace {
 
-/// Bodies on a lattice with 0.4 m between them, flying and turning anywhere.
+/// Bodies on a lattice with 0.4 m between them, with random velocities and angular velocities.
 template <class Add>
 Scene lattice_of(int count, const Point& gravity, const Add& add) {
   Scene scene = plan_scenes::empty(1, 0, 1, 1e-3);
@@ -75,7 +75,7 @@ contact::SceneBody& lattice_box(Scene& scene, const Point& at) {
 
 }  // namespace
 
-TEST_CASE("an elastic crowd keeps its energy, though its impacts are taken at once") {
+TEST_CASE("an elastic crowd conserves its energy, though its impacts are processed at once") {
   for (const bool boxes : {false, true}) {
     CAPTURE(boxes);
     const Scene scene = lattice_of(100, Point::Zero(), boxes ? lattice_box : lattice_ball);
@@ -84,14 +84,14 @@ TEST_CASE("an elastic crowd keeps its energy, though its impacts are taken at on
     const double energy = run->energy();
     run->advance(1);
     CHECK(run->counts().hits > 200);
-    // Corners turn on while they come to touch, and overlaps are pushed out.
+    // Vertices rotate on while they come to touch, and overlaps are pushed out.
     CHECK(std::abs(run->energy() - energy) < (boxes ? 1e-3 : 1e-6) * energy);
   }
 }
 
-TEST_CASE("a crowd of light and heavy balls keeps its energy, and nobody comes into anybody") {
-  // Sweeps alone lose a thousandth, and overlap by a ninth of a ball; who is flung out between two
-  // heavy ones meets somebody who was not near before.
+TEST_CASE("a crowd of light and heavy balls conserves its energy, and no ball penetrates another") {
+  // Iterations alone lose a thousandth, and overlap by a ninth of a ball; a ball that is thrown out
+  // between two heavy ones meets another that was not near before.
   for (const double heavy : {1e3, 1e6}) {
     CAPTURE(heavy);
     Scene scene = lattice_of(100, Point::Zero(), lattice_ball);
@@ -109,8 +109,8 @@ TEST_CASE("a crowd of light and heavy balls keeps its energy, and nobody comes i
   }
 }
 
-TEST_CASE("in a crowd what touches somebody who is hit gives way at once") {
-  // With the mean of its velocities it would be half a step's way too late: a tenth of a ball.
+TEST_CASE("in a crowd a body that touches one that is hit reacts at once") {
+  // With the mean of its velocities it would be late by half a step's motion: a tenth of a ball.
   Scene scene = plan_scenes::empty(0, 0, 0.1, 1e-3);
   scene.gravity.setZero();
   plan_scenes::ball(scene, 0.5, 1000, {0, 0, 0}, {100, 0, 0});
@@ -123,7 +123,7 @@ TEST_CASE("in a crowd what touches somebody who is hit gives way at once") {
   CHECK(run->counts().largest_overlap < 1e-6);
 }
 
-TEST_CASE("a heavy piston does not squeeze a jammed crowd that rubs") {
+TEST_CASE("a heavy piston does not squeeze a jammed crowd with friction") {
   Scene scene = plan_scenes::empty(0, 0.5, 0.5, 1e-3);
   scene.gravity.setZero();
   plan_scenes::walls(scene, {5, 5, 5});
@@ -140,7 +140,7 @@ TEST_CASE("a heavy piston does not squeeze a jammed crowd that rubs") {
   CHECK(run->counts().largest_overlap < 0.05);
 }
 
-TEST_CASE("a crowd that meets no wall keeps its momentum, with friction or without") {
+TEST_CASE("a crowd that meets no wall conserves its momentum, with friction or without") {
   for (const double friction : {0.0, 0.5}) {
     CAPTURE(friction);
     Scene scene = lattice_of(70, Point::Zero(), lattice_box);
@@ -156,12 +156,12 @@ TEST_CASE("a crowd that meets no wall keeps its momentum, with friction or witho
   }
 }
 
-TEST_CASE("in a crowd each ball bounces to e² of its height, and two of one mass swap speeds") {
+TEST_CASE("in a crowd each ball bounces to e² of its height, and two of one mass exchange speeds") {
   Scene scene = with_gravity(0.8, 0, 1, 1e-3);
   plan_scenes::wall(scene, Point::UnitZ(), 0);
   for (int k = 0; k < 70; ++k) plan_scenes::ball(scene, 0.1, 1 + k, Point(k, 0, 0.2 + 0.01 * k));
   const auto run = run_of(scene, without({Effect::event_driven}));
-  run->advance(0.48);  // the lowest has not come down again, the highest has
+  run->advance(0.48);  // the lowest has not landed again, the highest has
   for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
     CAPTURE(i);
     const double drop = scene.bodies[i].position.z() - 0.1;
@@ -184,7 +184,7 @@ TEST_CASE("in a crowd each ball bounces to e² of its height, and two of one mas
   }
 }
 
-TEST_CASE("boxes that hit more often in a step than is taken one by one keep their bounces") {
+TEST_CASE("boxes that hit more often in a step than is taken one by one keep their restitution") {
   const Scene scene = lattice_of(20, Point(0, 0, -10), lattice_box);
   const auto run = run_of(scene);
   const double energy = run->energy();
@@ -213,7 +213,7 @@ TEST_CASE("in a crowd thin plates that meet face to face do not pass") {
   }
 }
 
-TEST_CASE("thin plates that a hit turns fast do not turn through each other") {
+TEST_CASE("thin plates that a hit rotates fast do not rotate through each other") {
   for (const std::size_t others : {0, 63}) {
     CAPTURE(others);
     Scene scene = plan_scenes::empty(0, 0.3, 0.05, 1e-3);
@@ -231,9 +231,10 @@ TEST_CASE("thin plates that a hit turns fast do not turn through each other") {
   }
 }
 
-TEST_CASE("plates meet where their edges are, though their spins change by themselves meanwhile") {
-  // A plate's spin leans over within a step. Taken for even, plates come into each other by several
-  // thicknesses; and where two edges almost touch, a normal that is off looks like a hit for ever.
+TEST_CASE("plates meet at their edges, though their angular velocities change without torque") {
+  // A plate's angular velocity changes direction within a step. If it were taken as constant,
+  // plates would penetrate each other by several thicknesses; and where two edges almost touch, a
+  // wrong normal looks like endless hits.
   Random random(31);
   std::uint64_t hits = 0;
   std::uint64_t crowded = 0;

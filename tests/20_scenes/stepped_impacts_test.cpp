@@ -25,7 +25,7 @@ using stepped_scenes::with;
 using stepped_scenes::with_gravity;
 using stepped_scenes::without;
 
-TEST_CASE("hits of a step that is not done are told at the end, at their time") {
+TEST_CASE("hits of an unfinished step are reported at the end, with their time") {
   class ToldHits final : public contact::SceneObserver {
    public:
     std::vector<double> times;
@@ -48,7 +48,7 @@ TEST_CASE("hits of a step that is not done are told at the end, at their time") 
   CHECK(std::abs(hits.times[0] - std::sqrt(0.2)) <= 1e-12);
 }
 
-TEST_CASE("a bullet does not pass, unless somebody forces detection off") {
+TEST_CASE("a bullet does not pass, unless detection is forced off") {
   Random random(7);
   int passed = 0;
   for (int i = 0; i < generators::tried(200); ++i) {
@@ -75,7 +75,7 @@ TEST_CASE("a bullet does not pass, unless somebody forces detection off") {
     blind->advance(scene.duration);
     passed += blind->velocity(1).x() == v ? 1 : 0;
   }
-  // Nine of ten looks miss it.
+  // Nine of ten tests miss it.
   CHECK(passed > generators::tried(200) / 2);
 }
 
@@ -94,9 +94,9 @@ TEST_CASE("the material of a pair is what the format says: the smoother, the les
 }
 
 TEST_CASE("a ball between two walls hits as often as its speed says, however long the step is") {
-  // Its middle has 2 mm from wall to wall and starts halfway: at v it comes to a wall after 1 mm,
-  // and after each 2 mm from there. Friction stops a spin of 1 rad/s within the first few hits:
-  // that takes I ω²/2 = 0.002 J at most, of 50 J.
+  // Its centre has 2 mm from wall to wall and starts halfway: at v it reaches a wall after 1 mm,
+  // and then after each 2 mm. Friction stops a rotation of 1 rad/s within the first few hits: that
+  // takes I ω²/2 = 0.002 J at most, of 50 J.
   for (const double step : {1.0 / 60, 1.0 / 7, 0.001}) {
     for (const double friction : {0.0, 0.001}) {
       Scene scene = plan_scenes::empty(1, friction, 0.3, 1e-3);
@@ -106,7 +106,7 @@ TEST_CASE("a ball between two walls hits as often as its speed says, however lon
       scene.bodies.back().spin = Point(0, 0, friction > 0 ? 1 : 0);
       const auto run = run_of(scene, stepped(step));
       const double first = run->energy();
-      run->advance(0.29995);  // 2.9995 m of way: between two hits
+      run->advance(0.29995);  // 2.9995 m of motion: between two hits
       CHECK(run->counts().hits == 1500);
       CHECK(run->counts().crowded_steps == 0);
       const double rubbed = friction > 0 ? 0.0021 : 0;
@@ -114,7 +114,7 @@ TEST_CASE("a ball between two walls hits as often as its speed says, however lon
       CHECK(run->energy() >= (first - rubbed) * (1 - 1e-12));
     }
   }
-  // With e the n-th way takes 1/eⁿ times as long as the first. With d = 2 mm and v = 10 m/s:
+  // With e the n-th flight takes 1/eⁿ times as long as the first. With d = 2 mm and v = 10 m/s:
   Scene scene = plan_scenes::empty(0.999, 0, 0.3, 1e-6);
   plan_scenes::wall(scene, Point(1, 0, 0), -0.101);
   plan_scenes::wall(scene, Point(-1, 0, 0), -0.101);
@@ -128,11 +128,11 @@ TEST_CASE("a ball between two walls hits as often as its speed says, however lon
     speed *= 0.999;
   }
   CHECK(run->counts().hits == hits);
-  // Each hit rounds a few times: 916 of them come to less than 1e-12 of the energy.
+  // Each hit rounds a few times: for 916 of them less than 1e-12 of the energy.
   CHECK(std::abs(run->energy() - (speed * speed + 1) / 2) < 1e-11);
 }
 
-TEST_CASE("a ball between two heavy ones keeps its energy, in long steps as in short ones") {
+TEST_CASE("a ball between two heavy ones conserves energy, in long steps as in short ones") {
   std::vector<double> energies;
   std::vector<std::uint64_t> hits;
   for (const double step : {1.0 / 60, 1e-4}) {
@@ -172,7 +172,7 @@ TEST_CASE("a step with more impacts than are taken one by one ends, and is count
   CHECK(again->counts().crowded_steps == 1);
 }
 
-TEST_CASE("long boxes in a narrow room keep their energy, however often they hit in a step") {
+TEST_CASE("long boxes in a narrow room conserve energy, however often they hit in a step") {
   for (const int count : {3, 8}) {
     CAPTURE(count);
     Scene scene = plan_scenes::empty(1, 0, 1, 1e-3);
@@ -192,7 +192,7 @@ TEST_CASE("long boxes in a narrow room keep their energy, however often they hit
   }
 }
 
-TEST_CASE("a box that turns in a plane stays in it to the last bit, whatever it hits") {
+TEST_CASE("a box that rotates in a plane stays in it to the last bit, whatever it hits") {
   Scene scene = plan_scenes::empty(1, 0.5, 0.5, 1e-3);
   for (const Point& way : {Point(1, 0, 0), Point(0, 1, 0)}) {
     plan_scenes::wall(scene, way, -0.56);
@@ -214,7 +214,7 @@ TEST_CASE("a box that turns in a plane stays in it to the last bit, whatever it 
   CHECK(bits_of(scene, *flat) == bits_of(scene, *all));
 }
 
-TEST_CASE("a capsule across the plane bounces off a box's edge and keeps all energy") {
+TEST_CASE("a capsule perpendicular to the plane bounces off a box's edge and keeps all energy") {
   // Edge and capsule are parallel, and touch along a line of which the manifold has one end.
   Scene scene = plan_scenes::empty(1, 0, 1, 1e-3);
   auto& turned = plan_scenes::box(scene, {0.3, 0.3, 0.2}, 2, {0, 0, 0});

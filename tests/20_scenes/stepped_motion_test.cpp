@@ -1,4 +1,4 @@
-// Scenes step by step: how bodies move, slide, bounce and are pushed by springs, against closed
+// Scenes step by step: how bodies move, slide, bounce and react to springs, compared with closed
 // forms.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
@@ -29,7 +29,7 @@ using stepped_scenes::has_stage;
 using stepped_scenes::total_momentum;
 using stepped_scenes::with_gravity;
 
-TEST_CASE("what the book's scenes expect comes out, where they go step by step") {
+TEST_CASE("the book's scenes give what they expect, where they go step by step") {
   const auto folder = std::filesystem::path(CONTACT_SOURCE_DIR) / "chapters/20_scenes/scenes";
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -61,8 +61,8 @@ TEST_CASE("what the book's scenes expect comes out, where they go step by step")
 }
 
 TEST_CASE("a box slides to rest after v²/(2 μ g)") {
-  // Friction is even until the box stops within some step; there the solver stops it at the step's
-  // end. It comes v h/2 in place of v²/(2 μ g), at most μ g h²/8 more.
+  // Friction is constant until the box stops within some step; there the solver stops it at the
+  // step's end. In that step it moves v h/2 instead of v²/(2 μ g), at most μ g h²/8 more.
   Random random(1);
   for (int i = 0; i < generators::tried(64); ++i) {
     const double mu = random.uniform(0.1, 1);
@@ -103,7 +103,7 @@ TEST_CASE("a block on a slope of 3 in 4 slides if μ < 3/4") {
   }
 }
 
-TEST_CASE("without contacts a spin stays, or the angular momentum does") {
+TEST_CASE("without contacts an angular velocity is constant, or the angular momentum is") {
   Random random(3);
   for (int i = 0; i < generators::tried(24); ++i) {
     Scene scene = with_gravity(0.5, 0.5, 2, 1e-6);
@@ -119,8 +119,8 @@ TEST_CASE("without contacts a spin stays, or the angular momentum does") {
     const Point seen = turn.transpose() * run->spin(0);
     const Point own = body.inertia * seen;
     const Point later = turn * own;
-    // The momentum is kept by construction, but for rounding. The energy is off by that of the
-    // turn: ω T (2^-7)^4/120 of itself at most, about 3e-10 here.
+    // The angular momentum is conserved by construction, up to rounding. The error of the energy is
+    // that of the rotation: ω T (2^-7)^4/120 of itself at most, about 3e-10 here.
     CHECK((later - momentum).norm() <= 1e-12);
     CHECK(std::abs(seen.dot(own) / 2 - energy) <= 1e-9 * energy);
     // Free fall is exact: 5 t² = 20 m in 2 s, whatever the step.
@@ -134,7 +134,7 @@ TEST_CASE("without contacts a spin stays, or the angular momentum does") {
   CHECK((run->spin(0) - box.spin).norm() <= 1e-14);
 }
 
-TEST_CASE("collisions keep momentum, and make no energy") {
+TEST_CASE("collisions conserve momentum, and create no energy") {
   Random random(4);
   int met = 0;
   for (int i = 0; i < generators::tried(80); ++i) {
@@ -145,8 +145,8 @@ TEST_CASE("collisions keep momentum, and make no energy") {
     for (int k = 1; k <= 20; ++k) {
       run->advance(k * 0.05);
       CAPTURE(i, k, energy, run->energy());
-      // Each impulse is given to one and taken from the other: rounding alone, some hundreds of
-      // them of at most 10 N s.
+      // Each impulse acts on both with opposite signs: rounding alone, some hundreds of them of at
+      // most 10 N s.
       CHECK((total_momentum(scene, *run) - before).norm() <= 1e-12);
       CHECK(run->energy() <= energy * (1 + 1e-9));
       energy = run->energy();
@@ -177,7 +177,7 @@ TEST_CASE("a ball bounces to e² of its height, whatever the step") {
   }
 }
 
-TEST_CASE("a ball that falls on a soft floor comes to lie m g/k deep") {
+TEST_CASE("a ball that falls on a compliant floor comes to rest m g/k deep") {
   Random random(6);
   for (int i = 0; i < generators::tried(32); ++i) {
     const double mass = random.uniform(0.5, 4);
@@ -199,8 +199,8 @@ TEST_CASE("a ball that falls on a soft floor comes to lie m g/k deep") {
 
 namespace {
 
-/// Where a ball is that falls on a floor which gives way like a spring, without loss: its height
-/// over the floor at rest, in closed form.
+/// The height of a ball that falls on a compliant floor without loss, above the floor at rest, in
+/// closed form.
 double height_on_spring(const contact::Trampoline<double>& jump, double t) {
   const auto of = contact::trampoline_jump(jump);
   const double rate = std::sqrt(jump.stiffness / jump.mass);
@@ -218,7 +218,7 @@ double height_on_spring(const contact::Trampoline<double>& jump, double t) {
 
 }  // namespace
 
-TEST_CASE("springs push in parts as short as the tolerance asks for") {
+TEST_CASE("springs push in substeps as short as the tolerance requires") {
   Random random(61);
   int shorter = 0;
   int needed = 0;
@@ -234,7 +234,7 @@ TEST_CASE("springs push in parts as short as the tolerance asks for") {
     const contact::Decision& springs = contact::decision_on(plan, Effect::penalty_contact);
     REQUIRE(springs.on);
     CAPTURE(i, mass, stiffness, height, scene.duration, plan.spring_part, springs.error);
-    if (!(springs.error > 0)) continue;  // more than a thousand parts a step
+    if (!(springs.error > 0)) continue;  // more than a thousand substeps a step
     CHECK(springs.error <= *scene.tolerance.position);
     const auto jump = contact::trampoline(mass, stiffness, 10.0, height);
     const auto farthest = [&] {
@@ -259,7 +259,7 @@ TEST_CASE("springs push in parts as short as the tolerance asks for") {
   CHECK(needed > 0);
 }
 
-TEST_CASE("what is dropped into a box stays in it and loses energy") {
+TEST_CASE("bodies dropped into a box stay in it and lose energy") {
   Random random(11);
   for (int i = 0; i < generators::tried(16); ++i) {
     Scene scene = with_gravity(0.3, 0.5, 2, 1e-3);
@@ -271,7 +271,8 @@ TEST_CASE("what is dropped into a box stays in it and loses energy") {
     CHECK(run->energy() < energy);
     for (std::size_t b = 6; b < scene.bodies.size(); ++b) {
       CAPTURE(i, b);
-      // Its middle is inside: what rests on the floor may overlap it by what pushing out leaves.
+      // Its centre is inside: a body that rests on the floor may overlap it by the overlap that
+      // pushing out leaves.
       for (int k = 0; k < 3; ++k) {
         CHECK(run->position(b)(k) > 0.05);
         CHECK(run->position(b)(k) < (k < 2 ? 1.95 : 9.95));
@@ -280,7 +281,7 @@ TEST_CASE("what is dropped into a box stays in it and loses energy") {
   }
 }
 
-TEST_CASE("a hull meets half-spaces, and is refused beside anything else") {
+TEST_CASE("a hull meets half-spaces, and is rejected with anything else") {
   Scene scene = with_gravity(0, 0.5, 1, 1e-3);
   plan_scenes::wall(scene, Point::UnitZ(), 0);
   contact::HullShape cube;

@@ -1,5 +1,5 @@
-// Scenes step by step: what stands stays, what has been at rest sleeps, and what lies under a load
-// slides or comes to rest as its slope says.
+// Scenes step by step: stacks stay, bodies that have been at rest sleep, and bodies under a load
+// slide or come to rest by their slope.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -23,7 +23,7 @@ using stepped_scenes::with;
 using stepped_scenes::with_gravity;
 using stepped_scenes::without;
 
-TEST_CASE("boxes on top of each other stay, turning or not") {
+TEST_CASE("boxes on top of each other stay, with rotation or without") {
   for (const int count : {1, 3, 10}) {
     Scene scene = with_gravity(0, 0.5, 2, 1e-6);
     plan_scenes::wall(scene, Point::UnitZ(), 0);
@@ -35,7 +35,7 @@ TEST_CASE("boxes on top of each other stay, turning or not") {
       run->advance(2);
       for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
         CAPTURE(count, i);
-        // What the sweeps leave, below the tolerance by a factor of ten.
+        // The residual of the iterations, below the tolerance by a factor of ten.
         CHECK((run->position(i) - scene.bodies[i].position).norm() <= 1e-7);
         CHECK(run->velocity(i).norm() <= 1e-7);
       }
@@ -43,7 +43,7 @@ TEST_CASE("boxes on top of each other stay, turning or not") {
   }
 }
 
-TEST_CASE("what has been at rest for a second sleeps, and wakes when it is hit") {
+TEST_CASE("a body that has been at rest for a second sleeps, and wakes when it is hit") {
   Scene scene = with_gravity(0, 0.5, 3, 1e-6);
   plan_scenes::wall(scene, Point::UnitZ(), 0);
   plan_scenes::box(scene, {0.5, 0.5, 0.5}, 1, {0, 0, 0.5});
@@ -59,8 +59,8 @@ TEST_CASE("what has been at rest for a second sleeps, and wakes when it is hit")
   CHECK(run->position(2).x() > 0.01);
 }
 
-TEST_CASE("what creeps does not sleep if it would come farther than the tolerance") {
-  // A smooth slope of 1e-9: in 100 s a block comes ½ · 1e-8 · 1e4 m = 5e-5 m.
+TEST_CASE("a creeping body does not sleep if it would move farther than the tolerance") {
+  // A smooth slope of 1e-9: in 100 s a block moves ½ · 1e-8 · 1e4 m = 5e-5 m.
   Scene scene = with_gravity(0, 0, 100, 1e-6);
   scene.gravity = {1e-8, 0, -10};
   plan_scenes::wall(scene, Point::UnitZ(), 0);
@@ -71,7 +71,7 @@ TEST_CASE("what creeps does not sleep if it would come farther than the toleranc
   CHECK(std::abs(run->position(1).x() - 5e-5) <= 1e-9);
 }
 
-TEST_CASE("towers in a crowd stand as still as they do alone, and come to sleep") {
+TEST_CASE("towers in a crowd are as much at rest as alone, and come to sleep") {
   Scene scene = with_gravity(0.3, 0.5, 2, 1e-3);
   plan_scenes::wall(scene, Point::UnitZ(), 0);
   for (int k = 0; k < 70; ++k)
@@ -85,7 +85,7 @@ TEST_CASE("towers in a crowd stand as still as they do alone, and come to sleep"
   }
 }
 
-TEST_CASE("a staggered tower stands still and comes to sleep, whatever lies on what") {
+TEST_CASE("a staggered tower is at rest and comes to sleep, whatever lies on what") {
   struct Tower {
     int boxes;
     double heavy;  // kg, of each second one or the topmost
@@ -134,10 +134,10 @@ Scene boxes_on_a_slope(double friction, double load) {
 
 }  // namespace
 
-TEST_CASE("plates on a slope stay or slide as its angle says, whatever lies on them") {
-  // A plate under a load is pushed and rubbed a million times as hard as it is heavy. That rounds
-  // to 2⁻⁴⁰ of it a step, and is still below 1e-7 m after thirty. What slides is at its limit on
-  // both faces: nothing brings a plate back that has come off the load by a little.
+TEST_CASE("plates on a slope stay or slide by its angle, whatever lies on them") {
+  // The forces on a plate under a load are a million times its weight. That rounds to 2⁻⁴⁰ of it a
+  // step, and is still below 1e-7 m after thirty. A sliding plate is at its limit on both faces:
+  // nothing brings it back once it has moved off the load by a little.
   for (const double load : {1.0, 1e3, 1e6}) {
     for (const double steep : {0.99, 1.01}) {  // times the friction angle's tangent
       const double friction = 0.75 / steep;
@@ -154,7 +154,7 @@ TEST_CASE("plates on a slope stay or slide as its angle says, whatever lies on t
   }
 }
 
-TEST_CASE("a heavy box comes to rest on light ones, which stand or go with it") {
+TEST_CASE("a heavy box comes to rest on light ones, which rest or move with it") {
   // μ = 1/2: from 1 m/s it stops after 0.2 s and 0.1 m, or, if that is a rounding later than the
   // end of a step, up to μ g h²/8 farther.
   for (const double load : {1.0, 1e3, 1e6}) {
@@ -182,7 +182,7 @@ TEST_CASE("a heavy box comes to rest on light ones, which stand or go with it") 
   }
 }
 
-TEST_CASE("what slides at a slant comes to rest on a straight line, whatever lies on it") {
+TEST_CASE("a body that slides obliquely comes to rest on a straight line, whatever lies on it") {
   const Point way(0.8, 0.6, 0);
   for (const double load : {1.0, 1e3, 1e6}) {
     Scene scene = with_gravity(0, 0.4, 0.6, 1e-4);
@@ -202,13 +202,13 @@ TEST_CASE("what slides at a slant comes to rest on a straight line, whatever lie
   }
 }
 
-TEST_CASE("what falls along a wall that it comes to falls as if nothing cut its steps") {
+TEST_CASE("a body that falls along a wall falls as if nothing divided its steps") {
   for (const int balls : {0, 1, 2, 3}) {
     CAPTURE(balls);
     Scene scene = with_gravity(0, 0, 1.0 / 60, 1e-4);
     plan_scenes::wall(scene, Point::UnitY(), 0);
     plan_scenes::wall(scene, Point::UnitZ(), 0);
-    // It lies along the wall, one end touches it, and the other comes to it over a millimetre.
+    // It lies along the wall, one end touches it, and the other approaches it over a millimetre.
     const double angle = std::asin(1e-3 / 0.4);
     auto& capsule =
         plan_scenes::add(scene, contact::CapsuleShape{0.05, 0.2}, 1, {0, 0.0505, 3}, {0, -0.2, 0});
@@ -224,7 +224,7 @@ TEST_CASE("what falls along a wall that it comes to falls as if nothing cut its 
   }
 }
 
-TEST_CASE("an elastic ball comes back up from a box that much lies on") {
+TEST_CASE("an elastic ball rebounds from a box under a heavy load") {
   for (const double load : {1.0, 1e4, 1e6}) {
     CAPTURE(load);
     Scene scene = with_gravity(1, 0, 0.4, 1e-3);
@@ -239,7 +239,7 @@ TEST_CASE("an elastic ball comes back up from a box that much lies on") {
   }
 }
 
-TEST_CASE("a plate that leaves another with a corner beyond its edge does not fall through it") {
+TEST_CASE("a plate that leaves another with a vertex beyond its edge does not fall through it") {
   Scene scene = with_gravity(0, 0.5, 0.1, 1e-4);
   plan_scenes::box(scene, {0.5, 0.5, 0.0005}, 0, {0, 0, -0.0005});
   auto& plate = plan_scenes::box(scene, {0.25, 0.25, 0.0005}, 1, {0.4, 0, 0.0005}, {0, 0, 0.001});
@@ -250,7 +250,7 @@ TEST_CASE("a plate that leaves another with a corner beyond its edge does not fa
   CHECK(run->counts().largest_overlap < 5e-5);
 }
 
-TEST_CASE("contacts are solved together exactly where bodies that move link them") {
+TEST_CASE("contacts are solved together exactly where moving bodies connect them") {
   Random random(31);
   for (int round = 0; round < generators::tried(500); ++round) {
     contact::SteppedSetup setup;

@@ -1,5 +1,5 @@
 /// @file
-/// Scenes for the tests of runs step by step, and what is asked of such a run.
+/// Scenes for the tests of runs step by step, and queries of such a run.
 #pragma once
 
 #include <algorithm>
@@ -46,7 +46,7 @@ inline Scene with_gravity(double restitution, double friction, double duration, 
   return scene;
 }
 
-/// All that a run says of its bodies, as bits.
+/// The state of all bodies of a run, as bits.
 inline std::vector<std::uint64_t> bits_of(const Scene& scene, const SceneRun& run) {
   std::vector<std::uint64_t> bits;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -89,7 +89,7 @@ inline void any_body(Random& random, Scene& scene, const Point& x) {
   body.orientation = contact::exponential<double>(axis * angle);
 }
 
-/// Four bodies of any kind that fly at the middle from all sides, turning.
+/// Four bodies of any kind that fly to the centre from all sides, rotating.
 inline Scene crash(Random& random, double restitution, double friction) {
   Scene scene = plan_scenes::empty(restitution, friction, 1, 1e-6);
   for (const Point& corner :

@@ -52,7 +52,7 @@ test("a figure that is not built yet waits for its turn, and appears", { skip },
     const wanted = [];
     await page.route("**/building.json*", (route) => {
       wanted.push(new URL(route.request().url()).searchParams.get("want"));
-      return route.fulfill({ json: { waiting: queue } });
+      return route.fulfill({ json: { waiting: queue, building: queue.slice(0, 1) } });
     });
     await page.goto(`${served.origin}/${lesson}`);
     const element = page.locator("contact-figure").first();
@@ -85,7 +85,7 @@ async function queued(/** @type {import("playwright-core").Page} */ page) {
   const wanted = new Set();
   await page.route("**/building.json*", (route) => {
     wanted.add(new URL(route.request().url()).searchParams.get("want"));
-    return route.fulfill({ json: { waiting: queue } });
+    return route.fulfill({ json: { waiting: queue, building: queue.slice(0, 1) } });
   });
   return { queue, wanted };
 }

@@ -54,7 +54,7 @@ export function sample(list, each, what, { kind, within = 1, name = String } = {
   let touched = [];
   if (kind !== undefined) {
     touched = JSON.parse(process.env["CONTACT_TOUCHED"] || "{}")[kind] ?? [];
-    if (chapters.length > 0 && !["hostile", "explain"].includes(kind)) {
+    if (chapters.length > 0 && !["hostile", "explain", "tidy"].includes(kind)) {
       of = list.filter((item) => wanted(name(item)));
       every = true;
     }

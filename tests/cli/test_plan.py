@@ -107,11 +107,11 @@ def test_the_errors_together_stand_beside_the_tolerance(contact: Run, scene: str
     assert plan["error"] == pytest.approx(sum(one["error"] for one in plan["decisions"]))
     assert (plan["error"] > 0) == (scene != "billiards_break")
     (line,) = (
-        line for line in contact("plan", scene).stdout.splitlines() if line.startswith("Errors")
+        line for line in contact("plan", scene).stdout.splitlines() if line.startswith("Sum of")
     )
     numbers = [float(word) for word in line.split() if word[0].isdigit()]
     assert numbers == pytest.approx([plan["error"], plan["tolerance"]], rel=1e-3)
-    # An effect that the plan needs and that is forced off has an unknown error.
+    # An effect that is forced off although the plan has it on makes an error without a bound.
     forced = contact("plan", "bouncing_ball", "--without", "gravity", "--json")
     assert json.loads(forced.stdout)["error"] is None
 
@@ -122,8 +122,8 @@ def test_where_bodies_lie_on_each_other_the_sum_has_no_bound(contact: Run) -> No
     assert endless == ["sleeping"]  # nothing bounces in it, so no bounce is left out
     assert plan["error"] is None
     text = contact("plan", "stack_of_ten").stdout
-    assert "Errors accepted, all together: no bound." in text.splitlines()
-    assert "Error accepted: no bound, what sleeps may balance" in " ".join(text.split())
+    assert "Sum of the errors accepted: no bound." in text.splitlines()
+    assert "Error accepted: no bound, a sleeping body may be balanced" in " ".join(text.split())
 
 
 def test_a_step_shows_what_passes_through(contact: Run) -> None:
@@ -209,5 +209,5 @@ def test_a_horizon_is_measured_by_a_run_that_begins_an_ulp_away(contact: Run) ->
 def test_the_table_says_what_was_measured(contact: Run) -> None:
     done = contact("plan", "thrown_stone", "--measure")
     assert done.returncode == 0, done.stderr
-    assert "of the processor a second as planned" in done.stdout
+    assert "of processor time a second as planned" in done.stdout
     assert "a run that begins an ulp away" in done.stdout

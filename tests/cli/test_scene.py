@@ -25,9 +25,9 @@ FAULTS = json.loads((ROOT / "tests" / "20_scenes" / "scene_faults.json").read_te
 
 # What a schema cannot see: words of the fault's message. Everything else must be seen by both.
 UNSEEN = [
-    "stands twice",  # a JSON parser keeps one of two equal keys
-    "must not be another material's name too",
-    "must not be another body's name too",
+    "appears twice",  # a JSON parser keeps one of two equal keys
+    "must not be the name of another material too",
+    "must not be the name of another body too",
     "must be the name of a material",
     "must be the name of a body",
     "must have length 1",
@@ -44,7 +44,7 @@ UNSEEN_OF_COPIES = ["must be from -1e+30 to 1e+30", "must be 1 to 64 of the char
 
 
 def refuse_constant(word: str) -> float:
-    raise ValueError(f"{word} is no JSON")
+    raise ValueError(f"{word} is not JSON")
 
 
 def schema_accepts(text: str) -> bool:
@@ -134,7 +134,7 @@ def test_every_scene_of_the_book_is_read(contact: Run) -> None:
     assert len(lines) == len(SCENES) >= 20
     assert [line.split(":")[0] for line in lines] == [file.stem for file in SCENES]
     (pit,) = [line for line in lines if line.startswith("ball_pit:")]
-    assert "10005 bodies (10000 moving), 3 s, places to 0.01 m" in pit
+    assert "10005 bodies (10000 moving), 3 s, positions to 0.01 m" in pit
 
 
 def test_schema_and_reader_agree_on_every_broken_scene(contact: Run, tmp_path: Path) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from contact_book.errors import BookError
-from contact_book.regions import find_regions, region, without_inline_macro, without_markers
+from regions import find_regions, region, without_inline_macro, without_markers
 
 TEXT = """\
 // [outer]

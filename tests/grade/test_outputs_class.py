@@ -26,7 +26,7 @@ from reports.mistakes import MISTAKES  # noqa: E402
 Json = dict[str, Any]
 
 EXERCISE = "02_triangles/ray_triangle"
-TITLE = "Where a ray meets a triangle"
+TITLE = "A ray and a triangle"
 BELIEF = "absolute-epsilon"
 
 
@@ -171,7 +171,7 @@ def test_the_commonest_misconception_stands_first_with_the_hint_given(tmp_path: 
     page = pages(tmp_path, class_)["class"]
     believed = section(page, "Commonest misconceptions")
     assert believed.index("Compares with a fixed small number") < believed.index("Normalises the")
-    assert "Your code calls something zero because it is below a fixed number" in believed
+    assert "Your code treats a value as zero because it is below a fixed number" in believed
     # A student who shows it in two tests counts once.
     assert " 3 Compares" in believed
     assert " 2 Normalises" in believed
@@ -291,7 +291,7 @@ def test_the_picture_is_well_formed() -> None:
 
 
 def test_what_to_do_next_comes_first_and_is_the_cheapest(tmp_path: Path) -> None:
-    second = {**listed(), "id": "01_planes/sphere_plane", "title": "A sphere at a plane"}
+    second = {**listed(), "id": "01_planes/sphere_plane", "title": "A sphere and a plane"}
     third = {**listed(), "id": "01_planes/segment_plane", "title": "A segment and a plane"}
     failing = graded("x", "passed", "failed", belief=BELIEF)["exercises"][0]
     one = made.submission(
@@ -308,7 +308,7 @@ def test_what_to_do_next_comes_first_and_is_the_cheapest(tmp_path: Path) -> None
     )
     page = pages(tmp_path, made.document([third, listed(), second], [one]))["x"]
     steps = [text(step).strip() for step in page.select(".next li")]
-    assert steps[0] == "Make “A sphere at a plane” compile Line 7: A semicolon is missing."
+    assert steps[0] == "Make “A sphere and a plane” compile Line 7: A semicolon is missing."
     assert steps[1].startswith(
         f"Repair “{TITLE}” Not yet: test number 2. Compare with zero itself."
     )

@@ -53,7 +53,7 @@ def document(text: str) -> Json:
     """A submission in which every text that comes from its author is `text`."""
     listed = {
         "id": EXERCISE,
-        "title": "Where a ray meets a triangle",
+        "title": "A ray and a triangle",
         "max_points": 3.0,
         "objective": "ray-triangle",
         "tests": [

@@ -65,7 +65,7 @@ def results(status: str = "failed", **visibility: str) -> Json:
     ]
     listed = {
         "id": EXERCISE,
-        "title": "Where a ray meets a triangle",
+        "title": "A ray and a triangle",
         "objective": "ray-triangle",
         "max_points": 2.0 * len(tests) + 1,
         "tests": [{"name": "a passed one", "points": 1.0, "visibility": "shown"}, *tests],

@@ -107,34 +107,56 @@ def test_a_taken_port_what_is_served_and_an_interrupt() -> None:
 
 
 def test_what_a_page_asks_for_is_built_next() -> None:
-    waiting = Waiting(["a", "b", "c", "d"])
-    waiting.want("c")
-    assert waiting.names() == ["a", "c", "b", "d"]
+    waiting = Waiting(["a", "b", "c", "d", "e"])
+    assert [waiting.take(), waiting.take()] == ["a", "b"]
     waiting.want("d")
-    assert waiting.names() == ["a", "d", "c", "b"]
-    for name in ("a", "nobody knows this"):
+    assert waiting.names() == ["a", "b", "d", "c", "e"]
+    waiting.want("e")
+    assert waiting.names() == ["a", "b", "e", "d", "c"]
+    for name in ("a", "b", "nobody knows this"):
         waiting.want(name)
-    assert waiting.names() == ["a", "d", "c", "b"]
-    assert waiting.first() == "a"
-    waiting.drop("a")
-    assert waiting.first() == "d"
+    assert waiting.names() == ["a", "b", "e", "d", "c"]
+    assert waiting.begun() == ["a", "b"]
+    waiting.drop("b")
+    assert waiting.take() == "e"
+    assert waiting.begun() == ["a", "e"]
+    for name in ("a", "e"):
+        waiting.drop(name)
+    assert [waiting.take(), waiting.take(), waiting.take()] == ["d", "c", None]
 
 
 def test_a_part_that_a_page_asks_for_is_built_before_the_rest() -> None:
     waiting = Waiting(["figure", "exercises 01", "exercises 02"], {"exercise 02/a": "exercises 02"})
-    assert waiting.names() == ["figure", "exercises 01", "exercises 02"]
+    assert waiting.take() == "figure"
     waiting.want("exercise 02/a")
     waiting.want("exercise 02/a")
     waiting.want("exercise 03/z")
     assert waiting.names() == ["figure", "exercise 02/a", "exercises 01", "exercises 02"]
     waiting.drop("figure")
+    assert waiting.take() == "exercise 02/a"
     waiting.drop("exercise 02/a")
     waiting.want("exercise 02/a")  # is built, though what it is a part of is not
     assert waiting.names() == ["exercises 01", "exercises 02"]
 
 
+def test_of_exercises_one_is_built_at_a_time() -> None:
+    """Two processes would write the page's one list of exercises."""
+    waiting = Waiting(
+        ["exercises 01", "exercises 02", "ladder 01"], {"exercise 02/a": "exercises 02"}
+    )
+    assert waiting.take() == "exercises 01"
+    waiting.want("exercise 02/a")
+    assert waiting.take() == "ladder 01"
+    assert waiting.take() is None
+    assert waiting.names() == ["exercises 01", "ladder 01", "exercise 02/a", "exercises 02"]
+    waiting.drop("exercises 01")
+    assert waiting.take() == "exercise 02/a"
+
+
 def test_the_server_says_what_is_waiting() -> None:
-    server = open_server(0, Waiting(["01/a", "01/b", "01/c"]))
+    waiting = Waiting(["01/a", "01/b", "01/c"])
+    waiting.take()
+    server = open_server(0, waiting)
     thread = threading.Thread(target=server.serve_forever, daemon=True)
     thread.start()
     try:
@@ -146,7 +168,7 @@ def test_the_server_says_what_is_waiting() -> None:
             connection.request("GET", address)
             answer = connection.getresponse()
             assert answer.headers["Content-Type"] == "application/json"
-            assert json.loads(answer.read()) == {"waiting": said}
+            assert json.loads(answer.read()) == {"waiting": said, "building": ["01/a"]}
     finally:
         server.shutdown()
         server.server_close()

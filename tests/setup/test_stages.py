@@ -111,7 +111,10 @@ def test_a_header_is_checked_wherever_it_is_built_on(monkeypatch: pytest.MonkeyP
 def test_a_change_beyond_chapters_narrows_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     stages = changed(monkeypatch, "grading/sandbox/box.cpp", "chapters/01_planes/lesson.md")
     assert "CONTACT_CHAPTERS" not in os.environ
-    assert json.loads(os.environ["CONTACT_TOUCHED"]) == {"page": ["01_planes"]}
+    assert json.loads(os.environ["CONTACT_TOUCHED"]) == {
+        "page": ["01_planes"],
+        "tidy": ["grading/sandbox/box.cpp"],
+    }
     assert {"style", "native", "ctest", "grade", "program", "tidy", "browser"} <= set(stages)
 
 
@@ -173,7 +176,6 @@ def test_the_table_names_what_ran_and_what_did_not() -> None:
 def test_what_did_not_run_is_skipped_in_the_last_line(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(checks, "SLICES", tmp_path / "slices")
     monkeypatch.setenv("CONTACT_SLICES", str(tmp_path / "slices"))
     monkeypatch.setenv("CONTACT_TURN", "7")
 
@@ -182,9 +184,15 @@ def test_what_did_not_run_is_skipped_in_the_last_line(
         yield lambda _: checks.Tally(passed=len(taken), skipped=1)
 
     row = checks.run_stage(checks.Stage("some", "", 1, draw))
-    total = checks.closing_table([row])
+    total = checks.closing_table([row], 1.0, 60.0)
     assert (total.passed, total.failed, total.skipped) == (1, 0, 3)
     lines = capsys.readouterr().out.splitlines()
     assert lines[-1] == "1 passed, 0 failed, 3 skipped"
     assert "  letters: 1 of 3 ran: c; not run: a, b" in lines
     assert any("in turn 7" in line for line in lines)
+
+
+def test_a_stage_needs_only_what_comes_before_it() -> None:
+    order = [stage.name for stage in checks.STAGES]
+    for stage in checks.STAGES:
+        assert all(order.index(need) < order.index(stage.name) for need in stage.needs)

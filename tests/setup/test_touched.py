@@ -156,7 +156,7 @@ def test_a_header_of_tests_touches_who_includes_it() -> None:
     [
         ("tests/support/oracle.hpp", {"tests", "exercises"}),
         ("tests/support/ladder.cpp", {"ladder"}),
-        ("grading/contact/value.hpp", {"tests", "exercises"}),
+        ("grading/contact/value.hpp", {"tests", "exercises", "tidy"}),
         ("grading/contract/contract_generator.py", {"tests", "exercises"}),
         ("grading/diagnosis/claims.cpp", {"explain"}),
         ("cmake/ContactTargets.cmake", set(CODE)),
@@ -177,6 +177,12 @@ def test_what_all_share_touches_all(file: str, kinds: set[str]) -> None:
 )
 def test_what_no_chapter_is_made_of_touches_none(file: str) -> None:
     assert small(file) == {}
+
+
+def test_a_source_that_judges_is_linted_and_its_header_lints_all() -> None:
+    assert small("grading/run/runner.cpp") == {"tidy": {"grading/run/runner.cpp"}}
+    assert small("grading/run/runner.hpp")["tidy"] == {EVERYTHING}
+    assert small(".clang-tidy")["tidy"] == {EVERYTHING}
 
 
 def test_an_attack_touches_itself() -> None:

@@ -1,5 +1,5 @@
 /// @file
-/// The angle between two vectors, so that small ones keep their digits.
+/// The angle between two vectors, accurate for small angles too.
 #pragma once
 
 #include <cmath>
@@ -12,8 +12,8 @@ namespace contact {
 
 namespace angle_detail {
 
-/// v times the power of two that brings its largest coordinate into [1/2, 1), and that power;
-/// rounds only what is far too small to matter. 0 for 0.
+/// v times the power of two that brings its largest coordinate into [1/2, 1), and that power; only
+/// coordinates far too small to matter are rounded. 0 for 0.
 template <std::floating_point S>
 Vector3<S> near_one(const Vector3<S>& v, int& power) {
   power = 0;
@@ -28,8 +28,8 @@ Vector3<S> near_one(const Vector3<S>& v, int& power) {
 /// |u × v| and u · v, both times the same positive number.
 template <std::floating_point S>
 struct BothProducts {
-  S across;  ///< as the sine of the angle
-  S along;   ///< as its cosine
+  S across;  ///< proportional to the sine of the angle
+  S along;   ///< proportional to its cosine
 };
 
 /// Both products of two vectors that are not 0, without overflow.
@@ -45,10 +45,10 @@ BothProducts<S> both_products(const Vector3<S>& u, const Vector3<S>& v) {
 
 /// The angle between two vectors, from 0 to π, in radians; nothing if one of them is 0.
 ///
-/// It is measured by both products, tan θ = |u × v| / u · v. Where the cosine is flat, near 0 and
-/// π, the cross product decides, and where the sine is flat the dot product. The result is off by
-/// at most 12 u of itself (u the unit roundoff), whatever the lengths and however small the angle,
-/// unless it is near the smallest normal number or below, where there are too few digits for that.
+/// It is computed from both products, tan θ = |u × v| / u · v. Near 0 and π, where the cosine is
+/// flat, the cross product determines it, and where the sine is flat the dot product. The relative
+/// error is at most 12 u (u the unit roundoff) for all lengths and angles, unless the result is
+/// near or below the smallest normal number, where there are fewer digits.
 /// @param u any finite vector, in any unit
 /// @param v any finite vector, in any unit
 ///

@@ -1,25 +1,25 @@
 /// @file
-/// An angle from its sine and cosine, the same bits on every machine.
+/// An angle from its sine and cosine, bit-identical on every machine.
 #pragma once
 
 #include <cmath>
 
 namespace contact {
 
-/// The angle from 0 to π whose sine and cosine are as `across` to `along`: what std::atan2 gives
-/// for across ≥ 0, by + − × / and square roots alone, so that native code and the page agree to the
-/// bit.
+/// The angle from 0 to π whose sine and cosine have the ratio `across` to `along`, as std::atan2
+/// gives it for across ≥ 0. It uses + − × / and square roots only, so that native code and the page
+/// agree to the bit.
 ///
 /// The tangent of an angle up to π/4 is halved three times, tan θ/2 = tan θ / (1 + √(1 + tan²θ)),
-/// to less than 1/10; then ten terms of its series are left, and the next is below u.
+/// to less than 1/10. Ten terms of the series of the arctangent suffice: the next is below u.
 /// @param across at least 0, in any unit; finite
 /// @param along in the same unit; finite
 /// @return radians; 0 if both are 0
 ///
-/// Limits: off by at most 16 u of itself, and by four times the smallest positive number where it
-/// is so small. One rounding is that of the tangent; a halving has three that weigh as much as its
-/// result (a square in 1 + t² weighs less), the series and what is done with it the rest. It need
-/// not grow where `across` does by its last digit.
+/// Limits: the relative error is at most 16 u, plus four times the smallest positive number. One
+/// rounding is that of the tangent; each halving adds three of full weight (the square in 1 + t²
+/// has less), and the series the rest. The result is not guaranteed to be monotonic: it may stay
+/// the same or decrease if `across` grows by one ulp.
 inline double portable_angle(double across, double along) {
   constexpr double pi = 3.141592653589793;
   const double size = std::abs(along);

@@ -1,6 +1,6 @@
 /// @file
-/// What one rounding does: how far apart floating-point numbers are, and sums and products together
-/// with the part that was rounded off.
+/// The effect of one rounding: the spacing of floating-point numbers, and error-free
+/// transformations, which give sums and products together with their rounding errors.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +13,8 @@ namespace contact {
 // [ulp]
 /// The distance from |x| to the next larger number of its type, one *unit in the last place*.
 ///
-/// Between two powers of two it is the same everywhere, and it doubles at each: 2^(e−p+1) for
-/// 2^e ≤ |x| < 2^(e+1), where p is 24 for float and 53 for double. Below the smallest normal number
-/// it shrinks no further.
+/// It is constant between two powers of two and doubles at each: 2^(e−p+1) for 2^e ≤ |x| < 2^(e+1),
+/// where p is 24 for float and 53 for double. Below the smallest normal number it is constant.
 /// @param x any number; for the largest finite one it is the distance to the number before it
 /// @return in the unit of x; the smallest positive number for 0, ∞ for ±∞, NaN for NaN
 template <std::floating_point S>
@@ -28,18 +27,18 @@ S ulp(S x) {
 }
 // [/ulp]
 
-/// A rounded result and what its rounding took away: value + error is the true one.
+/// A rounded result and its rounding error: value + error is the exact result.
 template <std::floating_point S>
 struct WithError {
   S value;  ///< rounded
-  S error;  ///< what is missing in value
+  S error;  ///< exact result − value
 };
 
 // [two-sum]
-/// The sum of two numbers, and what it lost. value + error = a + b without rounding.
+/// The rounded sum of two numbers, and its rounding error: value + error = a + b exactly.
 ///
-/// Limits: the sum does not overflow, nor does a difference on the way, which it can if an argument
-/// is near the largest number; sums do not underflow. Six additions, without a branch.
+/// Limits: neither the sum nor an intermediate difference may overflow; a difference can if an
+/// argument is near the largest number. Sums do not underflow. Six additions, no branch.
 ///
 /// Source: Knuth, *The Art of Computer Programming*, volume 2, 3rd edition, section 4.2.2, theorem
 /// B.
@@ -53,9 +52,9 @@ WithError<S> two_sum(S a, S b) {
 // [/two-sum]
 
 // [two-product]
-/// The product of two numbers, and what it lost. value + error = a b without rounding.
+/// The rounded product of two numbers, and its rounding error: value + error = a b exactly.
 ///
-/// A fused multiply-add computes a b − value with one rounding, and that difference needs none.
+/// A fused multiply-add computes a b − value with one rounding, and this difference is exact.
 ///
 /// Limits: the product neither overflows nor is smaller than 2^(emin + p), where 2^emin is the
 /// smallest normal number: 2^-969 for double; below that the error may be off by half the smallest

@@ -1,5 +1,5 @@
 /// @file
-/// Arithmetic without rounding, for decisions that must be right for every finite input.
+/// Exact arithmetic, for predicates that must be right for every finite input.
 #pragma once
 
 #include <algorithm>
@@ -14,25 +14,24 @@
 
 namespace contact {
 
-/// A number that addition, subtraction and multiplication never round.
+/// A number whose sums, differences and products are exact.
 ///
 /// Every finite double is a whole number times a power of two (a dyadic number), and sums,
-/// differences and products of such numbers are such numbers again. So a decision that is the sign
-/// of a polynomial of the input, as most decisions of geometry are, can be made without any error.
-/// There is no division: a third is not dyadic. Use `quotient`, which rounds once, at the end.
+/// differences and products of such numbers are dyadic again. So a predicate that is the sign of a
+/// polynomial of the input, as most geometric predicates are, can be evaluated without error. There
+/// is no division: a third is not dyadic. Use `quotient`, which rounds once, at the end.
 ///
 /// The value is ± Σ limbs[i]·2^(32·(i + scale)).
 ///
-/// Limits: none but memory; a product has as many
-/// limbs as its factors together, so the time grows with the degree of the polynomial and with the
-/// spread of the exponents.
+/// Limits: memory only. A product has as many limbs as its factors together, so the time grows with
+/// the degree of the polynomial and with the spread of the exponents.
 class Exact {
  public:
   /// Zero.
   Exact() = default;
 
-  /// The value of a finite double, unchanged. Implicit, since nothing is lost; -0.0 becomes 0.
-  /// A value that is not finite is a wrong program, and asserts.
+  /// The value of a finite double. Implicit, because it is exact; -0.0 becomes 0. A value that is
+  /// not finite is a programming error, and asserts.
   Exact(double value);
 
   /// -1, 0 or +1.
@@ -68,8 +67,8 @@ class Exact {
   }
 
   /// The floating-point number nearest to numerator/denominator: rounded once, so the error is at
-  /// most half an ulp. The denominator must not be zero. Too large a quotient gives ±infinity, too
-  /// small a one ±0.
+  /// most half an ulp. The denominator must not be zero. A quotient that is too large gives
+  /// ±infinity, one that is too small ±0.
   template <class Float>
   friend Float quotient(const Exact& numerator, const Exact& denominator) {
     assert(denominator.sign_ != 0);
@@ -132,8 +131,7 @@ inline Exact::Exact(double value) {
   const double fraction = std::frexp(std::abs(value), &exponent);  // in [1/2, 1)
   const auto mantissa = static_cast<std::uint64_t>(std::ldexp(fraction, 53));
   exponent -= 53;
-  // value = mantissa·2^exponent; the part of the exponent that 32 does not divide goes into the
-  // limbs.
+  // value = mantissa·2^exponent; the limbs take the remainder of the exponent modulo 32.
   scale_ = exponent >= 0 ? exponent / 32 : -((31 - exponent) / 32);
   const int shift = exponent - 32 * static_cast<int>(scale_);
   const std::uint64_t low = (mantissa & 0xffffffffu) << shift;

@@ -1,5 +1,5 @@
 /// @file
-/// Coordinates in a frame other than the world's: places and directions there and back.
+/// Frames other than the world's: conversion of positions and directions to and from them.
 #pragma once
 
 #include <cmath>
@@ -11,11 +11,11 @@
 namespace contact {
 
 // [coordinate-frame]
-/// Where something is and which way it faces: an origin and three axes.
+/// A position and an orientation: an origin and three axes.
 ///
 /// The columns of `axes` are the frame's own x, y and z axis, written in world coordinates. They
-/// have unit length, stand upright on each other and are right-handed (x × y = z), so that the
-/// inverse of `axes` is its transpose. A wrong program, not a wrong input, makes other ones.
+/// are orthonormal and right-handed (x × y = z), so the inverse of `axes` is its transpose. Other
+/// axes are a programming error, not an input error.
 template <Ring S>
 struct CoordinateFrame {
   Vector3<S> origin = Vector3<S>::Zero();                            ///< in world coordinates, m
@@ -24,7 +24,7 @@ struct CoordinateFrame {
 // [/coordinate-frame]
 
 // [frame-functions]
-/// World coordinates of a place that is known in the frame.
+/// World coordinates of a position given in the frame.
 /// @param p m, in the frame
 /// @return m, in the world; off by at most γ(4) times (|origin| + Σ|axes||p|) for each coordinate
 template <Ring S>
@@ -32,23 +32,23 @@ Vector3<S> place_in_world(const CoordinateFrame<S>& frame, const Vector3<S>& p) 
   return frame.origin + frame.axes * p;
 }
 
-/// Coordinates in the frame of a place that is known in the world. The origin is subtracted first.
+/// Coordinates in the frame of a position given in the world. The origin is subtracted first.
 /// @param p m, in the world
-/// @return m, in the frame; off by at most γ(4) Σ|axes|(|p| + |origin|) for each coordinate, and by
+/// @return m, in the frame; off by at most γ(4) Σ|axes|(|p| + |origin|) for each coordinate, and
 /// much less if p is near the origin of the frame
 template <Ring S>
 Vector3<S> place_in_frame(const CoordinateFrame<S>& frame, const Vector3<S>& p) {
   return frame.axes.transpose() * Vector3<S>(p - frame.origin);
 }
 
-/// World coordinates of a direction, a velocity or a force that is known in the frame: it turns
-/// with the axes, and the origin has no part in it.
+/// World coordinates of a direction, a velocity or a force given in the frame: it rotates with the
+/// axes, and the origin does not enter.
 template <Ring S>
 Vector3<S> direction_in_world(const CoordinateFrame<S>& frame, const Vector3<S>& v) {
   return frame.axes * v;
 }
 
-/// Coordinates in the frame of a direction, a velocity or a force that is known in the world.
+/// Coordinates in the frame of a direction, a velocity or a force given in the world.
 template <Ring S>
 Vector3<S> direction_in_frame(const CoordinateFrame<S>& frame, const Vector3<S>& v) {
   return frame.axes.transpose() * v;
@@ -56,11 +56,12 @@ Vector3<S> direction_in_frame(const CoordinateFrame<S>& frame, const Vector3<S>&
 // [/frame-functions]
 
 // [frame-on-normal]
-/// A frame whose z axis is the direction of the normal; x and y lie in the plane, anywhere.
+/// A frame whose z axis is the direction of the normal; x and y are any axes in the plane.
 ///
 /// The axes are orthonormal to a few u (u the unit roundoff): no entry of axesᵀ axes is off by more
-/// than 32 u. No direction is worse than another; but where z of the normal changes its sign the
-/// axes jump, since no way to choose them is continuous all round the sphere.
+/// than 32 u. It is equally accurate for all directions. The axes are discontinuous where z of the
+/// normal changes its sign: no choice of axes is continuous on the whole sphere (hairy ball
+/// theorem).
 /// @param origin m
 /// @param normal any finite vector but 0
 /// @throws std::invalid_argument if the normal is 0 or an entry is not finite

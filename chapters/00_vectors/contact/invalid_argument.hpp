@@ -1,9 +1,9 @@
 /// @file
-/// The one way in which a construction refuses what it is given.
+/// How a construction refuses its input.
 ///
-/// The book has three kinds of error. A wrong *program* asserts (in debug builds). A bad
-/// *construction* from user input throws std::invalid_argument, by the functions here. A *query* on
-/// valid objects is total: it never throws and never turns finite input into NaN.
+/// The book has three kinds of error. A programming error asserts (in debug builds). A
+/// *construction* from invalid user input throws std::invalid_argument, by the functions here. A
+/// *query* on valid objects is total: it never throws and never turns finite input into NaN.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +18,7 @@
 
 namespace contact {
 
-/// A number as text: 17 digits, enough to give the same double back; "?" for a type that is not a
+/// A number as text: 17 digits, which determine the double; "?" for a type that is not a
 /// floating-point type. With CONTACT_WITHOUT_PRINTF, which a figure in the page defines to be
 /// small: "5" or "3 * 2^-2".
 template <Ring S>
@@ -60,8 +60,8 @@ std::string vector_text(const Eigen::MatrixBase<Derived>& v) {
 
 /// Throws std::invalid_argument with "argument = value: reason".
 ///
-/// Where exceptions are switched off (a figure in the page) it prints the same sentence and stops;
-/// a figure checks its input first, so that this is never reached.
+/// Where exceptions are switched off (a figure in the page) it prints the same sentence and aborts;
+/// a figure checks its input first, so this is not reached.
 [[noreturn]] inline void throw_invalid_argument(const std::string& argument,
                                                 const std::string& value,
                                                 const std::string& reason) {

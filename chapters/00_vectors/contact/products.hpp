@@ -1,6 +1,5 @@
 /// @file
-/// Dot and cross products, the way they are first written, with the digits that get lost, and
-/// without rounding.
+/// Dot and cross products: by definition, compensated, and exact.
 #pragma once
 
 #include <cmath>
@@ -15,11 +14,11 @@
 namespace contact {
 
 // [dot-in-order]
-/// u · v = Σ uᵢ vᵢ, one product after the other. With v = (1, 1, ...) it is the sum of u.
+/// u · v = Σ uᵢ vᵢ by recursive summation. With v = (1, 1, ...) it is the sum of u.
 ///
 /// Off by at most γ(n) Σ|uᵢ vᵢ| for n coordinates, plus half the smallest positive number for each
-/// product that underflows. The error belongs to the *terms*: when they cancel, none of the digits
-/// of u · v need be right, nor its sign. Exact if S is exact.
+/// product that underflows. The bound is relative to the *terms*: when they cancel, no digit of u ·
+/// v need be right, nor its sign. Exact if S is exact.
 /// @param u n coordinates
 /// @param v as many
 /// @return in the unit of u times that of v; 0 for no coordinates
@@ -34,10 +33,10 @@ S dot_in_order(const Eigen::Matrix<S, N, 1>& u, const Eigen::Matrix<S, N, 1>& v)
 // [/dot-in-order]
 
 // [dot-compensated]
-/// u · v with the lost parts of every product and every sum added at the end.
+/// u · v with the rounding errors of all products and sums added at the end.
 ///
 /// Off by at most u |u · v| + γ(n)² Σ|uᵢ vᵢ| (with u the unit roundoff), as if it had been computed
-/// with twice the digits and rounded once. So it fails too, but only where all of a double's digits
+/// with twice the digits and rounded once. So it is inaccurate only where all digits of the type
 /// have cancelled.
 ///
 /// Limits: no product or sum overflows; a product that underflows costs up to the smallest positive
@@ -58,7 +57,7 @@ S dot_compensated(const Eigen::Matrix<S, N, 1>& u, const Eigen::Matrix<S, N, 1>&
 }
 // [/dot-compensated]
 
-/// u · v without rounding, until it is rounded once, to the nearest number.
+/// u · v computed exactly and rounded once, to the nearest number.
 /// @param u n finite coordinates
 /// @param v as many
 /// @return ±∞ if the true value is beyond the largest number; 0 if it is 0, or nearer to 0 than to
@@ -71,18 +70,18 @@ S dot_exactly(const Eigen::Matrix<S, N, 1>& u, const Eigen::Matrix<S, N, 1>& v) 
   return rounded<S>(sum);
 }
 
-// [difference-of-products]
-/// a b − c d, off by at most 2 u of itself.
+/// a b − c d with a relative error of at most 2 u.
 ///
-/// The first fused multiply-add finds what the product c d lost, the second subtracts the rounded
-/// product from a b without rounding a b, and the loss is put back.
+/// The first fused multiply-add finds the rounding error of the product c d, the second subtracts
+/// the rounded product from a b without rounding a b; then the error is added.
 ///
-/// Limits: each product is 0 because a factor is, or neither over- nor underflows
-/// (`product_keeps_its_digits`).
+/// Limits: each product is 0 because a factor is, or is far enough from the ends of the number
+/// range (`product_keeps_its_digits`).
 ///
 /// Source: Kahan; the bound is that of Jeannerod, Louvet and Muller, *Further analysis of Kahan's
 /// algorithm for the accurate computation of 2 × 2 determinants*, Mathematics of Computation 82
 /// (2013).
+// [difference-of-products]
 template <std::floating_point S>
 S difference_of_products(S a, S b, S c, S d) {
   const S cd = c * d;
@@ -91,8 +90,8 @@ S difference_of_products(S a, S b, S c, S d) {
 }
 // [/difference-of-products]
 
-/// Whether a b is 0 because a factor is, or so far inside the number range that neither it nor what
-/// its rounding cuts off over- or underflows.
+/// Whether a b is 0 because a factor is, or so far inside the number range that neither it nor its
+/// rounding error over- or underflows.
 template <std::floating_point S>
 bool product_keeps_its_digits(S a, S b) {
   using Limits = std::numeric_limits<S>;
@@ -103,12 +102,12 @@ bool product_keeps_its_digits(S a, S b) {
 }
 
 // [dot-accurately]
-/// u · v, never off by more than 3 u of itself (u the unit roundoff), whatever cancels, unless it
-/// is subnormal, where it is the nearest number.
+/// u · v with a relative error of at most 3 u (u the unit roundoff), whatever cancels; a subnormal
+/// result is the nearest number.
 ///
-/// Two products are a difference of products. For more, the compensated value is taken if its bound
-/// says that it is good enough. Otherwise everything is computed again without rounding, which is
-/// slow and always right.
+/// Two products are a difference of products. For more, this is a floating-point filter: the
+/// compensated value is returned if its error bound is small enough. Otherwise the product is
+/// computed again exactly, which is slow.
 /// @param u n finite coordinates, n u < 1/16
 /// @param v as many
 template <std::floating_point S, int N>
@@ -133,19 +132,19 @@ S dot_accurately(const Eigen::Matrix<S, N, 1>& u, const Eigen::Matrix<S, N, 1>& 
 }
 // [/dot-accurately]
 
-/// a b − c d without rounding, until it is rounded once.
+/// a b − c d computed exactly and rounded once.
 template <std::floating_point S>
 S difference_of_products_exactly(S a, S b, S c, S d) {
   static_assert(std::numeric_limits<S>::digits <= 53, "Exact holds floats and doubles");
   return rounded<S>(Exact(double(a)) * Exact(double(b)) - Exact(double(c)) * Exact(double(d)));
 }
 
-// [cross-in-order]
-/// u × v as it is defined: two products and a difference for each coordinate.
+/// u × v by its definition: two products and a difference for each coordinate.
 ///
 /// Each coordinate is off by at most γ(2) (|product| + |product|), plus the smallest positive
-/// number: nothing beside |u||v|, and everything beside u × v when u and v are nearly parallel. A
-/// product that overflows makes ∞ or NaN. Exact if S is exact.
+/// number. This is small relative to |u||v|, but not relative to u × v when u and v are nearly
+/// parallel. A product that overflows makes ∞ or NaN. Exact if S is exact.
+// [cross-in-order]
 template <Ring S>
 Vector3<S> cross_in_order(const Vector3<S>& u, const Vector3<S>& v) {
   return {u.y() * v.z() - u.z() * v.y(), u.z() * v.x() - u.x() * v.z(),
@@ -154,11 +153,11 @@ Vector3<S> cross_in_order(const Vector3<S>& u, const Vector3<S>& v) {
 // [/cross-in-order]
 
 // [cross-accurately]
-/// u × v, each coordinate off by at most 2 u of itself (u the unit roundoff), so that parallel
-/// vectors, and only they, give 0; a subnormal coordinate is the nearest number.
+/// u × v, each coordinate with a relative error of at most 2 u (u the unit roundoff), so that only
+/// parallel vectors give 0; a subnormal coordinate is the nearest number.
 ///
-/// Where a product would over- or underflow, the coordinate is computed without rounding. That is
-/// slow, and rare.
+/// Where a product would over- or underflow, the coordinate is computed exactly. That is slow and
+/// rare.
 /// @param u finite
 /// @param v finite
 /// @return in the unit of u times that of v; ±∞ where a coordinate is beyond the largest number
@@ -175,7 +174,7 @@ Vector3<S> cross_accurately(const Vector3<S>& u, const Vector3<S>& v) {
 }
 // [/cross-accurately]
 
-/// u × v without rounding, until each coordinate is rounded once.
+/// u × v computed exactly; each coordinate is rounded once.
 template <std::floating_point S>
 Vector3<S> cross_exactly(const Vector3<S>& u, const Vector3<S>& v) {
   return {difference_of_products_exactly(u.y(), v.z(), u.z(), v.y()),
@@ -183,13 +182,13 @@ Vector3<S> cross_exactly(const Vector3<S>& u, const Vector3<S>& v) {
           difference_of_products_exactly(u.x(), v.y(), u.y(), v.x())};
 }
 
-// [line-side]
-/// On which side of the line from a to b the point p is: positive on the left, negative on the
-/// right. Twice the signed area of the triangle a, b, p, with products of the coordinates
-/// themselves.
+/// The orientation of a, b and p: positive if p is to the left of the line from a to b, negative if
+/// it is to the right. Twice the signed area of the triangle a, b, p, from products of the
+/// coordinates themselves.
 ///
-/// Limits: six products as large as |a||b|. Far from the origin they are much larger than the
-/// area, and the sign of what is left of them may be anything. Exact if S is exact.
+/// Limits: six products as large as |a||b|. Far from the origin they are much larger than the area,
+/// and the sign of the rounded result is not reliable. Exact if S is exact.
+// [line-side]
 template <Ring S>
 S line_side_expanded(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& p) {
   return (a.x() * b.y() - a.y() * b.x()) + (b.x() * p.y() - b.y() * p.x()) +
@@ -198,16 +197,16 @@ S line_side_expanded(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>&
 
 /// The same, with the differences taken first: (b − a) × (p − a).
 ///
-/// Limits: the differences of near points have no or little error; what is left is one difference
-/// of two products, off by at most γ(5) times their sizes added. Exact if S is exact.
+/// Limits: the differences of near points have little or no error. The result, a difference of two
+/// products, is off by at most γ(5) times the sum of their magnitudes. Exact if S is exact.
 template <Ring S>
 S line_side_by_differences(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& p) {
   return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
 }
 // [/line-side]
 
-/// The same as a decision: +1 on the left of the line from a to b, −1 on its right, 0 on it (or if
-/// a = b). Right for all finite input.
+/// The orientation predicate: +1 if p is to the left of the line from a to b, −1 to its right, 0 on
+/// it (or if a = b). Exact for all finite input.
 template <std::floating_point S>
 int line_side_exactly(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& p) {
   static_assert(std::numeric_limits<S>::digits <= 53, "Exact holds floats and doubles");

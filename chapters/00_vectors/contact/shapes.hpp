@@ -1,6 +1,6 @@
 /// @file
-/// The shapes of the book as plain data. No algorithm lives here, so that an exercise's contract
-/// can use a shape without giving away what to do with it.
+/// The shapes of the book as plain data. This header has no algorithms, so that an exercise's
+/// contract can use a shape without giving away the solution.
 #pragma once
 
 #include <contact/vector.hpp>
@@ -9,8 +9,8 @@ namespace contact {
 
 /// The plane of all x with normal · x = offset.
 ///
-/// A wrong program, not a wrong input, makes a plane whose normal is not a unit vector: make planes
-/// with the functions of contact/plane.hpp, which check what they are given.
+/// A normal that is not a unit vector is a programming error: make planes with the functions of
+/// contact/plane.hpp, which check their input.
 template <Ring S>
 struct Plane {
   Vector3<S> normal = Vector3<S>::Zero();  ///< unit vector, no unit of measure; points to the front
@@ -24,8 +24,8 @@ struct Segment {
   Vector3<S> end = Vector3<S>::Zero();    ///< m
 };
 
-/// All points origin + t direction with t ≥ 0. The direction need not be a unit vector: t counts
-/// its lengths.
+/// All points origin + t direction with t ≥ 0. The direction need not be a unit vector: t is in
+/// multiples of its length.
 template <Ring S>
 struct Ray {
   Vector3<S> origin = Vector3<S>::Zero();     ///< m
@@ -39,7 +39,7 @@ struct Sphere {
   S radius = S(0);                         ///< m, not negative
 };
 
-/// The triangle a, b, c. Seen from its front, where (b − a) × (c − a) points, the corners run
+/// The triangle a, b, c. Seen from its front, to which (b − a) × (c − a) points, the vertices are
 /// counter-clockwise.
 template <Ring S>
 struct Triangle {
@@ -48,14 +48,14 @@ struct Triangle {
   Vector3<S> c = Vector3<S>::Zero();  ///< m
 };
 
-/// Where a ray or a segment meets something.
+/// Where a ray or a segment intersects something.
 template <Ring S>
 struct RayHit {
-  S t = S(0);  ///< in lengths of the direction as given; for a segment, from 0 to 1
+  S t = S(0);  ///< in multiples of the direction as given; for a segment, from 0 to 1
   Vector3<S> point = Vector3<S>::Zero();  ///< m
 };
 
-/// Where a ray or a segment meets a triangle.
+/// Where a ray or a segment intersects a triangle.
 template <Ring S>
 struct TriangleHit {
   S t = S(0);  ///< as in RayHit

@@ -1,5 +1,5 @@
 /// @file
-/// Scalars and vectors: the types on which every other header builds.
+/// Scalars and vectors: the types that every other header uses.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,11 +10,11 @@
 
 namespace contact {
 
-/// A number with +, −, × and an order: enough for every decision that is polynomial in its input.
+/// A number with +, −, × and an order: enough for every predicate that is polynomial in its input.
 ///
 /// float, double and long double are such numbers (rounded), and so are exact types. Integers are
-/// left out on purpose: they overflow without a word. An exact type that is used inside a vector
-/// must also specialise `Eigen::NumTraits`.
+/// excluded on purpose: they overflow silently. An exact type that is used inside a vector must
+/// also specialise `Eigen::NumTraits`.
 template <class S>
 concept Ring = !std::integral<S> && std::regular<S> && std::totally_ordered<S> &&
                std::constructible_from<S, int> && requires(const S a, const S b) {

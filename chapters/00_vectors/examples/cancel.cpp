@@ -1,4 +1,4 @@
-// The same side of the same line, near the origin and far from it.
+// The same orientation predicate near the origin and far from it.
 #include <cmath>
 #include <contact/products.hpp>
 #include <cstdio>

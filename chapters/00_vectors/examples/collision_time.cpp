@@ -1,4 +1,4 @@
-// Two readings of the same formula for the time of a collision, told apart by their units.
+// Two readings of one formula for the time of a collision; their units distinguish them.
 #include <cstdio>
 
 int main() {

@@ -1,4 +1,4 @@
-// How far apart numbers are, at places and times that occur in scenes.
+// The spacing of numbers at positions and times that occur in scenes.
 #include <contact/error_free.hpp>
 #include <cstdio>
 
@@ -13,7 +13,7 @@ int main() {
   line("an hour", 3600, "s");
   line("a day", 86400, "s");
 
-  // A clock that counts in steps of 1/60 s, in single precision.
+  // A single-precision clock that advances in steps of 1/60 s.
   float by_steps = 0;
   const int steps = 60 * 3600;
   for (int i = 0; i < steps; ++i) by_steps += 1.0f / 60.0f;

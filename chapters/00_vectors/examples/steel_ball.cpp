@@ -1,5 +1,5 @@
-// A steel ball hits a wall at 10 m/s, 60 degrees from its surface: the parts of its velocity. And a
-// ball at 20 feet per second, 40 degrees from the line of centres.
+// The velocity of a steel ball that hits a wall at 10 m/s, 60 degrees from its surface, split into
+// two parts; and that of a ball at 20 feet per second, 40 degrees from the line of centres.
 #include <cmath>
 #include <contact/products.hpp>
 #include <cstdio>
@@ -21,7 +21,7 @@ int main() {
 
   const double foot = 0.3048;
   const double speed = 20 * foot;
-  std::printf("20 ft/s is %.3f m/s: %.3f along the line of centres, %.3f across it\n", speed,
+  std::printf("20 ft/s is %.3f m/s: %.3f along the line of centres, %.3f perpendicular\n", speed,
               speed * std::cos(40 * degree), speed * std::sin(40 * degree));
   std::printf("in feet: %.2f and %.2f ft/s\n", 20 * std::cos(40 * degree),
               20 * std::sin(40 * degree));

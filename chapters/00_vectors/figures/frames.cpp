@@ -1,11 +1,11 @@
-// A wagon and a point beside it: one place, and its coordinates in the world and in the wagon.
+// A wagon and a point beside it: one position, and its coordinates in the world and in the wagon.
 #include <cmath>
 #include <contact/figure.hpp>
 #include <contact/frame.hpp>
 
 struct Input {
   contact::Vector2<double> origin;   // of the wagon, m
-  contact::Vector2<double> forward;  // where it looks, m
+  contact::Vector2<double> forward;  // in which it faces, m
   contact::Vector2<double> point;    // m
 };
 

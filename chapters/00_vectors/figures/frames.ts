@@ -22,7 +22,7 @@ const from = (origin: Vec2, axis: Vec2, by: number): Vec2 => [
 ];
 
 export default defineFigure<Input, Output>({
-  title: "One place, two frames",
+  title: "One position, two frames",
   view: { kind: "2d", x: [-0.5, 6.2], y: [-0.5, 4.6], grid: 1 },
   aspect: 1.3,
   initial: { origin: [2, 1], forward: [1.6, 1.2], point: [3, 3.5] },
@@ -39,7 +39,7 @@ export default defineFigure<Input, Output>({
       kind: "point",
       field: "forward",
       from: "origin",
-      label: "where the wagon looks",
+      label: "the direction in which the wagon faces",
       role: "a",
       step: 0.1,
       limit: [-3, 3],
@@ -86,7 +86,7 @@ export default defineFigure<Input, Output>({
     { name: "p′", meaning: "in the wagon", value: output.as_place, unit: "m", role: "hit" },
     {
       name: "v′",
-      meaning: "the same world numbers, as a velocity",
+      meaning: "the same world coordinates, as a velocity",
       value: output.as_direction,
       unit: "m/s",
     },

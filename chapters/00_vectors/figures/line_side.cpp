@@ -1,5 +1,5 @@
-// A square of points a millimetre apart, far from the origin: on which side of a line does each way
-// of computing put them?
+// A square of points a millimetre apart, far from the origin: on which side of a line does each
+// method put them?
 #include <array>
 #include <cmath>
 #include <contact/figure.hpp>
@@ -14,7 +14,7 @@ struct Input {
 
 struct Output {
   double problem;
-  std::array<double, cells * cells> side;  // row by row from below, as the method says: -1, 0, 1
+  std::array<double, cells * cells> side;  // row by row from below, by the method: -1, 0, 1
   std::array<double, cells * cells> wrong;
   double distance;                                              // m
   double wrong_expanded, wrong_by_differences, wrong_in_float;  // of 289

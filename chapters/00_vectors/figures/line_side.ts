@@ -1,4 +1,4 @@
-// 17 × 17 points a millimetre apart, each with the side of the line that a formula gives it.
+// 17 × 17 points a millimetre apart, each with the side of the line that a formula computes.
 
 import { defineFigure, pretty, type Role, type Vec2 } from "@contact/figure";
 
@@ -20,13 +20,9 @@ const CELLS = 17;
 const RAIL = -1.6;
 const LAST = 42;
 const PER_STEP = CELLS / LAST;
-const METHODS = [
-  "products first",
-  "differences first",
-  "differences first, in single precision",
-] as const;
+const METHODS = ["products first", "differences first", "differences first, float"] as const;
 
-/** A distance as one says it. */
+/** A distance in m or km. */
 const said = (metres: number): string =>
   metres < 1000 ? `${pretty(metres, 3)} m` : `${pretty(metres / 1000, 3)} km`;
 
@@ -39,7 +35,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slide",
       field: "far",
-      label: "how far from the origin: 2 to the power of this, in metres",
+      label: "distance from the origin: 2 to the power of this, in metres",
       role: "ray",
       at: (input): Vec2 => [PER_STEP * input.far, RAIL],
       along: (): Vec2 => [PER_STEP, 0],
@@ -76,7 +72,7 @@ export default defineFigure<Input, Output>({
         [x + 0.06, y + 0.94],
       ];
       const role: Role = side > 0 ? "a" : side < 0 ? "b" : "ghost";
-      // Left is full, right is pale, and on the line there is nothing but the frame.
+      // Left is full, right is pale, on the line there is only the outline.
       scene.face(corners, {
         role,
         fill: side > 0 ? 0.75 : side < 0 ? 0.3 : 0,
@@ -104,6 +100,6 @@ export default defineFigure<Input, Output>({
     })),
   ],
   describe: (_input, output) =>
-    `At ${said(output.distance)} from the origin, of 289 points ${pretty(output.wrong_expanded)} are put on the wrong side by products first, ` +
+    `At ${said(output.distance)} from the origin, of 289 points ${pretty(output.wrong_expanded)} are misclassified by products first, ` +
     `${pretty(output.wrong_by_differences)} by differences first and ${pretty(output.wrong_in_float)} by differences in single precision.`,
 });

@@ -1,4 +1,4 @@
-// Two arrows from one point: their dot product, their cross product and what both look like.
+// Two arrows from one point: their dot product, their cross product, and how both are drawn.
 #include <cmath>
 #include <contact/figure.hpp>
 #include <contact/products.hpp>
@@ -15,9 +15,9 @@ struct Output {
   double area;                     // of the parallelogram, m²
   double length_u, length_v;       // m
   double cosine;                   // of the angle between them; 0 if one has no length
-  double along;                    // how far v reaches along u, with its sign, m
-  contact::Vector3<double> foot;   // of v on the line of u, m
-  double upright;                  // goal of a question: a right angle, give or take a degree
+  double along;                    // component of v along u, m
+  contact::Vector3<double> foot;   // projection of the tip of v on the line of u, m
+  double upright;                  // goal of a question: a right angle to within a degree
   double down_and_back;            // goal of a question: u × v points down, and u · v is negative
 };
 

@@ -1,5 +1,5 @@
-// Two arrows: how far one reaches along the other (dot), and the parallelogram between them with the
-// arrow upright on it (cross).
+// Two arrows: the projection of one on the other (dot), and the parallelogram between them with the
+// arrow perpendicular to it (cross).
 
 import { along, defineFigure, pretty, prettyVector, type Role, type Vec3 } from "@contact/figure";
 
@@ -89,6 +89,6 @@ export default defineFigure<Input, Output>({
   describe: (_input, output) =>
     `The dot product is ${sign(output.dot)}, so the angle is ${angle(output.dot)}. ` +
     (output.area > 0
-      ? `The cross product is ${prettyVector(output.cross, 2)}, upright on both arrows.`
+      ? `The cross product is ${prettyVector(output.cross, 2)}, perpendicular to both arrows.`
       : "The cross product is zero: the arrows lie on one line."),
 });

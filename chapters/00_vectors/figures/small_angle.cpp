@@ -1,5 +1,5 @@
-// The angle between two nearly parallel vectors, from its cosine and from both products: how far
-// off each is, in float and in double.
+// The angle between two nearly parallel vectors, from its cosine and from both products: the error
+// of each, in float and in double.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,8 +12,8 @@ using Flat = contact::Vector2<double>;
 
 struct Input {
   Flat u;         // m
-  double k;       // v is u and 10^-k of it across
-  double turned;  // 1: then v is turned round, and the angle is near π; 0: it is near 0
+  double k;       // v is u plus a perpendicular vector of length 10^-k |u|
+  double turned;  // 1: v is reversed, and the angle is near π; 0: it is near 0
 };
 
 constexpr std::size_t steps = 18;
@@ -31,8 +31,8 @@ struct Output {
 
 namespace {
 
-// WRONG: near 1 the cosine is flat, and the angle is lost when it is rounded. The arccosine itself
-// is good to the last digits.
+// WRONG: near angle 0 the cosine is flat, and rounding it loses the angle. The arccosine itself is
+// accurate to the last digits.
 template <class S>
 S angle_by_cosine(const contact::Vector3<S>& u, const contact::Vector3<S>& v) {
   const S cosine = contact::dot_in_order(u, v) / (u.norm() * v.norm());
@@ -46,7 +46,7 @@ S angle_by_both(const contact::Vector3<S>& u, const contact::Vector3<S>& v) {
   return S(contact::portable_angle(double(both.across), double(both.along)));
 }
 
-/// The angle of what is stored: its tangent is rounded once.
+/// The angle of the stored vectors; its tangent is rounded once.
 double true_angle(const Flat& u, const Flat& v) {
   using contact::Exact;
   const Exact across = Exact(u.x()) * Exact(v.y()) - Exact(u.y()) * Exact(v.x());

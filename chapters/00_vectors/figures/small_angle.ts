@@ -1,4 +1,4 @@
-// Two nearly parallel arrows, and below them how far off two ways to their angle are, for every
+// Two nearly parallel arrows, and below them the errors of two formulas for their angle, for every
 // power of ten.
 
 import { defineFigure, type Role, type Vec2 } from "@contact/figure";
@@ -23,7 +23,7 @@ interface Output {
 }
 
 const ORIGIN: Vec2 = [0, 0];
-/** The chart: where k = 0 and an error of 1 are, and how far it is to the next power of ten. */
+/** The chart: the position of k = 0 and an error of 1, and the distance to the next power of ten. */
 const LEFT = -4.2;
 const TOP = -2.8;
 const RIGHTWARDS = 0.52;
@@ -45,7 +45,7 @@ const off = (error = 0): string =>
       : `off by ${error.toExponential(1).replace("-", "−")}`;
 
 export default defineFigure<Input, Output>({
-  title: "A small angle, two ways",
+  title: "A small angle by two formulas",
   view: { kind: "2d", x: [-5.5, 5.3], y: [-8.4, 2.3] },
   aspect: 1.05,
   initial: { u: [1.5, 0], k: 5, turned: 0 },
@@ -110,7 +110,7 @@ export default defineFigure<Input, Output>({
     scene.arrow(ORIGIN, output.v, { role: "b", width: 3, dashed: true });
     scene.label(output.v, output.shared ? "v, stored as u" : "v", { role: "b", offset: [-4, -12] });
     scene.line(at(output.k, 1e-17), at(output.k, 1), { role: "muted", width: 1, dashed: true });
-    // Of each label: for which k it stands at its curve, and how far from it.
+    // Of each label: at which k it is on its curve, and its offset from it.
     const places: readonly (readonly [number, number, number])[] = input.turned
       ? [
           [4, 0, -8],

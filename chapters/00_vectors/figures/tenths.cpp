@@ -1,4 +1,4 @@
-// a tenths and b tenths, as a computer stores them, and the numbers round their sum.
+// a tenths and b tenths, as a computer stores them, and the numbers near their sum.
 #include <array>
 #include <cmath>
 #include <contact/error_free.hpp>
@@ -7,7 +7,7 @@
 #include <limits>
 
 struct Input {
-  double a;       // tenths; a part of one does not count
+  double a;       // tenths; rounded to a whole number
   double b;       // tenths; the same
   double digits;  // 24: float; 53: double
 };

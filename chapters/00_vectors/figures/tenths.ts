@@ -1,5 +1,5 @@
-// Tenths are added on a line; below, the place of the sum under a glass that shows every number
-// there is.
+// Tenths are added on a line; below, the neighbourhood of the sum, magnified so that every number
+// is visible.
 
 import { defineFigure, pretty, type Role, type Vec2 } from "@contact/figure";
 
@@ -30,7 +30,7 @@ const A = 3.35;
 const B = 3.8;
 const TENTH = 0.5;
 const MOST = 10;
-/** The glass: where its line is, its middle, its half width, world units in an ulp. */
+/** The magnified part: the height of its line, its middle, its half width, world units in an ulp. */
 const GLASS = 0.9;
 const MIDDLE = 5;
 const HALF = 4.6;
@@ -98,7 +98,7 @@ export default defineFigure<Input, Output>({
     scene.arrow([0, A], [TENTH * output.a, A], { role: "a", width: 3 });
     scene.arrow([TENTH * output.a, B], [at, B], { role: "b", width: 3 });
 
-    // From the place on the line to the glass.
+    // From the sum on the line to its magnified part.
     const edge = { role: "ghost", width: 1, dashed: true } as const;
     scene.line([at, LINE], [MIDDLE - HALF, GLASS + 1.05], edge);
     scene.line([at, LINE], [MIDDLE + HALF, GLASS + 1.05], edge);
@@ -122,7 +122,7 @@ export default defineFigure<Input, Output>({
       });
     }
     const found: Role = output.equal ? "hit" : "miss";
-    // What is exact stands above the line, what can be stored below it.
+    // Exact values are above the line, stored ones on it.
     scene.line([place(output.decimal_at), GLASS], [place(output.decimal_at), GLASS + 0.75], {
       role: "normal",
       width: 1.5,
@@ -148,7 +148,7 @@ export default defineFigure<Input, Output>({
       size: "small",
     });
     scene.dot([place(0), GLASS], found, 6);
-    scene.label([place(0), GLASS], "what comes out", {
+    scene.label([place(0), GLASS], "computed sum", {
       role: found,
       offset: [0, 30],
       anchor: "middle",
@@ -167,7 +167,7 @@ export default defineFigure<Input, Output>({
   values: (input, output) => [
     {
       name: "a + b",
-      meaning: "what comes out",
+      meaning: "computed sum",
       value: text(output.sum, input.digits),
       role: output.equal ? "hit" : "miss",
     },
@@ -177,9 +177,19 @@ export default defineFigure<Input, Output>({
       value: text(output.nearest, input.digits),
       role: "normal",
     },
-    { name: "ulp", meaning: "from number to number", value: output.spacing.toExponential(2) },
-    { name: "a", meaning: "stored − meant, in ulps of the sum", value: output.error_a, role: "a" },
-    { name: "b", meaning: "stored − meant, in ulps of the sum", value: output.error_b, role: "b" },
+    { name: "ulp", meaning: "spacing of the numbers", value: output.spacing.toExponential(2) },
+    {
+      name: "a",
+      meaning: "stored − decimal, in ulps of the sum",
+      value: output.error_a,
+      role: "a",
+    },
+    {
+      name: "b",
+      meaning: "stored − decimal, in ulps of the sum",
+      value: output.error_b,
+      role: "b",
+    },
   ],
   describe(input, output) {
     const tenths = (n: number): string => (n === 1 ? "one tenth" : `${pretty(n)} tenths`);
@@ -188,6 +198,6 @@ export default defineFigure<Input, Output>({
     const meant = `the number nearest to ${tenths(output.a + output.b)}`;
     return output.equal
       ? `In ${type} precision ${said} give ${meant}.`
-      : `In ${type} precision ${said} do not give ${meant}, but its neighbour.`;
+      : `In ${type} precision ${said} give a neighbour of ${meant}.`;
   },
 });

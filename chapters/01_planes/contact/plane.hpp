@@ -1,5 +1,5 @@
 /// @file
-/// Planes: three ways to make one, the side of a point, and its signed distance.
+/// Planes: three ways to make one; the side and the signed distance of a point.
 #pragma once
 
 #include <algorithm>
@@ -16,22 +16,22 @@
 
 namespace contact {
 
-/// On which side of a plane a point lies: the front is where the normal points.
+/// The side of a plane on which a point is; the normal points to the front.
 enum class Side { back = -1, on = 0, front = 1 };
 
-/// A plane normal · x = offset whose normal has any length but zero: what three points give before
+/// A plane normal · x = offset whose normal has any length but zero: what three points give without
 /// a square root.
 ///
-/// Nothing is rounded if S is exact, so a sign computed from it is the true one. Distances are too
-/// long by the length of the normal.
+/// Nothing is rounded if S is exact, so signs computed from it are exact. Distances are multiplied
+/// by the length of the normal.
 template <Ring S>
 struct RawPlane {
   Vector3<S> normal = Vector3<S>::Zero();  ///< m² if made from three points in m
   S offset = S(0);                         ///< m³ if made from three points in m
 };
 
-/// The raw plane through three points: N = (b − a) × (c − a), K = N · a. Its front sees a, b, c
-/// counter-clockwise. Collinear points give N = 0. In a floating-point type, large or tiny
+/// The raw plane through three points: N = (b − a) × (c − a), K = N · a. Seen from its front, a, b,
+/// c are counter-clockwise. Collinear points give N = 0. In a floating-point type, large or tiny
 /// coordinates overflow or underflow.
 /// @param a, b, c points, m
 /// @see *Interaction and Normals*, slide "Triangle vs. Triangle"
@@ -43,7 +43,7 @@ RawPlane<S> raw_plane_from_points(const Vector3<S>& a, const Vector3<S>& b, cons
   return {normal, normal.dot(a)};
 }
 
-/// A point's coordinates as exact numbers, unchanged. They must be finite; float or double.
+/// A point's coordinates as exact numbers. They must be finite; float or double.
 template <std::floating_point S>
 Vector3<Exact> exact_vector(const Vector3<S>& v) {
   static_assert(std::numeric_limits<S>::digits <= 53, "Exact holds floats and doubles");
@@ -58,14 +58,14 @@ int binary_exponent(const Vector3<S>& v) {
   return std::ilogb(std::max({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())}));
 }
 
-/// v times 2^power: exact, but for entries that become too small to matter beside the largest.
+/// v times 2^power: exact, except for entries that become negligible beside the largest.
 template <std::floating_point S>
 Vector3<S> times_power_of_two(const Vector3<S>& v, int power) {
   return {std::ldexp(v.x(), power), std::ldexp(v.y(), power), std::ldexp(v.z(), power)};
 }
 
-/// (b − a) × (c − a) with each edge scaled by a power of two, its largest entry in [1, 2): the
-/// direction counts only.
+/// (b − a) × (c − a) with each edge scaled by a power of two, its largest entry in [1, 2): only the
+/// direction matters.
 template <std::floating_point S>
 Vector3<S> cross_of_edges(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c) {
   Vector3<S> edge_ab = b - a;
@@ -78,8 +78,8 @@ Vector3<S> cross_of_edges(const Vector3<S>& a, const Vector3<S>& b, const Vector
       .cross(times_power_of_two(edge_ac, -binary_exponent(edge_ac)));
 }
 
-/// The same without rounding but for the last step; its largest entry is ±1. Zero only for
-/// collinear points.
+/// The same, computed exactly and rounded once; its largest entry is ±1. Zero only for collinear
+/// points.
 template <std::floating_point S>
 Vector3<S> exact_cross_of_edges(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c,
                                 const Vector3<S>& rounded) {
@@ -96,15 +96,15 @@ Vector3<S> exact_cross_of_edges(const Vector3<S>& a, const Vector3<S>& b, const 
 
 }  // namespace detail
 
-// [normalised]
 /// The unit vector in the direction of v.
 ///
-/// The largest coordinate is first brought near 1 by a power of two, which rounds nothing. So
-/// neither the squares overflow (v near 1e200) nor do they underflow (v near 1e-200); only then the
-/// length is taken. Every entry of the result is off by at most 4 u of itself (u: unit roundoff),
-/// or by the smallest positive number.
+/// The largest coordinate is first scaled to near 1 by a power of two, which is exact. So the
+/// squares in the length neither overflow (v near 1e200) nor underflow (v near 1e-200). Every entry
+/// of the result has a relative error of at most 4 u (u: unit roundoff), or an error of at most the
+/// smallest positive number.
 /// @param v any finite vector but 0
 /// @throws std::invalid_argument if v is 0 or not finite
+// [normalised]
 template <std::floating_point S>
 Vector3<S> normalised(const Vector3<S>& v) {
   require_finite("normal", v);
@@ -116,16 +116,16 @@ Vector3<S> normalised(const Vector3<S>& v) {
 }
 // [/normalised]
 
-// [from-normal-and-point]
 /// The plane through a point, facing along a normal.
 /// @param normal any finite vector but 0; it is normalised here
 /// @param point a point of the plane, m
 /// @throws std::invalid_argument if normal is 0, if an argument is not finite, or if the sum that
 /// gives the offset overflows
-/// @note The offset is rounded: the stored plane misses the point by up to 4 u |point|. Far from
-/// the origin that is much; see signed_distance_from_point().
+/// @note The offset is rounded: the stored plane misses the point by up to 4 u |point|, which is
+/// large far from the origin; see signed_distance_from_point().
 /// @see *Interaction and Normals*, slides "Collision detection: point-plane" and "Sphere-Plane
 /// Intersection"
+// [from-normal-and-point]
 template <std::floating_point S>
 Plane<S> plane_from_normal_and_point(const Vector3<S>& normal, const Vector3<S>& point) {
   require_finite("point", point);
@@ -141,7 +141,7 @@ Plane<S> plane_from_normal_and_point(const Vector3<S>& normal, const Vector3<S>&
 // [from-coefficients]
 /// The plane of all (x, y, z) with a x + b y + c z + d = 0, facing along (a, b, c).
 ///
-/// Mind the sign: here d stands on the left, so the offset is −d over the length of (a, b, c).
+/// d is on the left of the equation, so the offset is −d over the length of (a, b, c).
 /// @param a, b, c, d finite; a, b and c not all 0
 /// @throws std::invalid_argument if a, b and c are all 0, if one of the four is not finite, or if
 /// the offset overflows
@@ -162,12 +162,12 @@ Plane<S> plane_from_coefficients(S a, S b, S c, S d) {
 // [/from-coefficients]
 
 // [from-points]
-/// The plane through three points; its front sees a, b, c counter-clockwise.
+/// The plane through three points; seen from its front, a, b, c are counter-clockwise.
 ///
-/// If the edges at a are far from parallel, rounded arithmetic is good enough. If not, the cross
-/// product is computed again without rounding: a thin triangle gets as good a normal as a stout
-/// one, and points are called collinear if they are so as stored, and only then. (In long double,
-/// for which there is no exact arithmetic here, only the first way.)
+/// If the edges at a are far from parallel, rounded arithmetic is accurate enough. If not, the
+/// cross product is computed again exactly: a thin triangle gets as accurate a normal as any other,
+/// and points are called collinear if and only if they are so as stored. (In long double, for which
+/// there is no exact arithmetic here, only the first.)
 /// @param a, b, c finite points that are not on one line, m
 /// @throws std::invalid_argument if a point is not finite, if the points are collinear, or if the
 /// offset overflows
@@ -181,8 +181,8 @@ Plane<S> plane_from_points(const Vector3<S>& a, const Vector3<S>& b, const Vecto
   require_finite("c", c);
   Vector3<S> normal = detail::cross_of_edges(a, b, c);
   // Entries of the scaled edges are below 2. Differences, products and their difference are four
-  // roundings in a row, so an entry of the normal is off by at most 4 u × (4 + 4), the vector by 32
-  // √3 u: 222 u of a length of 1/4.
+  // successive roundings, so an entry of the normal is off by at most 4 u × (4 + 4), the vector by
+  // 32 √3 u: 222 u of a length of 1/4.
   const bool thin = normal.cwiseAbs().maxCoeff() < S(0.25);
   if (thin) normal = detail::exact_cross_of_edges(a, b, c, normal);
   if (normal == Vector3<S>::Zero()) {
@@ -194,8 +194,8 @@ Plane<S> plane_from_points(const Vector3<S>& a, const Vector3<S>& b, const Vecto
 }
 // [/from-points]
 
-// [signed-distance]
-/// How far x is in front of the plane: E(x) = normal · x − offset. Negative behind it, 0 on it.
+/// The signed distance of x from the plane, E(x) = normal · x − offset: positive in front, negative
+/// behind, 0 on it.
 ///
 /// Total: for finite input the result is finite, or ±∞ if the true distance is beyond the largest
 /// number.
@@ -203,11 +203,12 @@ Plane<S> plane_from_points(const Vector3<S>& a, const Vector3<S>& b, const Vecto
 /// @param x a point, m
 /// @return m; off by at most signed_distance_error(plane, x)
 /// @see *Interaction and Normals*, slide "Collision detection: point-plane"
+// [signed-distance]
 template <Ring S>
 S signed_distance(const Plane<S>& plane, const Vector3<S>& x) {
   const S distance = plane.normal.dot(x) - plane.offset;
   if constexpr (std::floating_point<S>) {
-    // A sum on the way may overflow though the distance does not: add up eighths instead.
+    // A partial sum may overflow though the distance does not: add eighths instead.
     if (!std::isfinite(distance)) {
       return S(8) * (plane.normal.dot(Vector3<S>(x / S(8))) - plane.offset / S(8));
     }
@@ -219,10 +220,9 @@ S signed_distance(const Plane<S>& plane, const Vector3<S>& x) {
 // [distance-error]
 /// A bound on the rounding error of signed_distance(plane, x), for the plane as it is stored.
 ///
-/// A product of each coordinate goes through at most four roundings (×, two +, −), so the error is
-/// at most γ(4) (Σ|nᵢ xᵢ| + |k|), plus 3 η / 2 for products that underflow. The bound is itself
-/// computed with at most six roundings, for which γ(11) stands in place of γ(4), and 2 η for 3 η
-/// / 2.
+/// The product of each coordinate goes through at most four roundings (×, two +, −), so the error
+/// is at most γ(4) (Σ|nᵢ xᵢ| + |k|), plus 3 η / 2 for products that underflow. The bound is itself
+/// computed with at most six roundings, so γ(11) replaces γ(4), and 2 η replaces 3 η / 2.
 /// @return m, never NaN for finite input; ∞ if the sum of absolute values overflows
 template <std::floating_point S>
 S signed_distance_error(const Plane<S>& plane, const Vector3<S>& x) {
@@ -232,11 +232,11 @@ S signed_distance_error(const Plane<S>& plane, const Vector3<S>& x) {
 // [/distance-error]
 
 // [distance-from-point]
-/// How far x is in front of the plane through a point: normal · (x − point).
+/// The signed distance of x from the plane through a point: normal · (x − point).
 ///
 /// The difference is taken first. When x and the point are near each other and far from the origin,
-/// their difference is exact or nearly so, and the error is a few u of |x − point|. In
-/// signed_distance() it is a few u of |x|.
+/// their difference is exact or nearly so, and the error is a few u |x − point|. In
+/// signed_distance() it is a few u |x|.
 /// @param normal unit vector
 /// @param point a point of the plane, m
 /// @param x a point, m
@@ -256,9 +256,9 @@ Side side_of_value(const S& value) {
 }
 
 // [side]
-/// On which side of the plane x lies, by the sign of the computed signed distance.
+/// The side of the plane on which x is, by the sign of the computed signed distance.
 ///
-/// In a floating-point type it can be wrong when |distance| is at most signed_distance_error(plane,
+/// In a floating-point type it can be wrong if |distance| is at most signed_distance_error(plane,
 /// x); in an exact type it is right.
 template <Ring S>
 Side side(const Plane<S>& plane, const Vector3<S>& x) {
@@ -266,15 +266,15 @@ Side side(const Plane<S>& plane, const Vector3<S>& x) {
 }
 // [/side]
 
-/// On which side of a raw plane x lies: the sign of N · x − K.
+/// The side of a raw plane on which x is: the sign of N · x − K.
 template <Ring S>
 Side side(const RawPlane<S>& plane, const Vector3<S>& x) {
   return side_of_value(S(plane.normal.dot(x) - plane.offset));
 }
 
+/// The side of the plane through a, b and c on which x is: the orientation predicate of four
+/// points, exact for all finite coordinates, without a tolerance. Collinear a, b, c give Side::on.
 // [exact-points]
-/// On which side of the plane through a, b and c the point x lies: right for all finite
-/// coordinates, without a tolerance. Collinear a, b, c give Side::on.
 template <std::floating_point S>
 Side side_of_points_exactly(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c,
                             const Vector3<S>& x) {
@@ -283,7 +283,7 @@ Side side_of_points_exactly(const Vector3<S>& a, const Vector3<S>& b, const Vect
 }
 // [/exact-points]
 
-/// The same plane seen from behind.
+/// The same plane with the normal reversed.
 template <Ring S>
 Plane<S> flipped(const Plane<S>& plane) {
   return {-plane.normal, -plane.offset};

@@ -12,13 +12,13 @@
 
 namespace contact {
 
-// [sphere-plane]
 /// Whether a sphere and a plane have a point in common: |n · c − k| ≤ r. Touching counts.
 /// @param sphere with a radius that is not negative, m
-/// @param plane with a unit normal; with a longer one the test is wrong by that length
-/// @note In a floating-point type it is decided by the rounded distance: certain only if | |n · c −
-/// k| − r | exceeds signed_distance_error(plane, c).
+/// @param plane with a unit normal; with another length the test is wrong by that factor
+/// @note In a floating-point type the rounded distance decides: certain only if | |n · c − k| − r |
+/// exceeds signed_distance_error(plane, c).
 /// @see *Interaction and Normals*, slide "Sphere-Plane Intersection"
+// [sphere-plane]
 template <Ring S>
 bool sphere_meets_plane(const Sphere<S>& sphere, const Plane<S>& plane) {
   const S distance = signed_distance(plane, sphere.centre);
@@ -26,14 +26,14 @@ bool sphere_meets_plane(const Sphere<S>& sphere, const Plane<S>& plane) {
 }
 // [/sphere-plane]
 
-// [sphere-raw-plane]
 /// The same question for a plane whose normal was never normalised: (N · c − K)² ≤ r² N · N.
 ///
-/// Both sides were multiplied by |N| and squared, so there is no square root and no quotient left:
-/// with an exact S the answer is exact. In a floating-point type the squares overflow and underflow
-/// much sooner than the lengths.
+/// Both sides were multiplied by |N| and squared, so there is no square root and no division: with
+/// an exact S the answer is exact. In a floating-point type the squares overflow and underflow much
+/// sooner than the lengths.
 /// @param sphere with a radius that is not negative, m
-/// @param plane of any length of normal; N = 0 is no plane, and nothing meets it
+/// @param plane with a normal of any length; N = 0 is no plane, and no sphere meets it
+// [sphere-raw-plane]
 template <Ring S>
 bool sphere_meets_plane(const Sphere<S>& sphere, const RawPlane<S>& plane) {
   const S length_squared = plane.normal.dot(plane.normal);
@@ -46,16 +46,17 @@ bool sphere_meets_plane(const Sphere<S>& sphere, const RawPlane<S>& plane) {
 namespace detail {
 
 // [sphere-filter]
-/// The answer in rounded arithmetic if it is certain, else nothing: |N · (c − a)| against r |N|.
+/// The floating-point filter: the answer of rounded arithmetic if it is certain, else nothing.
+/// Compares |N · (c − a)| with r |N|.
 ///
-/// With P = Σ Mᵢ |cᵢ − aᵢ| and Mᵢ the products of entry i of the cross product, both taken
-/// positive: each term of N · (c − a) goes through at most eight roundings (two differences,
+/// With P = Σ Mᵢ |cᵢ − aᵢ| and Mᵢ the sum of the magnitudes of the products of entry i of the cross
+/// product: each term of N · (c − a) goes through at most eight roundings (two differences,
 /// product, difference; one difference, product, two sums), so the left side is off by at most γ(8)
 /// P. The entries of N are off by γ(4) Mᵢ and the root adds 4 u, so the right side is off by at
 /// most γ(8) r ΣMᵢ. γ(24) leaves room for the rounding of the bound itself, and for the squares in
 /// N · N that underflow as long as N · N ≥ 2^-900. Products that underflow are off by η / 2 each: 8
-/// η (Σ|cᵢ − aᵢ| + r + 1) covers them. Whatever overflows makes the comparison false, and the
-/// answer uncertain.
+/// η (Σ|cᵢ − aᵢ| + r + 1) covers them. An overflow makes the comparison false and the answer
+/// uncertain.
 inline std::optional<bool> sphere_meets_plane_if_certain(const Sphere<double>& sphere,
                                                          const Vector3<double>& a,
                                                          const Vector3<double>& b,
@@ -85,10 +86,10 @@ inline std::optional<bool> sphere_meets_plane_if_certain(const Sphere<double>& s
 
 // [sphere-exact]
 /// Whether a sphere and the plane through three points have a point in common: right for all finite
-/// numbers, without a tolerance. Rounded arithmetic answers when it is certain, exact arithmetic
-/// when it is not.
+/// numbers, without a tolerance. A floating-point filter: rounded arithmetic where it is certain,
+/// exact arithmetic elsewhere.
 /// @param sphere with a radius that is not negative, m
-/// @param a, b, c points, m; collinear points are no plane, and nothing meets them
+/// @param a, b, c points, m; collinear points determine no plane, and no sphere meets them
 template <std::floating_point S>
 bool sphere_meets_plane_exactly(const Sphere<S>& sphere, const Vector3<S>& a, const Vector3<S>& b,
                                 const Vector3<S>& c) {

@@ -1,5 +1,4 @@
-// A bullet that no frame shows at the wall: sampled sixty times a second, it is in front, then
-// behind.
+// Tunnelling: a bullet tested sixty times a second is in front of the wall, then behind it.
 #include <contact/plane.hpp>
 #include <contact/segment_plane.hpp>
 #include <cstdio>

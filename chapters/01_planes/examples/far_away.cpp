@@ -1,4 +1,4 @@
-// One scene, moved away from the origin: what is left of a distance of 5 cm below a slope.
+// One scene, moved away from the origin: the error of a distance of 5 cm from a slope.
 #include <cmath>
 #include <contact/plane.hpp>
 #include <cstdio>

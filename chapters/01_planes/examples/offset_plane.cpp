@@ -1,5 +1,5 @@
-// A ball of radius 0.25 m, 3.25 m from a wall, at 6 m/s, in a step of 1 s: touched half way, as in
-// the lecture's example.
+// A ball of radius 0.25 m, 3.25 m from a wall, at 6 m/s, in a step of 1 s: contact after half of
+// the step, as in the lecture's example.
 #include <contact/moving_sphere_plane.hpp>
 #include <contact/plane.hpp>
 #include <contact/segment_plane.hpp>

@@ -1,4 +1,4 @@
-// The same slope made three ways, and where three points are.
+// The same slope made in three ways, and the signed distances of three points.
 #include <contact/plane.hpp>
 #include <iostream>
 
@@ -17,7 +17,7 @@ int main() {
   for (const Plane<double>& plane : {from_points, from_normal, from_coefficients}) {
     std::cout << "normal " << plane.normal.transpose() << ", offset " << plane.offset << '\n';
   }
-  for (const Vector3<double>& x : {Vector3<double>(0, 0, 12), b, Vector3<double>(4, 7, 0)}) {
+  for (const Vector3<double>& x : {Vector3<double>(0, 0, 12), b, Vector3<double>(5, 7, 2)}) {
     std::cout << "signed distance of (" << x.transpose()
               << "): " << contact::signed_distance(from_points, x) << " m\n";
   }

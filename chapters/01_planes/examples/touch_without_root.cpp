@@ -1,5 +1,5 @@
-// A sphere that touches exactly: the rounded unit normal must decide by luck, the squared form
-// decides by whole numbers.
+// Spheres that touch exactly: with a rounded unit normal the test fails for some, the squared form
+// with whole numbers is exact.
 #include <contact/plane.hpp>
 #include <contact/sphere_plane.hpp>
 #include <cstdio>
@@ -19,6 +19,6 @@ int main() {
     by_unit_plane += contact::sphere_meets_plane(sphere, contact::plane_from_points(a, b, c));
     by_squares += contact::sphere_meets_plane(sphere, contact::raw_plane_from_points(a, b, c));
   }
-  std::printf("touching: %d, seen by the unit plane: %d, by the squared form: %d\n", touching,
+  std::printf("touching: %d, found with the unit normal: %d, by the squared form: %d\n", touching,
               by_unit_plane, by_squares);
 }

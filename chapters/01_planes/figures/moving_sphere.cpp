@@ -18,10 +18,10 @@ struct Output {
   contact::Vector3<double> unit_normal;
   double offset;
   double start_distance;
-  double start_side;                      // which way the plane is moved: 1 or -1
+  double start_side;                      // direction in which the plane is moved: 1 or -1
   contact::Vector3<double> offset_point;  // the plane's point on the plane moved by the radius
-  double gap;                             // how far the sphere's surface is from the plane
-  double closing;                         // how much of the gap the displacement would close
+  double gap;                             // distance of the sphere's surface from the plane
+  double closing;                         // closing distance of the displacement
   double overlap_at_start;
   double hit;
   double t;
@@ -29,9 +29,9 @@ struct Output {
   contact::Vector3<double> contact_point;
   contact::Vector3<double> contact_normal;
   contact::Vector3<double> end_centre;
-  double end_depth;  // how deep the sphere would be beyond the plane at the end, if nothing stopped
-                     // it; 0 if clear
-  double centre_hit;  // what a test of the centre against the plane itself says
+  double end_depth;   // penetration at the end of the step without a collision response; 0 if
+                      // clear
+  double centre_hit;  // result of a test of the centre against the plane itself
   double centre_t;
   double
       half_way_from_behind;  // goal of a question: starts behind, touches at half the displacement

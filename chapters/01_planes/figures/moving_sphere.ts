@@ -1,5 +1,5 @@
-// A moving sphere against a plane: shrink the sphere to its centre, move the plane by the radius
-// towards it, and the question is a segment against a plane again.
+// A moving sphere against a plane: shrink the sphere to its centre and move the plane by the radius
+// towards it; then a segment is tested against a plane.
 
 import { defineFigure, pretty, type Vec3 } from "@contact/figure";
 
@@ -158,7 +158,7 @@ export default defineFigure<Input, Output>({
     if (output.overlap_at_start)
       return "The sphere overlaps the plane at the start, so the contact is at t = 0.";
     if (!output.hit)
-      return `The sphere stays clear: the step closes ${pretty(output.closing, 3)} of a gap of ${pretty(output.gap, 3)}.`;
+      return `The sphere stays clear: the closing distance is ${pretty(output.closing, 3)}, the gap ${pretty(output.gap, 3)}.`;
     const centre = output.centre_hit
       ? `Its centre would reach the plane only at ${pretty(output.centre_t, 3)}.`
       : "Its centre never reaches the plane.";

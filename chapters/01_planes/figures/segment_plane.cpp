@@ -24,7 +24,7 @@ struct Output {
   double hit;       // 1 if there is one meeting point
   double t;
   contact::Vector3<double> meeting;
-  double quarter_from_behind;  // goal of a question: starts behind, crosses at a quarter of the way
+  double quarter_from_behind;  // goal of a question: starts behind, crosses at t = 1/4
 };
 
 Output compute(const Input& in) {

@@ -1,5 +1,5 @@
 // A segment against a plane: the distances of its ends are the legs of two similar triangles, and
-// their ratio is the fraction of the way at which it crosses.
+// their ratio gives the fraction t at which it crosses.
 
 import { defineFigure, pretty, type Role, type Vec3 } from "@contact/figure";
 
@@ -135,7 +135,7 @@ export default defineFigure<Input, Output>({
   describe(_input, output) {
     if (output.in_plane) return "Both ends lie on the plane, so no single point is the crossing.";
     const ends = `p is ${sideWord(output.start_side)} the plane and q is ${sideWord(output.end_side)} it`;
-    if (output.hit) return `${ends}: the segment crosses at ${pretty(output.t, 3)} of its way.`;
-    return `${ends}: both distances have one sign, so the segment does not cross.`;
+    if (output.hit) return `${ends}: the segment crosses at t = ${pretty(output.t, 3)}.`;
+    return `${ends}: both distances have the same sign, so the segment does not cross.`;
   },
 });

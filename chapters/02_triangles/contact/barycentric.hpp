@@ -1,6 +1,6 @@
 /// @file
-/// Barycentric coordinates: where in a triangle a point is, and how to blend what the corners
-/// carry.
+/// Barycentric coordinates: the position of a point in a triangle, and interpolation of values at
+/// the vertices.
 #pragma once
 
 #include <contact/shapes.hpp>
@@ -9,7 +9,7 @@
 namespace contact {
 
 /// The cross product of two vectors of the plane: the signed area of the parallelogram u, v,
-/// positive if v lies to the left of u.
+/// positive if v is to the left of u.
 template <Ring S>
 S cross2(const Vector2<S>& u, const Vector2<S>& v) {
   return u.x() * v.y() - u.y() * v.x();
@@ -26,32 +26,33 @@ int largest_dimension(const Vector3<S>& v) {
   return largest;
 }
 
-/// v without coordinate k. The other two stay in cyclic order (yz, zx or xy), so that the flat
-/// cross product keeps its sign: cross2(drop(u, k), drop(v, k)) is coordinate k of u × v.
+/// v without coordinate k. The other two are in cyclic order (yz, zx or xy), so that the
+/// two-dimensional cross product keeps its sign: cross2(drop(u, k), drop(v, k)) is coordinate k of
+/// u × v.
 template <Ring S>
 Vector2<S> drop_dimension(const Vector3<S>& v, int k) {
   return {v[(k + 1) % 3], v[(k + 2) % 3]};
 }
 // [/largest-dimension]
 
-// [barycentric]
 /// The barycentric coordinates of a point in a triangle's plane: the weights of a, b and c, in that
-/// order, with w_a a + w_b b + w_c c = point and w_a + w_b + w_c = 1. All three are at least 0
-/// exactly when the point is in the triangle, its edges included.
+/// order, with w_a a + w_b b + w_c c = point and w_a + w_b + w_c = 1. All three are at least 0 if
+/// and only if the point is in the triangle, its edges included.
 ///
-/// The coordinate in which the normal is largest is dropped: the triangle's shadow along that axis
-/// has the largest area, at least 1/√3 of the triangle's own. Dropping the smallest can leave a
-/// shadow without area.
+/// The coordinate in which the normal is largest is dropped: the triangle's projection along that
+/// axis has the largest area, at least 1/√3 of the triangle's own. Dropping the smallest can leave
+/// a projection without area.
 ///
-/// @param point a point of the plane, m; for a point off the plane, the weights of its shadow along
-/// the dropped axis
+/// @param point a point of the plane, m; for a point off the plane, the weights of its projection
+/// along the dropped axis
 /// @return nothing if the triangle has no area, or if its area overflows or underflows in S
 ///
-/// Limits: each weight is off by about u (|x||e|/area), so slivers lose digits; no claim that three
-/// rounded weights make a decision that is right (see `intersect_exact`).
+/// Limits: each weight is off by about u (|x||e|/area), so slivers lose digits. The decision by
+/// three rounded weights may be wrong (see `intersect_exact`).
 ///
 /// Source: *Interaction and Normals*, slide "Faster Way", where α is w_b and β is w_c; the sign of
-/// β is put right here.
+/// β is corrected here.
+// [barycentric]
 template <Scalar S>
 std::optional<Vector3<S>> barycentric(const Vector3<S>& point, const Triangle<S>& triangle) {
   const Vector3<S> ab = triangle.b - triangle.a;
@@ -71,19 +72,18 @@ std::optional<Vector3<S>> barycentric(const Vector3<S>& point, const Triangle<S>
   if (!all_finite(weights)) return std::nullopt;
   return weights;
 }
+// [/barycentric]
 
-/// Whether barycentric weights are those of a point in the triangle; its edges and corners are in.
+/// Whether barycentric weights are those of a point in the triangle, edges and vertices included.
 template <Scalar S>
 bool inside(const Vector3<S>& weights) {
   return weights.x() >= S(0) && weights.y() >= S(0) && weights.z() >= S(0);
 }
-// [/barycentric]
 
-// [interpolate]
-/// The blend of what the corners carry (a temperature, a colour, a normal): linear in the triangle,
-/// and at each corner the corner's own value.
+/// Linear interpolation of values at the vertices (temperatures, colours, normals).
 /// @param weights of a, b and c
 /// @return in the unit of the values
+// [interpolate]
 template <Scalar S, class Value>
 Value interpolate(const Vector3<S>& weights, const Value& at_a, const Value& at_b,
                   const Value& at_c) {

@@ -25,13 +25,13 @@ template <Ring T>
 struct LineAndTriangle {
   /// From the start of the line to its second point, or the ray's direction.
   Vector3<T> direction;
-  /// Corner a, seen from the start of the line.
+  /// Vertex a, relative to the start of the line.
   Vector3<T> a;
-  /// Corner b, seen from the start of the line.
+  /// Vertex b, relative to the start of the line.
   Vector3<T> b;
-  /// Corner c, seen from the start of the line.
+  /// Vertex c, relative to the start of the line.
   Vector3<T> c;
-  /// Corner a, seen from the end of the segment; unused for a ray.
+  /// Vertex a, relative to the end of the segment; unused for a ray.
   Vector3<T> end_a;
   /// The edge from a to b.
   Vector3<T> ab;
@@ -39,8 +39,8 @@ struct LineAndTriangle {
   Vector3<T> ac;
 };
 
-/// The five numbers whose signs are the answer, and the denominator. Each is the determinant of
-/// three differences, six times the volume of a tetrahedron:
+/// The five numbers whose signs determine the answer, and the denominator. Each is the determinant
+/// of three differences, six times the volume of a tetrahedron:
 /// - of_a = d·(b × c), of_b = d·(c × a), of_c = d·(a × b): on which side of each edge the line
 ///   passes;
 /// - start = a·(ab × ac), end = end_a·(ab × ac): on which side of the plane the start and the end
@@ -71,34 +71,32 @@ auto evaluate(const LineAndTriangle<T>& x, Determinant which, const Volume& volu
 }
 
 // [filter]
-/// A determinant in double, and how far it can be from the exact one.
+/// A determinant in double, and a bound on its error.
 struct Bounded {
   /// The determinant as computed.
   double value;
-  /// The exact determinant is within this of it.
+  /// The exact determinant differs from it by at most this.
   double bound;
 
-  /// The sign of the exact value where the bound leaves no doubt, else 0. Written so that NaN is
-  /// doubt.
+  /// The sign of the exact value if it is certain, else 0. Written so that NaN is not certain.
   int certain_sign() const { return value > bound ? 1 : (value < -bound ? -1 : 0); }
 };
 
 /// p·(q × r) with its error bound, for entries that are differences of two doubles, each rounded
 /// once (or not at all).
 ///
-/// The bound. Let u = 2^-53 and η = 2^-1074. Without underflow each rounded operation is the true
-/// one times 1 + δ, |δ| ≤ u (a difference of doubles cannot underflow with an error). Follow one of
-/// the six terms p_i q_j r_k to the result: three roundings in its entries, one in q_j r_k, one in
-/// the difference of two such products, one in the product with p_i, at most two in the sum of
-/// three: eight. So |value − exact| ≤ γ Σ|terms| with γ = 8u/(1 − 8u). The sum of absolute terms is
-/// itself computed with at most eight roundings a term, so Σ|terms| ≤ magnitude/(1 − γ). Together
-/// with the rounding of the product 9u·magnitude, 8u/(1 − 8u)/(1 − γ)·(1 + u) < 9u leaves room.
-/// Underflow adds at most η/2 to each of nine products, of which six are then multiplied by an
-/// entry of p: less than 4η (1 + |p_x| + |p_y| + |p_z|) in value and as much in magnitude. 2^-1000
-/// in place of η is far more than needed, and keeps the bound itself out of the slow subnormal
-/// range. Overflow: every intermediate of value is at most the same intermediate of magnitude
-/// (rounding keeps order), so if anything overflows, the bound is infinite or NaN, and no sign is
-/// certain.
+/// The bound. Let u = 2^-53 and η = 2^-1074. Without underflow each rounded result is the exact one
+/// times 1 + δ, |δ| ≤ u (a difference of doubles cannot underflow with an error). Follow one of the
+/// six terms p_i q_j r_k to the result: three roundings in its entries, one in q_j r_k, one in the
+/// difference of two such products, one in the product with p_i, at most two in the sum of three:
+/// eight. So |value − exact| ≤ γ Σ|terms| with γ = 8u/(1 − 8u). The sum of absolute terms is itself
+/// computed with at most eight roundings a term, so Σ|terms| ≤ magnitude/(1 − γ). Together with the
+/// rounding of the product 9u·magnitude, 8u/(1 − 8u)/(1 − γ)·(1 + u) < 9u leaves room. Underflow
+/// adds at most η/2 to each of nine products, of which six are then multiplied by an entry of p:
+/// less than 4η (1 + |p_x| + |p_y| + |p_z|) in value and as much in magnitude. 2^-1000 instead of η
+/// is far more than needed, and keeps the bound itself out of the slow subnormal range. Overflow:
+/// every intermediate of value is at most the same intermediate of magnitude (rounding is
+/// monotonic), so if anything overflows, the bound is infinite or NaN, and no sign is certain.
 inline Bounded bounded_volume(const Vector3<double>& p, const Vector3<double>& q,
                               const Vector3<double>& r) {
   constexpr double nine_u = 4.5 * std::numeric_limits<double>::epsilon();
@@ -116,12 +114,11 @@ inline Bounded bounded_volume(const Vector3<double>& p, const Vector3<double>& q
 }
 // [/filter]
 
-/// One query: a line and a triangle, with the exact differences made only when the filter leaves a
-/// doubt.
+/// One query: a line and a triangle. The exact differences are computed only if the filter is not
+/// certain.
 class ExactQuery {
  public:
-  /// @param filtered false leaves out the filter: the same answers, slower, as a measure of what it
-  /// saves
+  /// @param filtered false omits the filter: the same answers, slower, to measure what it saves
   ExactQuery(const Ray<double>& ray, const Triangle<double>& triangle, bool filtered)
       : start_(ray.origin),
         second_(ray.direction),
@@ -140,7 +137,7 @@ class ExactQuery {
     if (filtered_) rounded_ = differences<double>();
   }
 
-  /// Whether every coordinate is finite; nothing else may be asked if not.
+  /// Whether every coordinate is finite; the other functions require it.
   bool finite() const {
     return all_finite(start_) && all_finite(second_) && all_finite(triangle_.a) &&
            all_finite(triangle_.b) && all_finite(triangle_.c);
@@ -149,7 +146,7 @@ class ExactQuery {
   // [decide]
   /// Whether the line meets the triangle. The query must be finite.
   bool meets() {
-    // The line passes through the triangle if it passes all three edges on one side; the
+    // The line passes through the triangle if it passes all three edges on the same side; the
     // denominator has that sign too.
     int side = 0;
     for (const Determinant edge : {Determinant::of_a, Determinant::of_b, Determinant::of_c}) {
@@ -157,7 +154,7 @@ class ExactQuery {
       if (s * side < 0) return false;
       if (s != 0) side = s;
     }
-    if (side == 0) return false;  // all three are 0: in the plane, or there is nothing to cross
+    if (side == 0) return false;  // all three are 0: in the plane, or the triangle has no area
     if (sign(Determinant::start) * side < 0) return false;  // the plane is behind the start
     return !is_segment_ || sign(Determinant::end) * side <= 0;
   }
@@ -206,7 +203,7 @@ class ExactQuery {
   }
 
   // [sign]
-  /// The sign of a determinant: from the filter if it can tell, else from exact arithmetic.
+  /// The sign of a determinant: from the filter if it is certain, else from exact arithmetic.
   int sign(Determinant which) {
     if (filtered_) {
       const int certain = roughly(which).certain_sign();
@@ -216,7 +213,7 @@ class ExactQuery {
   }
   // [/sign]
 
-  /// numerator/denominator, which is known to lie between 0 and `high`.
+  /// numerator/denominator, which is known to be between 0 and `high`.
   ///
   /// From the filter's values n and d it is off by at most (n.bound + |n/d| d.bound)/|D| with |D| ≥
   /// |d| − d.bound, and by u |n/d| for the division. If that is not below 2^-40 max(1, |n/d|), the
@@ -229,7 +226,7 @@ class ExactQuery {
       const double value = n.value / d.value;
       const double error = n.bound + std::abs(value) * d.bound;
       const double room = 0x1p-41 * (std::abs(d.value) - d.bound) * std::max(1.0, std::abs(value));
-      // Moving into the range in which the exact ratio lies moves towards it.
+      // Clamping to the range of the exact ratio cannot increase the error.
       if (error < room) return static_cast<S>(std::clamp(value, 0.0, high));
     }
     return quotient<S>(exactly(numerator), exactly(Determinant::denominator));
@@ -263,9 +260,9 @@ Triangle<double> in_double(const Triangle<S>& triangle) {
 /// (e) The exact test, for a Ray or a Segment of float or double: a floating-point filter, then
 /// exact arithmetic.
 ///
-/// The decision is right for every finite input: no rounding, overflow or underflow can change it.
-/// Touching counts; a line in the plane, a zero direction and a triangle without area are no hit,
-/// exactly when they are so. An input that is not finite is no hit.
+/// The decision is right for every finite input; rounding, overflow and underflow do not affect it.
+/// Touching counts; a line in the plane, a zero direction and a triangle without area give no hit,
+/// decided exactly. An input that is not finite is no hit.
 ///
 /// Limits: t is within 2^-40 max(1, |t|) of the exact value and each weight within 2^-40, and then
 /// rounded to S. All are in range (t ≥ 0, for a segment t ≤ 1, weights from 0 to 1); the sum of the

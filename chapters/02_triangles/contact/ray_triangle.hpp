@@ -1,10 +1,10 @@
 /// @file
-/// Ray and segment against triangle, three plain ways. They answer the same question and round
-/// differently; none of them is right for every input, and none hides that behind an epsilon.
+/// Ray and segment against triangle by three rounded methods. They differ in their rounding errors;
+/// none is right for every input, and none uses a tolerance.
 ///
-/// All take touching as a hit, whichever side of the triangle the ray comes from. A ray in the
-/// triangle's plane, a zero direction and a triangle without area have no single point to give, so
-/// they are no hit. With an exact field for S, such as the rationals, each is exact.
+/// All count touching as a hit, from either side of the triangle. A ray in the triangle's plane, a
+/// zero direction and a triangle without area have no single meeting point, so they give no hit.
+/// With an exact field for S, such as the rationals, each is exact.
 #pragma once
 
 #include <concepts>
@@ -18,7 +18,7 @@ namespace contact {
 template <class Line, class S>
 concept LineOf = std::same_as<Line, Ray<S>> || std::same_as<Line, Segment<S>>;
 
-/// The hit, or nothing if S could not hold it: an overflow on the way leaves no number to return.
+/// The hit, or nothing if an intermediate result overflowed.
 template <Scalar S>
 std::optional<TriangleHit<S>> finite_hit(const TriangleHit<S>& hit) {
   if (!is_finite(hit.t) || !all_finite(hit.barycentric)) return std::nullopt;
@@ -28,8 +28,8 @@ std::optional<TriangleHit<S>> finite_hit(const TriangleHit<S>& hit) {
 // [cross-plane]
 /// Where a segment crosses the plane through a point: the signed distances of its ends have
 /// opposite signs, or one is 0.
-/// @param normal any normal of the plane; both distances come out in lengths of it, and their ratio
-/// does not care
+/// @param normal any normal of the plane; both distances are multiplied by its length, which
+/// cancels in their ratio
 /// @return nothing if both ends are on one side, or both in the plane
 ///
 /// Source: *Interaction and Normals*, slide "Segment vs. Triangle".
@@ -45,8 +45,8 @@ std::optional<RayHit<S>> cross_plane(const Segment<S>& segment, const Vector3<S>
   return RayHit<S>{t, segment.start + t * (segment.end - segment.start)};
 }
 
-/// Where a ray crosses the plane through a point: distance to go over rate of approach.
-/// @return nothing if the ray runs along the plane or away from it
+/// Where a ray crosses the plane through a point: distance over rate of approach.
+/// @return nothing if the ray is parallel to the plane or points away from it
 template <Scalar S>
 std::optional<RayHit<S>> cross_plane(const Ray<S>& ray, const Vector3<S>& on_plane,
                                      const Vector3<S>& normal) {
@@ -58,16 +58,16 @@ std::optional<RayHit<S>> cross_plane(const Ray<S>& ray, const Vector3<S>& on_pla
 }
 // [/cross-plane]
 
-// [edge-tests]
-/// (a) Signed distances, then edge tests: find the point in the plane, and ask of each edge whether
-/// it is on the inner side.
+/// (a) Signed distances, then edge tests: find the point in the plane, and test for each edge
+/// whether it is on the inner side.
 /// @param line a Ray or a Segment
 ///
-/// Limits: the point is rounded before the edges see it, so two triangles that share an edge can
-/// both refuse a ray between them. t is off by a few u (Σ|terms of N| + |t| Σ|terms of D|) / |D|,
-/// where N and D are the numerator and the denominator of t; the decision has no bound.
+/// Limits: the point is rounded before the edge tests, so two triangles that share an edge can both
+/// reject a ray between them. t is off by a few u (Σ|terms of N| + |t| Σ|terms of D|) / |D|, where
+/// N and D are the numerator and the denominator of t; the decision has no error bound.
 ///
 /// Source: *Interaction and Normals*, slide "Segment vs. Triangle".
+// [edge-tests]
 template <Scalar S, LineOf<S> Line>
 std::optional<TriangleHit<S>> intersect_by_edges(const Line& line, const Triangle<S>& triangle) {
   const auto& [a, b, c] = triangle;
@@ -75,8 +75,8 @@ std::optional<TriangleHit<S>> intersect_by_edges(const Line& line, const Triangl
   const std::optional<RayHit<S>> crossing = cross_plane(line, a, normal);
   if (!crossing) return std::nullopt;
 
-  // normal × edge points into the triangle. Each product is twice the area between x and
-  // that edge, times |normal|.
+  // normal × edge points into the triangle. Each product is |normal| times twice the area of the
+  // triangle of that edge and x.
   const Vector3<S>& x = crossing->point;
   const S beyond_bc = normal.cross(c - b).dot(x - b);
   const S beyond_ca = normal.cross(a - c).dot(x - c);
@@ -91,7 +91,7 @@ std::optional<TriangleHit<S>> intersect_by_edges(const Line& line, const Triangl
 // [/edge-tests]
 
 // [dropped-dimension]
-/// (b) The same point, judged in two dimensions: its barycentric coordinates after the largest
+/// (b) The same point, tested in two dimensions: its barycentric coordinates after the largest
 /// dimension is dropped.
 /// @param line a Ray or a Segment
 ///
@@ -109,7 +109,6 @@ std::optional<TriangleHit<S>> intersect_by_dropping(const Line& line, const Tria
 }
 // [/dropped-dimension]
 
-// [fractions]
 /// A hit before any division: t and the weights of b and c are these numbers over `denominator`,
 /// which is positive.
 template <Ring S>
@@ -124,14 +123,15 @@ struct TriangleFractions {
   S denominator;
 };
 
-/// The decision of (c), without a division, so that it also serves exact types that have none.
-/// @param origin, direction of the ray; t counts lengths of the direction
+/// The decision of (c), without a division, so that it also works for exact types without one.
+/// @param origin, direction of the ray; t is in multiples of the direction
 /// @param last the largest t that counts, for a segment 1; nothing for a ray
 template <Ring S>
 std::optional<TriangleFractions<S>> moller_trumbore_fractions(const Vector3<S>& origin,
                                                               const Vector3<S>& direction,
                                                               const std::optional<S>& last,
                                                               const Triangle<S>& triangle) {
+  // [fractions]
   const Vector3<S> ab = triangle.b - triangle.a;
   const Vector3<S> ac = triangle.c - triangle.a;
   const Vector3<S> p = direction.cross(ac);
@@ -149,10 +149,10 @@ std::optional<TriangleFractions<S>> moller_trumbore_fractions(const Vector3<S>& 
   const S t = ac.dot(q);
   if (t < S(0) || (last && t > *last * denominator)) return std::nullopt;
   return TriangleFractions<S>{t, of_b, of_c, denominator};
+  // [/fractions]
 }
-// [/fractions]
 
-/// The hit that the fractions stand for.
+/// The hit with these fractions.
 template <Scalar S>
 std::optional<TriangleHit<S>> divide(const std::optional<TriangleFractions<S>>& hit) {
   if (!hit) return std::nullopt;
@@ -167,8 +167,9 @@ std::optional<TriangleHit<S>> divide(const std::optional<TriangleFractions<S>>& 
 ///
 /// Limits: while nothing over- or underflows, each of the four determinants is off by at most γ(8)
 /// Σ|its terms|, so t, a quotient N / D of two of them, is off by at most 10 u (Σ|terms of N| + |t|
-/// Σ|terms of D|) / |D|, unless D is nearly lost in its own rounding. The decision has no bound,
-/// and a shared edge can leak, since the two triangles measure from different corners.
+/// Σ|terms of D|) / |D|, unless |D| is not much larger than its rounding error. The decision has no
+/// error bound, and rays can leak at a shared edge, because the two triangles measure from
+/// different vertices.
 ///
 /// Source: Möller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, 1997; *Interaction
 /// and Normals*, slide "Ray Basics", marks it as the best.
@@ -178,7 +179,7 @@ std::optional<TriangleHit<S>> intersect_moller_trumbore(const Ray<S>& ray,
   return divide(moller_trumbore_fractions<S>(ray.origin, ray.direction, std::nullopt, triangle));
 }
 
-/// (c) for a segment: the direction is the whole segment, so t runs from 0 to 1.
+/// (c) for a segment: the direction is the whole segment, so t is from 0 to 1.
 template <Scalar S>
 std::optional<TriangleHit<S>> intersect_moller_trumbore(const Segment<S>& segment,
                                                         const Triangle<S>& triangle) {

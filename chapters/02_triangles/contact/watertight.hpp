@@ -1,6 +1,6 @@
 /// @file
-/// Ray and segment against triangle so that a mesh has no cracks: of two triangles that share an
-/// edge, at least one takes a ray that goes between them.
+/// A watertight test of ray and segment against triangle: of two triangles that share an edge, at
+/// least one is hit by a ray that goes between them.
 #pragma once
 
 #include <cmath>
@@ -13,13 +13,13 @@
 
 namespace contact {
 
-// [edge-function]
-/// cross2(u, v) with the right sign, always, unless a product over- or underflows.
+/// cross2(u, v) with the right sign unless a product over- or underflows.
 ///
-/// Rounding keeps order: if u.x v.y is the larger product, its rounded value is not the smaller
-/// one. So the difference of the two rounded products has the right sign, or is 0. When it is 0,
-/// the two products' own rounding errors decide, and a fused multiply-add gives each of them
-/// exactly. Exchanging u and v gives the same number with the other sign.
+/// Rounding is monotonic: if u.x v.y is the larger product, its rounded value is not the smaller
+/// one. So the difference of the two rounded products has the right sign, or is 0. If it is 0, the
+/// rounding errors of the two products decide, and a fused multiply-add gives each of them exactly.
+/// Exchanging u and v gives the opposite number.
+// [edge-function]
 template <std::floating_point S>
 S cross2_right_sign(const Vector2<S>& u, const Vector2<S>& v) {
   const S left = u.x() * v.y();
@@ -29,8 +29,7 @@ S cross2_right_sign(const Vector2<S>& u, const Vector2<S>& v) {
 }
 // [/edge-function]
 
-// [watertight-ray]
-/// A ray, made ready for many triangles: a frame in which it starts at the origin and runs along z.
+/// A ray prepared for many triangles: a frame in which it starts at the origin and runs along z.
 template <std::floating_point S>
 class WatertightRay {
  public:
@@ -39,25 +38,24 @@ class WatertightRay {
   WatertightRay(const Vector3<S>& origin, const Vector3<S>& direction)
       : origin_(origin), z_(largest_dimension(direction)), x_((z_ + 1) % 3), y_((z_ + 2) % 3) {
     along_ = direction[z_];
-    // A shear, not a rotation: it moves x and y in proportion to z, and keeps straight lines
-    // straight.
+    // A shear, not a rotation: it shifts x and y in proportion to z and maps lines to lines.
     shear_ = Vector2<S>(direction[x_], direction[y_]) / along_;
   }
 
-  /// (d) Woop, Benthin and Wald: shear the corners, then ask three flat edge functions on which
-  /// side the z axis passes.
+  /// (d) Woop, Benthin and Wald: shear the vertices; then three two-dimensional edge functions say
+  /// on which side of each edge the z axis passes.
   /// @param last the largest t that counts
   ///
-  /// Limits: the shear rounds each corner, so a hit near an edge may be given to the neighbour:
-  /// wrong by itself, yet never lost between the two, since both round the shared corners alike.
-  /// That holds as long as no product over- or underflows and t is not within its rounding of 0 or
-  /// `last`, and only without fused multiply-adds in the shear and the edge function
-  /// (`-ffp-contract=off`).
+  /// Limits: the shear rounds each vertex, so a hit near an edge may be assigned to the neighbour.
+  /// It is not lost between the two, because both round the shared vertices alike. This holds as
+  /// long as no product over- or underflows and t is not within its rounding of 0 or `last`, and
+  /// only without fused multiply-adds in the shear and the edge function (`-ffp-contract=off`).
   ///
   /// Source: Woop, Benthin and Wald,
   /// Watertight Ray/Triangle Intersection, 2013.
   std::optional<TriangleHit<S>> meet(const Triangle<S>& triangle,
                                      const std::optional<S>& last) const {
+    // [watertight-ray]
     if (along_ == S(0)) return std::nullopt;
     const Vector3<S> oa = triangle.a - origin_;
     const Vector3<S> ob = triangle.b - origin_;
@@ -77,6 +75,7 @@ class WatertightRay {
     const S t = weights.dot(Vector3<S>(oa[z_], ob[z_], oc[z_])) / along_;
     if (!(t >= S(0)) || (last && t > *last)) return std::nullopt;
     return finite_hit(TriangleHit<S>{t, weights});
+    // [/watertight-ray]
   }
 
  private:
@@ -89,7 +88,6 @@ class WatertightRay {
   S along_;
   Vector2<S> shear_;
 };
-// [/watertight-ray]
 
 /// (d) for one ray and one triangle. For many triangles, make the WatertightRay once.
 template <std::floating_point S>
@@ -97,7 +95,7 @@ std::optional<TriangleHit<S>> intersect_watertight(const Ray<S>& ray, const Tria
   return WatertightRay<S>(ray.origin, ray.direction).meet(triangle, std::nullopt);
 }
 
-/// (d) for a segment: t runs from 0 to 1.
+/// (d) for a segment: t is from 0 to 1.
 template <std::floating_point S>
 std::optional<TriangleHit<S>> intersect_watertight(const Segment<S>& segment,
                                                    const Triangle<S>& triangle) {

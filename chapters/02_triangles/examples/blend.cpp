@@ -1,4 +1,4 @@
-// What the corners carry, blended at a point: a temperature, and the point itself.
+// Values at the vertices, interpolated at a point: a temperature, and the point itself.
 #include <contact/barycentric.hpp>
 #include <cstdio>
 
@@ -12,8 +12,8 @@ int main() {
   if (!weights) return 1;
   std::printf("weights of a, b, c: %g, %g, %g; inside: %s\n", weights->x(), weights->y(),
               weights->z(), contact::inside(*weights) ? "yes" : "no");
-  std::printf("20, 60 and 100 degrees at the corners make %g degrees here\n",
+  std::printf("20, 60 and 100 degrees at the vertices give %g degrees here\n",
               contact::interpolate(*weights, 20.0, 60.0, 100.0));
   const Vector3<double> again = contact::interpolate(*weights, plate.a, plate.b, plate.c);
-  std::printf("the corners themselves blend to (%g, %g, %g)\n", again.x(), again.y(), again.z());
+  std::printf("the interpolated vertices are (%g, %g, %g)\n", again.x(), again.y(), again.z());
 }

@@ -1,4 +1,4 @@
-// The filter at work: two queries, and what the bound says about each.
+// The filter applied to two determinants.
 #include <contact/exact.hpp>
 #include <contact/exact_ray_triangle.hpp>
 #include <cstdio>
@@ -22,7 +22,7 @@ void show(const char* what, const Vector3<double>& p, const Vector3<double>& q,
 
 int main() {
   show("three vectors in general position", {1, 2, 3}, {-2, 1, 0.5}, {0.25, -1, 2});
-  // p is q + r, rounded: two of its coordinates are half an ulp off, so nearly in one plane.
-  show("three vectors nearly in one plane", {0.1 + 0.3, 0.2 + 0.7, 0.4 + 0.5}, {0.1, 0.2, 0.4},
+  // p is q + r, rounded: two of its coordinates are half an ulp off, so nearly coplanar.
+  show("three nearly coplanar vectors", {0.1 + 0.3, 0.2 + 0.7, 0.4 + 0.5}, {0.1, 0.2, 0.4},
        {0.3, 0.7, 0.5});
 }

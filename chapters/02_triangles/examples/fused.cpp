@@ -1,6 +1,6 @@
-// What a fused multiply-add does to a watertight test. The second version below is the first,
-// written out as a compiler that may contract products and sums compiles it; both are in float, and
-// are shot at the shared edge of two triangles.
+// The effect of a fused multiply-add on a watertight test. The second version below is the first as
+// a compiler that may contract products and sums compiles it; both are in float. Rays are shot at
+// the shared edge of two triangles.
 #include <cmath>
 #include <contact/barycentric.hpp>
 #include <contact/shapes.hpp>
@@ -26,8 +26,8 @@ float side_contracted(const Vector2<float>& p, const Vector2<float>& q) {
 float shear_contracted(float x, float slope, float z) { return std::fma(-slope, z, x); }
 // [/contracted]
 
-/// The three edge functions' verdict, without t: does the ray from o along d pass a b c on one
-/// side?
+/// The result of the three edge functions, without t: whether the ray from o along d passes a b c
+/// on one side.
 template <class Side, class Shear>
 bool passes(const Vector3<float>& o, const Vector3<float>& d, const Vector3<float>& a,
             const Vector3<float>& b, const Vector3<float>& c, Side side, Shear shear) {
@@ -67,7 +67,7 @@ int main() {
     const double of_c = across.dot((c - a).cast<double>()),
                  of_d = across.dot((d - a).cast<double>());
     if (!(of_c > 0.01 && of_d < -0.01))
-      continue;  // the other corners lie on either side of the edge: no gap
+      continue;  // the other vertices are on either side of the edge: no gap
     ++rays;
     const auto lost = [&](auto side, auto shear) {
       return !passes(o, direction, a, b, c, side, shear) &&

@@ -1,4 +1,4 @@
-// A ray between two triangles that share an edge, in float: who takes it?
+// A ray between two triangles that share an edge, in float: which one does it hit?
 #include <contact/exact_ray_triangle.hpp>
 #include <contact/ray_triangle.hpp>
 #include <contact/watertight.hpp>

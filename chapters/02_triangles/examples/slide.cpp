@@ -1,4 +1,4 @@
-// The slide's two slips, each with a number: the sign of beta, and which dimension to drop.
+// The slide's two mistakes, each with a number: the sign of beta, and the dimension to drop.
 #include <contact/barycentric.hpp>
 #include <cstdio>
 
@@ -19,7 +19,7 @@ int main() {
     const double area = cross2(e1, e2);
     std::printf("drop %d: e1 x e2 = %g", k, area);
     if (area == 0) {
-      std::printf(", so nothing to divide by\n");
+      std::printf(", no division possible\n");
       continue;
     }
     std::printf(", alpha = %g, beta on the slide = %g, beta = %g\n", cross2(to_x, e2) / area,

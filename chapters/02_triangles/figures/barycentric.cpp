@@ -1,5 +1,5 @@
-// A point of a triangle's plane: its weights, what they blend, and the triangle's three shadows
-// along the axes.
+// A point of a triangle's plane: its weights, the interpolated value, and the triangle's three
+// projections along the axes.
 #include <array>
 #include <cmath>
 #include <contact/barycentric.hpp>
@@ -9,8 +9,8 @@ struct Input {
   contact::Vector3<double> a;
   contact::Vector3<double> b;
   contact::Vector3<double> c;
-  contact::Vector3<double> point;   // anywhere; its foot on the plane is what is judged
-  contact::Vector3<double> values;  // what the corners carry: a temperature, °C
+  contact::Vector3<double> point;   // arbitrary; its projection on the plane is tested
+  contact::Vector3<double> values;  // at the vertices: temperatures, °C
 };
 
 struct Output {
@@ -19,7 +19,7 @@ struct Output {
   contact::Vector3<double> foot;    // nearest point of the plane
   contact::Vector3<double> weights;
   double inside;
-  double value;                         // blended, °C
+  double value;                         // interpolated, °C
   contact::Vector3<double> part_areas;  // signed: opposite a, b and c
   double area;
   double dropped;                         // the dimension in which |normal| is largest: 0, 1 or 2

@@ -1,5 +1,5 @@
-// Weights of a point as shares of area: each corner weighs as much as the part of the triangle
-// opposite to it. The shadow along the largest part of the normal keeps the shares.
+// Weights of a point as shares of area: the weight of a vertex is the share of the triangle opposite
+// to it. The projection along the largest component of the normal has the same shares.
 
 import { along, defineFigure, pretty, type Role, type Vec3, vectorAt } from "@contact/figure";
 
@@ -46,9 +46,9 @@ export default defineFigure<Input, Output>({
     values: [10, 20, 40],
   },
   handles: [
-    { kind: "point", field: "a", label: "a, corner of the triangle", role: "a", limit: [-4, 4] },
-    { kind: "point", field: "b", label: "b, corner of the triangle", role: "b", limit: [-4, 4] },
-    { kind: "point", field: "c", label: "c, corner of the triangle", role: "c", limit: [-4, 4] },
+    { kind: "point", field: "a", label: "a, vertex of the triangle", role: "a", limit: [-4, 4] },
+    { kind: "point", field: "b", label: "b, vertex of the triangle", role: "b", limit: [-4, 4] },
+    { kind: "point", field: "c", label: "c, vertex of the triangle", role: "c", limit: [-4, 4] },
     { kind: "point", field: "point", label: "x, the point", role: "hit", limit: [-4, 4] },
   ],
   controls: [
@@ -119,14 +119,14 @@ export default defineFigure<Input, Output>({
     { name: "A", meaning: "area", value: output.area, unit: "m²", role: "surface" },
     {
       name: "A_x, A_y, A_z",
-      meaning: "its shadows",
+      meaning: "of its projections",
       value: output.shadow_areas,
       unit: "m²",
       role: "muted",
     },
     {
       name: "dropped",
-      meaning: "largest shadow",
+      meaning: "largest projection",
       value: AXES[output.dropped] ?? "–",
       role: "muted",
     },
@@ -137,8 +137,8 @@ export default defineFigure<Input, Output>({
     const shares = `the weights of a, b and c are ${a}, ${b} and ${c}`;
     if (output.inside) {
       const slide = output.inside_on_slide ? "" : " The slide’s β would call it outside.";
-      return `The foot of x is in the triangle: ${shares}.${slide}`;
+      return `The projection of x is in the triangle: ${shares}.${slide}`;
     }
-    return `The foot of x is outside the triangle: ${shares}, and a weight below zero tells which edge it is beyond.`;
+    return `The projection of x is outside the triangle: ${shares}. It is beyond the edge opposite a vertex with a negative weight.`;
   },
 });

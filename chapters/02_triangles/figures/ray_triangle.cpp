@@ -23,18 +23,18 @@ struct Output {
   double through_height;
   double crosses;  // 1 if the line meets the plane in one point, anywhere
   contact::Vector3<double> crossing;
-  double hit;  // exact verdict
+  double hit;  // exact answer
   double t;    // of the exact test; 0 if no hit
   contact::Vector3<double> point;
   contact::Vector3<double> weights;        // of the crossing with the plane, inside or not
-  contact::Vector3<double> edge_products;  // beyond bc, ca and ab: the three edge tests, in double
+  contact::Vector3<double> edge_products;  // of bc, ca and ab: the three edge tests, in double
   double dropped;                          // 0, 1 or 2
-  // One verdict a method: edge tests, dropped dimension, Möller–Trumbore, watertight.
+  // One answer per method: edge tests, dropped dimension, Möller–Trumbore, watertight.
   std::array<double, 4> hit_in_double;
   std::array<double, 4> hit_in_float;
   std::array<double, 4> t_in_double;
   std::array<double, 4> t_in_float;
-  double all_agree;         // 1 if all eight and the exact test say the same
+  double all_agree;         // 1 if all eight and the exact test agree
   double through_the_back;  // goal of a question: enters from behind, near c
 };
 

@@ -1,5 +1,5 @@
-// A ray or a segment against a triangle. Each edge shows its own test: green where the crossing lies
-// on the inner side, red where it lies beyond.
+// A ray or a segment against a triangle. Each edge shows its own test: green if the crossing is on
+// the inner side, red if it is beyond.
 
 import { along, defineFigure, pretty, type Role, type Vec3 } from "@contact/figure";
 
@@ -52,14 +52,14 @@ export default defineFigure<Input, Output>({
     segment: 0,
   },
   handles: [
-    { kind: "point", field: "a", label: "a, corner of the triangle", role: "a", limit: [-4, 4] },
-    { kind: "point", field: "b", label: "b, corner of the triangle", role: "b", limit: [-4, 4] },
-    { kind: "point", field: "c", label: "c, corner of the triangle", role: "c", limit: [-4, 4] },
+    { kind: "point", field: "a", label: "a, vertex of the triangle", role: "a", limit: [-4, 4] },
+    { kind: "point", field: "b", label: "b, vertex of the triangle", role: "b", limit: [-4, 4] },
+    { kind: "point", field: "c", label: "c, vertex of the triangle", role: "c", limit: [-4, 4] },
     { kind: "point", field: "origin", label: "o, start of the ray", role: "ray", limit: [-4, 4] },
     {
       kind: "point",
       field: "through",
-      label: "q, a point that the ray goes through",
+      label: "q, a point on the ray",
       role: "ray",
       limit: [-4, 4],
     },
@@ -134,7 +134,7 @@ export default defineFigure<Input, Output>({
     return [
       {
         name: "t",
-        meaning: "where it hits, exactly",
+        meaning: "of the hit, exact",
         value: output.hit ? output.t : "miss",
         role: output.hit ? "hit" : "miss",
       },
@@ -159,7 +159,7 @@ export default defineFigure<Input, Output>({
       : "The methods do not agree with the exact test.";
     if (output.hit) return `The ${what} hits the triangle at t = ${pretty(output.t, 3)}. ${agree}`;
     if (!output.crosses)
-      return `The ${what} runs along the triangle’s plane or beside it, and has no single crossing. ${agree}`;
+      return `The ${what} is parallel to the triangle’s plane, so there is no single crossing. ${agree}`;
     const names = ["b c", "c a", "a b"].filter((_, i) => (output.edge_products[i] ?? 0) < 0);
     const why =
       names.length > 0

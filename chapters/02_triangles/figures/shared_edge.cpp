@@ -1,5 +1,5 @@
 // Two triangles that share the edge a b, and rays aimed at points of that edge, in float: which
-// method loses which ray?
+// rays does each method lose?
 #include <array>
 #include <contact/exact_ray_triangle.hpp>
 #include <contact/figure.hpp>
@@ -18,9 +18,10 @@ struct Input {
 
 struct Output {
   double problem;
-  double opposite;  // 1 if the ray sees c and d on either side of the edge, so that there is no gap
+  double opposite;  // 1 if c and d are on either side of the edge as seen along the ray: no gap
   std::array<contact::Vector3<double>, rays> targets;  // as float has them
-  // Who takes each ray: 0 neither (a leak), 1 the first triangle, 2 the second, 3 both.
+  // The triangle that each ray hits: 0 neither (a leak), 1 the first triangle, 2 the second, 3
+  // both.
   std::array<double, rays> by_edges;
   std::array<double, rays> by_dropping;
   std::array<double, rays> by_moller_trumbore;
@@ -45,7 +46,7 @@ Output compute(const Input& in) {
   out.opposite = across.dot(in.c - in.a) * across.dot(in.d - in.a) < 0 ? 1 : 0;
 
   for (std::size_t i = 0; i < rays; ++i) {
-    // Shares with all their bits, so that the targets are rounded as any others.
+    // Fractions with all their bits, so that the targets are rounded as any others.
     const float share = 0.013f + 0.974f * (static_cast<float>(i) + 0.5f) / static_cast<float>(rays);
     const contact::Vector3<float> target = a + share * (b - a);
     out.targets[i] = target.cast<double>();
@@ -66,7 +67,7 @@ Output compute(const Input& in) {
         who([](const auto& r, const auto& t) { return contact::intersect_exact(r, t); });
     const std::array verdicts{out.by_edges[i], out.by_dropping[i], out.by_moller_trumbore[i],
                               out.by_watertight[i], out.by_exact[i]};
-    // Where the rays see a gap, or the triangles edge-on, passing through is no leak.
+    // If there is a gap along the rays, or a triangle is seen edge-on, passing through is no leak.
     for (std::size_t k = 0; k < verdicts.size(); ++k) {
       if (verdicts[k] == 0 && out.by_exact[i] != 0) out.leaks[k] += 1;
     }

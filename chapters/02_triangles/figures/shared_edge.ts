@@ -1,5 +1,5 @@
-// Rays aimed at the edge that two triangles share, in float. A ray that neither triangle takes goes
-// through a surface that has no hole.
+// Rays aimed at the edge that two triangles share, in float. A ray that hits neither triangle goes
+// through a surface without a hole.
 
 import { along, defineFigure, type Role, type Vec3, vectorAt } from "@contact/figure";
 
@@ -53,8 +53,8 @@ export default defineFigure<Input, Output>({
     { kind: "point", field: "origin", label: "o, start of the rays", role: "ray", step: 0.01 },
     { kind: "point", field: "a", label: "a, end of the shared edge", role: "surface", step: 0.01 },
     { kind: "point", field: "b", label: "b, end of the shared edge", role: "surface", step: 0.01 },
-    { kind: "point", field: "c", label: "c, corner of the first triangle", role: "b", step: 0.01 },
-    { kind: "point", field: "d", label: "d, corner of the second triangle", role: "c", step: 0.01 },
+    { kind: "point", field: "c", label: "c, vertex of the first triangle", role: "b", step: 0.01 },
+    { kind: "point", field: "d", label: "d, vertex of the second triangle", role: "c", step: 0.01 },
   ],
   controls: [
     { kind: "numbers", field: "origin", label: "o", role: "ray", step: 0.01 },
@@ -98,7 +98,7 @@ export default defineFigure<Input, Output>({
     })),
   describe(_input, output) {
     if (!output.opposite)
-      return "Seen from o the triangles fold over on one side of the edge, so a ray may pass beside it without a fault.";
+      return "Seen from o both triangles are on one side of the edge, so a ray may rightly pass beside it.";
     const [edges = 0, dropping = 0, plain = 0, watertight = 0] = output.leaks;
     return `Of 64 rays at the shared edge in float, edge tests lose ${edges}, dropping loses ${dropping}, Möller–Trumbore ${plain} (drawn through) and the watertight test ${watertight}.`;
   },

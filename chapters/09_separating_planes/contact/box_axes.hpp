@@ -1,5 +1,5 @@
 /// @file
-/// The fifteen directions that decide whether two boxes keep apart.
+/// The fifteen axes that decide whether two boxes are separated.
 #pragma once
 
 #include <algorithm>
@@ -15,15 +15,16 @@
 
 namespace contact {
 
-/// How many directions can separate two boxes: three face normals each, nine pairs of edges.
+/// The number of candidate axes of two boxes: three face normals of each, and nine pairs of edges.
 inline constexpr int box_axis_count = 15;
 
 // [box-axis]
-/// Candidate k for a separating direction of two boxes: 0 to 2 are normals of A's faces, 3 to 5 of
-/// B's, 6 to 14 are at right angles to one edge of each (6 + 3 i + j: A's edge i, B's edge j).
+/// Candidate axis k for the separation of two boxes: 0 to 2 are the face normals of A, 3 to 5 those
+/// of B, 6 to 14 are perpendicular to one edge of each (6 + 3 i + j: edge i of A, edge j of B).
 ///
-/// Face normals are cross products of edges, not the axes themselves: so they are right for what is
-/// stored even if rounding has bent a box. Parallel edges give 0, which is no direction.
+/// Face normals are cross products of edges, not the stored axes: so they are right for the stored
+/// parallelepiped, even if rounding has made it oblique. Parallel edges give 0, which is no
+/// direction.
 /// @return of any length
 /// @see Gottschalk, Lin and Manocha, *OBBTree*, SIGGRAPH 1996
 template <Ring S>
@@ -45,7 +46,7 @@ S magnitude(const S& x) {
 
 }  // namespace detail
 
-/// How far a box reaches from its centre along n, times |n|: Σ hᵢ |n · aᵢ|.
+/// The support of a box along n, from its centre, times |n|: Σ hᵢ |n · aᵢ|.
 template <Ring S>
 S box_reach(const OrientedBox<S>& box, const Vector3<S>& n) {
   S reach(0);
@@ -57,8 +58,9 @@ S box_reach(const OrientedBox<S>& box, const Vector3<S>& n) {
 }
 
 // [axis-gap]
-/// How much room there is between the two boxes as seen along n, times |n|: positive if a plane
-/// across n fits between them, 0 if they touch it from both sides, negative if they overlap.
+/// The signed gap between the projections of two boxes on n, times |n|: positive if a plane
+/// perpendicular to n separates them, 0 if both touch such a plane from its two sides, negative if
+/// the projections overlap.
 template <Ring S>
 S gap_along(const OrientedBox<S>& a, const OrientedBox<S>& b, const Vector3<S>& n) {
   const Vector3<S> between = a.centre - b.centre;
@@ -68,17 +70,17 @@ S gap_along(const OrientedBox<S>& a, const OrientedBox<S>& b, const Vector3<S>& 
 
 namespace detail {
 
-/// The boxes' numbers are small and large enough for the bounds below: nothing overflows, and what
-/// underflows does not matter beside a bound of at least 2^-600.
+/// Whether the coordinates are within the range of the bounds below: nothing overflows, and
+/// underflow does not matter beside a bound of at least 2^-600.
 inline bool in_filter_range(double size) { return size >= 0x1p-600 && size <= 0x1p600; }
 
 /// The sign of the gap along axis k: 1, 0 or −1, and 2 for an axis that is exactly 0.
 ///
-/// In rounded arithmetic first. Each entry of the axis is off by at most γ(2) Mᵢ, with Mᵢ the
-/// products in it taken positive. A term of the gap goes through at most 14 roundings: two in the
-/// axis, one in the difference of the centres or the product with a half length, three in the dot
-/// product, and eight in the sums. So the gap is off by at most γ(14) (M · |between| + Σ hᵢ M ·
-/// |aᵢ| + Σ hⱼ M · |bⱼ|); γ(32) leaves room for the rounding of the bound.
+/// Floating-point filter first. The error of each entry of the axis is at most γ(2) Mᵢ, where Mᵢ is
+/// the sum of the absolute values of its products. A term of the gap has at most 14 roundings: two
+/// in the axis, one in the difference of the centres or the product with a half length, three in
+/// the dot product, and eight in the sums. So the error of the gap is at most γ(14) (M · |between|
+/// + Σ hᵢ M · |aᵢ| + Σ hⱼ M · |bⱼ|); γ(32) includes the rounding of the bound.
 inline int sign_of_gap(const OrientedBox<double>& a, const OrientedBox<double>& b, int k) {
   const Vector3<double> u = k < 6 ? (k < 3 ? a : b).axes.col((k + 1) % 3) : a.axes.col((k - 6) / 3);
   const Vector3<double> v = k < 6 ? (k < 3 ? a : b).axes.col((k + 2) % 3) : b.axes.col((k - 6) % 3);

@@ -1,5 +1,5 @@
 /// @file
-/// The closest points of segments and boxes, in rounded arithmetic.
+/// The closest points of segments and boxes, in floating point.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace contact {
 
-/// A point of A and a point of B with no two nearer to each other.
+/// A pair of closest points of A and B.
 template <Ring S>
 struct ClosestPoints {
   Vector3<S> on_a = Vector3<S>::Zero();  ///< m
@@ -29,7 +29,7 @@ S squared_gap(const ClosestPoints<S>& points) {
   return between.dot(between);
 }
 
-/// The point of a segment at the fraction t, from whichever end is nearer.
+/// The point of a segment at the fraction t, computed from the closer end.
 template <std::floating_point S>
 Vector3<S> point_at(const Segment<S>& segment, const S& t) {
   const Vector3<S> d = segment.end - segment.start;
@@ -37,7 +37,7 @@ Vector3<S> point_at(const Segment<S>& segment, const S& t) {
   return segment.end - d * (S(1) - t);
 }
 
-/// Keeps the nearer of two pairs, and of equals the earlier.
+/// Keeps the closer of two pairs; of equal ones the first.
 template <std::floating_point S>
 void keep_nearer(ClosestPoints<S>& best, const ClosestPoints<S>& other) {
   if (squared_gap(other) < squared_gap(best)) best = other;
@@ -51,8 +51,8 @@ ClosestPoints<S> exchanged(const ClosestPoints<S>& points) {
 }  // namespace detail
 
 // [point-segment]
-/// The point of a segment that is nearest to p. A segment without length is its start.
-/// @return m, off by a few u of the coordinates' size
+/// The closest point of a segment to p. For a segment of length 0 it is the start.
+/// @return m, error a few u of the coordinates' magnitude
 template <std::floating_point S>
 Vector3<S> closest_point(const Vector3<S>& p, const Segment<S>& segment) {
   const Vector3<S> d = segment.end - segment.start;
@@ -67,13 +67,12 @@ Vector3<S> closest_point(const Vector3<S>& p, const Segment<S>& segment) {
 // [crossing]
 namespace detail {
 
-/// Where on two lines their closest points lie, as fractions of the segments, if both fractions are
-/// from 0 to 1; {−1, −1} if not, or if the lines are parallel.
+/// The closest points of the lines of two segments, as fractions of the segments, if both fractions
+/// are from 0 to 1; {−1, −1} otherwise, or if the lines are parallel.
 ///
-/// With n = d × e: s = n · (w × e) / n², t = n · (w × d) / n². Where the sine of the angle between
-/// the segments is below 2^-12, rounding would spoil n, and the fractions are computed without
-/// rounding but for the last step (in long double, for which there is no exact arithmetic here, in
-/// rounded arithmetic always).
+/// With n = d × e: s = n · (w × e) / n², t = n · (w × d) / n². If the sine of the angle between the
+/// segments is below 2^-12, rounding would spoil n, and the fractions are computed exactly up to
+/// the last step (for long double, which has no exact arithmetic here, always in floating point).
 template <std::floating_point S>
 Vector2<S> crossing_fractions(const Segment<S>& a, const Segment<S>& b) {
   const auto solve = [](const auto& d, const auto& e, const auto& w, auto& s, auto& t,
@@ -116,13 +115,13 @@ Vector2<S> crossing_fractions(const Segment<S>& a, const Segment<S>& b) {
 // [/crossing]
 
 // [segments]
-/// The closest points of two segments, which may be parallel or have no length.
+/// The closest points of two segments, which may be parallel or of length 0.
 ///
-/// Four candidates are an end and the point of the other segment nearest to it. The fifth lies
-/// between the ends, where the lines are nearest to each other; its points are moved to each other
-/// once more, which takes out what rounding did to them. The nearest pair is kept: of equals, the
-/// earlier, so parallel segments give an end.
-/// @return m; their distance is off by a few u of the coordinates' size, at any angle
+/// Four candidates are an end of one segment and the closest point of the other. The fifth is the
+/// Four candidates are an end of one segment and the closest point of the other. The fifth is the
+/// pair of closest points of the lines, if it lies between the ends; the sixth projects these
+/// points onto the segments once more, which removes the effect of rounding. The closest pair is
+/// kept; of equal ones the first, so parallel segments give an end.
 template <std::floating_point S>
 ClosestPoints<S> closest_points(const Segment<S>& a, const Segment<S>& b) {
   ClosestPoints<S> best{a.start, closest_point<S>(a.start, b)};
@@ -141,7 +140,7 @@ ClosestPoints<S> closest_points(const Segment<S>& a, const Segment<S>& b) {
 // [/segments]
 
 // [point-box]
-/// A point in the axes of a box, from its centre.
+/// A point in the axes of a box, relative to its centre.
 template <Ring S>
 Vector3<S> in_box_axes(const OrientedBox<S>& box, const Vector3<S>& p) {
   const Vector3<S> w = p - box.centre;
@@ -149,7 +148,7 @@ Vector3<S> in_box_axes(const OrientedBox<S>& box, const Vector3<S>& p) {
           w.dot(Vector3<S>(box.axes.col(2)))};
 }
 
-/// A point given in the axes of a box, in the world.
+/// The world coordinates of a point given in the axes of a box.
 template <Ring S>
 Vector3<S> out_of_box_axes(const OrientedBox<S>& box, const Vector3<S>& local) {
   Vector3<S> p = box.centre;
@@ -157,9 +156,9 @@ Vector3<S> out_of_box_axes(const OrientedBox<S>& box, const Vector3<S>& local) {
   return p;
 }
 
-/// The point of a box that is nearest to p: each coordinate in the box's axes is cut off at its
-/// half length. A point of the box is its own nearest.
-/// @return m, off by a few u of the coordinates' size
+/// The closest point of a box to p: each coordinate in the box's axes is clamped to the half
+/// length. A point inside the box is its own closest point.
+/// @return m, error a few u of the coordinates' magnitude
 template <std::floating_point S>
 Vector3<S> closest_point(const Vector3<S>& p, const OrientedBox<S>& box) {
   const Vector3<S> local = in_box_axes(box, p);
@@ -174,8 +173,8 @@ Vector3<S> closest_point(const Vector3<S>& p, const OrientedBox<S>& box) {
 
 namespace detail {
 
-/// A point that a segment and a box have in common, as rounded: the middle of the piece that the
-/// slabs leave. Equal points say that there is one.
+/// A common point of a segment and a box, up to rounding: the middle of the part of the segment
+/// inside the slabs. Equal points mean that there is one.
 template <std::floating_point S>
 bool rounded_meeting(const Segment<S>& segment, const OrientedBox<S>& box, Vector3<S>& meeting) {
   const Vector3<S> start = in_box_axes(box, segment.start);
@@ -202,11 +201,11 @@ bool rounded_meeting(const Segment<S>& segment, const OrientedBox<S>& box, Vecto
 }  // namespace detail
 
 // [segment-box]
-/// The closest points of a segment and a box. If they meet, both are one point of the two.
+/// The closest points of a segment and a box. If they meet, both are one common point.
 ///
-/// If not, the candidates are an end of the segment and the point of the box nearest to it, and the
+/// Otherwise the candidates are an end of the segment and the closest point of the box, and the
 /// closest points of the segment and each edge of the box.
-/// @return m; their distance is off by a few u of the coordinates' size
+/// @return m; the error of their distance is a few u of the coordinates' magnitude
 template <std::floating_point S>
 ClosestPoints<S> closest_points(const Segment<S>& a, const OrientedBox<S>& b) {
   Vector3<S> meeting;
@@ -224,12 +223,12 @@ ClosestPoints<S> closest_points(const Segment<S>& a, const OrientedBox<S>& b) {
 // [/segment-box]
 
 // [boxes]
-/// The closest points of two boxes that keep apart.
+/// The closest points of two separated boxes.
 ///
-/// Candidates are a corner of one and the point of the other nearest to it, and the closest points
-/// of two edges: 16 and 144 of them, in a fixed order.
-/// @return m; their distance is off by a few u of the coordinates' size. Of boxes that overlap, a
-/// pair that says nothing
+/// Candidates are a corner of one and the closest point of the other, and the closest points of two
+/// edges: 16 and 144 candidates, in a fixed order.
+/// @return m; the error of their distance is a few u of the coordinates' magnitude. For overlapping
+/// boxes the pair has no meaning
 template <std::floating_point S>
 ClosestPoints<S> closest_points(const OrientedBox<S>& a, const OrientedBox<S>& b) {
   ClosestPoints<S> best{box_corner(a, 0), closest_point<S>(box_corner(a, 0), b)};

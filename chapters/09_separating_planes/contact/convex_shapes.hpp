@@ -1,5 +1,5 @@
 /// @file
-/// The convex bodies that collide in this book, as plain data, and how to make them from input.
+/// The convex bodies of this book as plain data, and functions that check them.
 #pragma once
 
 #include <cmath>
@@ -13,33 +13,33 @@
 
 namespace contact {
 
-/// All points on the boundary plane or behind it: n · x ≤ k. The normal points out of the body.
+/// A half-space: all points with n · x ≤ k. The normal points out of the body.
 template <Ring S>
 struct HalfSpace {
   Plane<S> boundary;  ///< offset in m
 };
 
-/// All points centre + Σ xᵢ axesᵢ with |xᵢ| ≤ half lengthᵢ.
+/// An oriented box: all points centre + Σ xᵢ axesᵢ with |xᵢ| ≤ half lengthᵢ.
 ///
-/// The axes are the columns of a rotation. A stored rotation is rounded, so what is stored is a
-/// parallelepiped that misses the box by a few u of its size. Exact decisions are about what is
-/// stored.
+/// The axes are the columns of a rotation. A stored rotation is rounded, so the stored body is a
+/// parallelepiped that differs from the box by a few u of its size. Exact decisions are about the
+/// stored body.
 template <Ring S>
 struct OrientedBox {
   Vector3<S> centre = Vector3<S>::Zero();        ///< m
-  Matrix3<S> axes = Matrix3<S>::Identity();      ///< its columns, as the world sees them
+  Matrix3<S> axes = Matrix3<S>::Identity();      ///< columns in world coordinates
   Vector3<S> half_lengths = Vector3<S>::Zero();  ///< along each axis, m, greater than 0
 };
 
-/// All points at most radius from a segment. Equal ends make it a sphere.
+/// A capsule: all points at most radius from a segment. Equal ends make it a sphere.
 template <Ring S>
 struct Capsule {
   Segment<S> core;  ///< m
   S radius = S(0);  ///< m, not negative
 };
 
-/// The largest coordinate, and the inverse of the smallest size, that the makers here let pass:
-/// 2^250 for double and long double, 2^25 for float. Within it no product of this chapter
+/// The largest coordinate, and the inverse of the smallest size, that the functions here accept:
+/// 2^250 for double and long double, 2^25 for float. In this range no product of this chapter
 /// overflows.
 template <std::floating_point S>
 inline constexpr S furthest_coordinate = std::numeric_limits<S>::digits > 24 ? S(0x1p250)
@@ -91,7 +91,7 @@ Capsule<S> capsule_from_segment(const Vector3<S>& start, const Vector3<S>& end, 
 }
 
 /// A box from input.
-/// @param axes a rotation: columns of length 1 at right angles, to within 64 u, right-handed
+/// @param axes a rotation: columns of length 1, orthogonal to within 64 u, right-handed
 /// @param half_lengths m, each greater than 0
 /// @throws std::invalid_argument naming the argument and its value
 template <std::floating_point S>
@@ -112,7 +112,7 @@ OrientedBox<S> oriented_box_from_axes(const Vector3<S>& centre, const Matrix3<S>
   return {centre, axes, half_lengths};
 }
 
-/// A half-space from the plane that bounds it.
+/// A half-space from its boundary plane.
 /// @throws std::invalid_argument if the normal's length is not 1 to within 8 u, or the offset is
 /// not finite or out of range
 template <std::floating_point S>
@@ -128,7 +128,7 @@ HalfSpace<S> half_space_behind(const Plane<S>& boundary) {
 
 // [corner]
 /// Corner k of a box, from 0 to 7: bit i of k says whether it is on the positive side of axis i.
-/// @return m; off by γ(7) of the sum of its terms' sizes
+/// @return m; error at most γ(7) of the sum of the absolute values of its terms
 template <Ring S>
 Vector3<S> box_corner(const OrientedBox<S>& box, int k) {
   Vector3<S> corner = box.centre;
@@ -154,7 +154,7 @@ Segment<S> box_edge(const OrientedBox<S>& box, int k) {
 }
 // [/corner]
 
-/// A sphere is a capsule with a segment of no length.
+/// A sphere as a capsule with a segment of length 0.
 template <Ring S>
 Capsule<S> as_capsule(const Sphere<S>& sphere) {
   return {{sphere.centre, sphere.centre}, sphere.radius};

@@ -1,9 +1,8 @@
 /// @file
-/// Squared distances of segments and boxes as they are stored, for exact numbers.
+/// Squared distances of segments and boxes as stored, in exact arithmetic.
 ///
-/// A squared distance is a quotient of polynomials, so exact fractions find it without rounding.
-/// A box is taken as the parallelepiped that its stored numbers make: nothing here assumes that its
-/// axes are at right angles.
+/// A squared distance is a quotient of polynomials, so exact fractions compute it without rounding.
+/// A box is taken as the parallelepiped of its stored numbers: its axes need not be orthogonal.
 #pragma once
 
 #include <concepts>
@@ -14,12 +13,12 @@
 
 namespace contact {
 
-/// A Scalar that does not round: fractions.
+/// An exact Scalar: fractions.
 template <class S>
 concept ExactScalar = Scalar<S> && !std::floating_point<S>;
 
 // [exact-point-segment]
-/// The squared distance of a point from a segment, which may have no length.
+/// The squared distance of a point from a segment, which may have length 0.
 /// @return m²
 template <ExactScalar S>
 S exact_squared_distance(const Vector3<S>& p, const Segment<S>& segment) {
@@ -37,8 +36,8 @@ S exact_squared_distance(const Vector3<S>& p, const Segment<S>& segment) {
 // [/exact-point-segment]
 
 // [exact-segments]
-/// The squared distance of two segments. It is found between the lines, if their closest points lie
-/// on both segments, and else at an end of one of them.
+/// The squared distance of two segments: that of their lines if the closest points lie on both
+/// segments, otherwise that of an end of one of them.
 /// @return m²
 template <ExactScalar S>
 S exact_squared_distance(const Segment<S>& a, const Segment<S>& b) {
@@ -67,12 +66,13 @@ S exact_squared_distance(const Segment<S>& a, const Segment<S>& b) {
 
 namespace detail {
 
-/// The parallelepiped of a box: its half edges, and what finds a point's coordinates in them.
+/// The parallelepiped of a box: its half edges, and the cross products that give a point's
+/// coordinates.
 template <ExactScalar S>
 struct HalfEdges {
   Vector3<S> edge[3];   ///< m
   Vector3<S> cross[3];  ///< cross[i] = edge[i + 1] × edge[i + 2], m²
-  S volume = S(0);      ///< edge[0] · cross[0], made positive; m³
+  S volume = S(0);      ///< absolute value of edge[0] · cross[0], m³
 
   explicit HalfEdges(const OrientedBox<S>& box) {
     for (int i = 0; i < 3; ++i) {
@@ -104,14 +104,14 @@ std::optional<S> squared_distance_from_face(const Vector3<S>& p, const Vector3<S
 }  // namespace detail
 
 // [exact-meets]
-/// Whether a segment has a point in common with a box, or, if `within`, with the inside of it.
+/// Whether a segment has a point in common with a box, or, if `within`, with its interior.
 template <ExactScalar S>
 bool segment_meets_box(const Segment<S>& segment, const OrientedBox<S>& box, bool within = false) {
   const detail::HalfEdges<S> half(box);
   const Vector3<S> w = segment.start - box.centre;
   const Vector3<S> d = segment.end - segment.start;
-  std::optional<S> first;  // where the last slab is entered, in lengths of d
-  std::optional<S> last;   // where the first slab is left
+  std::optional<S> first;  // entry into the last slab, as a fraction of d
+  std::optional<S> last;   // exit from the first slab
   for (int i = 0; i < 3; ++i) {
     // −volume ≤ at + t rate ≤ volume
     const S at = half.cross[i].dot(w);
@@ -127,7 +127,7 @@ bool segment_meets_box(const Segment<S>& segment, const OrientedBox<S>& box, boo
     if (!first || *first < enters) first = enters;
     if (!last || leaves < *last) last = leaves;
   }
-  if (!first) return true;  // no length in any slab's direction, and inside all of them
+  if (!first) return true;  // parallel to all slabs (length 0), and inside them
   if (within) return *first < *last && *first < S(1) && S(0) < *last;
   return !(*last < *first) && !(S(1) < *first) && !(*last < S(0));
 }
@@ -169,8 +169,8 @@ S exact_squared_distance(const Vector3<S>& p, const OrientedBox<S>& box) {
 // [/exact-segment-box]
 
 // [exact-boxes]
-/// The squared distance of two boxes; 0 if they meet. Each edge of one is held against the other:
-/// boxes that meet have an edge of one that meets the other, or one lies in the other.
+/// The squared distance of two boxes; 0 if they meet. Each edge of one is tested against the other:
+/// boxes that meet have an edge of one that meets the other, or one contains the other.
 /// @return m²
 template <ExactScalar S>
 S exact_squared_distance(const OrientedBox<S>& a, const OrientedBox<S>& b) {

@@ -1,5 +1,5 @@
 /// @file
-/// Fractions without rounding: exact numbers with a division.
+/// Exact fractions: quotients of exact numbers.
 #pragma once
 
 #include <cassert>
@@ -10,23 +10,23 @@
 namespace contact {
 
 // [exact-fraction]
-/// A quotient of two exact numbers, so that a formula with divisions is right to the last bit too.
+/// A quotient of two exact numbers, for exact formulas with divisions.
 ///
-/// Nothing is cancelled: numerator and denominator grow with every operation. That does for short
-/// formulas, such as a squared distance, and for nothing long. Division by 0 is a wrong program,
-/// and asserts.
+/// Fractions are not reduced: numerator and denominator grow with every operation. That suffices
+/// for short formulas, such as a squared distance, but not for long computations. Division by 0 is
+/// an error of the program, and asserts.
 class ExactFraction {
  public:
   /// Zero.
   ExactFraction() : below_(1.0) {}
-  /// A whole number.
+  /// An integer.
   ExactFraction(int value) : ExactFraction(static_cast<double>(value)) {}
   /// The value of a finite double, unchanged.
   ExactFraction(double value) : above_(value), below_(1.0) {}
 
   /// -1, 0 or +1.
   int sign() const { return above_.sign(); }
-  /// The double nearest to it.
+  /// The closest double.
   double nearest() const { return quotient<double>(above_, below_); }
 
   friend ExactFraction operator-(const ExactFraction& x) { return {-x.above_, x.below_}; }

@@ -1,5 +1,5 @@
 /// @file
-/// What of one box's face lies over a face of another: polygons cut off at planes.
+/// Clipping of polygons by planes: the part of a box's face that lies over a face of another box.
 #pragma once
 
 #include <algorithm>
@@ -18,10 +18,10 @@ namespace contact {
 // [clip]
 /// The part of a convex polygon with n · x ≤ k.
 ///
-/// Corners on the plane stay. A corner where an edge crosses the plane lies between the edge's
-/// ends. The order of the corners is kept.
-/// @param polygon corners in order, m
-/// @return no corner if all lie beyond the plane
+/// Vertices on the plane are kept. Where an edge crosses the plane, the new vertex lies between the
+/// ends of the edge. The order of the vertices is kept.
+/// @param polygon vertices in order, m
+/// @return no vertex if all lie beyond the plane
 /// @see Sutherland and Hodgman, *Reentrant polygon clipping*, Communications of the ACM 17 (1974)
 template <Scalar S>
 std::vector<Vector3<S>> clipped_polygon(const std::vector<Vector3<S>>& polygon, const Vector3<S>& n,
@@ -35,7 +35,7 @@ std::vector<Vector3<S>> clipped_polygon(const std::vector<Vector3<S>>& polygon, 
     if (!(S(0) < at_here)) kept.push_back(here);
     if ((at_here < S(0) && S(0) < at_next) || (S(0) < at_here && at_next < S(0))) {
       const S whole = at_here - at_next;
-      // From the end that is nearer to the plane.
+      // From the end that is closer to the plane.
       const Vector3<S> edge = next - here;
       kept.push_back(Vector3<S>(here + edge * S(at_here / whole)));
     }
@@ -65,8 +65,8 @@ BoxFace<S> box_face(const OrientedBox<S>& box, int axis, bool positive) {
   return face;
 }
 
-/// The face of a box that looks most nearly along n: of equals the first of x, y and z, and the
-/// negative side if n is across the axis.
+/// The face of a box whose normal is closest to n: of equal ones the first of x, y and z, and the
+/// negative side if n is perpendicular to the axis.
 template <Ring S>
 BoxFace<S> face_towards(const OrientedBox<S>& box, const Vector3<S>& n) {
   int best = 0;
@@ -83,8 +83,9 @@ BoxFace<S> face_towards(const OrientedBox<S>& box, const Vector3<S>& n) {
 // [/face]
 
 // [over-face]
-/// What of a polygon lies over a face of a box: it is cut off at the four planes beside the face.
-/// @param axis which face, from 0 to 2; both sides of the box have the same four planes
+/// The part of a polygon over a face of a box: the polygon is clipped by the four planes beside the
+/// face.
+/// @param axis of the face, from 0 to 2; both sides of the box have the same four planes
 template <Scalar S>
 std::vector<Vector3<S>> polygon_over_face(std::vector<Vector3<S>> polygon,
                                           const OrientedBox<S>& box, int axis) {
@@ -101,7 +102,7 @@ std::vector<Vector3<S>> polygon_over_face(std::vector<Vector3<S>> polygon,
 
 namespace detail {
 
-/// The lowest point along n, the first of equals. At least one point.
+/// The lowest point along n, the first of equal ones. There must be at least one point.
 template <Ring S>
 Vector3<S> lowest_of(const std::vector<Vector3<S>>& points, const Vector3<S>& n) {
   Vector3<S> best = points[0];
@@ -111,8 +112,8 @@ Vector3<S> lowest_of(const std::vector<Vector3<S>>& points, const Vector3<S>& n)
   return best;
 }
 
-/// Of the other box's face that looks against `outward`, the deepest point over the face of `box`;
-/// without any over it, the box's deepest corner.
+/// The deepest point over the face of `box`, of the other box's incident face (that which faces
+/// against `outward`); if no point is over it, the deepest corner of that face.
 template <std::floating_point S>
 Vector3<S> deepest_over_face(const OrientedBox<S>& box, int axis, const Vector3<S>& outward,
                              const OrientedBox<S>& other) {
@@ -122,8 +123,8 @@ Vector3<S> deepest_over_face(const OrientedBox<S>& box, int axis, const Vector3<
   return lowest_of<S>(over.empty() ? whole : over, outward);
 }
 
-/// Of the part of a segment over a face of a box, the point nearest to its start; the start if no
-/// part is.
+/// The point closest to the start of a segment, of its part over a face of a box; the start if
+/// there is no such part.
 template <std::floating_point S>
 Vector3<S> lowest_over_face(const Segment<S>& segment, const OrientedBox<S>& box, int axis) {
   const Vector3<S> start = in_box_axes(box, segment.start);
@@ -143,7 +144,7 @@ Vector3<S> lowest_over_face(const Segment<S>& segment, const OrientedBox<S>& box
   return first <= last ? point_at<S>(segment, first) : segment.start;
 }
 
-/// The edge along an axis of a box that reaches furthest along n.
+/// The edge along a given axis of a box that is extreme along n.
 template <std::floating_point S>
 Segment<S> support_edge(const OrientedBox<S>& box, int axis, const Vector3<S>& n) {
   int corner = 0;

@@ -1,6 +1,5 @@
 /// @file
-/// How far two convex bodies are apart or how deep they overlap, in which direction, and at which
-/// points.
+/// The signed distance of two convex bodies, its direction and the points that attain it.
 #pragma once
 
 #include <algorithm>
@@ -19,20 +18,21 @@
 namespace contact {
 
 // [gap]
-/// The distance of two bodies A and B, or how deep they overlap.
+/// The signed distance of two bodies A and B.
 ///
-/// on_a − on_b = distance normal, but for rounding. Separating bodies: the two closest points.
-/// Overlapping bodies: moving A by −distance along the normal is the shortest way to part them.
+/// on_a − on_b = distance normal, up to rounding. For separated bodies these are two closest
+/// points. For overlapping bodies, a translation of A by −distance along the normal is the shortest
+/// one that separates them.
 template <Ring S>
 struct Gap {
-  S distance = S(0);                       ///< m; negative: minus the depth of penetration
+  S distance = S(0);                       ///< m; negative: minus the penetration depth
   Vector3<S> normal = Vector3<S>::Zero();  ///< unit vector, from B to A
-  Vector3<S> on_a = Vector3<S>::Zero();    ///< of A's surface, m
-  Vector3<S> on_b = Vector3<S>::Zero();    ///< of B's surface, m
+  Vector3<S> on_a = Vector3<S>::Zero();    ///< on the surface of A, m
+  Vector3<S> on_b = Vector3<S>::Zero();    ///< on the surface of B, m
 };
 // [/gap]
 
-/// The same seen from the other body.
+/// The same with the two bodies exchanged.
 template <Ring S>
 Gap<S> exchanged(const Gap<S>& gap) {
   return {gap.distance, Vector3<S>(-gap.normal), gap.on_b, gap.on_a};
@@ -40,8 +40,8 @@ Gap<S> exchanged(const Gap<S>& gap) {
 
 namespace detail {
 
-/// A unit vector across d, the same for the same d: across the coordinate axis that d is least
-/// along. For d = 0, the z axis.
+/// A unit vector perpendicular to d, always the same for the same d: perpendicular to the
+/// coordinate axis along which d is smallest. For d = 0, the z axis.
 template <std::floating_point S>
 Vector3<S> across(const Vector3<S>& d) {
   if (d == Vector3<S>::Zero()) return Vector3<S>::UnitZ();
@@ -55,7 +55,7 @@ Vector3<S> across(const Vector3<S>& d) {
 }
 
 /// The gap of two bodies from the closest points of their cores, along a unit normal: each surface
-/// is its radius away from its core.
+/// is at a distance of its radius from its core.
 template <std::floating_point S>
 Gap<S> gap_of_cores(const Vector3<S>& on_a, const S& radius_a, const Vector3<S>& on_b,
                     const S& radius_b, const S& distance, const Vector3<S>& normal) {
@@ -63,8 +63,8 @@ Gap<S> gap_of_cores(const Vector3<S>& on_a, const S& radius_a, const Vector3<S>&
           Vector3<S>(on_b + normal * radius_b)};
 }
 
-/// Below this length the difference of two closest points is what rounding left of it, and says
-/// nothing about the direction.
+/// Below this length the difference of two closest points is a rounding residual, and its direction
+/// has no meaning.
 template <std::floating_point S>
 S no_direction_below(const Vector3<S>& p, const Vector3<S>& q) {
   return S(32) * std::numeric_limits<S>::epsilon() *
@@ -79,8 +79,8 @@ S length(const Vector3<S>& v) {
 }  // namespace detail
 
 // [gap-spheres]
-/// The gap of two spheres. Where the centres coincide every direction is as good, and it is z.
-/// @return distance off by a few u of the coordinates and radii
+/// The gap of two spheres. If the centres coincide, all directions are equivalent, and z is taken.
+/// @return error of the distance: a few u of the coordinates and radii
 template <std::floating_point S>
 Gap<S> gap(const Sphere<S>& a, const Sphere<S>& b) {
   const Vector3<S> between = a.centre - b.centre;
@@ -94,9 +94,9 @@ Gap<S> gap(const Sphere<S>& a, const Sphere<S>& b) {
 // [gap-capsules]
 /// The gap of two capsules: that of the closest points of their segments, less the radii.
 ///
-/// Segments that cross have no direction between their closest points. Then the shortest way out is
-/// across both.
-/// @return distance off by a few u of the coordinates and radii
+/// If the segments cross, their closest points define no direction. Then the shortest translation
+/// is perpendicular to both.
+/// @return error of the distance: a few u of the coordinates and radii
 template <std::floating_point S>
 Gap<S> gap(const Capsule<S>& a, const Capsule<S>& b) {
   const ClosestPoints<S> near = closest_points<S>(a.core, b.core);
@@ -131,9 +131,9 @@ Gap<S> gap(const Capsule<S>& a, const Sphere<S>& b) {
 // [/gap-capsules]
 
 // [gap-sphere-box]
-/// The gap of a sphere and a box. A centre inside the box leaves it through the nearest face: of
-/// equals, the first of x, y and z, on the positive side.
-/// @return distance off by a few u of the coordinates, sizes and radius
+/// The gap of a sphere and a box. A centre inside the box is moved out through the closest face: of
+/// equal ones, the first of x, y and z, on the positive side.
+/// @return error of the distance: a few u of the coordinates, sizes and radius
 template <std::floating_point S>
 Gap<S> gap(const Sphere<S>& a, const OrientedBox<S>& b) {
   const Vector3<S> local = in_box_axes(b, a.centre);
@@ -172,7 +172,7 @@ Gap<S> gap(const OrientedBox<S>& a, const Sphere<S>& b) {
 
 namespace detail {
 
-/// A direction and how much room it leaves between A and B.
+/// An axis and the gap of A and B along it.
 template <std::floating_point S>
 struct AxisRoom {
   S room = -std::numeric_limits<S>::infinity();  ///< m
@@ -180,18 +180,18 @@ struct AxisRoom {
   int axis = -1;                                 ///< which candidate it was
 };
 
-/// a × b for nearly or quite parallel vectors of nearly the same length, and any others. The
-/// difference b ∓ a is short then, and its digits are good: a × b = a × (b ∓ a).
+/// a × b, also for parallel or almost parallel vectors of similar length. Then the difference b ∓ a
+/// is short and accurate: a × b = a × (b ∓ a).
 template <std::floating_point S>
 Vector3<S> careful_cross(const Vector3<S>& a, const Vector3<S>& b) {
   if (a.dot(b) < S(0)) return a.cross(Vector3<S>(b + a));
   return a.cross(Vector3<S>(b - a));
 }
 
-/// Whether a cross product of unit vectors has a direction: it is longer than 16 u. A shorter one
-/// belongs to edges that are parallel but for the rounding of their stored numbers. Leaving it out
-/// adds to the depth at most 16 u of an edge's length: the strip between the faces beside it is as
-/// narrow as that.
+/// Whether a cross product of unit vectors has a meaningful direction: its length exceeds 16 u. A
+/// shorter one belongs to edges that are parallel up to the rounding of their stored numbers.
+/// Leaving it out adds at most 16 u of an edge's length to the depth, because the strip between the
+/// adjacent faces is that narrow.
 template <std::floating_point S>
 bool has_direction(const Vector3<S>& cross) {
   return length<S>(cross) > S(8) * std::numeric_limits<S>::epsilon();
@@ -202,8 +202,8 @@ bool has_direction(const Vector3<S>& cross) {
 // [gap-capsule-box]
 namespace detail {
 
-/// The direction that leaves the most room between a segment and a box: of the box's three face
-/// normals and the three directions across the segment and an edge.
+/// The axis of largest gap between a segment and a box: of the three face normals of the box and
+/// the three cross products of the segment and an edge.
 template <std::floating_point S>
 AxisRoom<S> widest_room(const Segment<S>& a, const OrientedBox<S>& b) {
   AxisRoom<S> best;
@@ -221,7 +221,7 @@ AxisRoom<S> widest_room(const Segment<S>& a, const OrientedBox<S>& b) {
     const S reach = box_reach(b, n);
     const S from = n.dot(start);
     const S to = n.dot(end);
-    // Seen along n and against it.
+    // In both directions of the axis.
     const S ahead = std::min(from, to) - reach;
     const S behind = -std::max(from, to) - reach;
     if (ahead > best.room) best = {ahead, n, k};
@@ -234,9 +234,9 @@ AxisRoom<S> widest_room(const Segment<S>& a, const OrientedBox<S>& b) {
 
 /// The gap of a capsule and a box: that of its segment and the box, less the radius.
 ///
-/// If the segment is outside, the closest points say how far and in which direction. If it meets
-/// the box, the shortest way out is along one of six directions.
-/// @return distance off by a few u of the coordinates, sizes and radius
+/// If the segment is outside, the closest points give distance and direction. If it meets the box,
+/// the shortest translation is along one of six axes.
+/// @return error of the distance: a few u of the coordinates, sizes and radius
 template <std::floating_point S>
 Gap<S> gap(const Capsule<S>& a, const OrientedBox<S>& b) {
   if (a.core.start == a.core.end) return gap(Sphere<S>{a.core.start, a.radius}, b);
@@ -252,7 +252,7 @@ Gap<S> gap(const Capsule<S>& a, const OrientedBox<S>& b) {
   const Vector3<S>& n = widest.normal;
   Vector3<S> deepest;
   if (widest.axis < 3) {
-    // Of the part of the segment above the face, the lowest point.
+    // The lowest point of the part of the segment above the face.
     const S from = n.dot(a.core.start);
     const S to = n.dot(a.core.end);
     const Segment<S> core = from <= to ? a.core : Segment<S>{a.core.end, a.core.start};
@@ -280,10 +280,9 @@ Gap<S> gap(const OrientedBox<S>& a, const Capsule<S>& b) {
 // [gap-boxes]
 namespace detail {
 
-/// The direction that leaves the most room between two boxes, of the fifteen or of some of them.
-/// axis is −1 if none of them is a direction. Of equals it is the
-/// earlier one, and an edge pair must leave more than a face does, by 64 u of the sizes: faces make
-/// better contacts, and rounding shall not choose.
+/// The axis of largest gap between two boxes, of the fifteen or of some of them. axis is −1 if none
+/// of them has a direction. Of equal ones the first is taken, and an edge–edge axis must exceed the
+/// face normals by 64 u of the sizes: faces give better contacts, and rounding must not decide.
 template <std::floating_point S>
 AxisRoom<S> widest_room(const OrientedBox<S>& a, const OrientedBox<S>& b, int first = 0,
                         int last = box_axis_count - 1) {
@@ -315,12 +314,12 @@ AxisRoom<S> widest_room(const OrientedBox<S>& a, const OrientedBox<S>& b, int fi
 
 /// The gap of two boxes.
 ///
-/// Boxes that keep apart: the distance of their closest points. Where rounding cannot tell their
-/// line from one of fifteen directions, of faces and across two edges, it is that direction: it has
-/// all its digits, however near the boxes are. Boxes that overlap: of these directions the one with
-/// the least overlap. If that is a face's normal, the points are the
-/// deepest of the other box over that face; if it belongs to two edges, their closest points.
-/// @return distance off by a few u of the coordinates and sizes
+/// Separated boxes: the distance of their closest points. If rounding cannot distinguish its
+/// direction from one of the fifteen axes, the axis is taken, which has full precision however
+/// close the boxes are. Overlapping boxes: the axis of least overlap. If it is a face normal, the
+/// points are the deepest of the other box over that face; if it belongs to two edges, they are the
+/// closest points of these.
+/// @return error of the distance: a few u of the coordinates and sizes
 template <std::floating_point S>
 Gap<S> gap(const OrientedBox<S>& a, const OrientedBox<S>& b) {
   const detail::AxisRoom<S> widest = detail::widest_room<S>(a, b);
@@ -330,7 +329,7 @@ Gap<S> gap(const OrientedBox<S>& a, const OrientedBox<S>& b) {
   if (widest.room > detail::no_direction_below<S>(far_a, far_b)) {
     const ClosestPoints<S> near = closest_points<S>(a, b);
     const Vector3<S> between = near.on_a - near.on_b;
-    // What is known of a direction from its length alone is lost where the two almost touch.
+    // A direction computed from two points loses its digits if the boxes almost touch.
     const bool along = detail::length<S>(Vector3<S>(between - n * widest.room)) <=
                        S(4) * detail::no_direction_below<S>(far_a, far_b);
     return detail::gap_of_cores<S>(near.on_a, S(0), near.on_b, S(0), detail::length<S>(between),
@@ -359,11 +358,11 @@ Gap<S> gap(const OrientedBox<S>& a, const OrientedBox<S>& b) {
 // [/gap-boxes]
 
 // [gap-half-space]
-/// The gap of points and a half-space: that of the lowest point, the first of equals. The points of
-/// a convex hull stand for the hull. With a radius, each point is a ball.
+/// The gap of points and a half-space: that of the lowest point, the first of equal ones. The
+/// points of a convex hull represent the hull. With a radius, each point is a ball.
 /// @param points at least one
 /// @param radius m, not negative
-/// @return distance off by a few u of the coordinates
+/// @return error of the distance: a few u of the coordinates
 template <std::floating_point S>
 Gap<S> gap(const std::vector<Vector3<S>>& points, const S& radius, const HalfSpace<S>& b) {
   std::size_t lowest = 0;

@@ -1,6 +1,6 @@
 /// @file
-/// Separating, touching or colliding: which of the three two convex bodies do, without error for
-/// the numbers as they are stored.
+/// Separating, touching or colliding: which of the three holds for two convex bodies, decided
+/// exactly for the stored numbers.
 #pragma once
 
 #include <algorithm>
@@ -20,11 +20,11 @@
 namespace contact {
 
 // [separation]
-/// What two convex bodies do.
+/// The three cases of two convex bodies.
 enum class Separation {
-  colliding = -1,  ///< they overlap: no small enough shift parts them
-  touching = 0,    ///< they have points in common, and some shift, however small, parts them
-  separating = 1   ///< they have no point in common
+  colliding = -1,  ///< they overlap: no sufficiently small translation separates them
+  touching = 0,  ///< they have common points, and some arbitrarily small translation separates them
+  separating = 1  ///< they have no common point
 };
 // [/separation]
 
@@ -52,8 +52,8 @@ inline OrientedBox<ExactFraction> fractions(const OrientedBox<double>& box) {
   return exact;
 }
 
-/// What a body covers of a direction n: its lowest and highest n · x, and a sum of the sizes of the
-/// terms in either, by which their rounding is bounded.
+/// The projection of a body on a direction n: smallest and largest n · x, and the sum of absolute
+/// terms, which bounds their rounding.
 struct Extent {
   double low = 0;   ///< m, times |n|
   double high = 0;  ///< m, times |n|
@@ -78,7 +78,7 @@ inline Extent extent_along(const OrientedBox<double>& box, const Vector3<double>
   return {middle - reach, middle + reach, n.cwiseAbs().dot(far)};
 }
 
-/// How far a point of the core that was computed may be off it: γ(12) of the sizes it is made of.
+/// Bound on the error of a computed point of the core: γ(12) of its absolute terms.
 inline double core_slack(const Capsule<double>& c) {
   const Vector3<double> sum = c.core.start.cwiseAbs() + c.core.end.cwiseAbs();
   return tolerance::gamma<double>(12) * sum.sum();
@@ -92,12 +92,12 @@ inline double core_slack(const OrientedBox<double>& box) {
 }  // namespace detail
 
 // [certificate]
-/// Whether n surely separates A from B: a plane across n has A strictly in front and B strictly
-/// behind. If it says yes, that is proved, wherever n came from; no says nothing.
+/// Whether n certainly separates A from B: a plane perpendicular to n has A strictly in front and B
+/// strictly behind. A result of true is a proof, wherever n came from; false means nothing.
 ///
-/// The lowest n · x of A and the highest of B go through at most 12 roundings each, so their
-/// difference is off by at most γ(12) of the sum of their terms' sizes; γ(16) leaves room for the
-/// bound's own rounding.
+/// The smallest n · x of A and the largest of B have at most 12 roundings each, so the error of
+/// their difference is at most γ(12) of the sum of their absolute terms; γ(16) includes the
+/// rounding of the bound.
 /// @param a, b Sphere, Capsule or OrientedBox
 /// @param n of any length but 0
 template <class A, class B>
@@ -111,12 +111,12 @@ bool surely_separates(const A& a, const B& b, const Vector3<double>& n) {
 // [/certificate]
 
 // [capsules]
-/// Which of the three cases two capsules are in.
+/// Which of the three cases holds for two capsules.
 ///
-/// Rounded arithmetic proves it where it can. The direction between the closest points that it
-/// finds separates them; or those points, each moved by what rounding may have done to it, are
-/// nearer than the radii. If neither is certain, squared distances are compared in fractions:
-/// |p − q|² against (r + R)², with no root and no rounding.
+/// A floating-point filter proves the case where it can: the direction between the computed closest
+/// points separates the capsules; or those points, each moved by its error bound, are closer than
+/// the sum of the radii. If neither is certain, squared distances are compared in fractions: |p −
+/// q|² and (r + R)², without a root and without rounding.
 inline Separation separation(const Capsule<double>& a, const Capsule<double>& b) {
   const ClosestPoints<double> near = closest_points<double>(a.core, b.core);
   const Vector3<double> n = near.on_a - near.on_b;
@@ -135,8 +135,8 @@ inline Separation separation(const Capsule<double>& a, const Capsule<double>& b)
 // [/capsules]
 
 // [capsule-box]
-/// Which of the three cases a capsule and a box are in. As for two capsules; a capsule of radius 0
-/// collides if its segment enters the inside of the box.
+/// Which of the three cases holds for a capsule and a box. As for two capsules; a capsule of radius
+/// 0 collides if its segment enters the interior of the box.
 inline Separation separation(const Capsule<double>& a, const OrientedBox<double>& b) {
   const ClosestPoints<double> near = closest_points<double>(a.core, b);
   const Vector3<double> n = near.on_a - near.on_b;
@@ -161,12 +161,12 @@ inline Separation separation(const OrientedBox<double>& a, const Capsule<double>
 // [/capsule-box]
 
 // [spheres]
-/// Which of the three cases two spheres are in: |c − d|² against (r + R)².
+/// Which of the three cases holds for two spheres: |c − d|² is compared with (r + R)².
 inline Separation separation(const Sphere<double>& a, const Sphere<double>& b) {
   const Vector3<double> between = a.centre - b.centre;
   const double reach = a.radius + b.radius;
   const double squared = between.dot(between);
-  // Five roundings in the squared distance, three in the squared reach.
+  // Five roundings in the squared distance, three in the squared sum of the radii.
   const double room = tolerance::gamma<double>(8) * (squared + reach * reach);
   const double value = squared - reach * reach;
   if (detail::in_filter_range(squared + reach * reach) && std::abs(value) > room) {
@@ -195,13 +195,14 @@ inline Separation separation(const OrientedBox<double>& a, const Sphere<double>&
 // [/spheres]
 
 // [boxes]
-/// Which of the three cases two boxes are in, by the separating axis theorem.
+/// Which of the three cases holds for two boxes, by the separating axis theorem (SAT).
 ///
-/// All points a − b of the two fill a polyhedron, and each of its faces is at right angles to one
-/// of the fifteen axes. So the boxes separate if there is a gap along one of them, touch if the
-/// largest is 0, and collide otherwise. Every sign is exact: rounded arithmetic answers if its
-/// bound lets it, exact arithmetic if not. Axes of parallel edges are left out if they are 0, and
-/// only then; nearly parallel edges are an axis like any other.
+/// The differences a − b of their points (Minkowski difference) form a polyhedron whose face
+/// normals are among the fifteen axes. So the boxes are separated if the gap along one axis is
+/// positive, touch if the largest gap is 0, and collide otherwise. Every sign is exact: a
+/// floating-point filter decides if its bound allows it, exact arithmetic otherwise. Axes of
+/// parallel edges are left out if they are exactly 0; those of nearly parallel edges are axes like
+/// all others.
 inline Separation separation(const OrientedBox<double>& a, const OrientedBox<double>& b) {
   bool touching = false;
   for (int k = 0; k < box_axis_count; ++k) {
@@ -225,11 +226,11 @@ inline int sign_beyond(const Exact& value, double radius, const Vector3<Exact>& 
 }  // namespace detail
 
 // [half-space]
-/// Which of the three cases points and a half-space are in: the points of a convex hull decide for
-/// the hull, since its lowest point is one of them. With a radius, each point is a ball.
+/// Which of the three cases holds for points and a half-space. The points of a convex hull decide
+/// for the hull, since its lowest point is one of them. With a radius, each point is a ball.
 ///
-/// The half-space is taken as stored: all x with n · x ≤ k, whatever the length of n. So a ball's
-/// distance n · c − k is held against r |n|, by squares.
+/// The half-space is taken as stored: all x with n · x ≤ k, for n of any length. So the distance n
+/// · c − k of a ball is compared with r |n|, by squares.
 /// @param points at least one
 /// @param radius m, not negative
 inline Separation separation(const std::vector<Vector3<double>>& points, double radius,
@@ -260,7 +261,7 @@ inline Separation separation(const Capsule<double>& a, const HalfSpace<double>& 
 inline Separation separation(const Sphere<double>& a, const HalfSpace<double>& b) {
   return separation({a.centre}, a.radius, b);
 }
-/// A box against a half-space: n · c − Σ hᵢ |n · aᵢ| against k.
+/// A box against a half-space: n · c − Σ hᵢ |n · aᵢ| is compared with k.
 inline Separation separation(const OrientedBox<double>& a, const HalfSpace<double>& b) {
   const Vector3<double>& n = b.boundary.normal;
   const detail::Extent extent = detail::extent_along(a, n);
@@ -292,39 +293,39 @@ inline Separation separation(const HalfSpace<double>& a, const OrientedBox<doubl
 // [/half-space]
 
 // [witness]
-/// A direction that separated two bodies the last time. It is the only thing that is kept from one
-/// step to the next, and losing it loses time alone.
+/// A direction that separated two bodies in an earlier step (temporal coherence). It is all that is
+/// stored between steps, and losing it costs only time.
 struct SeparatingWitness {
   Vector3<double> axis = Vector3<double>::Zero();  ///< from B to A, of any length; 0: none yet
 };
 
-/// The direction in which rounded arithmetic would first look for a separating plane.
+/// The first candidate for a separating direction, in floating point.
 template <class A, class B>
 Vector3<double> likely_axis(const A& a, const B& b) {
   const ClosestPoints<double> near = closest_points<double>(a, b);
   return near.on_a - near.on_b;
 }
-/// That of two centres.
+/// For two centres.
 inline Vector3<double> likely_axis(const Sphere<double>& a, const Sphere<double>& b) {
   return a.centre - b.centre;
 }
-/// That of two segments.
+/// For two segments.
 inline Vector3<double> likely_axis(const Capsule<double>& a, const Capsule<double>& b) {
   return likely_axis(a.core, b.core);
 }
-/// That of a segment and a box.
+/// For a segment and a box.
 inline Vector3<double> likely_axis(const Capsule<double>& a, const OrientedBox<double>& b) {
   return likely_axis(a.core, b);
 }
-/// That of a centre and a segment.
+/// For a centre and a segment.
 inline Vector3<double> likely_axis(const Sphere<double>& a, const Capsule<double>& b) {
   return likely_axis(as_capsule(a), b);
 }
-/// That of a centre and a box.
+/// For a centre and a box.
 inline Vector3<double> likely_axis(const Sphere<double>& a, const OrientedBox<double>& b) {
   return likely_axis(as_capsule(a), b);
 }
-/// Of the fifteen axes the one with the largest gap for its length.
+/// Of the fifteen axes the one with the largest gap relative to its length.
 inline Vector3<double> likely_axis(const OrientedBox<double>& a, const OrientedBox<double>& b) {
   Vector3<double> best = Vector3<double>::Zero();
   double largest = -std::numeric_limits<double>::infinity();
@@ -341,12 +342,12 @@ inline Vector3<double> likely_axis(const OrientedBox<double>& a, const OrientedB
   return best;
 }
 
-/// The same answer as separation(a, b), sooner where the bodies separate as they did before.
+/// The same result as separation(a, b), faster if the bodies are separated as before.
 ///
-/// The witness is tried first. If it surely separates them, they separate: that is a proof, and
-/// separation(), which is exact, would have said so. If it does not, separation() is asked. So the
-/// answer never depends on the witness.
-/// @param witness is replaced when the bodies separate along another direction
+/// The witness is tested first. If it certainly separates them, they are separated: that is a
+/// proof, and the exact separation() would agree. Otherwise separation() decides. So the result
+/// never depends on the witness.
+/// @param witness is replaced if the bodies are separated along another direction
 template <class A, class B>
 Separation separation_with_witness(const A& a, const B& b, SeparatingWitness& witness) {
   if (surely_separates(a, b, witness.axis)) return Separation::separating;

@@ -1,6 +1,6 @@
 /// @file
-/// Boxes along the axes: made so that they are certain to hold what they stand for, and compared
-/// without rounding.
+/// Axis-aligned bounding boxes that are certain to enclose their contents, compared without
+/// rounding.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,16 +21,16 @@ namespace contact {
 // [aabb]
 /// An axis-aligned bounding box: all x with low ≤ x ≤ high in each coordinate, faces included.
 ///
-/// A box may be flat or a point. A wrong program, not a wrong input, makes one with low > high or
-/// with an entry that is not finite: make boxes with the functions below, which check.
+/// A box may be flat or a point. One with low > high or with an entry that is not finite is an
+/// error of the program, not of its input: make boxes with the functions below, which check.
 template <Ring S>
 struct Aabb {
-  Vector3<S> low = Vector3<S>::Zero();   ///< the corner with the least coordinates, m
-  Vector3<S> high = Vector3<S>::Zero();  ///< the corner with the greatest coordinates, m
+  Vector3<S> low = Vector3<S>::Zero();   ///< the corner with the smallest coordinates, m
+  Vector3<S> high = Vector3<S>::Zero();  ///< the corner with the largest coordinates, m
 };
 
-/// Whether two boxes have a point in common. Touching counts. Nothing is rounded: the answer is
-/// right for the numbers that are stored.
+/// Whether two boxes have a point in common. Touching counts. Nothing is rounded: the result is
+/// exact for the stored numbers.
 template <Ring S>
 bool boxes_touch(const Aabb<S>& a, const Aabb<S>& b) {
   for (int k = 0; k < 3; ++k) {
@@ -40,7 +40,7 @@ bool boxes_touch(const Aabb<S>& a, const Aabb<S>& b) {
 }
 // [/aabb]
 
-/// The smallest box that holds both boxes. Nothing is rounded.
+/// The smallest box that contains both boxes. Nothing is rounded.
 template <Ring S>
 Aabb<S> enclosing_box(const Aabb<S>& a, const Aabb<S>& b) {
   Aabb<S> both = a;
@@ -67,8 +67,8 @@ Aabb<S> aabb_from_corners(const Vector3<S>& low, const Vector3<S>& high) {
   return {low, high};
 }
 
-/// The smallest box that holds all points. Nothing is rounded.
-/// @param points n of them, m, finite; n ≥ 1
+/// The smallest box that contains all points. Nothing is rounded.
+/// @param points n ≥ 1 points, m, finite
 /// @throws std::invalid_argument if there is no point, or an entry is not finite
 template <std::floating_point S>
 Aabb<S> aabb_of_points(std::span<const Vector3<S>> points) {
@@ -93,7 +93,7 @@ void require_sphere(const Sphere<S>& sphere) {
   }
 }
 
-/// Throws if a box that was rounded outwards has left the range of numbers.
+/// Throws if rounding a box outwards has overflowed.
 template <std::floating_point S>
 Aabb<S> require_in_range(const char* argument, const Vector3<S>& value, const Aabb<S>& box) {
   if (!all_finite(box.low) || !all_finite(box.high)) {
@@ -102,8 +102,8 @@ Aabb<S> require_in_range(const char* argument, const Vector3<S>& value, const Aa
   return box;
 }
 
-/// Every place of a box whose corners move by the displacement, with margin on all sides; each sum
-/// rounded outwards.
+/// The box of all positions of a box that moves by the displacement, with a margin on all sides;
+/// each sum is rounded outwards.
 template <std::floating_point S>
 Aabb<S> swept_outwards(const Aabb<S>& box, const Vector3<S>& displacement, S margin) {
   Aabb<S> swept;
@@ -121,12 +121,12 @@ Aabb<S> swept_outwards(const Aabb<S>& box, const Vector3<S>& displacement, S mar
 }  // namespace detail
 
 // [aabb-of-sphere]
-/// The smallest box of representable numbers that holds a sphere: centre ± radius, each rounded
+/// The smallest box of representable numbers that contains a sphere: centre ± radius, each rounded
 /// outwards.
 ///
-/// Rounded to nearest, a face may lie inside the sphere, and a touch is lost.
+/// Rounded to nearest, a face could lie inside the sphere, and a touch would be missed.
 /// @param sphere m, finite, with a radius that is not negative
-/// @throws std::invalid_argument if the sphere is not such a one, or its box overflows
+/// @throws std::invalid_argument if the sphere does not satisfy this, or its box overflows
 template <std::floating_point S>
 Aabb<S> aabb_of_sphere(const Sphere<S>& sphere) {
   detail::require_sphere(sphere);
@@ -136,14 +136,15 @@ Aabb<S> aabb_of_sphere(const Sphere<S>& sphere) {
       detail::swept_outwards<S>(centre, Vector3<S>::Zero(), sphere.radius));
 }
 
-/// A box that holds a sphere at every moment of a straight way.
+/// A box that contains a sphere throughout a straight displacement.
 ///
-/// In each coordinate the extremes are at an end of the way. Two sums are rounded outwards, so a
-/// face is at most two steps of the type away from the tightest one: the first of the two at the
-/// size of centre + displacement.
-/// @param sphere where it starts, m, finite, with a radius that is not negative
+/// In each coordinate the extremes are at an end of the path. Two sums are rounded outwards, so a
+/// face is at most two ulps from the tightest one: the first of them an ulp of the magnitude of
+/// centre + displacement.
+/// @param sphere at the start, m, finite, with a radius that is not negative
 /// @param displacement of its centre, m, finite
-/// @throws std::invalid_argument if an argument is not as said, or the box overflows
+/// @throws std::invalid_argument if an argument does not satisfy these conditions, or the box
+/// overflows
 template <std::floating_point S>
 Aabb<S> aabb_of_swept_sphere(const Sphere<S>& sphere, const Vector3<S>& displacement) {
   detail::require_sphere(sphere);
@@ -153,11 +154,13 @@ Aabb<S> aabb_of_swept_sphere(const Sphere<S>& sphere, const Vector3<S>& displace
                                   detail::swept_outwards<S>(centre, displacement, sphere.radius));
 }
 
-/// A box that holds another at every moment of a straight way, with a margin all round.
-/// @param box m, as the functions of this file make it
+/// A box that contains another throughout a straight displacement, with a margin on all sides.
+/// @param box m, made by the functions of this file
 /// @param displacement m, finite
-/// @param margin m, not negative: how far anything in the box may stray from that way
-/// @throws std::invalid_argument if an argument is not as said, or the result overflows
+/// @param margin m, not negative: the largest deviation of anything in the box from the straight
+/// path
+/// @throws std::invalid_argument if an argument does not satisfy these conditions, or the result
+/// overflows
 template <std::floating_point S>
 Aabb<S> aabb_of_swept_box(const Aabb<S>& box, const Vector3<S>& displacement, S margin = S(0)) {
   require_finite("displacement", displacement);
@@ -169,13 +172,14 @@ Aabb<S> aabb_of_swept_box(const Aabb<S>& box, const Vector3<S>& displacement, S 
 // [/aabb-of-sphere]
 
 // [aabb-of-turned-box]
-/// A box along the axes that holds a box that is turned: centre ± Σ |axisⱼ| hⱼ.
+/// An axis-aligned box that contains an oriented box: centre ± Σ |axisⱼ| hⱼ.
 ///
-/// The computed sum s is off by at most γ(3) s, and by 3 η / 2 where products underflow; s + γ(8) s
-/// + 2 η is above the true sum, its own three roundings included.
-/// @param frame its centre and axes; the axes are taken as they are stored
-/// @param half_lengths along its own axes, m, finite and not negative
-/// @throws std::invalid_argument if an argument is not as said, or the result overflows
+/// The error of the computed sum s is at most γ(3) s, plus 3 η / 2 where products underflow; s +
+/// γ(8) s + 2 η is above the exact sum, its own three roundings included.
+/// @param frame centre and axes of the oriented box; the axes are taken as stored
+/// @param half_lengths along its axes, m, finite and not negative
+/// @throws std::invalid_argument if an argument does not satisfy these conditions, or the result
+/// overflows
 template <std::floating_point S>
 Aabb<S> aabb_of_turned_box(const CoordinateFrame<S>& frame, const Vector3<S>& half_lengths) {
   require_finite("frame.origin", frame.origin);

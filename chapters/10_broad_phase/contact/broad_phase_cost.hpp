@@ -1,6 +1,6 @@
 /// @file
-/// What each broad phase costs, known before it runs: exactly where that is possible, else as an
-/// expectation or a bound, and each function says which.
+/// The cost of each broad phase before it runs: exact where possible, otherwise an expectation or a
+/// bound, as each function says.
 ///
 /// The unit of all costs is one comparison of two boxes.
 #pragma once
@@ -19,22 +19,22 @@
 
 namespace contact {
 
-/// The ways to find pairs of boxes.
+/// The methods of the broad phase.
 enum class BroadPhase { all_pairs, sweep, grid, tree };
 
 // [box-profile]
-/// What the cost model knows of boxes: how many, how large, and over what length they are spread.
+/// The inputs of the cost model: number and extents of the boxes, and the range of their positions.
 struct BoxProfile {
   std::uint64_t count = 0;  ///< n
-  /// On each axis, the length of the range in which the boxes' lower ends lie, m.
+  /// On each axis, the length of the range of the boxes' lower ends, m.
   Vector3<double> spread = Vector3<double>::Zero();
   Vector3<double> mean_extent = Vector3<double>::Zero();         ///< of high − low, m
   Vector3<double> mean_square_extent = Vector3<double>::Zero();  ///< of (high − low)², m²
   Vector3<double> largest_extent = Vector3<double>::Zero();      ///< of high − low, m
 };
 
-/// The profile of boxes that are there. Sums run in the order of the list.
-/// @param boxes n of them, of a size whose square does not overflow; n = 0 gives zeros
+/// The profile of a list of boxes. Sums run in the order of the list.
+/// @param boxes n of them, with extents whose squares do not overflow; n = 0 gives zeros
 template <std::floating_point S>
 BoxProfile profile_of(std::span<const Aabb<S>> boxes) {
   BoxProfile profile;
@@ -58,22 +58,22 @@ BoxProfile profile_of(std::span<const Aabb<S>> boxes) {
 }
 // [/box-profile]
 
-/// How many pairs n things have: n (n − 1) / 2, exactly what all_pairs() compares.
+/// The number of pairs of n things, n (n − 1) / 2: exactly the comparisons of all_pairs().
 /// @param n at most 2^32
 inline std::uint64_t pair_count(std::uint64_t n) {
   return n % 2 == 0 ? n / 2 * (n - std::uint64_t{n > 0}) : (n - 1) / 2 * n;
 }
 
 // [axis-share]
-/// The expected share of pairs that overlap on an axis, if the lower ends lie anywhere in the
-/// spread with even chance, each on its own.
+/// The expected fraction of pairs that overlap on an axis, if the lower ends are independent and
+/// uniformly distributed over the spread.
 ///
-/// With extents a and b and spread L, the ends x and y overlap if −b ≤ x − y ≤ a. For a ≤ L the
-/// part with x ≥ y has the probability q(a) = a/L − a²/(2 L²), for a greater a it is 1/2. The mean
-/// over all pairs of q(a) + q(b) is twice the mean of q: 2 m₁/L − m₂/L², with m₁ and m₂ the mean
-/// extent and the mean square.
-/// @return from 0 to 1. The expectation itself if no extent exceeds L. If one does, 2 q(m₁), which
-/// is not less, since q is concave (Jensen's inequality); then at most the share if all overlapped
+/// With extents a and b and spread L, boxes with lower ends x and y overlap if −b ≤ x − y ≤ a. For
+/// a ≤ L the part with x ≥ y has the probability q(a) = a/L − a²/(2 L²), for a larger a it is 1/2.
+/// The mean of q(a) + q(b) over all pairs is twice the mean of q: 2 m₁/L − m₂/L², with m₁ and m₂
+/// the means of the extent and of its square.
+/// @return from 0 to 1. The expectation itself if no extent exceeds L. Otherwise 2 q(m₁), which is
+/// not less, since q is concave (Jensen's inequality); at most 1
 inline double expected_axis_share(const BoxProfile& profile, int axis) {
   const double length = profile.spread(axis);
   if (!(length > 0)) return 1;
@@ -83,15 +83,15 @@ inline double expected_axis_share(const BoxProfile& profile, int axis) {
   return mean >= 1 ? 1 : mean * (2 - mean);
 }
 
-/// How many comparisons a sweep along the axis is expected to take; expected_axis_share() says what
-/// of, and when it is the expectation itself. For boxes that are there, overlaps_on_axis() is
-/// exact.
+/// The expected number of comparisons of a sweep along the axis, under the assumptions of
+/// expected_axis_share(). For a given list, overlaps_on_axis() is exact.
 inline double expected_sweep_tests(const BoxProfile& profile, int axis) {
   return double(pair_count(profile.count)) * expected_axis_share(profile, axis);
 }
 
-/// How many pairs are expected to touch. The expectation itself if all boxes have one size that
-/// does not exceed the spread; else an estimate, since large boxes are large on all axes.
+/// The expected number of touching pairs. The expectation itself if all boxes have the same size,
+/// which does not exceed the spread; otherwise an estimate, since large boxes are large on all
+/// axes.
 inline double expected_touching_pairs(const BoxProfile& profile) {
   double pairs = double(pair_count(profile.count));
   for (int axis = 0; axis < 3; ++axis) pairs *= expected_axis_share(profile, axis);
@@ -100,16 +100,16 @@ inline double expected_touching_pairs(const BoxProfile& profile) {
 // [/axis-share]
 
 // [grid-bound]
-/// At most so many comparisons does a grid take for these boxes: a bound, not an estimate.
+/// An upper bound (not an estimate) on the comparisons of a grid for these boxes.
 ///
-/// Ranges of cells that meet on an axis come from boxes that are less than an edge apart on it, as
-/// the cells are; three roundings, of two differences and of the sum here, are off by less than a
-/// 32nd of the edge each. So the pairs are among those that overlap on the axis when each box is
-/// made 9/8 of an edge longer: on all three axes, so the least of the three counts bounds them.
-/// Boxes of many cells are compared with all.
+/// If the ranges of cells of two boxes meet on an axis, the boxes are less than a cell edge apart
+/// on it, up to three roundings (of two differences and of the sum here), each of less than a 32nd
+/// of the edge. So the pairs are among those that overlap on the axis when each box is extended by
+/// 9/8 of an edge: this holds on all three axes, so the smallest of the three counts is a bound.
+/// Boxes that cover many cells are compared with all.
 /// @param boxes n of them, with coordinates of less than 2^48 edges (2^19 in float), and less than
 /// 2^20 edges from the grid's origin, none below it
-/// @param grid whose edge is a power of two, as grid_for() makes it
+/// @param grid whose edge is a power of two, made by grid_for()
 template <std::floating_point S>
 std::uint64_t most_grid_tests(std::span<const Aabb<S>> boxes, const PairGrid<S>& grid) {
   std::vector<Aabb<S>> longer(boxes.begin(), boxes.end());
@@ -123,10 +123,10 @@ std::uint64_t most_grid_tests(std::span<const Aabb<S>> boxes, const PairGrid<S>&
   return std::min(pair_count(boxes.size()), fewest + large * boxes.size());
 }
 
-/// How many comparisons a grid is expected to take at most, if the lower ends lie anywhere in the
-/// spread with even chance, each on its own and on each axis, and no box covers many cells: the
-/// pairs that are less than an edge apart on all axes. A bound on the expectation if all boxes have
-/// one size; else an estimate.
+/// The expected number of comparisons of a grid, if the lower ends are independent and uniformly
+/// distributed over the spread on each axis, and no box covers many cells: the pairs that are less
+/// than an edge apart on all axes. An upper bound on the expectation if all boxes have the same
+/// size; otherwise an estimate.
 /// @param cell_edge m, greater than 0
 inline double expected_grid_tests(const BoxProfile& profile, double cell_edge) {
   BoxProfile longer = profile;
@@ -139,8 +139,9 @@ inline double expected_grid_tests(const BoxProfile& profile, double cell_edge) {
   return expected_touching_pairs(longer);
 }
 
-/// In how many cells a box of the mean extents is expected to be entered: Π (1 + extent / edge).
-/// The expectation itself if all boxes have one size and lie anywhere on the grid with even chance.
+/// The expected number of cells in which a box of the mean extents is entered: Π (1 + extent /
+/// edge). The expectation itself if all boxes have the same size and uniformly distributed
+/// positions on the grid.
 inline double expected_grid_entries(const BoxProfile& profile, double cell_edge) {
   double cells = double(profile.count);
   for (int axis = 0; axis < 3; ++axis) cells *= 1 + profile.mean_extent(axis) / cell_edge;
@@ -149,9 +150,9 @@ inline double expected_grid_entries(const BoxProfile& profile, double cell_edge)
 // [/grid-bound]
 
 // [sampled-pairs]
-/// An estimate of how many pairs are at most `margin` apart on all axes: up to 32 boxes, evenly
-/// chosen from the list, are compared with all. Crowds, which an expectation over the spread does
-/// not see, are seen. It is the count itself if there are at most 32 boxes.
+/// An estimate of the number of pairs at most `margin` apart on all axes: up to 32 boxes, evenly
+/// chosen from the list, are compared with all. Unlike an expectation over the spread, it sees
+/// clusters. It is exact for at most 32 boxes.
 /// @param boxes n of them
 /// @param margin m, not negative
 template <std::floating_point S>
@@ -175,14 +176,14 @@ double sampled_pairs(std::span<const Aabb<S>> boxes, S margin) {
 // [/sampled-pairs]
 
 // [broad-phase-cost]
-/// The cost of each method for boxes that are there, in comparisons of two boxes.
+/// The cost of each method for a list of boxes, in comparisons of two boxes.
 struct BroadPhaseCost {
   double all_pairs = 0;  ///< exact: n (n − 1) / 2
-  double sweep = 0;      ///< exact in comparisons; plus sorting, n log₂ n
-  double grid = 0;       ///< an estimate: comparisons, and entries with their sorting
+  double sweep = 0;      ///< exact number of comparisons, plus sorting, n log₂ n
+  double grid = 0;       ///< an estimate: comparisons, and entries in cells with their sorting
   double tree = 0;       ///< an estimate: a path to a leaf and back for each box and each pair
 
-  /// The method that costs least; the first in the order of BroadPhase if several do.
+  /// The cheapest method; the first in the order of BroadPhase if several are.
   BroadPhase cheapest() const {
     const std::array<double, 4> all{all_pairs, sweep, grid, tree};
     const auto least = std::min_element(all.begin(), all.end());
@@ -190,13 +191,13 @@ struct BroadPhaseCost {
   }
 };
 
-/// The whole logarithm that counts the steps of sorting n things: the least k with n < 2^k.
+/// The number of levels of sorting n things: the smallest integer k with n < 2^k.
 inline double sorting_depth(std::uint64_t n) { return double(std::bit_width(n)); }
 
-/// The cost of each method, to choose by.
+/// The cost of each method, for choosing one.
 ///
-/// Comparisons of the sweep are counted, not guessed: O(n log n), as the sweep itself. Those of the
-/// grid and the tree are estimated by sampled_pairs(). A step of sorting is taken as half a
+/// The comparisons of the sweep are counted exactly, in O(n log n), like the sweep itself. Those of
+/// the grid and the tree are estimated by sampled_pairs(). A step of sorting counts as half a
 /// comparison.
 /// @param boxes n of them
 template <std::floating_point S>
@@ -217,7 +218,7 @@ BroadPhaseCost broad_phase_cost(std::span<const Aabb<S>> boxes) {
   return cost;
 }
 
-/// The pairs of boxes that touch, by the method that is asked for.
+/// The pairs of boxes that touch, by the given method.
 /// @param boxes n of them, at most 2^32 − 1
 template <std::floating_point S>
 PairSearch touching_pairs(std::span<const Aabb<S>> boxes, BroadPhase method) {

@@ -17,24 +17,24 @@
 namespace contact {
 
 // [pair-grid]
-/// Cubes of one size that fill space from an origin on. What lies outside the 2^21 cells of an axis
-/// belongs to the first or to the last.
+/// Cubic cells of one size that fill space from an origin. Coordinates outside the 2^21 cells of an
+/// axis belong to the first or the last cell.
 template <std::floating_point S>
 struct PairGrid {
   Vector3<S> origin = Vector3<S>::Zero();  ///< a corner of the first cell, m
   S cell_edge = S(1);                      ///< m, finite and greater than 0
 };
 
-/// The last cell along an axis.
+/// The index of the last cell along an axis.
 inline constexpr std::uint32_t last_grid_cell = (1u << 21) - 1;
 
-/// A box that covers more cells than this is not entered in them, but compared with every box.
+/// A box that covers more cells than this is not entered in cells, but compared with every box.
 inline constexpr std::uint64_t most_cells_of_a_box = 64;
 
-/// In which cell along an axis the coordinate x lies.
+/// The index of the cell along an axis that contains the coordinate x.
 ///
-/// Difference, quotient and floor are rounded, but each keeps order: from x ≤ y follows cell(x) ≤
-/// cell(y). That is all that the grid relies on. So rounding moves a cell's border and loses no
+/// Difference, quotient and floor are rounded, but each is monotonic: x ≤ y implies cell(x) ≤
+/// cell(y). The grid relies on nothing else, so rounding moves the boundary of a cell but loses no
 /// pair.
 template <std::floating_point S>
 std::uint32_t grid_cell(S x, S origin, S cell_edge) {
@@ -47,7 +47,7 @@ std::uint32_t grid_cell(S x, S origin, S cell_edge) {
 
 namespace detail {
 
-/// The cells that a box covers: from low to high in each of three axes.
+/// The cells that a box covers: a range on each of three axes.
 struct CellRange {
   std::array<std::uint32_t, 3> low;
   std::array<std::uint32_t, 3> high;
@@ -63,7 +63,7 @@ inline std::uint64_t cell_key(std::uint32_t x, std::uint32_t y, std::uint32_t z)
   return (std::uint64_t{x} << 42) | (std::uint64_t{y} << 21) | z;
 }
 
-/// The first cell in which two ranges that share one both are.
+/// The first cell common to two ranges that overlap.
 inline std::uint64_t first_common_cell(const CellRange& a, const CellRange& b) {
   return cell_key(std::max(a.low[0], b.low[0]), std::max(a.low[1], b.low[1]),
                   std::max(a.low[2], b.low[2]));
@@ -80,7 +80,7 @@ CellRange cells_of(const Aabb<S>& box, const PairGrid<S>& grid) {
   return range;
 }
 
-/// A box in a cell.
+/// An entry of a box in a cell.
 struct CellEntry {
   std::uint64_t cell;
   std::uint32_t box;
@@ -90,11 +90,11 @@ struct CellEntry {
 }  // namespace detail
 
 // [grid-for]
-/// A grid that suits the boxes: cells at least twice as wide as the median box, and not more of
-/// them than boxes.
+/// A grid for the boxes: cells at least twice as wide as the median box, and not more cells than
+/// boxes.
 ///
-/// The median, since one huge body among small ones does not move it. The edge is a power of two.
-/// No boxes, or all of them points in one place, give cells of 1 m.
+/// The median is used because one huge body among small ones does not change it. The edge is a
+/// power of two. Without boxes, or if all of them are points at one position, cells are 1 m wide.
 /// @param boxes n of them
 template <std::floating_point S>
 PairGrid<S> grid_for(std::span<const Aabb<S>> boxes) {
@@ -133,13 +133,13 @@ PairGrid<S> grid_for(std::span<const Aabb<S>> boxes) {
 /// The pairs of boxes that touch, found cell by cell.
 ///
 /// Boxes that touch have a point in common, and the cell of that point is in the range of both. A
-/// pair that shares several cells is tested in the first of them only, so at most once. The few
+/// pair that shares several cells is tested only in the first of them, so at most once. The few
 /// boxes that cover more than `most_cells_of_a_box` cells are compared with all.
 /// @param boxes n of them, at most 2^32 − 1
-/// @param grid as grid_for() makes it, or any other with a finite edge greater than 0: the pairs
-/// are the same, the cost is not
-/// @return box_tests: the pairs whose ranges of cells meet, and those with a box of many cells;
-/// other_steps: entries in cells, and pairs met in a cell that is not their first
+/// @param grid made by grid_for(), or any other with a finite edge greater than 0: the pairs are
+/// the same, the cost is not
+/// @return box_tests: the pairs whose ranges of cells overlap, and those with a box of many cells;
+/// other_steps: entries in cells, and pairs found in a cell that is not their first
 template <std::floating_point S>
 PairSearch grid_pairs(std::span<const Aabb<S>> boxes, const PairGrid<S>& grid) {
   PairSearch search;
@@ -178,7 +178,7 @@ PairSearch grid_pairs(std::span<const Aabb<S>> boxes, const PairGrid<S>& grid) {
   }
   for (std::size_t k = 0; k < large.size(); ++k) {
     for (std::uint32_t j = 0; j < n; ++j) {
-      // Two large boxes meet once: when the first of them has its turn.
+      // Two large boxes are compared once: when the first of them is processed.
       const auto seen = large.begin() + static_cast<std::ptrdiff_t>(k) + 1;
       if (!std::binary_search(large.begin(), seen, j))
         detail::test_pair(boxes, large[k], j, search);

@@ -1,5 +1,5 @@
 /// @file
-/// Sums that are rounded in a direction of our choice: what an enclosure is made with.
+/// Sums rounded up or down (directed rounding), for enclosures.
 #pragma once
 
 #include <cmath>
@@ -11,10 +11,10 @@
 namespace contact {
 
 // [outward]
-/// The smallest number of the type that is not below a + b.
+/// The smallest floating-point number that is at least a + b.
 ///
-/// The sum is rounded to nearest; what two_sum() says it lost decides whether to go up by one. A
-/// sum never underflows with an error, so this is exact directed rounding.
+/// The sum is rounded to nearest; its rounding error, from two_sum(), decides whether to take the
+/// next number up. A sum never underflows with an error, so this is exact directed rounding.
 /// @param a, b finite
 /// @return ∞ if a + b is beyond the largest number; the lowest finite number if it is below that
 ///
@@ -25,11 +25,11 @@ S sum_up(S a, S b) {
   using Limits = std::numeric_limits<S>;
   const WithError<S> sum = two_sum(a, b);
   if (!std::isfinite(sum.value)) return sum.value > S(0) ? sum.value : Limits::lowest();
-  // An error that is not a number comes from numbers next to the largest: one step covers it.
+  // An error that is NaN comes from numbers next to the largest: the next number up is a bound.
   return sum.error <= S(0) ? sum.value : std::nextafter(sum.value, Limits::infinity());
 }
 
-/// The largest number of the type that is not above a + b: sum_up() seen from the other side.
+/// The largest floating-point number that is at most a + b.
 /// @param a, b finite
 template <std::floating_point S>
 S sum_down(S a, S b) {

@@ -1,6 +1,6 @@
 /// @file
-/// Sort and sweep: sort the boxes along an axis, and compare only those that overlap on it; and the
-/// same from step to step, where the old order is nearly the new one.
+/// Sort and sweep (sweep and prune): boxes are sorted along an axis, and only those that overlap on
+/// it are compared; and an incremental version that reuses the order of the previous step.
 #pragma once
 
 #include <algorithm>
@@ -17,11 +17,11 @@
 namespace contact {
 
 // [overlaps-on-axis]
-/// How many pairs of boxes overlap on one axis, touching included: exactly what a sweep along it
-/// will compare, known without comparing them.
+/// The number of pairs of boxes that overlap on one axis, touching included: exactly the
+/// comparisons of a sweep along it, without making them.
 ///
-/// A pair does not overlap if one box ends before the other begins. Both lists, of ends and of
-/// beginnings, are sorted, and one walk counts these pairs.
+/// A pair does not overlap if one box ends before the other begins. The lists of ends and of
+/// beginnings are sorted, and one pass counts these pairs.
 /// @param boxes n of them
 /// @param axis 0, 1 or 2
 /// @return between 0 and n (n − 1) / 2, in O(n log n)
@@ -65,13 +65,13 @@ int best_sweep_axis(std::span<const Aabb<S>> boxes) {
 
 namespace detail {
 
-/// Where a box begins on the axis of a sweep.
+/// The beginning of a box on the axis of a sweep.
 template <Ring S>
 struct SweepStart {
   S low;
   std::uint32_t box;
 
-  /// Boxes that begin together are in the order of the list, so that an order is the only one.
+  /// Boxes with equal beginnings are in the order of the list, so the order is unique.
   bool before(const SweepStart& other) const {
     return low < other.low || (!(other.low < low) && box < other.box);
   }
@@ -126,9 +126,9 @@ PairSearch sweep_pairs(std::span<const Aabb<S>> boxes) {
 // [incremental-sweep]
 /// A sweep that keeps its order from step to step.
 ///
-/// When bodies have moved a little, the old order is nearly sorted, and insertion sort puts it
-/// right in as many moves as pairs have changed places: n steps if none has. Its result is the only
-/// order there is, so it does not depend on what came before.
+/// If bodies have moved a little, the old order is almost sorted, and insertion sort needs as many
+/// moves as pairs have exchanged their order: n steps if none has. The sorted order is unique, so
+/// it does not depend on the previous steps.
 template <Ring S>
 class IncrementalSweep {
  public:
@@ -137,16 +137,17 @@ class IncrementalSweep {
 
   /// The pairs that touch now.
   ///
-  /// When the order has changed so much that insertion sort would take longer than sorting anew,
-  /// it sorts anew; resorted() says so. It does so too when the number of boxes has changed.
-  /// @param boxes in the same order as at the step before
-  /// @return box_tests: overlaps_on_axis(boxes, axis), exactly; other_steps: pairs that changed
-  /// places, exactly, if not resorted()
+  /// If the order has changed so much that insertion sort would take longer than sorting from
+  /// scratch, it sorts from scratch, and resorted() says so. It does so too if the number of boxes
+  /// has changed.
+  /// @param boxes in the same order as in the previous step
+  /// @return box_tests: overlaps_on_axis(boxes, axis), exactly; other_steps: the number of pairs
+  /// that exchanged their order, exactly, unless resorted()
   PairSearch update(std::span<const Aabb<S>> boxes);
 
-  /// Whether the last update sorted anew.
+  /// Whether the last update sorted from scratch.
   bool resorted() const { return resorted_; }
-  /// Along which axis it sweeps.
+  /// The axis of the sweep.
   int axis() const { return axis_; }
 
  private:

@@ -1,5 +1,5 @@
 /// @file
-/// A bounding volume hierarchy: a tree of boxes, each holding those below it.
+/// A bounding volume hierarchy (BVH): a tree of boxes, each of which encloses those below it.
 #pragma once
 
 #include <algorithm>
@@ -14,16 +14,16 @@
 namespace contact {
 
 // [box-tree]
-/// Boxes in a tree. Where a box above touches nothing, nothing below it does.
+/// A tree of boxes. If the box of a node touches nothing, no box below it does.
 ///
-/// Each node's boxes are halved in the middle of their order along the axis on which their centres
-/// spread most. So the tree has a depth of at most log₂ n, however the boxes lie: all in one place
-/// or on a line. What is in which half does not depend on the library, since no two boxes are equal
-/// in the order: of equal centres the one with the smaller place comes first.
+/// The boxes of each node are split at the median of their centres, along the axis on which the
+/// centres spread most. So the depth is at most log₂ n, even if all boxes are at one position or on
+/// a line. The split does not depend on the standard library, because the order is strict: of equal
+/// centres the one with the smaller index comes first.
 template <std::floating_point S>
 class BoxTree {
  public:
-  /// A leaf has at most so many boxes.
+  /// The largest number of boxes in a leaf.
   static constexpr std::uint32_t leaf_size = 4;
 
   /// @param boxes n of them, at most 2^32 − 1; copied
@@ -43,7 +43,7 @@ class BoxTree {
     return search;
   }
 
-  /// The places of the boxes that touch a given one, in increasing order.
+  /// The indices of the boxes that touch a given one, in increasing order.
   std::vector<std::uint32_t> touching(const Aabb<S>& box) const {
     std::vector<std::uint32_t> found;
     if (!nodes_.empty()) collect(0, box, found);
@@ -56,7 +56,7 @@ class BoxTree {
     Aabb<S> box;
     std::uint32_t first;  // in order_
     std::uint32_t count;
-    std::uint32_t right;  // the other half's node; the first half's is the next. 0 for a leaf
+    std::uint32_t right;  // node of the second half; the first half is the next node. 0 for a leaf
     bool leaf() const { return right == 0; }
   };
 
@@ -156,7 +156,7 @@ void BoxTree<S>::collect(std::uint32_t node, const Aabb<S>& box,
 }
 // [/box-tree]
 
-/// The pairs of boxes that touch, found by a BoxTree that is built for this.
+/// The pairs of boxes that touch, by a BoxTree built for this.
 /// @param boxes n of them, at most 2^32 − 1
 template <std::floating_point S>
 PairSearch tree_pairs(std::span<const Aabb<S>> boxes) {

@@ -1,5 +1,5 @@
 /// @file
-/// A sphere in free fall against a plane: when it arrives, as the root of a quadratic.
+/// The time at which a sphere in free fall reaches a plane, as the root of a quadratic.
 #pragma once
 
 #include <cmath>
@@ -14,9 +14,9 @@
 
 namespace contact {
 
-/// Where a body is after a time under constant acceleration: x + (v + (a t) / 2) t.
+/// The position after a time under constant acceleration: x + (v + (a t) / 2) t.
 /// @param position m
-/// @param velocity at the beginning, m/s
+/// @param velocity at the start, m/s
 /// @param acceleration m/s²
 /// @param t s
 template <Scalar S>
@@ -27,7 +27,7 @@ Vector3<S> ballistic_position(const Vector3<S>& position, const Vector3<S>& velo
 
 namespace detail {
 
-/// How far a sphere is in front of a plane, as it changes under gravity: gap + rate t + bend t²/2.
+/// The distance of a sphere from a plane under gravity: gap + rate t + bend t²/2.
 template <Ring T>
 struct FallTerms {
   T gap;   ///< n · c − k − r, m
@@ -36,12 +36,12 @@ struct FallTerms {
   T depth() const { return rate * rate - (bend * gap + bend * gap); }
 };
 
-/// Where the root of larger magnitude does not cancel: |rate| + √depth, over |bend|.
+/// The root of larger magnitude, |rate| + √depth over |bend|, where nothing cancels.
 template <std::floating_point S>
 S sum_over_bend(const FallTerms<Exact>& f, const Exact& depth) {
   const Exact rate = abs(f.rate);
   const Exact bend = abs(f.bend);
-  if (rate * rate <= depth) {  // √depth leads
+  if (rate * rate <= depth) {  // √depth is the larger term
     const S share = quotient<S>(rate * rate, depth);
     return std::sqrt(quotient<S>(depth, bend * bend)) * (S(1) + std::sqrt(share));
   }
@@ -60,7 +60,7 @@ S gap_over_sum(const FallTerms<Exact>& f, const Exact& depth) {
   return quotient<S>(twice, rate) / (S(1) + std::sqrt(quotient<S>(depth, rate * rate)));
 }
 
-/// The first time at which the gap is closed and closing.
+/// The first time at which the gap is closed and shrinks.
 template <std::floating_point S>
 std::optional<S> fall_time(const FallTerms<Exact>& f) {
   const int gap = f.gap.sign();
@@ -69,7 +69,8 @@ std::optional<S> fall_time(const FallTerms<Exact>& f) {
   if (gap <= 0 && (rate < 0 || (rate == 0 && bend < 0))) return S(0);
   const Exact depth = f.depth();
   if (bend < 0) {
-    // It comes down in the end. If it rises without getting clear, when it begins to come down.
+    // The sphere falls back in the end. If it rises without separating, the time is that of its
+    // highest point.
     if (depth.sign() < 0) return quotient<S>(f.rate, -f.bend);
     return rate >= 0 ? sum_over_bend<S>(f, depth) : gap_over_sum<S>(f, depth);
   }
@@ -80,23 +81,24 @@ std::optional<S> fall_time(const FallTerms<Exact>& f) {
 }  // namespace detail
 
 // [ballistic-impact]
-/// When a sphere in free fall arrives at the front of a plane: the first t ≥ 0 at which the plane
-/// is no further from its centre than its radius, while it comes closer.
+/// The time at which a sphere in free fall hits a plane: the first t ≥ 0 at which the distance of
+/// its centre from the plane is at most the radius and decreases.
 ///
-/// The gap n·c − k − r + n·v t + n·g t²/2 is a quadratic. All three coefficients are taken without
-/// rounding, so the decision is right, and near a floor no digits are lost. Of its roots the one is
-/// taken at which the gap closes.
+/// The gap n·c − k − r + n·v t + n·g t²/2 is a quadratic. Its three coefficients are computed
+/// exactly, so the decision is right, and no digits are lost near a floor. The root is the one at
+/// which the gap closes.
 ///
-/// A sphere that touches now gives 0 if it comes closer, or stands still and is pulled. One that
-/// rises from the plane, or from a little behind it, gives the time at which it is back; if it
-/// does not get clear, the time at which it stops rising. One that lies on the plane without a pull
-/// gives nothing.
+/// A sphere that touches gives 0 if it approaches, or if it is at rest and accelerated towards the
+/// plane. A sphere that moves away from the plane, or from a little behind it, gives the time at
+/// which it is back; if it does not separate, the time at which it stops moving away. A sphere that
+/// lies on the plane without acceleration gives nothing.
 /// @param sphere at t = 0, m, finite, with a radius that is not negative
 /// @param velocity at t = 0, m/s, finite
 /// @param gravity constant acceleration, m/s², finite; 0 is allowed
-/// @param plane with a unit normal; its back is full
-/// @return s; nothing if it never arrives, or later than the largest number. Off by at most 8 u of
-/// itself for times from 2^-500 s to 2^500 s in double (2^-60 s to 2^60 s in float)
+/// @param plane with a unit normal; the half-space behind it is solid
+/// @return s; nothing if the sphere never hits the plane, or only after the largest finite time.
+/// Relative error at most 8 u for times from 2^-500 s to 2^500 s in double (2^-60 s to 2^60 s in
+/// float)
 template <std::floating_point S>
 std::optional<S> ballistic_sphere_plane(const Sphere<S>& sphere, const Vector3<S>& velocity,
                                         const Vector3<S>& gravity, const Plane<S>& plane) {

@@ -1,5 +1,5 @@
 /// @file
-/// Boxes that move without turning: when they first touch, by swept separating axes.
+/// Translating boxes: the time at which they first touch, by swept separating axes.
 #pragma once
 
 #include <algorithm>
@@ -21,11 +21,11 @@
 
 namespace contact {
 
-/// A box that may be turned, and that moves without turning.
+/// A box with any orientation that translates.
 ///
-/// Its edges are the columns of `frame.axes` times twice the half lengths, as they are stored. If
-/// the stored axes are not quite orthogonal, it is the slightly oblique box that they span.
-/// translating_box() checks what it is made of.
+/// Its edges are the columns of `frame.axes` times twice the half lengths, as stored. If the stored
+/// axes are not exactly orthogonal, it is the slightly oblique parallelepiped that they span.
+/// translating_box() checks its arguments.
 template <Ring S>
 struct TranslatingBox {
   CoordinateFrame<S> frame;                      ///< centre at the start, m, and axes
@@ -33,11 +33,11 @@ struct TranslatingBox {
   Vector3<S> displacement = Vector3<S>::Zero();  ///< in the step, m
 };
 
-/// Checks a box that moves.
+/// Checks a translating box.
 /// @param frame centre and axes; the axes must be orthonormal to 2^-20
 /// @param half_lengths m, finite, each greater than 0
 /// @param displacement m, finite
-/// @throws std::invalid_argument if an argument is not as said
+/// @throws std::invalid_argument if an argument does not satisfy these conditions
 template <std::floating_point S>
 TranslatingBox<S> translating_box(const CoordinateFrame<S>& frame, const Vector3<S>& half_lengths,
                                   const Vector3<S>& displacement) {
@@ -54,32 +54,33 @@ TranslatingBox<S> translating_box(const CoordinateFrame<S>& frame, const Vector3
       if (!(std::abs(product(k, j) - (k == j ? S(1) : S(0))) <= S(0x1p-20))) {
         const Vector3<S> axis = frame.axes.col(k);
         throw_invalid_argument("frame.axes", vector_text(axis),
-                               "the axes must have length 1 and stand upright on each other");
+                               "the axes must have length 1 and be orthogonal");
       }
     }
   }
   return {frame, half_lengths, displacement};
 }
 
-/// The first touch of two boxes that move.
+/// The first touch of two translating boxes.
 template <Ring S>
 struct BoxImpact {
-  S t = S(0);  ///< part of the step, from 0 to 1
-  /// Unit vector from b to a, across the plane that separates them until then. 0 if they meet at
+  S t = S(0);  ///< fraction of the step, from 0 to 1
+  /// Unit vector from b to a, normal to the plane that separates them until then. 0 if they meet at
   /// the start.
   Vector3<S> normal = Vector3<S>::Zero();
 };
 
 // [axis-times]
-/// From when to when two bodies overlap on one axis: |distance + speed t| ≤ reach.
+/// The interval in which the projections of two bodies on an axis overlap: |distance + speed t| ≤
+/// reach.
 ///
-/// The ends are fractions with a common, positive denominator: no division is needed to compare
-/// them. Where the speed is 0 they overlap always or never.
+/// Its ends are fractions with a common positive denominator, so they are compared without a
+/// division. If the speed is 0, the projections overlap always or never.
 template <Ring T>
 struct AxisTimes {
   T distance;  ///< axis · d
   T speed;     ///< axis · w
-  T reach;     ///< half the sum of both widths, times the length of the axis
+  T reach;     ///< half the sum of both extents, times the length of the axis
 
   /// Numerator of the time at which the overlap begins; |speed| is the denominator.
   T begins() const { return (speed < T(0) ? distance : T(-distance)) - reach; }
@@ -87,9 +88,9 @@ struct AxisTimes {
   T ends() const { return (speed < T(0) ? distance : T(-distance)) + reach; }
 };
 
-/// The fifteen axes of two boxes with the half edges u and v: three faces of each, and an edge of
-/// one with an edge of the other. Two convex polyhedra are apart if and only if one of them
-/// separates them. An edge parallel to another gives 0, which separates nothing.
+/// The fifteen axes of two boxes with the half edges u and v: three face normals of each, and nine
+/// cross products of an edge of one and an edge of the other. Two boxes are disjoint if and only if
+/// one of these axes separates them. Parallel edges give 0, which separates nothing.
 template <Ring T>
 std::array<Vector3<T>, 15> separating_axes(const std::array<Vector3<T>, 3>& u,
                                            const std::array<Vector3<T>, 3>& v) {
@@ -105,7 +106,7 @@ std::array<Vector3<T>, 15> separating_axes(const std::array<Vector3<T>, 3>& u,
 
 namespace detail {
 
-/// What the sweep of two boxes is made of: half edges, and b seen from a.
+/// The half edges of two boxes, and the position and displacement of b relative to a.
 template <Ring T>
 struct SweptPair {
   std::array<Vector3<T>, 3> u;
@@ -151,22 +152,22 @@ inline SweptPair<double> rounded_pair(const TranslatingBox<double>& a,
 }
 
 // [swept-filter]
-/// What rounded arithmetic says of two boxes.
+/// The result of the sweep in floating point.
 struct RoundedSweep {
   enum class Answer { miss, hit, unsure } answer = Answer::unsure;
   double t = 0;                ///< if they hit
-  double error = 0;            ///< of t, at most
+  double error = 0;            ///< upper bound of the error of t
   std::size_t axis = 0;        ///< on which the overlap begins last
   bool sure_of_start = false;  ///< whether it is certain that they meet at the start, or do not
 };
 
-/// The sweep in rounded arithmetic, with bounds.
+/// The sweep in floating point, with error bounds.
 ///
-/// With M the products that an axis is the difference of, both taken positive, a number like axis ·
-/// d goes through at most nine roundings (edge, cross product, difference of centres, dot product),
-/// and a reach through fifteen. γ(20) of M · |d|, and of the like for the speed and the reach,
-/// leaves room for the rounding of the bound itself. Coordinates are between 2^-100 and 2^100 of a
-/// metre, so nothing that matters underflows, and nothing overflows.
+/// Let M be the sum of the absolute values of the two products in an axis. A number like axis · d
+/// has at most nine roundings (edge, cross product, difference of centres, dot product), the
+/// sum of the projected half edges fifteen. γ(20) of M · |d|, and the same for speed and sum,
+/// includes the rounding of the bound itself. Coordinates are between 2^-100 m and 2^100 m, so no
+/// underflow matters and nothing overflows.
 inline RoundedSweep rounded_sweep(const SweptPair<double>& pair) {
   constexpr double slack = tolerance::gamma<double>(20);
   double largest = std::max(pair.d.cwiseAbs().maxCoeff(), pair.w.cwiseAbs().maxCoeff());
@@ -181,7 +182,7 @@ inline RoundedSweep rounded_sweep(const SweptPair<double>& pair) {
   if (!(largest <= 0x1p100 && smallest >= 0x1p-100)) return sweep;
 
   const std::array<Vector3<double>, 15> axes = separating_axes(pair.u, pair.v);
-  double begin_low = 0;  // the last beginning and the first end, each between two bounds
+  double begin_low = 0;  // the last beginning and the first end, each with two bounds
   double begin_high = 0;
   double end_low = 1;
   double end_high = 1;
@@ -206,12 +207,12 @@ inline RoundedSweep rounded_sweep(const SweptPair<double>& pair) {
     const double farthest = std::abs(times.distance) + speed;
     const double doubt = 2 * (off + off_speed) + slack * (farthest + times.reach);
     if (nearest > times.reach + doubt) return {RoundedSweep::Answer::miss, 0, 0, k, true};
-    if (farthest < times.reach - doubt) continue;  // they overlap on this axis all the time
+    if (farthest < times.reach - doubt) continue;  // overlap on this axis at all times
     if (!(speed > 4 * off_speed)) {
-      unsure = true;  // another axis may still separate them for certain
+      unsure = true;  // another axis may still prove that they are separated
       continue;
     }
-    // A quotient of numbers that are off by e and f is off by (e + |t| f) / (speed − f).
+    // A quotient of numbers with errors e and f has an error of at most (e + |t| f) / (speed − f).
     const double first = times.begins() / speed;
     const double last = times.ends() / speed;
     const double share = 2 * slack;
@@ -250,15 +251,15 @@ struct SweepTime {
   }
 };
 
-/// The touch found without rounding: when, and on which axis of separating_axes(); 15 for none.
+/// The exact result: the time, and the index of the axis in separating_axes(); 15 for none.
 struct ExactSweep {
   SweepTime t;
   std::size_t axis;
 };
 
 // [swept-exact]
-/// The sweep without rounding: the boxes overlap from the last beginning to the first end of the
-/// fifteen axes, and of the step.
+/// The exact sweep: the boxes overlap from the last beginning to the first end, over the fifteen
+/// axes and the step.
 inline std::optional<ExactSweep> exact_sweep(const SweptPair<Exact>& pair) {
   ExactSweep begin{{Exact(), Exact(1.0)}, 15};
   SweepTime end{Exact(1.0), Exact(1.0)};
@@ -280,7 +281,7 @@ inline std::optional<ExactSweep> exact_sweep(const SweptPair<Exact>& pair) {
 }
 // [/swept-exact]
 
-/// The axis as a unit vector from b to a: against the distance at the moment of the touch.
+/// The axis as a unit vector from b to a: opposite to the distance at the time of the touch.
 inline Vector3<double> impact_normal(const Vector3<double>& axis, double distance, double speed,
                                      double t) {
   if (axis == Vector3<double>::Zero()) return axis;
@@ -291,18 +292,17 @@ inline Vector3<double> impact_normal(const Vector3<double>& axis, double distanc
 }  // namespace detail
 
 // [box-sweep]
-/// When two boxes that move without turning first touch in a step.
+/// The time at which two translating boxes first touch in a step.
 ///
-/// Only the relative motion counts. On each of the fifteen axes they overlap from one time to
-/// another; they touch when they overlap on all of them, so from the last beginning on, if no end
-/// comes before it. Rounded arithmetic with bounds answers when it is certain, exact arithmetic
-/// when it is not: none is missed, and none is invented.
-/// @param a, b as translating_box() makes them; touching counts, also for a moment only, and along
-/// a face
+/// Only the relative motion matters. On each of the fifteen axes the projections overlap during an
+/// interval; the boxes overlap when all projections do, so from the last beginning on, if no end
+/// comes before it. Floating-point arithmetic with error bounds decides where it is certain, exact
+/// arithmetic otherwise: no touch is missed, and none is invented.
+/// @param a, b made by translating_box(); touching counts, also for an instant and along a face
 /// @return the first touch, t = 0 if they meet at the start; nothing if they do not touch in the
-/// step. The decision is right for every finite input; t is off by at most 2^-42, and if rounded
-/// arithmetic was not certain, by at most half a step of the type. On a tie of axes the normal is
-/// that of one of them
+/// step. The decision is right for every finite input; the error of t is at most 2^-42, and where
+/// floating-point arithmetic was not certain, at most half an ulp. If several axes tie, the normal
+/// is that of one of them
 /// @see Gottschalk, Lin and Manocha, *OBBTree*, SIGGRAPH 1996, for the axes; Eberly, *Dynamic
 /// Collision Detection Using Oriented Bounding Boxes*, 1999, for the sweep
 inline std::optional<BoxImpact<double>> box_sweep(const TranslatingBox<double>& a,
@@ -323,13 +323,13 @@ inline std::optional<BoxImpact<double>> box_sweep(const TranslatingBox<double>& 
   const auto touch = detail::exact_sweep(exact);
   if (!touch) return std::nullopt;
   if (touch->axis == 15) return BoxImpact<double>{};
-  // The axis, its largest entry made 1; then the side on which b is.
+  // The axis with its largest entry scaled to 1; then its sign, by the position of b.
   const Vector3<Exact> axis = separating_axes(exact.u, exact.v)[touch->axis];
   const Exact largest = std::max({abs(axis.x()), abs(axis.y()), abs(axis.z())});
   const Vector3<double> direction(quotient<double>(axis.x(), largest),
                                   quotient<double>(axis.y(), largest),
                                   quotient<double>(axis.z(), largest));
-  // At the touch b is on the side that it comes from, against its relative velocity.
+  // At the touch b is on the side from which it comes, against its relative velocity.
   const int side = -axis.dot(exact.w).sign();
   return BoxImpact<double>{quotient<double>(touch->t.numerator, touch->t.denominator),
                            detail::impact_normal(direction, double(side), 0, 0)};
@@ -337,10 +337,9 @@ inline std::optional<BoxImpact<double>> box_sweep(const TranslatingBox<double>& 
 // [/box-sweep]
 
 // [aabb-sweep]
-/// When two boxes along the axes, which move without turning, first touch in a step: three axes in
-/// place of fifteen.
-/// @param a, b at the start, as the functions of contact/aabb.hpp make them; a may be flat or a
-/// point
+/// The time at which two translating axis-aligned boxes first touch in a step: three axes in place
+/// of fifteen.
+/// @param a, b at the start, made by the functions of contact/aabb.hpp; a may be flat or a point
 /// @param displacement_a, displacement_b in the step, m, finite
 /// @return t from 0 to 1, 0 if they meet at the start; nothing if they do not touch in the step.
 /// The decision is right for every finite input; t is rounded once
@@ -351,7 +350,7 @@ std::optional<S> aabb_sweep(const Aabb<S>& a, const Vector3<S>& displacement_a, 
   detail::SweepTime end{Exact(1.0), Exact(1.0)};
   for (int k = 0; k < 3; ++k) {
     const auto exact = [](S x) { return Exact(double(x)); };
-    // How far b must go for its low face to be at a's high one, and the other way round.
+    // The displacement for which the low face of b is at the high face of a, and the reverse.
     const Exact forth = exact(a.low(k)) - exact(b.high(k));
     const Exact back = exact(a.high(k)) - exact(b.low(k));
     const Exact way = exact(displacement_b(k)) - exact(displacement_a(k));

@@ -1,5 +1,5 @@
 /// @file
-/// Turning bodies: advancing to their impact without ever passing it.
+/// Conservative advancement: rotating bodies are advanced to their impact without passing it.
 #pragma once
 
 #include <algorithm>
@@ -19,41 +19,41 @@
 
 namespace contact {
 
-/// How an advance ended.
+/// How a conservative advancement ended.
 enum class ConservativeEnd {
-  impact,  ///< the bodies are apart, and no further than the tolerance
-  clear,   ///< the step is over, and they never touched
-  gave_up  ///< too many advances: they are apart until t, and what comes after is not known
+  impact,  ///< the bodies are separated by at most the tolerance
+  clear,   ///< the end of the step is reached without a touch
+  gave_up  ///< too many advances: the bodies are separated until t, and the rest is unknown
 };
 
-/// Where an advance ended.
+/// The result of a conservative advancement.
 template <std::floating_point S>
 struct ConservativeAdvance {
-  ConservativeEnd end = ConservativeEnd::clear;  ///< why
+  ConservativeEnd end = ConservativeEnd::clear;  ///< how it ended
   S t = S(0);                                    ///< s; the bodies do not touch before it
   S distance = S(0);                             ///< the lower bound on their distance at t, m
-  int advances = 0;                              ///< how often the distance was asked for
+  int advances = 0;                              ///< number of distance evaluations
 };
 
 // [conservative-advancement]
 /// Advances two bodies towards each other by steps that cannot reach an impact.
 ///
-/// If the bodies are at least `distance(t)` apart at t, and no two points of them approach faster
-/// than μ, they cannot touch before t + distance(t) / μ. There the distance is asked for again. So
-/// no impact is passed, however fast the bodies turn; the price is that the last bit of the way is
-/// covered ever more slowly, and ends at a distance that is small instead of 0.
-/// @param distance distance(t): a lower bound on the distance of the bodies at t, m; total, at most
-/// 0 where they touch
+/// If the distance of the bodies is at least `distance(t)` at t, and no two of their points
+/// approach faster than μ, they cannot touch before t + distance(t) / μ. There the distance is
+/// evaluated again. So no impact is passed, however fast the bodies rotate. The price: the advances
+/// get shorter and shorter, and end at a small distance in place of 0.
+/// @param distance distance(t): a lower bound on the distance of the bodies at t, m; defined for
+/// all t, at most 0 where they touch
 /// @param approach μ, an upper bound on the speed at which any two of their points approach in the
 /// step, m/s, finite and not negative; see approach_bound()
 /// @param duration of the step, s, finite and not negative
 /// @param tolerance m, greater than 0: an impact is where the lower bound is no greater. It must
 /// exceed the rounding error of `distance`
 /// @param most_advances at least 1
-/// @return t is never later than the impact, but for the rounding of its sum: each advance is made
-/// shorter by 4 u of itself, and t is rounded down. In exact arithmetic an advance covers at least
-/// tolerance / μ, so with most_advances > μ duration / tolerance it does not give up
-/// @throws std::invalid_argument if a number is not as said
+/// @return t is never after the impact, up to the rounding of its sum: each advance is shortened by
+/// 4 u of itself, and t is rounded down. In exact arithmetic an advance covers at least tolerance /
+/// μ, so with most_advances > μ duration / tolerance the result is never gave_up
+/// @throws std::invalid_argument if a number does not satisfy these conditions
 ///
 /// Source: Mirtich, *Impulse-based Dynamic Simulation of Rigid Body Systems*, PhD thesis,
 /// University of California, Berkeley (1996), section 2.3.
@@ -89,17 +89,17 @@ ConservativeAdvance<S> conservative_advancement(const Distance& distance, S appr
 }
 // [/conservative-advancement]
 
-/// A body that moves and turns evenly during a step: a box about its centre.
+/// A box that moves with constant velocity and angular velocity about its centre during a step.
 template <std::floating_point S>
 struct TurningBox {
   Vector3<S> half_lengths = Vector3<S>::Zero();  ///< m, each greater than 0
   Vector3<S> position = Vector3<S>::Zero();      ///< of its centre at the start, m
-  Rotor<S> orientation;                          ///< at the start; turns its axes into the world's
-  Vector3<S> velocity = Vector3<S>::Zero();      ///< m/s, the same all through the step
-  Vector3<S> spin = Vector3<S>::Zero();          ///< in the world, rad/s, the same all through
+  Rotor<S> orientation;                          ///< at the start; from the box's axes to the world
+  Vector3<S> velocity = Vector3<S>::Zero();      ///< m/s, constant during the step
+  Vector3<S> spin = Vector3<S>::Zero();          ///< in the world, rad/s, constant during the step
 };
 
-/// Where the box is and how it lies at a time.
+/// Position and orientation of the box at a time.
 /// @param t s
 template <std::floating_point S>
 CoordinateFrame<S> frame_at(const TurningBox<S>& box, S t) {
@@ -110,8 +110,8 @@ CoordinateFrame<S> frame_at(const TurningBox<S>& box, S t) {
 }
 
 // [approach-bound]
-/// An upper bound on how fast any two points of two boxes approach each other: |v_a − v_b| + |ω_a|
-/// r_a + |ω_b| r_b, with r half a box's diagonal. Rounded upwards.
+/// An upper bound on the speed at which any two points of two boxes approach each other: |v_a −
+/// v_b| + |ω_a| r_a + |ω_b| r_b, where r is half the diagonal of a box. Rounded upwards.
 /// @return m/s
 template <std::floating_point S>
 S approach_bound(const TurningBox<S>& a, const TurningBox<S>& b) {
@@ -128,14 +128,14 @@ S approach_bound(const TurningBox<S>& a, const TurningBox<S>& b) {
 // [/approach-bound]
 
 // [axis-distance]
-/// A lower bound on the distance of two boxes: the widest gap on one of the fifteen axes.
+/// A lower bound on the distance of two boxes: the largest gap on one of the fifteen axes.
 ///
-/// Between two bodies whose shadows on a line are a gap apart, no two points are nearer. It is the
-/// distance itself where a face is nearest to a vertex or an edge to an edge, and less where two
-/// vertices, or a vertex and an edge, are. It is above 0 if and only if they do not touch, to
-/// rounding; an axis of two nearly parallel edges is left out.
+/// Two bodies whose projections on a line are a gap apart have at least this distance. It equals
+/// the distance where a face is closest to a vertex or an edge to an edge, and is smaller where two
+/// vertices, or a vertex and an edge, are closest. It is above 0 if and only if they do not touch,
+/// up to rounding; an axis of two nearly parallel edges is left out.
 /// @param half_a, half_b half lengths along the boxes' axes, m
-/// @return m; negative where they overlap on every axis. Off by at most 2^-45 of the sum of
+/// @return m; negative if the projections overlap on every axis. Error at most 2^-45 of the sum of
 /// distance and half diagonals in double
 template <std::floating_point S>
 S axis_distance(const CoordinateFrame<S>& a, const Vector3<S>& half_a, const CoordinateFrame<S>& b,
@@ -162,8 +162,9 @@ S axis_distance(const CoordinateFrame<S>& a, const Vector3<S>& half_a, const Coo
 // [/axis-distance]
 
 // [turning-boxes-impact]
-/// When two boxes that move and turn evenly first come within the tolerance of each other.
-/// @param a, b with axes and half lengths as said
+/// The time at which two boxes with constant velocities and angular velocities first come within
+/// the tolerance of each other.
+/// @param a, b with orthonormal axes and positive half lengths
 /// @param duration of the step, s
 /// @param tolerance m, well above 2^-45 of the boxes' sizes and distance
 /// @param most_advances at least 1
@@ -181,11 +182,12 @@ ConservativeAdvance<S> turning_boxes_impact(const TurningBox<S>& a, const Turnin
 // [/turning-boxes-impact]
 
 // [turning-box-plane]
-/// When a box that moves and turns evenly first comes within the tolerance of a plane's front.
+/// The time at which a box with constant velocity and angular velocity first comes within the
+/// tolerance of a plane.
 ///
-/// Its distance from the plane is exact in formula: that of the centre, less the half lengths as
-/// the normal sees them, n·c − k − Σ hⱼ |n·axisⱼ|.
-/// @param plane with a unit normal; its back is full
+/// Its distance from the plane has a closed form: that of the centre less the support of the half
+/// lengths along the normal, n·c − k − Σ hⱼ |n·axisⱼ|.
+/// @param plane with a unit normal; the half-space behind it is solid
 /// @param duration of the step, s
 /// @param tolerance m
 /// @param most_advances at least 1

@@ -1,5 +1,5 @@
 /// @file
-/// When a gap that is quadratic in time closes: what spheres, capsules and planes all come down to.
+/// When a gap that is quadratic in time closes: the common case of spheres, capsules and planes.
 #pragma once
 
 #include <algorithm>
@@ -15,20 +15,20 @@
 namespace contact {
 
 // [entry-terms]
-/// The squared distance less the squared reach, as it changes on a straight way:
-/// square t² − 2 approach t + gap.
+/// The squared distance less the squared sum of the radii, along a straight relative path: square
+/// t² − 2 approach t + gap.
 template <Ring T>
 struct EntryTerms {
   T square;    ///< w · w, with w the relative velocity
-  T approach;  ///< −d · w, with d the vector between the centres: positive while they come closer
-  T gap;       ///< d · d − R²: positive while they are apart
-  T depth;     ///< approach² − square gap: negative if they pass each other by
+  T approach;  ///< −d · w, with d the vector between the centres: positive while they approach
+  T gap;       ///< d · d − R²: positive while they are separated
+  T depth;     ///< approach² − square gap: negative if they pass without touching
 
-  /// Whether they are apart now, and will touch.
+  /// Whether they are separated now and will touch.
   bool enters() const { return T(0) < gap && T(0) < approach && !(depth < T(0)); }
 
-  /// Whether they are apart now, and will touch at the time `last` or before: by then the gap is
-  /// closed, or the nearest moment is past.
+  /// Whether they are separated now and will touch until the time `last`: by then the gap is
+  /// closed, or the time of closest approach is past.
   bool enters_by(const T& last) const {
     if (!enters() || last < T(0)) return false;
     if (!(square * last < approach)) return true;
@@ -36,9 +36,10 @@ struct EntryTerms {
   }
 };
 
-/// The terms of two centres: d from b to a, w the velocity of a less that of b, and the reach R.
+/// The terms of two centres: d from b to a, w the velocity of a relative to b, and R the sum of the
+/// radii.
 ///
-/// The depth is R² w·w − |d × w|², by Lagrange's identity: that of the definition cancels much
+/// The depth is R² w·w − |d × w|², by Lagrange's identity: the form of the definition cancels much
 /// more.
 template <Ring T>
 EntryTerms<T> entry_terms(const Vector3<T>& d, const Vector3<T>& w, const T& reach) {
@@ -49,14 +50,13 @@ EntryTerms<T> entry_terms(const Vector3<T>& d, const Vector3<T>& w, const T& rea
 // [/entry-terms]
 
 // [entry-time]
-/// The time at which terms that are known exactly enter: (approach − √depth) / square, written as
-/// (gap / approach) / (1 + √(depth / approach²)), in which nothing cancels.
+/// The time at which exactly known terms enter: (approach − √depth) / square, written as (gap /
+/// approach) / (1 + √(depth / approach²)), in which nothing cancels.
 ///
-/// Two quotients are rounded once each, then a root, a sum and a quotient: at most 4 u of the
-/// result, if it does not underflow. The part under the root is between 0 and 1, so it neither
-/// over- nor underflows in a way that matters.
+/// Two quotients, a root, a sum and a quotient are rounded: the relative error is at most 4 u,
+/// without underflow. The radicand is between 0 and 1, so its overflow or underflow cannot matter.
 /// @param terms with enters()
-/// @return ∞ if it is beyond the largest number
+/// @return ∞ beyond the largest finite number
 template <std::floating_point S>
 S entry_time(const EntryTerms<Exact>& terms) {
   const S share = quotient<S>(terms.depth, terms.approach * terms.approach);
@@ -64,7 +64,7 @@ S entry_time(const EntryTerms<Exact>& terms) {
 }
 // [/entry-time]
 
-/// The difference a − b of stored vectors, without rounding.
+/// The difference a − b of stored vectors, computed exactly.
 template <std::floating_point S>
 Vector3<Exact> exact_vector_difference(const Vector3<S>& a, const Vector3<S>& b) {
   return exact_vector(a) - exact_vector(b);

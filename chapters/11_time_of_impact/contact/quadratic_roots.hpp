@@ -1,5 +1,6 @@
 /// @file
-/// The real roots of a quadratic, without cancellation, overflow or underflow on the way.
+/// The real roots of a quadratic, without cancellation and without intermediate overflow or
+/// underflow.
 #pragma once
 
 #include <algorithm>
@@ -15,9 +16,9 @@ namespace contact {
 /// The real roots of a quadratic.
 template <std::floating_point S>
 struct QuadraticRoots {
-  int count = 0;  ///< 0, 1 (a double root, or a linear equation's) or 2
+  int count = 0;  ///< 0, 1 (a double root, or that of a linear equation) or 2
   S low = S(0);   ///< the smaller root; 0 if there is none
-  S high = S(0);  ///< the greater root; the same as low if there is one
+  S high = S(0);  ///< the larger root; the same as low if there is one
 };
 
 namespace detail {
@@ -25,7 +26,7 @@ namespace detail {
 /// The roots of a t² + b t + c with 1/2 ≤ |a| < 2, 1 ≤ |c| < 2 and |b| < 2^61.
 template <std::floating_point S>
 QuadraticRoots<S> scaled_roots(S a, S b, S c) {
-  // Kahan's difference has the right sign, and is 0 only for a double root.
+  // Kahan's difference of products has the right sign, and is 0 only for a double root.
   const S discriminant = difference_of_products(b, b, S(4) * a, c);
   if (discriminant < S(0)) return {};
   if (discriminant == S(0)) {
@@ -45,16 +46,16 @@ QuadraticRoots<S> scaled_roots(S a, S b, S c) {
 // [quadratic-roots]
 /// The real roots of a t² + b t + c.
 ///
-/// School's formula loses digits when b² is much larger than 4 a c: two nearly equal numbers are
-/// subtracted. Here the root of larger magnitude is found first, and the other from their product,
-/// c / a. The discriminant is a difference of two products and found by Kahan's algorithm, to 2 u
-/// of itself. Before that t is measured in a unit, a power of two, that makes a and c alike in
-/// size.
+/// The textbook formula loses digits if b² is much larger than 4 a c, because it subtracts two
+/// nearly equal numbers. Here the root of larger magnitude is computed first, and the other from
+/// their product, c / a. The discriminant is a difference of two products, computed by Kahan's
+/// algorithm with a relative error of 2 u. Before that t is scaled by a power of two, so that a and
+/// c have about the same magnitude.
 /// @param a, b, c finite, as stored
-/// @return how many there are is right for all finite input, and each root is off by at most 8 u
-/// of itself, or by the smallest positive number. A root beyond the largest number is ±∞. a = 0
-/// makes it linear; a = b = 0 has no root that could be named, also if c = 0. Nor has a coefficient
-/// that is not finite.
+/// @return the number of roots is right for all finite input. Each root has a relative error of at
+/// most 8 u, or an absolute error of the smallest positive number. A root beyond the largest finite
+/// number is ±∞. For a = 0 the equation is linear; a = b = 0 gives no root, even if c = 0; nor do
+/// coefficients that are not finite.
 ///
 /// Source: Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd edition, section 1.8.
 template <std::floating_point S>
@@ -70,15 +71,15 @@ QuadraticRoots<S> quadratic_roots(const S& a, const S& b, const S& c) {
     if (b == S(0)) return {1, S(0), S(0)};
     return {2, std::min(S(0), other), std::max(S(0), other)};
   }
-  // t = 2^k s, and all three divided by c's power of two: a and c are then alike in size.
+  // t = 2^k s, and all three divided by c's power of two: a and c then have similar magnitudes.
   const int of_a = std::ilogb(a);
   const int of_c = std::ilogb(c);
   const int difference = of_c - of_a;
   const int k = (difference - (difference < 0 ? 1 : 0)) / 2;
   const int rest = difference - 2 * k;  // 0 or 1
   if (b != S(0) && std::ilogb(b) + k - of_c > 60) {
-    // b² is 4 a c times 2^117 or more: what the other coefficient adds to a root is lost in
-    // rounding.
+    // b² is at least 2^117 times 4 a c: the contribution of the other coefficient is below the
+    // rounding of a root.
     const S one = -b / a;
     const S other = -c / b;
     return {2, std::min(one, other), std::max(one, other)};

@@ -1,6 +1,6 @@
 /// @file
-/// Impacts found by looking: a step cut into slices, bisection, and going back to the last free
-/// state.
+/// Impacts found by overlap tests: a step cut into slices, bisection, and rolling back to the last
+/// free state.
 #pragma once
 
 #include <concepts>
@@ -14,21 +14,23 @@ namespace contact {
 /// Two times with an impact between them.
 template <std::floating_point S>
 struct ImpactBracket {
-  S free = S(0);  ///< s; the bodies were apart: the last free state that was seen
-  S hit = S(0);   ///< s; they touch or overlap. The same as free if they did so at the start
+  S free = S(0);  ///< s; the bodies are separated: the last free state that was found
+  S hit = S(0);   ///< s; they touch or overlap. Equal to free if they did so at the start
 };
 
 // [sliced-step]
 /// The first of equal slices of a step at whose end bodies touch or overlap.
 ///
-/// @warning What begins and ends between two looks is not seen: a bullet that is behind the wall
-/// at the next look, and a graze. contact/tunnelling.hpp says when that cannot be, and how short a
-/// chord is that can be missed.
-/// @param overlap overlap(t): whether the bodies touch or overlap at the time t, s; total
+/// @warning An overlap that begins and ends between two tests is missed: a bullet that is behind
+/// the wall at the next test, or a graze. contact/tunnelling.hpp says when that is impossible, and
+/// how long a missed chord can be.
+/// @param overlap overlap(t): whether the bodies touch or overlap at the time t, s; defined for all
+/// t
 /// @param duration of the step, s, finite and not negative
 /// @param slices at least 1
-/// @return nothing if no look saw an overlap. Looks are at duration · k / slices, rounded twice
-/// @throws std::invalid_argument if duration or slices is not as said
+/// @return nothing if no test found an overlap. The tests are at duration · k / slices, rounded
+/// twice
+/// @throws std::invalid_argument if duration or slices does not satisfy these conditions
 /// @see *Fundamentals of Computer Animation*, slide "How About 2 MOVING spheres?"
 template <std::floating_point S, std::predicate<S> Overlap>
 std::optional<ImpactBracket<S>> sliced_step(const Overlap& overlap, S duration, int slices) {
@@ -49,15 +51,15 @@ std::optional<ImpactBracket<S>> sliced_step(const Overlap& overlap, S duration, 
 // [/sliced-step]
 
 // [bisection]
-/// Halves the bracket: rolling back by half, forth by half.
+/// Bisection of the bracket.
 ///
-/// Each halving makes the bracket half as wide, so after k of them an impact is known to
-/// (hit − free) / 2^k, and `free` is the state to go back to: the bodies are apart there, to within
-/// the approach of that time. If bodies touch more than once in the bracket, it ends round one of
-/// the times at which they go from apart to touching, not always the first.
+/// Each halving makes the bracket half as wide: after k of them the time of impact is known to (hit
+/// − free) / 2^k, and `free` is the state to roll back to, where the bodies are separated, by no
+/// more than their approach in that time. If bodies touch more than once in the bracket, it ends
+/// around one of the times at which an overlap begins, not always the first.
 /// @param overlap as for sliced_step()
 /// @param bracket with overlap(hit), and without overlap(free) unless both are the same
-/// @param halvings how often; it stops early when no number is left in between
+/// @param halvings number of halvings; it stops early when no number is left between
 /// @return free ≤ hit, with the same two properties
 template <std::floating_point S, std::predicate<S> Overlap>
 ImpactBracket<S> bisect_impact(const Overlap& overlap, ImpactBracket<S> bracket, int halvings) {
@@ -71,11 +73,11 @@ ImpactBracket<S> bisect_impact(const Overlap& overlap, ImpactBracket<S> bracket,
 // [/bisection]
 
 // [interpolation]
-/// The time in the bracket at which the gap would be closed if it shrank evenly: one step of the
-/// rule of false position.
+/// Linear interpolation (regula falsi): the time in the bracket at which the gap would close if it
+/// shrank at a constant rate.
 ///
-/// For a gap that is twice differentiable in time, with |gap''| ≤ M and closing no slower than c >
-/// 0 all through the bracket, it is off by at most M (hit − free)² / (8 c).
+/// For a gap that is twice differentiable in time, with |gap''| ≤ M and closing at least at the
+/// rate c > 0 throughout the bracket, the error is at most M (hit − free)² / (8 c).
 /// @param bracket of times, s
 /// @param gap_free at bracket.free, m, greater than 0
 /// @param gap_hit at bracket.hit, m, not greater than 0

@@ -1,5 +1,5 @@
 /// @file
-/// A moving sphere against a segment or a capsule that does not move.
+/// A moving sphere against a static segment or capsule.
 #pragma once
 
 #include <cmath>
@@ -25,8 +25,8 @@ inline int sign_with_root(const Exact& a, const Exact& b, const Exact& d) {
   return larger >= 0 ? (larger == 0 ? 0 : of_a) : of_b;
 }
 
-/// What is asked: a point that moves from m (seen from the segment's start) by w, against all that
-/// is at most R from the segment from 0 to e.
+/// The problem: a point that moves from m (relative to the segment's start) by w, against all
+/// points at most R from the segment from 0 to e.
 struct CapsuleQuestion {
   Vector3<Exact> m;
   Vector3<Exact> w;
@@ -43,7 +43,7 @@ struct CapsuleQuestion {
     return (across.dot(across) - reach * reach * length).sign() <= 0;
   }
 
-  /// The terms of the cylinder without ends: those of what moves across the axis, times |e|².
+  /// The terms of the infinite cylinder: those of the motion perpendicular to the axis, times |e|².
   EntryTerms<Exact> side() const {
     const Vector3<Exact> across = m.cross(e);
     const Vector3<Exact> moved = w.cross(e);
@@ -53,7 +53,7 @@ struct CapsuleQuestion {
     return {square, approach, gap, approach * approach - square * gap};
   }
 
-  /// Whether the point enters the side between both ends: 0 ≤ (m + w t) · e ≤ e · e at that t.
+  /// Whether the point enters the cylinder between both ends: 0 ≤ (m + w t) · e ≤ e · e at that t.
   bool enters_between_ends(const EntryTerms<Exact>& side) const {
     const Exact along = w.dot(e);
     const Exact at = side.square * m.dot(e) + side.approach * along;
@@ -66,21 +66,21 @@ struct CapsuleQuestion {
 }  // namespace detail
 
 // [sphere-capsule-impact]
-/// When a moving sphere first touches a capsule; with a radius of 0 it is a segment, and with both
-/// ends in one point a sphere.
+/// The time at which a moving sphere first touches a capsule. With radius 0 the capsule is a
+/// segment; with two equal ends it is a sphere.
 ///
-/// The centre alone, a particle, meets the capsule whose radius is both together. That is a
-/// cylinder's side and a ball at each end; flat ends of the cylinder lie inside the balls. The
-/// balls are inside the cylinder without ends, so if the side is entered between the ends, it is
-/// entered first. Signs are found without rounding, also that of where along the axis it enters,
+/// The centre of the sphere, as a point, hits a capsule with the sum of both radii (Minkowski sum):
+/// the side of a cylinder and a ball at each end; the flat ends of the cylinder lie inside the
+/// balls. The balls are inside the infinite cylinder, so if the side is entered between the ends,
+/// it is entered first. Signs are exact, also that of the position along the axis at the entry,
 /// which has one square root.
-/// @param sphere where it starts, m, finite, with a radius that is not negative
+/// @param sphere at the start, m, finite, with a radius that is not negative
 /// @param displacement of its centre in the step, m, finite
-/// @param axis of the capsule, which stays where it is, m, finite; both ends may be one point
+/// @param axis of the static capsule, m, finite; both ends may be equal
 /// @param radius of the capsule, m, finite and not negative
-/// @return t, the part of the displacement that is covered, from 0 to 1: 0 if they meet at the
-/// start, wherever the sphere is going; nothing if they do not touch. The decision is right for
-/// every finite input; t is off by at most 5 u of itself, if it does not underflow
+/// @return t, the fraction of the displacement, from 0 to 1: 0 if they meet at the start, in
+/// whichever direction the sphere moves; nothing if they do not touch. The decision is right for
+/// every finite input; t has a relative error of at most 5 u, without underflow
 /// @see *Fundamentals of Computer Animation*, slide "Sphere-Plane Collision", for a plane
 template <std::floating_point S>
 std::optional<S> sphere_capsule_impact(const Sphere<S>& sphere, const Vector3<S>& displacement,

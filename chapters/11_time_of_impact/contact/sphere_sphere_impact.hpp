@@ -1,5 +1,5 @@
 /// @file
-/// When two moving spheres touch: decided without rounding, computed without cancellation.
+/// When two moving spheres touch: decided exactly, computed without cancellation.
 #pragma once
 
 #include <algorithm>
@@ -19,12 +19,13 @@ namespace contact {
 namespace detail {
 
 // [sure-entry]
-/// The terms of two moving spheres in rounded arithmetic, if each has enough digits: its size is at
-/// least a sixteenth of what it was made from.
+/// The terms of two moving spheres in floating point, if each has enough digits: its magnitude is
+/// at least a sixteenth of the sum of its absolute terms.
 ///
-/// A difference of centres or velocities costs one rounding. Then gap is off by at most γ(7) of
-/// what it is made from, approach by γ(5), depth by γ(12): with the sixteenth 112 u, 80 u and 192
-/// u of themselves. So the signs are right, and (gap) / (approach + √depth) is off by less than 112
+/// A difference of centres or velocities has one rounding. Then the error of gap is at most γ(7) of
+/// its absolute terms, of approach γ(5), of depth γ(12): with the sixteenth, relative errors of 112
+/// u, 80 u and 192 u. So the signs are right, and the relative error of (gap) / (approach + √depth)
+/// is less than 112 + 96 + 8 u.
 /// + 96 + 8 u.
 template <std::floating_point S>
 std::optional<EntryTerms<S>> sure_entry_terms(const Vector3<S>& d, const Vector3<S>& w, S reach) {
@@ -41,7 +42,7 @@ std::optional<EntryTerms<S>> sure_entry_terms(const Vector3<S>& d, const Vector3
   const auto sure = [small](const S& x, const S& size) {
     return std::isfinite(size) && size >= small && S(16) * std::abs(x) >= size;
   };
-  // A square that underflows is lost, however large what it is multiplied with.
+  // A square that underflows is lost, even if it is multiplied by a large factor.
   const bool squares_kept = t.square >= small && (reach == S(0) || reach * reach >= small);
   if (squares_kept && sure(t.gap, squares) && sure(t.approach, products) && sure(t.depth, fourth))
     return t;
@@ -49,7 +50,7 @@ std::optional<EntryTerms<S>> sure_entry_terms(const Vector3<S>& d, const Vector3
 }
 // [/sure-entry]
 
-/// The same without rounding.
+/// The same, computed exactly.
 template <std::floating_point S>
 EntryTerms<Exact> exact_entry_terms(const Sphere<S>& a, const Vector3<S>& velocity_a,
                                     const Sphere<S>& b, const Vector3<S>& velocity_b) {
@@ -61,21 +62,21 @@ EntryTerms<Exact> exact_entry_terms(const Sphere<S>& a, const Vector3<S>& veloci
 }  // namespace detail
 
 // [sphere-sphere-impact]
-/// When two spheres that move in straight lines touch: the first t ≥ 0 at which their centres are
-/// no further apart than their radii together, while they approach.
+/// The time at which two spheres that move in straight lines touch: the first t ≥ 0 at which the
+/// distance of their centres is at most the sum of their radii, while they approach.
 ///
-/// Only the relative motion counts: a is seen from b. Where both fall freely in one field of
-/// gravity, their relative motion is straight and even, so the same function holds for them, with
-/// the velocities at t = 0.
+/// Only the relative motion matters: a is described relative to b. If both fall freely in the same
+/// gravity, their relative velocity is constant, so the same function holds for them, with the
+/// velocities at t = 0.
 ///
-/// Spheres that touch or overlap now give 0 if they approach, and nothing if they do not: what has
-/// just collided does not collide again. Spheres that graze, and touch at one moment only, do
-/// touch. Rounded arithmetic answers when it is certain, exact arithmetic when it is not.
+/// Spheres that touch or overlap now give 0 if they approach, and nothing otherwise: a pair that
+/// has just collided does not collide again. Spheres that graze, touching only for an instant, do
+/// touch. Floating-point arithmetic decides where it is certain, exact arithmetic otherwise.
 /// @param a, b at t = 0, m, finite, with radii that are not negative
-/// @param velocity_a, velocity_b m/s, finite; or displacements in a step, m, and then t is a part
-/// of the step
-/// @return s; nothing if they never touch, or later than the largest number. The decision is right
-/// for every finite input; the time is off by at most 256 u of itself, if it does not underflow
+/// @param velocity_a, velocity_b m/s, finite; or displacements in a step, m, and then t is a
+/// fraction of the step
+/// @return s; nothing if they never touch, or only after the largest finite time. The decision is
+/// right for every finite input; the time has a relative error of at most 256 u, without underflow
 /// @see *Fundamentals of Computer Animation*, slides "How About 2 MOVING spheres?", which slice the
 /// step instead
 template <std::floating_point S>
@@ -98,8 +99,8 @@ std::optional<S> sphere_sphere_impact(const Sphere<S>& a, const Vector3<S>& velo
   return time;
 }
 
-/// Whether they touch at a time from 0 to `last`, as sphere_sphere_impact() means it: decided
-/// without rounding. A time that is compared with the end of a step is rounded; this is not.
+/// Whether they touch at a time from 0 to `last`, in the sense of sphere_sphere_impact(): decided
+/// exactly. A comparison of the rounded time with the end of a step would not be.
 /// @param last s, finite
 template <std::floating_point S>
 bool spheres_touch_by(const Sphere<S>& a, const Vector3<S>& velocity_a, const Sphere<S>& b,

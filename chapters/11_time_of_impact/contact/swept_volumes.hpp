@@ -1,5 +1,5 @@
 /// @file
-/// All that a moving sphere passes through in a step: the swept volume, a capsule.
+/// The swept volume of a moving sphere in a step: a capsule.
 #pragma once
 
 #include <concepts>
@@ -15,11 +15,11 @@ namespace contact {
 
 namespace detail {
 
-/// Whether the segments from 0 to u and from d to d + v have points at most the reach apart.
+/// Whether the segments from 0 to u and from d to d + v have points at most `reach` apart.
 ///
 /// The squared distance of two of their points is a convex quadratic over a square of parameters.
-/// Its least value is on the square's rim, where an end of one segment is nearest to the other, or
-/// inside, where the common perpendicular of both lines is.
+/// Its minimum is on the boundary of the square, where an end of one segment is closest to the
+/// other, or inside, at the common perpendicular of both lines.
 inline bool segments_within(const Vector3<Exact>& d, const Vector3<Exact>& u,
                             const Vector3<Exact>& v, const Exact& reach) {
   const Vector3<Exact> none = Vector3<Exact>::Zero();
@@ -43,9 +43,9 @@ inline bool segments_within(const Vector3<Exact>& d, const Vector3<Exact>& u,
 // [swept-volumes]
 /// Whether the volumes that two spheres sweep in a step have a point in common.
 ///
-/// If not, the spheres do not touch in the step. If so, they may: one can be gone before the other
-/// comes by. Swept volumes forget when; sphere_sphere_impact(), which follows the relative motion,
-/// does not.
+/// If not, the spheres do not touch in the step. If so, they may: one can have left before the
+/// other arrives. Swept volumes ignore time; sphere_sphere_impact(), which uses the relative
+/// motion, does not.
 /// @param a, b at the start, m, finite, with radii that are not negative
 /// @param displacement_a, displacement_b in the step, m, finite
 /// @return right for every finite input; touching counts

@@ -1,8 +1,7 @@
 /// @file
-/// What a step may skip: when nothing can pass through unseen, and how short a chord can be that is
-/// missed.
+/// Tunnelling: when no impact can be missed between two steps, and how long a missed chord can be.
 ///
-/// Every bound here is rounded upwards: a proof that holds on paper holds for the stored numbers.
+/// Every bound is rounded upwards, so the proof holds for the stored numbers.
 #pragma once
 
 #include <cmath>
@@ -18,7 +17,7 @@ namespace contact {
 
 namespace detail {
 
-/// A few roundings of numbers that are not negative, made good: x with γ(16) and 16 η on top.
+/// An upper bound that includes a few roundings of non-negative numbers: x plus γ(16) x and 16 η.
 template <std::floating_point S>
 S a_little_more(S x) {
   return x + (tolerance::gamma<S>(16) * x + S(16) * tolerance::underflow_unit<S>);
@@ -32,18 +31,18 @@ void require_not_negative(const char* argument, S x) {
 
 }  // namespace detail
 
-/// What is known of a body's motion and size during a step.
+/// Bounds on the motion and size of a body during a step.
 template <std::floating_point S>
 struct Mover {
-  S inner_radius = S(0);  ///< of a ball about its centre that it holds, m
-  S outer_radius = S(0);  ///< of a ball about its centre that holds it, m
-  S spin = S(0);          ///< |ω| at most, rad/s
+  S inner_radius = S(0);  ///< of a ball about its centre inside the body, m
+  S outer_radius = S(0);  ///< of a ball about its centre that contains the body, m
+  S spin = S(0);          ///< upper bound of |ω|, rad/s
 };
 
-/// Checks what is known of a body.
+/// Checks the bounds of a body.
 /// @param inner_radius, outer_radius m, finite, 0 ≤ inner ≤ outer
-/// @param spin |ω| at most, rad/s, finite, not negative
-/// @throws std::invalid_argument if an argument is not as said
+/// @param spin upper bound of |ω|, rad/s, finite, not negative
+/// @throws std::invalid_argument if an argument does not satisfy these conditions
 template <std::floating_point S>
 Mover<S> mover(S inner_radius, S outer_radius, S spin) {
   detail::require_not_negative("inner_radius", inner_radius);
@@ -57,10 +56,10 @@ Mover<S> mover(S inner_radius, S outer_radius, S spin) {
 }
 
 // [step-displacement]
-/// How far the centre of one body can get in a step, seen from the centre of the other: h |v| + h²
-/// |a| / 2, rounded upwards.
-/// @param speed |v_a − v_b| at the beginning of the step at most, m/s
-/// @param acceleration |a_a − a_b| at most, m/s²; 0 for two bodies in one field of gravity
+/// The largest displacement of the centre of one body in a step, relative to the centre of the
+/// other: h |v| + h² |a| / 2, rounded upwards.
+/// @param speed upper bound of |v_a − v_b| at the start of the step, m/s
+/// @param acceleration upper bound of |a_a − a_b|, m/s²; 0 for two bodies in the same gravity
 /// @param step h, s
 /// @throws std::invalid_argument if an argument is negative or not finite
 template <std::floating_point S>
@@ -71,15 +70,15 @@ S centre_displacement(S speed, S acceleration, S step) {
   return detail::a_little_more((speed + acceleration * step / S(2)) * step);
 }
 
-/// How far any point of one body can get in a step relative to any frame that turns with the other,
-/// while they are near enough to touch.
+/// The largest displacement of any point of one body in a step relative to any frame that rotates
+/// with the other, while they are close enough to touch.
 ///
-/// With L the displacement of the centres: where they can touch, the centres are at most R = r_a +
-/// r_b apart, so at most R + L all through the step. A point of the other's frame there moves by at
-/// most ω_b (R + L) h, and a point of the one about its centre by ω_a r_a h. To be the same from
-/// both sides, both bodies' terms are taken for both: L + h (ω_a (R + L) + ω_b (R + L)).
-/// @param a, b as mover() makes them
-/// @param centres as centre_displacement() gives it, m
+/// Let L be the displacement of the centres. Where they can touch, the centres are at most R = r_a
+/// + r_b apart, so at most R + L throughout the step. A point of the other's frame there moves by
+/// at most ω_b (R + L) h, and a point of the first about its centre by ω_a r_a h. To be symmetric,
+/// the larger terms are taken for both: L + h (ω_a (R + L) + ω_b (R + L)).
+/// @param a, b made by mover()
+/// @param centres from centre_displacement(), m
 /// @param step h, s
 /// @return m, rounded upwards
 template <std::floating_point S>
@@ -89,30 +88,28 @@ S relative_displacement(const Mover<S>& a, const Mover<S>& b, S centres, S step)
 }
 // [/step-displacement]
 
-/// What a proof compares: how far things get in a step, and how thick is what they would have to
-/// pass.
+/// The two sides of a proof: the largest displacement in a step, and the thickness of the obstacle.
 template <std::floating_point S>
 struct TunnellingBound {
   S displacement = S(0);  ///< the largest relative displacement in a step, m, rounded upwards
-  S thickness = S(0);     ///< of what is in the way, m, rounded downwards
+  S thickness = S(0);     ///< of the obstacle, m, rounded downwards
 
-  /// Whether it is proven that nothing passes through unseen: displacement ≤ thickness.
+  /// Whether it is proven that no impact is missed: displacement ≤ thickness.
   bool nothing_passes() const { return displacement <= thickness; }
 };
 
 // [nothing-passes]
-/// The proof that a body cannot get from one side of a slab to the other between two looks.
+/// The proof that a body cannot pass through a slab between two tests.
 ///
-/// A slab is all that is between two parallel planes: a wall. The body holds a ball of the radius
-/// ρ about its centre. While the centre is within w/2 + ρ of the slab's middle plane, they touch: a
-/// layer of the thickness w + 2 ρ. To be beyond it at one look and on the near side at the look
-/// before, the centre must cover more than that between them. So if it gets no further than w + 2 ρ
-/// in a step, one of the looks sees the touch. (A body of a smaller ρ than it has, 0 at the least,
-/// makes the bound safe and weaker.)
-/// @param body as mover() makes it; the slab is at rest in the frame in which the displacement is
+/// A slab is the space between two parallel planes: a wall. The body contains a ball of radius ρ
+/// about its centre. While the centre is within w/2 + ρ of the middle plane of the slab, they
+/// touch: a layer of thickness w + 2 ρ. To be behind it at one test and in front of it at the test
+/// before, the centre must move by more than that. So if it moves by at most w + 2 ρ in a step, one
+/// of the tests finds the touch. (A smaller ρ, at least 0, gives a valid but weaker bound.)
+/// @param body made by mover(); the slab is at rest in the frame in which the displacement is
 /// measured
 /// @param thickness w of the slab, m
-/// @param displacement as relative_displacement() or centre_displacement() gives it, m
+/// @param displacement from relative_displacement() or centre_displacement(), m
 template <std::floating_point S>
 TunnellingBound<S> slab_tunnelling(const Mover<S>& body, S thickness, S displacement) {
   detail::require_not_negative("thickness", thickness);
@@ -120,12 +117,12 @@ TunnellingBound<S> slab_tunnelling(const Mover<S>& body, S thickness, S displace
   return {displacement, sum_down(sum_down(thickness, body.inner_radius), body.inner_radius)};
 }
 
-/// The same for two bodies that fly at each other: the inner balls touch while the centres are
-/// within ρ = ρ_a + ρ_b, and along a line through the middle that is for 2 ρ of the way.
+/// The same for two bodies: the inner balls touch while the centres are within ρ = ρ_a + ρ_b, and
+/// along a line through the centre that is a path of 2 ρ.
 ///
-/// It proves that no two bodies get from one side of each other to the other along such a line, and
-/// along every line that cuts a chord of at least the displacement out of the ball of radius ρ.
-/// Shorter chords, at the rim, may be missed: missed_chord() bounds them.
+/// It proves that no two bodies pass through each other along such a line, or along any line that
+/// cuts a chord of at least the displacement out of the ball of radius ρ. Shorter chords, near the
+/// rim, may be missed: missed_chord() bounds them.
 template <std::floating_point S>
 TunnellingBound<S> pair_tunnelling(const Mover<S>& a, const Mover<S>& b, S displacement) {
   detail::require_not_negative("displacement", displacement);
@@ -134,35 +131,35 @@ TunnellingBound<S> pair_tunnelling(const Mover<S>& a, const Mover<S>& b, S displ
 }
 // [/nothing-passes]
 
-/// What can be missed at the rim.
+/// Bounds on the grazes that can be missed.
 template <std::floating_point S>
 struct MissedChord {
   S length = S(0);  ///< of the longest chord that can be missed, m
-  S depth = S(0);   ///< how deep the bodies overlap on it at most, m
-  /// The approach that is missed, as a share of the relative speed: the cosine of the angle between
-  /// the path and the normal at the touch, at most.
+  S depth = S(0);   ///< largest overlap of the bodies on it, m
+  /// Upper bound of the missed approach speed as a fraction of the relative speed: the cosine of
+  /// the angle between the path and the normal at the touch.
   S approach = S(0);
 };
 
 // [missed-chord]
-/// The deepest graze that two looks can miss.
+/// The deepest graze that two tests can miss.
 ///
-/// A straight path cuts a chord c out of the ball of radius ρ in which the centres touch. A chord
-/// of at least the displacement D has a look on it. So c < D for one that is missed, its sagitta is
-/// less than ρ − √(ρ² − D²/4), and where it enters, the normal part of the velocity is less than
-/// D / (2 ρ) of the whole. The root cancels for a small D, so the sagitta is written
-/// (D²/4) / (ρ + √(ρ² − D²/4)).
+/// A straight path cuts a chord c out of the ball of radius ρ in which the bodies touch. On a chord
+/// of at least the displacement D there is a test. So a missed chord has c < D, its sagitta is less
+/// than ρ − √(ρ² − D²/4), and where it enters, the normal component of the velocity is less than
+/// the fraction D / (2 ρ) of the speed. For a small D the difference cancels, so the sagitta is
+/// written (D²/4) / (ρ + √(ρ² − D²/4)).
 /// @param reach ρ, m, finite and greater than 0: for balls the sum of the radii
 /// @param displacement D, m, in a step
-/// @return upper bounds; with D ≥ 2 ρ, to rounding, everything can be missed: 2 ρ, ρ and 1
-/// @throws std::invalid_argument if an argument is not as said
+/// @return upper bounds; for D ≥ 2 ρ, up to rounding, every graze can be missed: 2 ρ, ρ and 1
+/// @throws std::invalid_argument if an argument does not satisfy these conditions
 template <std::floating_point S>
 MissedChord<S> missed_chord(S reach, S displacement) {
   detail::require_not_negative("displacement", displacement);
   require_finite("reach", reach);
   if (!(reach > S(0))) throw_invalid_argument("reach", number_text(reach), "must exceed 0");
-  // Rounded upwards first: the depth grows with the ratio, and 1 − ratio is then exact or nearly
-  // so.
+  // Rounded upwards first: the depth increases with the ratio, and 1 − ratio is then exact or
+  // nearly exact.
   const S ratio = detail::a_little_more(displacement / reach / S(2));
   if (!(ratio < S(1))) return {S(2) * reach, reach, S(1)};
   const S rest = std::sqrt((S(1) - ratio) * (S(1) + ratio));
@@ -172,15 +169,15 @@ MissedChord<S> missed_chord(S reach, S displacement) {
 // [/missed-chord]
 
 // [energy-speed]
-/// The greatest speed that energy allows: √(2 (E − U) / m), rounded upwards.
+/// The largest speed that the energy allows: √(2 (E − U) / m), rounded upwards.
 ///
-/// Where forces have a potential that is never below U, and nothing adds energy, kinetic energy
-/// never exceeds E − U.
-/// @param energy E, kinetic and potential together, J, finite
+/// If the forces have a potential that is at least U, and nothing adds energy, the kinetic energy
+/// is at most E − U.
+/// @param energy E, kinetic plus potential, J, finite
 /// @param least_potential U, J, finite
 /// @param mass m, kg, finite and greater than 0
 /// @return m/s; 0 if E ≤ U
-/// @throws std::invalid_argument if an argument is not as said
+/// @throws std::invalid_argument if an argument does not satisfy these conditions
 template <std::floating_point S>
 S energy_speed(S energy, S least_potential, S mass) {
   require_finite("energy", energy);

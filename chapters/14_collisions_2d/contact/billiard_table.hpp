@@ -1,5 +1,5 @@
 /// @file
-/// Discs on a table with four cushions, from event to event, and in fixed steps.
+/// Discs on a table with four cushions: event-driven, and in fixed time steps.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 
 namespace contact {
 
-/// A table: its playing field from (0, 0) to (width, height), and how well discs and cushions
-/// bounce. No friction anywhere.
+/// A table: its field from (0, 0) to (width, height), and its coefficients of restitution. There is
+/// no friction.
 template <std::floating_point S>
 struct Table {
   S width = S(0);           ///< m
@@ -25,20 +25,20 @@ struct Table {
   S cushion_bounce = S(1);  ///< e between a disc and a cushion, 0 to 1
 };
 
-/// The four cushions, as the second party of an event.
+/// The four cushions, as the second body of an event.
 enum class Cushion { left = -1, right = -2, bottom = -3, top = -4 };
 
-/// Something that happens on a table: two discs touch, or a disc and a cushion.
+/// An event on a table: two discs touch, or a disc and a cushion.
 template <std::floating_point S>
 struct TableEvent {
-  S time = S(0);   ///< s, from when it was asked
+  S time = S(0);   ///< s, from now
   int first = 0;   ///< index of a disc
   int second = 0;  ///< index of another, larger than first, or a Cushion
 };
 
 namespace detail {
 
-/// Away from the cushion, into the field.
+/// The normal away from the cushion, into the field.
 template <std::floating_point S>
 Vector2<S> normal_of(int cushion) {
   switch (static_cast<Cushion>(cushion)) {
@@ -54,7 +54,7 @@ Vector2<S> normal_of(int cushion) {
   return {S(0), S(0)};
 }
 
-/// How far a disc's rim is from a cushion, m; negative if it is beyond.
+/// The signed distance of a disc's rim from a cushion, m; negative beyond it.
 template <std::floating_point S>
 S clearance(const Table<S>& table, const Disc<S>& d, int cushion) {
   switch (static_cast<Cushion>(cushion)) {
@@ -73,10 +73,9 @@ S clearance(const Table<S>& table, const Disc<S>& d, int cushion) {
 }  // namespace detail
 
 // [next-event]
-/// What happens next on a table, and when. Every pair of discs and every disc with every cushion
-/// is asked for its time; the earliest is next, and of several at once the first in the order of
-/// indices, with the cushions last.
-/// @return nothing if nothing happens any more
+/// The next event on a table: the earliest touch of any pair of discs, or of any disc and cushion.
+/// Of several at the same time it is the first in the order of indices, with the cushions last.
+/// @return nothing if there is no further event
 template <std::floating_point S>
 std::optional<TableEvent<S>> next_event(const Table<S>& table, const std::vector<Disc<S>>& discs) {
   std::optional<TableEvent<S>> next;
@@ -99,13 +98,13 @@ std::optional<TableEvent<S>> next_event(const Table<S>& table, const std::vector
 }
 // [/next-event]
 
-/// Lets all discs move on for a time.
+/// Moves all discs on by a time.
 template <std::floating_point S>
 void move_on(std::vector<Disc<S>>& discs, const S& time) {
   for (Disc<S>& d : discs) d.centre += d.velocity * time;
 }
 
-/// Lets an event happen, now: it changes velocities and nothing else.
+/// Applies the impulse of an event, which changes velocities only.
 template <std::floating_point S>
 void happen(const Table<S>& table, std::vector<Disc<S>>& discs, const TableEvent<S>& event) {
   Disc<S>& first = discs[static_cast<std::size_t>(event.first)];
@@ -120,13 +119,13 @@ void happen(const Table<S>& table, std::vector<Disc<S>>& discs, const TableEvent
   second.velocity = after.velocity_b;
 }
 
-// [play]
-/// Plays for a time, from event to event: find the next one, move on just to it, let it happen.
-/// @param discs as they are at the start; as they are at the end when it returns
+/// An event-driven simulation: find the next event, move on to its time, apply its impulse, repeat.
+/// @param discs initial state; final state when it returns
 /// @param duration s
-/// @param most how many events to let happen at most
+/// @param most maximum number of events
 /// @param seen called as seen(event, discs) after each event, with its time from the start
-/// @return how much of the time was played: less than duration only after `most` events
+/// @return the time simulated: less than duration only after `most` events
+// [play]
 template <std::floating_point S, class Seen>
 S play(const Table<S>& table, std::vector<Disc<S>>& discs, const S& duration, int most,
        const Seen& seen) {
@@ -147,10 +146,9 @@ S play(const Table<S>& table, std::vector<Disc<S>>& discs, const S& duration, in
 // [/play]
 
 // [in-steps]
-/// The same in steps of a fixed length: move everything, then look which discs overlap. It finds
-/// each collision late, with discs that are already inside each other, so that the line of their
-/// centres is not what it was at the touch; and it misses what begins and ends within a step. Here
-/// to be compared with.
+/// The same in fixed time steps: move everything, then test which discs overlap. It finds each
+/// collision late, with discs that already overlap, so that the line of their centres is not the
+/// line of impact; and it misses collisions that begin and end within a step. For comparison only.
 /// @param step s, greater than 0
 /// @param seen called as seen(time, discs) after each step
 template <std::floating_point S, class Seen>

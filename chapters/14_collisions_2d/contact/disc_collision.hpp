@@ -1,6 +1,6 @@
 /// @file
-/// Two smooth discs that touch: the line of their centres, whether they approach, and the
-/// velocities that the collision leaves.
+/// Two smooth discs in contact: their line of centres, whether they approach, and their velocities
+/// after the collision.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,8 @@
 
 namespace contact {
 
-/// A disc without friction, so that nothing ever turns it. Make it with disc(), which checks what
-/// it is given.
+/// A disc without friction, so that no torque acts on it. Make it with disc(), which checks its
+/// arguments.
 template <Ring S>
 struct Disc {
   S mass = S(1);                             ///< kg, greater than 0
@@ -81,34 +81,33 @@ Exact exact_dot_of_differences(const Vector2<S>& a, const Vector2<S>& b, const V
 
 }  // namespace detail
 
-// [line-of-centres]
-/// The axis of a collision between discs: the unit vector along the line of their centres, from B
-/// to A. It is the common normal of their rims where they touch.
+/// The axis: the unit vector along the line of centres of two discs, from B to A.
+/// This is the line of impact (line of collision), the common normal of their rims at the contact.
 ///
 /// The same for spheres, with a third coordinate.
 /// @param centre_a, centre_b m
 /// @return a vector of length 1, each entry off by at most 6 u; nothing if the centres coincide
 /// @see *Fundamentals of Computer Animation: Collision Detection and Response*, slide "Collisions
-/// Between Spheres (1)", step a; that axis points the other way
+/// Between Spheres (1)", step a; that axis has the opposite direction
+// [line-of-centres]
 template <std::floating_point S>
 std::optional<Vector2<S>> line_of_centres(const Vector2<S>& centre_a, const Vector2<S>& centre_b) {
   Vector2<S> d = centre_a - centre_b;
   if (!all_finite(d)) d = centre_a / S(2) - centre_b / S(2);
   // Rounded differences are zero only if the numbers are equal.
   if (d.x() == S(0) && d.y() == S(0)) return std::nullopt;
-  // With the larger entry in [1, 2) no square overflows, and none that counts underflows.
+  // With the larger entry in [1, 2) no square overflows, and none that matters underflows.
   d = detail::times_power<S>(d, -detail::power_of<S>(d));
   const S length = std::sqrt(d.x() * d.x() + d.y() * d.y());
   return Vector2<S>(d.x() / length, d.y() / length);
 }
 // [/line-of-centres]
 
-// [closing]
-/// Whether two discs approach, (c_A − c_B) · (v_A − v_B): −1 if their centres come closer, +1 if
-/// they go apart, 0 if their distance is just then at its least (or they move alike).
+/// The sign of (c_A − c_B) · (v_A − v_B): −1 if two discs approach, +1 if they separate, 0 if their
+/// distance is stationary (or they move with the same velocity).
 ///
-/// A decision: right for every finite input. Rounded first; if that is too near to zero to be sure
-/// of, without rounding.
+/// Exact for every finite input: rounded arithmetic first (a floating-point filter), and exact
+/// arithmetic if the result is too near to zero.
 template <Ring S>
 int closing_sign(const Disc<S>& a, const Disc<S>& b) {
   const Vector2<S> d = a.centre - b.centre;
@@ -125,57 +124,52 @@ int closing_sign(const Disc<S>& a, const Disc<S>& b) {
   }
 }
 
-/// Whether two discs come closer, so that they collide when they touch: closing_sign() is −1.
+/// Whether two discs approach, so that they collide if they touch: closing_sign() is −1.
 template <Ring S>
 bool approaching(const Disc<S>& a, const Disc<S>& b) {
   return closing_sign(a, b) < 0;
 }
-// [/closing]
 
-/// A velocity in two parts at right angles.
+/// A velocity as the sum of two perpendicular components.
 template <std::floating_point S>
 struct Components {
-  S normal = S(0);                         ///< n · v: along the axis, with its sign, m/s
-  Vector2<S> across = Vector2<S>::Zero();  ///< the rest, v − (n · v) n, m/s
+  S normal = S(0);                         ///< n · v, the normal component, m/s
+  Vector2<S> across = Vector2<S>::Zero();  ///< v − (n · v) n, the tangential component, m/s
 };
 
-// [components]
-/// A velocity split into the part along an axis and the rest, which is at right angles to it.
+/// A velocity split into its component along an axis and the perpendicular rest.
 /// @param velocity m/s, below half the largest number
 /// @param axis unit vector
-/// @return both parts off by at most 16 u |v|
+/// @return both off by at most 16 u |v|
 /// @see *Fundamentals of Computer Animation*, slide "Collisions Between Spheres (1)", step b
 template <std::floating_point S>
 Components<S> components(const Vector2<S>& velocity, const Vector2<S>& axis) {
   const S normal = axis.x() * velocity.x() + axis.y() * velocity.y();
   return {normal, velocity - axis * normal};
 }
-// [/components]
 
-/// What a collision of two discs leaves.
+/// The result of a collision of two discs.
 template <std::floating_point S>
 struct DiscCollision {
-  bool hit = false;  ///< whether they pushed at all: they approached, and there was an axis
+  bool hit = false;  ///< whether an impulse acted: they approached, and there was an axis
   Vector2<S> velocity_a = Vector2<S>::Zero();  ///< m/s
   Vector2<S> velocity_b = Vector2<S>::Zero();  ///< m/s
-  Vector2<S> impulse = Vector2<S>::Zero();     ///< on A; on B it is the opposite, N·s
+  Vector2<S> impulse = Vector2<S>::Zero();     ///< on A; reversed on B, N·s
 };
 
-// [collide-discs]
-/// The collision of two smooth discs that touch: along the line of their centres it is a collision
-/// on a line, and across it nothing happens, since without friction nothing pushes that way.
+/// The collision of two smooth discs in contact: along the line of their centres a collision on a
+/// line; the tangential velocities are unchanged, as there is no friction.
 ///
-/// Nothing happens either if they do not approach, or if their centres coincide, since then there
-/// is no axis. Whether they touch is not asked: that is the caller's to know.
-/// @param a, b the discs at the moment of the touch. A mass may be infinite: a disc that nothing
-/// turns
-/// @param restitution e, from 0 (they keep together along the axis) to 1 (elastic)
+/// Nothing happens if they do not approach, or if their centres coincide, since then there is no
+/// axis. The function does not test whether they touch; the caller must.
+/// @param a, b the discs at the moment of contact. A mass may be infinite: an immovable disc
+/// @param restitution e, from 0 (perfectly inelastic) to 1 (elastic)
 /// @return each velocity off by at most 64 u of |v_A − v_B| and 2 u of itself; infinite only if the
 /// true one is about as large as the largest number, and never NaN
-/// @note No small *relative* error of a small part is to be had: close to grazing the push itself
-/// is small beside |v_A − v_B|.
+/// @note The *relative* error of a small component can be large: near grazing the impulse itself is
+/// small compared with |v_A − v_B|.
 /// @see *Fundamentals of Computer Animation*, slide "Collisions Between Spheres (1)", steps a to d,
-/// which reflect also what separates
+/// which also reflect discs that separate
 template <std::floating_point S>
 DiscCollision<S> collide_discs(const Disc<S>& a, const Disc<S>& b, const S& restitution) {
   DiscCollision<S> result{false, a.velocity, b.velocity, Vector2<S>::Zero()};
@@ -192,7 +186,8 @@ DiscCollision<S> collide_discs(const Disc<S>& a, const Disc<S>& b, const S& rest
     return {true, slow.velocity_a * S(8), slow.velocity_b * S(8), slow.impulse * S(8)};
   }
   result.hit = true;
-  // As B sees it, A comes and B rests. Along the axis that is a collision on a line.
+  // [collide-discs]
+  // In the frame of B, A approaches and B rests. Along the axis this is a collision on a line.
   const S speed = std::max(S(0), -components<S>(relative, *axis).normal);
   const LineBody<S> coming{a.mass, speed};
   const LineBody<S> resting{b.mass, S(0)};
@@ -200,13 +195,12 @@ DiscCollision<S> collide_discs(const Disc<S>& a, const Disc<S>& b, const S& rest
   result.velocity_a = a.velocity + *axis * S(speed - after.first);
   result.velocity_b = b.velocity - *axis * after.second;
   result.impulse = *axis * collision_impulse(coming, resting, restitution);
+  // [/collide-discs]
   return result;
 }
-// [/collide-discs]
 
-// [cushion]
-/// A velocity after a hit against a fixed smooth wall: the part along the wall's normal turns round
-/// and is multiplied by e, the part along the wall stays.
+/// The velocity after a hit against a fixed smooth wall: the normal component is multiplied by −e,
+/// the tangential component is unchanged.
 /// @param velocity m/s, below a quarter of the largest number
 /// @param normal unit vector, away from the wall
 /// @param restitution e, from 0 to 1
@@ -218,6 +212,5 @@ Vector2<S> off_cushion(const Vector2<S>& velocity, const Vector2<S>& normal, con
   if (!(inwards < S(0))) return velocity;
   return velocity - normal * S((S(1) + restitution) * inwards);
 }
-// [/cushion]
 
 }  // namespace contact

@@ -1,6 +1,5 @@
 /// @file
-/// When two moving discs touch: the true time, decided without rounding and computed without
-/// cancellation.
+/// The time at which two moving discs touch, decided exactly and computed without cancellation.
 #pragma once
 
 #include <algorithm>
@@ -18,12 +17,12 @@ namespace contact {
 
 namespace detail {
 
-/// The three numbers of the question when |d + w t| = R, for t > 0.
+/// The three terms of the equation |d + w t| = R, for t > 0.
 template <Ring T>
 struct TouchTerms {
   T gap;       ///< d·d − R²: positive while they are apart
-  T approach;  ///< −d·w: positive while they come closer
-  T depth;     ///< R² w·w − (d × w)²: negative if they pass each other by
+  T approach;  ///< −d·w: positive while they approach
+  T depth;     ///< R² w·w − (d × w)²: negative if they miss each other
 };
 
 template <Ring T>
@@ -34,9 +33,9 @@ TouchTerms<T> touch_terms(const Vector2<T>& d, const Vector2<T>& w, const T& rea
 }
 
 // [touch-filter]
-/// The terms in rounded arithmetic, if each has enough digits: its size is at least a sixteenth of
-/// what it was made from. Then gap is off by at most 128 u of itself, approach by 64 u, and depth
-/// by 192 u.
+/// The terms in rounded arithmetic, if each has enough digits: its magnitude is at least a
+/// sixteenth of the sum of those of its own terms (a floating-point filter). Then gap is off by at
+/// most 128 u of itself, approach by 64 u, and depth by 192 u.
 template <std::floating_point S>
 std::optional<TouchTerms<S>> sure_touch_terms(const Disc<S>& a, const Disc<S>& b) {
   const Vector2<S> d = a.centre - b.centre;
@@ -54,7 +53,7 @@ std::optional<TouchTerms<S>> sure_touch_terms(const Disc<S>& a, const Disc<S>& b
   const auto sure = [small](const S& x, const S& size) {
     return std::isfinite(size) && size >= small && S(16) * std::abs(x) >= size;
   };
-  // A square that underflows may be a factor of what does not.
+  // A square that underflows may be a factor of a product that does not.
   if (!(speed_squared >= small) || !(reach_squared >= small || reach == S(0))) return std::nullopt;
   if (sure(t.gap, squares) && sure(t.approach, products) && sure(t.depth, fourth)) return t;
   return std::nullopt;
@@ -63,17 +62,18 @@ std::optional<TouchTerms<S>> sure_touch_terms(const Disc<S>& a, const Disc<S>& b
 
 }  // namespace detail
 
-// [time-to-touch]
-/// When two discs that move in straight lines touch: the first t ≥ 0 at which their centres are no
-/// further apart than their radii together, while they approach.
+/// The time at which two discs on straight paths touch: the first t ≥ 0 at which the distance of
+/// their centres is at most the sum of their radii, while they approach.
 ///
-/// Discs that touch or overlap now give 0 if they approach, and nothing if they do not: what has
-/// just collided does not collide again. Discs that graze, and touch at one moment only, do touch.
+/// Discs that touch or overlap now give 0 if they approach, and nothing if they do not: discs that
+/// have just collided do not collide again. Discs that graze, and touch at one moment only, do
+/// touch.
 /// @param a, b at time 0
 /// @return s; nothing if they never touch, or later than the largest number. The decision is right
 /// for every finite input; the time is off by at most 256 u of itself (if it does not underflow)
 /// @see *Fundamentals of Computer Animation*, slides "How About 2 MOVING spheres?", which slice the
 /// step instead
+// [time-to-touch]
 template <std::floating_point S>
 std::optional<S> time_to_touch(const Disc<S>& a, const Disc<S>& b) {
   if (const auto t = detail::sure_touch_terms(a, b)) {
@@ -82,6 +82,7 @@ std::optional<S> time_to_touch(const Disc<S>& a, const Disc<S>& b) {
     if (t->depth < S(0)) return std::nullopt;
     return t->gap / (t->approach + std::sqrt(t->depth));
   }
+  // [/time-to-touch]
   const auto difference = [](const Vector2<S>& x, const Vector2<S>& y) {
     return Vector2<Exact>{Exact(double(x.x())) - Exact(double(y.x())),
                           Exact(double(x.y())) - Exact(double(y.y()))};
@@ -92,7 +93,7 @@ std::optional<S> time_to_touch(const Disc<S>& a, const Disc<S>& b) {
   if (t.approach.sign() <= 0) return std::nullopt;
   if (t.gap.sign() <= 0) return S(0);
   if (t.depth.sign() < 0) return std::nullopt;
-  // Divided by the squares of a length and a speed of their own size, all three fit into a number.
+  // Divided by powers of a length and a speed of their own magnitude, all three are representable.
   const auto power = [](const Vector2<S>& x, const Vector2<S>& y) {
     const S half =
         std::max((x / S(2) - y / S(2)).cwiseAbs().maxCoeff(), std::numeric_limits<S>::min());
@@ -110,6 +111,5 @@ std::optional<S> time_to_touch(const Disc<S>& a, const Disc<S>& b) {
   if (!std::isfinite(time)) return std::nullopt;
   return time;
 }
-// [/time-to-touch]
 
 }  // namespace contact

@@ -1,5 +1,5 @@
 /// @file
-/// Vector diagrams: a momentum that is shared between two known directions.
+/// Momentum triangles: a momentum as the sum of two with known directions.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@ namespace detail {
 
 // [cross]
 /// a × b = a_x b_y − a_y b_x with an error of at most 2 u of itself, unless something underflows:
-/// what each product cuts off is computed exactly and added (Kahan; the bound is that of Jeannerod,
-/// Louvet and Muller, *Mathematics of Computation* 82 (2013)).
+/// the rounding error of a product is computed exactly and added (Kahan; the bound is that of
+/// Jeannerod, Louvet and Muller, *Mathematics of Computation* 82 (2013)).
 template <Ring S>
 S cross_of(const Vector2<S>& a, const Vector2<S>& b) {
   if constexpr (std::floating_point<S>) {
@@ -39,16 +39,15 @@ struct MomentumShares {
   Vector2<S> b = Vector2<S>::Zero();  ///< kg·m/s
 };
 
-// [share]
-/// The two momenta along known directions whose sum is known: the third corner of the triangle of
-/// momenta.
+/// The two momenta along known directions whose sum is known: the third vertex of the momentum
+/// triangle.
 ///
 /// With the sines of angles written as cross products this is the law of sines:
 /// p_A = (p × b)/(a × b) a and p_B = (a × p)/(a × b) b for directions a and b of any length.
 /// @param total p, kg·m/s
 /// @param direction_a, direction_b of any length but zero
 /// @return the shares, each entry off by at most 10 u of itself (if the entries of a vector differ
-/// by less than 2^400 in size); negative ones point against their direction; nothing if the
+/// by less than 2^400 in size); negative ones are opposite to their direction; nothing if the
 /// directions are parallel
 /// @see *Interaction and Normals*, slides "Vector Diagrams" and "Special Condition"
 template <Scalar S>
@@ -80,6 +79,5 @@ std::optional<MomentumShares<S>> share_momentum(const Vector2<S>& total,
                              direction_b * S(detail::cross_of(direction_a, total) / sine)};
   }
 }
-// [/share]
 
 }  // namespace contact

@@ -8,7 +8,7 @@ using Vector = contact::Vector2<double>;
 
 int main() {
   const double angle = 40 * std::numbers::pi / 180;
-  // B lies 40° to the left of A's way, and they touch.
+  // B lies 40° to the left of A's direction, and they touch.
   const Vector towards_b(std::cos(angle), std::sin(angle));
   // [collide]
   const auto a = contact::disc<double>(1, 0.5, Vector(0, 0), Vector(20, 0));
@@ -16,13 +16,12 @@ int main() {
   const auto after = contact::collide_discs(a, b, 1.0);
   // [/collide]
   const auto parts = contact::components(a.velocity, towards_b);
-  std::printf("A before: %.2f ft/s along the axis, %.2f across\n", parts.normal,
-              parts.across.norm());
+  std::printf("A before: %.2f ft/s normal, %.2f tangential\n", parts.normal, parts.across.norm());
   std::printf("A after:  %.2f ft/s, B after: %.2f ft/s\n", after.velocity_a.norm(),
               after.velocity_b.norm());
   std::printf("in SI: A %.3f m/s, B %.3f m/s\n", after.velocity_a.norm() * 0.3048,
               after.velocity_b.norm() * 0.3048);
-  std::printf("their product v_A'.v_B': %.1f, so they leave at right angles\n",
+  std::printf("their product v_A'.v_B': %.1f, so they leave at a right angle\n",
               std::abs(after.velocity_a.dot(after.velocity_b)));
   // 40 taken as radians, and the angle taken from the tangent.
   std::printf("sin and cos of 40 radians: A %.2f, B %.2f\n", 20 * std::sin(40.0),

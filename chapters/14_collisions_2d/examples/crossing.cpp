@@ -1,4 +1,4 @@
-// A car and a van meet at a crossing and stick together; and what skid marks tell.
+// A car and a van meet at a crossing and stick together; and a speed found from skid marks.
 #include <cmath>
 #include <contact/collision_1d.hpp>
 #include <contact/momentum.hpp>
@@ -21,12 +21,12 @@ int main() {
   std::printf("kinetic energy: %.0f kJ before, %.1f kJ lost\n", before / 1000, lost / 1000);
   std::printf("momenta added as numbers would give %.3f m/s\n", (1500 * 16.0 + 2000 * 9.0) / 3500);
 
-  // The wreck of another crash slid off at 25 degrees from the way of b, which had 15 m/s.
+  // The wreck of another crash slid at 25 degrees to the direction of b, which had 15 m/s.
   const double m_a = 1000;
   const double m_b = 1400;
   const double v_b = 15;
   const double v_t = m_b * v_b / ((m_a + m_b) * std::cos(25 * degree));
   const double v_a = (m_a + m_b) * v_t * std::sin(25 * degree) / m_a;
-  std::printf("25 degrees: v_T = %.3f m/s, and a came at %.3f m/s\n", v_t, v_a);
+  std::printf("25 degrees: v_T = %.3f m/s, and a had %.3f m/s\n", v_t, v_a);
   std::printf("check: m_b v_b tan(25) / m_a = %.3f m/s\n", m_b * v_b * std::tan(25 * degree) / m_a);
 }

@@ -1,4 +1,4 @@
-// Polonium 210 at rest sends out an alpha particle, and what is left is lead 206.
+// Polonium 210 at rest emits an alpha particle and becomes lead 206.
 #include <contact/momentum.hpp>
 #include <contact/pieces.hpp>
 #include <cstdio>
@@ -22,7 +22,7 @@ int main() {
   const double v = 2;
   const double v_p = 10;
   const double rest = (210 * v - 4 * v_p) / (210 - 4);
-  std::printf("210 at 2, of which 4 leave at 10: the rest at %.4f\n", rest);
+  std::printf("210 at 2, of which 4 leave at 10: the remainder at %.4f\n", rest);
   std::printf("energy: %.1f before, %.1f after, gained %.1f = %.1f\n", 210 * v * v / 2,
               206 * rest * rest / 2 + 4 * v_p * v_p / 2,
               206 * rest * rest / 2 + 4 * v_p * v_p / 2 - 210 * v * v / 2,

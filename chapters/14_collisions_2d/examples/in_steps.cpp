@@ -1,4 +1,5 @@
-// The same shot on the same table, in steps and from event to event: where is B after a second?
+// The same shot on the same table, in time steps and event-driven: the position of B after a
+// second.
 #include <contact/billiard_table.hpp>
 #include <cstdio>
 
@@ -12,7 +13,7 @@ std::vector<contact::Disc<double>> start() {
 int main() {
   const contact::Table<double> table{1.6, 1.6, 1, 1};
   auto discs = start();
-  std::printf("true times:\n");
+  std::printf("event-driven:\n");
   contact::play(table, discs, 1.0, 20, [](const auto& event, const auto& now) {
     if (event.second < 0) return;
     const Vector axis = now[1].centre - now[0].centre;

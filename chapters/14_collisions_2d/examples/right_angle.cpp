@@ -1,5 +1,4 @@
-// Two balls leave at right angles: when, and when not. A comes at 2 m/s, B lies in front of it and
-// to the side.
+// The angle at which two balls leave. A arrives at 2 m/s, B is in front of it and to the side.
 #include <cmath>
 #include <contact/disc_collision.hpp>
 #include <cstdio>
@@ -15,7 +14,7 @@ void hit(const char* name, double mass_b, double e, const Vector& velocity_b,
   const Vector& va = after.velocity_a;
   const Vector& vb = after.velocity_b;
   if (va.norm() < 1e-9) {
-    std::printf("%-28s A stands, so there is no angle\n", name);
+    std::printf("%-28s A is at rest, so there is no angle\n", name);
     return;
   }
   const double angle = std::acos(va.dot(vb) / (va.norm() * vb.norm())) * 180 / std::numbers::pi;
@@ -30,6 +29,6 @@ int main() {
   hit("B half as heavy:", 0.5, 1, {0, 0}, aside);
   hit("twice as heavy, e = 0.5:", 2, 0.5, {0, 0}, aside);
   hit("B moves:", 1, 1, {0.5, -0.5}, aside);
-  hit("B moves across A's way:", 1, 1, {0, -0.5}, aside);
+  hit("B moves perpendicularly:", 1, 1, {0, -0.5}, aside);
   hit("head-on:", 1, 1, {0, 0}, {1, 0});
 }

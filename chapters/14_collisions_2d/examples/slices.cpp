@@ -1,6 +1,5 @@
-// The lecture's slices: a step of one second in three, so that two discs whose ways cross are
-// looked at four times. Overlap means that they have met, and then the place of the look before
-// counts.
+// The lecture's slices: a step of one second in three, so that two discs with crossing paths are
+// sampled four times. At the first overlap the position of the sample before is taken.
 #include <contact/billiard_table.hpp>
 #include <cstdio>
 
@@ -15,8 +14,8 @@ int main() {
       if (look > 0) contact::move_on(discs, 1.0 / 3);
       const double gap = (discs[0].centre - discs[1].centre).norm() - 0.2;
       found = gap <= 0;
-      std::printf("  look at %.2f s: gap %+.3f m\n", look / 3.0, gap);
-      if (found) std::printf("  found, and put back to %.2f s\n", (look - 1) / 3.0);
+      std::printf("  sample at %.2f s: gap %+.3f m\n", look / 3.0, gap);
+      if (found) std::printf("  found, and moved back to %.2f s\n", (look - 1) / 3.0);
     }
     if (!found) std::printf("  not found\n");
   }

@@ -1,4 +1,5 @@
-// A 3 kg steel ball hits a wall at 10 m/s, 60 degrees from the surface, and bounces off alike.
+// A 3 kg steel ball hits a wall at 10 m/s, 60 degrees from the surface, and bounces off
+// elastically.
 #include <cmath>
 #include <contact/disc_collision.hpp>
 #include <contact/impulse.hpp>
@@ -18,8 +19,8 @@ double force_for(double from_surface) {
 }
 
 int main() {
-  std::printf("60 degrees from the surface: %.1f N, straight away from the wall\n", force_for(60));
-  std::printf("the whole velocity turned round: %.1f N\n", 2 * 3 * 10 / 0.2);
+  std::printf("60 degrees from the surface: %.1f N, normal to the wall\n", force_for(60));
+  std::printf("the whole velocity reversed: %.1f N\n", 2 * 3 * 10 / 0.2);
   std::printf("60 degrees taken from the normal: %.1f N\n", force_for(30));
   std::printf("change of speed, and not of velocity: %.1f N\n", 3 * (10.0 - 10.0) / 0.2);
 }

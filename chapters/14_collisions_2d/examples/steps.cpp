@@ -1,5 +1,5 @@
 // The lecture's steps a to d on discs that collide, and on the same discs a moment later, when they
-// go apart.
+// separate.
 #include <cmath>
 #include <contact/disc_collision.hpp>
 #include <cstdio>
@@ -8,7 +8,7 @@ using Vector = contact::Vector2<double>;
 using Disc = contact::Disc<double>;
 
 // [steps]
-/// Steps a to d, as they stand. They never ask whether the discs approach.
+/// Steps a to d as on the slide, without a test for approach.
 void steps(Disc& a, Disc& b) {
   const Vector x_axis = (b.centre - a.centre).normalized();  // a
   const Vector u1x = x_axis * x_axis.dot(a.velocity);        // b
@@ -47,9 +47,9 @@ int main() {
   steps(a1, b1);
   print("steps a to d:      ", a1, b1);
   steps(a1, b1);
-  print("and once more:     ", a1, b1);
+  print("applied twice:     ", a1, b1);
   book(a2, b2);
   print("the book's:        ", a2, b2);
   book(a2, b2);
-  print("and once more:     ", a2, b2);
+  print("applied twice:     ", a2, b2);
 }

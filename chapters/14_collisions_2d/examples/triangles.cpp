@@ -1,4 +1,4 @@
-// Triangles of momenta: the sides from the angles. A comes with a momentum of 1, B rests.
+// Triangles of momenta: the sides from the angles. A arrives with a momentum of 1, B is at rest.
 #include <cmath>
 #include <contact/momentum_triangle.hpp>
 #include <cstdio>

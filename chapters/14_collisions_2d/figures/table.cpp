@@ -1,4 +1,4 @@
-// Three discs on an air table, from event to event at their true times, or in fixed steps.
+// Three discs on an air table, event-driven or in fixed time steps.
 #include <array>
 #include <contact/billiard_table.hpp>
 #include <contact/figure.hpp>
@@ -7,27 +7,27 @@ constexpr int most_events = 13;
 constexpr int places = most_events + 2;
 constexpr int samples = 61;
 
-// Places that are off the table are brought to its edge.
+// Positions off the table are moved to its edge.
 struct Input {
   contact::Vector2<double> centre_a, centre_b, centre_c;  // m
-  contact::Vector2<double> velocity_a;                    // m/s; B and C stand
+  contact::Vector2<double> velocity_a;                    // m/s; B and C are at rest
   contact::Vector2<double> guess;                         // of the reader
   double time;                                            // s
   double restitution;
-  double step;  // s, of the fixed steps; 0: none
+  double step;  // s, of the time steps; 0: none
   double show;  // 0: only until two discs touch; 1: everything
 };
 
 struct Output {
   double problem;
   double side, radius, duration;
-  double shown;                      // how much time is shown, s
-  std::array<double, places> times;  // of start, events and end, as far as they are shown
+  double shown;                      // time shown, s
+  std::array<double, places> times;  // of start, events and end, as far as shown
   std::array<contact::Vector2<double>, places> path_a, path_b, path_c;
-  double events;                                 // how many are shown
-  double first_touch;                            // when two discs first touch; 0 if they do not
+  double events;                                 // number shown
+  double first_touch;                            // time of the first touch of two discs; 0 if none
   double touches;                                // whether they do
-  contact::Vector2<double> now_a, now_b, now_c;  // at the time, or when the showing ends
+  contact::Vector2<double> now_a, now_b, now_c;  // at the time, or at the end of what is shown
   contact::Vector2<double> touch_a, touch_b;     // the two discs at their first touch
   double energy, momentum_x, momentum_y;         // at that time, of 1 kg each
   std::array<contact::Vector2<double>, samples> steps_a, steps_b, steps_c;
@@ -45,7 +45,7 @@ constexpr double table_side = 1.6;
 constexpr double disc_radius = 0.1;
 constexpr double table_duration = 3;
 
-/// The nearest place at which a disc lies on the table.
+/// The nearest position at which a disc lies on the table.
 Vector on_table(const Vector& p) {
   return p.cwiseMax(disc_radius).cwiseMin(table_side - disc_radius);
 }
@@ -94,7 +94,7 @@ Output compute(const Input& in) {
   out.first_touch = std::max(0.0, first_touch);
   out.shown = in.show != 0 || first_touch < 0 ? played : first_touch;
 
-  // What is shown of it: places at the events, then at the end.
+  // The part that is shown: positions at the events, then at the end.
   const auto place_at = [&](double t) {
     std::size_t i = 0;
     while (i + 1 < times.size() && times[i + 1] <= t) ++i;
@@ -126,7 +126,7 @@ Output compute(const Input& in) {
 
   if (in.step > 0 && in.show != 0) {
     out.stepped = 1;
-    // Sixty places are enough for the eye; the last of each is where the steps have come to.
+    // Sixty positions are enough to draw; the last one is the present state of the steps.
     Discs stepped = start;
     std::size_t k = 0;
     const auto keep = [&](double t, const Discs& at) {

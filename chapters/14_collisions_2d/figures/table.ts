@@ -1,5 +1,5 @@
-// Three discs on an air table. First only the way to the first touch is shown; the reader marks where
-// B will reach a cushion, and then looks at the rest.
+// Three discs on an air table. First only the path to the first touch is shown; the reader predicts
+// where B will reach a cushion, and then sees the rest.
 
 import { defineFigure, pretty, type Role, type Vec2 } from "@contact/figure";
 
@@ -117,7 +117,7 @@ export default defineFigure<Input, Output>({
       label: "show",
       options: [
         { value: 0, label: "until two discs touch" },
-        { value: 1, label: "what comes then" },
+        { value: 1, label: "the rest" },
       ],
     },
     {
@@ -214,7 +214,7 @@ export default defineFigure<Input, Output>({
       role: "hit",
     },
     { name: "events", meaning: "shown, cushions too", value: output.events },
-    { name: "K", meaning: "of all, 1 kg each", value: output.energy, unit: "J" },
+    { name: "K", meaning: "kinetic energy, 1 kg each", value: output.energy, unit: "J" },
     {
       name: "p",
       meaning: "of all",
@@ -232,9 +232,8 @@ export default defineFigure<Input, Output>({
   describe(input, output) {
     if (!output.touches) return "A meets no other disc in these three seconds.";
     const first = `Two discs touch after ${pretty(output.first_touch, 3)} s.`;
-    if (!input.show)
-      return `${first} What comes then is hidden: mark where B will first reach a cushion.`;
+    if (!input.show) return `${first} The rest is hidden: mark where B will first reach a cushion.`;
     if (!(output.cushion_time > 0)) return `${first} B reaches no cushion in this time.`;
-    return `${first} B reaches a cushion after ${pretty(output.cushion_time, 3)} s, ${output.guessed ? "where you said" : "and not where you said"}.`;
+    return `${first} B reaches a cushion after ${pretty(output.cushion_time, 3)} s, ${output.guessed ? "where you predicted" : "but not where you predicted"}.`;
   },
 });

@@ -1,5 +1,5 @@
-// Two smooth discs at the moment of their touch: the axis, the parts of the velocities, and what
-// four ways of answering make of it.
+// Two smooth discs at the moment of contact: the axis, the components of the velocities, and the
+// results of four methods.
 #include <contact/disc_collision.hpp>
 #include <contact/figure.hpp>
 
@@ -9,25 +9,25 @@ struct Input {
   contact::Vector2<double> velocity_b;
   double mass_a, mass_b;  // kg
   double restitution;
-  double way;  // 0: the book's; 1: the lecture's steps, which do not ask for approach; 2: the whole
-               // velocity turned round; 3: the book's with an axis that is as long as it comes
+  double way;  // 0: the book's; 1: the lecture's steps, without the test for approach; 2: the whole
+               // velocity reversed; 3: the book's with an axis that is not normalised
 };
 
 struct Output {
   double problem;
   double radius;
-  contact::Vector2<double> touch;  // where the rims meet
+  contact::Vector2<double> touch;  // contact point
   contact::Vector2<double> axis;   // from B to A
-  double normal_a, normal_b;       // the parts along the axis, m/s
+  double normal_a, normal_b;       // normal components, m/s
   contact::Vector2<double> along_a, across_a, along_b, across_b;
   double approach;  // 1 if they approach
   contact::Vector2<double> after_a, after_b;
   contact::Vector2<double> impulse_a;                                          // on A, N·s
   contact::Vector2<double> p_a, p_b, p_before, p_a_after, p_b_after, p_after;  // kg·m/s
   double energy_before, energy_after;                                          // J
-  double product_after;  // of the velocities afterwards: 0 if they are at right angles
-  double wrong;          // the way chosen does not give the book's velocities
-  double a_stops;        // goal of a question: A came fast, and now all but stands
+  double product_after;  // of the velocities afterwards: 0 if they are perpendicular
+  double wrong;          // the chosen method does not give the book's velocities
+  double a_stops;        // goal of a question: A was fast, and is almost at rest
 };
 
 using Vector = contact::Vector2<double>;
@@ -78,16 +78,16 @@ Output compute(const Input& in) {
     after.velocity_b = b.velocity + n * ((p + w * a.mass) / m - n.dot(b.velocity));
   };
   if (in.way == 1) {
-    // WRONG: no question before it. It is right for discs that approach; those that part it turns
-    // round along the axis, so that they go through each other.
+    // WRONG: no test for approach. It is right for discs that approach; for discs that separate it
+    // reverses the normal components, so that they pass through each other.
     step_c(out.axis);
   } else if (in.way == 3 && out.approach == 1) {
     // WRONG: with an axis of length L each projection is L times too large, and used L times: the
     // impulse comes out L² times what it should be.
     step_c(a.centre - b.centre);
   } else if (in.way == 2) {
-    // WRONG: also the parts across the axis are turned round, where nothing pushes; and who meets
-    // whom, and how heavy, does not matter to it, so that momentum is lost.
+    // WRONG: the tangential components are reversed too, although no force acts there; and the
+    // masses and the other velocity do not matter, so that momentum is not conserved.
     after.velocity_a = -in.restitution * a.velocity;
     after.velocity_b = -in.restitution * b.velocity;
   }

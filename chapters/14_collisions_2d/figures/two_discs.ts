@@ -1,4 +1,4 @@
-// Two discs at the moment of their touch, with what each velocity is along the axis and across it.
+// Two discs at the moment of contact, with the normal and tangential components of their velocities.
 // Below: the momenta, tip to tail, before and after.
 
 import { defineFigure, pretty, type Role, type Scene, type Vec2 } from "@contact/figure";
@@ -61,7 +61,7 @@ function arrow(
   return tip;
 }
 
-/** Pixels that push a label on where its arrow points. */
+/** Offset of a label in pixels, in the direction of its arrow. */
 function onwards(v: Vec2): Vec2 {
   const length = Math.hypot(v[0], v[1]) || 1;
   return [(27 * v[0]) / length, 5 - (23 * v[1]) / length];
@@ -111,8 +111,8 @@ export default defineFigure<Input, Output>({
       label: "computed",
       options: [
         { value: 0, label: "by the book" },
-        { value: 1, label: "without asking" },
-        { value: 2, label: "all turned round" },
+        { value: 1, label: "without test" },
+        { value: 2, label: "all reversed" },
         { value: 3, label: "axis not normalised" },
       ],
     },
@@ -188,7 +188,7 @@ export default defineFigure<Input, Output>({
     { name: "v_B′", meaning: "B afterwards", value: output.after_b, unit: "m/s", role: "b" },
     {
       name: "v_A′·v_B′",
-      meaning: "0 at right angles",
+      meaning: "0 if perpendicular",
       value: output.product_after,
       unit: "m²/s²",
     },
@@ -198,10 +198,9 @@ export default defineFigure<Input, Output>({
   describe(_input, output) {
     const motion = output.approach
       ? "The discs approach and collide."
-      : "The discs touch and do not approach, so nothing happens to them.";
+      : "The discs touch and do not approach, so nothing happens.";
     const speeds = `A leaves at (${pretty(output.after_a[0], 3)}, ${pretty(output.after_a[1], 3)}) m/s and B at (${pretty(output.after_b[0], 3)}, ${pretty(output.after_b[1], 3)}) m/s`;
-    if (output.wrong)
-      return `${motion} This way of computing is wrong here: it says that ${speeds}.`;
+    if (output.wrong) return `${motion} This method is wrong here: by it, ${speeds}.`;
     return `${motion} ${speeds}.`;
   },
 });

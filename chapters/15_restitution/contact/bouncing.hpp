@@ -1,6 +1,6 @@
 /// @file
-/// A ball that bounces on a level floor: when it touches it, where it is, when it has come to rest,
-/// exactly and flight by flight.
+/// A ball that bounces on a level floor: the times of its impacts, its height and when it comes to
+/// rest, by formula and flight by flight.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,7 @@
 
 namespace contact {
 
-/// A ball above a level floor at time 0. Make it with bouncing_ball(), which checks what it is
-/// given.
+/// A ball above a level floor at time 0. Make it with bouncing_ball(), which checks its arguments.
 template <Ring S>
 struct BouncingBall {
   S height = S(0);       ///< of its lowest point over the floor, m, not negative
@@ -28,7 +27,7 @@ struct BouncingBall {
   S restitution = S(0);  ///< of ball and floor, 0 to 1
 };
 
-/// A ball that is let go or thrown.
+/// A ball that is dropped or thrown.
 /// @param height of its lowest point over the floor, m, 0 or more
 /// @param velocity upwards, m/s
 /// @param gravity m/s², greater than 0, downwards
@@ -51,14 +50,14 @@ BouncingBall<S> bouncing_ball(const S& height, const S& velocity, const S& gravi
 /// A bouncing ball at some time.
 template <std::floating_point S>
 struct BounceState {
-  S height = S(0);    ///< m
-  S velocity = S(0);  ///< upwards, m/s; just after the impact if it is one
-  S bounces = S(0);   ///< impacts up to this time, this one included; infinite after endless ones
+  S height = S(0);       ///< m
+  S velocity = S(0);     ///< upwards, m/s; just after the impact if it is one
+  S bounces = S(0);      ///< impacts up to this time, this one included; may be infinite
   bool resting = false;  ///< on the floor from now on
 };
 
 // [first-impact]
-/// The speed at the first impact, √(v² + 2 g h): energy has no square root to lose.
+/// The speed at the first impact, √(v² + 2 g h), from the energy.
 /// @return m/s; off by at most 4 u of itself, also where the squares would overflow or underflow
 template <std::floating_point S>
 S impact_speed(const BouncingBall<S>& ball) {
@@ -66,8 +65,8 @@ S impact_speed(const BouncingBall<S>& ball) {
   const S safe = std::sqrt(std::numeric_limits<S>::min());
   if (square > safe && std::isfinite(square)) return std::sqrt(square);
   if (ball.height == S(0)) return std::abs(ball.velocity);
-  // The same with powers of two taken out, which rounds no more: v = a 2^i and 2 g h = b 2^j, and
-  // the larger of v² and 2 g h comes near 1.
+  // The same scaled by powers of two, which adds no rounding: v = a 2^i and 2 g h = b 2^j, and the
+  // larger of v² and 2 g h becomes about 1.
   int i = 0;
   int of_gravity = 0;
   int of_height = 0;
@@ -79,7 +78,7 @@ S impact_speed(const BouncingBall<S>& ball) {
                     power);
 }
 
-/// The time of the first impact: the root of h + v t − g t²/2 that is not in the past.
+/// The time of the first impact: the root of h + v t − g t²/2 that is not negative.
 ///
 /// (v + w) / g with the impact speed w cancels if the ball moves down fast; then the same root is
 /// 2 h / (w − v).
@@ -102,8 +101,7 @@ struct Geometric {
   S power;
 };
 
-/// The series of the terms of one and then of the other; all terms are positive, so nothing
-/// cancels.
+/// The two series one after the other; all terms are positive, so nothing cancels.
 template <class S>
 Geometric<S> joined(const Geometric<S>& first, const Geometric<S>& second) {
   return {first.sum + first.power * second.sum, first.power * second.power};
@@ -124,8 +122,8 @@ Geometric<S> geometric(const S& k, long long m) {
 }  // namespace detail
 
 // [impact-time]
-/// The time of the n-th impact, T₁ + F (k + k² + … + k^(n − 1)), where F is how long the flight
-/// after the first impact would take if nothing were lost in it: 2 w / g.
+/// The time of the n-th impact, T₁ + F (k + k² + … + k^(n − 1)), where F = 2 w / g is the
+/// time of flight after a first impact without loss.
 /// @param n 1 or more
 /// @return s; off by at most (16 + 2 log₂ n + 2 min(n, 1/(1 − k))) u of itself, if nothing
 /// underflows
@@ -137,10 +135,10 @@ S impact_time(const BouncingBall<S>& ball, long long n) {
   return first + flight * (ball.restitution * detail::geometric(ball.restitution, n - 1).sum);
 }
 
-/// When the ball has come to rest: the impacts get infinitely many, and their times have a limit,
+/// When the ball comes to rest: the limit of the times of infinitely many impacts,
 /// T₁ + F k / (1 − k).
-/// @return s; infinite if k = 1 and the ball moves; off by at most 16 u of itself. Of a ball that
-/// lies on the floor 0
+/// @return s; infinite if k = 1 and the ball moves; off by at most 16 u of itself; 0 for a ball at
+/// rest on the floor
 template <std::floating_point S>
 S rest_time(const BouncingBall<S>& ball) {
   const S first = first_impact_time(ball);
@@ -152,7 +150,7 @@ S rest_time(const BouncingBall<S>& ball) {
 }
 // [/impact-time]
 
-/// The speed with which the ball leaves the floor after its n-th impact, w kⁿ.
+/// The speed at which the ball leaves the floor after its n-th impact, w kⁿ.
 /// @param n 1 or more
 /// @return m/s; off by at most (n + 6) u of itself, if nothing underflows
 template <std::floating_point S>
@@ -160,7 +158,7 @@ S leaving_speed(const BouncingBall<S>& ball, long long n) {
   return impact_speed(ball) * detail::geometric(ball.restitution, n).power;
 }
 
-/// How high the ball gets between its n-th impact and the next, w² k²ⁿ / (2 g).
+/// The peak between the n-th impact and the next, w² k²ⁿ / (2 g).
 /// @param n 1 or more
 /// @return m; off by at most (2 n + 15) u of itself, if nothing underflows
 template <std::floating_point S>
@@ -172,8 +170,8 @@ S peak_height(const BouncingBall<S>& ball, long long n) {
 namespace detail {
 
 /// g t − v and v² + 2 g h without rounding. With A and D for them, and Sₙ for
-/// 1 + 2 (k + … + k^(n − 1)), the n-th impact is at or before t just if A ≥ √D Sₙ. Both sides are
-/// squared; so every decision is the sign of a polynomial.
+/// 1 + 2 (k + … + k^(n − 1)), the n-th impact is at or before t if and only if A ≥ √D Sₙ. Both
+/// sides are squared, so every decision is the sign of a polynomial.
 struct ExactTime {
   Exact a, d, k;
 
@@ -198,11 +196,11 @@ struct ExactTime {
   }
 };
 
-/// Beyond this many impacts the count is not decided without rounding any more: the numbers would
-/// have more than 50,000 digits.
+/// Up to this many impacts the count is decided exactly; beyond, the numbers would have more than
+/// 50,000 digits.
 inline constexpr long long exact_impacts = 1024;
 
-/// How many impacts there are by the time t if the ball is not at rest then, by rounded arithmetic.
+/// The number of impacts by the time t if the ball is not at rest then, in rounded arithmetic.
 /// @param rest (t − T₁) / F, not negative
 template <std::floating_point S>
 long long impacts_rounded(const S& k, const S& rest) {
@@ -225,7 +223,7 @@ long long impacts_rounded(const S& k, const S& rest) {
   return m + 1;
 }
 
-/// The largest n for which `by(n)` holds, near a first guess; by(1) holds.
+/// The largest n for which `by(n)` holds, searched from a first guess; by(1) holds.
 template <class By>
 long long corrected(long long guess, const By& by) {
   long long low = 1;
@@ -251,13 +249,13 @@ long long corrected(long long guess, const By& by) {
 }  // namespace detail
 
 // [bounces-by]
-/// How many impacts there have been at a time t ≥ 0, an impact at t included.
+/// The number of impacts up to a time t ≥ 0, an impact at t included.
 ///
 /// The answer is exact for the stored numbers up to 1024 impacts: a count whose times are too close
 /// to t for rounded arithmetic is decided by polynomials, without rounding. Whether the ball is at
 /// rest is always exact.
-/// @return a whole number; infinite once the ball rests after endlessly many impacts (0 < k < 1);
-/// 1 once it rests after the only impact there is (k = 0, or a ball that lies on the floor)
+/// @return a whole number; infinite once the ball rests after infinitely many impacts (0 < k < 1);
+/// 1 once it rests after its only impact (k = 0, or a ball at rest on the floor)
 template <std::floating_point S>
 S bounces_by(const BouncingBall<S>& ball, const S& t) {
   const S u = tolerance::unit_roundoff<S>;
@@ -283,7 +281,7 @@ S bounces_by(const BouncingBall<S>& ball, const S& t) {
                     !near(impact_time(ball, guess), room) &&
                     !near(impact_time(ball, guess + 1), room);
   if (sure) return S(guess);
-  // So near to the end that what is left of the series rounds to nothing, the guess is any number.
+  // Near the end the remainder of the series rounds to 0, and the guess is arbitrary.
   const auto decided = exact();
   if (guess > detail::exact_impacts && decided.impact_by(detail::exact_impacts)) return S(guess);
   return S(detail::corrected(std::min(guess, detail::exact_impacts),
@@ -292,7 +290,7 @@ S bounces_by(const BouncingBall<S>& ball, const S& t) {
 // [/bounces-by]
 
 // [bounce-at]
-/// Where the ball is at a time t ≥ 0, however many bounces lie before it, without following them.
+/// The state of the ball at a time t ≥ 0, by formula, at the same cost for any number of bounces.
 /// @return the height is off by at most c u (h + |v| t + g t²/2) before the first impact, and by
 /// c u w t after it, with w the speed after the last impact and c the factor of impact_time(); it
 /// is never negative
@@ -309,7 +307,7 @@ BounceState<S> bounce_at(const BouncingBall<S>& ball, const S& t) {
   }
   const auto n = static_cast<long long>(bounces);
   const S leaving = leaving_speed(ball, n);
-  // Rounding may put the time a little outside the flight.
+  // Rounding may put the time slightly outside the flight.
   const S since = std::clamp(S(t - impact_time(ball, n)), S(0), S(S(2) * leaving / g));
   return {std::max(S(0), S(since * (leaving - g * since / S(2)))), leaving - g * since, bounces,
           false};
@@ -317,9 +315,9 @@ BounceState<S> bounce_at(const BouncingBall<S>& ball, const S& t) {
 // [/bounce-at]
 
 // [rest-speed]
-/// The speed below which a bounce may be left out if heights need be right only to `height`:
-/// √(2 g ε). What it leaves out never gets higher than ε, is over within 2 w / (g (1 − k)), and has
-/// an energy of at most m w² / 2.
+/// The rest speed √(2 g ε): bounces that leave the floor more slowly may be left out if heights
+/// need be right only to ε. They never get higher than ε, are over within 2 w / (g (1 − k)), and
+/// have an energy of at most m w² / 2.
 /// @param height ε, m, 0 or more
 /// @param gravity m/s², greater than 0
 /// @return m/s
@@ -329,17 +327,18 @@ S rest_speed(const S& height, const S& gravity) {
 }
 // [/rest-speed]
 
-/// When a ball comes to rest that stays on the floor as soon as it leaves it slowly enough.
+/// When a ball with a rest speed comes to rest.
 template <std::floating_point S>
 struct EarlyRest {
   S impacts = S(0);  ///< a whole number, the one at which it rests included; or infinite
   S time = S(0);     ///< from which it rests, s; or infinite
 };
 
-/// The first impact that the ball leaves with rest_speed or less: there it stays.
+/// The first impact after which the ball would leave the floor at rest_speed or less: there it
+/// rests.
 /// @param rest_speed m/s, 0 or more; 0 leaves nothing out
 /// @return infinitely many impacts until rest_time() if nothing is left out, and for k = 1 if the
-/// ball never gets so slow. An impact that is left with the rest speed but for (n + 6) u may count
+/// ball never becomes so slow. A leaving speed within (n + 6) u of the rest speed may be decided
 /// either way
 template <std::floating_point S>
 EarlyRest<S> early_rest(const BouncingBall<S>& ball, const S& rest_speed) {
@@ -363,15 +362,16 @@ EarlyRest<S> early_rest(const BouncingBall<S>& ball, const S& rest_speed) {
 }
 
 // [follow-bounces]
-/// Where the ball is at a time t ≥ 0, flight by flight, as an event-driven simulation does it: from
-/// impact to impact by formula, and at rest once it leaves the floor with rest_speed or less.
+/// The state of the ball at a time t ≥ 0, flight by flight, as an event-driven simulation does it:
+/// from impact to impact by formula, and at rest once it would leave the floor at rest_speed or
+/// less.
 ///
-/// It does as much work as there are bounces. Without a rest speed (0) that would be endless for
-/// 0 < k < 1; it ends when the time no longer grows: after some 53 / log₂(1/k) bounces a flight is
-/// shorter than half the last digit of the time.
+/// The work is proportional to the number of bounces. Without a rest speed (0) that would be
+/// infinite for 0 < k < 1; the loop ends when the time no longer grows: after some 53 / log₂(1/k)
+/// bounces a flight is shorter than half an ulp of the time.
 /// @param rest_speed m/s, 0 or more
-/// @return while it bounces, each time is off by at most 3 n u of itself after n bounces; after it
-/// came to rest too early, the height is off by at most rest_speed² / (2 g)
+/// @return while it bounces, each time is off by at most 3 n u of itself after n bounces; once it
+/// rests early, the height is off by at most rest_speed² / (2 g)
 /// @see *Fundamentals of Computer Animation: Collision Detection and Response*, the loop of a time
 /// step
 template <std::floating_point S>
@@ -386,7 +386,7 @@ BounceState<S> follow_bounces(const BouncingBall<S>& ball, const S& t, const S& 
   S bounces(1);
   while (speed > rest_speed) {
     const S next = impact + S(2) * speed / g;
-    if (!(next > impact)) break;  // the clock stands still
+    if (!(next > impact)) break;  // the time no longer grows
     if (t < next) {
       const S since = t - impact;
       return {std::max(S(0), S(since * (speed - g * since / S(2)))), speed - g * since, bounces,

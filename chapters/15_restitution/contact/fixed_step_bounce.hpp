@@ -1,6 +1,6 @@
 /// @file
-/// A bouncing ball in steps of one length: five rules for the step in which it meets the floor, of
-/// which one is right.
+/// A bouncing ball in fixed time steps: five rules for a step with an impact, of which one is
+/// right.
 #pragma once
 
 #include <cmath>
@@ -10,19 +10,19 @@
 
 namespace contact {
 
-/// What a step does with the floor.
+/// The rule for a step that reaches the floor.
 enum class StepRule {
-  /// No test for approach: whatever is below the floor has its velocity reversed, and stays below.
+  /// No test for approach: below the floor the velocity is reversed, and the height is kept.
   flip_below,
-  /// What is below the floor is put on it, and its velocity is reversed.
+  /// Below the floor the ball is put on it, and its velocity is reversed.
   clamp,
-  /// The lecture's loop: Euler's new velocity carries the ball to the floor, is reflected, and
-  /// carries it on for the rest of the step.
+  /// The lecture's loop: the new velocity of the semi-implicit Euler step moves the ball to the
+  /// floor,
+  /// is reflected, and moves it on for the rest of the step.
   new_velocity,
-  /// The true parabola and the true time of impact, but the velocity of the end of the step is what
-  /// is reflected.
+  /// The exact parabola and time of impact, but the velocity of the end of the step is reflected.
   end_velocity,
-  /// The true parabola, time and velocity of the impact, and of every other impact in the step.
+  /// The exact parabola, time and velocity of the impact, and of every further impact in the step.
   impact_velocity
 };
 
@@ -79,7 +79,7 @@ BounceState<S> bounce_step(const BounceState<S>& now, const BouncingBall<S>& bal
   if (now.resting) return now;
   if (rule == StepRule::end_velocity) return detail::end_velocity_step(now, ball, dt);
   if (rule != StepRule::impact_velocity) return detail::euler_step(now, ball, dt, rule);
-  // All of the step's impacts at once, also if they are endless.
+  // All impacts of the step at once, even infinitely many.
   BounceState<S> then =
       bounce_at(BouncingBall<S>{now.height, now.velocity, ball.gravity, ball.restitution}, dt);
   then.bounces += now.bounces;
@@ -88,9 +88,9 @@ BounceState<S> bounce_step(const BounceState<S>& now, const BouncingBall<S>& bal
 // [/step]
 
 // [steps]
-/// Where a ball is after so many steps of dt.
-/// @note Each step rounds, so that after n steps height and velocity are off by some n u more than
-/// what the rule is off by.
+/// The state of a ball after so many steps of dt.
+/// @note Each step rounds: after n steps height and velocity are off by some n u more than the
+/// error of the rule.
 template <std::floating_point S>
 BounceState<S> bounce_in_steps(const BouncingBall<S>& ball, const S& dt, long long steps,
                                StepRule rule) {

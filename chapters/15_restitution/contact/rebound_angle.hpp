@@ -14,9 +14,8 @@ namespace contact {
 // [arctangent]
 /// The angle whose tangent is y / x, for a point of the first quadrant.
 ///
-/// The tangent of half an angle is t / (1 + √(1 + t²)): three halvings make it so small that ten
-/// terms of Gregory's series are enough. Only +, −, ×, ÷ and √ are used, so every machine gives the
-/// same bits.
+/// The tangent of half an angle is t / (1 + √(1 + t²)): after three halvings ten terms of Gregory's
+/// series are enough. Only +, −, ×, ÷ and √ are used, so every machine gives the same bits.
 /// @param y, x not negative, finite
 /// @return rad, from 0 to π/2; 0 if both are 0. Off by at most 16 u of itself
 template <std::floating_point S>
@@ -35,7 +34,7 @@ S arctangent(const S& y, const S& x) {
 
 // [angle-from-normal]
 /// The angle between the line of a velocity and the normal: 0 head-on, π/2 along the surface. It
-/// measures incidence and rebound alike, since it does not ask which way along the line.
+/// serves for incidence and rebound, as it does not depend on the direction along the line.
 /// @param velocity m/s
 /// @param normal unit vector
 /// @return rad, from 0 to π/2; 0 for a velocity of 0. Off by at most 32 u

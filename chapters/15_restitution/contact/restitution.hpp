@@ -1,6 +1,6 @@
 /// @file
-/// The kinematic response: what a bounce does to a velocity, with friction and without, and how the
-/// coefficient of restitution is measured.
+/// The kinematic response: the velocity after a bounce, with and without friction, and the
+/// measurement of the coefficient of restitution.
 #pragma once
 
 #include <algorithm>
@@ -18,11 +18,11 @@
 namespace contact {
 
 // [approaches]
-/// Whether something with this velocity moves against the normal, v · n < 0: towards the surface
-/// that the normal points away from. Only what approaches bounces.
+/// Whether a body with this velocity moves against the normal, v · n < 0: towards the surface. Only
+/// then does it bounce.
 ///
 /// The answer is exact for the stored numbers: where rounding could change the sign, it is computed
-/// again without rounding.
+/// in exact arithmetic (a floating-point filter).
 /// @param velocity m/s, relative to the surface
 /// @param normal points away from the surface; any length but 0
 /// @return false for a velocity along the surface, or of 0
@@ -32,7 +32,8 @@ bool approaches(const Vector3<S>& velocity, const Vector3<S>& normal) {
   const S sum = velocity.dot(normal);
   if constexpr (std::floating_point<S>) {
     const S size = velocity.cwiseAbs().dot(normal.cwiseAbs());
-    // Three products and two sums are off by less than γ(3) of the size, and by an underflow each.
+    // Three products and two sums are off by less than γ(3) of the magnitude, plus an underflow
+    // each.
     const S bound = S(4) * tolerance::unit_roundoff<S> * size + S(4) * tolerance::underflow_unit<S>;
     if (sum > bound) return false;
     if (sum < -bound) return true;
@@ -45,15 +46,15 @@ bool approaches(const Vector3<S>& velocity, const Vector3<S>& normal) {
 }
 // [/approaches]
 
-// [after-bounce]
-/// The velocity after a bounce without friction, v' = v − (1 + k)(v · N) N: the part along the
-/// normal comes back k times as fast, the part along the surface stays.
+/// The velocity after a bounce without friction, v' = v − (1 + k)(v · N) N: the normal component is
+/// multiplied by −k, the tangential component is unchanged.
 /// @param velocity before, m/s, relative to the surface
 /// @param normal unit vector, points away from the surface
 /// @param k coefficient of restitution, 0 to 1
 /// @return m/s; the velocity unchanged unless it approaches() the surface. Each entry off by at
 /// most 24 u |v|
 /// @see *Interaction and Normals*, slides "Collision response: kinematic" and "Collision reaction"
+// [after-bounce]
 template <Scalar S>
 Vector3<S> after_bounce(const Vector3<S>& velocity, const Vector3<S>& normal, const S& k) {
   if (!approaches(velocity, normal)) return velocity;
@@ -64,7 +65,7 @@ Vector3<S> after_bounce(const Vector3<S>& velocity, const Vector3<S>& normal, co
 
 namespace detail {
 
-/// A vector times a power of two, so that its largest entry has a size in [1/2, 1), and the power.
+/// A vector scaled by a power of two to a largest entry in [1/2, 1), and the power.
 template <std::floating_point S>
 std::pair<Vector3<S>, int> to_unit_range(const Vector3<S>& v) {
   int power = 0;
@@ -86,7 +87,7 @@ Vector3<S> bounce_off(const Vector3<S>& v, const Vector3<S>& d, const S& k) {
 /// @param direction points away from the surface; any length but 0
 /// @param k coefficient of restitution, 0 to 1
 /// @return m/s; the velocity unchanged unless it approaches() the surface, or if the direction is
-/// 0. Each entry off by at most 24 u |v|, whatever the sizes of velocity and direction
+/// 0. Each entry off by at most 24 u |v|, whatever the magnitudes of velocity and direction
 template <Scalar S>
 Vector3<S> after_bounce_along(const Vector3<S>& velocity, const Vector3<S>& direction, const S& k) {
   if (!approaches(velocity, direction)) return velocity;
@@ -101,27 +102,27 @@ Vector3<S> after_bounce_along(const Vector3<S>& velocity, const Vector3<S>& dire
 }
 // [/after-bounce-along]
 
-/// The share of the slip that friction has to take away until a solid ball rolls that came without
-/// spin: 2/7. What it takes from the velocity it gives to the spin.
+/// The share of its tangential velocity that a solid ball without rotation loses until it rolls:
+/// 2/7.
 template <Scalar S>
 inline const S solid_ball_grip = S(2) / S(7);
 
-// [after-bounce-with-friction]
-/// The velocity after a bounce with Coulomb's friction.
+/// The velocity after a bounce with Coulomb friction.
 ///
-/// The surface gives the velocity (1 + k)|v · N| along the normal. Friction takes up to μ times as
-/// much from the part along the surface, against it, and never turns it round: it ends when the
-/// contact no longer slips.
+/// The normal velocity changes by (1 + k)|v · N|. Friction changes the tangential velocity by up to
+/// μ times as much, against it, and no more than `grip` times the tangential velocity.
 /// @param velocity before, m/s, of the centre, relative to the surface
 /// @param normal unit vector, points away from the surface
 /// @param k coefficient of restitution, 0 to 1
 /// @param friction coefficient μ, 0 or more
-/// @param grip how much of the speed along the surface must go until nothing slips: 1 for a body
-/// that does not turn, solid_ball_grip for a solid ball that came without spin
+/// @param grip share of the tangential velocity that friction can take: 1 for a body that does not
+/// rotate, solid_ball_grip for a solid ball that arrives without rotation, where the slip then
+/// stops. With a tangential restitution e_t, 1 + e_t times as much: the slip is reversed, as on a
+/// superball
 /// @return m/s; the velocity unchanged unless it approaches() the surface. Each entry off by at
 /// most 60 (1 + μ) u |v|, for speeds from 1e-150 to 1e150 m/s (in double)
-/// @note One coefficient for normal and tangent at once is a model. A body whose centre is not over
-/// the contact needs more care: there this rule can gain energy.
+/// @note A model. If the centre of mass is not above the contact, this rule can gain energy.
+// [after-bounce-with-friction]
 template <std::floating_point S>
 Vector3<S> after_bounce_with_friction(const Vector3<S>& velocity, const Vector3<S>& normal,
                                       const S& k, const S& friction, const S& grip = S(1)) {
@@ -137,8 +138,8 @@ Vector3<S> after_bounce_with_friction(const Vector3<S>& velocity, const Vector3<
 // [/after-bounce-with-friction]
 
 // [measured]
-/// The coefficient of restitution from the speeds along the normal: how fast the two part over how
-/// fast they met.
+/// The coefficient of restitution: the separation speed over the approach speed, both along the
+/// normal.
 /// @param approach m/s, greater than 0
 /// @param separation m/s, 0 or more
 /// @throws std::invalid_argument if approach is not greater than 0, separation is negative, or one
@@ -156,13 +157,13 @@ S restitution_from_speeds(const S& approach, const S& separation) {
   return separation / approach;
 }
 
-/// The coefficient of restitution from a drop: k = √(rebound / drop), since a height goes with the
-/// square of the speed at the floor.
-/// @param drop height from which it was let go, m, greater than 0
-/// @param rebound height to which it came back, m, 0 or more
+/// The coefficient of restitution from a drop: k = √(rebound / drop), since the height goes with
+/// the square of the speed at the floor.
+/// @param drop height of the drop, m, greater than 0
+/// @param rebound height of the rebound, m, 0 or more
 /// @return off by at most 3 u of itself, also where the quotient would underflow or overflow; ∞
-/// only if the root is beyond the largest number. More than 1 if it came back higher: then it did
-/// not only fall, or something pushed
+/// only if the root is beyond the largest number. More than 1 for a rebound above the drop: then
+/// the ball was thrown, or energy was added
 /// @throws std::invalid_argument if drop is not greater than 0, rebound is negative, or one is not
 /// finite
 template <std::floating_point S>

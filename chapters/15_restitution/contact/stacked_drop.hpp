@@ -1,6 +1,6 @@
 /// @file
-/// Two balls dropped on each other: the floor turns the lower one round, and the lower one the
-/// upper.
+/// Two balls dropped together, one above the other: the lower one bounces off the floor, the upper
+/// one off the lower.
 #pragma once
 
 #include <contact/momentum.hpp>
@@ -18,20 +18,20 @@ struct StackedDrop {
 };
 
 // [stacked-drop]
-/// Two balls fall together, one above the other with hardly a gap, and reach the floor. First the
-/// lower one bounces off the floor, then the two meet.
+/// Two balls fall together, one just above the other, and reach the floor. First the lower one
+/// bounces off the floor, then the two collide.
 ///
-/// In the second collision the common velocity is that of the centre of mass, as if they had stuck
-/// together; from it they push off again with k times the speed at which they met.
+/// In the second collision the common velocity is that of the centre of mass, as if they stuck
+/// together; from it they push off with k times their approach speed.
 /// @param lower_mass, upper_mass kg, finite and greater than 0
-/// @param speed with which both come down, m/s, 0 or more
+/// @param speed of both downwards, m/s, 0 or more
 /// @param floor coefficient of restitution of lower ball and floor, 0 to 1
 /// @param balls coefficient of restitution of the two balls, 0 to 1
-/// @return a lower velocity below 0 means that the lower ball is driven down to the floor again,
-/// where it goes on bouncing; this is the state before that. Off by a few u of the speed
-/// @note If the balls touched when the lower one reached the floor, the two collisions would not be
-/// apart, and the answer would depend on how stiff each contact is.
-/// @throws std::invalid_argument if a mass or a coefficient is not one
+/// @return the state before any further impact: a lower velocity below 0 means that the lower ball
+/// goes down to the floor again. Off by a few u of the speed
+/// @note If the balls touched when the lower one reached the floor, the two collisions would be
+/// simultaneous, and the answer would depend on the stiffness of each contact.
+/// @throws std::invalid_argument if a mass or a coefficient is out of range
 template <Scalar S>
 StackedDrop<S> drop_stacked(const S& lower_mass, const S& upper_mass, const S& speed,
                             const S& floor, const S& balls) {

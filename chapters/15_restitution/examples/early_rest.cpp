@@ -1,11 +1,11 @@
-// What is saved, and what is lost, by letting a ball rest early.
+// Impacts saved, and error made, by an early rest.
 #include <contact/bouncing.hpp>
 #include <cstdio>
 
 int main() {
   const auto ball = contact::bouncing_ball(1.0, 0.0, 9.81, 0.8);
   const double end = contact::rest_time(ball);
-  std::printf("height    rest speed   impacts  rests       too early by\n");
+  std::printf("height    rest speed   impacts  rests       early by\n");
   for (const double height : {0.01, 0.001, 1e-4, 1e-6, 1e-9}) {
     const double slow = contact::rest_speed(height, ball.gravity);
     const auto rest = contact::follow_bounces(ball, end, slow);
@@ -14,7 +14,7 @@ int main() {
                 end - at);
   }
   const auto endless = contact::follow_bounces(ball, end, 0.0);
-  std::printf("no rest speed: the clock stands still after %g impacts\n", endless.bounces);
+  std::printf("no rest speed: the time no longer grows after %g impacts\n", endless.bounces);
   // Box2D leaves out bounces slower than 1 m/s, unless told otherwise.
   std::printf("1 m/s leaves out bounces of up to %.1f cm\n", 100 * 1.0 / (2 * 9.81));
 }

@@ -1,4 +1,4 @@
-// A ball dropped from 1 m that keeps 0.8 of its speed: infinitely many bounces in four seconds.
+// A ball dropped from 1 m with k = 0.8: infinitely many bounces in four seconds.
 #include <contact/bouncing.hpp>
 #include <cstdio>
 

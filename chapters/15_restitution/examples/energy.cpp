@@ -1,5 +1,5 @@
-// Nothing is lost (k = 1), so the ball should come back to 1 m for ever. Sixty seconds at 60 steps
-// a second.
+// Nothing is lost (k = 1), so every peak should be 1 m. The peaks of sixty seconds at 60 steps a
+// second.
 #include <algorithm>
 #include <contact/fixed_step_bounce.hpp>
 #include <cstdio>

@@ -1,5 +1,5 @@
 // The lecture's other numbers: a step of 1 s, and the ball meets the floor after 0.5 s of it. It is
-// let go with gravity 0.5 and loses nothing. Where does each rule leave it?
+// dropped with gravity 0.5 and loses nothing. The result of each rule.
 #include <contact/fixed_step_bounce.hpp>
 #include <cstdio>
 

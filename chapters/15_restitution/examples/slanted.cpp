@@ -1,4 +1,4 @@
-// A ball comes down on a level floor at a slant, and what common mistakes would make of it.
+// A ball meets a level floor obliquely, and the results of common mistakes.
 #include <contact/restitution.hpp>
 #include <cstdio>
 

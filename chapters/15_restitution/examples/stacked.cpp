@@ -1,4 +1,4 @@
-// A small ball on a large one, both dropped from 1 m.
+// A small ball above a large one, both dropped from 1 m.
 #include <cmath>
 #include <contact/stacked_drop.hpp>
 #include <cstdio>

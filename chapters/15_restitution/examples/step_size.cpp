@@ -1,5 +1,5 @@
-// The same drop in steps: how high the third bounce comes, and how often the ball has met the floor
-// after 3 s, by rule and step size.
+// The same drop in time steps: the height of the third bounce, and the number of impacts in 3 s, by
+// rule and step size.
 #include <algorithm>
 #include <contact/fixed_step_bounce.hpp>
 #include <cstdio>

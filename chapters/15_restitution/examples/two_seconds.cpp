@@ -1,5 +1,5 @@
-// The lecture's own numbers: gravity (0, -0.5, 0), two seconds a frame. A ball is let go at 10 m
-// and loses nothing.
+// The lecture's own numbers: gravity (0, -0.5, 0), two seconds a frame. A ball is dropped from
+// 10 m and loses nothing.
 #include <contact/fixed_step_bounce.hpp>
 #include <cstdio>
 

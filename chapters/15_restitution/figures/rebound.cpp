@@ -1,5 +1,5 @@
-// A ball that meets a surface: its velocity split along the normal and along the surface, what
-// comes back, and the two angles, both from the normal.
+// A ball that meets a surface: the normal and the tangential component of its velocity, the
+// velocity afterwards, and the two angles, both from the normal.
 #include <contact/figure.hpp>
 #include <contact/rebound_angle.hpp>
 #include <contact/restitution.hpp>
@@ -8,11 +8,11 @@ using Vector2 = Eigen::Matrix<double, 2, 1>;
 using Vector3 = contact::Vector3<double>;
 
 struct Input {
-  Vector2 from;     // where the ball comes from; it moves to the origin, m/s
-  Vector2 facing;   // a point in front of the surface, straight over the origin
+  Vector2 from;     // origin of the ball's path; the ball moves to (0, 0), m/s
+  Vector2 facing;   // a point in front of the surface, in the direction of its normal
   double k;         // coefficient of restitution
   double friction;  // μ
-  double turns;     // 1: a solid ball that may turn; 0: a body that does not
+  double turns;     // 1: a solid ball that may rotate; 0: a body that does not
   double beside;    // drawn beside it. 0: the mirror; 1: −k v; 2: the formula without a test
 };
 
@@ -27,20 +27,20 @@ struct Output {
   Vector2 wrong;               // −k v
   Vector2 untested;            // by the formula that does not ask whether it approaches
   double angle_in, angle_out;  // degrees from the normal
-  double closing, parting;     // speeds along the normal, m/s
-  double kept;                 // of the kinetic energy, without spin
-  double stays;                // nothing is left of its velocity
-  double right_angle;          // goal: incidence and rebound are at right angles
+  double closing, parting;     // normal speeds, m/s
+  double kept;                 // share of the kinetic energy, without that of the rotation
+  double stays;                // its velocity is 0 afterwards
+  double right_angle;          // goal: incidence and rebound are perpendicular
 };
 
 namespace {
 
-// WRONG: also the part along the surface is turned round, which nothing pushes there. So it goes
-// back the way it came, whatever the normal is; only head-on is that right.
+// WRONG: the tangential component is reversed too, although no force acts there. So the ball goes
+// back along its path, whatever the normal; that is right only head-on.
 Vector2 reflected_whole(const Vector2& velocity, double k) { return -k * velocity; }
 
-// WRONG: nobody asks whether there is anything to bounce, so N and −N are one to the formula. What
-// moves away is turned round, and sent into the surface; what comes in it gets right.
+// WRONG: without the test for approach the formula gives the same for N and −N. A ball that moves
+// away is reversed and sent into the surface; one that approaches comes out right.
 template <class Bounce>
 Vector3 without_test(const Vector3& velocity, const Vector3& normal, const Bounce& bounce) {
   return bounce(velocity, contact::approaches(velocity, normal) ? normal : Vector3(-normal));

@@ -1,5 +1,5 @@
-// A ball that meets a surface. The velocity is split along the normal and along the surface; the
-// dashed arrow is the mirror's answer.
+// A ball that meets a surface. The velocity is split into its normal and its tangential component;
+// the dashed arrow is the reflection by a mirror.
 
 import { defineFigure, pretty, type Vec2 } from "@contact/figure";
 
@@ -37,7 +37,7 @@ const plus = (a: Vec2, b: Vec2): Vec2 => [a[0] + b[0], a[1] + b[1]];
 const times = (a: Vec2, s: number): Vec2 => [a[0] * s, a[1] * s];
 
 export default defineFigure<Input, Output>({
-  title: "In and out",
+  title: "Incidence and rebound",
   view: { kind: "2d", x: [-5.4, 5.4], y: [-1.6, 5] },
   aspect: 1.45,
   initial: { from: [-3, 4], facing: [0, 2.4], k: 0.6, friction: 0, turns: 0, beside: 0 },
@@ -45,7 +45,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "point",
       field: "from",
-      label: "where the ball comes from",
+      label: "origin of the ball's path",
       role: "ray",
       step: 0.1,
       limit: [-4.8, 4.8],
@@ -53,7 +53,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "point",
       field: "facing",
-      label: "which way the surface faces",
+      label: "normal of the surface",
       role: "normal",
       step: 0.1,
       limit: [-3, 4],
@@ -67,7 +67,7 @@ export default defineFigure<Input, Output>({
       field: "turns",
       label: "the body",
       options: [
-        { value: 0, label: "does not turn" },
+        { value: 0, label: "does not rotate" },
         { value: 1, label: "is a solid ball" },
       ],
     },
@@ -113,7 +113,7 @@ export default defineFigure<Input, Output>({
       }
       return;
     }
-    // The parts of v where they come in, and of v' where they go out.
+    // The components of v before the impact, and of v' after it.
     const foot = times(output.along_before, -1);
     scene.line(input.from, foot, { role: "a", width: 1.5, dashed: true });
     scene.line(foot, ORIGIN, { role: "b", width: 1.5, dashed: true });
@@ -149,13 +149,13 @@ export default defineFigure<Input, Output>({
     { name: "v′", meaning: "after", value: output.after, unit: "m/s", role: "hit" },
     {
       name: output.approaching ? "−k v" : "v′",
-      meaning: output.approaching ? "the whole turned: wrong" : "without the test: wrong",
+      meaning: output.approaching ? "everything reversed: wrong" : "without the test: wrong",
       value: output.approaching ? output.wrong : output.untested,
       unit: "m/s",
       role: "miss",
     },
-    { name: "−v·N", meaning: "how fast they meet", value: output.closing, unit: "m/s", role: "a" },
-    { name: "v′·N", meaning: "how fast they part", value: output.parting, unit: "m/s", role: "a" },
+    { name: "−v·N", meaning: "approach speed", value: output.closing, unit: "m/s", role: "a" },
+    { name: "v′·N", meaning: "separation speed", value: output.parting, unit: "m/s", role: "a" },
     { name: "θ", meaning: "incidence, from N", value: output.angle_in, unit: "°" },
     {
       name: "θ′",
@@ -163,13 +163,13 @@ export default defineFigure<Input, Output>({
       value: output.stays ? "—" : output.angle_out,
       unit: "°",
     },
-    { name: "K′/K", meaning: "energy of motion left", value: output.kept },
+    { name: "K′/K", meaning: "kinetic energy left", value: output.kept },
   ],
   describe(_input, output) {
     if (!output.approaching)
       return "The ball moves away from the surface, or along it: there is no bounce.";
     if (output.stays)
-      return `The ball comes in at ${pretty(output.angle_in, 3)}° from the normal and stays where it is: nothing is left of its velocity.`;
+      return `The ball comes in at ${pretty(output.angle_in, 3)}° from the normal and stops: its velocity is 0.`;
     return `The ball comes in at ${pretty(output.angle_in, 3)}° from the normal and leaves at ${pretty(output.angle_out, 3)}°, with ${pretty(output.parting, 3)} m/s along the normal instead of ${pretty(output.closing, 3)} m/s.`;
   },
 });

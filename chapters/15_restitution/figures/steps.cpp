@@ -1,5 +1,5 @@
-// A bouncing ball in steps of one length, beside the truth: what each rule for the step with the
-// impact does to the heights.
+// A bouncing ball in fixed time steps, beside the exact solution: the effect of each rule for a
+// step with an impact on the heights.
 #include <algorithm>
 #include <contact/figure.hpp>
 #include <contact/fixed_step_bounce.hpp>

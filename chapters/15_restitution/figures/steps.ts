@@ -1,4 +1,4 @@
-// The same ball twice: dashed as it really bounces, drawn through as a program in steps has it.
+// The same ball twice: dashed the exact solution, solid the simulation in time steps.
 
 import { defineFigure, pretty, type Vec2 } from "@contact/figure";
 
@@ -25,7 +25,7 @@ interface Output {
 }
 
 const HIGH = 1.5;
-/** What leaves the picture is cut off at its edge. */
+/** Clips the curve at the edge of the picture. */
 const cut = (y: number): number => HIGH * Math.max(-0.45, Math.min(2.7, y));
 
 export default defineFigure<Input, Output>({
@@ -37,7 +37,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slide",
       field: "height",
-      label: "h, from where it drops, m",
+      label: "h, height of the drop, m",
       role: "ball",
       at: (input): Vec2 => [0, HIGH * input.height],
       along: (): Vec2 => [0, HIGH],

@@ -1,6 +1,5 @@
-// A ball that is dropped and bounces: its heights, its impacts, when they end, and what resting
-// early leaves out. Beside it, if it is asked for, a ball that bounces by a k that was measured
-// wrongly.
+// A ball that is dropped and bounces: its heights, its impacts, their end, and the effect of an
+// early rest. Beside it, on request, a ball that bounces by a k that was measured wrongly.
 #include <algorithm>
 #include <contact/bouncing.hpp>
 #include <contact/figure.hpp>
@@ -42,11 +41,11 @@ struct Output {
 
 namespace {
 
-// WRONG: a share of the energy, and not of the speed. The ball that bounces by it does not come
-// back to the height that it was measured by.
+// WRONG: the share of the energy, not of the speed. A ball that bounces by it does not rise to the
+// height that was measured.
 double measured_without_root(double drop, double rebound) { return rebound / drop; }
 
-/// The peaks of a ball, and a curve through all of its flights.
+/// The peaks of a ball, and a curve through its flights.
 void trace(const contact::BouncingBall<double>& ball, std::array<double, arcs>& peak_time,
            std::array<double, arcs>& peak, std::array<double, points>& moment,
            std::array<double, points>& path) {

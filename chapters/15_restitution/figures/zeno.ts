@@ -45,7 +45,7 @@ const curve = (moment: readonly number[], path: readonly number[]): Vec2[] =>
   moment.map((t, i) => at(t, path[i] ?? 0)).filter(([t]) => t <= LAST + 0.2);
 
 export default defineFigure<Input, Output>({
-  title: "Bounces without end, and their end",
+  title: "Infinitely many bounces in a finite time",
   view: { kind: "2d", x: [-0.45, 5.3], y: [-0.75, 3.3] },
   aspect: 1.42,
   initial: { height: 1.4, rebound: 0.9, gravity: 9.81, time: 0.7, rest_height: 0, beside: 0 },
@@ -53,7 +53,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slide",
       field: "height",
-      label: "h, from where it drops, m",
+      label: "h, height of the drop, m",
       role: "ball",
       at: (input): Vec2 => at(0, input.height),
       along: (): Vec2 => [0, HIGH],
@@ -63,7 +63,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slide",
       field: "rebound",
-      label: "h₁, to where it comes back, m",
+      label: "h₁, height of the first rebound, m",
       role: "a",
       at: (input, output): Vec2 => at(output.peak_time[0] ?? 0, input.rebound),
       along: (): Vec2 => [0, HIGH],
@@ -196,7 +196,7 @@ export default defineFigure<Input, Output>({
     { name: "k", meaning: "√(h₁ / h)", value: output.k, role: "a" },
     {
       name: "h₁/h",
-      meaning: `as k: it comes back to ${pretty(output.wrong_peak[0] ?? 0, 2)} m`,
+      meaning: `as k: it rises to ${pretty(output.wrong_peak[0] ?? 0, 2)} m`,
       value: output.wrong_k,
       role: "miss",
     },

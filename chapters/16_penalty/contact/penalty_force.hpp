@@ -1,5 +1,5 @@
 /// @file
-/// Penalty forces on balls: from a half-space, and from each other.
+/// Penalty forces on balls: from a half-space, and between two balls.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace contact {
 
-/// A ball that moves, as far as a penalty force needs to know it.
+/// Position, radius and velocity of a ball.
 template <Ring S>
 struct PenaltyBall {
   Sphere<S> sphere;                          ///< m
@@ -26,14 +26,15 @@ template <Ring S>
 struct PenaltyForce {
   bool touching = false;                  ///< whether there is a contact; touching counts
   S penetration = S(0);                   ///< m, 0 without contact
-  Vector3<S> force = Vector3<S>::Zero();  ///< on the first ball, N; the other gets the opposite
+  Vector3<S> force = Vector3<S>::Zero();  ///< on the first ball, N; the opposite acts on the other
 };
 
 // [half-space-force]
 /// The penalty force of a half-space on a ball: contact_push() along the plane's normal, with the
 /// penetration r − (n · c − k).
-/// @param plane front: outside; with a unit normal
-/// @return no force without contact; the penetration is off by at most 8 u (r + |n · c| + |k|)
+/// @param plane with a unit normal, which points out of the half-space
+/// @return no force without contact; the error of the penetration is at most 8 u (r + |n · c| +
+/// |k|)
 template <Ring S>
 PenaltyForce<S> half_space_force(const PenaltyBall<S>& ball, const Plane<S>& plane,
                                  const SpringDamper<S>& spring, LetGo rule = LetGo::at_zero_force) {
@@ -47,10 +48,10 @@ PenaltyForce<S> half_space_force(const PenaltyBall<S>& ball, const Plane<S>& pla
 // [/half-space-force]
 
 // [balls-overlap]
-/// How far two balls are from touching: (r₁ + r₂)² − |c₁ − c₂|² is negative for a gap, 0 for a
-/// touch.
-/// @return its sign, −1, 0 or 1. Exact for the stored numbers: where rounding could change it, it
-/// is computed again without rounding
+/// Whether two balls overlap: the sign of (r₁ + r₂)² − |c₁ − c₂|², negative for a gap, 0 for
+/// touching.
+/// @return −1, 0 or 1, exact for the stored numbers: where rounding could change the sign, it is
+/// computed again without rounding
 template <Ring S>
 int overlap_sign(const Sphere<S>& first, const Sphere<S>& second) {
   if constexpr (std::floating_point<S>) {
@@ -58,7 +59,7 @@ int overlap_sign(const Sphere<S>& first, const Sphere<S>& second) {
     const S reach = first.radius + second.radius;
     const S square = apart.dot(apart);
     const S value = reach * reach - square;
-    // Each term goes through at most five roundings; a square that underflows loses η each.
+    // Each term is rounded at most five times; each square that underflows loses η.
     const S bound = S(16) * tolerance::unit_roundoff<S> * (reach * reach + square) +
                     S(8) * tolerance::underflow_unit<S>;
     if (value > bound) return 1;
@@ -81,13 +82,13 @@ int overlap_sign(const Sphere<S>& first, const Sphere<S>& second) {
 
 // [ball-ball-force]
 /// The penalty force of the second ball on the first, along the line of centres, from the second to
-/// the first. What the second gets is the opposite, exactly: the sum of the two momenta stays.
+/// the first. The force on the second is exactly the opposite, so the momentum is conserved.
 ///
 /// Whether they touch is decided exactly. Concentric balls have no line of centres: they touch, the
 /// penetration is r₁ + r₂, and there is no force.
 /// @param spring of the pair
-/// @return no force without contact; the penetration is off by at most 8 u (r₁ + r₂), plus the
-/// rounding of the difference of the centres, and is not negative
+/// @return no force without contact; the error of the penetration is at most 8 u (r₁ + r₂) plus the
+/// rounding of the difference of the centres, and it is not negative
 template <std::floating_point S>
 PenaltyForce<S> ball_ball_force(const PenaltyBall<S>& first, const PenaltyBall<S>& second,
                                 const SpringDamper<S>& spring, LetGo rule = LetGo::at_zero_force) {

@@ -1,6 +1,6 @@
 /// @file
-/// A contact spring in steps: four ways to take a step, for which steps each stays calm, and the
-/// step that an accuracy asks for.
+/// A contact spring in time steps: four integration schemes, the steps for which each is stable,
+/// and the step for a required accuracy.
 #pragma once
 
 #include <cmath>
@@ -11,19 +11,20 @@
 
 namespace contact {
 
-/// How a step goes from penetration and speed to the next ones.
+/// How a step computes the next penetration and velocity.
 enum class PenaltyScheme {
-  explicit_euler,       ///< the old speed moves the body, the old force changes the speed
-  semi_implicit_euler,  ///< the old force changes the speed, and the new speed moves the body
-  implicit_damper,      ///< the same, but the damper sees the new speed
-  implicit_euler        ///< spring and damper see the new penetration and the new speed
+  explicit_euler,       ///< position with the old velocity, velocity with the old force
+  semi_implicit_euler,  ///< symplectic Euler: velocity with the old force, position with the new
+                        ///< velocity
+  implicit_damper,      ///< the same, but with the damping force of the new velocity
+  implicit_euler        ///< spring and damping force of the new penetration and velocity
 };
 
-/// A body at a contact, seen along its normal.
+/// Penetration and velocity of a body along the normal of a contact.
 template <Ring S>
 struct PenaltyState {
   S penetration = S(0);  ///< m; negative: a gap
-  S approach = S(0);     ///< m/s; negative: it leaves
+  S approach = S(0);     ///< m/s; negative: it separates
 };
 
 namespace detail {
@@ -39,16 +40,16 @@ PenaltyState<S> free_step(PenaltyScheme scheme, const PenaltyState<S>& now, cons
 }  // namespace detail
 
 // [spring-step]
-/// One step of a mass that stays joined to a spring and a damper, which push and pull: a linear
+/// One step of a mass that stays attached to a spring and a damper, which push and pull: a linear
 /// map.
 /// @param mass kg, greater than 0
 /// @param h length of the step, s, greater than 0
-/// @param load acceleration into the surface by other forces, as gravity, m/s²
+/// @param load acceleration towards the surface by other forces, such as gravity, m/s²
 template <Scalar S>
 PenaltyState<S> spring_step(PenaltyScheme scheme, const PenaltyState<S>& now,
                             const SpringDamper<S>& spring, const S& mass, const S& h,
                             const S& load) {
-  const S pull = load - spring.stiffness * now.penetration / mass;  // all but the damper
+  const S pull = load - spring.stiffness * now.penetration / mass;  // without the damper
   const S damper = h * spring.damping / mass;
   const S carried = now.approach + h * pull;
   if (scheme == PenaltyScheme::explicit_euler || scheme == PenaltyScheme::semi_implicit_euler) {
@@ -64,10 +65,10 @@ PenaltyState<S> spring_step(PenaltyScheme scheme, const PenaltyState<S>& now,
 // [/spring-step]
 
 // [penalty-step]
-/// One step of a body that may touch: spring and damper act if it touches or overlaps at the start
-/// of the step.
-/// @param rule with LetGo::at_zero_force a step in which the contact would pull on the whole is
-/// taken without it
+/// One step of a body at a contact: spring and damper act if it touches or overlaps at the start of
+/// the step.
+/// @param rule with LetGo::at_zero_force, a step in which the contact would pull in total is taken
+/// without the contact
 /// @param h s, greater than 0; mass and load as for spring_step()
 template <Scalar S>
 PenaltyState<S> penalty_step(PenaltyScheme scheme, const PenaltyState<S>& now,
@@ -81,28 +82,28 @@ PenaltyState<S> penalty_step(PenaltyScheme scheme, const PenaltyState<S>& now,
 }
 // [/penalty-step]
 
-/// What becomes of a body on a spring after very many steps.
+/// Stability of a step: the behaviour of a body on a spring after many steps.
 enum class StepBehaviour {
-  decays,   ///< it comes to rest
-  bounded,  ///< it neither comes to rest nor leaves all bounds
-  grows     ///< it leaves all bounds: the step is too long
+  decays,   ///< it converges to rest
+  bounded,  ///< it neither converges nor diverges
+  grows     ///< it diverges: the step is too long
 };
 
 // [step-behaviour]
-/// What the steps of spring_step() come to, whatever they start from. Exact for the stored numbers.
+/// The stability of the steps of spring_step(), for every start. Exact for the stored numbers.
 ///
-/// With a = h² k / m and b = h c / m a step is a matrix of trace T and determinant D. It decays if
-/// D < 1 and −T < 1 + D (T < 1 + D always holds, since a > 0):
+/// With a = h² k / m and b = h c / m a step is a matrix with trace T and determinant D. The motion
+/// decays if D < 1 and −T < 1 + D (T < 1 + D always holds, since a > 0):
 ///
-/// | | it decays if |
+/// | | decays if |
 /// |---|---|
 /// | explicit Euler | a < b and 2 b < 4 + a |
 /// | semi-implicit Euler | 0 < b and a + 2 b < 4 |
 /// | implicit damper | 0 < b and a < 4 + 2 b |
 /// | implicit Euler | always |
 ///
-/// With one of the two inequalities an equality it stays bounded; with both an eigenvalue of −1 is
-/// double, and it grows with the number of steps.
+/// If one of the two inequalities is an equality, the motion stays bounded. If both are, −1 is a
+/// double eigenvalue, and the motion grows linearly with the number of steps.
 /// @param mass kg, greater than 0
 /// @param h s, greater than 0
 template <Ring S>
@@ -111,7 +112,7 @@ StepBehaviour step_behaviour(PenaltyScheme scheme, const SpringDamper<S>& spring
   using T = decltype(detail::unrounded(mass));
   const T m = detail::unrounded(mass);
   const T step = detail::unrounded(h);
-  const T a = step * step * detail::unrounded(spring.stiffness);  // times m, as all that follows
+  const T a = step * step * detail::unrounded(spring.stiffness);  // times m, like all below
   const T b = step * detail::unrounded(spring.damping);
   T below_one = a + b;                      // m (1 − D), up to a positive factor
   T above_minus_one = T(4) * m + T(2) * b;  // m (1 + T + D), up to a positive factor
@@ -141,16 +142,16 @@ StepBehaviour step_behaviour(PenaltyScheme scheme, const SpringDamper<S>& spring
 // [/step-behaviour]
 
 // [step-limit]
-/// The step from which on step_behaviour() says that it grows; every shorter step decays, or stays
-/// bounded if there is no damper. 0: with explicit Euler and without a damper every step grows. ∞:
-/// none does.
+/// The stability limit: the smallest step for which step_behaviour() is `grows`. Every shorter step
+/// decays, or stays bounded without a damper. 0: with explicit Euler and without a damper every
+/// step grows. ∞: no step does.
 ///
-/// Semi-implicit Euler: 4 m / (c + √(c² + 4 k m)), which is 2 √(m / k) without a damper: a damper
-/// makes it shorter. Explicit Euler: c / k while c² ≤ 4 k m, else 4 m / (c + √(c² − 4 k m)).
+/// Semi-implicit Euler: 4 m / (c + √(c² + 4 k m)), which is 2 √(m / k) without a damper; a damper
+/// reduces it. Explicit Euler: c / k while c² ≤ 4 k m, else 4 m / (c + √(c² − 4 k m)).
 /// Implicit damper: (c + √(c² + 4 k m)) / k.
 /// @param mass kg, greater than 0
-/// @return s; off by at most 8 u of itself if k, m and c² are from 1e-120 to 1e120 (in double;
-/// 1e-15 to 1e15 in float)
+/// @return s; relative error at most 8 u if k, m and c² are from 1e-120 to 1e120 (in double; 1e-15
+/// to 1e15 in float)
 template <std::floating_point S>
 S step_limit(PenaltyScheme scheme, const SpringDamper<S>& spring, const S& mass) {
   const S k = spring.stiffness;
@@ -166,36 +167,37 @@ S step_limit(PenaltyScheme scheme, const SpringDamper<S>& spring, const S& mass)
 }
 // [/step-limit]
 
-/// What an impact in steps may do to the energy of motion.
+/// Bounds on the change of the kinetic energy by an impact in steps.
 template <Scalar S>
 struct EnergyFactor {
-  S least = S(1);  ///< energy after over energy before, at least
-  S most = S(1);   ///< at most
+  S least = S(1);  ///< lower bound of the energy after over the energy before
+  S most = S(1);   ///< upper bound
 };
 
 // [energy-factor]
-/// How far one impact on an undamped spring, without load, in steps of semi-implicit Euler changes
-/// the energy of motion: by a factor from 1 − a/4 to 1 / (1 − a/4), with a = h² k / m < 4.
+/// Bounds on the factor by which one impact on an undamped spring, without load, in steps of
+/// semi-implicit Euler changes the kinetic energy: from 1 − a/4 to 1 / (1 − a/4), with
+/// a = h² k / m < 4.
 ///
-/// The steps keep v² + ω₀² d² − h ω₀² d v. At the first step that overlaps, d is between 0 and h v,
-/// so this is at least (1 − a/4) v² and at most v²; at the first step after the last that overlaps
-/// the same holds of the speed that is left. The worst is an overlap of h v / 2 at the one step or
-/// at the other. The depth is at most v √(m / k) / √(1 − a/4).
+/// v² + ω₀² d² − h ω₀² d v is an invariant of the steps. At the first step with an overlap, d is
+/// between 0 and h v, so the invariant is between (1 − a/4) v² and v². The same holds for the speed
+/// after the last step with an overlap. The extreme values belong to an overlap of h v / 2 at
+/// the first or at the last step. The penetration is at most v √(m / k) / √(1 − a/4).
 /// @param mass kg, greater than 0
 /// @param h s, greater than 0 and below step_limit()
-/// @note A damper has no such bound here; it takes energy besides.
+/// @note The bounds do not hold with a damper, which removes energy in addition.
 template <Scalar S>
 EnergyFactor<S> stepped_energy_factor(const SpringDamper<S>& spring, const S& mass, const S& h) {
   const S least = S(1) - h * h * spring.stiffness / mass / S(4);
   return {least, S(1) / least};
 }
 
-/// The longest step with which one such impact changes the energy of motion by at most the share ε:
-/// √(4 ε m / ((1 + ε) k)). An impact takes about π / √a of them, so twice as accurate is √2 as
+/// The longest step with which one such impact changes the kinetic energy by at most the fraction
+/// ε: √(4 ε m / ((1 + ε) k)). An impact takes about π / √a steps, so half the ε takes √2 times as
 /// many.
 /// @param mass kg, greater than 0
 /// @param share ε, greater than 0
-/// @return s; off by at most 6 u of itself
+/// @return s; relative error at most 6 u
 template <std::floating_point S>
 S step_for_energy(const SpringDamper<S>& spring, const S& mass, const S& share) {
   return S(2) * std::sqrt(share / (S(1) + share)) * (std::sqrt(mass) / std::sqrt(spring.stiffness));

@@ -1,5 +1,6 @@
 /// @file
-/// A contact that gives way: a spring and a damper between two surfaces, its force and its energy.
+/// A compliant (soft) contact: a spring and a damper between two surfaces, its force and its
+/// energy.
 #pragma once
 
 #include <cmath>
@@ -13,8 +14,8 @@
 
 namespace contact {
 
-/// A spring and a damper side by side, which push two surfaces apart while they overlap. Make it
-/// with spring_damper(), which checks what it is given.
+/// A spring and a damper in parallel (Kelvin–Voigt), which push two surfaces apart while they
+/// overlap. Make it with spring_damper(), which checks its arguments.
 template <Ring S>
 struct SpringDamper {
   S stiffness = S(1);  ///< force per penetration, N/m, greater than 0
@@ -39,12 +40,12 @@ SpringDamper<S> spring_damper(const S& stiffness, const S& damping) {
 }
 
 // [let-go]
-/// When a contact ends. The damper slows the surfaces' parting as well as their meeting, so near
-/// the end spring and damper together would pull.
+/// When a contact ends. The damper resists separation as well as approach, so near the end the sum
+/// of spring and damping force would be a pull.
 enum class LetGo {
-  /// At the first moment at which the force would pull. Some overlap is left, which goes by itself.
+  /// When the force would become a pull. The remaining overlap opens without a force.
   at_zero_force,
-  /// When the surfaces no longer overlap. Until then the contact may pull, as glue does.
+  /// When the surfaces no longer overlap. Until then the contact may pull, like glue.
   at_zero_penetration
 };
 // [/let-go]
@@ -54,10 +55,10 @@ enum class LetGo {
 ///
 /// Touching counts as contact: at penetration 0 the damper alone pushes, c ḋ. So with damping the
 /// force jumps at the first touch.
-/// @param penetration d, how deep the surfaces overlap, m; negative: a gap
-/// @param approach ḋ, how fast it grows, m/s; negative: they part
+/// @param penetration d, m; negative: a gap
+/// @param approach ḋ, rate of change of the penetration, m/s; negative: the surfaces separate
 /// @param rule with LetGo::at_zero_force the result is never negative
-/// @return N, positive if it pushes the surfaces apart; off by at most 3 u (k |d| + c |ḋ|)
+/// @return N, positive if it pushes the surfaces apart; error at most 3 u (k |d| + c |ḋ|)
 /// @see *Interaction and Normals*, slide "Collision response – penalty method"
 template <Ring S>
 S contact_push(const SpringDamper<S>& spring, const S& penetration, const S& approach,
@@ -69,10 +70,10 @@ S contact_push(const SpringDamper<S>& spring, const S& penetration, const S& app
 // [/contact-push]
 
 // [spring-energy]
-/// What the spring holds: k d² / 2 while the surfaces overlap, else 0. With the energy of motion it
-/// stays the same in a contact without damping; a damper takes c ḋ² each second.
+/// The potential energy of the spring: k d² / 2 while the surfaces overlap, else 0. Without damping
+/// its sum with the kinetic energy is conserved; a damper dissipates the power c ḋ².
 /// @param penetration m; negative: a gap
-/// @return J; off by at most 3 u of itself
+/// @return J; relative error at most 3 u
 template <Scalar S>
 S contact_spring_energy(const SpringDamper<S>& spring, const S& penetration) {
   if (penetration < S(0)) return S(0);
@@ -80,17 +81,17 @@ S contact_spring_energy(const SpringDamper<S>& spring, const S& penetration) {
 }
 // [/spring-energy]
 
-/// How a damper compares with the spring and the mass beside it.
+/// The damping regime of a spring, a damper and a mass.
 enum class DampingRegime {
-  underdamped,  ///< c² < 4 k m: pushed in and left alone, it swings back through 0
-  critical,     ///< c² = 4 k m: it comes back as fast as it can without swinging through 0
-  overdamped    ///< c² > 4 k m: it creeps back
+  underdamped,  ///< c² < 4 k m: it oscillates about 0
+  critical,     ///< c² = 4 k m: it returns to 0 as fast as possible without oscillating
+  overdamped    ///< c² > 4 k m: it returns more slowly, without oscillating
 };
 
 namespace detail {
 
-/// A number as one that products and sums do not round: an Exact for a float or double, any other
-/// unchanged.
+/// Converts a float or double to Exact, whose sums and products do not round; other types are
+/// returned unchanged.
 template <Ring S>
 auto unrounded(const S& x) {
   if constexpr (std::floating_point<S>) {
@@ -111,8 +112,9 @@ auto damping_discriminant(const SpringDamper<S>& spring, const S& mass) {
 }  // namespace detail
 
 // [damping-regime]
-/// Which side of c² = 4 k m a contact is on. Exact for the stored numbers.
-/// @param mass m of the body on a fixed surface, or reduced_mass() of two, kg, greater than 0
+/// The damping regime of a contact, by the sign of c² − 4 k m. Exact for the stored numbers.
+/// @param mass m of the body on a fixed surface, or reduced_mass() of two bodies, kg, greater than
+/// 0
 template <Ring S>
 DampingRegime damping_regime(const SpringDamper<S>& spring, const S& mass) {
   const auto discriminant = detail::damping_discriminant(spring, mass);
@@ -123,7 +125,7 @@ DampingRegime damping_regime(const SpringDamper<S>& spring, const S& mass) {
 
 /// The damping ratio ζ = c / (2 √k √m): 0 without damper, 1 at DampingRegime::critical.
 /// @param mass kg, greater than 0
-/// @return no unit; off by at most 5 u of itself; the largest number in place of ∞
+/// @return dimensionless; relative error at most 5 u; the largest finite number in place of ∞
 template <std::floating_point S>
 S damping_ratio(const SpringDamper<S>& spring, const S& mass) {
   const S halves = spring.damping / S(2) / std::sqrt(spring.stiffness);
@@ -131,9 +133,9 @@ S damping_ratio(const SpringDamper<S>& spring, const S& mass) {
   return std::isfinite(ratio) ? ratio : std::numeric_limits<S>::max();
 }
 
-/// The rate ω₀ = √(k / m) at which mass and spring would swing without damper.
+/// The natural angular frequency ω₀ = √(k / m) of mass and spring without damper.
 /// @param mass kg, greater than 0
-/// @return rad/s; off by at most 3 u of itself
+/// @return rad/s; relative error at most 3 u
 template <std::floating_point S>
 S natural_rate(const SpringDamper<S>& spring, const S& mass) {
   return std::sqrt(spring.stiffness) / std::sqrt(mass);

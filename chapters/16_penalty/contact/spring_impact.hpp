@@ -1,9 +1,10 @@
 /// @file
-/// One impact on a spring and a damper, from the first touch to the last, in closed form: how fast
-/// it ends, how long it takes, how deep it goes; and the damper that a restitution asks for.
+/// One impact on a spring and a damper in closed form: restitution, duration, greatest penetration;
+/// and the damper for a given restitution.
 ///
-/// No other force acts meanwhile. With the damping ratio ζ = cos θ everything is said with one
-/// function, θ / sin θ. It goes on beyond ζ = 1, where θ is imaginary and the quotient is not.
+/// No other force acts during the impact. With the damping ratio ζ = cos θ all formulas use the one
+/// function θ / sin θ. It continues analytically beyond ζ = 1, where θ is imaginary and the
+/// quotient is real.
 #pragma once
 
 #include <algorithm>
@@ -18,13 +19,15 @@
 namespace contact {
 
 // [arc-over-sine]
-/// θ / sin θ for ζ = cos θ: arccos ζ / √(1 − ζ²) below 1, arcosh ζ / √(ζ² − 1) above it, 1 at it.
+/// θ / sin θ for ζ = cos θ: arccos ζ / √(1 − ζ²) for ζ < 1, arcosh ζ / √(ζ² − 1) for ζ > 1, 1 for
+/// ζ = 1.
 ///
 /// With w = 2 / (1 + ζ), which is 1 + tan²(θ/2), it is w times the series of atan(t)/t at
 /// t² = w − 1. Halving the angle, w → 2 √w / (1 + √w), brings w near 1 first (Borchardt's mean).
-/// Only + − × ÷ √, so its bits are the same everywhere; nothing cancels at ζ = 1.
+/// Only + − × ÷ √ are used, so the result has the same bits on every machine; nothing cancels at
+/// ζ = 1.
 /// @param ratio ζ, 0 or more
-/// @return off by at most 80 u of double of itself, and by the last rounding to S
+/// @return relative error at most 80 u of double, plus the rounding to S
 template <std::floating_point S>
 S arc_over_sine(const S& ratio) {
   double w = 2 / (1 + std::min(static_cast<double>(ratio), std::numeric_limits<double>::max()));
@@ -47,7 +50,7 @@ inline constexpr double log_two_high = 6.93147180369123816490e-01;  // 33 bits
 inline constexpr double log_two_low = 1.90821492927058770002e-10;   // the rest
 inline constexpr double half_turn = 3.141592653589793;
 
-/// exp(−y) for y ≥ 0, from + − × ÷ alone; off by at most 4 u of itself while it is a normal number.
+/// exp(−y) for y ≥ 0, by + − × ÷ only; relative error at most 4 u while it is a normal number.
 inline double decay(double y) {
   if (!(y < 800)) return 0;
   const double n = std::nearbyint(y / log_two_high);
@@ -57,7 +60,7 @@ inline double decay(double y) {
   return std::ldexp(sum, -static_cast<int>(n));
 }
 
-/// −ln x for 0 < x ≤ 1, from + − × ÷ alone; off by at most 10 u of itself.
+/// −ln x for 0 < x ≤ 1, by + − × ÷ only; relative error at most 10 u.
 inline double log_of_inverse(double x) {
   int power = 0;
   double m = std::frexp(x, &power);
@@ -71,20 +74,20 @@ inline double log_of_inverse(double x) {
   return -(power * log_two_high + (power * log_two_low + 2 * z * sum));
 }
 
-/// √(1 − ζ²), for ζ below 1.
+/// √(1 − ζ²), for ζ < 1.
 inline double sine_of_cosine(double ratio) { return std::sqrt((1 - ratio) * (1 + ratio)); }
 
 }  // namespace detail
 
 // [restitution-of-damping]
-/// The coefficient of restitution that a damping ratio makes, whatever the speed.
+/// The coefficient of restitution for a damping ratio; it does not depend on the speed.
 ///
-/// Let go at zero penetration: exp(−π ζ / √(1 − ζ²)); from ζ = 1 on the surfaces never part, and it
-/// is 0. Let go at zero force: exp(−2 ζ θ / sin θ); it is the larger one, and never 0.
+/// At zero penetration: exp(−π ζ / √(1 − ζ²)); for ζ ≥ 1 the surfaces never separate, and it is 0.
+/// At zero force: exp(−2 ζ θ / sin θ), which is larger and never 0.
 /// @param ratio ζ, 0 or more
-/// @return 0 to 1; with y the exponent, off by at most (8 + 90 y) u of double of itself while it is
-/// a normal number, and by the last rounding to S; at zero penetration the factor 90 grows to
-/// 6 / (1 − ζ) near ζ = 1
+/// @return 0 to 1; with y the exponent, the relative error is at most (8 + 90 y) u of double while
+/// it is a normal number, plus the rounding to S; at zero penetration the factor 90 grows to 6 / (1
+/// − ζ) near ζ = 1
 template <std::floating_point S>
 S restitution_of_damping(const S& ratio, LetGo rule) {
   const auto z = static_cast<double>(ratio);
@@ -94,32 +97,31 @@ S restitution_of_damping(const S& ratio, LetGo rule) {
 }
 // [/restitution-of-damping]
 
-/// What an impact on a spring and a damper comes to.
+/// The results of an impact on a spring and a damper.
 template <std::floating_point S>
 struct SpringImpact {
-  S restitution = S(0);     ///< parting speed over meeting speed, 0 to 1
-  S duration = S(0);        ///< from the first touch until it lets go, s; ∞ if it never does
+  S restitution = S(0);     ///< speed of separation over speed of approach, 0 to 1
+  S duration = S(0);        ///< from the first touch to the end of the contact, s; ∞ if none
   S greatest_depth = S(0);  ///< greatest penetration, m
-  S time_of_depth = S(0);   ///< when it is that deep, s after the first touch
+  S time_of_depth = S(0);   ///< time of the greatest penetration, s after the first touch
   S greatest_force = S(0);  ///< N
-  S left_overlap = S(0);    ///< penetration when it lets go, m; 0 at zero penetration
+  S left_overlap = S(0);    ///< penetration at the end of the contact, m; 0 at zero penetration
 };
 
 // [spring-impact]
 /// An impact on a spring and a damper, in closed form. With θ as above and ω₀ = √(k / m):
 ///
-/// - It is deepest at time θ / (ω₀ sin θ), with d = (v / ω₀) √e, where e is the restitution of
-///   letting go at zero force. So k d² / (m v²) = e: the energy in the spring at its deepest is the
-///   share that comes back.
-/// - The force is 0 at twice that time. At zero penetration it lets go at π / ω_d = π / (ω₀ sin θ),
-///   or never if ζ ≥ 1.
+/// - The greatest penetration is d = (v / ω₀) √e at the time θ / (ω₀ sin θ), where e is the
+///   restitution for the rule at_zero_force. So k d² / (m v²) = e: the spring holds the
+///   fraction e of the kinetic energy before the impact, and e² of it returns.
+/// - The force is 0 at twice that time. At zero penetration the contact ends at
+///   π / ω_d = π / (ω₀ sin θ), or never if ζ ≥ 1.
 /// - The force is greatest at the first touch, c v, if ζ ≥ 1/2; else at (3 θ − π) / (ω₀ sin θ).
-/// - Overlap left at zero force: 2 ζ e v / ω₀, since there spring and damper cancel.
-/// @param mass of the body, the surface being fixed, or reduced_mass() of two bodies, kg, greater
-/// than 0
-/// @param speed at which they meet, m/s, 0 or more
-/// @return each off by at most (100 + 100 y) u of double of itself, y being the exponent of e, and
-/// by the last rounding to S, if k, m and c² are from 1e-120 to 1e120 (in double)
+/// - The overlap left at zero force is 2 ζ e v / ω₀, where spring and damper forces cancel.
+/// @param mass of the body on a fixed surface, or reduced_mass() of two bodies, kg, greater than 0
+/// @param speed speed of approach, m/s, 0 or more
+/// @return each with a relative error of at most (100 + 100 y) u of double, where y is the exponent
+/// of e, plus the rounding to S, if k, m and c² are from 1e-120 to 1e120 (in double)
 template <std::floating_point S>
 SpringImpact<S> spring_impact(const SpringDamper<S>& spring, const S& mass, const S& speed,
                               LetGo rule = LetGo::at_zero_force) {
@@ -140,7 +142,7 @@ SpringImpact<S> spring_impact(const SpringDamper<S>& spring, const S& mass, cons
     impact.duration = std::numeric_limits<S>::infinity();
     impact.restitution = S(0);
   } else if (spring.damping > S(0)) {
-    // 4 k m − c² without rounding before the root: ζ itself has lost what is left of 1 − ζ.
+    // 4 k m − c² is exact before the root: computed from the rounded ζ, 1 − ζ would have no digits.
     const double root = std::sqrt(rounded<double>(-detail::damping_discriminant(spring, mass)));
     impact.duration = S(2 * detail::half_turn * static_cast<double>(mass) / root);
     impact.restitution = S(detail::decay(detail::half_turn * wide.damping / root));
@@ -159,13 +161,12 @@ SpringImpact<S> spring_impact(const SpringDamper<S>& spring, const S& mass, cons
 // [/spring-impact]
 
 // [damping-for-restitution]
-/// The damping ratio that makes a coefficient of restitution: restitution_of_damping() the other
-/// way round.
+/// The damping ratio for a coefficient of restitution: the inverse of restitution_of_damping().
 ///
 /// At zero penetration ζ = L / √(π² + L²) with L = −ln e, and 1 for e = 0. At zero force there is
-/// no closed form: 2 ζ θ / sin θ grows with ζ, and is bisected until no number lies between.
-/// @param restitution e, 0 to 1; at zero force greater than 0, since no damper stops a body there
-/// @return no unit; off by at most 200 (1 + L) u of double of itself, and by the last rounding to S
+/// no closed form: 2 ζ θ / sin θ increases with ζ, and bisection runs until no number lies between.
+/// @param restitution e, 0 to 1; at zero force greater than 0, since no damper gives 0 there
+/// @return dimensionless; relative error at most 200 (1 + L) u of double, plus the rounding to S
 /// @throws std::invalid_argument if there is no such damping ratio
 template <std::floating_point S>
 S damping_ratio_for(const S& restitution, LetGo rule) {
@@ -196,7 +197,7 @@ S damping_ratio_for(const S& restitution, LetGo rule) {
   }
 }
 
-/// The damper beside a spring that makes a coefficient of restitution, c = 2 ζ √k √m.
+/// A spring with the damper for a given coefficient of restitution, c = 2 ζ √k √m.
 /// @param stiffness N/m, greater than 0
 /// @param mass kg, greater than 0
 /// @param restitution as for damping_ratio_for()
@@ -212,14 +213,14 @@ SpringDamper<S> spring_for_restitution(const S& stiffness, const S& mass, const 
 // [/damping-for-restitution]
 
 // [stiffness-for-depth]
-/// The stiffness that keeps an impact from going deeper than d: m (v² + 2 g d) / d², by energy,
-/// with equality without damping.
+/// The stiffness for which an impact does not penetrate more than d: m (v² + 2 g d) / d², by
+/// energy; without damping the penetration is d.
 ///
-/// A contact on it takes about π d / v. So hard contact with steps costs what it would cost to move
-/// by a fraction of d in each: an impulse has no such price.
+/// The contact lasts about π d / v. So a time step has to be short enough to move the body by only
+/// a fraction of d: a stiff contact is expensive. An impulse needs no such step.
 /// @param mass kg, greater than 0
 /// @param speed v at the first touch, m/s, 0 or more
-/// @param gravity g into the surface, m/s², 0 or more
+/// @param gravity g towards the surface, m/s², 0 or more
 /// @param depth d, m, greater than 0
 /// @return N/m
 template <Scalar S>

@@ -1,5 +1,5 @@
 /// @file
-/// A jump on a trampoline: a fall, a half-swing and more on a spring under gravity, and up again.
+/// A jump on a trampoline: a fall, more than half a period on a spring under gravity, and a flight.
 #pragma once
 
 #include <cmath>
@@ -12,13 +12,13 @@
 
 namespace contact {
 
-/// A jump on an undamped spring. Make it with trampoline(), which checks what it is given.
+/// A jump on an undamped spring. Make it with trampoline(), which checks its arguments.
 template <Ring S>
 struct Trampoline {
   S mass = S(1);       ///< of the jumper, kg, greater than 0
   S stiffness = S(1);  ///< N/m, greater than 0
   S gravity = S(1);    ///< m/s², greater than 0
-  S height = S(0);     ///< that the jumper falls from, over the mat at rest, m, 0 or more
+  S height = S(0);     ///< initial height above the mat at rest, m, 0 or more
 };
 
 /// A jump on a trampoline.
@@ -40,10 +40,10 @@ Trampoline<S> trampoline(const S& mass, const S& stiffness, const S& gravity, co
   return {mass, stiffness, gravity, height};
 }
 
-/// What a jump comes to. It repeats: nothing is lost.
+/// The results of a jump, which repeats without loss.
 template <std::floating_point S>
 struct TrampolineJump {
-  S sag = S(0);             ///< how deep the mat hangs with the jumper at rest on it, m g / k, m
+  S sag = S(0);             ///< deflection of the mat with the jumper at rest on it, m g / k, m
   S greatest_depth = S(0);  ///< of the mat, m
   S greatest_force = S(0);  ///< of the mat, N
   S contact_time = S(0);    ///< on the mat, s
@@ -53,12 +53,13 @@ struct TrampolineJump {
 // [trampoline]
 /// A jump on a trampoline in closed form. With the sag s = m g / k and the height H:
 ///
-/// - Energy gives the depth: s + √(s² + 2 s H). A jump from height 0 already sags twice as deep as
-///   standing.
-/// - The contact takes 2 (π − β) / ω₀ with tan β = ω₀ v / g, that is cos² β = s / (s + 2 H): π / ω₀
-///   if the mat is stiff, 2 π / ω₀ from height 0.
+/// - Conservation of energy gives the depth: s + √(s² + 2 s H). A jump from height 0 is twice as
+/// deep
+///   as the sag.
+/// - The contact lasts 2 (π − β) / ω₀ with tan β = ω₀ v / g, that is cos² β = s / (s + 2 H): π / ω₀
+///   for a stiff mat, 2 π / ω₀ from height 0.
 /// - The air time is 2 √(2 H / g).
-/// @return each off by at most 40 u of itself, if nothing over- or underflows
+/// @return each with a relative error of at most 40 u, without overflow and underflow
 template <std::floating_point S>
 TrampolineJump<S> trampoline_jump(const Trampoline<S>& t) {
   const SpringDamper<S> spring{t.stiffness, S(0)};

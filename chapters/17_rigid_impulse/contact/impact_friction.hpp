@@ -1,6 +1,6 @@
 /// @file
-/// Impacts with dry friction in a plane: what restitution means then, by Newton, Poisson and
-/// Stronge, and two shortcuts.
+/// Planar impacts with dry friction: restitution by Newton, by Poisson and by Stronge, and two
+/// shortcuts. None has tangential restitution: friction stops the slip and never drives it back.
 #pragma once
 
 #include <algorithm>
@@ -16,12 +16,12 @@
 namespace contact {
 
 // [planar-contact]
-/// A contact seen in the plane of its normal n and one tangent t: the velocity of A's point as seen
-/// from B's, and how it answers to an impulse on A.
+/// A contact in the plane of its normal n and one tangent t: the velocity of A's point relative to
+/// B's, and the inverse effective mass, which says how an impulse on A changes it.
 ///
 /// After an impulse (p_t, p_n) the slip is u_t + k_tt p_t + k_tn p_n, and the normal velocity
 /// u_n + k_tn p_t + k_nn p_n. If k_tn is not 0, friction changes the normal velocity, and the
-/// normal impulse the slip: that is where the laws part.
+/// normal impulse the slip: then the laws of restitution differ.
 template <Ring S>
 struct PlanarContact {
   S slip = S(0);    ///< u_t, m/s
@@ -33,10 +33,10 @@ struct PlanarContact {
 
 /// The contact of two bodies in the plane of its normal and a tangent.
 ///
-/// It is the whole contact only if nothing pushes the point out of that plane: if the bodies move
-/// in the plane, and it is a plane of symmetry of both. In general the slip turns while it lasts,
-/// and the impulse is the solution of a differential equation.
-/// @param tangent unit vector, at right angles to the normal
+/// It describes the contact completely only if the bodies move in that plane and it is a plane of
+/// symmetry of both. In general the direction of the slip changes during the impact, and the
+/// impulse is the solution of a differential equation.
+/// @param tangent unit vector, perpendicular to the normal
 template <Scalar S>
 PlanarContact<S> planar_contact(const RigidBody<S>& a, const RigidBody<S>& b,
                                 const ContactPoint<S>& at, const Vector3<S>& tangent) {
@@ -47,7 +47,7 @@ PlanarContact<S> planar_contact(const RigidBody<S>& a, const RigidBody<S>& b,
 }
 // [/planar-contact]
 
-/// The state of an impact when so much impulse has passed.
+/// The state of an impact after some impulse.
 template <Ring S>
 struct ImpactPoint {
   S tangential = S(0);  ///< impulse so far along t, N·s
@@ -56,19 +56,20 @@ struct ImpactPoint {
   S normal = S(0);      ///< m/s
 };
 
-/// An impact from the first touch to the last, as points between which all grows evenly.
+/// An impact from first to last touch, as points between which everything changes linearly.
 template <Ring S>
 struct Impact {
-  std::array<ImpactPoint<S>, 4> path{};  ///< first touch; where the slip stops; largest compression
-  std::size_t count = 0;                 ///< how many of them there are
+  std::array<ImpactPoint<S>, 4>
+      path{};             ///< first touch; where the slip stops; greatest compression
+  std::size_t count = 0;  ///< how many of them there are
   /// The last touch.
   const ImpactPoint<S>& end() const { return path[count - 1]; }
 };
 
 namespace detail {
 
-/// An impact under way. The normal impulse p grows as time does, and Coulomb's law holds at each
-/// moment of it (Routh).
+/// An impact in progress, by Routh's method: the normal impulse p grows monotonically with time,
+/// and Coulomb's law holds at each moment.
 template <Scalar S>
 class Routh {
  public:
@@ -80,9 +81,9 @@ class Routh {
   }
 
   // [routh]
-  /// Which way friction pushes, for each unit of normal impulse: against the slip with all of μ; if
-  /// nothing slips, as hard as it takes to keep it so, if μ allows that; else the contact begins to
-  /// slip, the way that the normal impulse pushes it.
+  /// The friction for each unit of normal impulse: μ against the slip; without slip, what keeps the
+  /// contact sticking, if that is at most μ; else the contact begins to slip in the direction in
+  /// which the normal impulse drives it.
   void choose() {
     const auto& [u_t, u_n, k_tt, k_tn, k_nn] = contact_;
     const S& slip = now().slip;
@@ -121,12 +122,12 @@ class Routh {
     if (stops) choose();
   }
 
-  /// To where the normal velocity is 0: the largest compression.
+  /// To greatest compression, where the normal velocity is 0.
   void compress() {
     for (;;) {
       const auto stop = until_stop();
-      // Where friction presses the bodies together faster than the impulse parts them
-      // (normal_rate_ not positive), the slip stops first: k_tt k_nn > k_tn².
+      // Where friction closes the contact faster than the normal impulse opens it (normal_rate_ not
+      // positive: jamming), the slip stops first, because k_tt k_nn > k_tn².
       if (normal_rate_ > S(0)) {
         const S by = -(now().normal / normal_rate_);
         if (!stop || by <= *stop) {
@@ -140,7 +141,7 @@ class Routh {
     }
   }
 
-  /// On from the largest compression, until `left(slope, speed)` more impulse has passed.
+  /// On from greatest compression. `left(now, rate)` is the normal impulse that is still to come.
   template <class Left>
   void restitute(const Left& left) {
     for (;;) {
@@ -183,8 +184,8 @@ S normal_work(const Impact<S>& impact, std::size_t from, std::size_t to) {
 // [newton]
 /// An impact by Newton's law: the normal velocity afterwards is −e times that before.
 ///
-/// @warning With friction it can gain energy, since a slip that stops or turns changes what a unit
-/// of normal impulse does, and the law looks at the two ends only.
+/// @warning With friction it can gain energy: where the slip stops or reverses, the effect of a
+/// unit of normal impulse changes, and the law considers only the beginning and the end.
 /// @param contact closing; if it is not, the impact ends as it begins
 /// @param e coefficient of restitution, from 0 to 1
 /// @param friction coefficient μ, not negative
@@ -201,8 +202,8 @@ Impact<S> newton_impact(const PlanarContact<S>& contact, const S& e, const S& fr
 // [/newton]
 
 // [poisson]
-/// An impact by Poisson's law: the normal impulse after the largest compression is e times that
-/// before it.
+/// An impact by Poisson's law: the normal impulse after greatest compression is e times that before
+/// it.
 /// @param contact, e, friction as in newton_impact()
 template <Scalar S>
 Impact<S> poisson_impact(const PlanarContact<S>& contact, const S& e, const S& friction) {
@@ -216,10 +217,11 @@ Impact<S> poisson_impact(const PlanarContact<S>& contact, const S& e, const S& f
 // [/poisson]
 
 // [stronge]
-/// An impact by Stronge's law: the normal impulse gives back e² of the work that it took to
-/// compress.
+/// An impact by Stronge's law: during restitution the normal impulse gives back e² of the work that
+/// it absorbed during compression.
 ///
-/// So the normal part never brings energy, and friction takes some: the kinetic energy cannot grow.
+/// So for e from 0 to 1 the normal impulse adds no energy in all, and friction dissipates: the
+/// kinetic energy does not grow.
 /// @param contact, e, friction as in newton_impact()
 /// @see Stronge, *Rigid body collisions with friction*, Proceedings of the Royal Society A 431
 /// (1990)
@@ -231,7 +233,7 @@ Impact<S> stronge_impact(const PlanarContact<S>& contact, const S& e, const S& f
   const std::size_t turn = routh.impact().count - 1;
   const S all = -e * e * detail::normal_work(routh.impact(), 0, turn);
   routh.restitute([&](const ImpactPoint<S>& now, const S& rate) {
-    // u dp + ½ rate dp² = what is left of the work
+    // u dp + ½ rate dp² = the work still to be given back
     const S left = all - detail::normal_work(routh.impact(), turn, routh.impact().count - 1);
     if (!(left > S(0))) return S(0);
     return S(2) * left / (now.normal + std::sqrt(now.normal * now.normal + S(2) * rate * left));
@@ -241,9 +243,9 @@ Impact<S> stronge_impact(const PlanarContact<S>& contact, const S& e, const S& f
 // [/stronge]
 
 // [joint]
-/// The shortcut of Whittaker's time: Newton's law for the normal velocity, and one ratio of
-/// impulses for the whole impact. If both points can end at rest along t with |p_t| ≤ μ p_n, they
-/// do; if not, the impulse is μ p_n against the slip at the first touch.
+/// The shortcut of Whittaker's textbook: Newton's law for the normal velocity, and one ratio of
+/// impulses for the whole impact. If the slip can end at 0 with |p_t| ≤ μ p_n, it does; if not, the
+/// tangential impulse is μ p_n against the initial slip.
 ///
 /// @warning It can gain energy, more than newton_impact(): Kane and Levinson's double pendulum.
 /// @param contact, e, friction as in newton_impact()
@@ -276,11 +278,11 @@ std::optional<Impact<S>> joint_impact(const PlanarContact<S>& contact, const S& 
 // [/joint]
 
 // [clamped]
-/// The shortcut of many games: the normal impulse as if there were no friction, then a tangential
-/// impulse that stops the slip, cut off at μ times the normal one.
+/// The shortcut of many games: the normal impulse without friction, then a tangential impulse that
+/// stops the slip, clamped at μ times the normal one.
 ///
-/// @warning The second step changes the normal velocity that the first has set: it misses e unless
-/// k_tn is 0, and the bodies may even go on closing.
+/// @warning The second step changes the normal velocity that the first has set: the result misses e
+/// unless k_tn is 0, and the bodies may even go on closing.
 /// @param contact, e, friction as in newton_impact()
 /// @return path of three points: first touch, after the normal impulse, after the tangential one
 template <Scalar S>
@@ -304,7 +306,7 @@ Impact<S> clamped_impact(const PlanarContact<S>& contact, const S& e, const S& f
 // [/clamped]
 
 // [energy]
-/// What an impact does to the kinetic energy of both bodies: the impulse times the mean of the
+/// The change of the kinetic energy of both bodies: the impulse times the mean of the relative
 /// velocities before and after, p · (u + u')/2.
 /// @return J; negative if energy is lost
 template <Scalar S>

@@ -1,6 +1,6 @@
 /// @file
-/// How hard it is to turn a body: inertia tensors of simple shapes and of closed meshes, and how
-/// they move, turn and add up.
+/// Inertia tensors: of simple shapes and of closed meshes, about another point, in rotated axes,
+/// and of composite bodies.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ template <Ring S>
 using Matrix3 = Eigen::Matrix<S, 3, 3>;
 
 // [mass-properties]
-/// What a rigid body's motion needs to know of its matter.
+/// Mass, centre of mass and inertia tensor of a rigid body.
 template <Ring S>
 struct MassProperties {
   S mass = S(0);                           ///< kg
@@ -83,7 +83,7 @@ Matrix3<S> box_inertia(const S& mass, const Vector3<S>& size) {
 }
 
 /// The inertia tensor of a solid cylinder about its centre, with its axis along z: m r²/2 about the
-/// axis and m (3 r² + h²)/12 across it.
+/// axis and m (3 r² + h²)/12 about a perpendicular one.
 /// @param mass kg, finite and greater than 0
 /// @param radius, height m, finite and greater than 0
 /// @return kg·m², off by a few u
@@ -101,8 +101,8 @@ Matrix3<S> cylinder_inertia(const S& mass, const S& radius, const S& height) {
 /// The inertia tensor of a solid capsule about its centre, with its axis along z: a cylinder and
 /// two half spheres of one density.
 ///
-/// A half sphere has its centre of mass 3/8 r from its flat face; moved out by h/2, it brings
-/// 2/5 r² + h²/4 + 3/8 h r for each kilogram across the axis.
+/// A half sphere has its centre of mass 3/8 r from its flat face; at h/2 from the centre of the
+/// capsule, each of its kilograms adds 2/5 r² + h²/4 + 3/8 h r about a perpendicular axis.
 /// @param mass of the whole, kg, finite and greater than 0
 /// @param radius m, finite and greater than 0
 /// @param height of the cylinder alone, without the caps, m, finite and not negative
@@ -128,8 +128,8 @@ Matrix3<S> capsule_inertia(const S& mass, const S& radius, const S& height) {
 }
 // [/simple-shapes]
 
-/// The moment of inertia of a thin rod about any axis across it through its middle: m l²/12. About
-/// its own line it has none, so its tensor has no inverse: in a plane one number is enough.
+/// The moment of inertia of a thin rod about any perpendicular axis through its middle: m l²/12.
+/// About its own line it has none, so its tensor has no inverse; in a plane one number is enough.
 /// @param mass kg, finite and greater than 0
 /// @param length of the whole rod, m, finite and greater than 0
 /// @return kg·m², off by a few u
@@ -142,11 +142,11 @@ S rod_inertia(const S& mass, const S& length) {
 }
 
 // [parallel-axis]
-/// What a body's inertia tensor gains when it is taken about a point that is not the centre of
-/// mass: m (|d|² 1 − d dᵀ), the parallel-axis theorem.
+/// The parallel-axis theorem: m (|d|² 1 − d dᵀ), the difference between a body's inertia tensor
+/// about a point and that about its centre of mass.
 ///
-/// Add it to go from the centre of mass to the point, subtract it to come back. From one point to
-/// another, neither of them the centre of mass, go through the centre of mass.
+/// Add it to go from the centre of mass to the point, subtract it to go back. Between two other
+/// points, go through the centre of mass.
 /// @param mass kg
 /// @param d from the centre of mass to the point, m; its sign does not matter
 /// @return kg·m²
@@ -165,10 +165,10 @@ Matrix3<S> parallel_axis(const S& mass, const Vector3<S>& d) {
 // [/parallel-axis]
 
 // [rotated]
-/// A body's inertia tensor in the axes of the world: R I Rᵀ. Its inverse turns the same way.
+/// A body's inertia tensor in the axes of the world: R I Rᵀ. Its inverse transforms the same way.
 /// @param inertia about the centre of mass, in the body's axes, kg·m²
-/// @param rotation R: its columns are the body's axes as the world sees them
-/// @return kg·m², made symmetric to the last bit
+/// @param rotation R: its columns are the body's axes in world coordinates
+/// @return kg·m², exactly symmetric
 template <Ring S>
 Matrix3<S> rotated(const Matrix3<S>& inertia, const Matrix3<S>& rotation) {
   const Matrix3<S> half = rotation * inertia;
@@ -181,10 +181,10 @@ Matrix3<S> rotated(const Matrix3<S>& inertia, const Matrix3<S>& rotation) {
 // [/rotated]
 
 // [together]
-/// Several parts fixed to each other, as one body.
+/// A composite body: several parts fixed to each other.
 ///
-/// Masses add, centres of mass are averaged, and each part's tensor is moved to the common centre.
-/// A hole is a part of negative mass (and of the negative of its tensor).
+/// Masses add, centres of mass are averaged with their masses as weights, and each part's tensor is
+/// moved to the common centre of mass. A hole is a part with negative mass and negated tensor.
 /// @return nothing if the masses add up to 0 (or there are no parts)
 template <Scalar S>
 std::optional<MassProperties<S>> together(const std::vector<MassProperties<S>>& parts) {
@@ -204,7 +204,7 @@ std::optional<MassProperties<S>> together(const std::vector<MassProperties<S>>& 
 }
 // [/together]
 
-/// The three corners of a mesh's triangle, as places in its list of vertices.
+/// The three vertices of a triangle of a mesh, as indices into its list of vertices.
 using Corners = std::array<std::size_t, 3>;
 
 namespace detail {
@@ -242,20 +242,20 @@ Moments<S> moments_about(const Vector3<S>& from, const std::vector<Vector3<S>>& 
 // [mesh]
 /// Mass, centre of mass and inertia tensor of the solid inside a closed mesh.
 ///
-/// Each triangle and a point near the mesh span a tetrahedron with a signed volume; what lies
-/// outside is counted once with plus and once with minus. For a tetrahedron with its apex at 0 and
-/// the corners a, b, c, with D = a · (b × c) and s = a + b + c: the volume is D/6, ∫x is D s/24 and
-/// ∫x xᵀ is D (s sᵀ + a aᵀ + b bᵀ + c cᵀ)/120. With C = ∫x xᵀ about the centre of mass the tensor
-/// is ρ (tr C · 1 − C). The moments are taken twice: about the first corner, which tells the centre
-/// of mass, and then about that, so that a mesh far from the origin loses no digits that its own
-/// coordinates have.
+/// Each triangle and an apex near the mesh span a tetrahedron with a signed volume; what lies
+/// outside the solid is counted as often with plus as with minus. For a tetrahedron with its apex
+/// at 0 and the vertices a, b, c, with D = a · (b × c) and s = a + b + c: the volume is D/6, ∫x is
+/// D s/24 and ∫x xᵀ is D (s sᵀ + a aᵀ + b bᵀ + c cᵀ)/120. With C = ∫x xᵀ about the centre of mass
+/// the tensor is ρ (tr C · 1 − C). The moments are computed twice, about the first vertex and then
+/// about the centre of mass found from them, so that a mesh far from the origin loses no digits
+/// that its own coordinates have.
 /// @param density kg/m³, finite and greater than 0
 /// @param vertices m, finite
 /// @param triangles of a closed surface; seen from outside each runs counter-clockwise
 /// @return nothing if the volume is not greater than 0: not closed, inside out, or flat. Off by
-/// about γ(n + 10) of the sums of the tetrahedra's sizes, for n triangles
-/// @throws std::invalid_argument naming the argument, if a vertex is not finite or a corner is not
-/// in the list
+/// about γ(n + 10) of the sums of the tetrahedra's magnitudes, for n triangles
+/// @throws std::invalid_argument naming the argument, if a vertex is not finite or an index is out
+/// of range
 /// @see Blow and Binstock, *How to find the inertia tensor (or other mass properties) of a 3D solid
 /// body represented by a triangle mesh* (2004)
 template <Scalar S>
@@ -280,7 +280,7 @@ std::optional<MassProperties<S>> mesh_mass(const S& density,
   if (!(S(0) < fine.volume)) return std::nullopt;
   MassProperties<S> body;
   body.mass = density * fine.volume;
-  const Vector3<S> rest = fine.first / fine.volume;  // what rounding left of the centre
+  const Vector3<S> rest = fine.first / fine.volume;  // error of the first centre
   body.centre = near + rest;
   const Matrix3<S> second = fine.second - rest * Vector3<S>(rest * fine.volume).transpose();
   const S trace = second(0, 0) + second(1, 1) + second(2, 2);
@@ -290,7 +290,8 @@ std::optional<MassProperties<S>> mesh_mass(const S& density,
 }
 // [/mesh]
 
-/// The three axes about which a body turns without wobbling, and its inertia about each.
+/// The principal axes of a body, about which it rotates without wobbling, and its moments of
+/// inertia about them.
 template <std::floating_point S>
 struct PrincipalAxes {
   Vector3<S> moments = Vector3<S>::Zero();       ///< kg·m², in increasing order
@@ -300,11 +301,11 @@ struct PrincipalAxes {
 // [principal-axes]
 /// The principal axes of a symmetric tensor, by Jacobi's rotations.
 ///
-/// Each rotation makes one pair of entries off the diagonal zero; a few rounds make all three as
-/// small as rounding allows.
+/// Each rotation makes one pair of off-diagonal entries zero; after a few iterations over the three
+/// pairs all are as small as rounding allows.
 /// @param inertia symmetric, finite, kg·m²
 /// @return moments off by a few u of the largest; R · diag(moments) · Rᵀ gives the tensor back.
-/// Where two moments are equal, the two axes are any two at right angles
+/// Where two moments are equal, their axes are any two perpendicular ones
 /// @see Golub and Van Loan, *Matrix Computations*, 4th edition, section 8.5
 template <std::floating_point S>
 PrincipalAxes<S> principal_axes(const Matrix3<S>& inertia) {

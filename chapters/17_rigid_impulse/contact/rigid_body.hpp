@@ -1,5 +1,5 @@
 /// @file
-/// A rigid body in the world: how its points move, and what it carries of momentum and energy.
+/// A rigid body in the world: the velocities of its points, its momentum and its energy.
 #pragma once
 
 #include <contact/inertia.hpp>
@@ -9,11 +9,12 @@
 namespace contact {
 
 // [rigid-body]
-/// A rigid body at one moment, all of it in the axes of the world.
+/// A rigid body at one moment, everything in the axes of the world.
 ///
-/// What a collision needs are the inverses: how much a push or a twist of one changes the velocity
-/// or the spin. An immovable body has zeros there, and so needs no case of its own. Its `mass` and
-/// `inertia` are zero too: it has no share in sums of momentum and energy.
+/// A collision needs the inverses: the change of velocity for a unit of impulse, and that of the
+/// angular velocity for a unit of angular impulse. An immovable body has zeros there, and so needs
+/// no special case. Its `mass` and `inertia` are zero too: it adds nothing to sums of momentum and
+/// energy.
 template <Ring S>
 struct RigidBody {
   S mass = S(0);                                    ///< kg
@@ -75,8 +76,8 @@ std::optional<Matrix3<S>> inverse_of_symmetric(const Matrix3<S>& m) {
 /// @param position, velocity of the centre of mass, m and m/s
 /// @param spin angular velocity, rad/s
 /// @throws std::invalid_argument naming the argument and its value
-/// @note The inverse of a needle's full tensor loses as many digits as its moments are apart. With
-/// the moments at hand, use rigid_body_from_axes().
+/// @note Inverting the full tensor of a needle loses as many digits as the ratio of its moments
+/// has. If you have the principal moments, use rigid_body_from_axes().
 template <Scalar S>
 RigidBody<S> rigid_body(const S& mass, const Matrix3<S>& inertia, const Vector3<S>& position,
                         const Vector3<S>& velocity, const Vector3<S>& spin) {
@@ -89,11 +90,11 @@ RigidBody<S> rigid_body(const S& mass, const Matrix3<S>& inertia, const Vector3<
   return {mass, inertia, inverse_mass, *inverse, position, velocity, spin};
 }
 
-/// A movable body from its principal moments and the rotation that turns their axes into the
-/// world's.
+/// A movable body from its principal moments and the rotation from its principal axes to the axes
+/// of the world.
 /// @param moments kg·m², each finite and greater than 0
-/// @param rotation orthonormal; its columns are the principal axes as the world sees them
-/// @return with an inverse tensor that is as accurate as the tensor, whatever the moments' ratio
+/// @param rotation orthonormal; its columns are the principal axes in world coordinates
+/// @return with an inverse tensor as accurate as the tensor, whatever the ratio of the moments
 /// @throws std::invalid_argument naming the argument and its value
 template <Scalar S>
 RigidBody<S> rigid_body_from_axes(const S& mass, const Vector3<S>& moments,
@@ -113,7 +114,7 @@ RigidBody<S> rigid_body_from_axes(const S& mass, const Vector3<S>& moments,
           spin};
 }
 
-/// A body that nothing moves: the ground, or a flywheel that keeps its velocity and spin.
+/// An immovable body: the ground, or a flywheel that keeps its velocity and angular velocity.
 /// @throws std::invalid_argument if a coordinate is not finite
 template <Ring S>
 RigidBody<S> immovable(const Vector3<S>& position, const Vector3<S>& velocity,
@@ -126,12 +127,12 @@ RigidBody<S> immovable(const Vector3<S>& position, const Vector3<S>& velocity,
   return body;
 }
 
-// [velocity-at]
-/// The velocity of the point of the body that is at p now: v + ω × r, with r from the body's centre
-/// of mass to p.
+/// The velocity of the point of the body that is at p now: v + ω × r, with the lever arm r from the
+/// centre of mass to p.
 /// @param p in the world, m; it need not lie in the body
-/// @return m/s; each coordinate off by γ(5) of the sum of its terms' sizes
+/// @return m/s; each coordinate off by γ(5) of the sum of its terms' magnitudes
 /// @see *Interaction and Normals*, slide "Velocities of points of contact"
+// [velocity-at]
 template <Ring S>
 Vector3<S> velocity_at(const RigidBody<S>& body, const Vector3<S>& p) {
   const Vector3<S> r = p - body.position;
@@ -140,8 +141,8 @@ Vector3<S> velocity_at(const RigidBody<S>& body, const Vector3<S>& p) {
 // [/velocity-at]
 
 // [momenta]
-/// The angular momentum of a body about a point of the world: that of its centre of mass, and that
-/// of its spin, (x − o) × m v + I ω.
+/// The angular momentum of a body about a point of the world, of its motion and of its rotation:
+/// (x − o) × m v + I ω.
 /// @return kg·m²/s; 0 for an immovable body
 template <Ring S>
 Vector3<S> angular_momentum(const RigidBody<S>& body, const Vector3<S>& o) {
@@ -159,11 +160,11 @@ S kinetic_energy(const RigidBody<S>& body) {
 }
 // [/momenta]
 
-// [apply-impulse]
-/// The body after an impulse J at the point p: the velocity changes by J/m, the spin by
-/// I⁻¹ (r × J). Its place does not change.
+/// The body after an impulse J at the point p: the velocity changes by J/m, the angular velocity by
+/// I⁻¹ (r × J). Its position does not change.
 /// @param impulse on this body, N·s
 /// @param p in the world, m
+// [apply-impulse]
 template <Ring S>
 RigidBody<S> after_impulse(RigidBody<S> body, const Vector3<S>& impulse, const Vector3<S>& p) {
   const Vector3<S> r = p - body.position;
@@ -175,12 +176,12 @@ RigidBody<S> after_impulse(RigidBody<S> body, const Vector3<S>& impulse, const V
 // [/apply-impulse]
 
 // [sweet-spot]
-/// How far beyond the centre of mass a body must be hit so that a point on the other side of it
-/// stays at rest: I/(m d), the centre of percussion.
-/// @param inertia about the centre of mass and the axis across the hit, kg·m², greater than 0
+/// The centre of percussion, I/(m d): how far beyond the centre of mass a hit must be for a point
+/// on the other side to stay at rest.
+/// @param inertia about the centre of mass and the axis of the rotation, kg·m², greater than 0
 /// @param mass kg, greater than 0
-/// @param d how far the point that is to stay at rest is from the centre of mass, m
-/// @return m; ∞ for d = 0 in a floating-point type: no hit spares the centre itself
+/// @param d distance of the point that is to stay at rest from the centre of mass, m
+/// @return m; ∞ for d = 0 in a floating-point type: every hit moves the centre of mass
 template <Scalar S>
 S centre_of_percussion(const S& inertia, const S& mass, const S& d) {
   return inertia / mass / d;

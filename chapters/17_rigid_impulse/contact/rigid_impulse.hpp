@@ -1,5 +1,5 @@
 /// @file
-/// Two rigid bodies touch at a point: whether they close, and the impulse that sends them apart.
+/// Two rigid bodies touch at a point: whether they close, and the impulse of their collision.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,8 @@
 namespace contact {
 
 // [contact]
-/// Where two bodies A and B touch.
+/// A contact of two bodies A and B. The line through the point along the normal is the line of
+/// impact (line of collision, common normal).
 template <Ring S>
 struct ContactPoint {
   Vector3<S> point = Vector3<S>::Zero();   ///< in the world, m
@@ -49,7 +50,7 @@ S exact_normal_velocity(const RigidBody<S>& a, const RigidBody<S>& b, const Cont
   return value;
 }
 
-/// The sum of the sizes of all terms of v_n: |n| · (|v| + |ω| × |r|) of both bodies.
+/// The sum of the magnitudes of all terms of v_n: |n| · (|v| + |ω| × |r|) of both bodies.
 template <std::floating_point S>
 S size_of_normal_velocity(const RigidBody<S>& a, const RigidBody<S>& b, const ContactPoint<S>& at) {
   const auto part = [&](const RigidBody<S>& body) {
@@ -64,14 +65,14 @@ S size_of_normal_velocity(const RigidBody<S>& a, const RigidBody<S>& b, const Co
 
 }  // namespace detail
 
-// [normal-velocity]
 /// How fast A moves away from B at the contact: n · (v_A(p) − v_B(p)).
 ///
-/// Its sign is the whole question of whether there is a collision: negative, the bodies close,
-/// zero, they touch and do not collide, positive, they separate already.
+/// Its sign decides whether there is a collision: negative, the bodies close; zero, they touch and
+/// do not collide; positive, they are separating already.
 /// @return m/s. In a floating-point type the sign is that of the exact value for the numbers as
-/// stored, for every finite input: if plain arithmetic cannot tell, the value is computed without
-/// rounding, and rounded once. Otherwise it is off by γ(12) of the sum of its terms' sizes
+/// stored, for every finite input: a floating-point filter sends doubtful values to exact
+/// arithmetic, and the result is rounded once. Otherwise it is off by γ(12) of the sum of its
+/// terms' magnitudes
 /// @see *Game Physics – Part III*, slide "Normal velocity equations"
 template <Ring S>
 S normal_velocity(const RigidBody<S>& a, const RigidBody<S>& b, const ContactPoint<S>& at) {
@@ -79,7 +80,7 @@ S normal_velocity(const RigidBody<S>& a, const RigidBody<S>& b, const ContactPoi
   const S plain = at.normal.dot(relative);
   if constexpr (std::floating_point<S>) {
     const S size = detail::size_of_normal_velocity(a, b, at);
-    // Ten roundings on the longest way from an input to the sum, and those of `size` itself.
+    // Ten roundings on the longest path from an input to the sum, and those of `size` itself.
     const S bound = tolerance::gamma<S>(16) * size;
     const S small =
         std::ldexp(S(1), std::numeric_limits<S>::min_exponent + 2 * std::numeric_limits<S>::digits);
@@ -89,24 +90,25 @@ S normal_velocity(const RigidBody<S>& a, const RigidBody<S>& b, const ContactPoi
   return plain;
 }
 
-/// What two bodies that touch are about to do.
+// [closing-case]
+/// How the normal velocity of two bodies in contact is signed.
 enum class Closing { approaching, touching, separating };
 
-/// Which of the three cases it is. Never wrong for the numbers as stored.
+/// Which of the three cases it is: exact for finite numbers as stored.
 template <Ring S>
 Closing closing_case(const RigidBody<S>& a, const RigidBody<S>& b, const ContactPoint<S>& at) {
   const S v = normal_velocity(a, b, at);
   return v < S(0) ? Closing::approaching : S(0) < v ? Closing::separating : Closing::touching;
 }
-// [/normal-velocity]
+// [/closing-case]
 
 // [response]
-/// How much the relative velocity at the contact changes along `out` for one unit of impulse along
-/// `in`, given to A and taken from B: (1/m_A + 1/m_B) out · in, and (r × out) · I⁻¹ (r × in) for
-/// each body.
+/// The change of the relative velocity at the contact along `out` for one unit of impulse along
+/// `in`, on A and reversed on B: (1/m_A + 1/m_B) out · in, plus (r × out) · I⁻¹ (r × in) for each
+/// body.
 ///
-/// For in = out = n it is the divisor of the collision impulse, and its inverse the mass that the
-/// contact feels. It is never negative for in = out, and 0 only between immovable bodies.
+/// For in = out = n it is the inverse of the contact's effective mass, and the divisor of the
+/// collision impulse. It is never negative for in = out, and 0 only between immovable bodies.
 /// @return 1/kg
 template <Ring S>
 S response(const RigidBody<S>& a, const RigidBody<S>& b, const Vector3<S>& point,
@@ -121,10 +123,10 @@ S response(const RigidBody<S>& a, const RigidBody<S>& b, const Vector3<S>& point
 // [/response]
 
 // [impulse-without-rotation]
-/// The impulse along n of a collision without friction between bodies that cannot turn:
+/// The impulse along n of a collision without friction between bodies that do not rotate:
 /// j = −(1 + e) v_n / (1/m_A + 1/m_B), and 0 unless they close.
 /// @param e coefficient of restitution, from 0 to 1
-/// @return N·s, not negative: on A along n, on B against it
+/// @return N·s, not negative: along n on A, reversed on B
 /// @see *Game Physics – Part III*, slide "Impulse force magnitude (without rotation)"
 template <Scalar S>
 S impulse_without_rotation(const RigidBody<S>& a, const RigidBody<S>& b, const ContactPoint<S>& at,
@@ -136,16 +138,16 @@ S impulse_without_rotation(const RigidBody<S>& a, const RigidBody<S>& b, const C
 }
 // [/impulse-without-rotation]
 
-// [collision-impulse]
 /// The impulse along n of a collision without friction: j = −(1 + e) v_n / k, with
 /// k = 1/m_A + 1/m_B + (r_A × n) · I_A⁻¹ (r_A × n) + (r_B × n) · I_B⁻¹ (r_B × n), and 0 unless the
 /// bodies close.
 ///
-/// The tensors are those in the world's axes, as RigidBody has them. Without friction the
-/// restitution laws of Newton, Poisson and Stronge all say this.
+/// The tensors are in the axes of the world, as RigidBody stores them. Without friction the
+/// restitution laws of Newton, Poisson and Stronge all give this impulse.
 /// @param e coefficient of restitution, from 0 to 1
-/// @return N·s, not negative: on A along n, on B against it; 0 between immovable bodies
+/// @return N·s, not negative: along n on A, reversed on B; 0 between immovable bodies
 /// @see *Game Physics – Part III*, slides "Spinning" and "Completion"
+// [collision-impulse]
 template <Scalar S>
 S collision_impulse(const RigidBody<S>& a, const RigidBody<S>& b, const ContactPoint<S>& at,
                     const S& e) {
@@ -156,28 +158,28 @@ S collision_impulse(const RigidBody<S>& a, const RigidBody<S>& b, const ContactP
 }
 // [/collision-impulse]
 
-/// Two bodies after a collision, and the impulse that A got and B gave.
+/// Two bodies after a collision, and its impulse.
 template <Ring S>
 struct Collided {
   RigidBody<S> a;                           ///< afterwards
   RigidBody<S> b;                           ///< afterwards
-  Vector3<S> impulse = Vector3<S>::Zero();  ///< on A; on B it is the opposite, N·s
+  Vector3<S> impulse = Vector3<S>::Zero();  ///< on A; reversed on B, N·s
 };
 
-// [collide]
-/// A collision without friction. Bodies that do not close are returned as they came.
+/// A collision without friction. Bodies that do not close are returned unchanged.
 ///
-/// One impulse is computed, given to A and taken from B at the same point. So momentum, and angular
-/// momentum about any point, are kept but for the rounding of the velocities themselves.
+/// One impulse acts at the point, on A and reversed on B. So momentum, and angular momentum about
+/// any point, are conserved up to the rounding of the velocities themselves.
 ///
-/// Nor do the bodies close afterwards. Rounded velocities may miss −e v_n by a few of their last
-/// digits, and where it is small they miss its sign. Then the impulse is raised by what one
-/// rounding can hide, and by twice as much as long as v_n, without rounding, is still negative.
-/// That sign is dear only where v_n' is near 0: with e = 0, and for the slowest.
+/// The bodies do not close afterwards. Rounded velocities may miss −e v_n by a few ulps, and where
+/// it is small they can miss its sign. Then the impulse is raised by what one rounding can hide,
+/// and by twice as much while the exact v_n is still negative. That exact sign is expensive only
+/// where v_n' is near 0: with e = 0, and for the smallest velocities.
 /// @param e coefficient of restitution, from 0 to 1
 /// @note Immovable bodies go on closing, and so may bodies whose impulse under- or overflows, or
-/// whose inverse tensors have lost to rounding how the contact responds (the thinnest needles).
+/// whose inverse tensors have lost the effective mass to rounding (the thinnest needles).
 /// @see *Interaction and Normals*, slide "Rigid body simulation"
+// [collide]
 template <Scalar S>
 Collided<S> collide(const RigidBody<S>& a, const RigidBody<S>& b, const ContactPoint<S>& at,
                     const S& e) {
@@ -189,11 +191,12 @@ Collided<S> collide(const RigidBody<S>& a, const RigidBody<S>& b, const ContactP
             after_impulse<S>(b, Vector3<S>(-impulse), at.point), impulse};
   };
   Collided<S> after = pushed();
+  // [/collide]
   if constexpr (std::floating_point<S>) {
     const auto size = [&] { return detail::size_of_normal_velocity(after.a, after.b, at); };
     const S k = response<S>(a, b, at.point, at.normal, at.normal);
     S more = std::max(tolerance::unit_roundoff<S> * size() / k, tolerance::underflow_unit<S>);
-    // Doubled 24 times, it is a few 1e-9 of the velocities: more than rounding can want.
+    // Doubled 24 times, it is a few 1e-9 of the velocities: more than rounding can hide.
     for (int tries = 0; tries < 24; ++tries) {
       if (!std::isfinite(size()) || !std::isfinite(j + more)) break;
       if (!(normal_velocity(after.a, after.b, at) < S(0))) break;
@@ -204,6 +207,5 @@ Collided<S> collide(const RigidBody<S>& a, const RigidBody<S>& b, const ContactP
   }
   return after;
 }
-// [/collide]
 
 }  // namespace contact

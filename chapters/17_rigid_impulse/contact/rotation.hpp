@@ -1,5 +1,6 @@
 /// @file
-/// How a spinning body lies after a while: by matrix, by quaternion, by the exponential map.
+/// The orientation of a rotating body, integrated as a matrix, as a quaternion and by the
+/// exponential map.
 #pragma once
 
 #include <array>
@@ -19,11 +20,12 @@ struct SineCosine {
 };
 
 // [sine-cosine]
-/// sin x and cos x from additions and products alone, so that their bits are the same everywhere.
+/// sin x and cos x from additions and products alone, so that the bits are the same on every
+/// machine.
 ///
-/// x is reduced by whole turns without rounding, then by quarter turns; what is left is at most an
-/// eighth of a turn, for which a short series does. The stored 2π is off by its last digit, so the
-/// result is that of an x that is off by at most u of itself.
+/// x is reduced by full turns without rounding, then by quarter turns; the remainder is at most an
+/// eighth of a turn, for which a short series is enough. The stored 2π is off by at most half an
+/// ulp, so the result is that of an x that is off by at most u of itself.
 /// @param x rad, finite
 /// @return off by a few u, and by u |x|
 template <std::floating_point S>
@@ -65,11 +67,11 @@ Matrix3<S> cross_matrix(const Vector3<S>& w) {
 }
 
 // [matrix-step]
-/// A rotation matrix after a short time at the spin ω, by Euler's step: R + h ω × R.
+/// A rotation matrix after a time h at the angular velocity ω, by explicit Euler: R + h ω × R.
 ///
-/// @warning Every column is pushed along its tangent, so each step makes those across ω longer, by
-/// √(1 + |ω|² h²). After a while the matrix is no rotation any more.
-/// @param spin ω, in the world, rad/s
+/// @warning Every column is displaced along its tangent, so each step makes the columns
+/// perpendicular to ω longer by the factor √(1 + |ω|² h²). Soon the matrix is no rotation.
+/// @param spin ω, in the axes of the world, rad/s
 /// @param h s
 template <Ring S>
 Matrix3<S> matrix_step(const Matrix3<S>& rotation, const Vector3<S>& spin, const S& h) {
@@ -77,8 +79,8 @@ Matrix3<S> matrix_step(const Matrix3<S>& rotation, const Vector3<S>& spin, const
   return rotation + push * h;
 }
 
-/// The rotation whose first column points as that of `m`, and whose second lies in the plane of the
-/// first two: Gram and Schmidt's way, column by column.
+/// The rotation whose first column is parallel to that of `m`, and whose second lies in the plane
+/// of its first two: Gram–Schmidt orthonormalisation.
 /// @param m first two columns not parallel
 template <std::floating_point S>
 Matrix3<S> orthonormalised(const Matrix3<S>& m) {
@@ -104,7 +106,7 @@ Rotor<S> operator*(const Rotor<S>& a, const Rotor<S>& b) {
   return {a.w * b.w - a.v.dot(b.v), Vector3<S>(b.v * a.w + a.v * b.w) + Vector3<S>(a.v.cross(b.v))};
 }
 
-/// A quaternion made as long as 1.
+/// A quaternion divided by its length.
 template <std::floating_point S>
 Rotor<S> normalised(const Rotor<S>& q) {
   const S length = std::sqrt(q.w * q.w + q.v.dot(q.v));
@@ -126,12 +128,12 @@ Matrix3<S> matrix_of(const Rotor<S>& q) {
 }
 
 // [quaternion-step]
-/// A quaternion after a short time at the spin ω, by Euler's step and made as long as 1 again:
-/// q + ½ h ω q.
+/// A quaternion after a time h at the angular velocity ω, by explicit Euler, q + ½ h ω q,
+/// normalised.
 ///
-/// It stays a rotation. But each step turns by 2 arctan(½ |ω| h) in place of |ω| h: it lags behind,
-/// by |ω|³ h³/12.
-/// @param spin ω, in the world, rad/s
+/// It stays a rotation. But each step turns by 2 arctan(½ |ω| h) instead of |ω| h, and so lags
+/// behind by about |ω|³ h³/12.
+/// @param spin ω, in the axes of the world, rad/s
 /// @param h s
 template <std::floating_point S>
 Rotor<S> quaternion_step(const Rotor<S>& q, const Vector3<S>& spin, const S& h) {
@@ -144,19 +146,19 @@ Rotor<S> quaternion_step(const Rotor<S>& q, const Vector3<S>& spin, const S& h) 
 /// The rotation by the angle |a| about a: the exponential map, as a quaternion
 /// (cos ½|a|, sin ½|a| · a/|a|).
 /// @param a rotation vector, rad, finite
-/// @return of length 1 but for a few u; no turn for a = 0
+/// @return of length 1 up to a few u; the identity for a = 0
 template <std::floating_point S>
 Rotor<S> exponential(const Vector3<S>& a) {
   const S largest = a.cwiseAbs().maxCoeff();
   if (largest == S(0)) return {};
-  const Vector3<S> share = a / largest;  // so that no square overflows or vanishes
+  const Vector3<S> share = a / largest;  // so that no square over- or underflows
   const S length = std::sqrt(share.dot(share));
   const auto half = sine_cosine<S>(largest * length / S(2));
   return {half.cosine, share * (half.sine / length)};
 }
 
-/// A quaternion after a time at the spin ω, by the exponential map: right for any h, as long as ω
-/// does not change.
+/// A quaternion after a time h at the angular velocity ω, by the exponential map: exact for any h
+/// if ω is constant.
 template <std::floating_point S>
 Rotor<S> exponential_step(const Rotor<S>& q, const Vector3<S>& spin, const S& h) {
   return exponential<S>(spin * h) * q;
@@ -164,10 +166,11 @@ Rotor<S> exponential_step(const Rotor<S>& q, const Vector3<S>& spin, const S& h)
 // [/exponential]
 
 // [free-spin]
-/// The spin of a body that lies as R says and has the angular momentum L: ω = R · I⁻¹ · Rᵀ L.
-/// @param momentum L about the centre of mass, in the world, kg·m²/s
+/// The angular velocity of a body with the orientation R and the angular momentum L:
+/// ω = R · I⁻¹ · Rᵀ L.
+/// @param momentum L about the centre of mass, in the axes of the world, kg·m²/s
 /// @param moments about the principal axes, kg·m², each greater than 0
-/// @param rotation its columns are the principal axes as the world sees them
+/// @param rotation its columns are the principal axes in world coordinates
 template <Scalar S>
 Vector3<S> free_spin(const Vector3<S>& momentum, const Vector3<S>& moments,
                      const Matrix3<S>& rotation) {
@@ -176,8 +179,8 @@ Vector3<S> free_spin(const Vector3<S>& momentum, const Vector3<S>& moments,
   return rotation * spin;
 }
 
-/// A step of a body that nothing pushes, with the spin of the step's middle: found by half a step
-/// at the spin of its beginning. Its error falls with h².
+/// A step of a body without torque, with the angular velocity at the midpoint of the step, which a
+/// half step with that of its beginning finds. A second-order method: its error falls as h².
 template <std::floating_point S>
 Rotor<S> midpoint_step(const Rotor<S>& q, const Vector3<S>& momentum, const Vector3<S>& moments,
                        const S& h) {
@@ -188,13 +191,13 @@ Rotor<S> midpoint_step(const Rotor<S>& q, const Vector3<S>& momentum, const Vect
 // [/free-spin]
 
 // [symmetric-top]
-/// How a body with an axis of symmetry lies after a time, if nothing pushes it: exactly.
+/// The exact orientation of a body with an axis of symmetry after a time without torque.
 ///
-/// Its spin is L/I₁ and, along its own axis z, a rest Ω = L_z (1/I₃ − 1/I₁) that does not change.
-/// So it turns by Ω t about its own axis first, and then by L t/I₁ about L, which stays where it
-/// is.
-/// @param q how it lies at first, from body to world; its axis of symmetry is the body's z
-/// @param momentum L, in the world, kg·m²/s
+/// Its angular velocity is L/I₁ plus Ω = L_z (1/I₃ − 1/I₁) along its own axis z, and Ω is constant.
+/// So it rotates by Ω t about its own axis first, and then by L t/I₁ about L, which is fixed in
+/// space.
+/// @param q initial orientation, from body to world; the axis of symmetry is the body's z
+/// @param momentum L, in the axes of the world, kg·m²/s
 /// @param across, along I₁ and I₃, kg·m², greater than 0
 /// @param t s
 template <std::floating_point S>

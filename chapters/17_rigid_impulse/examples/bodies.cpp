@@ -1,4 +1,4 @@
-// Inertia tensors: simple shapes, parts put together, a mesh, and one that is turned.
+// Inertia tensors: simple shapes, a composite body, a mesh, and a rotated plank.
 #include <array>
 #include <contact/inertia.hpp>
 #include <cstdio>
@@ -17,13 +17,13 @@ int main() {
   print("cylinder, r = 0.5, h = 2", contact::cylinder_inertia<double>(6, 0.5, 2));
   print("capsule, r = 0.5, h = 2", contact::capsule_inertia<double>(6, 0.5, 2));
 
-  // A rod about its middle and about its end: four times as hard.
+  // A rod about its middle and about its end: four times as much.
   const M rod = contact::box_inertia<double>(3, {2, 0.02, 0.02});
   const M end = rod + contact::parallel_axis<double>(3, V(1, 0, 0));
   std::printf("rod of 3 kg and 2 m: %.4f about its middle, %.4f about its end\n", rod(2, 2),
               end(2, 2));
 
-  // A hammer: a handle and a head across its end.
+  // A hammer: a handle, and a head perpendicular to it at its end.
   const contact::MassProperties<double> handle{1, V(0, 0, 0),
                                                contact::box_inertia<double>(1, {1, 0.04, 0.04})};
   const contact::MassProperties<double> head{2, V(0.5, 0, 0),
@@ -46,11 +46,11 @@ int main() {
   std::printf("  a thousand kilometres away: %.6f; summed about the origin: %.1e\n",
               far.inertia(0, 0), second(1, 1) + second(2, 2));
 
-  // A turned plank: products of inertia appear.
+  // A rotated plank: products of inertia appear.
   M turn;
   turn << 0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1;
   const M plank = contact::rotated<double>(contact::box_inertia<double>(6, {2, 0.2, 0.1}), turn);
-  std::printf("plank turned about z: %.4f %.4f %.4f in its first row\n", plank(0, 0), plank(0, 1),
+  std::printf("plank rotated about z: %.4f %.4f %.4f in its first row\n", plank(0, 0), plank(0, 1),
               plank(0, 2));
   const auto axes = contact::principal_axes<double>(plank);
   std::printf("  its principal moments: %.4f %.4f %.4f\n", axes.moments.x(), axes.moments.y(),

@@ -1,5 +1,5 @@
 // A rod of 1 kg and 2 m at 45 degrees: its lower right end meets a rough floor at (-0.6, -1) m/s,
-// while the rod spins at -1 rad/s; friction 1/2. What the laws make of it.
+// while the rod rotates at -1 rad/s; friction 1/2. The impact by five laws.
 #include <contact/impact_friction.hpp>
 #include <cstdio>
 
@@ -22,7 +22,8 @@ int main() {
                                   V(-r), V(-0.6, -1, 0) - V(spin.cross(r)), spin);
   const auto floor = contact::immovable<double>(none, none, none);
   const auto c = contact::planar_contact<double>(rod, floor, {none, {0, 1, 0}}, {1, 0, 0});
-  std::printf("response: k_tt = %.2f, k_tn = %.2f, k_nn = %.2f 1/kg\n", c.k_tt, c.k_tn, c.k_nn);
+  std::printf("inverse effective mass: k_tt = %.2f, k_tn = %.2f, k_nn = %.2f 1/kg\n", c.k_tt,
+              c.k_tn, c.k_nn);
   const double before = contact::kinetic_energy(rod);
   for (const double e : {1.0, 0.5}) {
     std::printf("e = %g    p_t      p_n      slip'  -un'/un   energy\n", e);

@@ -11,8 +11,8 @@ int main() {
   const auto inertia = contact::detail::diagonal<double>(across, across, across);
   const auto rod = contact::rigid_body<double>(3, inertia, none, none, none);
   const double sweet = contact::centre_of_percussion(across, 3.0, 1.0);
-  std::printf("the sweet spot for a grip at the left end: %.4f m beyond the middle\n", sweet);
-  std::printf("hit at   j        v'      w'      ball    grip    kept   L about 0\n");
+  std::printf("centre of percussion of a grip at the left end: %.4f m beyond the middle\n", sweet);
+  std::printf("hit at   j        v'      w'      ball    grip    energy L about 0\n");
   for (const double x : {0.0, sweet, 0.7, 1.0}) {
     const auto ball = contact::rigid_body<double>(1, contact::sphere_inertia<double>(1, 0.1),
                                                   {x, -0.1, 0}, {0, 4, 0}, none);
@@ -25,18 +25,17 @@ int main() {
         momentum.z(), contact::angular_momentum(ball, none).z());
   }
 
-  // The slide's two slips: the normal the other way round, and j divided by M but multiplied by a
-  // time step.
+  // Two errors of a lecture: the normal reversed, and j/M multiplied by a time step.
   const auto ball = contact::rigid_body<double>(1, contact::sphere_inertia<double>(1, 0.1),
                                                 {0, -0.1, 0}, {0, 4, 0}, none);
   const contact::ContactPoint<double> towards_b{{0, 0, 0}, {0, -1, 0}};
-  std::printf("normal from A to B: v_n = %+.1f m/s, so it counts as parting: j = %g\n",
+  std::printf("normal from A to B: v_n = %+.1f m/s, so it counts as separating: j = %g\n",
               contact::normal_velocity(rod, ball, towards_b),
               contact::collision_impulse<double>(rod, ball, towards_b, 0.5));
   const contact::ContactPoint<double> hit{{0, 0, 0}, {0, 1, 0}};
   const double j = contact::collision_impulse<double>(rod, ball, hit, 0.5);
   for (const double h : {1.0 / 60, 1.0 / 120}) {
-    std::printf("v + h j/M with h = 1/%g s: the rod leaves at %.4f m/s, in place of %.4f\n", 1 / h,
+    std::printf("v + h j/M with h = 1/%g s: the rod leaves at %.4f m/s instead of %.4f\n", 1 / h,
                 h * j / 3, j / 3);
   }
 }

@@ -1,5 +1,5 @@
-// Two bodies spin freely at 3 rad/s, a ball and a top. How far off is the orientation after a
-// while, and what is left of the rotation matrix?
+// A ball and a top rotate freely. The error of the orientation after a while, and the length of the
+// longest column of a matrix that is not orthonormalised.
 #include <contact/rotation.hpp>
 #include <cstdio>
 
@@ -20,7 +20,8 @@ void spin(const char* name, const V& moments, const V& momentum) {
   contact::Rotor<double> mid;
   const auto turn = [&](const M& r) { return contact::free_spin<double>(momentum, moments, r); };
   for (int step = 1; step <= 6400; ++step) {
-    // What is read from the plain matrix must be a rotation, or its spin grows with it.
+    // The angular velocity is computed from an orthonormalised copy, or it would grow with the
+    // matrix.
     plain = contact::matrix_step<double>(plain, turn(contact::orthonormalised<double>(plain)), h);
     tidy = contact::orthonormalised<double>(contact::matrix_step<double>(tidy, turn(tidy), h));
     q = contact::quaternion_step<double>(q, turn(contact::matrix_of(q)), h);

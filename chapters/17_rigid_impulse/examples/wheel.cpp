@@ -1,4 +1,4 @@
-// A wheel of half a metre rolls at 3 m/s: its points move at all speeds from 0 to 6.
+// A wheel of radius 0.5 m rolls at 3 m/s: its points have all speeds from 0 to 6 m/s.
 #include <contact/rigid_impulse.hpp>
 #include <cstdio>
 
@@ -9,7 +9,7 @@ const char* name(contact::Closing closing) {
     case contact::Closing::touching:
       return "touching";
     default:
-      return "parting";
+      return "separating";
   }
 }
 
@@ -28,7 +28,7 @@ int main() {
                 reversed.x(), reversed.y(), reversed.z());
   }
 
-  // A plank whose middle rises still hits with its end, if it turns fast enough.
+  // The end of a plank whose middle rises still collides if it rotates fast enough.
   const auto road = contact::immovable<double>({0, 0, -1}, {0, 0, 0}, {0, 0, 0});
   const contact::ContactPoint<double> end{{1, 0, 0}, {0, 0, 1}};
   std::printf("plank: middle rises at 1 m/s, right end 1 m away touches the ground\n");

@@ -1,12 +1,11 @@
-// A body spins freely. How far is each way of keeping its orientation from the truth, as time goes
-// by?
+// A body rotates freely: the error of each method of integrating its orientation, against time.
 #include <contact/figure.hpp>
 #include <contact/rotation.hpp>
 
 struct Input {
   double steps;  // for each second
   double spin;   // rad/s
-  double shape;  // moment about the axis of symmetry over that across it
+  double shape;  // moment about the axis of symmetry over that about a perpendicular axis
   double at;     // the time that is read off, s
 };
 
@@ -44,7 +43,7 @@ Output compute(const Input& in) {
 
   using V = contact::Vector3<double>;
   const V moments(1, 1, in.shape);
-  // The spin is tilted from the axis of symmetry, 3 : 4.
+  // The angular velocity is oblique to the axis of symmetry, 3 : 4.
   const V momentum(0.6 * in.spin, 0, 0.8 * in.spin * in.shape);
   const contact::Rotor<double> start;
   Matrix m = Matrix::Identity();
@@ -72,7 +71,7 @@ Output compute(const Input& in) {
     if (k == read_at) out.read = error;
     for (double step = 0; step < a_sample; ++step) {
       m = contact::matrix_step<double>(m, spin_of(m), h);
-      // A matrix that has grown past all measure stays what it is.
+      // A matrix that has overflowed is left as it is.
       if (!(m.cwiseAbs().maxCoeff() < 1e30)) m = Matrix::Constant(1e30);
       q = contact::quaternion_step<double>(q, spin_of(contact::matrix_of(q)), h);
       x = contact::exponential_step<double>(x, spin_of(contact::matrix_of(x)), h);

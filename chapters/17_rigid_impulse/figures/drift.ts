@@ -1,4 +1,4 @@
-// The error of four ways of keeping an orientation, against time: a plot with a logarithmic scale.
+// The error of four methods of integrating an orientation, against time, on a logarithmic scale.
 
 import { defineFigure, pretty, type Role, type Vec2 } from "@contact/figure";
 
@@ -22,7 +22,7 @@ const WAYS = [
   ["matrix", "Euler’s matrix", "a"],
   ["quaternion", "quaternion", "b"],
   ["exponential", "exponential map", "c"],
-  ["midpoint", "its midpoint", "hit"],
+  ["midpoint", "midpoint", "hit"],
 ] as const;
 /** Powers of ten at the lower and the upper edge, and how high one of them is. */
 const LOW = -8;
@@ -80,7 +80,7 @@ export default defineFigure<Input, Output>({
       const curve = output[field]
         .map((error, i): Vec2 => [i / 4, height(Math.log10(error))])
         .filter(([, y]) => y > 0);
-      // What is exact lies below the scale, and has no curve.
+      // An exact method lies below the scale and has no curve.
       if (curve.length < 2) continue;
       scene.path(curve, { role, width: k === 1 ? 5 : 2, dashed: k === 2 });
       const end = curve[curve.length - 6 - 8 * k];
@@ -108,6 +108,6 @@ export default defineFigure<Input, Output>({
     },
   ],
   describe(input, output) {
-    return `At ${pretty(input.at)} s and ${pretty(input.steps)} steps a second, Euler’s matrix is off by ${pretty(output.read[0] ?? 0, 2)}, the quaternion by ${pretty(output.read[1] ?? 0, 2)}, the exponential map by ${pretty(output.read[2] ?? 0, 2)} and its midpoint by ${pretty(output.read[3] ?? 0, 2)}, as chords of the unit circle.`;
+    return `At ${pretty(input.at)} s and ${pretty(input.steps)} steps a second, Euler’s matrix is off by ${pretty(output.read[0] ?? 0, 2)}, the quaternion by ${pretty(output.read[1] ?? 0, 2)}, the exponential map by ${pretty(output.read[2] ?? 0, 2)} and the midpoint by ${pretty(output.read[3] ?? 0, 2)}, as chords of the unit circle.`;
   },
 });

@@ -1,5 +1,4 @@
-// A ball hits a rod that lies at rest on ice: where it is hit decides how it flies, and how it
-// turns.
+// A ball hits a rod at rest on ice: the point of the hit decides how the rod moves and rotates.
 #include <contact/figure.hpp>
 #include <contact/rigid_impulse.hpp>
 #include <contact/rotation.hpp>
@@ -19,14 +18,14 @@ struct Input {
 struct Output {
   double problem;
   double impulse;                       // N s
-  double without_turning;               // the same for a rod that cannot turn
+  double without_turning;               // the same for a rod that cannot rotate
   double velocity, spin;                // of the rod afterwards, m/s and rad/s
   double ball_velocity;                 // afterwards
   std::array<double, 5> along;          // velocities of points from the left end to the right
   double grip;                          // velocity of the left end
   double still;                         // the point that the hit leaves at rest, from the middle
   double lost;                          // share of the kinetic energy
-  double ratio;                         // of the speeds of parting and closing: should be e
+  double ratio;                         // of separation and closing speed: should be e
   Eigen::Vector2d middle, left, right;  // of the rod at the time
   double ball_place;
   double grip_stands;  // goal of a question
@@ -58,8 +57,8 @@ Output compute(const Input& in) {
       meets ? contact::collide(rod, ball, hit, in.e) : contact::Collided<double>{rod, ball, zero};
   out.without_turning = meets ? contact::impulse_without_rotation(rod, ball, hit, in.e) : 0;
   if (in.way == 1) {
-    // WRONG: the rod turns all the same, so it gives way more easily, and this impulse is too
-    // large.
+    // WRONG: the rod rotates all the same, so the effective mass is smaller, and this impulse is
+    // too large.
     after.impulse = hit.normal * out.without_turning;
     after.a = contact::after_impulse(rod, after.impulse, hit.point);
     after.b = contact::after_impulse<double>(ball, -after.impulse, hit.point);

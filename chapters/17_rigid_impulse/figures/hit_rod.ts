@@ -1,5 +1,5 @@
 // A rod on ice, seen from above, and the ball that hits it. The arrows are the velocities of its
-// points just after the hit; the outlined rod is where it lies at the chosen time.
+// points just after the hit; the outline is the rod at the chosen time.
 
 import { defineFigure, pretty, type Vec2 } from "@contact/figure";
 
@@ -104,7 +104,7 @@ export default defineFigure<Input, Output>({
     scene.line(output.left, output.right, { role: "b", width: 3, dashed: true });
     scene.dot(output.middle, "b", 4);
     scene.dot(output.left, "b", 3, true);
-    if (output.lost < -1e-9) scene.label([-2, 1.45], "makes energy", { role: "miss" });
+    if (output.lost < -1e-9) scene.label([-2, 1.45], "gains energy", { role: "miss" });
     if (Math.abs(output.still) <= 1.8) {
       scene.dot([output.still, 0], "hit", 6, true);
       scene.label([output.still, 0], "at rest", {
@@ -118,13 +118,13 @@ export default defineFigure<Input, Output>({
     { name: "j", meaning: "impulse", value: output.impulse, unit: "N·s" },
     {
       name: "j",
-      meaning: "if the rod could not turn",
+      meaning: "if the rod could not rotate",
       value: output.without_turning,
       unit: "N·s",
       role: "muted",
     },
     { name: "v", meaning: "of the rod’s middle", value: output.velocity, unit: "m/s", role: "b" },
-    { name: "ω", meaning: "spin of the rod", value: output.spin, unit: "rad/s", role: "b" },
+    { name: "ω", meaning: "of the rod", value: output.spin, unit: "rad/s", role: "b" },
     { name: "v_grip", meaning: "of the left end", value: output.grip, unit: "m/s", role: "a" },
     {
       name: "v_ball",
@@ -150,7 +150,7 @@ export default defineFigure<Input, Output>({
   ],
   describe(input, output) {
     const where = Math.abs(output.still) <= input.half ? "lies on the rod" : "lies beyond the rod";
-    const energy = output.lost < -1e-9 ? " This makes energy out of nothing." : "";
+    const energy = output.lost < -1e-9 ? " The collision creates energy." : "";
     return `The ball hits ${pretty(input.at, 2)} m from the middle: the middle leaves at ${pretty(output.velocity, 3)} m/s, the grip at ${pretty(output.grip, 3)} m/s, and the point that stays at rest ${where}.${energy}`;
   },
 });

@@ -1,5 +1,5 @@
-// A rod meets a rough floor with its end. Five ways to say what comes of it, in the plane of the
-// impulses along and across the floor.
+// The end of a rod meets a rough floor: five laws of impact, in the plane of the tangential and the
+// normal impulse.
 #include <contact/figure.hpp>
 #include <contact/impact_friction.hpp>
 
@@ -18,7 +18,7 @@ struct Input {
 struct Output {
   double problem;
   Plane centre, velocity;           // of the centre of mass, before
-  double k_tt, k_tn, k_nn;          // the contact's response, 1/kg; the rod weighs 1 kg
+  double k_tt, k_tn, k_nn;          // inverse effective mass, 1/kg; the rod has 1 kg
   std::array<double, 4> along, up;  // the path of the impulse; its last point repeated
   Plane tip_after;                  // velocity of the lower end afterwards
   Plane velocity_after;             // of the centre of mass
@@ -28,7 +28,7 @@ struct Output {
   std::array<double, 5> end_along, end_up;
   Plane stop_from, stop_to;  // two points of the line on which the slip is 0
   Plane turn_from, turn_to;  // and of that on which the normal velocity is 0
-  double stops, turns;       // whether the slip stops, and turns round
+  double stops, turns;       // whether the slip stops, and reverses
   double gains;              // goal of a question
 };
 

@@ -1,5 +1,5 @@
-// Above: the rod and the velocity of its lower end, before and after. Below: the impulse on it grows
-// from 0, along the floor to the sides and across it upwards, within the cone that friction allows.
+// Above: the rod and the velocity of its lower end, before and after. Below: the impulse grows from
+// 0, tangential to the sides and normal upwards, within the friction cone.
 
 import { defineFigure, pretty, type Role, type Vec2 } from "@contact/figure";
 
@@ -112,7 +112,7 @@ export default defineFigure<Input, Output>({
       field: "law",
       label: "Law",
       options: [
-        { value: 0, label: "Newton: speeds" },
+        { value: 0, label: "Newton: velocities" },
         { value: 1, label: "Poisson: impulses" },
         { value: 2, label: "Stronge: work" },
         { value: 3, label: "joint: Newton, one ratio of impulses" },
@@ -151,7 +151,7 @@ export default defineFigure<Input, Output>({
     if (turn) {
       scene.line(turn[0], turn[1], { role: "normal", width: 1.5, dashed: true });
       const end = turn[0][0] < turn[1][0] ? turn[0] : turn[1];
-      scene.label(end, "pressed most", { role: "normal", offset: [-4, -8], size: "small" });
+      scene.label(end, "compression", { role: "normal", offset: [-4, -8], size: "small" });
     }
     const points = output.along.map((p, k): Vec2 => place(p, output.up[k] ?? 0));
     scene.path(points, { role: "b", width: 3 });
@@ -167,10 +167,10 @@ export default defineFigure<Input, Output>({
   },
   values: (input, output) => [
     { name: "u′", meaning: "lower end, after", value: output.tip_after, unit: "m/s", role: "b" },
-    { name: "e", meaning: "as asked", value: output.asked },
+    { name: "e", meaning: "demanded", value: output.asked },
     {
       name: "−u_n′/u_n",
-      meaning: "as it came out",
+      meaning: "result",
       value: output.got,
       role: Math.abs(output.got - output.asked) > 1e-9 ? "normal" : "ink",
     },
@@ -182,14 +182,18 @@ export default defineFigure<Input, Output>({
     })),
   ],
   describe(input, output) {
-    const slip = output.turns ? "stops and turns round" : output.stops ? "stops" : "goes on";
+    const slip = output.turns
+      ? "stops and reverses"
+      : output.stops
+        ? "stops"
+        : "keeps its direction";
     const factor = output.energy[input.law] ?? 0;
     const energy =
       factor === 0
         ? "The rule gives no answer."
         : factor > 1.0000001
           ? `The kinetic energy grows, to ${pretty(factor, 3)} times what it was.`
-          : `Of the kinetic energy ${pretty(100 * factor, 3)} % are left.`;
+          : `${pretty(100 * factor, 3)} % of the kinetic energy is left.`;
     return `By the rule “${LAWS[input.law] ?? ""}” the slip ${slip}. ${energy}`;
   },
 });

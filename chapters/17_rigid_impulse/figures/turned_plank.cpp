@@ -1,5 +1,5 @@
-// A plank floats, turned, and is hit from above. How it spins by the tensor in the axes of the
-// world, by the one in its own axes, which does not know how it lies, and as if it were a sphere.
+// A rotated plank floats and is hit from above: its angular velocity by the tensor in the axes of
+// the world, by the tensor in its own axes, which ignores its orientation, and as for a sphere.
 #include <contact/figure.hpp>
 #include <contact/rigid_body.hpp>
 #include <contact/rotation.hpp>
@@ -8,7 +8,7 @@ using Vector = contact::Vector3<double>;
 using Matrix = contact::Matrix3<double>;
 
 struct Input {
-  Vector tip;      // the plank points to it, level
+  Vector tip;      // the plank points to it, horizontal
   double at;       // where it is hit, in half lengths from its middle
   double impulse;  // downwards, N·s
   double shape;    // 0: plank; 1: cube
@@ -24,10 +24,10 @@ struct Output {
   Vector spin, wrong_spin;             // just after the hit, rad/s
   Vector sphere_spin;                  // by the mean of the moments
   Vector momentum, wrong_momentum;     // I ω of either, kg·m²/s
-  double energy, wrong_energy;         // of the spin, J
-  double size, wrong_size;             // of either spin, rad/s
-  double agree;                        // whether both are the same spin
-  std::array<Vector, 8> first;         // corners at the hit, about the centre of mass, m
+  double energy, wrong_energy;         // of the rotation, J
+  double size, wrong_size;             // of either angular velocity, rad/s
+  double agree;                        // whether both are the same
+  std::array<Vector, 8> first;         // vertices at the hit, from the centre of mass, m
   std::array<Vector, 8> later, wrong;  // and at the time
 };
 
@@ -36,15 +36,15 @@ namespace {
 constexpr double mass = 3;  // kg
 
 // WRONG: the inverse of the tensor in the body's own axes, without R to its left and Rᵀ to its
-// right. It divides a twist about the world's x by the moment about the body's x, however the body
-// lies.
+// right. It divides an angular impulse about the world's x by the moment about the body's x,
+// whatever the orientation.
 Vector spin_by_body_axes(const Vector& twist, const Vector& moments) {
   return twist.cwiseQuotient(moments);
 }
 
-// WRONG: one number, the mean of the moments, as if the body were a sphere. It is right for a body
-// whose moments are equal, however it lies; any other turns too easily about one axis, and too
-// hard about another.
+// WRONG: one number, the mean of the moments, as for a sphere. It is right for a body with equal
+// moments in any orientation; any other rotates too fast about one axis and too slowly about
+// another.
 Vector spin_of_sphere(const Vector& twist, const Vector& moments) {
   return 3 * twist / moments.sum();
 }
@@ -94,7 +94,7 @@ Output compute(const Input& in) {
   out.size = out.spin.norm();
   out.wrong_size = out.wrong_spin.norm();
   out.agree = (out.spin - out.wrong_spin).norm() <= 1e-12 * out.size ? 1 : 0;
-  // The tensor of the plank as it lies, for both: what they carry is no matter of opinion.
+  // For both, momentum and energy are computed with the true tensor of the rotated plank.
   contact::RigidBody<double> body;
   body.inertia = contact::rotated<double>(own, rotation);
   body.spin = out.spin;
@@ -111,7 +111,7 @@ Output compute(const Input& in) {
   }
   out.first = corners(rotation, out.half);
   out.later = corners(contact::matrix_of(later), out.half);
-  // With a tensor that never turns the spin stays what it is.
+  // With a tensor that is constant in the world, the angular velocity is constant.
   const auto astray = contact::exponential_step<double>(start, out.wrong_spin, in.time);
   out.wrong = corners(contact::matrix_of(astray), out.half);
   return out;

@@ -1,5 +1,5 @@
-// A plank that is hit from above, as seen from its centre of mass: how it lies a moment later, and
-// how it would lie if its tensor were left in its own axes.
+// A plank that is hit from above, in the frame of its centre of mass: its orientation a moment
+// later, and the same if the tensor is left in the body's axes.
 
 import { defineFigure, pretty, type Scene, type Vec3, vectorAt } from "@contact/figure";
 
@@ -37,7 +37,7 @@ const ORIGIN: Vec3 = [0, 0, 0];
 const PER_SPIN = 0.45;
 const PER_IMPULSE = 0.4;
 const times = (v: Vec3, s: number): Vec3 => [v[0] * s, v[1] * s, v[2] * s];
-/** The corners of a box's six faces; a corner's bits say on which side it lies along x, y and z. */
+/** The vertices of a box's six faces; a vertex's bits are the signs of its x, y and z. */
 const FACES = [
   [0, 2, 6, 4],
   [1, 3, 7, 5],
@@ -48,7 +48,7 @@ const FACES = [
 ] as const;
 
 export default defineFigure<Input, Output>({
-  title: "A turned plank is hit",
+  title: "Hitting a rotated plank",
   view: { kind: "3d", target: [0, 0, 0], azimuth: -70, elevation: 28, span: 3.3 },
   aspect: 1.2,
   initial: { tip: [0.95, 0.95, 0], at: 0.8, impulse: 1.5, shape: 0, time: 0.4 },
@@ -65,7 +65,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slide",
       field: "at",
-      label: "where it is hit, in half lengths from its middle",
+      label: "point of the hit, in half lengths from its middle",
       role: "ray",
       at: (_input, output): Vec3 => output.point,
       along: (_input, output): Vec3 => times(output.axis, output.half[0]),
@@ -92,7 +92,7 @@ export default defineFigure<Input, Output>({
     box(scene, output.first, { role: "muted", fill: 0, dashed: true });
     box(scene, output.later, { role: "hit", fill: 0.2, hides: true });
     box(scene, output.wrong, { role: "miss", fill: 0.05, dashed: true });
-    // Its tip is clear of the grip.
+    // The tip of the arrow is clear of the handle.
     const [x, y, z] = output.point;
     const tail: Vec3 = [x, y, z + 0.15 + PER_IMPULSE * input.impulse];
     scene.arrow(tail, [x, y, z + 0.15], { role: "ray", width: 3, through: true });
@@ -104,7 +104,7 @@ export default defineFigure<Input, Output>({
       through: true,
     });
     if (!output.agree)
-      scene.label(times(output.sphere_spin, PER_SPIN), "as of a sphere", {
+      scene.label(times(output.sphere_spin, PER_SPIN), "as for a sphere", {
         role: "b",
         offset: [0, -10],
         anchor: "middle",
@@ -125,7 +125,7 @@ export default defineFigure<Input, Output>({
     });
   },
   values: (_input, output) => [
-    { name: "r × J", meaning: "the twist", value: output.twist, unit: "N·m·s", role: "ray" },
+    { name: "r × J", meaning: "angular impulse", value: output.twist, unit: "N·m·s", role: "ray" },
     { name: "ω", meaning: "R I⁻¹ Rᵀ (r × J)", value: output.spin, unit: "rad/s", role: "hit" },
     {
       name: "ω",
@@ -136,12 +136,12 @@ export default defineFigure<Input, Output>({
     },
     {
       name: "ω",
-      meaning: "3 (r × J) / tr I, as of a sphere: wrong",
+      meaning: "3 (r × J) / tr I, as for a sphere: wrong",
       value: output.sphere_spin,
       unit: "rad/s",
       role: "b",
     },
-    { name: "L", meaning: "is the twist", value: output.momentum, unit: "N·m·s", role: "hit" },
+    { name: "L", meaning: "equals r × J", value: output.momentum, unit: "N·m·s", role: "hit" },
     {
       name: "L",
       meaning: "of the wrong ω",
@@ -149,10 +149,10 @@ export default defineFigure<Input, Output>({
       unit: "N·m·s",
       role: "miss",
     },
-    { name: "K", meaning: "of the spin", value: output.energy, unit: "J", role: "hit" },
+    { name: "K", meaning: "of the rotation", value: output.energy, unit: "J", role: "hit" },
     {
       name: "K",
-      meaning: "of the wrong spin",
+      meaning: "of the wrong rotation",
       value: output.wrong_energy,
       unit: "J",
       role: "miss",
@@ -160,8 +160,8 @@ export default defineFigure<Input, Output>({
   ],
   describe(_input, output) {
     if (output.agree)
-      return `As it lies, both tensors give the same spin, ${pretty(output.size, 3)} rad/s.`;
-    return `It spins at ${pretty(output.size, 3)} rad/s. With the tensor in its own axes it would spin at ${pretty(output.wrong_size, 3)} rad/s about another axis, with ${pretty(output.wrong_energy, 3)} J in place of ${pretty(output.energy, 3)} J.`;
+      return `In this orientation both tensors give the same angular velocity, ${pretty(output.size, 3)} rad/s.`;
+    return `It rotates at ${pretty(output.size, 3)} rad/s. With the tensor in its own axes it would rotate at ${pretty(output.wrong_size, 3)} rad/s about another axis, with ${pretty(output.wrong_energy, 3)} J instead of ${pretty(output.energy, 3)} J.`;
   },
 });
 

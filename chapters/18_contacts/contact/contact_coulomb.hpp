@@ -1,5 +1,6 @@
 /// @file
-/// Many contacts at once that rub: Coulomb's law by Newton's method, and what leads there.
+/// Many contacts with friction: Coulomb's law by a semismooth Newton method, and an interior-point
+/// method that provides its start.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +23,7 @@ namespace contact {
 
 namespace detail {
 
-/// The numbers of one contact: its normal's and its two tangents', 0 where it has none.
+/// The entries of one contact: normal and two tangents, 0 for tangents without friction.
 template <std::floating_point S>
 Vector3<S> numbers_of(const ImpulseRows<S>& problem, std::size_t contact, const Numbers<S>& all) {
   const Eigen::Index n = problem.first[contact];
@@ -37,7 +38,7 @@ void set_numbers(const ImpulseRows<S>& problem, std::size_t contact, const Vecto
   for (Eigen::Index k = 0; k < (problem.cone[contact] > S(0) ? 3 : 1); ++k) all(n + k) = some(k);
 }
 
-/// A contact's blocks in a matrix over all rows.
+/// The block-diagonal matrix of one block for each contact.
 template <std::floating_point S>
 Eigen::SparseMatrix<S> blocks(const ImpulseRows<S>& problem,
                               const std::vector<Matrix3<S>>& of_contact) {
@@ -54,7 +55,7 @@ Eigen::SparseMatrix<S> blocks(const ImpulseRows<S>& problem,
   return made;
 }
 
-/// M with a little on its diagonal, so that it may be eliminated where it is singular.
+/// M with a small number added to its diagonal, so that it can be factorised where it is singular.
 template <std::floating_point S>
 Eigen::SparseMatrix<S> firm_matrix(const ImpulseRows<S>& problem) {
   Eigen::SparseMatrix<S> firm = problem.matrix;
@@ -63,13 +64,15 @@ Eigen::SparseMatrix<S> firm_matrix(const ImpulseRows<S>& problem) {
   return firm;
 }
 
-/// Velocities and impulses may be wrong by this share of what has been added up for them.
+/// Relative tolerance of velocities and impulses, as a fraction of the sum of absolute terms.
 template <std::floating_point S>
 inline constexpr S coulomb_rounding = S(0x1p14) * std::numeric_limits<S>::epsilon();
 
 // [coulomb-error]
-/// By how many roundings impulses break a law, the most at any contact: none pulls, none closes;
-/// who pushes does not open; friction is in its cone; who slides has all of it, against its slip.
+/// The residual of Coulomb's law in units of rounding, maximal over contacts. The conditions: no
+/// impulse pulls and no contact closes; a contact that pushes does not open (complementarity);
+/// friction is inside its cone; and the friction of a sliding contact is on the boundary of the
+/// cone, opposite to the slip.
 template <std::floating_point S>
 S coulomb_error(const ImpulseRows<S>& problem, const Numbers<S>& y) {
   const Numbers<S> velocity = problem.matrix * y + problem.constant;
@@ -81,7 +84,7 @@ S coulomb_error(const ImpulseRows<S>& problem, const Numbers<S>& y) {
     const Vector3<S> x = numbers_of<S>(problem, i, y);
     const Vector3<S> w = numbers_of<S>(problem, i, velocity);
     const Vector3<S> size = numbers_of<S>(problem, i, sizes) * coulomb_rounding<S>;
-    if (!(pushes > S(0)) || !(size(0) > S(0))) continue;  // nothing moves, and nothing pushes
+    if (!(pushes > S(0)) || !(size(0) > S(0))) continue;  // no motion and no impulse
     const S open = std::max(std::abs(x(0)) / pushes, -w(0) / size(0));
     most = std::max({most, -x(0) / pushes, std::min(std::abs(w(0)) / size(0), open)});
     if (!(problem.cone[i] > S(0))) continue;
@@ -92,7 +95,7 @@ S coulomb_error(const ImpulseRows<S>& problem, const Numbers<S>& y) {
     if (!(slip > rounding)) continue;
     const S one = x(1) + allowed * w(1) / slip;
     const S two = x(2) + allowed * w(2) / slip;
-    const S turned = allowed * (S(2) * rounding / slip);  // the slip rounds
+    const S turned = allowed * (S(2) * rounding / slip);  // rounding rotates the slip
     most = std::max(
         most, std::min(slip / rounding, std::sqrt(one * one + two * two) / (pushes + turned)));
   }
@@ -106,8 +109,8 @@ bool obeys_coulomb(const ImpulseRows<S>& problem, const Numbers<S>& y) {
 // [/coulomb-error]
 
 // [coulomb-law]
-/// What is wrong at one contact, as numbers that are 0 where Coulomb's law holds; and how they
-/// change with its impulse and with its velocity.
+/// The residual of Coulomb's law at one contact, which is 0 where the law holds, and its
+/// derivatives with respect to impulse and velocity.
 template <std::floating_point S>
 struct CoulombLaw {
   Vector3<S> wrong = Vector3<S>::Zero();
@@ -115,13 +118,14 @@ struct CoulombLaw {
   Matrix3<S> by_velocity = Matrix3<S>::Zero();
 };
 
-/// Coulomb's law at one contact as Alart and Curnier (1991) have it.
+/// The Alart–Curnier function (1991) of Coulomb's law at one contact.
 ///
-/// A push minus a closing that is positive: it pushes, and shall not open; else it shall not push.
-/// Friction minus slip, within what that push allows: it holds, and shall not slip; else it shall
-/// be the friction of the cone's rim that way.
-/// @param cone the most friction for a push of 1
-/// @param x, w impulse and velocity: normal, and two tangents
+/// If normal impulse minus normal velocity is positive, the contact is active and its normal
+/// velocity has to be 0; otherwise its normal impulse has to be 0. If friction minus slip is inside
+/// the disc that the normal allows, the contact sticks and its slip has to be 0; otherwise its
+/// friction has to be the point on the boundary of the disc in that direction.
+/// @param cone the largest friction for a normal impulse of 1
+/// @param x, w impulse and velocity: normal and two tangents
 template <std::floating_point S>
 CoulombLaw<S> coulomb_law(const S& cone, const Vector3<S>& x, const Vector3<S>& w) {
   CoulombLaw<S> law;
@@ -170,18 +174,18 @@ S square_of_wrong(const std::vector<CoulombLaw<S>>& laws) {
   return sum;
 }
 
-/// So many times rub_by_newton() halves a step.
+/// The largest number of halvings in the line search of rub_by_newton().
 inline constexpr int most_halvings = 7;
 
 // [newton]
-/// Changes y to impulses that obey Coulomb's law at all contacts, by Newton's method for equations
-/// with kinks (Alart and Curnier 1991; Acary, Brémond and Huber 2018 compare it with others).
+/// Solves for impulses y that satisfy Coulomb's law at all contacts, by a semismooth Newton method
+/// (Alart and Curnier 1991; Acary, Brémond and Huber 2018 compare it with others).
 ///
-/// Of what slides the push and its friction are found together, and the direction of that too: it
-/// does not matter how much lies on what is light. A step is halved until less is wrong; where that
-/// does not help, the best of its parts is taken all the same, for the way over a kink may lead up.
-/// @param most steps
-/// @return the coulomb_error() of y, which is the best on its way
+/// Normal impulse, friction and its direction are solved together, so mass ratios do not slow it
+/// down. A step is halved until the residual decreases. If no fraction decreases it, the best
+/// fraction is taken, because the residual may have to increase across a kink.
+/// @param most largest number of steps
+/// @return the coulomb_error() of y, which is the best iterate
 template <std::floating_point S>
 S rub_by_newton(const ImpulseRows<S>& problem, int most, Numbers<S>& y) {
   const Eigen::SparseMatrix<S> firm = firm_matrix<S>(problem);
@@ -206,7 +210,7 @@ S rub_by_newton(const ImpulseRows<S>& problem, int most, Numbers<S>& y) {
     const Eigen::SparseLU<Eigen::SparseMatrix<S>> eliminated(slope);
     if (eliminated.info() != Eigen::Success) break;
     Numbers<S> change = Numbers<S>::Zero(y.size());
-    for (int round = 0; round < 3; ++round) {  // mends what the little on the diagonal makes wrong
+    for (int round = 0; round < 3; ++round) {  // iterative refinement, for the changed diagonal
       const Numbers<S> moved = problem.matrix * change;
       const Numbers<S> left = wrong + of_velocity * moved + of_impulse * change;
       change -= eliminated.solve(left);
@@ -238,13 +242,13 @@ S rub_by_newton(const ImpulseRows<S>& problem, int most, Numbers<S>& y) {
 // [/newton]
 
 // [second-order-cone]
-/// a ∘ b in the algebra of second-order cones: (a·b, a₀ b₁ + b₀ a₁).
+/// a ∘ b in the Jordan algebra of the second-order cone: (a·b, a₀ b₁ + b₀ a₁).
 template <std::floating_point S>
 Vector3<S> cone_product(const Vector3<S>& a, const Vector3<S>& b) {
   return {a.dot(b), a(0) * b(1) + b(0) * a(1), a(0) * b(2) + b(0) * a(2)};
 }
 
-/// The x for which a ∘ x = b; a inside the cone.
+/// The x with a ∘ x = b, for a inside the cone.
 template <std::floating_point S>
 Vector3<S> cone_quotient(const Vector3<S>& a, const Vector3<S>& b) {
   const S square = a(0) * a(0) - a(1) * a(1) - a(2) * a(2);
@@ -252,13 +256,13 @@ Vector3<S> cone_quotient(const Vector3<S>& a, const Vector3<S>& b) {
   return {first, (b(1) - a(1) * first) / a(0), (b(2) - a(2) * first) / a(0)};
 }
 
-/// How often d may be added to x, inside the cone, until it leaves the cone; at most 1.
+/// The largest t ≤ 1 for which x + t d is in the cone, for x inside the cone.
 template <std::floating_point S>
 S way_in_cone(const Vector3<S>& x, const Vector3<S>& d) {
   const auto product = [](const Vector3<S>& a, const Vector3<S>& b) {
     return a(0) * b(0) - a(1) * b(1) - a(2) * b(2);
   };
-  // x + t d is on the border where square t² + 2 mixed t + here = 0.
+  // x + t d is on the boundary where square t² + 2 mixed t + here = 0.
   const S square = product(d, d);
   const S mixed = product(x, d);
   const S here = product(x, x);
@@ -271,7 +275,7 @@ S way_in_cone(const Vector3<S>& x, const Vector3<S>& d) {
   return way;
 }
 
-/// The symmetric W with W z = W⁻¹ x, for x and z inside the cone (Nesterov and Todd 1998).
+/// The Nesterov–Todd scaling (1998): the symmetric W with W z = W⁻¹ x, for x and z inside the cone.
 template <std::floating_point S>
 struct ConeScaling {
   Matrix3<S> direct;
@@ -298,25 +302,26 @@ ConeScaling<S> cone_scaling(const Vector3<S>& x, const Vector3<S>& z) {
 }
 // [/second-order-cone]
 
-/// So many steps rub_in_cones() takes.
+/// The number of steps of rub_in_cones().
 inline constexpr int most_cone_steps = 40;
 
 // [interior-point]
-/// Changes y so that friction is in its cone, along a way inside all cones.
+/// Solves for impulses y with friction inside its cones, by an interior-point method.
 ///
-/// Of all impulses in their cones there is one of least ½ y·M y + c·y. It makes no energy, and no
-/// contact closes; but what slides rises, by μ times its slip (Anitescu and Tasora 2010). If who
-/// slides shall not open by so much, the least is that of Coulomb's law (De Saxcé and Feng 1998):
-/// so the opening asked for follows the slip, step by step (Acary, Cadoux, Lemaréchal and Malick
-/// 2011). That need not come to an end. The steps are Mehrotra's, scaled by Nesterov and Todd.
+/// Impulses in their cones that minimise ½ y·M y + c·y add no energy, and no contact closes; but a
+/// sliding contact opens, by μ times its slip (Anitescu and Tasora 2010). With this opening
+/// subtracted, the minimum satisfies Coulomb's law (De Saxcé and Feng 1998). So the required
+/// opening is updated with the slip in every step (Acary, Cadoux, Lemaréchal and Malick 2011),
+/// which need not converge. The steps are Mehrotra's predictor–corrector steps with Nesterov–Todd
+/// scaling.
 ///
-/// Impulses that are not unique, as under a table on four legs, come out even.
-/// @param follow whether the opening follows the slip
+/// Impulses that are not unique, as for a table on four legs, come out evenly distributed.
+/// @param follow whether the opening is updated with the slip
 template <std::floating_point S>
 void rub_in_cones(const ImpulseRows<S>& problem, bool follow, Numbers<S>& y) {
   const std::size_t contacts = problem.first.size();
   const Eigen::Index count = y.size();
-  // A contact's cone has a unit slope in x = y but for the push, which is μ times as much.
+  // In x, which is y with normal impulses multiplied by μ, each cone has slope 1.
   Numbers<S> scale = Numbers<S>::Ones(count);
   for (std::size_t i = 0; i < contacts; ++i)
     if (problem.cone[i] > S(0)) scale(problem.first[i]) = S(1) / problem.cone[i];
@@ -399,9 +404,9 @@ void rub_in_cones(const ImpulseRows<S>& problem, bool follow, Numbers<S>& y) {
 // [/interior-point]
 
 // [coulomb]
-/// Changes y to impulses that obey Coulomb's law: by Newton's method from where they are, or, if
-/// that does not come close, from where friction is in its cones.
-/// @return whether it came there
+/// Solves for impulses y that satisfy Coulomb's law: by Newton's method from the initial y, or, if
+/// that does not come close, from the result of rub_in_cones().
+/// @return whether the law is satisfied up to rounding
 template <std::floating_point S>
 bool rub_by_coulomb(const ImpulseRows<S>& problem, Numbers<S>& y) {
   const S close(0x1p-5);

@@ -1,5 +1,5 @@
 /// @file
-/// Many contacts at once: what sweeps have left undone is finished by elimination.
+/// Many contacts: an active-set solve that starts where the iterations have ended.
 #pragma once
 
 #include <algorithm>
@@ -23,22 +23,23 @@
 
 namespace contact {
 
-/// Where something rubs, a push of more than so many times all masses at the fastest approach is no
-/// answer: what is jammed may push as hard as it likes, and rounding decides where it goes.
+/// With friction, a normal impulse larger than this multiple of the total mass times the fastest
+/// approach is rejected: in a jam the impulses can be arbitrarily large, and rounding decides the
+/// motion.
 inline constexpr double most_leverage = 0x1p10;
 
-/// Impulses that round to more than this share of the fastest approach are no answer.
+/// Impulses whose rounding exceeds this fraction of the fastest approach are rejected.
 inline constexpr double most_rounding = 0x1p-10;
 
 namespace detail {
 
 // [eliminate]
-/// Changes y in the chosen rows so that M y + c = 0 there.
+/// Solves M y + c = 0 in the chosen rows, for y in these rows.
 ///
-/// M may be singular there, as for a table on four legs. A little is added to its diagonal, and
-/// what that makes wrong is mended by repeating: so of all answers it is one near the y that comes
-/// in.
-/// @return whether that is possible
+/// M may be singular there, as for a table on four legs. A small number is added to its diagonal,
+/// and iterative refinement removes the error: of all solutions the result is one near the initial
+/// y.
+/// @return whether the solve succeeded
 template <std::floating_point S>
 bool eliminate(const ImpulseRows<S>& problem, const std::vector<bool>& chosen, Numbers<S>& y) {
   std::vector<int> number(chosen.size(), -1);
@@ -78,9 +79,8 @@ bool eliminate(const ImpulseRows<S>& problem, const std::vector<bool>& chosen, N
 // [/eliminate]
 
 // [go-towards]
-/// Goes from y towards a target, as far as the sum ½ y·M y + c·y becomes less: all the way or a
-/// half of it, a quarter, and so on. On the way who would pull does nothing. Returns whether it
-/// went at all.
+/// Line search from y towards a target: the first of the fractions 1, 1/2, 1/4, … that decreases
+/// ½ y·M y + c·y, with negative normal impulses set to 0. Returns whether there is one.
 template <std::floating_point S>
 bool go_towards(const ImpulseRows<S>& problem, const Numbers<S>& opening, const Numbers<S>& target,
                 Numbers<S>& y) {
@@ -103,7 +103,8 @@ bool go_towards(const ImpulseRows<S>& problem, const Numbers<S>& opening, const 
   return false;
 }
 
-/// Goes from y towards a target until the first stops to push. Returns whether nobody does.
+/// Ratio test: moves y towards a target until the first normal impulse becomes 0. Returns whether
+/// none does.
 template <std::floating_point S>
 bool go_to_the_first(const ImpulseRows<S>& problem, const Numbers<S>& target, Numbers<S>& y) {
   S part(1);
@@ -123,21 +124,22 @@ bool go_to_the_first(const ImpulseRows<S>& problem, const Numbers<S>& target, Nu
 }
 // [/go-towards]
 
-/// How often push_apart() guesses.
+/// The largest number of active sets that push_apart() tries.
 inline constexpr int most_guesses = 400;
 
-/// Who is solved together: all that push or close; those that push; or these and one that closes.
+/// The active set: all normals that push or close; those that push; or these and one that closes.
 enum class PushGuess { bold, settle, add };
 
 // [projected-newton]
-/// Changes y in the free rows so that M y + c = 0 there, where a normal may push, or do nothing and
-/// open: of all such y, the one of least ½ y·M y + c·y.
+/// Minimises ½ y·M y + c·y over the free rows, with normal impulses of at least 0: a normal pushes,
+/// or its impulse is 0 and the contact opens.
 ///
-/// A guess is which normals do nothing: those that push nothing and open. The others are solved
-/// together, and y goes towards that (projected Newton; Bertsekas 1982). Where it cannot, the guess
-/// is more careful: those that push, less and less of them, until nobody pulls; then one more, that
-/// which closes fastest (Lawson and Hanson 1974). So the sum never grows, and there is an end.
-/// @param free the tangents that may change; of normals all may
+/// The inactive set is the normals with impulse 0 that open. The other rows are solved together,
+/// and a line search moves y towards the solution (projected Newton; Bertsekas 1982). If that makes
+/// no progress, the active set is changed one by one: first the normals that push, less those that
+/// a ratio test removes; then one more, the one that closes fastest (Lawson and Hanson 1974). The
+/// function never increases.
+/// @param free the tangents that may change; all normals may
 template <std::floating_point S>
 bool push_apart(const ImpulseRows<S>& problem, const std::vector<bool>& free, Numbers<S>& y) {
   const auto count = static_cast<Eigen::Index>(problem.rows.size());
@@ -148,7 +150,7 @@ bool push_apart(const ImpulseRows<S>& problem, const std::vector<bool>& free, Nu
     const Numbers<S> size = problem.matrix.cwiseAbs() * y.cwiseAbs() + problem.constant.cwiseAbs();
     std::vector<bool> chosen = free;
     bool settled = true;
-    Eigen::Index fastest = -1;  // of those that close and do not push
+    Eigen::Index fastest = -1;  // of the normals that close and do not push
     for (Eigen::Index r = 0; r < count; ++r) {
       const auto at = static_cast<std::size_t>(r);
       const S small = rounding * size(r);
@@ -184,28 +186,30 @@ bool push_apart(const ImpulseRows<S>& problem, const std::vector<bool>& free, Nu
 }  // namespace detail
 
 // [finish]
-/// How friction is found where sweeps have left it.
+/// The law of friction of the active-set solve.
 enum class FrictionLaw {
-  coulomb,  ///< against the slip: see rub_by_newton()
-  cones     ///< within its cone, and so that what slides rises: see rub_in_cones()
+  coulomb,  ///< opposite to the slip: see rub_by_newton()
+  cones     ///< inside its cone, while sliding contacts open: see rub_in_cones()
 };
 
-/// The impulses that sweeps would end at, or nearer to them.
+/// The impulses to which the iterations of solve_contacts() would converge, or closer to them.
 ///
-/// Sweeps carry a push from a body to the next, and where a light one is between two heavy ones
-/// they carry little: with masses 1 : 10⁶ they would take millions. Here which contacts push is
-/// guessed, and these are solved together by elimination. What pushes and rubs holds across.
-/// Without friction that is the answer; with it, if no contact needs more than its cone to hold,
-/// and all that push did so from the start.
+/// One iteration carries an impulse from one body to the next, and converges slowly where a light
+/// body is between two heavy ones: with masses 1 : 10⁶ it would take millions of iterations. Here
+/// the set of contacts that push is guessed, and these are solved together by elimination; contacts
+/// with friction that push are assumed to stick. Without friction that is the solution. With
+/// friction it is the solution if sticking needs no more friction than the cones allow, and if all
+/// contacts that push did so at the start.
 ///
-/// If not, something slides. By Coulomb's law its friction is μ times its push, against its slip.
-/// Newton's method looks for that from where the sweeps came, or, if that leads nowhere, from where
-/// friction is in its cones. There may be several answers, of which this is one. It does not find
-/// one for every jam: the tests hold it to four of five random ones, with masses 1 : 10⁶.
+/// Otherwise a contact slides. By Coulomb's law its friction is μ times its normal impulse,
+/// opposite to the slip. Newton's method solves for that, starting from the result of the
+/// iterations, or, if it does not converge, from impulses inside the cones. There may be several
+/// solutions, and this is one of them. Not every jam is solved: the tests require four of five
+/// random ones with masses 1 : 10⁶.
 /// @param bodies before the impulses
-/// @param start of the sweeps: which push is the first guess
-/// @return one a contact, none of them a pull. Nothing if there are more than most_couplings, if
-/// two immovable bodies touch, or if Coulomb's law is not come by
+/// @param start result of the iterations: the contacts that push are the first active set
+/// @return one for each contact, none of them a pull. Nothing if there are more than
+/// most_couplings, if two immovable bodies touch, or if Coulomb's law could not be satisfied
 template <std::floating_point S>
 std::optional<std::vector<ContactImpulse<S>>> finished_impulses(
     const std::vector<RigidBody<S>>& bodies, const std::vector<BodyContact<S>>& contacts,
@@ -246,11 +250,11 @@ std::optional<std::vector<ContactImpulse<S>>> finished_impulses(
 // [/finish]
 
 // [finish-contacts]
-/// What solve_contacts() would end at, or nearer to it, from where its sweeps have come.
-/// @return with how fast contacts still close as the last change; nothing where
-/// finished_impulses() has nothing, or nothing better: a contact closes
-/// faster than it does after the sweeps, what does not bounce makes energy, or something is jammed
-/// (see most_leverage)
+/// The result to which solve_contacts() would converge, or closer to it, from the impulses of its
+/// iterations.
+/// @return the last change is the largest speed at which a contact still closes. Nothing where
+/// finished_impulses() returns nothing or nothing better: a contact closes faster than after the
+/// iterations, contacts without restitution add energy, or there is a jam (see most_leverage)
 template <std::floating_point S>
 std::optional<SolvedContacts<S>> finish_contacts(const std::vector<RigidBody<S>>& bodies,
                                                  const std::vector<BodyContact<S>>& contacts,

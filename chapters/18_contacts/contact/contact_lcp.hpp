@@ -1,6 +1,6 @@
 /// @file
-/// Several contacts at once, without friction: what they demand together, and an exact answer for a
-/// few.
+/// Several contacts without friction: the linear complementarity problem, and its exact solution
+/// for a few contacts.
 #pragma once
 
 #include <cstddef>
@@ -20,23 +20,23 @@ namespace contact {
 /// A contact between two bodies of a list.
 template <Ring S>
 struct BodyContact {
-  int a = 0;                               ///< which body the normal points to
-  int b = 0;                               ///< which body it comes from; not a
+  int a = 0;                               ///< index of the body to which the normal points
+  int b = 0;                               ///< index of the body from which it points; not a
   Vector3<S> point = Vector3<S>::Zero();   ///< in the world, m
   Vector3<S> normal = Vector3<S>::Zero();  ///< unit vector, from B to A
   S friction = S(0);                       ///< Coulomb's μ, not negative
-  /// The normal velocity must end up at least here, m/s: −e times that before for an impact, 0 for
-  /// rest, −distance/h to close a gap in a step h and no more.
+  /// Lower bound of the normal velocity afterwards, m/s: −e times that before for an impact, 0 for
+  /// rest, −distance/h for a gap that may close within a step h.
   S least_velocity = S(0);
 };
 // [/body-contact]
 
 namespace detail {
 
-/// Position in a list.
+/// An index as std::size_t.
 inline std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-/// n · (change of the velocity of `body` at p) for a unit impulse along m at q on it.
+/// n · (change of the velocity of `body` at p) for a unit impulse along m at q on the body.
 template <Ring S>
 S body_response(const RigidBody<S>& body, const Vector3<S>& p, const Vector3<S>& n,
                 const Vector3<S>& q, const Vector3<S>& m) {
@@ -49,8 +49,9 @@ S body_response(const RigidBody<S>& body, const Vector3<S>& p, const Vector3<S>&
 }  // namespace detail
 
 // [response-matrix]
-/// How much a unit of impulse at contact k along its normal changes the normal velocity of contact
-/// i: a symmetric matrix A, row after row. It is never negative: x · A x is twice an energy.
+/// The change of the normal velocity of contact i for a unit impulse along the normal of contact k:
+/// the matrix A = J M⁻¹ Jᵀ (Delassus operator), by rows. A is symmetric and positive semidefinite:
+/// x · A x is twice a kinetic energy. Its diagonal holds the inverse effective masses.
 /// @return 1/kg
 template <Ring S>
 std::vector<std::vector<S>> response_matrix(const std::vector<RigidBody<S>>& bodies,
@@ -86,8 +87,7 @@ S contact_velocity(const std::vector<RigidBody<S>>& bodies, const BodyContact<S>
 
 namespace detail {
 
-/// Solves m x = right by elimination, with the largest pivot of each column. Nothing if m is
-/// singular.
+/// Solves m x = right by Gaussian elimination with partial pivoting. Nothing if m is singular.
 template <Scalar S>
 std::optional<std::vector<S>> solve_linear(std::vector<std::vector<S>> m, std::vector<S> right) {
   const std::size_t n = right.size();
@@ -117,23 +117,24 @@ std::optional<std::vector<S>> solve_linear(std::vector<std::vector<S>> m, std::v
 
 }  // namespace detail
 
-/// The most contacts that complementary_impulses() takes: 2^12 sets are tried.
+/// The largest number of contacts for complementary_impulses(): 2^12 sets are tried.
 inline constexpr std::size_t most_exact_contacts = 12;
 
 // [lcp]
-/// The linear complementarity problem: x ≥ 0 with A x + b ≥ 0, and for each i one of the two 0.
+/// The linear complementarity problem (LCP): x ≥ 0 and A x + b ≥ 0, and for each i one of the two
+/// is 0.
 ///
-/// Each set of indices is tried for being the one where x may differ from 0: on it A x + b = 0
-/// gives x, and x is the answer if nothing is negative. Sets on which A is singular are left out;
-/// for a symmetric A that is never negative another set does for them, because of all answers one
-/// has independent columns.
-/// @param matrix A, symmetric, with x · A x ≥ 0
-/// @param constant b, as long
-/// @return the answer of the first set, in the order of binary numbers; nothing if there is none,
+/// Each set of indices is tried as the active set, on which x may differ from 0: there A x + b = 0
+/// determines x, and x is a solution if neither x nor A x + b has a negative entry. Sets on which A
+/// is singular are skipped; for a positive semidefinite A this loses no solvable problem, because a
+/// solvable one has a solution whose active columns are linearly independent.
+/// @param matrix A, symmetric and positive semidefinite
+/// @param constant b, of the same length
+/// @return the solution of the first set, in the order of binary numbers; nothing if there is none,
 /// which for exact S means that no x ≥ 0 has A x + b ≥ 0
 /// @throws std::invalid_argument for more than most_exact_contacts rows
-/// @note Exact if S is exact. In a floating-point type a singular set may pass for a regular one:
-/// meant for fractions
+/// @note Exact if S is exact. It is meant for fractions: in a floating-point type a singular set
+/// may pass for a regular one
 template <Scalar S>
 std::optional<std::vector<S>> solve_complementarity(const std::vector<std::vector<S>>& matrix,
                                                     const std::vector<S>& constant) {
@@ -174,8 +175,8 @@ std::optional<std::vector<S>> solve_complementarity(const std::vector<std::vecto
 // [/lcp]
 
 // [apply]
-/// Gives each contact's impulse along its normal to A and takes it from B, in the order of the
-/// list.
+/// Applies the impulse of each contact along its normal to A and its opposite to B, in the order of
+/// the list.
 template <Ring S>
 std::vector<RigidBody<S>> after_normal_impulses(std::vector<RigidBody<S>> bodies,
                                                 const std::vector<BodyContact<S>>& contacts,
@@ -193,12 +194,14 @@ std::vector<RigidBody<S>> after_normal_impulses(std::vector<RigidBody<S>> bodies
 // [/apply]
 
 // [direct]
-/// The impulses of a few contacts without friction, all at once: each pushes or does nothing, no
-/// contact ends up slower than its least velocity, and none that pushes ends up faster.
+/// The simultaneous impulses of a few contacts without friction: none is negative, no contact is
+/// slower than its least velocity afterwards, and a contact with an impulse is not faster
+/// (complementarity).
 ///
-/// Friction is left out, whatever the contacts say. The velocities afterwards are the same for all
-/// answers; the impulses need not be, as four legs of a table share its weight in many ways.
-/// @return N·s, one a contact; nothing if no impulses do it: two immovable bodies that close
+/// The friction of the contacts is ignored. The velocities afterwards are the same for all
+/// solutions; the impulses need not be unique, as for a table on four legs.
+/// @return N·s, one for each contact; nothing if there is no solution, as for two immovable bodies
+/// that approach each other
 /// @throws std::invalid_argument for more than most_exact_contacts contacts
 template <Scalar S>
 std::optional<std::vector<S>> complementary_impulses(const std::vector<RigidBody<S>>& bodies,

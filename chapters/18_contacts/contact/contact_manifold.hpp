@@ -1,5 +1,6 @@
 /// @file
-/// Where two bodies touch: one normal, and as many points as it takes to hold one on the other.
+/// The contact manifold of two bodies: one normal, and enough points to support one body on the
+/// other.
 #pragma once
 
 #include <algorithm>
@@ -16,22 +17,22 @@
 namespace contact {
 
 // [manifold]
-/// A point of a contact.
+/// A point of a contact manifold.
 template <Ring S>
 struct ManifoldPoint {
   Vector3<S> point = Vector3<S>::Zero();  ///< midway between the two surfaces, m
-  S distance = S(0);  ///< of the surfaces along the normal there, m; negative: depth
+  S distance = S(0);  ///< of the surfaces along the normal, m; negative: penetration
 };
 
-/// The contact of two bodies A and B. Without points they do not touch.
+/// The contact manifold of two bodies A and B. Without points there is no contact.
 template <Ring S>
 struct ContactManifold {
   Vector3<S> normal = Vector3<S>::Zero();  ///< unit vector, from B to A
-  std::vector<ManifoldPoint<S>> points;    ///< in an order that depends on the bodies alone
+  std::vector<ManifoldPoint<S>> points;    ///< in an order that depends only on the bodies
 };
 // [/manifold]
 
-/// The same seen from the other body.
+/// The same manifold with the two bodies exchanged.
 template <Ring S>
 ContactManifold<S> exchanged(ContactManifold<S> manifold) {
   manifold.normal = -manifold.normal;
@@ -40,7 +41,7 @@ ContactManifold<S> exchanged(ContactManifold<S> manifold) {
 
 namespace detail {
 
-/// Adds a point of A's surface that is so far from B's, unless that is beyond the margin.
+/// Adds a point of A's surface at the given distance from B's, unless it exceeds the margin.
 template <std::floating_point S>
 void add_manifold_point(ContactManifold<S>& manifold, const Vector3<S>& on_a, const S& distance,
                         const S& margin) {
@@ -59,8 +60,8 @@ ContactManifold<S> single_point(const Gap<S>& gap, const S& margin) {
 
 // [single]
 /// Two spheres: one point.
-/// @param margin bodies that are at most so far apart count as touching, m; not negative. With 0,
-/// touching and overlapping bodies have points, as far as rounding tells
+/// @param margin bodies at most this far apart are in contact, m; not negative. With 0, touching
+/// and overlapping bodies have points, up to rounding
 template <std::floating_point S>
 ContactManifold<S> contact_manifold(const Sphere<S>& a, const Sphere<S>& b, const S& margin) {
   return detail::single_point(gap(a, b), margin);
@@ -83,13 +84,13 @@ ContactManifold<S> contact_manifold(const Sphere<S>& a, const HalfSpace<S>& b, c
 // [/single]
 
 // [capsules]
-/// The sine of the angle below which a capsule counts as lying along another body: 1/64. It only
-/// says whether one point or two hold it; each point has its own distance.
+/// The sine of the angle below which a capsule counts as parallel to another body: 1/64. It decides
+/// only whether there are one or two points; each point has its own distance.
 template <std::floating_point S>
 inline constexpr S lying_sine = S(0x1p-6);
 
-/// Two capsules: one point, or two if they lie along each other. Then these are where the shorter
-/// overlap of the two begins and ends.
+/// Two capsules: one point, or two if they are parallel. Then the points are the ends of the
+/// overlap of their cores.
 template <std::floating_point S>
 ContactManifold<S> contact_manifold(const Capsule<S>& a, const Capsule<S>& b, const S& margin) {
   const Gap<S> near = gap(a, b);
@@ -117,7 +118,7 @@ ContactManifold<S> contact_manifold(const Capsule<S>& a, const Capsule<S>& b, co
   return manifold;
 }
 
-/// A capsule and a half-space: each end of the core that is near enough.
+/// A capsule and a half-space: each end of the core within the margin.
 template <std::floating_point S>
 ContactManifold<S> contact_manifold(const Capsule<S>& a, const HalfSpace<S>& b, const S& margin) {
   ContactManifold<S> manifold{b.boundary.normal, {}};
@@ -130,8 +131,8 @@ ContactManifold<S> contact_manifold(const Capsule<S>& a, const HalfSpace<S>& b, 
   return manifold;
 }
 
-/// A capsule and a box: one point, or two if the capsule lies along a face. Then these are where
-/// the part of its core over the face begins and ends.
+/// A capsule and a box: one point, or two if the capsule is parallel to a face. Then the points are
+/// the ends of the part of its core above the face.
 template <std::floating_point S>
 ContactManifold<S> contact_manifold(const Capsule<S>& a, const OrientedBox<S>& b, const S& margin) {
   const Gap<S> near = gap(a, b);
@@ -164,8 +165,8 @@ ContactManifold<S> contact_manifold(const Capsule<S>& a, const OrientedBox<S>& b
 // [/capsules]
 
 // [box-half-space]
-/// A box and a half-space: the corners that are near enough, at most the four lowest, in the order
-/// of box_corner(). Of equally low ones the earlier.
+/// A box and a half-space: the corners within the margin, at most the four lowest, in the order of
+/// box_corner(). Of equally low corners the first are taken.
 template <std::floating_point S>
 ContactManifold<S> contact_manifold(const OrientedBox<S>& a, const HalfSpace<S>& b,
                                     const S& margin) {
@@ -186,22 +187,22 @@ ContactManifold<S> contact_manifold(const OrientedBox<S>& a, const HalfSpace<S>&
 // [/box-half-space]
 
 // [boxes]
-/// How much deeper two edges must lie than the faces before they make the contact, as a share of
-/// the smallest half length: 2^-10. A box that rests on another tilts by rounding, and one point
-/// for its four would let it rock.
+/// By how much an edge–edge axis must separate the boxes more than the face axes before it is
+/// chosen, as a fraction of the smallest half length: 2^-10. A box that rests on another is rotated
+/// slightly by rounding; one point in place of four would let it rock.
 template <std::floating_point S>
 inline constexpr S face_preference = S(0x1p-10);
 
 /// Two boxes.
 ///
-/// If a face's normal leaves the most room, that face is the reference, and the other box's face
-/// that looks at it is cut off at its sides: what is left, near enough, are the points, eight at
-/// most, in the order of box_face(). If two edges leave more room, clearly, the contact is the one
-/// point between them.
+/// If a face normal is the axis of largest separation, its face is the reference face, and the
+/// incident face of the other box is clipped against its sides. The points of the clipped polygon
+/// within the margin, at most eight, are the manifold, in the order of box_face(). If an edge–edge
+/// axis separates clearly more, the contact is the one point between the two edges.
 ///
-/// Where corners meet, many directions are normals. The first of the fifteen with the most room is
-/// taken, so the choice is the same in every run; where the closest points are a corner and
-/// something that no face overlaps, they are the contact.
+/// Where corners meet, many directions are possible normals. The first of the fifteen axes with the
+/// largest separation is taken, so the choice is the same in every run. If the clipped polygon has
+/// no point within the margin, the closest points are the contact.
 template <std::floating_point S>
 ContactManifold<S> contact_manifold(const OrientedBox<S>& a, const OrientedBox<S>& b,
                                     const S& margin) {

@@ -1,5 +1,6 @@
 /// @file
-/// Many contacts at once: impulses as numbers, and the velocities that they make.
+/// Many contacts at once: the impulses as one vector, and the velocities as a linear function of
+/// it.
 #pragma once
 
 #include <algorithm>
@@ -20,10 +21,10 @@
 
 namespace contact {
 
-/// The most couplings, of an impulse with another one on the same body, for which
-/// finished_impulses() tries where nothing rubs.
+/// The largest number of couplings (pairs of impulses on the same body) for which
+/// finished_impulses() is tried without friction.
 inline constexpr std::size_t most_couplings = 400000;
-/// The same where something rubs: that takes many guesses.
+/// The same with friction, which takes many attempts.
 inline constexpr std::size_t most_rubbing_couplings = 60000;
 
 namespace detail {
@@ -31,23 +32,24 @@ namespace detail {
 template <std::floating_point S>
 using Numbers = Eigen::Matrix<S, Eigen::Dynamic, 1>;
 
-/// An impulse to be found: at a contact, along its normal or one of two tangents.
+/// An unknown impulse: at a contact, along its normal or one of two tangents.
 template <std::floating_point S>
 struct ImpulseRow {
   std::size_t contact = 0;
   bool normal = true;
   Vector3<S> direction = Vector3<S>::Zero();
-  S unit = S(1);  ///< N·s: so much for each 1 of its number
+  S unit = S(1);  ///< scale of the unknown, N·s
 };
 
-/// Velocities along rows as numbers, M y + c, of impulses y. The rows' units make the diagonal of M
-/// 1 for normals. A contact's two tangents have one unit, so that its friction is in a round cone;
-/// it makes the stiffer one's 1. Of a normal the least velocity is taken off.
+/// Scaled velocities along the rows, M y + c, for scaled impulses y. The scales make the diagonal
+/// of M equal to 1 for normals. The two tangents of a contact have the same scale, so that its
+/// friction cone is round; the stiffer tangent has the diagonal 1. The least velocity is subtracted
+/// from normal velocities.
 template <std::floating_point S>
 struct ImpulseRows {
   std::vector<ImpulseRow<S>> rows;
-  std::vector<int> first;  ///< of each contact, its normal; its tangents follow if it rubs
-  std::vector<S> cone;     ///< of each contact, the most friction for a push of 1, as numbers
+  std::vector<int> first;  ///< row of each contact's normal; its tangents follow if it has friction
+  std::vector<S> cone;     ///< for each contact, the largest scaled friction for a normal of 1
   Eigen::SparseMatrix<S> matrix;
   Numbers<S> constant;
 };

@@ -1,5 +1,5 @@
 /// @file
-/// Many contacts at once, with friction: impulses found one after the other, sweep after sweep.
+/// Many contacts with friction: sequential impulses, iterated (projected Gauss–Seidel or Jacobi).
 #pragma once
 
 #include <algorithm>
@@ -26,44 +26,43 @@ namespace contact {
 template <Ring S>
 struct ContactImpulse {
   S normal = S(0);                             ///< along the normal, never negative, N·s
-  Vector3<S> tangential = Vector3<S>::Zero();  ///< across it, at most μ times as long, N·s
+  Vector3<S> tangential = Vector3<S>::Zero();  ///< friction, at most μ times the normal one, N·s
 };
 
-/// When the sweeps end.
+/// Settings of the solver: when the iterations end, and how they are made.
 template <Ring S>
 struct SweepLimits {
-  int sweeps = 10000;      ///< at most so many, at least 1
-  S tolerance = S(1e-12);  ///< or when no contact's velocity was changed by more in one, m/s
-  /// How much of the way to its own answer, and beyond, a contact goes: greater than 0, below 2.
-  /// Beyond 1 saves sweeps where nothing rubs. With friction it may never settle; where it does
-  /// not, the rest is swept with 1.
+  int sweeps = 10000;      ///< maximum number of iterations, at least 1
+  S tolerance = S(1e-12);  ///< ends when an iteration changes no contact velocity by more, m/s
+  /// Over-relaxation: the change of an impulse as a multiple of the exact change for its contact,
+  /// greater than 0, below 2. A factor above 1 saves iterations without friction. With friction the
+  /// iteration may not converge; then it continues with a factor of 1.
   S relaxation = S(1);
-  /// Whether all contacts of a sweep look at the same velocities, and none at what one before it
-  /// has changed (Jacobi's way). It takes more sweeps; but what is its own mirror image stays so,
-  /// whatever the order of the list.
+  /// Jacobi instead of Gauss–Seidel: all contacts of an iteration use the same velocities. Slower,
+  /// but independent of the order of the contacts, so a symmetric scene stays symmetric.
   bool at_once = false;
 };
 
-/// How the sweeps ended.
+/// How the iterations ended.
 template <Ring S>
 struct SweepReport {
-  int sweeps = 0;        ///< how many there were
-  S last_change = S(0);  ///< the largest change of a contact's velocity in the last, m/s
-  bool blended = false;  ///< restitution was taken back, in part, to keep the energy
-  S rounding = S(0);     ///< so wrong velocities may be because impulses round, m/s
+  int sweeps = 0;        ///< number of iterations
+  S last_change = S(0);  ///< largest change of a contact velocity in the last iteration, m/s
+  bool blended = false;  ///< restitution was reduced, so that the energy does not grow
+  S rounding = S(0);     ///< bound on the error of velocities from rounded impulses, m/s
 };
 
 namespace detail {
 
-/// A contact with what does not change during the sweeps.
+/// A contact with the values that do not change during the iterations.
 template <std::floating_point S>
 struct PreparedContact {
   BodyContact<S> contact;
   std::array<Vector3<S>, 3> direction;  // normal and two tangents
-  std::array<Vector3<S>, 3> turn_a;     // change of A's spin for a unit impulse along each
+  std::array<Vector3<S>, 3> turn_a;  // change of A's angular velocity for a unit impulse along each
   std::array<Vector3<S>, 3> turn_b;
-  S normal_response = S(0);
-  S tangent_response = S(0);  // at least the largest, over all tangents
+  S normal_response = S(0);   // inverse of the effective mass along the normal, 1/kg
+  S tangent_response = S(0);  // an upper bound of it over all tangents, 1/kg
 };
 
 template <std::floating_point S>
@@ -91,7 +90,7 @@ PreparedContact<S> prepared(const std::vector<RigidBody<S>>& bodies,
   return p;
 }
 
-/// Adds an impulse along direction k of a contact.
+/// Applies an impulse along direction k of a contact.
 template <std::floating_point S>
 void push(std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& p, std::size_t k,
           const S& impulse) {
@@ -110,18 +109,19 @@ Vector3<S> relative_velocity(const std::vector<RigidBody<S>>& bodies,
          velocity_at(bodies[index(contact.b)], contact.point);
 }
 
-/// Impulses as normal, first tangent and second tangent.
+/// Components of an impulse: normal, first tangent, second tangent.
 template <std::floating_point S>
 using Parts = std::array<S, 3>;
 
 // [sweep]
-/// What one contact changes. Returns the largest change of a velocity.
+/// Updates the impulses of one contact. Returns the largest change of a velocity.
 ///
-/// Friction first, with the normal impulse of the sweep before: a step against the slip, as long as
-/// the stiffest tangent allows, and cut off at μ times the normal impulse. The disc of allowed
-/// impulses is convex and the step is not too long, so the step never raises the kinetic energy.
-/// Then the normal: as much as brings the normal velocity to its least value, but never a pull in
-/// all; and the friction is cut off again if there is less to rub against.
+/// Friction first, with the normal impulse of the previous iteration: a step against the slip with
+/// the effective mass of the stiffest tangent, projected onto the disc of radius μ times the normal
+/// impulse. The disc is convex and the relaxation below 2, so this does not increase the kinetic
+/// energy. Then the normal: the impulse that brings the normal velocity to its minimum,
+/// while the accumulated impulse stays at 0 or more. If it has become smaller, the friction is
+/// projected again.
 template <std::floating_point S>
 S relax(std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& p, Parts<S>& x,
         const S& relaxation) {
@@ -156,7 +156,8 @@ S relax(std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& p, Parts<S>
   return largest;
 }
 
-/// One sweep over all contacts, in the order of the list. Returns the largest change of a velocity.
+/// One iteration over all contacts, in the order of the list (Gauss–Seidel). Returns the largest
+/// change of a velocity.
 template <std::floating_point S>
 S sweep(std::vector<RigidBody<S>>& bodies, const std::vector<PreparedContact<S>>& contacts,
         std::vector<Parts<S>>& impulses, const S& relaxation) {
@@ -170,10 +171,11 @@ S sweep(std::vector<RigidBody<S>>& bodies, const std::vector<PreparedContact<S>>
 // [/sweep]
 
 // [sweep-at-once]
-/// One sweep in which every contact starts from the same velocities. Of what it would change it
-/// takes the part that leaves room for the others of its bodies: all together then make no more
-/// kinetic energy than each alone, and an impulse between two that are allowed is allowed.
-/// @param partners of each contact, how many contacts the busier of its two bodies has
+/// One Jacobi iteration: every contact starts from the same velocities. Its change is divided by
+/// the number of contacts of its bodies. No change alone increases the kinetic energy; after the
+/// division their sum does not either. The new impulses lie between admissible ones, so they are
+/// admissible.
+/// @param partners for each contact, the larger number of contacts of its two bodies
 template <std::floating_point S>
 S sweep_at_once(std::vector<RigidBody<S>>& bodies, const std::vector<PreparedContact<S>>& contacts,
                 std::vector<Parts<S>>& impulses, const std::vector<int>& partners) {
@@ -201,7 +203,7 @@ S sweep_at_once(std::vector<RigidBody<S>>& bodies, const std::vector<PreparedCon
   return largest;
 }
 
-/// Of each contact, how many contacts the busier of its two bodies has; what never moves has none.
+/// For each contact, the larger number of contacts of its two bodies; immovable bodies count as 0.
 template <std::floating_point S>
 std::vector<int> busiest(const std::vector<RigidBody<S>>& bodies,
                          const std::vector<PreparedContact<S>>& contacts) {
@@ -218,8 +220,8 @@ std::vector<int> busiest(const std::vector<RigidBody<S>>& bodies,
 }
 // [/sweep-at-once]
 
-/// After so many sweeps of which none changed less than all of as many before, no contact goes
-/// beyond its own answer any more.
+/// Over-relaxation ends if this many iterations bring no smaller change than the same number before
+/// them.
 inline constexpr int sweeps_to_settle = 1024;
 
 template <std::floating_point S>
@@ -231,7 +233,7 @@ SweepReport<S> sweep_until(std::vector<RigidBody<S>> bodies,
   }
   SweepReport<S> report;
   S relaxation = limits.relaxation;
-  S least = std::numeric_limits<S>::infinity();  // change of so many sweeps
+  S least = std::numeric_limits<S>::infinity();  // smallest change in these iterations
   S least_before = least;
   const std::vector<int> partners = limits.at_once ? busiest(bodies, contacts) : std::vector<int>();
   do {
@@ -263,9 +265,9 @@ std::vector<RigidBody<S>> after_parts(std::vector<RigidBody<S>> bodies,
   return bodies;
 }
 
-/// How much kinetic energy impulses have made: each its own share, with the mean of the velocities
-/// before and after. So who is light is seen beside who is heavy, whose energy rounds to more. What
-/// may be rounding counts as nothing.
+/// The kinetic energy that impulses have added: the sum over contacts of the impulse times the mean
+/// of the velocities before and after. The difference of two energies would round to more than the
+/// energy of a light body beside a heavy one. A sum that may be rounding counts as 0.
 template <std::floating_point S>
 S energy_made(const std::vector<RigidBody<S>>& before, const std::vector<RigidBody<S>>& after,
               const std::vector<PreparedContact<S>>& contacts,
@@ -291,12 +293,12 @@ S energy_made(const std::vector<RigidBody<S>>& before, const std::vector<RigidBo
 
 }  // namespace detail
 
-/// Bodies after contacts, and the impulses that made them so.
+/// Bodies after the contact impulses, and these impulses.
 template <Ring S>
 struct SolvedContacts {
-  std::vector<RigidBody<S>> bodies;         ///< in the order in which they came
+  std::vector<RigidBody<S>> bodies;         ///< in the order of the input
   std::vector<ContactImpulse<S>> impulses;  ///< one a contact
-  SweepReport<S> report;                    ///< of the sweeps
+  SweepReport<S> report;                    ///< of the iterations
 };
 
 namespace detail {
@@ -324,7 +326,8 @@ std::vector<PreparedContact<S>> prepared_contacts(const std::vector<RigidBody<S>
   return prepared;
 }
 
-/// Impulses as they are allowed: a pull, or too much friction, is cut off. Without any, none.
+/// Projects impulses onto the admissible ones: no pull, friction inside its cone. An empty list
+/// gives zeros.
 template <std::floating_point S>
 std::vector<Parts<S>> allowed_parts(const std::vector<PreparedContact<S>>& prepared,
                                     const std::vector<ContactImpulse<S>>& start) {
@@ -341,9 +344,9 @@ std::vector<Parts<S>> allowed_parts(const std::vector<PreparedContact<S>>& prepa
   return impulses;
 }
 
-/// By how much velocities may be wrong because impulses round. Between two heavy bodies large
-/// changes of a light one's velocity cancel, and what they round to stays: 2⁻⁴⁴ of all of them
-/// added up without signs, where S is double.
+/// A bound on the error of velocities from rounded impulses. Between two heavy bodies, large
+/// changes of the velocity of a light one cancel, but their rounding errors do not: for doubles
+/// 2⁻⁴⁴ of the sum of their absolute values.
 template <std::floating_point S>
 S rounding_of_parts(const std::vector<RigidBody<S>>& bodies,
                     const std::vector<PreparedContact<S>>& contacts,
@@ -367,8 +370,8 @@ S rounding_of_parts(const std::vector<RigidBody<S>>& bodies,
   return S(256) * std::numeric_limits<S>::epsilon() * most;
 }
 
-/// The bodies after impulses. Where restitution has made energy, as much of it is taken back as
-/// that takes: `stop()` gives the impulses without any.
+/// The bodies after impulses. If restitution has added energy, it is reduced until it does not:
+/// `stop()` returns the impulses without restitution.
 template <std::floating_point S, class Stop>
 SolvedContacts<S> solved_by(const std::vector<RigidBody<S>>& bodies,
                             const std::vector<PreparedContact<S>>& prepared,
@@ -383,8 +386,8 @@ SolvedContacts<S> solved_by(const std::vector<RigidBody<S>>& bodies,
   }
   for (const PreparedContact<S>& p : prepared) bounces = bounces || p.contact.least_velocity > S(0);
   if (still && bounces && energy_made(bodies, solved.bodies, prepared, impulses) > S(0)) {
-    // Along the way from the impulses without restitution to those with it the energy is a
-    // parabola that opens upwards. Where it comes back to what it was is found by halving.
+    // On the segment from the impulses without restitution to those with it the energy is a
+    // parabola that opens upwards. Bisection finds where it returns to the energy before.
     const std::vector<Parts<S>> stopped = stop();
     const auto blend = [&](const S& share) {
       std::vector<Parts<S>> mixed = stopped;
@@ -414,7 +417,7 @@ SolvedContacts<S> solved_by(const std::vector<RigidBody<S>>& bodies,
   return solved;
 }
 
-/// Contacts without restitution.
+/// The same contacts without restitution.
 template <std::floating_point S>
 std::vector<PreparedContact<S>> softened(std::vector<PreparedContact<S>> prepared) {
   for (auto& p : prepared) p.contact.least_velocity = std::min(p.contact.least_velocity, S(0));
@@ -424,25 +427,25 @@ std::vector<PreparedContact<S>> softened(std::vector<PreparedContact<S>> prepare
 }  // namespace detail
 
 // [solve]
-/// The impulses at all contacts, with friction, by sequential impulses (projected Gauss and
-/// Seidel), or by impulses at once (projected Jacobi).
+/// The impulses at all contacts, with friction, by sequential impulses (projected Gauss–Seidel) or
+/// by simultaneous impulses (projected Jacobi).
 ///
-/// However many sweeps there are: no normal impulse pulls; the friction at each contact is within
-/// its own cone, |tangential| ≤ μ normal; and momentum and angular momentum are kept but for the
-/// rounding of the velocities, because each impulse is given to A and taken from B at one point.
-/// The velocities are made from the impulses at the end, once, in the order of the list.
+/// After any number of iterations: no normal impulse pulls; the friction of each contact is inside
+/// its cone, |tangential| ≤ μ normal; and momentum and angular momentum are conserved up to the
+/// rounding of the velocities, because each impulse acts on A and its opposite on B at one point.
+/// The velocities are computed from the impulses at the end, once, in the order of the list.
 ///
-/// When the sweeps have converged, no contact is slower than its least velocity but for the
-/// tolerance, and contacts that push are as fast as that. If all least velocities are 0 or less the
-/// kinetic energy has not grown. Restitution together with friction may make it grow, by Newton's
-/// law itself; then part of the restitution is taken back: between the impulses without it and
-/// those with it, those with the most restitution that keeps the energy. (Not where an immovable
-/// body moves: it may do work.)
+/// When the iteration has converged, no contact is slower than its least velocity, up to the
+/// tolerance, and contacts with an impulse are exactly that fast (complementarity). If all least
+/// velocities are 0 or less, the kinetic energy has not grown. Newton's restitution together with
+/// friction can make it grow; then the restitution is reduced to the largest for which it does not,
+/// on the segment between the impulses without and with restitution. (Not if an immovable body
+/// moves, since it may do work.)
 /// @param contacts between different bodies of the list, with unit normals
-/// @param start impulses to begin with, those of the step before, say: they save sweeps. Empty, or
-/// one a contact; a pull, or too much friction, is cut off
-/// @throws std::invalid_argument if a contact names a body that is not there or the same body
-/// twice, has a negative friction, or a number that is not finite; or if `start` has another length
+/// @param start initial impulses (warm start), for instance those of the previous step: they save
+/// iterations. Empty, or one for each contact; they are projected onto the admissible impulses
+/// @throws std::invalid_argument if a contact names a body that does not exist or the same body
+/// twice, has negative friction, or a number that is not finite; or if `start` has another length
 template <std::floating_point S>
 SolvedContacts<S> solve_contacts(const std::vector<RigidBody<S>>& bodies,
                                  const std::vector<BodyContact<S>>& contacts,

@@ -1,5 +1,5 @@
 /// @file
-/// Bodies with shapes, and a step of time: find the contacts, solve them, move.
+/// Bodies with shapes, and a time step: find the contacts, solve them, move the bodies.
 #pragma once
 
 #include <cmath>
@@ -19,7 +19,8 @@
 
 namespace contact {
 
-/// A shape in its body's own axes, its centre of mass at the origin; a half-space in the world's.
+/// A shape in the axes of its body, with the centre of mass at the origin; a half-space in the
+/// world.
 template <Ring S>
 using BodyShape = std::variant<Sphere<S>, Capsule<S>, OrientedBox<S>, HalfSpace<S>>;
 
@@ -30,16 +31,16 @@ struct ShapedBody {
   BodyShape<S> shape;    ///< in the body's axes, m
   RigidBody<S> motion;   ///< in the world; its tensors follow the orientation
   Rotor<S> orientation;  ///< from body to world
-  /// About the body's own axes, which are its principal ones, kg·m²; not read for an immovable
-  /// body.
+  /// Moments of inertia about the body's axes, which are its principal axes, kg·m²; not read for an
+  /// immovable body.
   Vector3<S> moments = Vector3<S>::Zero();
   S friction = S(0);     ///< μ; that of a pair is the square root of the product
   S restitution = S(0);  ///< e, from 0 to 1; that of a pair is the larger
 };
 // [/shaped-body]
 
-/// A solid box of one density.
-/// @param size whole lengths of the edges, m
+/// A solid box of uniform density.
+/// @param size lengths of the edges, m
 /// @throws std::invalid_argument naming the argument and its value
 template <std::floating_point S>
 ShapedBody<S> solid_box(const S& mass, const Vector3<S>& size, const Vector3<S>& position) {
@@ -53,7 +54,7 @@ ShapedBody<S> solid_box(const S& mass, const Vector3<S>& size, const Vector3<S>&
   return body;
 }
 
-/// A solid ball of one density.
+/// A solid ball of uniform density.
 /// @throws std::invalid_argument naming the argument and its value
 template <std::floating_point S>
 ShapedBody<S> solid_ball(const S& mass, const S& radius, const Vector3<S>& position) {
@@ -67,7 +68,7 @@ ShapedBody<S> solid_ball(const S& mass, const S& radius, const Vector3<S>& posit
   return body;
 }
 
-/// A half-space that nothing moves.
+/// An immovable half-space.
 /// @throws std::invalid_argument naming the argument and its value
 template <std::floating_point S>
 ShapedBody<S> ground(const Plane<S>& boundary) {
@@ -77,55 +78,55 @@ ShapedBody<S> ground(const Plane<S>& boundary) {
 }
 
 // [in-world]
-/// A sphere where its body is.
+/// A sphere, transformed from body to world.
 template <std::floating_point S>
 Sphere<S> placed(const Sphere<S>& shape, const Vector3<S>& position, const Matrix3<S>& rotation) {
   return {Vector3<S>(position + rotation * shape.centre), shape.radius};
 }
-/// A capsule where its body is.
+/// A capsule, transformed from body to world.
 template <std::floating_point S>
 Capsule<S> placed(const Capsule<S>& shape, const Vector3<S>& position, const Matrix3<S>& rotation) {
   return {{Vector3<S>(position + rotation * shape.core.start),
            Vector3<S>(position + rotation * shape.core.end)},
           shape.radius};
 }
-/// A box where its body is.
+/// A box, transformed from body to world.
 template <std::floating_point S>
 OrientedBox<S> placed(const OrientedBox<S>& shape, const Vector3<S>& position,
                       const Matrix3<S>& rotation) {
   return {Vector3<S>(position + rotation * shape.centre), Matrix3<S>(rotation * shape.axes),
           shape.half_lengths};
 }
-/// A half-space stays where it is.
+/// A half-space is in the world already.
 template <std::floating_point S>
 HalfSpace<S> placed(const HalfSpace<S>& shape, const Vector3<S>&, const Matrix3<S>&) {
   return shape;
 }
 // [/in-world]
 
-/// How a step is made.
+/// Settings of a step.
 template <Ring S>
 struct StepSettings {
   Vector3<S> gravity{S(0), S(0), S(-9.80665)};  ///< m/s²
   S step = S(1) / S(60);                        ///< h, s, greater than 0
-  S margin = S(0.02);     ///< surfaces at most so far apart are contacts already, m
+  S margin = S(0.02);     ///< surfaces at most this far apart are in contact, m
   S rest_speed = S(0.5);  ///< slower impacts do not bounce, m/s
   SweepLimits<S> sweeps{20000, S(1e-11), S(1.8)};  ///< of the solver
 };
 
-/// What a step leaves for the next: where contacts were, and how hard they pushed.
+/// The contacts of a step and their impulses, for the warm start of the next step.
 template <Ring S>
 struct StepMemory {
   std::vector<BodyContact<S>> contacts;     ///< in the order of the step
-  std::vector<ContactImpulse<S>> impulses;  ///< one a contact
+  std::vector<ContactImpulse<S>> impulses;  ///< one for each contact
 };
 
 // [find-contacts]
-/// All contacts of bodies nearer than the margin: pair after pair, in the order of the list, and
-/// the points of each in the order of its manifold. All pairs are looked at.
+/// All contacts of bodies within the margin, by pairs in the order of the list and by points in the
+/// order of the manifold. All pairs are tested.
 ///
-/// A gap may close within the step, and no more. An impact faster than the rest speed must leave
-/// with e times the speed with which it came.
+/// A gap may close within the step, but not become negative. After an impact faster than the rest
+/// speed the bodies separate with e times the speed of approach.
 template <std::floating_point S>
 std::vector<BodyContact<S>> find_contacts(const std::vector<ShapedBody<S>>& bodies,
                                           const StepSettings<S>& settings) {
@@ -177,8 +178,8 @@ std::vector<BodyContact<S>> find_contacts(const std::vector<ShapedBody<S>>& bodi
 
 namespace detail {
 
-/// The impulses of the step before, each for the contact of the same pair nearest to where it was,
-/// within the margin.
+/// The impulses of the previous step: for each contact that of the nearest previous contact of the
+/// same pair, within the margin.
 template <std::floating_point S>
 std::vector<ContactImpulse<S>> remembered(const std::vector<BodyContact<S>>& contacts,
                                           const StepMemory<S>& memory, const S& margin) {
@@ -201,13 +202,13 @@ std::vector<ContactImpulse<S>> remembered(const std::vector<BodyContact<S>>& con
 }  // namespace detail
 
 // [step]
-/// A step of time: gravity changes the velocities, contacts correct them, and with these the bodies
-/// move.
+/// A time step: gravity changes the velocities, contact impulses correct them, and the bodies move
+/// with the corrected velocities.
 ///
-/// The angular momentum of a body that nothing touches stays as it is: its spin follows its
-/// orientation. Depth that is there, from the start or by rounding, is neither undone nor does it
+/// The angular momentum of a body without contacts is conserved: its angular velocity follows from
+/// its orientation. Penetration, from the start or by rounding, is not corrected, and does not
 /// grow.
-/// @param memory what the last step left, and is given what this one leaves; empty at first
+/// @param memory of the previous step, replaced by that of this step; empty for the first step
 /// @return how the solver ended
 template <std::floating_point S>
 SweepReport<S> step_contacts(std::vector<ShapedBody<S>>& bodies, StepMemory<S>& memory,

@@ -1,6 +1,6 @@
 /// @file
-/// A step with every impact in it: advance to the first one, reflect, and use up the rest of the
-/// step in the same way.
+/// A step with all its impacts: advance to the first impact, reflect the velocity, and use up the
+/// rest of the step in the same way.
 #pragma once
 
 #include <cstddef>
@@ -17,12 +17,12 @@
 
 namespace contact {
 
-/// How impacts are treated, and when to give up. Make it with impact_rules(), which checks what it
-/// is given.
+/// How impacts are treated, and when to stop. Make it with impact_rules(), which checks its
+/// arguments.
 template <Scalar S>
 struct ImpactRules {
   S restitution = S(1);   ///< of ball and walls, 0 to 1
-  S rest_speed = S(0);    ///< who leaves a wall this fast or slower, and is pulled back, rests, m/s
+  S rest_speed = S(0);    ///< a ball that leaves a wall no faster and is pulled back rests, m/s
   int most_impacts = 64;  ///< in one step
 };
 
@@ -46,24 +46,25 @@ ImpactRules<S> impact_rules(const S& restitution, const S& rest_speed, int most_
 
 /// Why an advance ended.
 enum class AdvanceEnd {
-  used_up,        ///< the step is over
-  rests,          ///< on a wall that it is pulled against
-  out_of_impacts  ///< more of them than the rules allow
+  used_up,        ///< the end of the step is reached
+  rests,          ///< the ball rests on a wall towards which it is pulled
+  out_of_impacts  ///< there are more impacts than the rules allow
 };
 
-/// What a step came to.
+/// The result of a step.
 template <Scalar S>
 struct Advance {
-  MotionState<Vector3<S>> state;         ///< of the centre, at the end or where it stopped
+  MotionState<Vector3<S>> state;         ///< of the centre, at the end or where the ball stopped
   int impacts = 0;                       ///< in this step
-  int wall = -1;                         ///< the last one that was met; −1 for none
-  S time_left = S(0);                    ///< of the step, s; 0 if it is used up
-  AdvanceEnd end = AdvanceEnd::used_up;  ///< why it ended
+  int wall = -1;                         ///< index of the last wall that was hit; −1 for none
+  S time_left = S(0);                    ///< unused part of the step, s; 0 if it is used up
+  AdvanceEnd end = AdvanceEnd::used_up;  ///< why the advance ended
 };
 
 namespace detail {
 
-/// The wall that is met first, and when. Of walls met at one time, the first of the list.
+/// The wall that is hit first, and when. Of walls that are hit at the same time, the first in the
+/// list.
 template <Scalar S>
 struct WallMeeting {
   int wall = -1;
@@ -81,13 +82,13 @@ WallMeeting<S> next_wall(const std::vector<Plane<S>>& walls, const Closing& clos
   return first;
 }
 
-// [advance-loop]
-/// The loop of both advances. `closing` says when a wall is met from a state, and `moved` where the
-/// ball is a time later.
+/// The loop of both advances. `closing` returns when a wall is hit from a state, and `moved`
+/// returns the state after a time of free motion.
 template <Scalar S, class Closing, class Moved>
 Advance<S> advance_by(const MotionState<Vector3<S>>& start, const Vector3<S>& acceleration,
                       const S& step, const std::vector<Plane<S>>& walls,
                       const ImpactRules<S>& rules, const Closing& closing, const Moved& moved) {
+  // [advance-loop]
   Advance<S> now{start, 0, -1, step, AdvanceEnd::used_up};
   for (;;) {
     const WallMeeting<S> next =
@@ -98,7 +99,7 @@ Advance<S> advance_by(const MotionState<Vector3<S>>& start, const Vector3<S>& ac
       return now;
     }
     const Vector3<S>& normal = walls[static_cast<std::size_t>(next.wall)].normal;
-    // To the wall, with the velocity that the ball has there.
+    // Move to the wall: what is reflected is the velocity at the impact.
     now.state = moved(now.state, next.time);
     now.time_left = now.time_left - next.time;
     now.wall = next.wall;
@@ -110,31 +111,33 @@ Advance<S> advance_by(const MotionState<Vector3<S>>& start, const Vector3<S>& ac
       ++now.impacts;
       now.state.velocity = after_bounce(now.state.velocity, normal, rules.restitution);
     }
+    // [/advance-loop]
+    // [rest-rule]
     const S leaving = now.state.velocity.dot(normal);
     if (!(leaving > rules.rest_speed) && acceleration.dot(normal) < S(0)) {
       now.state.velocity = now.state.velocity - normal * leaving;
       now.end = AdvanceEnd::rests;
       return now;
     }
+    // [/rest-rule]
   }
 }
-// [/advance-loop]
 
 }  // namespace detail
 
 // [advance-straight]
-/// A ball without forces, one step later, with every impact in it: exact if S is.
+/// Moves a ball without forces for one step, with all its impacts; exact if S is exact.
 ///
-/// With the velocity that velocity_first_step() has just made, this is the lecture's loop.
+/// With the velocity after velocity_first_step(), this is the lecture's loop.
 /// @param start centre and velocity
 /// @param radius m, 0 or more
 /// @param step s, 0 or more
-/// @param walls planes whose fronts the ball moves in; it does not start behind one
-/// @param rules rest_speed does not matter here: nothing pulls
-/// @note Between two walls at an angle θ a ball that loses nothing has at most ⌈π/θ⌉ impacts; with
-/// losses there are more, and at a small angle no end; parallel walls give as many as fit into the
-/// step. What is left when the rules' number is spent is `time_left`; the ball
-/// then touches a wall that it still approaches
+/// @param walls planes; the ball starts and stays in front of all of them
+/// @param rules rest_speed is not used, since no force pulls the ball back
+/// @note In a wedge of angle θ a ball with k = 1 has at most ⌈π/θ⌉ impacts. With k < 1 there can be
+/// more, and for a small angle and small k infinitely many. Between parallel walls there are as
+/// many as fit into the step. When the limit of the rules is reached, `time_left` is the unused
+/// part of the step, and the ball touches a wall that it still approaches
 /// @see *Fundamentals of Computer Animation*, slide "At the beginning of each time step"
 template <Scalar S>
 Advance<S> advance_straight(const MotionState<Vector3<S>>& start, const S& radius, const S& step,
@@ -152,21 +155,23 @@ Advance<S> advance_straight(const MotionState<Vector3<S>>& start, const S& radiu
 // [/advance-straight]
 
 // [advance-ballistic]
-/// A ball under a constant acceleration, one step later, with every impact in it.
+/// Moves a ball under a constant acceleration for one step, with all its impacts.
 ///
-/// Its flights are true parabolas, and what is reflected is the velocity at the impact. It stops,
-/// with the rest of the step in `time_left`, once it leaves a wall with the rest speed or less and
-/// is pulled back: it touches that wall then and has no velocity along its normal. What it does
-/// from there on, lie, slide or roll, is a matter of contact and not of impacts.
+/// Between impacts the ball follows exact parabolas, and what is reflected is the velocity at the
+/// impact. If the ball leaves a wall at the rest speed or slower and is pulled back, the advance
+/// stops there: the ball touches the wall, has no normal velocity, and `time_left` is the unused
+/// part of the step. Whether it then lies, slides or rolls is a question of contact, not of
+/// impacts.
 /// @param start centre and velocity
 /// @param acceleration m/s²
 /// @param radius m, 0 or more
 /// @param step s, 0 or more
-/// @param walls planes whose fronts the ball moves in; it does not start behind one
-/// @note With a rest speed w and a pull g against the wall, the flights that are left out end
-/// within 2 w / (g (1 − k)) and stay below w²/(2 g). With the rest speed 0 and 0 < k < 1 impacts
-/// are endless, and only the rules' number ends them
-/// @note Each impact rounds, so a ball touches its wall but for some u of what it was computed from
+/// @param walls planes; the ball starts and stays in front of all of them
+/// @note With rest speed w and acceleration g towards the wall, the flights that are left out last
+/// at most 2 w / (g (1 − k)) and stay below w²/(2 g). With rest speed 0 and 0 < k < 1 there are
+/// infinitely many impacts in a finite time, and only the limit on their number ends the advance
+/// @note Each impact rounds: the ball touches its wall to within a few u of the numbers from which
+/// its position was computed
 template <std::floating_point S>
 Advance<S> advance_ballistic(const MotionState<Vector3<S>>& start, const Vector3<S>& acceleration,
                              const S& radius, const S& step, const std::vector<Plane<S>>& walls,

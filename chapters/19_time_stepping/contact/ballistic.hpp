@@ -1,5 +1,6 @@
 /// @file
-/// Motion under a constant acceleration, without steps: where a body is, and when a gap closes.
+/// Motion under a constant acceleration, without steps: position and velocity after a time, and the
+/// time at which a gap closes.
 #pragma once
 
 #include <algorithm>
@@ -17,11 +18,11 @@
 namespace contact {
 
 // [ballistic]
-/// Where a body is after the time t under a constant acceleration: x + (v + a t/2) t and v + a t.
-/// This is no approximation, however long t is.
+/// Position and velocity after the time t under a constant acceleration: x + (v + a t/2) t and
+/// v + a t. The formula is exact for every t.
 /// @param acceleration m/s²
 /// @param t s
-/// @return the position off by some 4 u of |x| + |v t| + |a t²/2|
+/// @return the position with an error of at most about 4 u (|x| + |v t| + |a t²/2|)
 template <class V, Scalar S>
 MotionState<V> ballistic_motion(const MotionState<V>& now, const V& acceleration, const S& t) {
   const V middle = now.velocity + acceleration * (t / S(2));
@@ -32,11 +33,11 @@ MotionState<V> ballistic_motion(const MotionState<V>& now, const V& acceleration
 // [/ballistic]
 
 // [straight-gap]
-/// When a gap that changes at a constant rate closes: gap / (−rate).
-/// @param gap m; 0 or less is closed
-/// @param rate of change of the gap, m/s
-/// @return s; 0 for a gap that is closed and gets smaller. Nothing if it does not get smaller: what
-/// moves away does not close, also where it touches or overlaps
+/// The time at which a gap that changes at a constant rate closes: gap / (−rate).
+/// @param gap m; a gap of 0 or less is closed
+/// @param rate rate of change of the gap, m/s
+/// @return s; 0 for a closed gap that shrinks. Nothing if the gap does not shrink: bodies that
+/// separate do not collide, even where they touch or overlap
 template <Scalar S>
 std::optional<S> straight_closing_time(const S& gap, const S& rate) {
   if (!(rate < S(0))) return std::nullopt;
@@ -47,11 +48,11 @@ std::optional<S> straight_closing_time(const S& gap, const S& rate) {
 
 namespace detail {
 
-/// √(rate² − 2 a gap) times 2^−power, or nothing if the true square is negative. Decided without
-/// rounding where rounding could decide.
+/// √(rate² − 2 a gap) times 2^−power, and whether the exact radicand is at least 0. Where rounding
+/// could change that sign, it is computed exactly.
 template <std::floating_point S>
 struct ClosingRoot {
-  S root = S(0);  ///< of the square, divided by 2^power
+  S root = S(0);  ///< of the radicand, divided by 2^power
   S rate = S(0);  ///< divided by 2^power
   int power = 0;
   bool real = true;
@@ -90,25 +91,25 @@ ClosingRoot<S> closing_root(const S& gap, const S& rate, const S& a) {
 }  // namespace detail
 
 // [closing-time]
-/// When a gap closes that changes at a rate which itself changes evenly: the first t ≥ 0 at which
-/// gap + rate t + a t²/2 is 0 or less, for a gap that gets smaller.
+/// The time at which a gap under a constant acceleration closes: the first t ≥ 0 at which
+/// gap + rate t + a t²/2 is 0 or less and the gap shrinks.
 ///
-/// A gap that is closed already and gets smaller gives 0. One that touches or overlaps and grows
-/// gives the time when it closes again, or nothing. A gap that comes down to 0 and turns just
-/// there, grazing, closes: touching counts.
+/// For a closed gap that shrinks, the time is 0. For a gap of 0 or less that grows, it is the time
+/// at which the gap closes again, if it does. A gap whose minimum is exactly 0 closes: touching
+/// counts.
 /// @param gap m
-/// @param rate of change of the gap at the start, m/s
-/// @param a change of that rate, m/s²; negative if the two are pulled together
-/// @return s; nothing if it never closes, or later than the largest number. Whether it closes is
-/// right for every finite input whose powers of two lie within ±250 of 1 (±30 for float); the time
-/// is off by at most 16 u of itself, if it does not underflow
+/// @param rate rate of change of the gap at the start, m/s
+/// @param a rate of change of that rate, m/s²; negative if the two are pulled together
+/// @return s; nothing if the gap never closes, or only after the largest finite time. Whether it
+/// closes is decided exactly for every finite input with exponents within ±250 (±30 for float); the
+/// time has a relative error of at most 16 u, unless it underflows
 template <std::floating_point S>
 std::optional<S> closing_time(const S& gap, const S& rate, const S& a) {
   const bool closing = rate < S(0) || (rate == S(0) && a < S(0));
   if (!(gap > S(0))) {
     if (closing) return S(0);
     if (!(a < S(0))) return std::nullopt;
-    // It opens. An overlap that would shut before it is open closes when it stops to grow.
+    // The gap grows. An overlap that never opens closes when it stops growing.
     const auto root = detail::closing_root(gap, rate, a);
     const S until = root.real ? std::ldexp((root.rate + root.root) / -a, root.power) : rate / -a;
     return std::isfinite(until) ? std::optional<S>(until) : std::nullopt;
@@ -120,7 +121,7 @@ std::optional<S> closing_time(const S& gap, const S& rate, const S& a) {
   }
   const auto root = detail::closing_root(gap, rate, a);
   if (!root.real) return std::nullopt;
-  // Two forms of one root, each where its sum does not cancel.
+  // Two forms of the same root; each is used where its sum does not cancel.
   const S until = rate > S(0) ? std::ldexp((root.rate + root.root) / -a, root.power)
                               : std::ldexp(gap / (root.root - root.rate) * S(2), -root.power);
   return std::isfinite(until) ? std::optional<S>(until) : std::nullopt;

@@ -1,5 +1,5 @@
 /// @file
-/// What will happen next: a queue of events that have not happened yet, some of which never will.
+/// A priority queue of future events, some of which become stale before they happen.
 #pragma once
 
 #include <algorithm>
@@ -13,45 +13,44 @@
 
 namespace contact {
 
-// [queued-event]
-/// Two bodies that will meet, or a body and something that does not move.
+/// A collision of two bodies, or of a body with something static.
 template <std::totally_ordered Time>
 struct QueuedEvent {
-  Time time{};      ///< s, on one clock for all
+  Time time{};      ///< s, on one clock for all bodies
   int first = 0;    ///< index of a body
-  int second = -1;  ///< index of another, larger than first; or a negative number: a wall, an alarm
+  int second = -1;  ///< index of another body, larger than first; or a negative number for a wall
 
-  /// Whether this one comes before the other. Of events at one time that of the smaller first body
-  /// does, then that of the smaller second: walls before bodies.
+  /// Whether event a comes before event b: the earlier time, then the smaller first body, then the
+  /// smaller second (walls before bodies).
+  // [comes-before]
   friend bool comes_before(const QueuedEvent& a, const QueuedEvent& b) {
     if (a.time < b.time || b.time < a.time) return a.time < b.time;
     return std::pair(a.first, a.second) < std::pair(b.first, b.second);
   }
+  // [/comes-before]
 };
-// [/queued-event]
 
-// [event-queue]
-/// Events in the order of their times, with a rule for ties that does not depend on the order in
-/// which they were put in.
+/// A priority queue of events, with a rule for ties that does not depend on the order in which the
+/// events were added.
 ///
-/// An event that was computed for a body becomes stale when something else happens to that body
-/// first. It is not searched for: the body's stamp is raised, and an event with an older stamp is
-/// passed over when it comes to the top. (Two events that are the same in all three numbers are the
-/// same event, whichever comes first.)
+/// An event becomes stale when the motion of one of its bodies changes before it happens. Deletion
+/// is lazy: the stamp of the body is raised, and an event with an older stamp is skipped when it
+/// reaches the top. (Two events that are equal in all three numbers are the same event, so their
+/// order does not matter.)
 ///
-/// Limits: push and pop take some log₂ n comparisons. Stale events are swept out when they may be
-/// more than half, so the memory stays within twice that of the events that count, plus two events
-/// for each body.
+/// Cost: push and pop take O(log n) comparisons. Stale events are removed when they may be more
+/// than half, so the size stays within twice the number of valid events, plus two for each body.
 template <std::totally_ordered Time>
 class EventQueue {
  public:
-  /// A queue for so many bodies, which have the indices 0 to bodies − 1.
+  /// A queue for bodies with the indices 0 to bodies − 1.
   explicit EventQueue(std::size_t bodies) : stamps_(bodies, 0) {}
 
-  /// Puts an event in.
-  /// @param time s; not NaN, which has no place in an order
+  /// Adds an event.
+  /// @param time s; not NaN, which is not ordered
   /// @param first index of a body
-  /// @param second index of another, or a negative number; the two bodies may come in any order
+  /// @param second index of another body, or a negative number; the bodies may be in any order
+  // [event-queue]
   void push(const Time& time, int first, int second = -1) {
     assert(time == time);
     if (second >= 0 && second < first) std::swap(first, second);
@@ -59,14 +58,13 @@ class EventQueue {
     std::push_heap(heap_.begin(), heap_.end(), later);
   }
 
-  /// Makes stale all events of a body that are in the queue: call it when the body's motion
-  /// changes.
+  /// Makes all queued events of a body stale: call it when the body's motion changes.
   void invalidate(int body) {
     ++stamps_[static_cast<std::size_t>(body)];
     if (++changes_ > heap_.size() / 2 + stamps_.size()) sweep();
   }
 
-  /// Takes out the next event that counts; nothing if there is none.
+  /// Removes and returns the next valid event; nothing if there is none.
   std::optional<QueuedEvent<Time>> pop() {
     while (!heap_.empty()) {
       std::pop_heap(heap_.begin(), heap_.end(), later);
@@ -76,8 +74,9 @@ class EventQueue {
     }
     return std::nullopt;
   }
+  // [/event-queue]
 
-  /// Its time, without taking it out; nothing if there is none.
+  /// The time of the next valid event, without removing it; nothing if there is none.
   std::optional<Time> next_time() {
     while (!heap_.empty() && !counts(heap_.front())) {
       std::pop_heap(heap_.begin(), heap_.end(), later);
@@ -86,7 +85,7 @@ class EventQueue {
     return heap_.empty() ? std::optional<Time>() : std::optional<Time>(heap_.front().event.time);
   }
 
-  /// How many entries it holds, stale ones included.
+  /// The number of entries, stale ones included.
   std::size_t size() const { return heap_.size(); }
 
  private:
@@ -96,7 +95,7 @@ class EventQueue {
     std::uint64_t second_stamp = 0;
   };
 
-  /// A heap of the library has its largest element on top.
+  /// The standard library's heap has its largest element on top.
   static bool later(const Entry& a, const Entry& b) { return comes_before(b.event, a.event); }
 
   std::uint64_t stamp(int body) const { return stamps_[static_cast<std::size_t>(body)]; }
@@ -115,8 +114,7 @@ class EventQueue {
 
   std::vector<Entry> heap_;
   std::vector<std::uint64_t> stamps_;
-  std::size_t changes_ = 0;  ///< since the last sweep
+  std::size_t changes_ = 0;  ///< since stale entries were last removed
 };
-// [/event-queue]
 
 }  // namespace contact

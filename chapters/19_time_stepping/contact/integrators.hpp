@@ -1,17 +1,18 @@
 /// @file
-/// One step of a motion under a force: Euler's step in its two orders, Verlet's two, and the
-/// classical Runge–Kutta step of order 4.
+/// One step of a motion under a force: explicit and symplectic Euler, the two forms of Verlet's
+/// step, and the classical Runge–Kutta step of order 4. Implicit Euler, for a spring, is in
+/// spring_motion.hpp.
 ///
-/// A law of force is a function that gives the acceleration at a place, in m/s². A place is a
-/// number, for motion on a line, or a Vector3. All but the last digit of what these steps do can be
-/// seen with fractions: nothing here but +, − and ×, and a division by 2 or 6.
+/// A law of force is a function that returns the acceleration at a position, in m/s². A position is
+/// a number, for motion on a line, or a Vector3. The steps use only +, −, × and division by 2 or 6,
+/// so on fractions they are exact.
 #pragma once
 
 #include <contact/vector.hpp>
 
 namespace contact {
 
-/// Where a body is and how fast.
+/// Position and velocity of a body.
 /// @tparam V a number, for motion on a line, or a vector
 template <class V>
 struct MotionState {
@@ -21,20 +22,20 @@ struct MotionState {
 
 /// Which step is taken.
 enum class Integrator {
-  position_first,   ///< Euler: the position with the old velocity, then the velocity
-  velocity_first,   ///< Euler: the velocity, then the position with the new one
-  velocity_verlet,  ///< half a push, a whole way, half a push
-  position_verlet,  ///< half a way, a whole push, half a way
-  runge_kutta_4     ///< four looks at the force
+  position_first,   ///< explicit Euler: the position with the old velocity, then the velocity
+  velocity_first,   ///< symplectic Euler: the velocity, then the position with the new velocity
+  velocity_verlet,  ///< half a velocity update, a whole position update, half a velocity update
+  position_verlet,  ///< half a position update, a whole velocity update, half a position update
+  runge_kutta_4     ///< four force evaluations
 };
 
-// [euler]
-/// Euler's step with the position first: x' = x + h v, v' = v + h a(x). Both with what was known at
+/// Explicit Euler (forward Euler): x' = x + h v, v' = v + h a(x), with velocity and acceleration of
 /// the start of the step.
 ///
-/// Its error falls with h. On a spring it adds energy in every step, by the factor 1 + (ω h)².
+/// The error falls with h. On a spring every step multiplies the energy by 1 + (ω h)².
 /// @param h length of the step, s
-/// @param law the acceleration at a place, m/s²
+/// @param law the acceleration at a position, m/s²
+// [explicit-euler]
 template <class V, Scalar S, class Law>
 MotionState<V> position_first_step(const MotionState<V>& now, const S& h, const Law& law) {
   const V position = now.position + now.velocity * h;
@@ -42,28 +43,33 @@ MotionState<V> position_first_step(const MotionState<V>& now, const S& h, const 
   return {position, velocity};
 }
 
-/// Euler's step with the velocity first: v' = v + h a(x), x' = x + h v'.
+// [/explicit-euler]
+
+/// Symplectic Euler (semi-implicit Euler): v' = v + h a(x), x' = x + h v'.
 ///
-/// Its error falls with h too. On a spring it keeps v² + (ω x)² − h ω² x v, as long as ω h < 2: so
-/// the energy goes up and down by about ω h / 2 of itself, and does not run away.
+/// The error falls with h. On a spring v² + (ω x)² − h ω² x v is an invariant. As long as ω h < 2
+/// the energy stays within a fraction of about ω h / 2 of it, and does not grow.
 /// @param h, law as above
 /// @see *Fundamentals of Computer Animation*, slide "Moving Under Gravity"
+// [symplectic-euler]
 template <class V, Scalar S, class Law>
 MotionState<V> velocity_first_step(const MotionState<V>& now, const S& h, const Law& law) {
   const V velocity = now.velocity + law(now.position) * h;
   const V position = now.position + velocity * h;
   return {position, velocity};
 }
-// [/euler]
+// [/symplectic-euler]
 
-// [verlet]
-/// Verlet's step by the velocity: half of the push with the force of the start, the way with what
-/// that gives, half of the push with the force of the end.
+/// Velocity Verlet (leapfrog, kick–drift–kick): the velocity for half a step with the acceleration
+/// of the start, the position for a step, the velocity for half a step with the acceleration of the
+/// end.
 ///
-/// Its error falls with h². It is exact for a constant acceleration. On a spring it keeps
-/// v² + (ω x)² (1 − (ω h)²/4), as long as ω h < 2. Taken back with −h it returns to where it was.
+/// The error falls with h². The step is exact for a constant acceleration. On a spring
+/// v² + (ω x)² (1 − (ω h)²/4) is an invariant, and the motion is bounded as long as ω h < 2. A step
+/// of −h undoes it.
 /// @param h, law as above
 /// @see Verlet, *Computer "experiments" on classical fluids I*, Physical Review 159 (1967)
+// [verlet]
 template <class V, Scalar S, class Law>
 MotionState<V> velocity_verlet_step(const MotionState<V>& now, const S& h, const Law& law) {
   const S half = h / S(2);
@@ -72,12 +78,13 @@ MotionState<V> velocity_verlet_step(const MotionState<V>& now, const S& h, const
   const V velocity = middle + law(position) * half;
   return {position, velocity};
 }
+// [/verlet]
 
-/// Verlet's step by the position: half of the way, the whole push with the force there, the other
-/// half of the way. One look at the force.
+/// Position Verlet (drift–kick–drift): the position for half a step, the velocity for a step with
+/// the acceleration there, the position for half a step. One force evaluation.
 ///
-/// Its error falls with h². It is exact for a constant acceleration. On a spring it keeps
-/// v² (1 − (ω h)²/4) + (ω x)², as long as ω h < 2.
+/// The error falls with h². The step is exact for a constant acceleration. On a spring
+/// v² (1 − (ω h)²/4) + (ω x)² is an invariant, and the motion is bounded as long as ω h < 2.
 /// @param h, law as above
 template <class V, Scalar S, class Law>
 MotionState<V> position_verlet_step(const MotionState<V>& now, const S& h, const Law& law) {
@@ -87,15 +94,14 @@ MotionState<V> position_verlet_step(const MotionState<V>& now, const S& h, const
   const V position = middle + velocity * half;
   return {position, velocity};
 }
-// [/verlet]
 
 // [runge-kutta]
-/// The classical Runge–Kutta step: the slope at the start, twice in the middle, at the end, and of
-/// these a mean with the weights 1, 2, 2, 1.
+/// The classical Runge–Kutta step (RK4): the derivative at the start, twice in the middle, at the
+/// end, and their mean with the weights 1, 2, 2, 1.
 ///
-/// Its error falls with h⁴, for four looks at the force. It is exact for a constant acceleration.
-/// On a spring it loses energy in every step, by the factor 1 − (ω h)⁶/72 + (ω h)⁸/576, as long as
-/// ω h < 2√2; beyond that it gains.
+/// The error falls with h⁴, for four force evaluations. The step is exact for a constant
+/// acceleration. On a spring every step multiplies the energy by 1 − (ω h)⁶/72 + (ω h)⁸/576: a loss
+/// for ω h < 2√2, a gain beyond.
 /// @param h, law as above
 template <class V, Scalar S, class Law>
 MotionState<V> runge_kutta_4_step(const MotionState<V>& now, const S& h, const Law& law) {
@@ -115,9 +121,9 @@ MotionState<V> runge_kutta_4_step(const MotionState<V>& now, const S& h, const L
 // [/runge-kutta]
 
 // [integrate]
-/// One step by the integrator of that name.
+/// One step by the given integrator.
 /// @param h length of the step, s
-/// @param law the acceleration at a place, m/s²
+/// @param law the acceleration at a position, m/s²
 template <class V, Scalar S, class Law>
 MotionState<V> motion_step(Integrator integrator, const MotionState<V>& now, const S& h,
                            const Law& law) {
@@ -136,8 +142,8 @@ MotionState<V> motion_step(Integrator integrator, const MotionState<V>& now, con
   return runge_kutta_4_step(now, h, law);
 }
 
-/// Where a body is after so many steps.
-/// @note Each step rounds once more; after n steps that may come to some n u.
+/// Position and velocity after a number of steps.
+/// @note Each step rounds again: after n steps the rounding error can reach a few n u.
 template <class V, Scalar S, class Law>
 MotionState<V> integrate(Integrator integrator, MotionState<V> state, const S& h, long long steps,
                          const Law& law) {

@@ -1,9 +1,8 @@
 /// @file
-/// Going back to where things were still free: in slices, and by bisection.
+/// Rolling back to the last time without overlap: by equal substeps (slices), and by bisection.
 ///
-/// Both ask one question, "is this moment free of overlap?", and know nothing else. That is their
-/// strength, since any shape and any motion can answer it; and their weakness, since what goes in
-/// and out again between two looks is never seen.
+/// Both only test whether the bodies overlap at a given time. Any shape and any motion allow that
+/// test; but an overlap that begins and ends between two tests is missed.
 #pragma once
 
 #include <algorithm>
@@ -17,24 +16,24 @@
 
 namespace contact {
 
-/// Two moments with an impact between them.
+/// Two times with an impact between them.
 template <Scalar S>
 struct RollbackBracket {
-  S free = S(0);     ///< s into the step: nothing overlapped then
-  S blocked = S(0);  ///< s into the step, later: something did
-  int looks = 0;     ///< how often the question was asked
+  S free = S(0);     ///< s from the start of the step: no overlap then
+  S blocked = S(0);  ///< s from the start of the step, later: an overlap then
+  int looks = 0;     ///< how many overlap tests were made
 };
 
 // [slices]
-/// The last slice of a step that is free, before the first that is not.
+/// Cuts the step into equal slices and brackets the first slice end with an overlap.
 ///
-/// @param is_free whether nothing overlaps at a time from 0 to `step`; asked in order, until the
-/// answer is no. Time 0 is taken to be free and not asked
+/// @param is_free whether there is no overlap at a time from 0 to `step`; called in order until the
+/// result is false. Time 0 is assumed to be free and is not tested
 /// @param step s, greater than 0
 /// @param slices 1 or more
-/// @return nothing if every slice is free. That does not prove that the step is: a thing that is in
-/// and out between two slices is missed. The last free time is before the impact by at most
-/// step / slices
+/// @return nothing if all slice ends are free. That does not prove that the whole step is free: an
+/// overlap that begins and ends between two tests is missed. The last free time is before the
+/// impact by at most step / slices
 /// @see *Fundamentals of Computer Animation*, slide "How About 2 MOVING spheres?": "take the
 /// previous position as the intersection point"
 template <Scalar S, class IsFree>
@@ -42,7 +41,7 @@ std::optional<RollbackBracket<S>> last_free_slice(const IsFree& is_free, const S
                                                   int slices) {
   S before(0);
   for (int i = 1; i <= slices; ++i) {
-    // The end itself, and not a sum of slices that rounding has put beside it.
+    // The last time is `step` itself, without rounding.
     const S time = i == slices ? step : S(step * S(i) / S(slices));
     if (!is_free(time)) return RollbackBracket<S>{before, time, i};
     before = time;
@@ -51,14 +50,14 @@ std::optional<RollbackBracket<S>> last_free_slice(const IsFree& is_free, const S
 }
 // [/slices]
 
-// [bisection]
-/// A bracket made half as wide, again and again.
+/// Halves a bracket repeatedly.
 ///
-/// It keeps its promise at every turn: its free end is free, its blocked end is blocked. So an
-/// impact lies between them, though not always the first one.
-/// @param is_free as above; it is asked once for each halving
+/// Invariant: there is no overlap at the free end and there is one at the blocked end. So an impact
+/// lies between them, though not always the first one.
+/// @param is_free as above; called once for each halving
 /// @param width stops when the bracket is no wider, s, 0 or more. With 0 it stops when there is no
-/// number between the ends, which takes no more than 1100 halvings for a double, and mostly 50
+/// number between the ends: for doubles after at most 1,100 halvings, usually after about 50
+// [bisection]
 template <std::floating_point S, class IsFree>
 RollbackBracket<S> bisected(const IsFree& is_free, RollbackBracket<S> bracket, const S& width) {
   while (bracket.blocked - bracket.free > width) {
@@ -71,26 +70,26 @@ RollbackBracket<S> bisected(const IsFree& is_free, RollbackBracket<S> bracket, c
 }
 // [/bisection]
 
-/// How a bouncing ball looks for its impact in a step.
+/// How the impact of a bouncing ball in a step is found.
 template <std::floating_point S>
 struct RollbackRules {
-  int slices = 1;  ///< looks in one step, evenly spaced, 1 or more
-  S width = S(0);  ///< bisects until the impact is known as well as this, s; infinite: not at all
+  int slices = 1;  ///< number of equal slices of a step, 1 or more
+  S width = S(0);  ///< bisects until the bracket is no wider, s; infinite: no bisection
 };
 
 // [rolled-back-step]
-/// One step of a bouncing ball that goes back to the last free state before an impact, reflects the
-/// velocity there, and uses up the rest of the step in the same way.
+/// One step of a bouncing ball that rolls back to the last free state before an impact, reflects
+/// the velocity there, and uses up the rest of the step in the same way.
 ///
-/// The impact is early by no more than the bracket is wide, and the ball turns a little above the
-/// floor. With k = 1 no energy is gained or lost by that: it is reflected where it is, with the
-/// speed that it has there.
-/// @param now its state, on the floor or above it
+/// The impact is early by at most the width of the bracket, so the ball bounces a little above the
+/// floor. With k = 1 this changes no energy, since the ball is reflected with the speed that it has
+/// at that height.
+/// @param now state of the ball, on the floor or above it
 /// @param ball for gravity and restitution
 /// @param dt length of the step, s, greater than 0
-/// @param rules how it looks
-/// @note A flight shorter than a slice may not be seen. Bounces that are too short for the bracket,
-/// or for the clock, end the step: the ball stays where it is until the next one
+/// @param rules how the impact is found
+/// @note A flight shorter than a slice may be missed. Bounces shorter than the bracket, or too
+/// short to change the time, end the step: the ball stays at its position until the next step
 template <std::floating_point S>
 BounceState<S> rolled_back_step(BounceState<S> now, const BouncingBall<S>& ball, S dt,
                                 const RollbackRules<S>& rules) {

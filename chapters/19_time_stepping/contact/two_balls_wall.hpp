@@ -1,6 +1,6 @@
 /// @file
-/// Two balls on a line and a wall: from event to event, exact for rationals; in steps; and when
-/// their collisions have no end.
+/// Two balls on a line and a wall: from event to event, exact for rationals; in steps; and whether
+/// they collide infinitely often.
 #pragma once
 
 #include <concepts>
@@ -14,20 +14,21 @@
 
 namespace contact {
 
-/// A wall, an inner ball before it and an outer ball behind that, all on one line and without
-/// forces. Make it with two_balls_and_wall(), which checks what it is given.
+/// A wall, an inner ball and an outer ball on one line, without forces; the inner ball is between
+/// the wall and the outer ball. Make it with two_balls_and_wall(), which checks its arguments.
 template <Scalar S>
 struct TwoBallsAndWall {
   LineBody<S> inner;      ///< velocity away from the wall, m/s
   LineBody<S> outer;      ///< velocity away from the wall, m/s
-  S wall_gap = S(0);      ///< between the wall and the inner ball, m
-  S ball_gap = S(0);      ///< between the two balls, m
+  S wall_gap = S(0);      ///< distance of the wall and the inner ball, m
+  S ball_gap = S(0);      ///< distance of the two balls, m
   S restitution = S(1);   ///< of the balls with each other and with the wall, 0 to 1
   std::int64_t hits = 0;  ///< collisions so far, with the wall and with each other
 };
 
-/// Two balls before a wall.
-/// @param inner, outer of line_body(), with finite masses; velocities count away from the wall
+/// Two balls and a wall.
+/// @param inner, outer of line_body(), with finite masses; velocities are positive away from the
+/// wall
 /// @param wall_gap, ball_gap m, 0 or more
 /// @param restitution 0 to 1
 /// @throws std::invalid_argument if a number is out of its range or not finite
@@ -80,8 +81,8 @@ struct BallOrWallHit {
   bool wall = false;  ///< of the inner ball with the wall; else of the balls with each other
 };
 
-/// The next collision; nothing if nothing comes closer. If the inner ball meets wall and outer ball
-/// at one time, the wall comes first.
+/// The next collision; nothing if no gap shrinks. If the inner ball hits the wall and the outer
+/// ball at the same time, the wall comes first.
 template <Scalar S>
 std::optional<BallOrWallHit<S>> next_hit(const TwoBallsAndWall<S>& now) {
   std::optional<BallOrWallHit<S>> next;
@@ -97,9 +98,9 @@ std::optional<BallOrWallHit<S>> next_hit(const TwoBallsAndWall<S>& now) {
 // [/next-hit]
 
 // [two-balls-by-events]
-/// The two balls after a time, from collision to collision. No step, and in fractions no error.
-/// @param t s, 0 or more; what is left of it is returned there when the limit is reached
-/// @param limit stops before more collisions than this, just after the last
+/// The two balls after a time, from collision to collision: event-driven, and exact in fractions.
+/// @param t s, 0 or more; on return the unused time, which is 0 unless the limit was reached
+/// @param limit stops after this many collisions, if another would follow
 template <Scalar S>
 TwoBallsAndWall<S> two_balls_by_events(TwoBallsAndWall<S> now, S& t, std::int64_t limit) {
   for (std::int64_t hits = 0;; ++hits) {
@@ -112,7 +113,7 @@ TwoBallsAndWall<S> two_balls_by_events(TwoBallsAndWall<S> now, S& t, std::int64_
     if (hits == limit) return now;
     detail::glide(now, next->time);
     t = t - next->time;
-    // The gap that has closed is 0, and not what rounding left of it.
+    // The gap that has closed is exactly 0, without a rounding residual.
     (next->wall ? now.wall_gap : now.ball_gap) = S(0);
     if (next->wall) {
       detail::hit_wall(now);
@@ -124,11 +125,11 @@ TwoBallsAndWall<S> two_balls_by_events(TwoBallsAndWall<S> now, S& t, std::int64_
 // [/two-balls-by-events]
 
 // [two-balls-in-steps]
-/// The two balls after so many steps of dt, each of which moves them straight on, then looks
-/// whether something overlaps that comes closer, and turns it round where it is.
+/// The two balls after a number of steps of dt. Each step moves them at constant velocity, then
+/// tests for overlaps that grow, and applies the collision at the overlapping position.
 ///
-/// Overlaps are left to open by themselves. A ball that goes through the other between two looks is
-/// not seen.
+/// Overlaps are not corrected; they open by themselves. A ball that passes through the other
+/// between two tests is missed.
 template <Scalar S>
 TwoBallsAndWall<S> two_balls_in_steps(TwoBallsAndWall<S> now, const S& dt, long long steps) {
   for (long long i = 0; i < steps; ++i) {
@@ -141,16 +142,16 @@ TwoBallsAndWall<S> two_balls_in_steps(TwoBallsAndWall<S> now, const S& dt, long 
 // [/two-balls-in-steps]
 
 // [collapses]
-/// Whether a heavy outer ball that comes in squeezes a resting inner one against the wall with
-/// infinitely many collisions in a finite time: (1 − e)² M ≥ 4 e m.
+/// Inelastic collapse: whether an outer ball that moves towards the wall traps a resting inner one
+/// there, with infinitely many collisions in a finite time: (1 − e)² M ≥ 4 e m.
 ///
-/// One round, wall and then each other, turns the pair of velocities by a matrix whose determinant
-/// is e² and whose trace is 1 − e + (1 + e)(e M − m)/(M + m). While its eigenvalues are complex
-/// the pair turns and soon flies apart; if they are real, that is if the trace is at least 2 e, it
-/// never does.
+/// One round of two collisions, with the wall and then of the balls, maps the two velocities by a
+/// matrix with determinant e² and trace 1 − e + (1 + e)(e M − m)/(M + m). If its eigenvalues are
+/// complex, the balls separate after finitely many collisions. If they are real, which means that
+/// the trace is at least 2 e, they never do.
 /// @param inner_mass, outer_mass m and M, kg, greater than 0
 /// @param restitution e, of the balls with each other and with the wall, 0 to 1
-/// @return the sign of a polynomial of the stored numbers, without rounding
+/// @return decided by the sign of a polynomial of the stored numbers, computed exactly
 template <std::floating_point S>
 bool collapses(const S& inner_mass, const S& outer_mass, const S& restitution) {
   const Exact e(static_cast<double>(restitution));

@@ -1,5 +1,5 @@
-// A ball rests 1 m before a wall, another of the same mass comes from 2 m with 1 m/s. The last time
-// of so many collisions, and whether there is an end to them.
+// A ball rests 1 m from a wall; another of the same mass approaches from 2 m at 1 m/s. The times of
+// the 3rd, 10th and 30th collision, and whether there are infinitely many.
 #include <contact/two_balls_wall.hpp>
 #include <cstdio>
 
@@ -16,6 +16,6 @@ int main() {
       }
       std::printf("  %d by %.6f s", limit, 1e6 - left);
     }
-    std::printf("  -> %s\n", contact::collapses(1.0, 1.0, e) ? "no end" : "an end");
+    std::printf("  -> %s\n", contact::collapses(1.0, 1.0, e) ? "infinitely many" : "finitely many");
   }
 }

@@ -1,4 +1,4 @@
-// Three events at one time, put in in every order; then one of the bodies is hit before.
+// Three events at one time, added in every order; then one of the bodies is hit before that time.
 #include <algorithm>
 #include <array>
 #include <contact/event_queue.hpp>
@@ -25,7 +25,7 @@ int main() {
   for (const Meeting m : meetings) queue.push(1.5, m.first, m.second);
   queue.invalidate(2);
   queue.push(1.75, 2, 3);
-  std::printf("body 2 is hit before:");
+  std::printf("body 2 is hit earlier:");
   while (const auto next = queue.pop()) {
     std::printf("  %d with %d at %.2f s", next->first, next->second, next->time);
   }

@@ -1,5 +1,5 @@
-// A ball dropped from 1 m with k = 0.8, in one step of 5 s, with g = 9.81: what ends the advance,
-// and what is left.
+// A ball dropped from 1 m with k = 0.8 and g = 9.81, in one step of 5 s: what ends the advance, and
+// when.
 #include <contact/advance.hpp>
 #include <contact/bouncing.hpp>
 #include <cstdio>
@@ -14,7 +14,7 @@ int main() {
         {Vector(0, 0, 1), Vector(0, 0, 0)}, Vector(0, 0, -9.81), 0.0, 5.0, {floor},
         contact::impact_rules(0.8, rest_speed, most));
     std::printf("rest speed %.3f m/s, at most %4d: %4d impacts, %s after %.6f s\n", rest_speed,
-                most, end.impacts, end.end == contact::AdvanceEnd::rests ? "rests" : "gives up",
+                most, end.impacts, end.end == contact::AdvanceEnd::rests ? "rests" : "stops",
                 5 - end.time_left);
   };
   show(0.0, 10);

@@ -1,11 +1,11 @@
-// A wall, a ball at rest and a ball that comes: places against time, by events and in steps.
+// A wall, a ball at rest and a ball that approaches: positions over time, by events and in steps.
 #include <algorithm>
 #include <contact/figure.hpp>
 #include <contact/two_balls_wall.hpp>
 
 struct Input {
-  double inner;  // place of the resting ball, m from the wall
-  double outer;  // place of the ball that comes with 1 m/s
+  double inner;  // position of the resting ball, m from the wall
+  double outer;  // position of the ball that approaches at 1 m/s
   double ratio;  // mass of the outer over that of the inner
   double e;      // restitution of the balls with each other and with the wall
   double step;   // s, of the program in steps
@@ -20,12 +20,12 @@ struct Output {
   double problem;
   std::array<double, points> time, inner_at, outer_at;  // at each collision, m
   std::array<double, looks> look_time, look_inner, look_outer;
-  double hits;          // in 6 s, or as many as are followed
-  double stepped_hits;  // by the steps
-  double last_time;     // of the collisions that were followed, s
-  double endless;       // 1 if there is no end to them
-  double border;        // the mass ratio from which on there is none
-  double stubborn;      // goal: no end, with e of at least 0.3
+  double hits;          // collisions in 6 s, or as many as are computed
+  double stepped_hits;  // collisions by the program in steps
+  double last_time;     // of the last collision computed, s
+  double endless;       // 1 if there are infinitely many
+  double border;        // the smallest mass ratio for which there are
+  double stubborn;      // goal: infinitely many, with e of at least 0.3
 };
 
 Output compute(const Input& in) {

@@ -1,4 +1,4 @@
-// Places of two balls before a wall against time. Lines by events, dots by a program in steps.
+// Positions of two balls near a wall over time. Lines: by events; dots: by a program in steps.
 
 import { defineFigure, pretty, type Vec2 } from "@contact/figure";
 
@@ -37,7 +37,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slide",
       field: "inner",
-      label: "place of the inner ball, m",
+      label: "position of the inner ball, m",
       role: "a",
       at: (input): Vec2 => [0, input.inner],
       along: (): Vec2 => [0, 1],
@@ -47,7 +47,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slide",
       field: "outer",
-      label: "place of the outer ball, m",
+      label: "position of the outer ball, m",
       role: "b",
       at: (input): Vec2 => [0, input.outer],
       along: (): Vec2 => [0, 1],
@@ -64,7 +64,7 @@ export default defineFigure<Input, Output>({
     const axis = { role: "muted", width: 1 } as const;
     scene.line([0, 0], [LAST + 0.2, 0], { role: "surface", width: 3 });
     scene.arrow([0, 0], [0, TOP + 0.15], axis);
-    scene.label([0, TOP + 0.15], "from the wall, m", { role: "muted", offset: [8, 6] });
+    scene.label([0, TOP + 0.15], "distance from the wall, m", { role: "muted", offset: [8, 6] });
     scene.label([LAST + 0.2, 0], "t, s", { role: "muted", offset: [0, 36], anchor: "end" });
     for (const t of [1, 2, 3, 4, 5, 6]) {
       scene.label([t, 0], pretty(t), {
@@ -89,7 +89,7 @@ export default defineFigure<Input, Output>({
         width: 1.5,
         dashed: true,
       });
-      scene.label([output.last_time, 1.2], `${pretty(output.hits)} collisions, and on`, {
+      scene.label([output.last_time, 1.2], `${pretty(output.hits)} collisions and more`, {
         role: "hit",
         offset: [0, -8],
         anchor: "middle",
@@ -98,15 +98,20 @@ export default defineFigure<Input, Output>({
     }
   },
   values: (_input, output) => [
-    { name: "n", meaning: "collisions followed", value: output.hits, role: "hit" },
-    { name: "n_steps", meaning: "those of the steps", value: output.stepped_hits },
-    { name: "t_last", meaning: "followed until", value: output.last_time, unit: "s" },
-    { name: "M/m", meaning: "no end from here on", value: output.border },
+    { name: "n", meaning: "collisions computed", value: output.hits, role: "hit" },
+    { name: "n_steps", meaning: "collisions of the program in steps", value: output.stepped_hits },
+    {
+      name: "t_last",
+      meaning: "time of the last one computed",
+      value: output.last_time,
+      unit: "s",
+    },
+    { name: "M/m", meaning: "infinitely many from this ratio on", value: output.border },
   ],
   describe(_input, output) {
     if (output.endless) {
-      return `There is no end of collisions: ${pretty(output.hits, 3)} were followed, until ${pretty(output.last_time, 4)} s.`;
+      return `There are infinitely many collisions: ${pretty(output.hits, 3)} were computed, until ${pretty(output.last_time, 4)} s.`;
     }
-    return `There is an end: ${pretty(output.hits, 3)} collisions in the first ${LAST} s; the steps count ${pretty(output.stepped_hits, 3)}.`;
+    return `There are finitely many collisions: ${pretty(output.hits, 3)} in the first ${LAST} s; the program in steps counts ${pretty(output.stepped_hits, 3)}.`;
   },
 });

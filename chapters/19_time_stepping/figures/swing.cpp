@@ -1,5 +1,5 @@
-// A body on a spring, drawn with its place to the right and its velocity upwards: the true motion
-// is a circle, and what a step makes of it is not.
+// A body on a spring, drawn with its position to the right and its velocity upwards: the exact
+// motion is a circle, the numerical one is not.
 #include <algorithm>
 #include <contact/figure.hpp>
 #include <contact/spring_motion.hpp>
@@ -7,7 +7,7 @@
 using Vector2 = Eigen::Matrix<double, 2, 1>;
 
 struct Input {
-  Vector2 start;      // place, m, and velocity over ω, m
+  Vector2 start;      // position, m, and velocity divided by ω, m
   double step;        // h, s; ω is 1
   double integrator;  // 0 to 4, as Integrator
 };
@@ -18,13 +18,13 @@ constexpr double two_swings = 12.566370614359172;  // 4π
 struct Output {
   double problem;
   std::array<double, points> place, speed;  // after each step; the last is repeated
-  std::array<double, 97> round_x, round_y;  // the true motion, once round
-  double steps;                             // in two swings
-  double kept;                              // of the energy, after these
-  double largest;                           // share of the energy on the way
-  Vector2 last, truth;                      // after these steps
-  double off;                               // how far these are apart, m
-  double flies_away;  // goal: not position first, and a hundred times the energy
+  std::array<double, 97> round_x, round_y;  // the exact motion, for one period
+  double steps;                             // in two periods
+  double kept;                              // energy after these, over that of the start
+  double largest;                           // largest energy, over that of the start
+  Vector2 last, truth;                      // numerical and exact state after these steps
+  double off;                               // distance of these, m
+  double flies_away;  // goal: not explicit Euler, and a hundred times the energy
 };
 
 Output compute(const Input& in) {

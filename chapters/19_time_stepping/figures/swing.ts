@@ -1,5 +1,4 @@
-// Place and velocity of a body on a spring, step by step, beside the circle that they ought to stay
-// on.
+// Position and velocity of a body on a spring, step by step, and the circle of the exact motion.
 
 import { defineFigure, pretty, type Vec2 } from "@contact/figure";
 
@@ -23,18 +22,18 @@ interface Output {
 }
 
 const EDGE = 3.6;
-/** What leaves the picture is cut off at its edge. */
+/** Clamps a coordinate to the edge of the picture. */
 const cut = (value: number): number => Math.max(-EDGE, Math.min(EDGE, value));
 const NAMES = [
-  "position first",
-  "velocity first",
-  "Verlet, by velocity",
-  "Verlet, by position",
+  "explicit Euler",
+  "symplectic Euler",
+  "velocity Verlet",
+  "position Verlet",
   "Runge–Kutta",
 ];
 
 export default defineFigure<Input, Output>({
-  title: "What a step does to a swing",
+  title: "Five methods on a spring",
   view: { kind: "2d", x: [-2.9, 2.9], y: [-2.1, 2.1] },
   aspect: 1.38,
   initial: { start: [1.2, 0], step: 0.25, integrator: 0 },
@@ -42,7 +41,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "point",
       field: "start",
-      label: "start: place x and velocity v/ω",
+      label: "start: position x and velocity v/ω",
       role: "ball",
       step: 0.05,
       limit: [-1.8, 1.8],
@@ -52,12 +51,12 @@ export default defineFigure<Input, Output>({
     {
       kind: "choice",
       field: "integrator",
-      label: "the step",
+      label: "method",
       options: [
-        { value: 0, label: "position first" },
-        { value: 1, label: "velocity first" },
-        { value: 2, label: "Verlet, by velocity" },
-        { value: 3, label: "Verlet, by position" },
+        { value: 0, label: "explicit Euler" },
+        { value: 1, label: "symplectic Euler" },
+        { value: 2, label: "velocity Verlet" },
+        { value: 3, label: "position Verlet" },
         { value: 4, label: "Runge–Kutta" },
       ],
     },
@@ -80,21 +79,21 @@ export default defineFigure<Input, Output>({
     scene.path(path, { role: "ball", width: 1.6 });
     if (output.steps <= 80) for (const point of path) scene.dot(point, "ball", 2.4);
     scene.dot(output.truth, "normal", 5, true);
-    scene.label(output.truth, "truth", { role: "normal", offset: [9, -7], size: "small" });
+    scene.label(output.truth, "exact", { role: "normal", offset: [9, -7], size: "small" });
     const last: Vec2 = [cut(output.last[0]), cut(output.last[1])];
     scene.dot(last, "hit", 5);
     scene.label(last, "last step", { role: "hit", offset: [9, 14], size: "small" });
   },
   values: (_input, output) => [
-    { name: "n", meaning: "steps in two swings", value: output.steps },
-    { name: "E_n/E", meaning: "energy after them", value: output.kept, role: "ball" },
-    { name: "E_max/E", meaning: "most on the way", value: output.largest, role: "ball" },
+    { name: "n", meaning: "steps in two periods", value: output.steps },
+    { name: "E_n/E", meaning: "energy after them, relative", value: output.kept, role: "ball" },
+    { name: "E_max/E", meaning: "largest energy, relative", value: output.largest, role: "ball" },
     { name: "last", meaning: "x and v/ω at the end", value: output.last, role: "hit" },
-    { name: "truth", meaning: "where it ought to be", value: output.truth, role: "normal" },
-    { name: "off", meaning: "their distance", value: output.off, unit: "m" },
+    { name: "exact", meaning: "exact x and v/ω at the end", value: output.truth, role: "normal" },
+    { name: "error", meaning: "distance of the two", value: output.off, unit: "m" },
   ],
   describe(input, output) {
-    const name = NAMES[Math.floor(input.integrator)] ?? "This";
-    return `With the step "${name}" and ωh = ${pretty(input.step, 3)}, ${pretty(output.steps, 3)} steps make ${pretty(output.kept, 4)} of the energy, and the last is ${pretty(output.off, 3)} m from the truth.`;
+    const name = NAMES[Math.floor(input.integrator)] ?? "this method";
+    return `With ${name} and ωh = ${pretty(input.step, 3)}, the energy after ${pretty(output.steps, 3)} steps is ${pretty(output.kept, 4)} times that of the start, and the error is ${pretty(output.off, 3)} m.`;
   },
 });

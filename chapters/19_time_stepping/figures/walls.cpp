@@ -1,4 +1,4 @@
-// A ball in a room with a leaning wall: one step, with all its impacts.
+// A ball in a room with a leaning wall: one step with all its impacts.
 #include <algorithm>
 #include <contact/advance.hpp>
 #include <contact/figure.hpp>
@@ -7,7 +7,7 @@ using Vector2 = Eigen::Matrix<double, 2, 1>;
 
 struct Input {
   Vector2 from;    // the ball's centre, m
-  Vector2 to;      // where it would be after a second without walls and gravity, m
+  Vector2 to;      // position after a second without walls and gravity, m
   Vector2 lean;    // a point of the leaning wall, which starts at the origin
   double step;     // s
   double k;        // coefficient of restitution
@@ -29,7 +29,7 @@ struct Output {
   double end;        // 0 used up, 1 rests, 2 out of impacts
   double time_left;  // s
   Vector2 last, velocity;
-  Vector2 naive;  // where a program ends that tests once a step
+  Vector2 naive;  // result of a program that tests once a step
   double five;    // goal: five impacts in this step, and the step used up
 };
 
@@ -51,7 +51,7 @@ Output compute(const Input& in) {
   const V leaning = V(in.lean.y(), -in.lean.x(), 0) / along.norm();
   const std::vector<contact::Plane<double>> walls{
       {V(0, 1, 0), 0}, {leaning, 0}, {V(-1, 0, 0), -width}};
-  // A ball that was put into a wall is put before it.
+  // A ball that was dragged into a wall is moved out of it.
   V centre(in.from.x(), in.from.y(), 0);
   for (int round = 0; round < 3; ++round) {
     for (const auto& wall : walls) {
@@ -71,7 +71,7 @@ Output compute(const Input& in) {
 
   const auto end = after(in.step, most);
   const double moved = in.step - end.time_left;
-  // When and where the impacts were: with one less allowed, an advance stops there.
+  // Times and positions of the impacts: with a limit of i impacts the advance stops at the next.
   std::array<double, most_shown + 2> times{};
   for (int i = 0; i < end.impacts; ++i) {
     const auto there = after(in.step, i);
@@ -108,7 +108,7 @@ Output compute(const Input& in) {
   out.time_left = end.time_left;
   out.last = {end.state.position.x(), end.state.position.y()};
   out.velocity = {end.state.velocity.x(), end.state.velocity.y()};
-  // The same step by a program that reflects once and then goes on without a test.
+  // The same step by a program that reflects once and then moves on without a test.
   auto once = after(in.step, 0);
   if (end.impacts > 0) {
     const V normal = walls[static_cast<std::size_t>(once.wall)].normal;

@@ -1,4 +1,4 @@
-// One step of a ball between a floor, a wall and a wall that leans: every impact is a numbered dot.
+// One step of a ball between a floor, a wall and a leaning wall: each impact is a numbered dot.
 
 import { defineFigure, pretty, type Vec2 } from "@contact/figure";
 
@@ -27,7 +27,7 @@ interface Output {
 
 const WIDTH = 5;
 const TOP = 3.4;
-const ENDS = ["the step is used up", "the ball rests on a wall", "the rules allow no more"];
+const ENDS = ["the step is used up", "the ball rests on a wall", "the limit on impacts is reached"];
 
 export default defineFigure<Input, Output>({
   title: "A whole step",
@@ -54,7 +54,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "point",
       field: "to",
-      label: "where it would be after a second, alone",
+      label: "position after a second without walls",
       role: "ray",
       step: 0.05,
       limit: [-1, 5.4],
@@ -62,7 +62,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "point",
       field: "lean",
-      label: "how the wall leans",
+      label: "direction of the leaning wall",
       role: "normal",
       step: 0.05,
       limit: [0.05, 3.2],
@@ -80,7 +80,7 @@ export default defineFigure<Input, Output>({
       play: 4,
     },
     { kind: "slider", field: "k", label: "k", min: 0, max: 1, step: 0.01 },
-    { kind: "slider", field: "most", label: "at most", min: 1, max: 16, step: 1 },
+    { kind: "slider", field: "most", label: "limit", min: 1, max: 16, step: 1 },
     {
       kind: "choice",
       field: "gravity",
@@ -127,12 +127,12 @@ export default defineFigure<Input, Output>({
   },
   values: (_input, output) => [
     { name: "n", meaning: "impacts in the step", value: output.impacts, role: "hit" },
-    { name: "left", meaning: "of the step", value: output.time_left, unit: "s" },
-    { name: "x", meaning: "where it ends", value: output.last, unit: "m", role: "ball" },
-    { name: "v", meaning: "its velocity there", value: output.velocity, unit: "m/s", role: "ball" },
+    { name: "left", meaning: "unused time of the step", value: output.time_left, unit: "s" },
+    { name: "x", meaning: "position at the end", value: output.last, unit: "m", role: "ball" },
+    { name: "v", meaning: "velocity there", value: output.velocity, unit: "m/s", role: "ball" },
     {
       name: "x_once",
-      meaning: "if it is tested once",
+      meaning: "position if tested once",
       value: output.naive,
       unit: "m",
       role: "miss",

@@ -1,5 +1,5 @@
-// A gas of 512 balls, simulated with the effects that it calls for and with all of them: the same
-// bits, and not the same price.
+// A gas of 512 balls, simulated with the effects that it needs and with all of them: the same bits
+// at different costs.
 #include <contact/events/hard_spheres.hpp>
 #include <cstdio>
 

@@ -1,5 +1,5 @@
-// A ball that loses a fifth of its speed at each bounce, for 20 s: where its events end, and what
-// that costs.
+// A ball that loses a fifth of its speed at each bounce, for 20 s: where its events end, how many
+// there are, and the error.
 #include <contact/events/hard_sphere_scene.hpp>
 #include <contact/events/hard_spheres.hpp>
 #include <contact/plan/plan.hpp>
@@ -20,8 +20,9 @@ int main() {
     constexpr contact::HardSphereEffects on_a_line{.dimension = 1, .sizes = false, .grid = false};
     contact::HardSpheres<on_a_line> run(setup, {2, 0, 1});
     run.advance(scene.duration);
-    std::printf("tolerance %.0e m: events %s, hops from %.1e s on followed, %2d hits\n", tolerance,
-                events.on ? "on" : "off", setup.cutoff, static_cast<int>(run.counts().hits));
+    std::printf("tolerance %.0e m: events %s, bounces from %.1e s on followed, %2d hits\n",
+                tolerance, events.on ? "on" : "off", setup.cutoff,
+                static_cast<int>(run.counts().hits));
     std::printf("    accepted %.1e m, left out %.1e m; height at the end %.9f m\n", events.error,
                 run.counts().rest_error, run.position(0).z());
   }

@@ -1,4 +1,4 @@
-// A scene with five mistakes. Each is told with its line, its path, its value and what is allowed.
+// A scene with five mistakes. Each message gives line, path, value and what is allowed.
 #include <contact/scene/scene_file.hpp>
 #include <cstdio>
 

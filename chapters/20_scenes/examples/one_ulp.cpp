@@ -1,5 +1,5 @@
-// Billiards on a level table, and the same with one ball a single ulp too high: what can no longer
-// be proven is on.
+// Billiards on a level table, and the same with one ball an ulp higher: an effect that is no longer
+// proven inactive is on.
 #include <cmath>
 #include <contact/plan/plan.hpp>
 #include <contact/scene/scene_file.hpp>

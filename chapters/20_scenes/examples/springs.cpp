@@ -1,5 +1,5 @@
-// A ball on a floor that gives way like a spring: in how short parts the spring pushes, what they
-// are estimated to leave, and what they leave when the ball comes down for the second time.
+// A ball on a floor that is compliant like a spring: the length of the substeps, their estimated
+// error, and their error when the ball lands for the second time.
 #include <cmath>
 #include <contact/plan/plan.hpp>
 #include <contact/scene/scene_file.hpp>
@@ -19,7 +19,7 @@ int main() {
     const auto& springs = contact::decision_on(plan, contact::Effect::penalty_contact);
     const auto run = contact::scenes::make_run(scene, plan);
     run->advance(again);
-    std::printf("tolerance %.0e m: parts of %.1e s, estimated %.1e m, off by %.1e m\n", tolerance,
-                plan.spring_part, springs.error, std::abs(run->position(1).z() - 0.25));
+    std::printf("tolerance %.0e m: substeps of %.1e s, error estimated %.1e m, found %.1e m\n",
+                tolerance, plan.spring_part, springs.error, std::abs(run->position(1).z() - 0.25));
   }
 }

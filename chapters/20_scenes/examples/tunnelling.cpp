@@ -1,5 +1,5 @@
-// Four bodies before a wall one centimetre thick: no two surface points close faster than energy
-// allows, and with steps up to the last column nothing can pass through.
+// Four bodies in front of a wall one centimetre thick: the closing speed that energy allows, and
+// the longest step with which nothing can pass through.
 #include <contact/plan/plan.hpp>
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/plan/plan_rules.hpp>

@@ -1,4 +1,4 @@
-// A billiard with four posts, played twice from places that lie very close together.
+// A billiard with four posts, played twice from positions that are very close together.
 #include <algorithm>
 #include <contact/events/hard_spheres.hpp>
 #include <contact/figure.hpp>
@@ -22,11 +22,11 @@ struct Output {
   double problem;
   std::array<double, most + 1> x, y, other_x, other_y;  // both balls at each impact of the first
   std::array<double, most + 1> apart;                   // m
-  std::array<double, most + 1> lens;                    // the same as the lens formula has it, m
+  std::array<double, most + 1> lens;                    // the distance by the lens formula, m
   double impacts;                                       // followed
   double on_posts;                                      // of them
   double parted;  // impacts until they are a ball's radius apart; 0: not yet
-  double way;     // mean way from post to post, m
+  double way;     // mean distance from post to post, m
   double quick;   // goal: a radius apart within 25 impacts, from 1e-15 m
 };
 
@@ -75,7 +75,7 @@ Output compute(const Input& in) {
   }
   if (out.problem != 0) return out;
 
-  // A ball that was put into a post or a wall is put before it.
+  // A ball that overlaps a post or a wall is moved out of it.
   Vector2 from = in.from;
   const double reach = in.post + ball_radius;
   for (int round = 0; round < 3; ++round) {
@@ -115,7 +115,7 @@ Output compute(const Input& in) {
       other.advance(now);
       if (impacts.on_post[k - 1]) {
         // [lens]
-        // The ball goes one metre in a second: what lies between two impacts on posts is the time.
+        // At 1 m/s the distance between two impacts on posts equals the time.
         lens *= 1 + 2 * (now - last) / reach;
         // [/lens]
         out.way = (out.way * out.on_posts + (now - last)) / (out.on_posts + 1);

@@ -1,4 +1,4 @@
-// Two paths in a room with posts, and below how far they are apart, on a scale of powers of ten.
+// Two paths in a room with posts, and below it their distance, on a logarithmic scale.
 
 import { defineFigure, pretty, type Role, type Vec2 } from "@contact/figure";
 
@@ -39,7 +39,7 @@ const height = (apart: number): number =>
   BASE + (Math.max(LOW, Math.min(1, Math.log10(apart))) - LOW) * TALL;
 
 export default defineFigure<Input, Output>({
-  title: "Two paths that part",
+  title: "Two paths that diverge",
   view: { kind: "2d", x: [-0.5, 4.2], y: [-2.85, 3.1] },
   aspect: 0.82,
   initial: { from: [0.5, 1.6], to: [2.4, 2.6], digits: 9, post: 0.3, shown: 24 },
@@ -55,7 +55,7 @@ export default defineFigure<Input, Output>({
     { kind: "point", field: "to", label: "its aim", role: "ray", step: 0.05, limit: [0.1, 3.9] },
   ],
   controls: [
-    { kind: "slider", field: "digits", label: "digits alike", min: 1, max: 15, step: 1 },
+    { kind: "slider", field: "digits", label: "equal digits", min: 1, max: 15, step: 1 },
     { kind: "slider", field: "post", label: "posts", min: 0.05, max: 0.4, step: 0.01, unit: "m" },
     { kind: "slider", field: "shown", label: "impacts", min: 1, max: 40, step: 1, play: 8 },
   ],
@@ -113,11 +113,11 @@ export default defineFigure<Input, Output>({
   },
   values: (_input, output) => [
     { name: "n", meaning: "impacts followed", value: output.impacts },
-    { name: "on posts", meaning: "of them", value: output.on_posts },
-    { name: "ℓ", meaning: "mean way from post to post", value: output.way, unit: "m" },
+    { name: "on posts", meaning: "impacts on posts", value: output.on_posts },
+    { name: "ℓ", meaning: "mean distance from post to post", value: output.way, unit: "m" },
     {
-      name: "apart",
-      meaning: "after the last impact",
+      name: "distance",
+      meaning: "of the two after the last impact",
       value: output.apart[output.impacts] ?? 0,
       unit: "m",
       role: "hit" as Role,

@@ -1,5 +1,5 @@
-// A body on its way to a thin plate, looked at once a step: what the looks see, and what is proven
-// of them before.
+// A body flies to a thin plate, with a test for contact once a step: what the tests detect, and
+// what is proven about them before.
 #include <algorithm>
 #include <contact/figure.hpp>
 #include <contact/plan/plan_bounds.hpp>
@@ -23,17 +23,17 @@ constexpr double lowest = -1.25;  // the picture's end, m
 
 struct Output {
   double problem;
-  std::array<double, looks> y, sine, cosine;  // the body at each look
-  double count;                               // looks in the picture
-  double seen;                                // the first look that touches the plate; −1: none
-  double passes;                              // 1 if it comes out below and no look has seen it
-  double closing;                             // no surface point comes faster, by energy, m/s
-  double plain;                               // v + ω r + g t, m/s
-  double moved;                               // in a step, m
-  double room;                                // twice the thickness of both, m
-  double longest;                             // step that is proven, s
-  double proven;                              // 1 if moved < room
-  double tight;                               // goal: proven, with more than nine tenths of room
+  std::array<double, looks> y, sine, cosine;  // the body at each test
+  double count;                               // tests in the picture
+  double seen;                                // the first test that detects the plate; −1: none
+  double passes;                              // 1 if it comes out below and no test has detected it
+  double closing;  // surface points never approach faster, by energy, m/s
+  double plain;    // v + ω r + g t, m/s
+  double moved;    // in a step, m
+  double room;     // twice the sum of the thicknesses, m
+  double longest;  // step that is proven, s
+  double proven;   // 1 if moved < room
+  double tight;    // goal: proven, with more than nine tenths of room
 };
 
 namespace {
@@ -79,7 +79,7 @@ Output compute(const Input& in) {
   plate.moves = false;
   scene.bodies = {body_of(in), plate};
   const contact::SceneBounds bounds = contact::scene_bounds(scene);
-  // What never comes near the plate has no pair.
+  // A body that never comes near the plate has no pair.
   if (!bounds.pairs.empty()) {
     out.closing = bounds.pairs.front().closing;
     out.room = 2 * bounds.pairs.front().core;
@@ -101,7 +101,7 @@ Output compute(const Input& in) {
     out.y[n] = in.height - in.speed * t - in.gravity * t * t / 2;
     out.sine[n] = turn.sine;
     out.cosine[n] = turn.cosine;
-    // How far the body reaches down and up from its centre; the plate goes on to both sides.
+    // The body's vertical half extent; the plate extends to both sides.
     const double reach =
         in.shape == 0 ? radius : half * std::abs(turn.sine) + radius * std::abs(turn.cosine);
     const bool touches = std::abs(out.y[n]) <= in.thick / 2 + reach;

@@ -1,4 +1,4 @@
-// A body falls towards a plate. Every look of a program in steps is an outline.
+// A body falls towards a plate. Each outline is a test for contact at the end of a step.
 
 import { defineFigure, pretty, type Vec2 } from "@contact/figure";
 
@@ -37,7 +37,7 @@ const CORNERS = [
 ] as const;
 
 export default defineFigure<Input, Output>({
-  title: "Between two looks",
+  title: "Between two steps",
   view: { kind: "2d", x: [-1.9, 1.9], y: [-1.5, 2.3] },
   aspect: 1.2,
   initial: { height: 1.6, speed: 20, spin: 0, step: 0.025, thick: 0.1, gravity: 0, shape: 0 },
@@ -45,7 +45,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slide",
       field: "height",
-      label: "height at first, m",
+      label: "initial height, m",
       role: "ball",
       at: (input): Vec2 => [0, input.height],
       along: (): Vec2 => [0, 1],
@@ -112,7 +112,7 @@ export default defineFigure<Input, Output>({
       );
     }
     const words = output.passes
-      ? "no look has seen it"
+      ? "no test has detected it"
       : output.proven
         ? "proven: nothing passes"
         : "not proven";
@@ -123,26 +123,26 @@ export default defineFigure<Input, Output>({
   values: (_input, output) => [
     {
       name: "u",
-      meaning: "no surface point comes faster, by energy",
+      meaning: "surface points never approach faster, by energy",
       value: output.closing,
       unit: "m/s",
     },
     {
       name: "v + ω r + g t",
-      meaning: "what this body does if nothing hits it",
+      meaning: "speed of this body if nothing hits it",
       value: output.plain,
       unit: "m/s",
     },
     {
       name: "u h",
-      meaning: "closed in a step, at most",
+      meaning: "approach in a step, at most",
       value: output.moved,
       unit: "m",
       role: "ball",
     },
     {
       name: "2 R",
-      meaning: "twice the thickness of both",
+      meaning: "twice the sum of the thicknesses",
       value: output.room,
       unit: "m",
       role: "surface",
@@ -151,9 +151,9 @@ export default defineFigure<Input, Output>({
   ],
   describe(_input, output) {
     const sides = `${pretty(output.moved, 3)} m in a step, against ${pretty(output.room, 3)} m`;
-    if (output.passes) return `The body comes out below, and no look has seen it: ${sides}.`;
+    if (output.passes) return `The body comes out below, and no test has detected it: ${sides}.`;
     return output.proven
-      ? `Nothing can pass unseen: ${sides}.`
-      : `Not proven that nothing passes: ${sides}. This body is seen all the same.`;
+      ? `Nothing can pass undetected: ${sides}.`
+      : `Not proven that nothing passes: ${sides}. This body is detected all the same.`;
   },
 });

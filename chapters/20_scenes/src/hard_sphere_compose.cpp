@@ -10,9 +10,10 @@ namespace contact {
 
 namespace detail {
 
-/// Whether nothing ever moves along an axis: no gravity and no velocity along it, all centres at
-/// one place of it, so that no push of two balls has a part along it, and each wall square to the
-/// axis or along it, so that no wall's push has one unless something moves along it.
+/// Whether no ball ever moves along an axis: no gravity and no velocity along it, all centres at
+/// the same coordinate, so that no impulse between balls has a component along it, and each wall
+/// perpendicular or parallel to the axis, so that no wall's impulse has one unless a ball moves
+/// along it.
 CONTACT_SCENES_INLINE bool nothing_moves_along(const HardSphereSetup& setup, int axis) {
   if (setup.gravity(axis) != 0) return false;
   for (const HardBall& ball : setup.balls) {

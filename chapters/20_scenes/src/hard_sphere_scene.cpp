@@ -22,8 +22,8 @@ CONTACT_SCENES_INLINE std::string body_text(const Scene& scene, std::size_t body
   return "bodies[" + std::to_string(body) + "] (" + scene.bodies[body].name + ")";
 }
 
-/// Bodies that show every kind of contact a scene can have: of each material the first two that
-/// move and the first that does not.
+/// Bodies that represent every kind of contact of a scene: of each material the first two that move
+/// and the first that is fixed.
 CONTACT_SCENES_INLINE std::vector<std::size_t> one_of_each(const Scene& scene) {
   std::vector<std::size_t> moving(scene.materials.size(), 0);
   std::vector<std::size_t> standing(scene.materials.size(), 0);
@@ -58,9 +58,9 @@ CONTACT_SCENES_INLINE std::optional<std::string> hard_sphere_refusal(const Scene
                                               scene.materials[scene.bodies[k].material]);
       const std::string both = detail::body_text(scene, i) + " and " + detail::body_text(scene, k);
       if (pair.friction > 0)
-        return both + " rub: their coefficient of friction is " + number_text(pair.friction);
+        return both + " have friction: their coefficient is " + number_text(pair.friction);
       if (pair.stiffness)
-        return both + " give way: their stiffness is " + number_text(*pair.stiffness) + " N/m";
+        return both + " are compliant: their stiffness is " + number_text(*pair.stiffness) + " N/m";
     }
   }
   return std::nullopt;

@@ -23,7 +23,7 @@ CONTACT_SCENES_INLINE Arrival arrival_at_plane(double gap, double velocity, doub
     return {2 * gap / (speed - velocity), speed};
   }
   if (!(energy > 0))
-    return {std::max(0.0, velocity / -acceleration), 0};  // still inside at the top
+    return {std::max(0.0, velocity / -acceleration), 0};  // still inside at the apex
   const double speed = std::sqrt(energy);
   if (velocity < 0) return {2 * gap / (speed - velocity), speed};
   return {(speed + velocity) / -acceleration, speed};

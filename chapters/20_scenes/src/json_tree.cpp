@@ -16,13 +16,13 @@ namespace detail {
 
 inline constexpr std::size_t deepest_nesting = 16;
 
-/// Where the parser has come to.
+/// The parser's position in the text.
 struct Place {
   int line = 1;
   const char* last = nullptr;  // the character that was read last; null before the first
 };
 
-/// Hands over characters and counts lines.
+/// Passes characters on and counts lines.
 class CountedChar {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -54,12 +54,12 @@ class CountedChar {
 
 CONTACT_SCENES_INLINE std::string excerpt(const std::string& text, std::size_t most) {
   if (text.size() <= most) return text;
-  std::size_t end = most;  // not within a character of several bytes
+  std::size_t end = most;  // not within a multi-byte character
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;
   return text.substr(0, end) + "...";
 }
 
-/// The word of a text about a place in it: letters, digits, signs and points.
+/// The word at a position of a text: letters, digits, signs and points.
 CONTACT_SCENES_INLINE std::string word_at(std::string_view text, const char* place) {
   const auto in_word = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '+' || c == '-' || c == '.';
@@ -72,7 +72,7 @@ CONTACT_SCENES_INLINE std::string word_at(std::string_view text, const char* pla
   return std::string(text.substr(begin, end - begin));
 }
 
-/// Whether a word means a number that JSON has no word for: NaN, -inf, +1, .5.
+/// Whether a word means a number that is not JSON: NaN, -inf, +1, .5.
 CONTACT_SCENES_INLINE bool is_foreign_number(std::string word) {
   if (word.empty()) return false;
   if (word.front() == '+' || word.front() == '.') return true;
@@ -132,17 +132,17 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     if (is_foreign_number(word)) {
       return stop(path(), excerpt(word, 20),
                   "must be a JSON value: a number, a \"text\", true, false, [...] or {...}; NaN, "
-                  "Infinity, +1 and .5 are none");
+                  "Infinity, +1 and .5 are not JSON");
     }
     if (text_.find('\0') != std::string_view::npos || nlohmann_says(error, "UTF-8"))
-      return stop("", "", "is no JSON: must be a text in UTF-8, and holds bytes that are none");
+      return stop("", "", "is not JSON: must be a text in UTF-8, and has bytes that are not");
     if (text_.find_first_not_of(" \t\r\n") == std::string_view::npos)
-      return stop("", "", "is no JSON: the file is empty");
+      return stop("", "", "is not JSON: the file is empty");
     std::string why = error.what();
     const std::size_t colon = why.find(": ");
     if (why.rfind('[', 0) == 0 && colon != std::string::npos) why = why.substr(colon + 2);
     const bool ended = nlohmann_says(error, "unexpected end of input");
-    return stop(ended ? "" : path(), "", "is no JSON: " + excerpt(why, 200));
+    return stop(ended ? "" : path(), "", "is not JSON: " + excerpt(why, 200));
   }
 
   JsonNode take() { return std::move(root_); }

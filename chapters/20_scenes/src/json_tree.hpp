@@ -1,7 +1,7 @@
 #pragma once
 
-// JSON with what a reader of files wants to say about it: on which line a value stands, which key
-// stands twice. nlohmann::json parses; its own tree keeps neither.
+// JSON with what a reader of files reports: the line of a value, duplicate keys. nlohmann::json
+// parses; its own tree keeps neither.
 
 #include <string>
 #include <string_view>
@@ -36,14 +36,14 @@ struct JsonMember {
 };
 
 /// Reads a document.
-/// @throws SceneFileError with the line and the path of what is no JSON, or of a number that no
-/// double holds
+/// @throws SceneFileError with the line and the path where it is not JSON, or where a double cannot
+/// hold a number
 JsonNode parse_json(std::string_view text, const std::string& file);
 
 /// A key as it continues a path: `.mass`, or `["two words"]`.
 std::string path_step(const std::string& key);
 
-/// The value that a path of the form "bodies[3].mass" names, or the last on the way that is there.
+/// The value at a path such as "bodies[3].mass", or the last one on the path that exists.
 const JsonNode& deepest(const JsonNode& root, std::string_view path);
 
 }  // namespace contact::scenes

@@ -50,7 +50,7 @@ CONTACT_SCENES_INLINE double mechanical_quantity(const Scene& scene, const Scene
   return Vector3<double>(x.cross(v) * body.mass + turning)(axis);
 }
 
-/// The least distance of a body to any other, less than 0 where they overlap.
+/// The smallest signed distance of a body to any other, negative where they overlap.
 CONTACT_SCENES_INLINE double least_gap(const Scene& scene, const SceneRun& run, std::size_t i) {
   const auto shape = [&](std::size_t k) {
     return shape_in_world(stepped_body(scene.bodies[k], k), run.position(k), run.orientation(k));
@@ -59,7 +59,7 @@ CONTACT_SCENES_INLINE double least_gap(const Scene& scene, const SceneRun& run, 
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     if (k == i) continue;
-    // Centres that are farther apart than this are not asked more closely.
+    // Bodies whose centres are farther apart than this are not tested exactly.
     if (!is_half_space(scene.bodies[k])) {
       const Vector3<double> apart = run.position(k) - run.position(i);
       const double reach =
@@ -138,7 +138,7 @@ CONTACT_SCENES_INLINE SceneRunEnd FallbackRun::advance(double until, std::uint64
     if (!spent) {
       const SceneRunCounts counts = events_->counts();
       why = scene_.bodies[counts.endless_first].name + " hits " +
-            scene_.bodies[counts.endless_second].name + " again and again without time going on";
+            scene_.bodies[counts.endless_second].name + " again and again at one instant";
     }
     Scene from = scene_;
     for (std::size_t i = 0; i < from.bodies.size(); ++i) {
@@ -224,7 +224,7 @@ CONTACT_SCENES_INLINE void FallbackRun::go_over(SceneFallback fallback, Scene fr
   fallback_ = std::move(fallback);
   from_ = std::move(from);
   from_.duration = std::max(scene_.duration - fallback_->time, scene_.duration / 1024);
-  // Half of the tolerance went to the hops that were left out.
+  // Half of the tolerance was spent on the bounces that are left out.
   if (cutoff_ > 0 && from_.tolerance.position) *from_.tolerance.position /= 2;
   PlanOptions options;
   options.overrides = overrides_;

@@ -25,7 +25,7 @@ namespace contact {
 
 namespace detail {
 
-/// Gives a decision the last word that somebody wants to have.
+/// Applies an override to a decision.
 CONTACT_SCENES_INLINE void override_decision(Decision& decision, const Overrides& overrides) {
   const bool with = is_listed(overrides.with, decision.effect);
   const bool without = is_listed(overrides.without, decision.effect);
@@ -34,9 +34,9 @@ CONTACT_SCENES_INLINE void override_decision(Decision& decision, const Overrides
   decision.on = with;
 }
 
-/// Whether a switch that somebody set changes nothing in the run: from event to event nothing is
-/// looked for between steps, and what a hard, smooth ball does not have is not simulated; steps
-/// compute in double, with every coordinate that is not proven to stay.
+/// Whether an override changes nothing in the run: event-driven runs search for nothing between
+/// steps, and do not simulate effects that hard, smooth balls lack; steps compute in double, with
+/// every coordinate that is not proven constant.
 CONTACT_SCENES_INLINE bool is_idle(const Plan& plan, const Decision& switched) {
   if (!switched.overridden || plan.pairs == 0) return false;
   switch (switched.effect) {
@@ -55,8 +55,8 @@ CONTACT_SCENES_INLINE bool is_idle(const Plan& plan, const Decision& switched) {
   }
 }
 
-/// Whether somebody has forced off what the plan has on, so that nothing bounds the error. Bodies
-/// may always stay awake, pairs unsorted, and what goes from event to event may go in steps.
+/// Whether an effect is forced off that the plan has on, so that the error has no bound. Bodies may
+/// always stay awake, pairs unsorted, and an event-driven scene may go in steps.
 CONTACT_SCENES_INLINE bool has_no_bound(const Plan& plan, const Decision& decision) {
   if (!decision.overridden || decision.on || !decision.planned) return false;
   if (is_idle(plan, decision)) return false;
@@ -64,9 +64,8 @@ CONTACT_SCENES_INLINE bool has_no_bound(const Plan& plan, const Decision& decisi
          decision.effect != Effect::event_driven;
 }
 
-/// The errors that decisions accept and nobody has overridden, all together. Each was taken from
-/// what others had left of the tolerance, so without rounding the sum is at most that; but ∞ if one
-/// has no bound.
+/// The sum of the errors that decisions accept without an override. Each was taken from the rest of
+/// the error budget, so the exact sum is at most the tolerance; but ∞ if one has no bound.
 CONTACT_SCENES_INLINE double accepted_error(const Plan& plan) {
   std::vector<double> errors;
   for (const Decision& decision : plan.decisions) {
@@ -77,9 +76,9 @@ CONTACT_SCENES_INLINE double accepted_error(const Plan& plan) {
   return std::isfinite(sum) ? std::min(sum, plan.tolerance) : infinite;
 }
 
-/// A crowd takes its hits a few times a step only, though it looks for them continuously: what that
-/// puts a body off by is an error of the step.
-/// @param taken whether the same error is taken already, for not looking for hits
+/// A crowd's hits are processed only a few times a step, although detection is continuous: the
+/// resulting displacement is an error of the step.
+/// @param taken whether the same error is accepted already, by leaving out detection
 CONTACT_SCENES_INLINE void charge_crowd(PlanQuestion& q, bool taken, Decision& step) {
   if (q.events || q.pairs.empty() || q.bounds.movers <= most_one_by_one) return;
   step.proven = false;
@@ -88,11 +87,11 @@ CONTACT_SCENES_INLINE void charge_crowd(PlanQuestion& q, bool taken, Decision& s
                           "impacts taken one by one", ""});
   const double late = rounded_up(worst_bounces(q).late * q.step);
   step.error = taken || late <= q.left ? late : infinite;
-  step.error_is = "a crowd's hits that come up to a step late";
+  step.error_is = "hits of a crowd, up to a step late";
   if (!taken) take_from_what_is_left(q, step);
 }
 
-/// When steps take impacts, one clause.
+/// When steps process impacts, one clause.
 CONTACT_SCENES_INLINE std::string how_impacts_are_taken(const PlanQuestion& q, const Plan& plan) {
   if (q.bounds.movers > most_one_by_one) {
     return "more than " + std::to_string(most_one_by_one) +
@@ -123,21 +122,22 @@ CONTACT_SCENES_INLINE void add_notices(const PlanQuestion& q, Plan& plan) {
   }
   if (plan.spring_part > 0) {
     const double off = springs_off(q, plan.spring_part);
-    std::string notice = "Springs push in parts of " + short_number(plan.spring_part) + " s: ";
+    std::string notice = "Springs push in substeps of " + short_number(plan.spring_part) + " s: ";
     if (!std::isfinite(off)) {
-      notice += "no error is estimated where something gives way and rubs, or is damped.";
+      notice += "no error is estimated for compliant contacts with friction or damping.";
     } else if (decision_on(plan, Effect::penalty_contact).error > 0) {
       notice += "by an estimate that keeps the tolerance; it is not proven.";
     } else {
-      notice += "by an estimate that leaves " + short_number(off) + " m at the end" +
-                (q.tolerance > 0 ? "; to keep the tolerance takes more than 1024 parts a step."
-                                 : ", and no error is accepted.");
+      notice +=
+          "by an estimate that leaves " + short_number(off) + " m at the end" +
+          (q.tolerance > 0 ? "; to keep the tolerance would take more than 1024 substeps a step."
+                           : ", and no error is accepted.");
     }
     plan.notices.push_back(std::move(notice));
   }
   if (q.events && decision_on(plan, Effect::several_contacts).on) {
     plan.notices.push_back(
-        "Hits that fall on one instant are taken one after the other; which comes first then "
+        "Hits at the same instant are processed one after the other; which one comes first then "
         "decides.");
   }
   std::string idle;
@@ -153,8 +153,8 @@ CONTACT_SCENES_INLINE void add_notices(const PlanQuestion& q, Plan& plan) {
   const Decision& events = decision_on(plan, Effect::event_driven);
   if (events.overridden && events.on && !events.planned) {
     plan.notices.push_back(
-        "Event-driven is forced on; a scene that is not one of hard, smooth balls goes step by "
-        "step all the same.");
+        "Event-driven is forced on, but a scene that is not one of hard, smooth balls still goes "
+        "step by step.");
   }
   for (const Decision& decision : plan.decisions) {
     if (!has_no_bound(plan, decision)) continue;
@@ -206,7 +206,7 @@ CONTACT_SCENES_INLINE Plan plan_scene(const Scene& scene, const PlanOptions& opt
     event_driven.error = 0;
     event_driven.error_is = "none";
   }
-  // Of its proofs only that of hops which are left out has an error.
+  // Of its proofs, only that of bounces that are left out has an error.
   if (event_driven.error > 0) plan.cutoff = contact_time_cutoff(q.left, q.bounds.gravity);
   decide_on(std::move(event_driven));
   if (!q.events) q.step = steps_asked ? *options.step : step_from_tolerance(q);
@@ -217,7 +217,7 @@ CONTACT_SCENES_INLINE Plan plan_scene(const Scene& scene, const PlanOptions& opt
   decide_on(plan_gravity(q));
   plan.spring_part = longest_spring_part(q);
   decide_on(plan_penalty_contact(q));
-  // Half the cutoff up, half of it down: what a run in steps does with the same hops.
+  // Half the cutoff up, half of it down: a run in steps treats the same bounces alike.
   plan.rest_height = q.bounds.gravity * plan.cutoff * plan.cutoff / 8;
   Decision resting = plan_resting(q);
   if (!q.events && resting.planned) plan.rest_height = hops_left_out(q);

@@ -17,7 +17,8 @@ namespace contact {
 
 namespace detail {
 
-/// Whether no contact of the scene can turn anything: then spins keep their energy to themselves.
+/// Whether no contact of the scene can exert a torque: then rotation and translation exchange no
+/// energy.
 CONTACT_SCENES_INLINE bool spins_are_locked(const Scene& scene) {
   for (const SceneBody& body : scene.bodies) {
     if (body.moves && !is_ball(body)) return false;
@@ -29,8 +30,8 @@ CONTACT_SCENES_INLINE bool spins_are_locked(const Scene& scene) {
 
 // [floor]
 /// How far a body can fall before the highest level floor holds it: a half-space whose normal and
-/// gravity lie on one axis, exactly. Its centre stays above the floor by its core's thickness.
-/// @return J, twice the energy that falling gives, rounded up; with what a soft floor gives way,
+/// gravity are exactly along one axis. Its centre stays above the floor by its core's thickness.
+/// @return J, twice the energy of the fall, rounded up; plus the compression of a compliant floor,
 /// (m g)²/k; ∞ without such a floor
 CONTACT_SCENES_INLINE double twice_fall(const Scene& scene, const SceneBody& body, double gravity) {
   double least = infinite;
@@ -80,7 +81,7 @@ CONTACT_SCENES_INLINE EnergyShare energy_of(const Scene& scene,
   return share;
 }
 
-/// Sets of bodies that grow together.
+/// Sets of bodies that are united (union-find).
 class BodySets {
  public:
   explicit BodySets(std::size_t n) : parent_(n) {
@@ -90,7 +91,7 @@ class BodySets {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  /// Makes one set of two; the smaller index stands for both.
+  /// Unites two sets; the smaller index represents both.
   void unite(std::size_t i, std::size_t k) {
     const std::size_t a = find(i);
     const std::size_t b = find(k);
@@ -102,8 +103,8 @@ class BodySets {
 };
 
 // [free-flight]
-/// Whether two bodies may touch while both fly freely: gravity pulls both alike, so that one sees
-/// the other move on a straight line.
+/// Whether two bodies may touch while both fly freely: gravity accelerates both equally, so their
+/// relative path is straight.
 CONTACT_SCENES_INLINE bool flights_may_meet(const SceneBody& a, const SceneBody& b, double reach,
                                             double t) {
   const Vector3<double> x = a.position - b.position;
@@ -116,8 +117,8 @@ CONTACT_SCENES_INLINE bool flights_may_meet(const SceneBody& a, const SceneBody&
   return length_of(at) - 128 * plan_u * size <= reach;
 }
 
-/// Whether a body may touch what stands still while it flies freely: its path is cut into pieces,
-/// each lies within half its length of its middle.
+/// Whether a body may touch a fixed one while it flies freely: its path is divided into pieces,
+/// each of which lies within half its length of its middle.
 CONTACT_SCENES_INLINE bool flight_may_meet(const Scene& scene, const SceneBody& body, double outer,
                                            const SceneBody& still) {
   constexpr int pieces = 64;
@@ -140,7 +141,7 @@ CONTACT_SCENES_INLINE bool flight_may_meet(const Scene& scene, const SceneBody& 
 }
 // [/free-flight]
 
-/// Fills in what a body alone says of itself.
+/// Fills in the bounds that a body has by itself.
 CONTACT_SCENES_INLINE BodyBound body_bound(const SceneBody& body) {
   BodyBound bound;
   bound.moves = body.moves;
@@ -165,7 +166,7 @@ CONTACT_SCENES_INLINE void spread_energy(const Scene& scene, SceneBounds& bounds
   }
 }
 
-/// Groups as the sets say, with their energies; a body's group is its set's smallest index.
+/// Groups from the sets, with their energies; a body's group is its set's smallest index.
 CONTACT_SCENES_INLINE void regroup(const Scene& scene, bool locked, BodySets& sets,
                                    SceneBounds& bounds) {
   std::vector<std::vector<std::size_t>> members(scene.bodies.size());
@@ -181,7 +182,7 @@ CONTACT_SCENES_INLINE void regroup(const Scene& scene, bool locked, BodySets& se
   spread_energy(scene, bounds);
 }
 
-/// What two materials add to the worst of a pair.
+/// Adds the material of two bodies to the worst of a pair.
 CONTACT_SCENES_INLINE void add_materials(const Scene& scene, std::size_t a, std::size_t b,
                                          PairBound& pair) {
   const PairMaterial material = pair_material(scene.materials[a], scene.materials[b]);
@@ -197,7 +198,7 @@ CONTACT_SCENES_INLINE void add_materials(const Scene& scene, std::size_t a, std:
   pair.restitution_most = std::max(pair.restitution_most, material.restitution);
 }
 
-/// Whether a ball and a half-space on an axis do not touch, or part: exactly.
+/// Whether a ball and a half-space perpendicular to an axis do not touch, or separate: exactly.
 CONTACT_SCENES_INLINE bool begins_apart(const SceneBody& body, const SceneBody& other) {
   const auto* ball = std::get_if<BallShape>(&body.shape);
   const auto* wall = std::get_if<HalfSpaceShape>(&other.shape);
@@ -244,7 +245,7 @@ CONTACT_SCENES_INLINE PairBound pair_bound(const Scene& scene, const SceneBounds
   return pair;
 }
 
-/// Whether any two balls of many touch at the beginning, or may: by cells as wide as the largest.
+/// Whether any two balls of many touch at the start, or may: by cells as wide as the largest.
 CONTACT_SCENES_INLINE bool crowd_begins_apart(const Scene& scene) {
   struct Placed {
     std::array<double, 3> cell;
@@ -284,7 +285,7 @@ CONTACT_SCENES_INLINE bool crowd_begins_apart(const Scene& scene) {
   return true;
 }
 
-/// All pairs of a crowd as one bound, and one for each body that stands still.
+/// All pairs of a crowd as one bound, and one for each fixed body.
 CONTACT_SCENES_INLINE void crowd_pairs(const Scene& scene, SceneBounds& bounds) {
   PairBound all;
   all.crowd = all.both_move = all.round = true;
@@ -346,12 +347,13 @@ CONTACT_SCENES_INLINE void crowd_pairs(const Scene& scene, SceneBounds& bounds) 
   }
 }
 
-/// Every pair on its own: which may meet follows from where each body can come.
+/// Every pair on its own: which may meet follows from how far each body can move.
 ///
-/// The first touch of all is made by bodies that fly freely. Who may be in it is disturbed, and may
-/// then come as far as its energy allows; whom it may reach there is disturbed too, and shares its
-/// energy; and so on until nothing changes. If a touch were left out, the first such touch would
-/// happen while every bound still held: between bodies that are too far apart for it.
+/// The first touch of all is of bodies that fly freely. A body that may take part in it is
+/// disturbed, and may then go as far as its energy allows; a body that it may reach there is
+/// disturbed too, and shares its energy; and so on until nothing changes. Suppose that this missed
+/// a touch: the first touch that it missed would happen while all bounds still held, between bodies
+/// that the bounds keep apart.
 CONTACT_SCENES_INLINE void separate_pairs(const Scene& scene, bool locked, SceneBounds& bounds) {
   const std::size_t n = scene.bodies.size();
   BodySets sets(n);

@@ -19,12 +19,12 @@ namespace contact {
 // [friction-rule]
 CONTACT_SCENES_INLINE Decision plan_friction(const PlanQuestion& q) {
   std::vector<Proof> proofs{
-      {"An impulse along a surface is at most μ times the normal one; with μ = 0 there is none.",
+      {"A friction impulse is at most μ times the normal impulse; with μ = 0 it is 0.",
        {{"largest friction between bodies that may meet", most_friction(q.pairs), Relation::equal,
          0, "smooth", ""}}}};
   if (const auto line = proven_line(q)) proofs.push_back(*line);
   return decide(Effect::friction, std::move(proofs),
-                "Not proven that nothing slides along what it touches.");
+                "Not proven that no body slides along another.");
 }
 // [/friction-rule]
 
@@ -37,11 +37,11 @@ CONTACT_SCENES_INLINE Decision plan_restitution(const PlanQuestion& q) {
     most = std::max(most, pair.restitution_most);
   }
   return decide(Effect::restitution,
-                {{hard == 0 ? "Without hard impacts nothing bounces."
+                {{hard == 0 ? "Without hard contacts nothing bounces."
                             : "With e = 0 the term −e v of the speed after an impact adds a zero.",
-                  {{"largest restitution of hard contacts that may happen", most, Relation::equal,
-                    0, "nothing comes back", ""}}}},
-                "What comes back of an impact is not 0.");
+                  {{"largest restitution of hard contacts that may occur", most, Relation::equal, 0,
+                    "no rebound", ""}}}},
+                "Some impact may have a rebound.");
 }
 
 namespace detail {
@@ -87,20 +87,19 @@ CONTACT_SCENES_INLINE Decision plan_penalty_contact(const PlanQuestion& q) {
   for (const PairBound& pair : q.pairs) soft += pair.soft ? pair.count : 0;
   Decision decision =
       decide(Effect::penalty_contact,
-             {{"A spring that nothing touches pushes nothing.",
-               {{"pairs that may meet and give way", soft, Relation::equal, 0, "none", ""}}}},
-             "Some contacts give way like springs.");
+             {{"A spring that nothing touches exerts no force.",
+               {{"pairs that may meet and are compliant", soft, Relation::equal, 0, "none", ""}}}},
+             "Some contacts are compliant, like springs.");
   const double part = longest_spring_part(q);
   if (!decision.on || !(part > 0)) return decision;
-  decision.because.push_back({"part of a step while a spring pushes", part, Relation::at_most,
+  decision.because.push_back({"substep while a spring pushes", part, Relation::at_most,
                               1 / (128 * detail::fastest_spring(q)),
-                              "1/128 of a radian of the stiffest", "s"});
+                              "1/128 of a radian of the stiffest spring", "s"});
   const double off = springs_off(q, part);
-  decision.because.push_back(
-      fits_what_is_left(q, "off at the end by what leapfrog leaves, by an estimate", off));
+  decision.because.push_back(fits_what_is_left(q, "error of leapfrog at the end, estimated", off));
   if (!holds(decision.because.back())) return decision;
   decision.error = off;
-  decision.error_is = "what leapfrog leaves of springs, by an estimate; no bound for many bodies";
+  decision.error_is = "error of leapfrog at springs, estimated; no bound for many bodies";
   return decision;
 }
 // [/spring-rule]
@@ -143,7 +142,7 @@ CONTACT_SCENES_INLINE BounceRange bounce_range(const PlanQuestion& q, const Pair
   const double doubt = 16 * detail::plan_u * q.bounds.gravity;
   const double g = -wall->normal.dot(scene.gravity) + doubt;
   const double e = pair.restitution_most;
-  if (g <= 2 * doubt) {  // nothing pulls it back
+  if (g <= 2 * doubt) {  // no force pulls it back
     if (q.bounds.gravity > 0 && g > 0 && detail::level_axis(wall->normal) < 0) return unknown;
     return {infinite, 1, rounded_up((1 + e) * (1 + pair.friction) * pair.closing)};
   }
@@ -174,7 +173,7 @@ CONTACT_SCENES_INLINE BounceRange bounce_range(const PlanQuestion& q, const Pair
     range.late += (1 + e) * (most + pair.friction * g * scene.duration);
   }
   // A ball that leaves late leaves from too deep: gravity takes more of its speed than it should,
-  // unless it has all of it.
+  // unless it takes all of it.
   if (pair.restitution_least < 1 || range.hits == infinite) range.late = infinite;
   range.late = rounded_up(range.late);
   return range;
@@ -189,7 +188,7 @@ CONTACT_SCENES_INLINE BounceRange worst_bounces(const PlanQuestion& q) {
     if (pair.half_space) {
       range = bounce_range(q, pair);
     } else if (pair.both_move && pair.round && !pair.soft) {
-      // Both fly alike: they meet once, on a straight line seen from each other.
+      // Both are accelerated equally: they meet once, on a straight relative path.
       range = {detail::infinite, 1, detail::rounded_up((1 + pair.restitution_most) * pair.closing)};
     } else {
       range = {0, detail::infinite, detail::infinite};
@@ -215,24 +214,23 @@ CONTACT_SCENES_INLINE std::vector<Proof> resting_proofs(const PlanQuestion& q) {
     touching += pair.apart ? 0 : 1;
   }
   const BounceRange bounces = worst_bounces(q);
-  return {
-      {"Nothing presses bodies together, so a contact that lasts carries no force.",
-       {{"gravity that no table cancels", gravity_felt(q), Relation::equal, 0, "none", "m/s²"},
-        {"moving bodies other than balls that may turn and touch something",
-         proven_line(q) ? 0.0 : rough_shapes_that_touch(q), Relation::equal, 0, "none", ""}}},
-      {"What never touches, or gives way like a spring, never rests on anything hard.",
-       {{"hard contacts that may happen", hard, Relation::equal, 0, "none", ""}}},
-      {"Elastic balls leave at the speed at which they came, and that is never 0: a flight that "
-       "only grazes what gravity presses it on would have come from inside.",
-       {{"largest share of speed lost, 1 − e, between bodies that may meet", lossy, Relation::equal,
-         0, "elastic", ""},
-        {"pairs that may meet other than balls and half-spaces", uneven, Relation::equal, 0, "none",
-         ""},
-        {"kinds of pairs that touch at the beginning and do not part", touching, Relation::equal, 0,
-         "none", ""}}},
-      {"The bounces on a half-space end at t₁ + 2 e w/(g (1 − e)), and the scene ends before.",
-       {{"duration", q.scene->duration, Relation::less, bounces.rest,
-         "earliest that a ball can rest", "s"}}}};
+  return {{"No force presses bodies together, so a lasting contact carries no force.",
+           {{"gravity that no table cancels", gravity_felt(q), Relation::equal, 0, "none", "m/s²"},
+            {"moving bodies other than balls that may rotate and touch something",
+             proven_line(q) ? 0.0 : rough_shapes_that_touch(q), Relation::equal, 0, "none", ""}}},
+          {"Bodies that never touch, or only through springs, never rest on a hard contact.",
+           {{"hard contacts that may occur", hard, Relation::equal, 0, "none", ""}}},
+          {"Elastic balls leave with the normal speed with which they came. It is 0 only in a "
+           "graze, and there gravity presses only at one exact speed, on a fixed ball.",
+           {{"largest loss of speed, 1 − e, between bodies that may meet", lossy, Relation::equal,
+             0, "elastic", ""},
+            {"pairs that may meet other than balls and half-spaces", uneven, Relation::equal, 0,
+             "none", ""},
+            {"kinds of pairs that touch at the beginning and do not separate", touching,
+             Relation::equal, 0, "none", ""}}},
+          {"The bounces on a half-space end at t₁ + 2 e w/(g (1 − e)), and the scene ends before.",
+           {{"duration", q.scene->duration, Relation::less, bounces.rest,
+             "earliest time at which a ball can rest", "s"}}}};
 }
 
 CONTACT_SCENES_INLINE double hops_left_out(const PlanQuestion& q) {
@@ -245,8 +243,8 @@ CONTACT_SCENES_INLINE double hops_left_out(const PlanQuestion& q) {
 
 namespace detail {
 
-/// The highest hop that a pair leaves out in steps, m: what leaves at e times the slowest bounce.
-/// @param height what hops_left_out() says, m
+/// The highest bounce that a pair leaves out in steps, m: e times the speed of the slowest bounce.
+/// @param height from hops_left_out(), m
 CONTACT_SCENES_INLINE double pair_hop(const PlanQuestion& q, const PairBound& pair, double height) {
   if (!pair.hard) return 0;
   const double e = pair.restitution_most;
@@ -264,15 +262,16 @@ CONTACT_SCENES_INLINE Decision plan_resting(const PlanQuestion& q) {
   double hop = 0;
   for (const PairBound& pair : q.pairs) hop = std::max(hop, detail::pair_hop(q, pair, height));
   if (!(hop > 0)) return decision;
-  decision.because.push_back(fits_what_is_left(q, "height of a hop that steps leave out", hop));
+  decision.because.push_back(fits_what_is_left(q, "height of a bounce that steps leave out", hop));
   if (rests_alone(q,
                   [&](const PairBound& pair) { return detail::pair_hop(q, pair, height) > 0; })) {
     decision.error = hop;
-    decision.error_is = "height of the hops that steps leave out";
+    decision.error_is = "height of the bounces that steps leave out";
   } else {
     decision.error = detail::infinite;
     decision.error_is =
-        "hops that are left out may add up where bodies lie on or hit each other, or rub";
+        "bounces that are left out may add up where bodies lie on or hit each other, or have "
+        "friction";
   }
   return decision;
 }
@@ -282,28 +281,28 @@ CONTACT_SCENES_INLINE Decision plan_sleeping(const PlanQuestion& q) {
   std::vector<Proof> proofs;
   for (Proof& proof : resting_proofs(q)) {
     if (!is_proven(proof)) continue;
-    proof.why = "What never rests never sleeps. " + proof.why;
+    proof.why = "A body that never rests never sleeps. " + proof.why;
     proofs.push_back(std::move(proof));
     break;
   }
   if (proofs.empty()) proofs = resting_proofs(q);
   Decision decision =
       decide(Effect::sleeping, std::move(proofs),
-             "Bodies may come to rest; one in balance at speed 0 stays there exactly.");
+             "Bodies may come to rest; a body in equilibrium at speed 0 stays exactly there.");
   const double share = sleeping_share(q);
   if (!decision.on || q.events || !(share > 0)) return decision;
   if (gravity_felt(q) > 0 && all_fall_alike(q)) return decision;
   decision.because.push_back(fits_what_is_left(
-      q, "way of what sleeps, if it went on as slowly, or as slowly pushed", share));
+      q, "distance that a sleeping body would creep at its speed or acceleration", share));
   if (rests_alone(q, [&](const PairBound& pair) {
         const bool glides = pair.half_space && pair.round && !pair.soft && pair.friction == 0;
         return !glides || detail::pair_pressing(q, pair) > 0;
       })) {
     decision.error = share;
-    decision.error_is = "what sleeps would creep";
+    decision.error_is = "distance that sleeping bodies would creep";
   } else {
     decision.error = detail::infinite;
-    decision.error_is = "what sleeps may balance, and would fall later";
+    decision.error_is = "a sleeping body may be balanced on an edge, and would fall later";
   }
   return decision;
 }
@@ -320,31 +319,32 @@ CONTACT_SCENES_INLINE std::string pair_name(const Scene& scene, const PairBound&
 
 }  // namespace detail
 
-// [tunnelling]
-/// What can go unseen between two steps of length h, if contacts are looked for at steps only.
+/// What can be missed between two steps of length h, if contacts are tested at steps only.
 ///
-/// *Passing through.* Each body holds a core and all points within its thickness of it. While the
-/// bodies do not touch, their cores are farther apart than both thicknesses together, R. For the
-/// cores to meet in between and part again, the surfaces must move by R and by R again: more than
-/// 2 R in one step. Spin and acceleration are in the speed that energy allows.
+/// *Tunnelling.* Each body consists of a core and all points within its thickness of it. While the
+/// bodies do not touch, their cores are more than the sum R of both thicknesses apart. To come out
+/// on the other side, the cores must meet in between, so the surfaces approach by more than R and
+/// separate by more than R: more than 2 R in one step. The condition is the strict inequality, so
+/// that rounded positions may miss an exact touch. Rotation and acceleration are included in the
+/// speed that energy allows.
 ///
-/// *Late.* A hit is noticed up to a step late, and each misplaces a body by (1 + e) v h at most. On
-/// a floor that holds for e = 1 only: what left it slower would leave from too deep, slower still.
-/// Friction along the floor sees an impulse that is off by what gravity adds meanwhile, and leaves
-/// μ (1 + e) g h of velocity.
+/// *Late hits.* A hit is detected up to a step late, and each displaces a body by at most (1 + e) v
+/// h. On a floor that holds for e = 1 only: a slower ball would leave from too deep, slower still.
+/// Friction along the floor gets a normal impulse that is wrong by what gravity adds meanwhile,
+/// which leaves μ (1 + e) g h of velocity.
 ///
-/// *At a slant.* Two rounds that meet late have a normal that is turned by asin(d/R) at most, with
-/// d what they have moved in the step and R both radii together. So the impulse is off by
+/// *Oblique hits.* Two balls that meet late have a normal that is rotated by at most asin(d/R),
+/// with their displacement d in the step and the sum R of their radii. So the impulse is wrong by
 /// (1 + e) v asin(d/R), for the rest of the time T. A chord that is missed altogether leaves less:
-/// its length is d at most, and along the normal there is v d/(2 R). With friction nothing is
-/// proven. A path that gravity bends away from a wall dips into it with g h/2 at most; lateness is
-/// charged with more, since a body that falls for T has a v of at least g T/2.
+/// its length is at most d, and the normal speed is v d/(2 R). With friction nothing is proven. A
+/// path that gravity bends away from a wall dips into it with at most g h/2; the lateness that is
+/// charged is more, since a body that falls for T has a v of at least g T/2.
 ///
-/// *Beside other errors.* There are none. Late hits have a bound only where something touches and
-/// nothing comes to rest; where hops, sleep, gravity, a gyroscopic term or float are left out
-/// within the tolerance, nothing touches or something rests. A path of late hits is the right one,
-/// delayed, but for dips into a floor that are shorter than the error: EnergyShare::twice_dip is
-/// what a body gains in them.
+/// *No other errors are added.* Late hits have a bound only where bodies touch and none comes to
+/// rest; where bounces, sleep, gravity, a gyroscopic term or float are left out within the
+/// tolerance, nothing touches or bodies rest. A path of late hits is the exact one, delayed, except
+/// for dips into a floor that are shorter than the error: EnergyShare::twice_dip is the energy
+/// gained in them.
 /// @param h s
 CONTACT_SCENES_INLINE std::vector<Inequality> tunnelling_conditions(const PlanQuestion& q,
                                                                     double h) {
@@ -355,6 +355,7 @@ CONTACT_SCENES_INLINE std::vector<Inequality> tunnelling_conditions(const PlanQu
   double grazing = 0;
   double worst = -1;
   Inequality passing;
+  // [tunnelling]
   for (const PairBound& pair : q.pairs) {
     edged += pair.half_space ? (pair.round ? 0 : pair.count) : (pair.graze > 0 ? 0 : pair.count);
     if (pair.half_space) continue;
@@ -368,56 +369,57 @@ CONTACT_SCENES_INLINE std::vector<Inequality> tunnelling_conditions(const PlanQu
     }
     const double ratio = pair.core > 0 ? moved / (2 * pair.core) : detail::infinite;
     const std::string name = detail::pair_name(scene, pair);
-    const std::string words = name + " towards each other in a step";
+    const std::string words = "approach of " + name + " in a step";
     if (ratio < worst || (ratio == worst && passing.left_is < words)) continue;
     worst = ratio;
     passing = {words, moved, Relation::less, 2 * pair.core, "twice the thickness of both together",
                "m"};
   }
+  // [/tunnelling]
   if (worst >= 0) {
     conditions.push_back(passing);
   } else {
     conditions.push_back({"pairs that may meet and of which none is a half-space", 0,
-                          Relation::equal, 0, "nothing has another side to come out on", ""});
+                          Relation::equal, 0, "a half-space has no other side", ""});
   }
   const double late = q.pairs.empty() ? 0.0 : rounded_up(worst_bounces(q).late * h);
-  conditions.push_back(fits_what_is_left(
-      q, "off at the end by hits that are late, or missed at a slant", rounded_up(late + grazing)));
   conditions.push_back(
-      {"pairs with corners or edges that may meet, whose missed grazes have no bound", edged,
+      fits_what_is_left(q, "error at the end by hits that are late, or oblique and missed",
+                        rounded_up(late + grazing)));
+  conditions.push_back(
+      {"pairs with vertices or edges that may meet, whose missed grazes have no bound", edged,
        Relation::equal, 0, "none", ""});
   return conditions;
 }
 
-/// Continuous detection is off if nothing can pass through anything between two steps, and what
-/// comes late or is missed stays within the tolerance. From event to event it is on: an event is
-/// an impact at its time.
+/// Continuous detection is off if nothing can pass through anything between two steps, and late and
+/// missed hits stay within the tolerance. In an event-driven run it is on: an event is an impact at
+/// its time.
 CONTACT_SCENES_INLINE Decision plan_continuous_detection(const PlanQuestion& q, double h) {
   const double pairs = pairs_that_may_meet(q.bounds);
   Proof free{"Nothing touches anything, whatever the step.", {nothing_meets(q)}};
   if (q.events && pairs > 0) {
     Decision decision = decide(Effect::continuous_detection, {free},
                                "From event to event each impact is found at its time; there is no "
-                               "step in which it could pass unseen.");
+                               "step in which it could be missed.");
     decision.because.clear();
     return decision;
   }
   Proof steps{
-      "To pass through, two bodies must come towards each other by twice the thickness of "
+      "To pass through each other, two bodies must approach by twice the thickness of "
       "their cores in one step.",
       tunnelling_conditions(q, h)};
   for (const Inequality& condition : steps.conditions) {
     if (condition.relation == Relation::at_most)
       steps.error = std::max(steps.error, condition.left);
   }
-  steps.error_is = "hits up to a step late, and grazing ones that are missed";
+  steps.error_is = "hits up to a step late, and grazing hits that are missed";
   const std::vector<Inequality> all = steps.conditions;
   Decision decision = decide(Effect::continuous_detection, {free, steps},
-                             "Not proven that what goes unseen between two steps is small.");
+                             "Not proven that what is missed between two steps is small.");
   if (decision.on) decision.because = all;
   return decision;
 }
-// [/tunnelling]
 
 namespace detail {
 

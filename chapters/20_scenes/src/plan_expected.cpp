@@ -26,7 +26,7 @@ namespace contact {
 
 namespace detail {
 
-/// Whether both of a pair have corners, or edges.
+/// Whether both of a pair have vertices or edges.
 CONTACT_SCENES_INLINE bool both_have_corners(const SceneBody& a, const SceneBody& b) {
   return !is_ball(a) && !is_ball(b) && !is_half_space(b);
 }
@@ -40,7 +40,7 @@ CONTACT_SCENES_INLINE double impact_cost(const SceneBody& a, const SceneBody& b)
   return both_have_corners(a, b) ? cost::corner_impact : cost::round_impact;
 }
 
-/// At how many points two bodies touch that lie on each other.
+/// The number of contact points of two bodies that lie on each other.
 CONTACT_SCENES_INLINE double points_of_pair(const SceneBody& a, const SceneBody& b) {
   if (is_ball(a) || is_ball(b)) return 1;
   const bool capsule = std::holds_alternative<CapsuleShape>(a.shape) ||
@@ -48,8 +48,8 @@ CONTACT_SCENES_INLINE double points_of_pair(const SceneBody& a, const SceneBody&
   return capsule ? 2 : 4;
 }
 
-/// How far two bodies are apart at the beginning: of balls about them where these are apart, so
-/// that few pairs are asked for more.
+/// The distance of two bodies at the start: of their bounding balls where these do not overlap, so
+/// that few pairs need the exact distance.
 CONTACT_SCENES_INLINE double first_gap(const SceneBody& a, const SceneBody& b) {
   if (!is_half_space(b)) {
     const double balls = length_of(Vector3<double>(a.position - b.position)) -
@@ -60,7 +60,7 @@ CONTACT_SCENES_INLINE double first_gap(const SceneBody& a, const SceneBody& b) {
 }
 
 /// When and how fast two bodies first meet that fly towards each other, and from when on they stay
-/// together; s, m/s, s.
+/// in contact; s, m/s, s.
 struct Meeting {
   double time = infinite;
   double speed = 0;
@@ -68,8 +68,8 @@ struct Meeting {
   bool pressed = false;  ///< by gravity
 };
 
-/// As seen along the line between their centres, or along a half-space's normal. They stay together
-/// if e = 0 when they meet, and where gravity presses after 2 e w/(g (1 − e)).
+/// Along the line of their centres, or a half-space's normal. They stay in contact if e = 0 when
+/// they meet, and where gravity presses after 2 e w/(g (1 − e)).
 CONTACT_SCENES_INLINE Meeting meeting_of(const PlanQuestion& q, const PairBound& pair) {
   const SceneBody& a = q.scene->bodies[pair.a];
   const SceneBody& b = q.scene->bodies[pair.b];
@@ -87,7 +87,7 @@ CONTACT_SCENES_INLINE Meeting meeting_of(const PlanQuestion& q, const PairBound&
   const double g = gravity_felt(q) > 0 ? -n.dot(q.scene->gravity) : 0.0;
   const double pull = b.moves ? 0.0 : g;
   const double towards = -n.dot(Vector3<double>(a.velocity - b.velocity));
-  // What lies aslant is hardly pressed.
+  // Gravity hardly presses an oblique pair.
   meeting.pressed = std::abs(g) > q.bounds.gravity / 8;
   const double near = 0x1p-10 * std::min(outer_radius(a.shape), outer_radius(b.shape));
   if (gap <= near && !(towards < 0)) {
@@ -108,7 +108,7 @@ CONTACT_SCENES_INLINE Meeting meeting_of(const PlanQuestion& q, const PairBound&
   return meeting;
 }
 
-/// Which bodies lie on something at the beginning, pressed by gravity: they do not fall.
+/// Which bodies lie on something at the start, pressed by gravity: they do not fall.
 CONTACT_SCENES_INLINE std::vector<bool> lying_bodies(const PlanQuestion& q) {
   std::vector<bool> lies(q.scene->bodies.size(), false);
   for (const PairBound& pair : q.pairs) {
@@ -120,7 +120,7 @@ CONTACT_SCENES_INLINE std::vector<bool> lying_bodies(const PlanQuestion& q) {
   return lies;
 }
 
-/// Whether everything that moves lies on something at the beginning, and does not move.
+/// Whether every moving body lies on something at the start, at rest.
 CONTACT_SCENES_INLINE bool begins_at_rest(const PlanQuestion& q, const std::vector<bool>& lies) {
   for (std::size_t i = 0; i < lies.size(); ++i) {
     const SceneBody& body = q.scene->bodies[i];
@@ -129,8 +129,7 @@ CONTACT_SCENES_INLINE bool begins_at_rest(const PlanQuestion& q, const std::vect
   return true;
 }
 
-/// Mean square of the speeds at the beginning, with what falling through half of the room adds;
-/// m²/s².
+/// Mean square of the initial speeds, plus that of falling through half of the room; m²/s².
 CONTACT_SCENES_INLINE double mean_square_speed(const PlanQuestion& q, const Room& room) {
   std::vector<double> squares;
   for (const SceneBody& body : q.scene->bodies)
@@ -147,7 +146,7 @@ CONTACT_SCENES_INLINE double mean_square_speed(const PlanQuestion& q, const Room
   return square + std::min(fall, fallen * fallen);
 }
 
-/// Whether walls hold what moves along every axis along which anything moves.
+/// Whether walls confine the moving bodies along every axis along which any moves.
 CONTACT_SCENES_INLINE bool is_enclosed(const PlanQuestion& q, const Room& room) {
   for (int k = 0; k < 3; ++k) {
     bool moves = gravity_felt(q) > 0 && q.scene->gravity(k) != 0;
@@ -159,8 +158,7 @@ CONTACT_SCENES_INLINE bool is_enclosed(const PlanQuestion& q, const Room& room) 
 }
 
 /// Hits of a gas: each ball has √2 π D² n/V χ v of them in a second with others, with Enskog's χ
-/// for balls that are in each other's way, and with the walls of an axis its speed along it over
-/// the width that is free.
+/// for their own volume, and with the walls of an axis its speed along it over the free width.
 CONTACT_SCENES_INLINE void expect_gas(const PlanQuestion& q, const Room& room, ExpectedRun& run) {
   const double t = q.scene->duration;
   const double speed = std::sqrt(mean_square_speed(q, room));
@@ -179,15 +177,15 @@ CONTACT_SCENES_INLINE void expect_gas(const PlanQuestion& q, const Room& room, E
       run.wall_hits += run.movers * t * along / (free + d / 2);
   }
   run.hits += run.wall_hits;
-  // Cells are as wide as the widest ball, or so much wider that there are no more than four a ball.
+  // Cells are as wide as the widest ball, or wider, so that there are at most four a ball.
   double cell = room.widest;
   while (volume > cell * cell * cell * (4 * run.movers + 64)) cell *= 1.125;
   run.occupancy = run.movers * cell * cell * cell / volume;
   run.crossings = run.movers * t * along * axes / cell;
 }
 
-/// For what share of the time a crowd lies in a heap: after it has fallen as far as makes it dense,
-/// six tenths of its room.
+/// The share of the time in which a crowd lies in a heap: after it has fallen until it fills six
+/// tenths of its volume.
 CONTACT_SCENES_INLINE double share_in_heap(const PlanQuestion& q, const Room& room) {
   const double volume = room.size.x() * room.size.y() * room.size.z();
   const double n = static_cast<double>(q.bounds.movers);
@@ -198,7 +196,7 @@ CONTACT_SCENES_INLINE double share_in_heap(const PlanQuestion& q, const Room& ro
   return std::max(0.0, 1 - std::sqrt(2 * fall / g) / q.scene->duration);
 }
 
-/// Hits, and contacts that last, of pairs that are asked one by one.
+/// Hits, and lasting contacts, of pairs that are considered one by one.
 CONTACT_SCENES_INLINE void expect_pairs(const PlanQuestion& q, const std::vector<bool>& lies,
                                         bool enclosed, ExpectedRun& run) {
   const double t = q.scene->duration;
@@ -215,7 +213,7 @@ CONTACT_SCENES_INLINE void expect_pairs(const PlanQuestion& q, const std::vector
     const Meeting meeting = meeting_of(q, pair);
     if (!(meeting.time < t) || (meeting.time > 0 && meeting.pressed && lies[pair.a])) continue;
     if (meeting.speed > 0) {
-      // A hop takes 2 w/g, and each is shorter than the one before.
+      // A bounce takes 2 w/g, and each is shorter than the previous one.
       double count = 1;
       const double g = b.moves ? 0.0 : meeting.pressed ? q.bounds.gravity : 0.0;
       double hop = g > 0 ? 2 * pair.restitution_most * meeting.speed / g : 0.0;
@@ -242,8 +240,8 @@ CONTACT_SCENES_INLINE void expect_pairs(const PlanQuestion& q, const std::vector
   run.unpressed = sum_in_order(std::move(unpressed));
 }
 
-/// Parts of turns with the gyroscopic term, as its stage takes them in parts of so many: at least
-/// one of each body that is uneven and turns, more of what turns fast.
+/// Substeps of rotation with the gyroscopic term, as its stage takes them: at least one for each
+/// rotating body with unequal moments, more for a fast one.
 CONTACT_SCENES_INLINE double gyroscopic_looks(const PlanQuestion& q, double parts) {
   std::vector<double> looks;
   for (std::size_t i = 0; i < q.scene->bodies.size(); ++i) {
@@ -299,7 +297,7 @@ CONTACT_SCENES_INLINE ExpectedRun expected_run(const PlanQuestion& q, double h, 
     run.impact =
         std::max(run.impact, detail::impact_cost(scene.bodies[pair.a], scene.bodies[pair.b]));
   if (crowd) run.parts = run.steps * crowd_parts;
-  // An impact cuts twice: a part ends where it is found, and one without length solves it.
+  // An impact divides twice: a substep ends where it is found, and one of length zero solves it.
   else
     run.parts += std::min(2 * run.hits, 2.0 * run.steps * most_impacts(q.bounds.movers, false));
   const double swing = detail::fastest_spring(q);

@@ -29,14 +29,14 @@ namespace contact {
 
 namespace detail {
 
-/// What a body meets on its way: how fast it goes, how far from hit to hit.
+/// The path of a body from hit to hit.
 struct FreePath {
-  double speed = 0;   ///< of who is fast, m/s: at first, or when all have shared their energy
+  double speed = 0;   ///< of the fast bodies, m/s: initially, or when all have shared their energy
   double length = 0;  ///< mean free path, m
-  double radius = 0;  ///< the least on which a centre turns from hit to hit nearby, m
+  double radius = 0;  ///< the smallest sum of radii in a hit, m
 };
 
-/// The speed of who is fast: the largest at the beginning, or the root mean square of the lightest
+/// The speed of the fast bodies: the largest initial speed, or the root mean square of the lightest
 /// of a group when each of its n bodies has 1/n of the energy. Gravity adds to it.
 CONTACT_SCENES_INLINE double pace_of_the_fast(const PlanQuestion& q) {
   struct Share {
@@ -89,8 +89,8 @@ CONTACT_SCENES_INLINE FreePath free_path(const PlanQuestion& q) {
   return path;
 }
 
-/// The least of four gaps that close in on a moving body: to the nearest four bodies that stand
-/// still, half-spaces among them. Fewer than four leave it a way out.
+/// The smallest cage of a moving body: the distance to the fourth nearest fixed body, half-spaces
+/// included. Fewer than four leave it a way out.
 CONTACT_SCENES_INLINE double narrowest_cage(const PlanQuestion& q) {
   std::map<std::size_t, std::vector<double>> gaps;  // of each body that moves
   for (const PairBound& pair : q.pairs) {
@@ -108,8 +108,8 @@ CONTACT_SCENES_INLINE double narrowest_cage(const PlanQuestion& q) {
   return narrowest;
 }
 
-/// How wide the middle half of some numbers spreads, twice: as wide as all of them if they are
-/// spread evenly, and no wider for a few that lie far away.
+/// Twice the width of the middle half of some numbers: the whole width if they are evenly
+/// distributed, and no wider for a few outliers.
 CONTACT_SCENES_INLINE double middle_width(std::vector<double>& numbers) {
   const std::size_t quarter = numbers.size() / 4;
   std::sort(numbers.begin(), numbers.end());
@@ -117,8 +117,8 @@ CONTACT_SCENES_INLINE double middle_width(std::vector<double>& numbers) {
   return quarter == 0 ? width : 2 * width;
 }
 
-/// How far a body goes from hit to hit where it is most crowded at the beginning: in a gas that
-/// fills no more than the box round most of what moves, and no farther than its cage is wide.
+/// How far a body flies from hit to hit where the bodies are densest at the start: in a gas that
+/// fills only the box around most of the moving bodies, and no farther than the width of its cage.
 CONTACT_SCENES_INLINE double crowded_path(const PlanQuestion& q, const FreePath& even) {
   std::array<std::vector<double>, 3> places;
   for (const SceneBody& body : q.scene->bodies)
@@ -129,17 +129,18 @@ CONTACT_SCENES_INLINE double crowded_path(const PlanQuestion& q, const FreePath&
   double volume = 1;
   for (std::vector<double>& along : places) volume *= middle_width(along) + room.widest;
   const double area = 4.442882938158366 * room.mean * room.mean;  // √2 π D²
-  // One ball is no gas.
+  // One ball is not a gas.
   const double among = balls > 1 ? volume / (area * balls) : infinite;
   return std::min({even.length, among, narrowest_cage(q)});
 }
 
-/// By how much faster than an average error the largest of n balls that hit each other grows.
+/// The growth rate of the largest of n errors, of balls that hit each other, relative to a mean
+/// error.
 ///
-/// Whoever the ball that is off most hits is off as much, and the next hit of either adds to it: of
-/// very many balls the largest error grows as if it hit 2 e^γ = 4.311 times as often, where
-/// e^γ (1 − γ) = ½. Of n it is 2 e^γ (1 − γ π²/(2 ln² n)) times. All hits together are n/2 times as
-/// many as a ball's; of a few that is taken, up to twice.
+/// The ball with the largest error passes it to each ball that it hits, and the next hit of either
+/// multiplies it: for very many balls the largest error grows as if that ball hit 2 e^γ = 4.311
+/// times as often, where e^γ (1 − γ) = ½. For n balls it is 2 e^γ (1 − γ π²/(2 ln² n)) times. All
+/// hits together are n/2 times as many as one ball's; for few balls that is taken, up to twice.
 ///
 /// Sources: van Zon, van Beijeren and Dellago, *Largest Lyapunov exponent for many particle systems
 /// at low densities*, Physical Review Letters 80 (1998); for n Brunet and Derrida, *Shift in the
@@ -151,15 +152,15 @@ CONTACT_SCENES_INLINE double leading_growth(double n) {
                   4.311 * (1 - 0.768 * half_of_pi_squared / (digits * digits)));
 }
 
-/// Until when places are known where nothing holds the balls together: each pair meets once, and
-/// no way from hit to hit is longer than all of the time.
+/// Until when positions are known if nothing confines the balls: each pair meets once, and no
+/// flight from hit to hit is longer than the whole time.
 CONTACT_SCENES_INLINE double horizon_in_the_open(const FreePath& path, double pairs,
                                                  double growth) {
   return (std::pow(growth, 1 / pairs) - 1) * path.radius / (4 * path.speed);
 }
 
-/// How many half-spaces slant as gravity sees it, if there are others beside them: between two such
-/// walls a ball that bounces under gravity does not come back to where it was.
+/// The number of half-spaces oblique to gravity, if there are others beside them: between two such
+/// walls a ball that bounces under gravity does not come back to its position.
 CONTACT_SCENES_INLINE double slanting_walls(const PlanQuestion& q) {
   if (!(gravity_felt(q) > 0)) return 0;
   std::vector<std::size_t> walls;
@@ -177,34 +178,34 @@ CONTACT_SCENES_INLINE double slanting_walls(const PlanQuestion& q) {
   return walls.size() > 1 ? slanting : 0;
 }
 
-/// How many pairs rub where somebody may meet more than one body.
+/// The number of pairs with friction where a body may meet more than one other.
 CONTACT_SCENES_INLINE double rubbing_among_several(const PlanQuestion& q) {
   double rubbing = 0;
   for (const PairBound& pair : q.pairs) rubbing += pair.friction > 0 ? pair.count : 0;
   return most_partners(q) > 1 ? rubbing : 0;
 }
 
-/// Why nothing makes small differences grow faster than time, if nothing does.
+/// The proofs that small differences grow no faster than time, if they hold.
 CONTACT_SCENES_INLINE std::vector<Proof> nothing_spreads(const PlanQuestion& q, bool turning) {
   double lenses = 0;
   for (const PairBound& pair : q.pairs) lenses += pair.half_space ? 0 : pair.count;
-  const Inequality corners{"moving bodies other than balls that turn and may touch something",
+  const Inequality corners{"moving bodies other than balls that rotate and may touch something",
                            turning ? rough_shapes_that_touch(q) : 0.0,
                            Relation::equal,
                            0,
                            "none",
                            ""};
   std::vector<Proof> proofs{
-      {"Flat walls do not spread paths that lie close together; rounding only adds up.",
+      {"Flat walls do not spread neighbouring paths; rounding errors only add up.",
        {{"pairs that may meet and of which none is a half-space", lenses, Relation::equal, 0,
          "none", ""},
         corners,
-        {"half-spaces neither level nor upright, beside others", slanting_walls(q), Relation::equal,
-         0, "none", ""},
-        {"pairs that rub, where a body may meet several", rubbing_among_several(q), Relation::equal,
-         0, "none", ""}}}};
+        {"half-spaces neither horizontal nor vertical, beside others", slanting_walls(q),
+         Relation::equal, 0, "none", ""},
+        {"pairs with friction, where a body may meet several", rubbing_among_several(q),
+         Relation::equal, 0, "none", ""}}}};
   if (auto line = proven_line(q)) {
-    line->why = "On a line no hit spreads paths; rounding only adds up.";
+    line->why = "On a line no hit spreads paths; rounding errors only add up.";
     line->conditions.push_back(corners);
     double rebound = 0;
     for (const PairBound& pair : q.pairs)
@@ -212,13 +213,13 @@ CONTACT_SCENES_INLINE std::vector<Proof> nothing_spreads(const PlanQuestion& q, 
     const bool columns = gravity_felt(q) > 0 && rebound > 0;
     line->conditions.push_back({"moving bodies that fall and bounce on the line",
                                 columns ? static_cast<double>(q.bounds.movers) : 0.0,
-                                Relation::at_most, 1, "none among others", ""});
+                                Relation::at_most, 1, "one alone", ""});
     proofs.push_back(*line);
   }
   return proofs;
 }
 
-/// How fast something falls that falls from where it begins to the farthest wall below, m/s.
+/// The speed of a fall from the initial position to the farthest wall below, m/s.
 CONTACT_SCENES_INLINE double falling_speed(const PlanQuestion& q) {
   double drop = 0;
   double speed = 0;
@@ -232,7 +233,7 @@ CONTACT_SCENES_INLINE double falling_speed(const PlanQuestion& q) {
   return std::sqrt(speed * speed + 2 * gravity_felt(q) * drop);
 }
 
-/// How often an error grows by a factor e, 1/s: by hits on rounds, and by falling.
+/// How often an error grows by a factor e, 1/s: by hits on balls, and by falling.
 CONTACT_SCENES_INLINE double spreading(const PlanQuestion& q, const FreePath& path) {
   double pace = 0;
   if (std::isfinite(path.radius)) {
@@ -243,10 +244,10 @@ CONTACT_SCENES_INLINE double spreading(const PlanQuestion& q, const FreePath& pa
       posts = posts || !(pair.both_move || pair.half_space);
     }
     const double way = crowded_path(q, path);
-    // Where the way is short, ln(1 + 4 λ/R)/λ is 4/R.
+    // For short flights, ln(1 + 4 λ/R)/λ is 4/R.
     const double widening = 4 * way / path.radius;
     const double a_way = widening < 1e-6 ? 4 / path.radius : std::log(1 + widening) / way;
-    // A ball alone may meet more slanting hits than the average: half as much again.
+    // A single ball may have more oblique hits than the average: half as much again.
     const double leading = gas ? leading_growth(static_cast<double>(q.bounds.movers)) : 1;
     pace = std::max(leading, posts ? 1.5 : 1) * a_way * path.speed;
   }
@@ -254,9 +255,9 @@ CONTACT_SCENES_INLINE double spreading(const PlanQuestion& q, const FreePath& pa
   return pace + 3 * gravity_felt(q) / std::min(path.speed, falling_speed(q));
 }
 
-/// When a pair may touch at the earliest, if nothing else does before; nothing: never. Of two balls
-/// it is known. Any other gap closes no faster than both surfaces move, and gravity pulls those
-/// together of which one stands still.
+/// The earliest time at which a pair may touch, if nothing else does before; empty: never. For two
+/// balls it is exact. Any other distance decreases no faster than both surfaces move, plus gravity
+/// if one of the two is fixed.
 CONTACT_SCENES_INLINE std::optional<double> earliest_touch(const PlanQuestion& q,
                                                            const PairBound& pair, double gap) {
   const SceneBody& a = q.scene->bodies[pair.a];
@@ -295,28 +296,28 @@ CONTACT_SCENES_INLINE double first_touch(const PlanQuestion& q) {
 
 }  // namespace detail
 
-// [horizon-rule]
-/// Until when places can be predicted: an estimate on the safe side, not a proof.
+/// Until when positions can be predicted: an estimate on the safe side, not a proof.
 ///
-/// Two balls spread what is uncertain as a lens does: an error across the path grows by about
-/// 1 + 2 λ/(R cos θ) from hit to hit, with the way λ and the radius R; 1/cos θ is 2 on the average
-/// of all slants. So an ulp of the largest coordinate grows to the tolerance, at v/λ hits a second;
-/// the largest error of many balls at more. Who falls spreads too, where walls slant or masses
-/// differ: by a factor e in a third of the time v/g at most. Flat walls alone do not spread, and on
-/// a line without gravity nothing does: there rounding only adds up. Of bodies with corners that
-/// turn no estimate is known. All of this begins with the first hit.
+/// Two balls spread an error as a lens does: an error perpendicular to the path grows by about 1 +
+/// 2 λ/(R cos θ) from hit to hit, with the flight λ and the sum R of the radii; the mean of 1/cos θ
+/// over all directions of impact is 2. So an ulp of the largest coordinate grows to the tolerance,
+/// at v/λ hits a second; the largest error of many balls faster. Falling spreads too, where walls
+/// are oblique or masses differ: by a factor e in at least a third of the time v/g. Flat walls
+/// alone do not spread, and on a line without gravity nothing does: there rounding errors only add
+/// up. For rotating bodies with vertices no estimate is known. All of this begins with the first
+/// hit.
 /// @param turning whether the plan has rotation
 CONTACT_SCENES_INLINE Decision plan_horizon(const PlanQuestion& q, bool turning) {
   Decision decision = decide(Effect::horizon, detail::nothing_spreads(q, turning),
                              "Estimated: an ulp grows by 1 + 4 λ/R from hit to hit.");
   if (!decision.on) return decision;
   if (turning && rough_shapes_that_touch(q) > 0) {
-    decision.why = "Not known: what turns and has corners may part from its twin at any hit.";
+    decision.why = "Not known: a rotating body with vertices may diverge from its twin at any hit.";
     return decision;
   }
   const detail::FreePath path = detail::free_path(q);
   if (!(path.speed > 0) || !std::isfinite(path.speed)) {
-    decision.why = "Not proven: nothing moves at first, so no pace of hits is known.";
+    decision.why = "Not proven: nothing moves at first, so the rate of hits is not known.";
     return decision;
   }
   bool open = !(gravity_felt(q) > 0);
@@ -325,6 +326,7 @@ CONTACT_SCENES_INLINE Decision plan_horizon(const PlanQuestion& q, bool turning)
     open = open && pair.both_move;
     pairs += pair.count;
   }
+  // [horizon-rule]
   double size = path.length;
   double least = detail::infinite;
   for (const SceneBody& body : q.scene->bodies) {
@@ -338,13 +340,13 @@ CONTACT_SCENES_INLINE Decision plan_horizon(const PlanQuestion& q, bool turning)
   if (open) time = std::max(time, detail::horizon_in_the_open(path, pairs, growth));
   const double first = detail::first_touch(q);
   decision.value = first + time;
+  // [/horizon-rule]
   decision.because = {
-      {"the start", 0, Relation::at_most, first, "the first touch there may be", "s"},
+      {"the start", 0, Relation::at_most, first, "earliest possible first touch", "s"},
       {"time until an ulp has grown to " +
            std::string(q.tolerance > 0 ? "the tolerance" : "a radius") + ", by 1 + 4 λ/R a hit",
        first + time, Relation::at_most, q.scene->duration, "duration", "s"}};
   return decision;
 }
-// [/horizon-rule]
 
 }  // namespace contact

@@ -19,39 +19,39 @@
 namespace contact {
 
 // [error-budget]
-/// What an error is compared with: what is left of the tolerance.
+/// Compares an error with the rest of the error budget.
 ///
-/// Errors add up: what is off by a and then by b is off by a + b at most. So the tolerance holds
-/// for their sum, and a rule may take only what those before it have left.
-/// @param error of the effect that is asked about, m
+/// Errors add up: errors of a and then b make at most a + b. So the tolerance is a bound on their
+/// sum, and a rule may take only what the earlier ones have left.
+/// @param error of the effect in question, m
 CONTACT_SCENES_INLINE Inequality fits_what_is_left(const PlanQuestion& q, std::string error_is,
                                                    double error) {
   return {std::move(error_is),
           error,
           Relation::at_most,
           q.left,
-          q.left == q.tolerance ? "tolerance of a place" : "what is left of the tolerance",
+          q.left == q.tolerance ? "tolerance of a position" : "rest of the error budget",
           "m"};
 }
 
-/// Takes what a decision accepts from what is left, rounded down: so all that decisions accept is
-/// at most the tolerance, without rounding. What has no bound takes nothing: no share would do.
+/// Subtracts the error that a decision accepts, rounded down: so the exact sum of all accepted
+/// errors is at most the tolerance. An error without a bound subtracts nothing: no share would
+/// suffice.
 CONTACT_SCENES_INLINE void take_from_what_is_left(PlanQuestion& q, const Decision& decision) {
   if (decision.error > 0 && std::isfinite(decision.error))
     q.left = std::max(0.0, detail::rounded_down(q.left - decision.error));
 }
-
-/// How much a rule takes that may choose its error: half of what is left, so that others come to
-/// theirs.
-CONTACT_SCENES_INLINE double chosen_share(const PlanQuestion& q) { return q.left / 2; }
 // [/error-budget]
+
+/// The error that a rule takes if it may choose: half of the rest, so that others get a share.
+CONTACT_SCENES_INLINE double chosen_share(const PlanQuestion& q) { return q.left / 2; }
 
 CONTACT_SCENES_INLINE Inequality nothing_meets(const PlanQuestion& q) {
   return {"pairs of bodies that may meet",
           pairs_that_may_meet(q.bounds),
           Relation::equal,
           0,
-          "none, so that all fly freely",
+          "none, so all bodies fly freely",
           ""};
 }
 
@@ -61,11 +61,11 @@ CONTACT_SCENES_INLINE Proof smooth_balls(const PlanQuestion& q) {
   for (const SceneBody& body : q.scene->bodies)
     spinning += body.moves && !is_ball(body) && !body.spin.isZero(0) ? 1 : 0;
   return {
-      "A contact's force on a smooth ball runs through its centre and turns nothing; what "
-      "touches nothing and does not spin keeps lying as it lies.",
+      "The contact force on a smooth ball acts through its centre, without torque; a body that "
+      "touches nothing and does not rotate keeps its orientation.",
       {{"moving bodies other than balls that may touch something", rough_shapes_that_touch(q),
         Relation::equal, 0, "none", ""},
-       {"moving bodies other than balls that spin", spinning, Relation::equal, 0, "none", ""},
+       {"moving bodies other than balls that rotate", spinning, Relation::equal, 0, "none", ""},
        {"largest friction between bodies that may meet", most_friction(q.pairs), Relation::equal, 0,
         "smooth", ""}}};
 }
@@ -73,7 +73,7 @@ CONTACT_SCENES_INLINE Proof smooth_balls(const PlanQuestion& q) {
 
 namespace detail {
 
-/// Whether a reflection across an axis through its centre leaves a body as it lies.
+/// Whether reflection in a plane through its centre perpendicular to an axis maps a body to itself.
 CONTACT_SCENES_INLINE bool is_mirrored(const SceneBody& body, int axis) {
   if (is_ball(body)) return true;
   if (const auto* wall = std::get_if<HalfSpaceShape>(&body.shape)) return wall->normal(axis) == 0;
@@ -84,8 +84,9 @@ CONTACT_SCENES_INLINE bool is_mirrored(const SceneBody& body, int axis) {
   return true;
 }
 
-/// How far along an axis two bodies that may meet are from sharing their mirror. A ball beside a
-/// box that spans it shares it: the box's nearest point is level with the ball's centre.
+/// The distance, along an axis, of the mirror planes of two bodies that may meet. A ball beside a
+/// fixed box that spans its height shares the plane: the box's nearest point is level with the
+/// ball's centre.
 CONTACT_SCENES_INLINE double mirrors_apart(const SceneBody& a, const SceneBody& b, int axis) {
   if (is_half_space(b)) return 0;
   const double apart = std::abs(a.position(axis) - b.position(axis));
@@ -107,12 +108,12 @@ CONTACT_SCENES_INLINE double mirrors_apart_in(const PlanQuestion& q, const PairB
 
 }  // namespace detail
 
-// [mirror]
-/// A scene that is its own mirror image across an axis.
+/// The conditions for a scene to be its own mirror image across an axis.
 ///
-/// The laws of motion know no left and right. So a scene that a reflection maps to itself, body by
-/// body, stays so: no velocity and no force ever has a component along the axis, and no spin one
-/// across it. Every number here is exact: one ulp of velocity and there is motion out of the plane.
+/// The laws of motion are symmetric under reflection. So a scene that a reflection maps to itself,
+/// body by body, stays so: no velocity and no force ever has a component along the axis, and no
+/// angular velocity one perpendicular to it. All comparisons are exact: one ulp of velocity, and
+/// there is motion out of the plane.
 /// @param axis 0, 1 or 2: x, y or z
 CONTACT_SCENES_INLINE std::vector<Inequality> mirror_conditions(const PlanQuestion& q, int axis) {
   const Scene& scene = *q.scene;
@@ -133,6 +134,7 @@ CONTACT_SCENES_INLINE std::vector<Inequality> mirror_conditions(const PlanQuesti
     if (!pair.both_move && !detail::is_mirrored(scene.bodies[pair.b], axis)) askew += 1;
     apart = std::max(apart, detail::mirrors_apart_in(q, pair, axis));
   }
+  // [mirror]
   const std::string name = axis_name(axis);
   const double pull = q.table == axis ? 0.0 : std::abs(scene.gravity(axis));
   return {
@@ -141,19 +143,20 @@ CONTACT_SCENES_INLINE std::vector<Inequality> mirror_conditions(const PlanQuesti
        pull, Relation::equal, 0, "none", "m/s²"},
       {"fastest motion along " + name + " at the beginning", velocity, Relation::equal, 0, "none",
        "m/s"},
-      {"largest spin about another axis than " + name, spin, Relation::equal, 0, "none", "rad/s"},
+      {"largest angular velocity about another axis than " + name, spin, Relation::equal, 0, "none",
+       "rad/s"},
       {"bodies not their own mirror image across " + name, askew, Relation::equal, 0, "none", ""},
       {"farthest that centres of bodies that may meet differ along " + name, apart, Relation::equal,
        0, "one common plane", "m"}};
+  // [/mirror]
 }
-// [/mirror]
 
 CONTACT_SCENES_INLINE Proof line_motion(const PlanQuestion& q, int along) {
   const int first = (along + 1) % 3;
   const int second = (along + 2) % 3;
   Proof proof{"The scene is its own mirror image across " + axis_name(first) + " and across " +
                   axis_name(second) + ", so that all motion is along " + axis_name(along) +
-                  " and nothing spins.",
+                  " and nothing rotates.",
               mirror_conditions(q, first)};
   for (Inequality& condition : mirror_conditions(q, second))
     proof.conditions.push_back(std::move(condition));
@@ -192,7 +195,7 @@ CONTACT_SCENES_INLINE std::vector<Inequality> table_conditions(const PlanQuestio
     }
     off_table += lies ? 0 : 1;
   }
-  return {{"moving bodies that are no balls lying exactly on a level floor", off_table,
+  return {{"moving bodies other than balls that lie exactly on a level floor", off_table,
            Relation::equal, 0, "none", ""},
           {"balls that sink into their floor", soft, Relation::equal, 0, "none", ""},
           {"largest friction between bodies that may meet", most_friction(q.bounds.pairs),
@@ -222,7 +225,7 @@ CONTACT_SCENES_INLINE PlanQuestion plan_question(const Scene& scene) {
   q.scene = &scene;
   q.bounds = scene_bounds(scene);
   q.pairs = q.bounds.pairs;
-  // Whoever asks for the order of events allows no error of a place: it may turn two of them round.
+  // If the order of events is required, no position error is allowed: it may swap two events.
   if (!scene.tolerance.event_order) q.tolerance = scene.tolerance.position.value_or(0);
   q.left = q.tolerance;
   const int axis = detail::only_axis(scene.gravity);
@@ -236,23 +239,21 @@ CONTACT_SCENES_INLINE PlanQuestion plan_question(const Scene& scene) {
 }
 // [/table]
 
-// [gravity-rule]
-/// Gravity is off if there is none, if nothing moves, if a table cancels it, or if nothing touches
-/// anything and free fall through the whole duration is shorter than what is left of the tolerance:
-/// ½ g T² is then exactly the error. It is that in a run that leaves out a gyroscopic term too, or
-/// goes in float: nothing is looked for that a body could touch, so turning and rounding do not
-/// change the fall that is missing.
+/// Gravity is off if it is zero, if nothing moves, if a table cancels it, or if nothing touches
+/// anything and free fall over the whole duration is within the rest of the error budget: ½ g T² is
+/// then exactly the error. That also holds in a run without a gyroscopic term, or in float: no
+/// contacts are tested, so rotation and rounding do not change the missing fall.
 CONTACT_SCENES_INLINE Decision plan_gravity(const PlanQuestion& q) {
   const Scene& scene = *q.scene;
+  // [gravity-rule]
   std::vector<Proof> proofs{
       {"Without gravity its term adds zeros.",
        {{"size of gravity", q.bounds.gravity, Relation::equal, 0, "none", "m/s²"}}},
-      {"Gravity moves only what can move.",
+      {"Gravity accelerates only bodies that can move.",
        {{"moving bodies", static_cast<double>(q.bounds.movers), Relation::equal, 0, "none", ""}}}};
   const int axis = detail::only_axis(scene.gravity);
   if (axis >= 0) {
-    Proof table{"A level table without friction pushes back what gravity presses; both cancel.",
-                table_conditions(q, axis)};
+    Proof table{"A level table without friction balances gravity.", table_conditions(q, axis)};
     PlanQuestion on_table = q;
     on_table.table = axis;
     on_table.pairs = detail::pairs_off_table(scene, q.bounds.pairs, axis);
@@ -262,13 +263,13 @@ CONTACT_SCENES_INLINE Decision plan_gravity(const PlanQuestion& q) {
   }
   const double fall = detail::rounded_up(q.bounds.gravity * scene.duration * scene.duration / 2);
   proofs.push_back(
-      {"What touches nothing is off by the fall that is left out, ½ g T².",
+      {"The error of a body that touches nothing is the fall that is left out, ½ g T².",
        {nothing_meets(q), fits_what_is_left(q, "fall in the whole duration, ½ g T²", fall)},
        fall,
        "½ g T², the fall that is left out"});
   return decide(Effect::gravity, std::move(proofs), "Gravity changes velocities.");
+  // [/gravity-rule]
 }
-// [/gravity-rule]
 
 // [gyroscopic-rule]
 CONTACT_SCENES_INLINE Decision plan_gyroscopic_term(const PlanQuestion& q) {
@@ -285,26 +286,28 @@ CONTACT_SCENES_INLINE Decision plan_gyroscopic_term(const PlanQuestion& q) {
                                                scene.duration / 2));
   }
   Proof still = smooth_balls(q);
-  still.why = "Nothing turns, or turns as a ball does.";
-  std::vector<Proof> proofs{{"A body whose moments are equal has I ω along ω, and ω × I ω = 0.",
-                             {{"largest difference between two moments of a body", uneven,
-                               Relation::equal, 0, "equal", "kg·m²"}}},
-                            std::move(still)};
+  still.why = "Nothing rotates, or only as a ball does.";
+  std::vector<Proof> proofs{
+      {"If all moments of inertia of a body are equal, I ω is along ω, and ω × I ω = 0.",
+       {{"largest difference between two moments of inertia of a body", uneven, Relation::equal, 0,
+         "equal", "kg·m²"}}},
+      std::move(still)};
   for (int axis = 2; axis >= 0; --axis) {
     Proof plane = plane_motion(q, axis);
     if (!is_proven(plane)) continue;
-    plane.why = "Every spin stays along " + axis_name(axis) +
-                ", which a mirror makes a principal axis of every body; there ω × I ω = 0.";
+    plane.why = "Every angular velocity stays along " + axis_name(axis) +
+                ", which mirror symmetry makes a principal axis of every body; there ω × I ω = 0.";
     proofs.push_back(std::move(plane));
   }
   proofs.push_back(
-      {"What touches nothing turns aside by at most ½ α T², with α = (I₃ − I₁)/I₁ |ω|².",
+      {"The orientation of a body that touches nothing is wrong by at most ½ α T², α = |ω|² "
+       "(I₃/I₁) (I₃ − I₁)/I₁.",
        {nothing_meets(q),
-        fits_what_is_left(q, "farthest that a point of a body is turned aside, R ½ α T²", aside)},
+        fits_what_is_left(q, "largest displacement of a body's point by that, R ½ α T²", aside)},
        aside,
-       "R ½ α T², by which a body's points are turned aside"});
+       "R ½ α T², by which a body's points are displaced"});
   return decide(Effect::gyroscopic_term, std::move(proofs),
-                "Not proven that uneven bodies spin steadily.");
+                "Not proven that every angular velocity is constant.");
 }
 // [/gyroscopic-rule]
 

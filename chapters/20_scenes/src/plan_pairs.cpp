@@ -29,7 +29,7 @@ CONTACT_SCENES_INLINE PairSearchCost pair_search_cost(std::span<const Aabb<doubl
   const double entries = std::min(expected_grid_entries(profile, edge),
                                   static_cast<double>(profile.count * most_cells_of_a_box));
   const double depth = sorting_depth(static_cast<std::uint64_t>(entries));
-  // Of pairs less than an edge apart about half share a cell.
+  // Of pairs closer than an edge, about half share a cell.
   of.cells += cost::grid_sorting * entries * (1 + depth / 2);
   of.cells += cost::box_test * sampled_pairs(boxes, edge) / 2;
   return of;
@@ -61,12 +61,12 @@ CONTACT_SCENES_INLINE std::vector<Aabb<double>> first_boxes(const Scene& scene, 
 
 }  // namespace detail
 
-// [broad-phase-rule]
-/// A broad phase never changes what happens, so this is a question of cost alone: of comparing all
-/// boxes about the bodies' ways, or of sorting them into cells and comparing neighbours. From event
-/// to event a ball is asked for twice after each hit, and cells cost a crossing now and then: few
-/// balls ask everybody.
+/// A broad phase never changes a result, so this is a question of cost alone: of comparing all
+/// bounding boxes of the bodies' paths, or of sorting them into cells and comparing neighbours. In
+/// an event-driven run a ball is tested twice after each hit, and cells cost a crossing now and
+/// then: few balls test all others.
 CONTACT_SCENES_INLINE Decision plan_broad_phase(const PlanQuestion& q) {
+  // [broad-phase-rule]
   const std::string why =
       "A broad phase changes no result; it is left out where it costs more than it saves.";
   Proof few{why, {}};
@@ -74,18 +74,17 @@ CONTACT_SCENES_INLINE Decision plan_broad_phase(const PlanQuestion& q) {
     double balls = 0;
     for (const SceneBody& body : q.scene->bodies) balls += is_half_space(body) ? 0 : 1;
     few.conditions = {{"balls", balls, Relation::at_most, double{cost::most_asked_by_all},
-                       "that ask everybody at less cost", ""}};
+                       "that test all others at less cost", ""}};
   } else {
     const PairSearchCost search = pair_search_cost(detail::first_boxes(*q.scene, q.step));
     few.conditions = {{"instructions to compare every pair", search.all, Relation::at_most,
                        search.cells,
                        "instructions to sort bodies into cells and compare neighbours", ""}};
   }
-  return decide(
-      Effect::broad_phase,
-      {few, {"Where nothing meets anything, there is no pair to test.", {nothing_meets(q)}}},
-      "Sorting bodies into cells costs less than testing every pair.");
+  return decide(Effect::broad_phase,
+                {few, {"Where nothing can meet, there is no pair to test.", {nothing_meets(q)}}},
+                "Sorting bodies into cells costs less than testing every pair.");
+  // [/broad-phase-rule]
 }
-// [/broad-phase-rule]
 
 }  // namespace contact

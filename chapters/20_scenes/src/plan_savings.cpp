@@ -19,13 +19,13 @@
 namespace contact {
 
 // [savings]
-/// Sums up an estimate, and says of what: "25 for each body and part (1200)".
+/// Sums up an estimate, with its terms in words: "25 for each body and substep (1200)".
 class Tally {
  public:
-  /// Adds so many of a thing.
-  /// @param each instructions of one of them
-  /// @param of what one of them is
-  /// @param count how many are expected
+  /// Adds a number of things.
+  /// @param each instructions for one of them
+  /// @param of name of one of them
+  /// @param count expected number
   Tally& add(double each, std::string_view of, double count) {
     const double product = each * count;
     if (!std::isfinite(product) || product == 0) return *this;
@@ -35,7 +35,7 @@ class Tally {
     return *this;
   }
   /// The sum, and its words.
-  /// @param nothing what to say if there was nothing
+  /// @param nothing what to say if the sum is empty
   Saving saving(std::string_view nothing = "nothing") const {
     return saving_.is.empty() ? Saving{0, std::string(nothing)} : saving_;
   }
@@ -53,23 +53,23 @@ class Tally {
 
 namespace detail {
 
-/// How many balls and walls are asked after impacts, from event to event. In the cells about a
-/// ball's and its own, 27, are its neighbours.
+/// The number of balls and walls tested after impacts, from event to event. A ball's neighbours are
+/// in its cell and those around it, 27.
 CONTACT_SCENES_INLINE double asked_after_hits(const ExpectedRun& run) {
   return run.cells ? 2 * run.hits * (27 * run.occupancy + run.walls)
                    : (2 * run.hits - run.wall_hits) * (run.bounded - 1 + run.walls);
 }
 
-/// What a run costs from event to event.
+/// The cost of an event-driven run.
 CONTACT_SCENES_INLINE Saving events_cost(const ExpectedRun& run) {
   Tally sum;
   sum.add(cost::hit, "impact", run.hits);
-  sum.add(cost::asked, "ball or wall asked after one", asked_after_hits(run));
-  if (run.cells) sum.add(cost::crossing, "way from cell to cell", run.crossings);
+  sum.add(cost::asked, "ball or wall tested after a hit", asked_after_hits(run));
+  if (run.cells) sum.add(cost::crossing, "crossing from cell to cell", run.crossings);
   return sum.saving();
 }
 
-/// What a run costs in steps: each of its parts, and what is in it.
+/// The cost of a run in steps: of each substep, and what is in it.
 CONTACT_SCENES_INLINE Saving steps_cost(const PlanQuestion& q, const ExpectedRun& run, bool turns,
                                         bool looks) {
   const double moved = run.parts * run.movers;
@@ -77,17 +77,17 @@ CONTACT_SCENES_INLINE Saving steps_cost(const PlanQuestion& q, const ExpectedRun
   if (pairs_that_may_meet(q.bounds) == 0) {
     sum.add(cost::placed, "step", run.steps);
   } else {
-    sum.add(cost::part, "part of a step", run.parts);
+    sum.add(cost::part, "substep", run.parts);
     sum.add(cost::swept_box, "body's box", run.bounded * run.parts);
     sum.add(std::min(run.search.all, run.search.cells), "search for pairs", run.parts);
   }
   sum.add(cost::motion, "body moved", moved);
   if (gravity_felt(q) > 0) sum.add(cost::gravity, "body that falls", moved);
   if (looks)
-    sum.add(cost::gyroscopic_look, "part of a turn", run.looks);
+    sum.add(cost::gyroscopic_look, "substep of a rotation", run.looks);
   else if (turns)
-    sum.add(cost::turn, "body turned", moved);
-  sum.add(cost::contact, "contact and part", run.contacts * run.parts * run.awake);
+    sum.add(cost::turn, "body rotated", moved);
+  sum.add(cost::contact, "contact and substep", run.contacts * run.parts * run.awake);
   if (run.touching > 0)
     sum.add(run.gaps / run.touching, "pair that touches", run.touching * run.parts * run.awake);
   sum.add(cost::contact + 2 * (cost::round_gap + cost::round_impact), "impact", run.hits);
@@ -95,13 +95,13 @@ CONTACT_SCENES_INLINE Saving steps_cost(const PlanQuestion& q, const ExpectedRun
 }
 
 inline constexpr std::string_view brought_along =
-    "nothing: the gyroscopic term, which is on, brings it along";
+    "nothing: the gyroscopic term, which is on, includes it";
 
-/// What effects cost where nothing may meet anything.
+/// The cost of effects where nothing may meet.
 CONTACT_SCENES_INLINE Saving flight_saving(const PlanQuestion& q, const ExpectedRun& run,
                                            Effect effect, bool turns, bool looks) {
   const double moved = run.parts * run.movers;
-  const std::string formula = "nothing: a place is a formula, computed when it is asked for";
+  const std::string formula = "nothing: a position is a formula, computed on request";
   switch (effect) {
     case Effect::gravity:
       return q.events ? Saving{0, formula}
@@ -111,23 +111,23 @@ CONTACT_SCENES_INLINE Saving flight_saving(const PlanQuestion& q, const Expected
       return q.events ? Saving{0, formula}
                       : Tally().add(cost::turn, "body and step", moved).saving();
     case Effect::gyroscopic_term: {
-      if (!turns) return {0, "nothing, where nothing turns"};
+      if (!turns) return {0, "nothing, where nothing rotates"};
       if (!q.events)
-        return Tally().add(cost::gyroscopic_look, "part of a turn", run.looks).saving();
+        return Tally().add(cost::gyroscopic_look, "substep of a rotation", run.looks).saving();
       const Saving steps = steps_cost(q, run, true, true);
       return {steps.instructions, "no formula has it, and steps take " + steps.is};
     }
     case Effect::event_driven: {
-      if (!q.events) return {0, "nothing: what turns unevenly has no formula"};
+      if (!q.events) return {0, "nothing: a body whose angular velocity changes has no formula"};
       const Saving steps = steps_cost(q, run, turns, false);
       return {-steps.instructions, "a formula, in place of " + steps.is};
     }
     default:
-      return {0, "nothing: where nothing meets anything there is no such stage"};
+      return {0, "nothing: where nothing can meet there is no such stage"};
   }
 }
 
-/// Whether the scene is one of hard, smooth balls, so that it can go from event to event.
+/// Whether the scene is one of hard, smooth balls, so that it can be event-driven.
 CONTACT_SCENES_INLINE bool has_events_alone(const PlanQuestion& q) {
   const std::vector<Inequality> conditions = event_conditions(q);
   return std::all_of(conditions.begin(), conditions.end(), holds);
@@ -141,14 +141,15 @@ CONTACT_SCENES_INLINE Saving events_in_place_of_steps(const PlanQuestion& q, Exp
   return {events.instructions - steps.instructions, events.is + "; in place of " + steps.is};
 }
 
-/// What effects cost from event to event.
+/// The cost of effects from event to event.
 CONTACT_SCENES_INLINE Saving event_saving(const PlanQuestion& q, const ExpectedRun& run,
                                           const Plan& plan, Effect effect) {
   const auto share = [&](double of_asked, double of_crossings) {
     Tally sum;
     sum.add(cost::hit * of_asked, "impact", run.hits);
-    sum.add(cost::asked * of_asked, "ball or wall asked after one", asked_after_hits(run));
-    if (run.cells) sum.add(cost::crossing * of_crossings, "way from cell to cell", run.crossings);
+    sum.add(cost::asked * of_asked, "ball or wall tested after a hit", asked_after_hits(run));
+    if (run.cells)
+      sum.add(cost::crossing * of_crossings, "crossing from cell to cell", run.crossings);
     return sum.saving();
   };
   switch (effect) {
@@ -166,13 +167,13 @@ CONTACT_SCENES_INLINE Saving event_saving(const PlanQuestion& q, const ExpectedR
       other.cells = !run.cells;
       const double cells = (run.cells ? events_cost(run) : events_cost(other)).instructions;
       const double all = (run.cells ? events_cost(other) : events_cost(run)).instructions;
-      return {cells - all, "in cells, in place of asking everybody after " +
+      return {cells - all, "in cells, instead of testing all others after " +
                                Tally::digits(run.hits) + " impacts"};
     }
     case Effect::event_driven:
       return events_in_place_of_steps(q, run, false);
     case Effect::restitution:
-      return {0, "nothing: a hit of which nothing comes back takes as long"};
+      return {0, "nothing: a hit without rebound takes as long"};
     case Effect::continuous_detection:
       return {0, "nothing: from event to event each impact is found in any case"};
     case Effect::several_contacts:
@@ -182,7 +183,7 @@ CONTACT_SCENES_INLINE Saving event_saving(const PlanQuestion& q, const ExpectedR
   }
 }
 
-/// What effects cost in steps where something may meet.
+/// The cost of effects in steps where bodies may meet.
 CONTACT_SCENES_INLINE Saving step_saving(const PlanQuestion& q, const ExpectedRun& run,
                                          const Plan& plan, Effect effect) {
   const auto planned = [&](Effect one) { return decision_on(plan, one).planned; };
@@ -192,30 +193,30 @@ CONTACT_SCENES_INLINE Saving step_saving(const PlanQuestion& q, const ExpectedRu
   Tally sum;
   switch (effect) {
     case Effect::gravity:
-      sum.add(cost::gravity, "body and part", moved + run.parts);
-      if (planned(effect)) sum.add(cost::pressed, "contact and part", points);
+      sum.add(cost::gravity, "body and substep", moved + run.parts);
+      if (planned(effect)) sum.add(cost::pressed, "contact and substep", points);
       return sum.saving();
     case Effect::rotation:
       if (planned(Effect::gyroscopic_term)) return {0, std::string(brought_along)};
       if (!planned(effect))
-        return sum.add(cost::turn_at_rest, "body and part", moved)
-            .add(cost::idle_turned_contact, "contact and part", points)
+        return sum.add(cost::turn_at_rest, "body and substep", moved)
+            .add(cost::idle_turned_contact, "contact and substep", points)
             .saving();
-      return sum.add(cost::turn, "body and part", moved)
-          .add(cost::turned_contact, "contact and part", points)
+      return sum.add(cost::turn, "body and substep", moved)
+          .add(cost::turned_contact, "contact and substep", points)
           .saving();
     case Effect::gyroscopic_term:
       if (!planned(Effect::rotation)) {
-        sum.add(cost::turn_at_rest, "body and part", moved);
-        return sum.add(cost::idle_turned_contact, "contact and part", points).saving();
+        sum.add(cost::turn_at_rest, "body and substep", moved);
+        return sum.add(cost::idle_turned_contact, "contact and substep", points).saving();
       }
-      return sum.add(cost::gyroscopic_look, "part of a turn", run.looks)
-          .add(cost::gyroscopic_round, "body and part", moved)
+      return sum.add(cost::gyroscopic_look, "substep of a rotation", run.looks)
+          .add(cost::gyroscopic_round, "body and substep", moved)
           .saving();
     case Effect::friction:
       if (most_friction(q.pairs) == 0)
         return {0, "nothing: a coefficient of 0 is a number, and no stage"};
-      return sum.add(cost::friction, "contact and part", points)
+      return sum.add(cost::friction, "contact and substep", points)
           .add(cost::friction, "impact", run.hits)
           .saving("nothing: no contact is known to last");
     case Effect::restitution:
@@ -227,32 +228,34 @@ CONTACT_SCENES_INLINE Saving step_saving(const PlanQuestion& q, const ExpectedRu
           .add(cost::wide_gap, "pair that touches", pairs + run.spring_parts);
       if (q.bounds.movers > most_one_by_one) return sum.saving();
       sum.add(2 * run.impact, "impact", run.hits)
-          .add(run.impact, "part and pair that nothing presses", run.unpressed * run.parts);
+          .add(run.impact, "substep and pair that nothing presses", run.unpressed * run.parts);
       return planned(Effect::rotation) && rough_shapes_that_touch(q) > 0
                  ? sum.saving().and_more(
-                       "more where corners turn near something, which is not known before")
+                       "more where vertices rotate near other bodies, which is not known before")
                  : sum.saving();
     case Effect::broad_phase:
       return sum
-          .add(run.search.cells - run.search.all, "part, in cells in place of all pairs", run.parts)
+          .add(run.search.cells - run.search.all, "substep, in cells instead of all pairs",
+               run.parts)
           .saving();
     case Effect::several_contacts:
       if (!(points > 0)) return {0, "nothing: no contact is known to last"};
-      return sum.add(cost::finish, "contact and part", points)
+      return sum.add(cost::finish, "contact and substep", points)
           .saving()
           .and_more(
-              "to finish what sweeps leave costs more or spares sweeps, which is not known before");
+              "the exact solve of residuals costs more or saves iterations, which is not known "
+              "before");
     case Effect::resting:
       return {0, "nothing: what stops an approach is there without it"};
     case Effect::sleeping: {
-      sum.add(cost::sleep_stage, "part", run.parts).add(cost::sleep, "body and part", moved);
+      sum.add(cost::sleep_stage, "substep", run.parts).add(cost::sleep, "body and substep", moved);
       Saving saving = sum.saving();
       if (run.awake < 1) {
         const double asleep = run.parts * (1 - run.awake);
         const double saved =
             asleep * (run.contacts * cost::contact + run.gaps + run.movers * cost::motion);
         saving.instructions -= saved;
-        saving.is += "; less what sleeps from the beginning on, and is not looked at";
+        saving.is += "; less for bodies that sleep from the beginning, which are skipped";
       }
       return saving;
     }
@@ -261,22 +264,22 @@ CONTACT_SCENES_INLINE Saving step_saving(const PlanQuestion& q, const ExpectedRu
       return sum
           .add(cost::spring + cost::part + cost::round_gap + cost::motion * run.movers +
                    cost::swept_box * run.bounded,
-               "part in which a spring pushes", run.spring_parts)
+               "substep in which a spring pushes", run.spring_parts)
           .saving();
     case Effect::third_dimension:
     case Effect::second_dimension: {
       if (planned(effect))
-        return {0, "nothing: steps compute with each coordinate that is not proven to stay"};
+        return {0, "nothing: steps compute each coordinate that is not proven constant"};
       const bool two = effect == Effect::third_dimension && !planned(Effect::second_dimension);
-      // What turns has two coordinates more of its spin.
+      // A rotating body has two more coordinates of angular velocity.
       const double axes = (two ? 2 : 1) + (planned(Effect::rotation) ? 2 : 0);
-      return sum.add(axes * cost::coordinate, "body and part", moved)
-          .add(axes * cost::contact_coordinate, "contact and part", points + run.spring_parts)
+      return sum.add(axes * cost::coordinate, "body and substep", moved)
+          .add(axes * cost::contact_coordinate, "contact and substep", points + run.spring_parts)
           .saving();
     }
     case Effect::event_driven:
       if (!has_events_alone(q))
-        return {0, "nothing: what is no scene of hard, smooth balls goes step by step in any case"};
+        return {0, "nothing: a scene not of hard, smooth balls goes step by step in any case"};
       return events_in_place_of_steps(q, run, planned(Effect::rotation));
     default:
       return {0, "nothing"};
@@ -310,10 +313,9 @@ CONTACT_SCENES_INLINE void estimate_savings(const PlanQuestion& q, double h, Pla
     if (effect == Effect::rotation && saving.instructions > 0)
       saving = saving.and_more("7 numbers a body");
     if (axis && (free || saving.instructions > 0)) saving = saving.and_more("2 numbers a body");
-    const bool guessed = saving.is.find("contact and part") != std::string::npos ||
+    const bool guessed = saving.is.find("contact and substep") != std::string::npos ||
                          saving.is.find("pair that touches") != std::string::npos;
-    if (run.heap && guessed)
-      saving = saving.and_more("a heap is taken to have three contacts a body");
+    if (run.heap && guessed) saving = saving.and_more("assuming three contacts a body in a heap");
   }
 }
 // [/savings]

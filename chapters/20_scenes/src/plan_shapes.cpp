@@ -23,8 +23,8 @@ CONTACT_SCENES_INLINE int only_axis(const Vector3<double>& v) {
   return axis;
 }
 
-/// How far a normal's or a quaternion's rounding can misplace a point, as a share of its distance:
-/// a scene's need only be as long as 1 to 1e-12.
+/// How far rounding of a normal or a quaternion can misplace a point, relative to its distance: in
+/// a scene their length need only be 1 to 1e-12.
 inline constexpr double pose_slack = 4e-12;
 
 }  // namespace detail

@@ -25,7 +25,7 @@ CONTACT_SCENES_INLINE std::string with_unit(double x, const std::string& unit) {
   return std::isfinite(x) && !unit.empty() ? plan_number(x) + " " + unit : plan_number(x);
 }
 
-/// The sign between the sides as they are: of a condition that fails, the opposite one.
+/// The relation that holds between the sides: of a condition that fails, the opposite one.
 CONTACT_SCENES_INLINE const char* sign_of_sides(const Inequality& condition) {
   const bool held = holds(condition);
   switch (condition.relation) {
@@ -43,7 +43,7 @@ CONTACT_SCENES_INLINE std::string switched(const Decision& decision) {
   return decision.on ? "on" : "off";
 }
 
-/// "Saves about 4300 instructions: 440 for each body and part (10)."
+/// "Saves about 4300 instructions: 440 for each body and substep (10)."
 CONTACT_SCENES_INLINE std::string saving_text(const Decision& decision) {
   const Saving& saving = decision.saving;
   if (saving.is.empty()) return {};
@@ -93,8 +93,8 @@ CONTACT_SCENES_INLINE std::string inequality_text(const Inequality& condition) {
 }
 
 CONTACT_SCENES_INLINE std::string accepted_text(const Plan& plan) {
-  if (!std::isfinite(plan.error)) return "Errors accepted, all together: no bound.";
-  return "Errors accepted, all together: " + plan_number(plan.error) + " m, of a tolerance of " +
+  if (!std::isfinite(plan.error)) return "Sum of the errors accepted: no bound.";
+  return "Sum of the errors accepted: " + plan_number(plan.error) + " m, of a tolerance of " +
          plan_number(plan.tolerance) + " m.";
 }
 
@@ -102,10 +102,10 @@ CONTACT_SCENES_INLINE std::string measured_text(const MeasuredEffect& measured, 
   if (!measured.refused.empty()) return "Not measured: " + measured.refused + ".";
   if (measured.horizon) return detail::horizon_text(*measured.horizon);
   const std::string other = on ? "without" : "with";
-  if (measured.same_stages) return "Measured: the run " + other + " it is composed alike.";
+  if (measured.same_stages) return "Measured: the run " + other + " it has the same stages.";
   const auto milliseconds = [](double seconds) { return plan_number(1000 * seconds) + " ms"; };
   std::string text = "Measured: " + milliseconds(measured.planned_seconds) +
-                     " of the processor a second as planned, " +
+                     " of processor time a second as planned, " +
                      milliseconds(measured.other_seconds) + " " + other + " it (" +
                      plan_number(measured.other_seconds / measured.planned_seconds) + " times)";
   if (measured.planned_bytes != measured.other_bytes)

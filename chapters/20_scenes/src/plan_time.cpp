@@ -17,7 +17,7 @@
 namespace contact {
 
 CONTACT_SCENES_INLINE Inequality nothing_turns_unevenly(const PlanQuestion& q) {
-  return {"kinds of spin that a gyroscopic term may change",
+  return {"kinds of rotation that a gyroscopic term may change",
           q.even_spins ? 0.0 : 1.0,
           Relation::equal,
           0,
@@ -34,9 +34,9 @@ CONTACT_SCENES_INLINE std::vector<Inequality> event_conditions(const PlanQuestio
   }
   return {{"moving bodies other than balls that may touch something", rough_shapes_that_touch(q),
            Relation::equal, 0, "none", ""},
-          {"bodies that stand still and may be touched, other than half-spaces and balls", still,
+          {"fixed bodies that may be touched, other than half-spaces and balls", still,
            Relation::equal, 0, "none", ""},
-          {"pairs that may meet and give way", soft, Relation::equal, 0, "none", ""},
+          {"pairs that may meet and are compliant", soft, Relation::equal, 0, "none", ""},
           {"largest friction between bodies that may meet",
            proven_line(q) ? 0.0 : most_friction(q.pairs), Relation::equal, 0, "smooth", ""},
           nothing_turns_unevenly(q)};
@@ -57,13 +57,13 @@ CONTACT_SCENES_INLINE Decision plan_event_driven(const PlanQuestion& q) {
     lossy = std::max(lossy, pair.hard ? 1 - pair.restitution_least : 0.0);
     touching += pair.apart || lonely ? 0 : 1;
   }
-  const Inequality elastic{"largest share of speed lost, 1 − e, between bodies that may meet",
+  const Inequality elastic{"largest loss of speed, 1 − e, between bodies that may meet",
                            lossy,
                            Relation::equal,
                            0,
                            "elastic",
                            ""};
-  // Bodies that touch hand a hit on at the same instant, and events come one after the other.
+  // Touching bodies pass a hit on at the same instant, but events come one after the other.
   const Inequality clear{"kinds of pairs that touch at the beginning beside others",
                          touching,
                          Relation::equal,
@@ -76,7 +76,7 @@ CONTACT_SCENES_INLINE Decision plan_event_driven(const PlanQuestion& q) {
     std::vector<Inequality> more{elastic, clear};
     more.insert(more.end(), rest.conditions.begin(), rest.conditions.end());
     proofs.push_back(
-        with("Elastic balls that never rest hit finitely often in a finite time.", more));
+        with("Elastic balls that never rest have finitely many hits in a finite time.", more));
     break;
   }
   if (proofs.empty()) {
@@ -84,33 +84,34 @@ CONTACT_SCENES_INLINE Decision plan_event_driven(const PlanQuestion& q) {
     const std::vector<Proof> rest = resting_proofs(q);
     more.insert(more.end(), rest[2].conditions.begin(), rest[2].conditions.end());
     proofs.push_back(
-        with("Elastic balls that never rest hit finitely often in a finite time.", more));
+        with("Elastic balls that never rest have finitely many hits in a finite time.", more));
   }
   const BounceRange bounces = worst_bounces(q);
-  proofs.push_back(with("Every ball has a budget of impacts.",
+  proofs.push_back(with("Every ball has a bounded number of impacts.",
                         {{"most impacts of one ball", bounces.hits, Relation::less, 1e6,
                           "as many as a run may take for one ball", ""}}));
-  // A hop that is left out: one half-space each, hard, pressed on by gravity.
+  // A bounce that is left out: each ball on one hard half-space, pressed on by gravity.
   double other = 0;
   for (const PairBound& pair : q.pairs) other += pair.half_space && !pair.soft ? 0 : pair.count;
   const double cutoff = gravity_felt(q) > 0 ? contact_time_cutoff(q.left, q.bounds.gravity) : 0;
   const double hop = detail::rounded_up(q.bounds.gravity * cutoff * cutoff / 8);
-  Proof hops = with(
-      "A ball on one half-space is followed until its hops are shorter than " +
-          number_text(static_cast<double>(static_cast<float>(cutoff))) + " s; after that it rests.",
-      {{"most bodies that one moving body may touch", most_partners(q), Relation::at_most, 1,
-        "one half-space", ""},
-       {"pairs that may meet other than a ball and a hard half-space", other, Relation::equal, 0,
-        "none", ""},
-       {"a hop of no height", 0, Relation::less, hop, "height of a hop that is left out", "m"},
-       fits_what_is_left(q, "height of a hop that is left out, g t²/8", hop)});
+  Proof hops = with("A ball on one half-space is followed until its bounces are shorter than " +
+                        number_text(static_cast<double>(static_cast<float>(cutoff))) +
+                        " s; after that it rests.",
+                    {{"most bodies that one moving body may touch", most_partners(q),
+                      Relation::at_most, 1, "one half-space", ""},
+                     {"pairs that may meet other than a ball and a hard half-space", other,
+                      Relation::equal, 0, "none", ""},
+                     {"a bounce of no height", 0, Relation::less, hop,
+                      "height of a bounce that is left out", "m"},
+                     fits_what_is_left(q, "height of a bounce that is left out, g t²/8", hop)});
   hops.error = hop;
-  hops.error_is = "height of the hops that are left out, g t²/8";
+  hops.error_is = "height of the bounces that are left out, g t²/8";
   proofs.push_back(std::move(hops));
 
   Decision decision = decide(Effect::event_driven, std::move(proofs),
                              "Not proven that the number of events is bounded: step by step.");
-  // Here a proof switches on.
+  // This rule's proofs switch the effect on.
   decision.on = decision.planned = decision.proven;
   return decision;
 }
@@ -148,9 +149,9 @@ CONTACT_SCENES_INLINE Decision plan_step_size(const PlanQuestion& q, const PlanO
   decision.value = q.step;
   const double spring = detail::fastest_spring(q);
   decision.why =
-      options.step ? "The step is as asked for." : "The step follows from the tolerance.";
-  // What a step would miss if nobody looked between two of them: what it does not hold, and first
-  // of all what it costs.
+      options.step ? "The step is the one asked for." : "The step follows from the tolerance.";
+  // What a step would miss without detection between steps: its failed conditions, and first the
+  // error that it makes.
   if (!q.pairs.empty()) {
     const std::vector<Inequality> missed = tunnelling_conditions(q, q.step);
     for (std::size_t k = 0; k < missed.size(); ++k)
@@ -159,7 +160,7 @@ CONTACT_SCENES_INLINE Decision plan_step_size(const PlanQuestion& q, const PlanO
   if (spring > 0)
     decision.because.push_back({"step times the stiffest spring's angular frequency",
                                 q.step * spring, Relation::less, 2,
-                                "limit of Euler's velocity-first step", ""});
+                                "stability limit of semi-implicit Euler", ""});
   decision.proven = !decision.because.empty();
   for (const Inequality& condition : decision.because)
     decision.proven = decision.proven && holds(condition);
@@ -168,10 +169,12 @@ CONTACT_SCENES_INLINE Decision plan_step_size(const PlanQuestion& q, const PlanO
     decision.why = q.even_spins
                        ? "Nothing touches anything and flights are exact, so any step does."
                        : "Nothing touches anything and flights are exact, so any step does; it is "
-                         "cut into as many parts as a turn needs.";
+                         "divided into as many substeps as the rotation needs.";
   }
   if (!decision.proven && !options.step)
-    decision.why = "Not proven that a step keeps the tolerance: it is a frame, and is looked into.";
+    decision.why =
+        "Not proven that a step keeps the tolerance: it is a frame, and impacts in it are searched "
+        "for.";
   return decision;
 }
 // [/step-rule]
@@ -182,14 +185,14 @@ CONTACT_SCENES_INLINE Decision plan_double_precision(const PlanQuestion& q) {
   const double t = scene.duration;
   double size = 0;
   double turning = 0;
-  // What float cannot square, and a tolerance below the squares that it loses.
+  // Numbers whose squares overflow in float, and a tolerance below the squares that underflow.
   const auto beyond = [](double x) { return x > 0x1p60 ? 1.0 : 0.0; };
   double unfit = beyond(t) + beyond(q.bounds.gravity) + (q.left < 0x1p-80 ? 1 : 0);
   for (const SceneBody& body : scene.bodies) {
     if (!body.moves) continue;
     unfit += beyond(body.spin.norm());
     for (int k = 0; k < 3; ++k) {
-      // The input is rounded too, so each factor is off by u before anything is computed.
+      // The input is rounded too, so each factor is wrong by u before anything is computed.
       size = std::max(size, std::abs(body.position(k)) + std::abs(body.velocity(k)) * t +
                                 std::abs(scene.gravity(k)) * t * t / 2);
     }
@@ -198,16 +201,16 @@ CONTACT_SCENES_INLINE Decision plan_double_precision(const PlanQuestion& q) {
   }
   const double rounding =
       detail::rounded_up(tolerance::unit_roundoff<float> * (16 * size + 32 * turning));
-  return decide(
-      Effect::double_precision,
-      {{"A free flight in float is off by its roundings alone.",
-        {nothing_meets(q),
-         fits_what_is_left(q, "rounding of a flight in float", rounding),
-         nothing_turns_unevenly(q),
-         {"numbers whose squares a float does not hold", unfit, Relation::equal, 0, "none", ""}},
-        rounding,
-        "rounding in float"}},
-      "Not proven that float keeps the tolerance: a hit may make rounding grow.");
+  return decide(Effect::double_precision,
+                {{"The only error of a free flight in float is rounding.",
+                  {nothing_meets(q),
+                   fits_what_is_left(q, "rounding error of a flight in float", rounding),
+                   nothing_turns_unevenly(q),
+                   {"numbers whose squares overflow or underflow in float", unfit, Relation::equal,
+                    0, "none", ""}},
+                  rounding,
+                  "rounding in float"}},
+                "Not proven that float keeps the tolerance: a hit may amplify rounding errors.");
 }
 // [/precision-rule]
 

@@ -43,12 +43,12 @@ CONTACT_SCENES_INLINE bool is_proven(const Proof& proof) {
   return true;
 }
 
-// [decide]
-/// The decision that a rule's proofs make: the first proof that holds switches the effect off.
+/// Makes a decision from a rule's proofs: the first proof that holds switches the effect off.
 ///
-/// If none holds the effect stays on, and the decision says of each proof which condition failed
-/// first. So a rule that can prove nothing is never wrong; it only costs time.
-/// @param not_proven what to say then
+/// If none holds the effect stays on, and the decision contains the first failed condition of each
+/// proof. So a rule that can prove nothing is never wrong; it only costs time.
+/// @param not_proven what to say if none holds
+// [decide]
 CONTACT_SCENES_INLINE Decision decide(Effect effect, std::vector<Proof> proofs,
                                       const std::string& not_proven) {
   Decision decision;

@@ -1,7 +1,7 @@
 #pragma once
 
-// What an entry of `bodies` says of a body by itself: shape, orientation, mass, and how often it
-// stands.
+// The members of an entry of `bodies` that concern one body: shape, orientation, mass, and its
+// repetition.
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@
 
 namespace contact::scenes::detail {
 
-/// cos and sin of half an angle in degrees; multiples of 90° come out exactly.
+/// cos and sin of half an angle in degrees; exact for multiples of 90°.
 inline SineCosine<double> half_of_degrees(double degrees) {
   constexpr double pi = 3.141592653589793;
   const double half = std::fmod(degrees, 720.0) / 2;
@@ -239,7 +239,7 @@ class BodyFieldReader : protected FieldReader {
       body.mass = number(node, path, "mass", "kg").value_or(0);
       return;
     }
-    wrong_.insert(path + ".mass");  // said of the density, if anything
+    wrong_.insert(path + ".mass");  // reported for the density, if at all
     const auto value = number(node, path, "density", "kg/m^3");
     if (!value) return;
     if (!(scene_least <= *value && *value <= scene_most)) {
@@ -254,7 +254,7 @@ class BodyFieldReader : protected FieldReader {
             "must give a mass from 1e-30 to 1e+30 kg, and gives " + shortest_text(body.mass));
   }
 
-  /// Whether volume and inertia can be asked of a shape.
+  /// Whether volume and inertia of a shape can be computed.
   static bool sized(const SceneShape& shape) {
     const auto good = [](double x) { return scene_least <= x && x <= scene_most; };
     if (const auto* ball = std::get_if<BallShape>(&shape)) return good(ball->radius);

@@ -34,7 +34,7 @@ CONTACT_SCENES_INLINE std::string shortest_text(double x) {
 
 namespace detail {
 
-/// Looks at a scene from top to bottom and writes down what is wrong.
+/// Checks a scene from top to bottom and collects its faults.
 class SceneChecker {
  public:
   explicit SceneChecker(const Scene& scene) : scene_(scene), placed_(scene.bodies.size(), false) {}
@@ -116,7 +116,8 @@ class SceneChecker {
       const std::string path = at("materials", i);
       name(path + ".name", material.name);
       if (!seen.emplace(material.name, i).second)
-        fault(path + ".name", quoted(material.name), "must not be another material's name too");
+        fault(path + ".name", quoted(material.name),
+              "must not be the name of another material too");
       if (!(0 <= material.restitution && material.restitution <= 1))
         fault(path + ".restitution", shortest_text(material.restitution), "must be from 0 to 1");
       not_negative(path + ".friction", material.friction, "");
@@ -194,12 +195,12 @@ class SceneChecker {
       const SceneBody& body = scene_.bodies[i];
       name(path + ".name", body.name);
       if (!seen.emplace(body.name, i).second)
-        fault(path + ".name", quoted(body.name), "must not be another body's name too");
+        fault(path + ".name", quoted(body.name), "must not be the name of another body too");
       placed_[i] = one_body(path, body);
     }
   }
 
-  /// Returns whether the body has a shape and a place.
+  /// Returns whether the body has a shape and a position.
   bool one_body(const std::string& path, const SceneBody& body) {
     const bool shaped = shape(path + ".shape", body.shape);
     if (body.material >= scene_.materials.size())
@@ -217,7 +218,7 @@ class SceneChecker {
     vector(path + ".velocity", body.velocity, "m/s");
     vector(path + ".spin", body.spin, "rad/s");
     if (std::holds_alternative<HalfSpaceShape>(body.shape)) {
-      const char* why = "must be absent: a half-space lies where its normal and offset say";
+      const char* why = "must be absent: a half-space is placed by its normal and offset";
       if (placed) zero(path + ".position", body.position, why);
       if (placed && v != Vector3<double>::Zero())
         fault(path + ".orientation.quaternion",
@@ -240,7 +241,7 @@ class SceneChecker {
     if (!shaped || std::holds_alternative<HalfSpaceShape>(body.shape)) return;
     if (body.inertia != solid_inertia(body.shape, body.mass))
       fault(path + ".inertia", "tr " + shortest_text(body.inertia.trace()),
-            "must be what solid_inertia() makes of shape and mass");
+            "must be solid_inertia() of shape and mass");
   }
 
   void still(const std::string& path, const SceneBody& body) {
@@ -274,10 +275,10 @@ class SceneChecker {
           names += (names.empty() ? "" : ", ") + std::string(quantity.name);
         fault(path + ".quantity", quoted(wanted.quantity), "must be one of " + names);
       } else if (known->of == QuantityOf::body && wanted.body.empty()) {
-        fault(path + ".body", "", "is missing: " + wanted.quantity + " is of one body");
+        fault(path + ".body", "", "is missing: " + wanted.quantity + " belongs to one body");
       } else if (known->of == QuantityOf::scene && !wanted.body.empty()) {
         fault(path + ".body", quoted(wanted.body),
-              "must be absent: " + wanted.quantity + " is of the whole scene");
+              "must be absent: " + wanted.quantity + " belongs to the whole scene");
       }
       if (!wanted.body.empty() &&
           std::none_of(scene_.bodies.begin(), scene_.bodies.end(),
@@ -301,14 +302,14 @@ class SceneChecker {
     if (!a.moves && !b.moves) return;
     const auto gap = starting_gap(a, b);
     if (!gap || -*gap <= touching_slack(a, b)) return;
-    const bool first = !b.moves;  // the one that moves, or the later one
+    const bool first = !b.moves;  // the moving one, or the later one
     const SceneBody& here = first ? a : b;
     fault(at("bodies", first ? i : k) + ".position", list_text(here.position),
-          "must not overlap " + quoted((first ? b : a).name) + ", in which it lies " +
-              shortest_text(-*gap) + " m deep; touching is allowed");
+          "must not overlap " + quoted((first ? b : a).name) + ", which it penetrates by " +
+              shortest_text(-*gap) + " m; touching is allowed");
   }
 
-  /// Bodies are sorted by where they begin along x, so that only neighbours are compared.
+  /// Bodies are sorted by their lower bound along x, so that only neighbours are compared.
   void overlaps() {
     std::vector<std::size_t> order;
     std::vector<std::size_t> grounds;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The members of a file's objects, each read as what it must be, and what is wrong with them.
+// The members of a file's objects, each read as its type, and their faults.
 
 #include <algorithm>
 #include <array>
@@ -43,7 +43,7 @@ inline std::string joined(const Keys& words) {
   return all;
 }
 
-/// The nearest of some words, if it is near: at most a third of its letters differ, or one.
+/// The most similar of some words, if it is similar: at most a third of its letters differ, or one.
 inline std::string hint(std::string_view word, const Keys& words) {
   if (word.size() > 64) return "";
   std::string_view best;
@@ -62,12 +62,12 @@ inline std::string hint(std::string_view word, const Keys& words) {
 inline constexpr const char* kind_names[] = {"null",   "true or false", "a number",
                                              "a text", "an array",      "an object"};
 
-/// Reads what stands in the tree of a file, and gathers its faults.
+/// Reads the tree of a file, and collects its faults.
 class FieldReader {
  protected:
   explicit FieldReader(const JsonNode& root) : root_(root) {}
 
-  // What is wrong, and where.
+  // Faults, and where they are.
 
   void fault(const std::string& path, const std::string& value, const std::string& allowed) {
     fault_at(deepest(root_, path).line, path, value, allowed);
@@ -100,7 +100,7 @@ class FieldReader {
       std::string where = path + path_step(key);
       if (where.front() == '.') where.erase(where.begin());
       if (!seen.insert(key).second) {
-        unfit(where, value, "stands twice; a key may stand once");
+        unfit(where, value, "appears twice; a key may appear once");
       } else if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
         unfit(where, value, "is an unknown key; " + hint(key, keys) + "known are " + joined(keys));
       }
@@ -109,7 +109,7 @@ class FieldReader {
   }
   bool is_wrong(const std::string& path) const { return wrong_.count(path) != 0; }
 
-  // Members of an object, each read as what it must be.
+  // Members of an object, each read as its type.
 
   const JsonNode* member(const JsonNode& from, const std::string& path, const std::string& key,
                          const std::string& wanted) {

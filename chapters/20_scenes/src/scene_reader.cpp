@@ -1,4 +1,4 @@
-// A scene from its file: first every value's kind and every key, then the scene that comes of it.
+// A scene from its file: first the type of every value and all keys, then the scene made of them.
 
 #include <algorithm>
 #include <fstream>
@@ -67,7 +67,7 @@ class Reader : private BodyFieldReader {
         if (node.find("stiffness")) {
           material.damping = number_if_there(node, path, "damping", "N s/m").value_or(0);
         } else {
-          absent(node, path, {"damping"}, "it goes with a stiffness");
+          absent(node, path, {"damping"}, "it belongs to a stiffness");
         }
       }
       scene_.materials.push_back(std::move(material));
@@ -97,7 +97,7 @@ class Reader : private BodyFieldReader {
       if (body.moves) fault(path + ".moves", "true", "must be false: a half-space never moves");
       absent(node, path,
              {"position", "orientation", "mass", "density", "velocity", "spin", "repeat"},
-             "a half-space lies where its normal and offset say, and never moves");
+             "a half-space is placed by its normal and offset, and never moves");
       body.moves = false;
     } else {
       body.position = vector(node, path, "position", true);
@@ -207,7 +207,7 @@ class Reader : private BodyFieldReader {
     }
   }
 
-  // What check_scene() finds, told in the file's words.
+  // What check_scene() finds, in the file's terms.
 
   static bool within(const std::string& part, const std::string& whole) {
     return part.compare(0, whole.size(), whole) == 0 &&
@@ -226,11 +226,11 @@ class Reader : private BodyFieldReader {
         const std::size_t number = std::stoul(found.path.substr(7, end - 7));
         found.path = at("bodies", entries_[number]) + found.path.substr(end + 1);
         if (repeated_.count(entries_[number]) != 0) {
-          if (!of_repeated.insert(found.path).second) continue;  // one of many alike
+          if (!of_repeated.insert(found.path).second) continue;  // one of many equal ones
           which = " (" + scene_.bodies[number].name + ")";
         }
       }
-      // What follows from a fault that has been told is not told again.
+      // Consequences of a fault that has been reported are not reported again.
       const bool told = std::any_of(before.begin(), before.end(), [&](const std::string& path) {
         return within(found.path, path) || within(path, found.path);
       });
@@ -241,7 +241,7 @@ class Reader : private BodyFieldReader {
     forgive_references("bodies", "must be the name of a body");
   }
 
-  /// Where a list, or a name in it, could not be read, a name that is not found may be that one.
+  /// Where a list, or a name in it, could not be read, an unknown name may be that one.
   void forgive_references(const std::string& list, const std::string& words) {
     const bool torn = std::any_of(faults_.begin(), faults_.end(), [&](const FileFault& found) {
       const std::string& path = found.fault.path;
@@ -257,7 +257,7 @@ class Reader : private BodyFieldReader {
 
   std::string file_;
   Scene scene_;
-  std::vector<std::size_t> entries_;  // of each body: which of the file's
+  std::vector<std::size_t> entries_;  // of each body: index of the file's entry
   std::set<std::size_t> repeated_;
 };
 

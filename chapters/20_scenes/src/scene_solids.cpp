@@ -86,7 +86,7 @@ CONTACT_SCENES_INLINE double bounding_radius(const SceneShape& shape) {
 
 namespace detail {
 
-/// How far a body reaches beyond its origin along a direction of the world, m.
+/// Support function: how far a body extends from its origin in a direction of the world, m.
 CONTACT_SCENES_INLINE double scene_reach(const SceneBody& body, const Vector3<double>& direction) {
   const Vector3<double> d = matrix_of(body.orientation).transpose() * direction;
   if (const auto* ball = std::get_if<BallShape>(&body.shape)) return ball->radius;
@@ -100,7 +100,7 @@ CONTACT_SCENES_INLINE double scene_reach(const SceneBody& body, const Vector3<do
   return reach;
 }
 
-/// The gap between a point of the world and a ball, a box or a capsule: less than 0 within.
+/// The signed distance of a point of the world from a ball, a box or a capsule: negative inside.
 CONTACT_SCENES_INLINE double scene_point_gap(const Vector3<double>& point, const SceneBody& body) {
   const Vector3<double> p =
       matrix_of(body.orientation).transpose() * Vector3<double>(point - body.position);
@@ -115,7 +115,7 @@ CONTACT_SCENES_INLINE double scene_point_gap(const Vector3<double>& point, const
   return Vector3<double>(p.x(), p.y(), p.z() - z).norm() - capsule.radius;
 }
 
-/// A box or a capsule where it lies.
+/// A box or a capsule in its pose.
 using SceneSolid = std::variant<OrientedBox<double>, Capsule<double>>;
 
 CONTACT_SCENES_INLINE SceneSolid scene_solid(const SceneBody& body) {
@@ -128,7 +128,7 @@ CONTACT_SCENES_INLINE SceneSolid scene_solid(const SceneBody& body) {
       {Vector3<double>(body.position - arm), Vector3<double>(body.position + arm)}, capsule.radius};
 }
 
-/// A body as the points that its core is the hull of, and how far its surface is from that core.
+/// A body as the points whose hull is its core, and the distance of its surface from the core.
 struct SceneCore {
   std::vector<Vector3<double>> points;
   double radius = 0;
@@ -156,9 +156,9 @@ CONTACT_SCENES_INLINE SceneCore scene_core(const SceneBody& body) {
 }
 
 // [origin-gap]
-/// The gap between the origin and the convex hull of points: less than 0 within, by how far the
-/// nearest face is. Faces so narrow that rounding turns them any way round are left out; their
-/// neighbours lie as near.
+/// The signed distance between the origin and the convex hull of points: inside, minus the distance
+/// of the nearest face. Faces so narrow that rounding decides their orientation are left out; their
+/// neighbours are equally near.
 CONTACT_SCENES_INLINE double origin_gap(const std::vector<Vector3<double>>& points) {
   const Hull hull = convex_hull(points);
   const auto corner = [&](int i) -> const Vector3<double>& {
@@ -196,8 +196,9 @@ CONTACT_SCENES_INLINE double origin_gap(const std::vector<Vector3<double>>& poin
   return nearest_plane > 0 ? nearest : nearest_plane;
 }
 
-/// The gap of two bodies of which one is a hull: their cores overlap where the differences of their
-/// points surround the origin, and are as far apart as the hull of those is from it.
+/// The signed distance of two bodies of which one is a hull, by the Minkowski difference of their
+/// cores: they overlap where it contains the origin, and otherwise their distance is its distance
+/// from the origin.
 CONTACT_SCENES_INLINE double hull_gap(const SceneBody& a, const SceneBody& b) {
   const SceneCore core_a = scene_core(a);
   const SceneCore core_b = scene_core(b);

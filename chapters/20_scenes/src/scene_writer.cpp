@@ -101,7 +101,7 @@ CONTACT_SCENES_INLINE Json scene_json(const Scene& scene) {
   return json;
 }
 
-/// What holds no other array or object, or is short, stands on one line.
+/// An array or object that contains no other, or is short, is written on one line.
 CONTACT_SCENES_INLINE void print(const Json& json, std::size_t indent, std::string& text) {
   const std::string flat = json.dump();
   if (!json.is_structured() || flat.size() + indent <= 90) {

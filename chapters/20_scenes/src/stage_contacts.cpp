@@ -101,7 +101,7 @@ CONTACT_SCENES_INLINE void place_shapes(const SteppedSetup& setup, const Stepped
   }
 }
 
-/// The points of a pair that touches; at least the one at which its gap is.
+/// The contact points of a touching pair; at least the nearest one.
 CONTACT_SCENES_INLINE ContactManifold<double> manifold_with_gap(const StepShape& a,
                                                                 const StepShape& b,
                                                                 const Gap<double>& gap,
@@ -114,7 +114,7 @@ CONTACT_SCENES_INLINE ContactManifold<double> manifold_with_gap(const StepShape&
   return manifold;
 }
 
-/// A distance that rounding cannot tell from touching.
+/// A distance that rounding cannot distinguish from touching.
 CONTACT_SCENES_INLINE double touching_distance(const SteppedSetup& setup, const SteppedState& state,
                                                const NearPair& pair) {
   double size =
@@ -124,7 +124,7 @@ CONTACT_SCENES_INLINE double touching_distance(const SteppedSetup& setup, const 
   return 0x1p-40 * size;
 }
 
-/// By what angle a body of a pair may turn so that its points go no farther than a quarter of half
+/// The angle by which a body of a pair may rotate so that its points move at most a quarter of half
 /// the thickness of the thinner one.
 CONTACT_SCENES_INLINE double turn_of_core(const SteppedSetup& setup, const NearPair& pair,
                                           std::size_t place) {
@@ -132,8 +132,9 @@ CONTACT_SCENES_INLINE double turn_of_core(const SteppedSetup& setup, const NearP
   return core / 4 / setup.bodies[place].spin_arm;
 }
 
-/// Of each mover, by how much the forces of the part before may have left its velocity wrong, m/s.
-/// Where much lies on little that is more than SteppedSetup::slow_speed. Empty if nothing pushed.
+/// For each mover, a bound on the error of its velocity that the contact forces of the last substep
+/// left, m/s. Where a heavy body lies on a light one, it is more than SteppedSetup::slow_speed.
+/// Empty if no contact pushed.
 CONTACT_SCENES_INLINE std::vector<double> rounding_of_forces(const SteppedSetup& setup,
                                                              const SteppedState& state) {
   std::vector<double> rounding;
@@ -182,8 +183,8 @@ CONTACT_SCENES_INLINE void find_touching_pairs(const SteppedSetup& setup, Steppe
       if (i < rounding.size()) wrong = std::max(wrong, rounding[i]);
     pair.slow = std::max(setup.slow_speed, wrong);
     pair.near = pair.touch + wrong * setup.step;
-    // Without continuous detection only what gravity brings together in a step: so what rests stays
-    // in contact.
+    // Without continuous detection only the distance that gravity closes in a step: so resting
+    // bodies stay in contact.
     pair.reach = setup.continuous ? detail::pair_reach(setup, state, part, pair)
                                   : size_of(setup.scene.gravity) * part.left * part.left;
     if (part.at_once) {

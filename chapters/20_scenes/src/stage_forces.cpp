@@ -23,8 +23,8 @@ namespace contact {
 
 namespace detail {
 
-/// The forces of the part before, as impulses of this one: each for the contact of the same pair
-/// that is nearest to where it was.
+/// The forces of the last substep, as impulses of this one: each for the nearest contact of the
+/// same pair.
 CONTACT_SCENES_INLINE std::vector<ContactImpulse<double>> warm_start(
     const SteppedState& state, const std::vector<BodyContact<double>>& contacts, double length,
     double margin) {
@@ -47,13 +47,13 @@ CONTACT_SCENES_INLINE std::vector<ContactImpulse<double>> warm_start(
   return start;
 }
 
-/// How fast two bodies come together at a point, now and at the end of the part, m/s.
+/// The speed of approach of two bodies at a point, now and at the end of the substep, m/s.
 struct Closing {
   double now = 0;
-  double then = 0;  // had no contact pushed
+  double then = 0;  // without contacts
 
-  /// Where they touch, after a gap. They are accelerated evenly, so the square of the speed grows
-  /// with the way. 0 if they part now.
+  /// On touching, after a distance. The acceleration is constant, so the square of the speed grows
+  /// linearly with the distance. 0 if they separate now.
   double after(double gap, double time) const {
     if (!(now > 0)) return 0;
     return std::sqrt(std::max(now * now + 2 * ((then - now) / time) * gap, 0.0));
@@ -82,8 +82,8 @@ CONTACT_SCENES_INLINE Closing closing_of(const SteppedSetup& setup, const Steppe
   return {now, now + pair.manifold.normal.dot(changes)};
 }
 
-/// What is pushed at the start pushes at the start what it touches, and so on: with the mean of two
-/// velocities that would give way too late.
+/// A body that is pushed at the start pushes at the start what it touches, and so on: with the mean
+/// of two velocities that would react too late.
 CONTACT_SCENES_INLINE void push_on(const SteppedSetup& setup, const SteppedState& state,
                                    StepPart& part, const std::vector<BodyContact<double>>& contacts,
                                    const std::vector<ContactImpulse<double>>& impulses) {
@@ -103,8 +103,8 @@ CONTACT_SCENES_INLINE void push_on(const SteppedSetup& setup, const SteppedState
   }
 }
 
-/// Whom contacts push at the start falls evenly all the same where none holds it back: across the
-/// normals of all that push it. What rubs it too holds it from all sides.
+/// Bodies that contacts push at the start still fall with constant acceleration where no contact
+/// holds them: perpendicular to the normals of all contacts. Friction holds in all directions.
 CONTACT_SCENES_INLINE void change_evenly(const SteppedSetup& setup, const SteppedState& state,
                                          StepPart& part,
                                          const std::vector<BodyContact<double>>& contacts,
@@ -143,8 +143,8 @@ CONTACT_SCENES_INLINE void solve_forces(const SteppedSetup& setup, SteppedState&
   std::vector<detail::Closing> closing;
   for (const NearPair& pair : part.pairs) {
     if (pair.material.stiffness || (pair.leaving && !part.at_once)) continue;
-    // Of a gap that is no more than some rounding who rests or slides beside it comes half the way
-    // with the mean of its velocities, and that is not too late.
+    // At a distance of only some roundings, a body that rests or slides beside it moves half that
+    // distance with the mean of its velocities, which is not too late.
     const auto rounds = [&](const ManifoldPoint<double>& point, double gap) {
       const double way = -parting_speed(setup, state, pair, point.point) * part.planned;
       return !part.at_once && gap <= 16 * pair.near && way <= gap + 2 * pair.near;
@@ -178,19 +178,19 @@ CONTACT_SCENES_INLINE void solve_forces(const SteppedSetup& setup, SteppedState&
   double margin = 0;
   for (const NearPair& pair : part.pairs) margin = std::max(margin, pair.reach);
   const auto start = detail::warm_start(state, contacts, part.planned, margin);
-  // As long as no impact has cut this step, what rests is worth more sweeps: a stack stands on
-  // forces that have settled.
+  // As long as no impact has divided this step, resting contacts get more iterations: a stack
+  // depends on converged forces.
   const bool calm = setup.together && setup.one_by_one && part.cuts == 0;
   const auto impulses = detail::solve_islands(
       setup, state, contacts, start, part.planned,
       calm ? detail::SweepsFor::rest : detail::SweepsFor::anything, make, give);
-  // What a very short part needed to stop an approach is no force that lasts.
+  // The impulse with which a very short substep stops an approach is not a lasting force.
   const bool lasts = part.planned * 64 >= setup.step;
   if (lasts) {
     state.touched.clear();
     state.pushed.clear();
   }
-  std::vector<std::size_t> hit_pairs;  // their contacts
+  std::vector<std::size_t> hit_pairs;  // contacts of these
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const ContactImpulse<double>& impulse = impulses[i];
     if (!(impulse.normal > 0)) continue;
@@ -203,7 +203,7 @@ CONTACT_SCENES_INLINE void solve_forces(const SteppedSetup& setup, SteppedState&
       part.pushed[place] = true;
       if (gaps[i] > 0 || hits) part.at_start[place] = true;
     }
-    // A hit is no force that lasts.
+    // A hit is not a lasting force.
     if (lasts && !hits) {
       state.touched.push_back(contacts[i]);
       state.pushed.push_back(

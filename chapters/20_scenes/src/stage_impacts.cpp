@@ -61,7 +61,7 @@ CONTACT_SCENES_INLINE void solve_impacts(const SteppedSetup& setup, SteppedState
 
 namespace detail {
 
-/// What pushes in the islands in which something bounces, and the impulses to begin with.
+/// The contacts of islands in which a contact bounces, and the initial impulses.
 struct BouncingContacts {
   std::vector<BodyContact<double>> contacts;
   std::vector<ContactImpulse<double>> start;
@@ -131,7 +131,7 @@ CONTACT_SCENES_INLINE void leave_bounced(const SteppedSetup& setup, SteppedState
 
 namespace detail {
 
-/// Gives an impulse at a point to the velocities that two bodies have at the end of the part.
+/// Applies an impulse at a point to the velocities of two bodies at the end of the substep.
 CONTACT_SCENES_INLINE void push_apart(const SteppedSetup& setup, const SteppedState& state,
                                       StepPart& part, const NearPair& pair,
                                       const RigidBody<double>& a, const RigidBody<double>& b,

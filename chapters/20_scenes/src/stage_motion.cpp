@@ -32,8 +32,9 @@ CONTACT_SCENES_INLINE double largest_free_square(const Vector3<double>& moments,
 }
 
 // [moving-stage]
-/// Every mover goes on to the end of the part, with an even acceleration: exact for a flight, and
-/// for a block that slides. A part that an impact cuts short ends with the velocity of that moment.
+/// Every mover moves on to the end of the substep, with constant acceleration: exact for a flight,
+/// and for a sliding block. A substep that an impact cuts short ends with the velocity at that
+/// instant.
 CONTACT_SCENES_INLINE void move_bodies(const SteppedSetup& setup, SteppedState& state,
                                        StepPart& part) {
   const double share = part.length / part.planned;
@@ -62,8 +63,8 @@ CONTACT_SCENES_INLINE void turn_bodies(const SteppedSetup& setup, SteppedState& 
 // [gyroscopic-stage]
 namespace detail {
 
-/// How a body lies that nothing pushes, a time later, by four exponentials of spins on the way: of
-/// order 4, and its angular momentum stays as it is.
+/// The orientation of a torque-free body after a time, by four exponentials of intermediate angular
+/// velocities: of order 4, and its angular momentum is conserved.
 ///
 /// Source: Celledoni, Marthinsen and Owren, *Commutator-free Lie group methods*, Future Generation
 /// Computer Systems 19 (2003).
@@ -93,8 +94,8 @@ CONTACT_SCENES_INLINE Rotor<double> turned_freely(const SteppedSetup& setup,
   if (body.round || mean == Vector3<double>::Zero())
     return normalised(exponential_step(q, mean, length));
   const Vector3<double> momentum = momentum_of_spin(body, q, mean);
-  // Where a needle lies a little otherwise, its spin is another by much: as much as its moments
-  // differ, and what the fourth order leaves grows with that.
+  // For a needle, a small change of orientation changes the angular velocity by much: in proportion
+  // to the ratio of its moments, and the error of the fourth order grows with that.
   const double ratio = body.moments.maxCoeff() / body.moments.minCoeff();
   const double fastest = std::sqrt(largest_free_square(body, q, mean) * ratio);
   const double looks = std::ceil(fastest * length / gyroscopic_angle);

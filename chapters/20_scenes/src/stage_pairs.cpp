@@ -87,7 +87,7 @@ CONTACT_SCENES_INLINE void note_pairs(const SteppedSetup& setup, const SteppedSt
   for (std::size_t k = setup.bounded; k < setup.bodies.size(); ++k) {
     const auto& wall = std::get<HalfSpace<double>>(setup.bodies[k].shape).boundary;
     for (std::size_t i = 0; i < setup.movers; ++i) {
-      double lowest = -wall.offset;  // of the box's corners
+      double lowest = -wall.offset;  // of the box's vertices
       for (int axis = 0; axis < 3; ++axis) {
         const double n = wall.normal(axis);
         lowest += n * (n > 0 ? boxes[i].low(axis) : boxes[i].high(axis));
@@ -119,7 +119,7 @@ CONTACT_SCENES_INLINE double pair_reach(const SteppedSetup& setup, const Stepped
   return reach;
 }
 
-/// Whether the balls about two bodies may come to touch in what is left of the step.
+/// Whether the bounding balls of two bodies may come to touch in the rest of the step.
 CONTACT_SCENES_INLINE bool may_reach(const SteppedSetup& setup, const SteppedState& state,
                                      const StepPart& part, const NearPair& pair) {
   const double reach = pair_reach(setup, state, part, pair) + setup.bodies[pair.a].reach;

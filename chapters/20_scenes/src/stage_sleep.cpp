@@ -20,7 +20,7 @@ namespace contact {
 
 namespace detail {
 
-/// The first of a body's group; groups are trees of which each points towards its first.
+/// The first of a body's group; groups are trees of which each node points towards the first.
 CONTACT_SCENES_INLINE std::size_t first_of_group(std::vector<std::size_t>& group, std::size_t i) {
   while (group[i] != i) i = group[i] = group[group[i]];
   return i;
@@ -88,7 +88,7 @@ CONTACT_SCENES_INLINE void wake_bodies(const SteppedSetup& setup, SteppedState& 
     wake(pair.a, pair.b);
     wake(pair.b, pair.a);
   }
-  // Pairs among those that wake were left out: look again, before time goes on.
+  // Pairs among those that wake were left out: search again, before time goes on.
   if (woken) part.length = 0;
 }
 // [/waking-stage]

@@ -27,21 +27,21 @@ namespace contact {
 
 namespace detail {
 
-/// How a body moves through a part: evenly accelerated, and turning as its stage will turn it.
+/// The motion of a body in a substep: constant acceleration, and the rotation of its stage.
 struct PartMotion {
   Vector3<double> position = Vector3<double>::Zero();
   Vector3<double> velocity = Vector3<double>::Zero();
   Vector3<double> acceleration = Vector3<double>::Zero();
-  bool turns = false;     // not so a ball: it looks alike from all sides
-  double swing = 0;       // how fast turning changes the velocity of a point of it at most, m/s²
-  double unforeseen = 0;  // and how fast it may lead away from what spin_at() says, m/s²
+  bool turns = false;     // false for a ball: it looks the same in every orientation
+  double swing = 0;       // largest acceleration of a point of it by rotation, m/s²
+  double unforeseen = 0;  // and by deviation from spin_at(), m/s²
 
   Vector3<double> position_at(double t) const {
     return position + (velocity + acceleration * (t / 2)) * t;
   }
 };
 
-/// How a mover lies after a time of the part, to the bit as its stage would turn it.
+/// Orientation of a mover after a time of the substep, bit for bit as its stage rotates it.
 CONTACT_SCENES_INLINE Rotor<double> orientation_at(const SteppedSetup& setup,
                                                    const SteppedState& state, const StepPart& part,
                                                    std::size_t place, double t) {
@@ -61,10 +61,10 @@ CONTACT_SCENES_INLINE Vector3<double> spin_at(const SteppedSetup& setup, const S
                                     Matrix3<double>(matrix_of(orientation) * body.axes));
 }
 
-/// Bounds how fast turning changes the velocity of a point r off the middle. An even spin does by
-/// ω² r; one that is pushed, by dω/dt r more. What nothing pushes may change its spin by itself: by
-/// Euler's equations no faster than by ω²/√3 times the largest of |I₂ − I₃|/I₁, and by its energy
-/// ω² grows by the ratio of its moments at most, and by less if nothing pushes it.
+/// Bounds the acceleration by rotation of a point at the distance r from the centre. A constant
+/// angular velocity gives ω² r; a torque adds dω/dt r. Without torque the angular velocity may
+/// still change: by Euler's equations no faster than ω²/√3 times the largest |I₂ − I₃|/I₁, and by
+/// its energy ω² grows by at most the ratio of its moments, and by less without torque.
 CONTACT_SCENES_INLINE void bound_swing(const SteppedSetup& setup, const SteppedState& state,
                                        const StepPart& part, std::size_t place,
                                        PartMotion& motion) {
@@ -100,7 +100,7 @@ CONTACT_SCENES_INLINE PartMotion part_motion(const SteppedSetup& setup, const St
   return motion;
 }
 
-/// A shape as the points of which it is the hull, with a ball about each.
+/// A shape as the points whose hull it is, with a ball around each.
 struct ShapeCorners {
   std::vector<Vector3<double>> points;
   double radius = 0;
@@ -128,19 +128,19 @@ CONTACT_SCENES_INLINE ShapeCorners corners_of(const HalfSpace<double>& shape) {
   return {{Vector3<double>(shape.boundary.normal * shape.boundary.offset)}, 0};
 }
 
-/// How far the corners of a shape are along a direction, and how fast each moves along it.
+/// The coordinates of a shape's vertices along a direction, and their rates.
 struct CornerRates {
   std::vector<double> height;
   std::vector<double> rate;
 };
 
-/// A body of a pair at a time of the part.
+/// A body of a pair at a time of the substep.
 struct MovedBody {
   StepShape shape;
   Vector3<double> centre = Vector3<double>::Zero();
   Vector3<double> velocity = Vector3<double>::Zero();
   Vector3<double> spin = Vector3<double>::Zero();
-  double unforeseen = 0;  // how much faster one of its points may be, m/s
+  double unforeseen = 0;  // additional speed that one of its points may have, m/s
 };
 
 CONTACT_SCENES_INLINE MovedBody moved_body(const SteppedSetup& setup, const SteppedState& state,
@@ -160,7 +160,7 @@ CONTACT_SCENES_INLINE MovedBody moved_body(const SteppedSetup& setup, const Step
 }
 
 /// @param n unit
-/// @param sign 1: no lower than this, and no slower along n; −1: no higher and no faster
+/// @param sign 1: lower bounds along n; −1: upper bounds
 CONTACT_SCENES_INLINE CornerRates corner_rates(const MovedBody& body, const Vector3<double>& n,
                                                double sign) {
   const ShapeCorners corners =
@@ -196,7 +196,7 @@ CONTACT_SCENES_INLINE std::optional<double> pair_impact(const SteppedSetup& setu
     const auto above = detail::corner_rates(one, n, 1);
     const auto below = detail::corner_rates(other, n, -1);
     const double bend = n.dot(Vector3<double>(a.acceleration - b.acceleration)) - a.swing - b.swing;
-    const auto used_up = [&](double least) {  // when a height of at least so much is
+    const auto used_up = [&](double least) {  // when a height of at least this is zero
       double first = std::numeric_limits<double>::infinity();
       for (std::size_t i = 0; i < above.height.size(); ++i) {
         for (std::size_t k = 0; k < below.height.size(); ++k) {

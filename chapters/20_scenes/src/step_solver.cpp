@@ -30,7 +30,7 @@ CONTACT_SCENES_INLINE RigidBody<double> solver_body(const SteppedSetup& setup,
   const SteppedBody& body = setup.bodies[place];
   RigidBody<double> solid;
   solid.position = position_of(setup, state, place);
-  if (place >= setup.movers || sleeps(state, place)) return solid;  // nothing moves it
+  if (place >= setup.movers || sleeps(state, place)) return solid;  // fixed
   solid.mass = body.mass;
   solid.inverse_mass = 1 / body.mass;
   solid.velocity = velocity;
@@ -45,7 +45,8 @@ CONTACT_SCENES_INLINE RigidBody<double> solver_body(const SteppedSetup& setup,
     solid.inertia = rotated<double>(solid.inertia, turn);
     solid.inverse_inertia = rotated<double>(solid.inverse_inertia, turn);
   }
-  // What a mirror forbids, no push does: a spin that nobody keeps would take energy along.
+  // An impulse must not change a mirror-symmetric coordinate: an angular velocity that is not kept
+  // would take energy with it.
   for (int k = 0; k < 3; ++k) {
     if (setup.turns[static_cast<std::size_t>(k)]) continue;
     solid.inverse_inertia.row(k).setZero();
@@ -92,8 +93,8 @@ CONTACT_SCENES_INLINE void count_sweeps(SteppedState& state, std::size_t contact
   state.counts.sweeps += static_cast<std::uint64_t>(sweeps);
 }
 
-/// Sweeps are as many as this many contacts may take together, but not fewer than a few. In a crowd
-/// the few are fewer, and more if somebody would come through somebody else.
+/// Iteration budget of an island: work / contacts, and at least a few. In a crowd the minimum is
+/// smaller, unless a body would penetrate another.
 inline constexpr std::size_t sweep_work = 40000;
 
 inline constexpr int least_sweeps = 50;
@@ -108,8 +109,8 @@ inline constexpr int bounce_sweeps = 100;
 
 inline constexpr int sweeps_before_finish = 100;
 
-/// So many contacts are solved at once, so that what is its own mirror image stays so. In larger
-/// islands that would take too many sweeps.
+/// Up to this many contacts are solved at once (Jacobi), so that a mirror-symmetric scene stays
+/// symmetric. Larger islands would take too many iterations.
 inline constexpr std::size_t most_at_once = 8;
 
 CONTACT_SCENES_INLINE SweepLimits<double> sweep_limits(
@@ -177,8 +178,8 @@ CONTACT_SCENES_INLINE SolvedContacts<double> solve_resting(
   return swept;
 }
 
-/// Between bodies whose masses differ by more than this, sweeps get nowhere, and where something
-/// rubs too they are finished. Among others more sweeps cost less.
+/// Between bodies whose masses differ by more than this, iterations converge too slowly, and with
+/// friction they get an exact solve. For others more iterations cost less.
 inline constexpr double unlike_masses = 64;
 
 CONTACT_SCENES_INLINE bool unfinished(const SteppedSetup& setup,

@@ -86,8 +86,8 @@ class SteppedRun final : public SceneRun {
   }
 
   // [advance-steps]
-  /// Whole steps as long as they fit; then, on a copy, the part of a step that is left. So where a
-  /// caller looks changes nothing.
+  /// Whole steps as long as they fit; then, on a copy, the remaining part of a step. So stopping at
+  /// a time changes nothing.
   SceneRunEnd advance(double until, std::uint64_t budget, SceneObserver* observer) override {
     if (!(until > now_)) return SceneRunEnd::reached;
     shown_.reset();
@@ -164,18 +164,18 @@ class SteppedRun final : public SceneRun {
   double time_of(std::uint64_t step) const { return static_cast<double>(step) * setup_.step; }
 
   // [use-up-the-step]
-  /// A step, or a part of one: stages work on what is left of it until nothing is left. An impact
-  /// ends a part; after too many of them what is left is solved at once. A crowd's step has four
-  /// parts of few sweeps each: shorter parts help a heap more than more sweeps.
+  /// A step, or a part of one: stages process what is left of it until nothing is left. An impact
+  /// ends a substep; after too many of them the rest is solved at once. A crowd's step has four
+  /// substeps of few iterations each: shorter substeps help a heap more than more iterations.
   void step_once(SteppedState& state, double length) {
     part_.whole = part_.left = length;
     part_.cuts = 0;
     part_.hits.clear();
-    // An impact cuts twice: a part ends where it is found, and one without length solves it.
+    // An impact divides twice: a substep ends where it is found, and one of length zero solves it.
     const int most_cuts = 2 * setup_.most_impacts;
     bool crowded = false;
     double longest = length;
-    int anew = 0;  // so often in a row
+    int anew = 0;  // repetitions in a row
     while (part_.left > 0) {
       if (anew == 0) part_.flung.clear();
       bool again = false;
@@ -200,8 +200,8 @@ class SteppedRun final : public SceneRun {
         stage.run(setup_, state, part_);
         if (!(part_.length > 0)) break;
         if (!part_.at_once || stage.run != solve_forces) continue;
-        // Who has been hit may turn too far in such a part, or fly at somebody who was not near:
-        // then all of it anew, in a shorter one or with more pairs.
+        // A body that was hit may rotate too far in such a substep, or fly at a body that was not
+        // near: then it is repeated, shorter or with more pairs.
         const double turn = std::max(longest_turn(setup_, part_), length * 0x1p-12);
         const bool turns = turn < part_.planned / 2;
         const bool flies = setup_.continuous && anew < most_anew &&

@@ -28,7 +28,7 @@
 
 namespace contact::detail {
 
-/// How long a step is: the plan's, or a frame where the plan goes from event to event.
+/// The step: the plan's, or a frame where the plan is event-driven.
 CONTACT_SCENES_INLINE double step_of(const Scene& scene, const Plan& plan) {
   if (plan.step > 0) return plan.step;
   double h = std::min(1.0 / 60, scene.duration);
@@ -37,8 +37,8 @@ CONTACT_SCENES_INLINE double step_of(const Scene& scene, const Plan& plan) {
 }
 
 // [kept-axes]
-/// Across which axes the scene is its own mirror image. What a mirror forbids, rounding may not do:
-/// along such an axis nothing moves, and nothing spins about another one.
+/// Along which axes the scene is its own mirror image. Rounding must not break the symmetry: along
+/// such an axis nothing moves, and nothing rotates about another one.
 CONTACT_SCENES_INLINE std::array<bool, 3> proven_mirrors(const PlanQuestion& q) {
   std::array<bool, 3> mirrors{};
   for (int axis = 0; axis < 3; ++axis)
@@ -46,8 +46,8 @@ CONTACT_SCENES_INLINE std::array<bool, 3> proven_mirrors(const PlanQuestion& q) 
   return mirrors;
 }
 
-/// The coordinates that change. If a dimension is off, a mirror image has no number along its axis;
-/// if it is on though a mirror is proven, it has one that stays as it is.
+/// The coordinates that change. If a dimension is off, the coordinate along the mirror's axis is
+/// not stored; if it is on although a mirror is proven, it is stored and constant.
 CONTACT_SCENES_INLINE KeptAxes kept_axes(const Plan& plan, const PlanQuestion& q,
                                          const std::array<bool, 3>& mirrors) {
   KeptAxes kept;
@@ -66,8 +66,9 @@ CONTACT_SCENES_INLINE KeptAxes kept_axes(const Plan& plan, const PlanQuestion& q
   return kept;
 }
 
-/// The coordinates of spins that change: what moves in a plane turns about the axis across it. A
-/// smooth ball may spin about another, and goes on with that.
+/// The coordinates of angular velocities that change: a body that moves in a plane rotates about
+/// the axis perpendicular to it. A smooth ball may rotate about another, at constant angular
+/// velocity.
 CONTACT_SCENES_INLINE KeptAxes kept_spin_axes(const Scene& scene, const KeptAxes& kept,
                                               const std::array<bool, 3>& mirrors) {
   KeptAxes spins;
@@ -90,8 +91,8 @@ CONTACT_SCENES_INLINE KeptAxes kept_spin_axes(const Scene& scene, const KeptAxes
 // [/kept-axes]
 
 // [stepped-setup]
-/// What a plan makes of a scene. An effect that is off is taken out of the materials too: without
-/// friction all are smooth, without restitution nothing bounces, without penalty contact all are
+/// The setup of a scene by its plan. An effect that is off is removed from the materials too:
+/// without friction all are smooth, without restitution e is 0, without penalty contact all are
 /// hard.
 CONTACT_SCENES_INLINE SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
   SteppedSetup setup;
@@ -108,7 +109,7 @@ CONTACT_SCENES_INLINE SteppedSetup stepped_setup(const Scene& scene, const Plan&
     if (kind == 0) setup.movers = setup.bodies.size();
     if (kind == 1) setup.bounded = setup.bodies.size();
   }
-  // The gyroscopic term changes spins: it brings them along.
+  // The gyroscopic term changes angular velocities, so it includes rotation.
   setup.gyroscopic = is_on(plan, Effect::gyroscopic_term);
   setup.rotation = is_on(plan, Effect::rotation) || setup.gyroscopic;
   setup.continuous = is_on(plan, Effect::continuous_detection);
@@ -152,14 +153,14 @@ CONTACT_SCENES_INLINE SteppedSetup stepped_setup(const Scene& scene, const Plan&
     setup.spring_part = std::min(setup.step, 1 / (128 * std::sqrt(stiffest * 2 * lightness)));
 
   if (plan.spring_part > 0) setup.spring_part = std::min(setup.spring_part, plan.spring_part);
-  // Their shares of the tolerance are the plan's business.
+  // The plan decides their shares of the tolerance.
   setup.rest_height = plan.rest_height;
   const double g = size_of(setup.scene.gravity);
   const double hop = std::min(g * setup.step / 2, std::sqrt(2 * g * setup.rest_height));
   setup.slow_speed = std::max(hop * 0x1p-20, 1e-11);
   setup.sleep_speed = plan.sleep_speed;
-  // What the sweeps leave is a millionth of what would come to half the tolerance in the whole
-  // time.
+  // The residual of the iterations is at most a millionth of the speed that would add up to half
+  // the tolerance in the whole duration.
   const double far = scene.tolerance.position.value_or(1e-6) / 2;
   const double slow = far / std::max(scene.duration, scene.duration * scene.duration / sleep_after);
   const double left = std::clamp(slow * 1e-6, 1e-13, 1e-9);
@@ -169,8 +170,7 @@ CONTACT_SCENES_INLINE SteppedSetup stepped_setup(const Scene& scene, const Plan&
 }
 // [/stepped-setup]
 
-// [pipeline]
-/// The stages that a plan calls for. Without a pair that may meet there are no contacts at all.
+/// The stages that a plan needs. Without a pair that may meet there are no contacts at all.
 CONTACT_SCENES_INLINE StepPipeline step_pipeline(const Plan& plan, const SteppedSetup& setup) {
   StepPipeline line;
   const auto add = [&](std::vector<NamedStage>& to, std::string name, std::string detail,
@@ -182,41 +182,42 @@ CONTACT_SCENES_INLINE StepPipeline step_pipeline(const Plan& plan, const Stepped
   const bool springs = is_on(plan, Effect::penalty_contact);
   const bool sleep = is_on(plan, Effect::sleeping);
   const bool forces = is_on(plan, Effect::resting) || !setup.one_by_one;
-  const std::string sweeps = setup.together ? "a body's all together" : "each on its own";
+  const std::string sweeps = setup.together ? "all contacts of a body together" : "each on its own";
+  // [pipeline]
   if (meet) {
     if (cells)
       add(line.part, "broad phase", "cells", sort_into_cells);
     else
       add(line.part, "pairs", "each with each", compare_all_pairs);
-    add(line.part, "contacts", "gaps and the points that touch", find_touching_pairs);
-    if (sleep) add(line.part, "waking", "what something fast touches", wake_bodies);
+    add(line.part, "contacts", "distances and contact points", find_touching_pairs);
+    if (sleep) add(line.part, "waking", "bodies that a fast body touches", wake_bodies);
     if (setup.one_by_one) add(line.part, "impacts", sweeps, solve_impacts);
     if (springs) add(line.part, "springs", "leapfrog, dampers implicit", push_springs);
   }
   if (is_on(plan, Effect::gravity)) add(line.part, "gravity", "even", add_gravity);
   if (meet) {
-    // Where nothing rests it still stops approaches that rounding leaves.
+    // Where nothing rests it still stops approaches by rounding.
     add(line.part, forces ? "contact forces" : "impacts left over",
         forces ? sweeps : "rounding, and a step with too many to take one by one", solve_forces);
     if (setup.continuous && setup.one_by_one)
-      add(line.part, "time of impact", "by the gap's closing time", find_first_impact);
+      add(line.part, "time of impact", "by conservative advancement", find_first_impact);
   }
+  // [/pipeline]
   const bool bounce = meet && is_on(plan, Effect::restitution);
-  if (bounce) add(line.part, "bounces", "of impacts that are taken at once", solve_bounces);
-  add(line.part, "motion", "exact for even accelerations", move_bodies);
+  if (bounce) add(line.part, "bounces", "of impacts that are processed together", solve_bounces);
+  add(line.part, "motion", "exact for constant acceleration", move_bodies);
   if (setup.gyroscopic)
     add(line.part, "rotation", "with the gyroscopic term", turn_with_gyroscopic_term);
   else if (setup.rotation)
-    add(line.part, "rotation", "even spins", turn_bodies);
+    add(line.part, "rotation", "constant angular velocities", turn_bodies);
   if (meet) {
     if (bounce) add(line.part, "leaving", "what has bounced", leave_bounced);
-    // A ball's impacts are found to the last bit however it turns; an edge's are not.
+    // A ball's impacts are found to the last bit in any orientation; an edge's are not.
     if ((setup.rotation && setup.edges) || !setup.one_by_one)
-      add(line.part, "pushing out", "overlaps, half by half", push_out);
+      add(line.part, "pushing out", "half of each overlap at a time", push_out);
     if (sleep) add(line.after, "sleep", "groups that are slow", put_to_sleep);
   }
   return line;
 }
-// [/pipeline]
 
 }  // namespace contact::detail

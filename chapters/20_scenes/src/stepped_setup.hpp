@@ -1,6 +1,6 @@
 #pragma once
 
-// From a scene and its plan to what every step needs: which stages it has, and what they are given.
+// From a scene and its plan to the data of every step: its stages, and their input.
 
 #include <vector>
 
@@ -11,21 +11,21 @@
 
 namespace contact::detail {
 
-/// A stage, and what it is called.
+/// A stage, and its name.
 struct NamedStage {
   SceneStage is;
   StepStage run = nullptr;
 };
 
-/// The stages of each part of a step, in their order, and those after a step.
+/// The stages of each substep, in their order, and those after a step.
 struct StepPipeline {
   std::vector<NamedStage> part;
   std::vector<NamedStage> after;
 };
 
-/// What does not change during a run.
+/// The data that do not change during a run.
 SteppedSetup stepped_setup(const Scene& scene, const Plan& plan);
-/// The stages that the plan's effects call for.
+/// The stages that the plan's effects need.
 StepPipeline step_pipeline(const Plan& plan, const SteppedSetup& setup);
 
 }  // namespace contact::detail

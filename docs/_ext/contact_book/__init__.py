@@ -19,7 +19,9 @@ from contact_book.chapter import (
     place_head,
 )
 from contact_book.chapter_map import ChapterMap
+from contact_book.deeper import Deeper
 from contact_book.ebook import connect as connect_ebook
+from contact_book.errata import ErrataRole
 from contact_book.exercise import Exercise
 from contact_book.exercise_data import connect as connect_exercise_data
 from contact_book.fonts import copy_fonts, subset_fonts
@@ -36,6 +38,8 @@ from contact_book.maths import visit_block, visit_inline
 from contact_book.nodes import component, slot
 from contact_book.offline import write_offline
 from contact_book.scene_player import ScenePlayer
+from contact_book.term_index import show_index
+from contact_book.terms import connect as connect_terms
 from contact_book.your_work import YourWork
 from contact_book.your_work import read_again as read_your_work_again
 
@@ -52,6 +56,7 @@ DIRECTIVES = {
     "code": Code,
     "measured": Measured,
     "objectives": Objectives,
+    "deeper": Deeper,
     "chapter-head": ChapterHead,
     "chapter-foot": ChapterFoot,
     "chapter-map": ChapterMap,
@@ -80,6 +85,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     for name, directive in DIRECTIVES.items():
         app.add_directive(name, directive, override=True)
     app.add_role("chapter", ChapterRole())
+    app.add_role("errata", ErrataRole())
     for node in (component, slot):
         _add_node(app, node)
     app.add_html_math_renderer("katex", (visit_inline, None), (visit_block, None))
@@ -88,6 +94,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     connect_exercise_data(app)
     connect_ebook(app)
     connect_blocks(app)
+    connect_terms(app)
     app.connect("builder-inited", name_authors_files)
     app.connect("builder-inited", copy_fonts)
     app.connect("builder-inited", copy_components)
@@ -97,6 +104,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.connect("source-read", depend_on_headers)
     app.connect("doctree-read", place_head)
     app.connect("html-page-context", add_script)
+    app.connect("html-page-context", show_index)
     app.connect("html-page-context", plain_captions, priority=900)
     app.connect("build-finished", name_columns)
     app.connect("build-finished", subset_fonts)

@@ -36,6 +36,14 @@ class Source:
 
 
 @dataclass(frozen=True)
+class Lecture:
+    """One that the chapters name among their sources."""
+
+    title: str
+    about: str
+
+
+@dataclass(frozen=True)
 class Chapter:
     """One folder of `chapters/`, as its chapter.toml describes it."""
 
@@ -67,11 +75,6 @@ class Chapter:
     @property
     def has_lesson(self) -> bool:
         return self.status == "lesson" and self.lesson.is_file()
-
-    @property
-    def reading_minutes(self) -> int:
-        """At 200 words a minute, code and questions among them."""
-        return max(1, round(len(self.lesson.read_text(encoding="utf-8").split()) / 200))
 
     @property
     def headers(self) -> list[Path]:
@@ -124,6 +127,19 @@ class Book:
                 raise BookError(problem)
         said = self.registry["chapters"]
         return {slug: _chapter(self.root, slug, said[slug]) for slug in sorted(said)}
+
+    @cached_property
+    def lectures(self) -> dict[str, Lecture]:
+        """By the id that `sources` use; none if there is no list of them."""
+        path = self.root / "chapters" / "lectures.toml"
+        if not path.is_file():
+            return {}
+        table = self.table(path)
+        found = {}
+        for name in table.data:
+            row = Table(table.need(name, dict), f"{table.where}: {name}")
+            found[name] = Lecture(row.need("title", str), row.need("about", str))
+        return found
 
     def said_in(self, kind: str, name: str, path: Path) -> dict[str, Any]:
         """What a file says, by its entry in build/book.json."""

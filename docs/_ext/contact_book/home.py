@@ -8,8 +8,9 @@ from sphinx.environment import BuildEnvironment
 from sphinx.writers.html5 import HTML5Translator
 
 from contact_book.book import PARTS, Chapter
-from contact_book.chapter import chapter_link, joined
+from contact_book.chapter import chapter_link, joined, minutes
 from contact_book.directive import BookDirective
+from contact_book.errata import faulted
 from contact_book.exercises import lesson_time
 from contact_book.html import can_run_scripts, renders
 from contact_book.nodes import component, make_component
@@ -47,7 +48,11 @@ class ChapterCards(BookDirective):
         facts = nodes.paragraph(classes=["facts"])
         if chapter.has_lesson:
             self.depends(chapter.lesson)
-            facts += nodes.inline("", f"{lesson_time(self.book, chapter).lesson} minutes")
+            time = lesson_time(self.book, chapter)
+            words = minutes(time.lesson)
+            if time.exercises:
+                words += f", and {time.exercises} of exercises"
+            facts += nodes.inline("", words)
         if not chapter.has_lesson:
             facts += nodes.inline("", "code only")
         if chapter.builds_on:
@@ -85,6 +90,9 @@ class BookContents(BookDirective):
             self.toctree(name, [f"chapters/{chapter.slug}" for chapter in group])
             for name, group in _parts(lessons)
         ]
+        lectures = [f"lectures/{lecture}" for lecture in faulted(self.book)]
+        if lectures:
+            blocks.append(self.toctree("What the lectures get wrong", lectures))
         blocks.append(self.toctree("Reference code", ["api/index"]))
         return self.markdown("\n\n".join(blocks))
 

@@ -6,10 +6,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from docutils import nodes
+from regions import region, without_inline_macro, without_markers
 
 from contact_book.directive import BookDirective
 from contact_book.errors import BookError, unknown
-from contact_book.regions import region, without_inline_macro, without_markers
 
 
 def listing(text: str, language: str, caption: list[nodes.Node]) -> nodes.Element:
@@ -25,9 +25,8 @@ def listing(text: str, language: str, caption: list[nodes.Node]) -> nodes.Elemen
 
 
 def language_of(path: Path) -> str:
-    return {".py": "python", ".ts": "typescript", ".toml": "toml", ".json": "json"}.get(
-        path.suffix, "cpp"
-    )
+    known = {".py": "python", ".ts": "typescript", ".toml": "toml", ".json": "json", ".out": "text"}
+    return known.get(path.suffix, "cpp")
 
 
 class Code(BookDirective):

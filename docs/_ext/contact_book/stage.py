@@ -7,6 +7,7 @@ import re
 from pathlib import Path
 
 from contact_book.book import Book, Chapter
+from contact_book.errata import errata_pages
 
 _LESSON_LINK = re.compile(r"\(\.\./(\d\d_[a-z0-9_]+)/lesson\.md")
 _CONCEPT = re.compile(r"^template <[^\n]*>\nconcept (?P<name>\w+) =.*?;\n(?!\s)", re.M | re.S)
@@ -70,7 +71,7 @@ def pages(book: Book, docs: Path, *, api: bool) -> dict[str, str]:
     coded = [chapter for chapter in book.chapters.values() if chapter.headers]
     made |= {f"api/{chapter.slug}.md": api_page(chapter, full=api) for chapter in coded}
     made["api/index.md"] = api_index(coded)
-    return made
+    return made | errata_pages(book)
 
 
 def stage(book: Book, docs: Path, target: Path, *, api: bool = True) -> list[str]:

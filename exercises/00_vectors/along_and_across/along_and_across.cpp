@@ -6,15 +6,15 @@ double speed_along(const Eigen::Vector3d& velocity, const Eigen::Vector3d& direc
   const double length = direction.norm();
   if (length == 0) throw std::invalid_argument("direction: it has no length");
 
-  // Complete: `velocity.dot(direction)` is this speed, times the length of the direction.
+  // Complete: `velocity.dot(direction)` is this speed times the length of the direction.
   contact::todo();
 }
 
 Parts split(const Eigen::Vector3d& velocity, const Eigen::Vector3d& direction) {
   if (direction.norm() == 0) throw std::invalid_argument("direction: it has no length");
 
-  // Complete: a vector along the direction, as long as speed_along says; and what is left of the
-  // velocity. Then end with `return {along, across};`.
+  // Complete: a vector parallel to the direction, with the component speed_along, and the rest of
+  // the velocity. Then end with `return {along, across};`.
   contact::todo();
 }
 

@@ -1,5 +1,5 @@
 /// @file
-/// Exercise: a velocity, split along a direction and across it.
+/// Exercise: a velocity, split into a part along a direction and a perpendicular part.
 #pragma once
 
 #include <contact/prelude.hpp>
@@ -8,21 +8,21 @@ namespace exercise {
 
 struct Parts {
   Eigen::Vector3d along;   ///< parallel to the direction, m/s
-  Eigen::Vector3d across;  ///< the rest, upright on the direction, m/s
+  Eigen::Vector3d across;  ///< the rest, perpendicular to the direction, m/s
 };
 
-/// How fast something moves along the direction, in m/s: positive if it moves with it, negative if
-/// against it.
+/// The component of the velocity along the direction, in m/s: positive for motion in the direction,
+/// negative for motion against it.
 ///
 /// @param velocity m/s
-/// @param direction of any length; only where it points counts. Without length it points nowhere:
+/// @param direction of any length; only its direction matters. The zero vector has none:
 /// std::invalid_argument.
 double speed_along(const Eigen::Vector3d& velocity, const Eigen::Vector3d& direction);
 
-/// The velocity as a sum of two: one along the direction (or against it), one upright on it.
+/// The velocity as a sum of two parts: one parallel to the direction, one perpendicular to it.
 ///
 /// @param velocity m/s
-/// @param direction of any length; only where it points counts. Without length it points nowhere:
+/// @param direction of any length; only its direction matters. The zero vector has none:
 /// std::invalid_argument.
 Parts split(const Eigen::Vector3d& velocity, const Eigen::Vector3d& direction);
 

@@ -1,5 +1,5 @@
 /// @file
-/// Exercise: places and velocities in the frame of a wagon.
+/// Exercise: positions and velocities in the frame of a wagon.
 #pragma once
 
 #include <contact/prelude.hpp>
@@ -9,17 +9,18 @@ namespace exercise {
 /// A wagon on a plain, seen from above; the world's x points right and its y up.
 struct Wagon {
   Eigen::Vector2d position;  ///< of its origin, in the world, m
-  Eigen::Vector2d forward;   ///< where it looks, in the world: a unit vector
+  Eigen::Vector2d forward;   ///< the direction in which it faces, in the world: a unit vector
 };
 
-/// Where a place of the world is in the wagon's frame, in m: x′ counts ahead, y′ to the left.
+/// The coordinates in the wagon's frame of a position in the world, in m: x′ is ahead, y′ to the
+/// left.
 Eigen::Vector2d place_in_wagon(const Wagon& wagon, const Eigen::Vector2d& place);
 
-/// A velocity of the world in the wagon's axes, in m/s: x′ ahead, y′ to the left. The wagon stands
-/// still.
+/// The coordinates in the wagon's axes of a velocity in the world, in m/s: x′ is ahead, y′ to the
+/// left. The wagon is at rest.
 Eigen::Vector2d velocity_in_wagon(const Wagon& wagon, const Eigen::Vector2d& velocity);
 
-/// Where a place that is known in the wagon's frame is in the world, in m.
+/// The world coordinates of a position given in the wagon's frame, in m.
 Eigen::Vector2d place_in_world(const Wagon& wagon, const Eigen::Vector2d& place_in_wagon);
 
 }  // namespace exercise

@@ -1,16 +1,15 @@
 /// @file
-/// Exercise: a cross product with all of its digits.
+/// Exercise: an accurate cross product.
 #pragma once
 
 #include <contact/prelude.hpp>
 
 namespace exercise {
 
-/// u × v. Each coordinate may be off by 4 u of *itself*, with u = 2⁻⁵³, and is 0 where the true one
-/// is: however nearly parallel the two are.
+/// u × v. Each coordinate has a *relative* error of at most 4 u, with u = 2⁻⁵³, and is 0 where the
+/// exact one is, however nearly parallel the two vectors are.
 ///
-/// No product of two coordinates over- or underflows here, and nothing of what its rounding cuts
-/// off does.
+/// Neither products of two coordinates nor their rounding errors over- or underflow here.
 ///
 /// @param u each coordinate is 0, or from 10⁻⁵⁰ to 10⁵⁰ in size
 /// @param v the same

@@ -6,13 +6,12 @@
 
 namespace exercise {
 
-/// Which way a path turns that goes straight from a to b, and then straight to c: +1 to the left,
-/// −1 to the right, 0 if it does not turn, or turns back on itself, or if two of the points that
-/// follow one another are the same.
+/// The turn at b of a path that goes straight from a to b, and then straight to c: +1 to the left,
+/// −1 to the right, 0 if it goes straight on or reverses, or if two successive points are the same.
 ///
-/// Seen with x to the right and y up. Size and place do not matter: steps of a micrometre turn like
-/// steps of a kilometre, and a path far from the origin like one near it, as long as the
-/// differences of the coordinates, and their products, need no more than the digits of a double.
+/// x points right and y up. Size and position do not matter, from micrometres to kilometres and far
+/// from the origin, as long as the differences of the coordinates, and the products of these, are
+/// exact in double precision.
 ///
 /// @param a m
 /// @param b m

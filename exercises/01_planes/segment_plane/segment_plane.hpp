@@ -1,5 +1,5 @@
 /// @file
-/// Exercise: where a segment crosses a plane, and when.
+/// Exercise: where and when a segment crosses a plane.
 #pragma once
 
 #include <contact/prelude.hpp>
@@ -10,8 +10,9 @@ namespace exercise {
 
 /// The one point at which the segment meets the plane, or nothing.
 ///
-/// The hit holds `t`, the fraction of the way from start (0) to end (1), and the `point`. Read as
-/// the path of a particle during one step, t is the fraction of the step at which it gets there.
+/// The hit holds `t`, the fraction of the segment from start (0) to end (1), and the `point`. If
+/// the segment is the path of a particle during one step, t is the fraction of the step at the
+/// contact.
 ///
 /// - Touching counts: a segment that starts or ends on the plane meets it there.
 /// - Both directions count, from the front to the back and from the back to the front.

@@ -1,5 +1,5 @@
 /// @file
-/// Exercise: on which side of a plane, and how far from it.
+/// Exercise: the side and the signed distance of a point.
 #pragma once
 
 #include <contact/prelude.hpp>
@@ -12,15 +12,16 @@ struct PlaneEquation {
   double a, b, c, d;
 };
 
-/// How far the point is from the plane, in metres: positive in front, negative behind, 0 on it.
+/// The signed distance of the point from the plane, in m: positive in front, negative behind, 0 on
+/// it.
 ///
-/// @param plane coefficients of any scale: twice the coefficients are the same plane
+/// @param plane coefficients of any scale: twice the coefficients give the same plane
 /// @param point m
 double signed_distance(const PlaneEquation& plane, const Eigen::Vector3d& point);
 
-/// On which side of the plane the point is: 1 in front, -1 behind, 0 on it.
+/// The side of the plane on which the point is: 1 in front, -1 behind, 0 on it.
 ///
-/// However near the plane a point is, it is on the plane only if a·x + b·y + c·z + d is zero.
+/// A point is on the plane only if a·x + b·y + c·z + d is zero, however small the distance.
 int side(const PlaneEquation& plane, const Eigen::Vector3d& point);
 
 }  // namespace exercise

@@ -21,9 +21,8 @@ struct LoosePlane {
 /// @param plane with a unit normal
 bool meets(const contact::Sphere<double>& sphere, const contact::Plane<double>& plane);
 
-/// The same question for a plane whose normal is no unit vector, answered without a square root and
-/// without a division: when all numbers are small integers, nothing is rounded and a touch is a
-/// touch.
+/// The same for a plane whose normal need not be a unit vector, without a square root and without a
+/// division: if all numbers are small integers, nothing is rounded and touching is decided exactly.
 bool meets_loose(const contact::Sphere<double>& sphere, const LoosePlane& plane);
 
 }  // namespace exercise

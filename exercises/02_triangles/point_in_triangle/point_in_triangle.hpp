@@ -1,21 +1,21 @@
 /// @file
-/// Exercise: from three dimensions to two, and is the point inside?
+/// Exercise: from three dimensions to two, and point in triangle.
 #pragma once
 
 #include <contact/prelude.hpp>
 
 namespace exercise {
 
-/// The dimension (0 for x, 1 for y, 2 for z) to leave out when points of a plane are looked at in
-/// two dimensions: the one along which a triangle in that plane keeps the most of its area. If
-/// several are equally good, any of them.
+/// The dimension (0 for x, 1 for y, 2 for z) to leave out when points of a plane are projected to
+/// two dimensions: the one along which the projection of a triangle in that plane has the largest
+/// area. If several are equally good, any of them.
 ///
 /// @param normal of the plane; not zero, of any length
 int dropped_dimension(const Eigen::Vector3d& normal);
 
-/// Whether the point is in the triangle a, b, c, sides and corners included.
+/// Whether the point is in the triangle a, b, c, edges and vertices included.
 ///
-/// The corners may run either way round. A triangle without area contains nothing.
+/// The vertices may have either orientation. A triangle without area contains nothing.
 ///
 /// @param point, a, b, c in m
 bool point_in_triangle(const Eigen::Vector2d& point, const Eigen::Vector2d& a,

@@ -10,19 +10,19 @@ namespace exercise {
 
 /// Where the ray meets the triangle, or nothing if it misses.
 ///
-/// The hit holds `t`, the place on the ray (origin + t·direction, t ≥ 0, in lengths of the
-/// direction as given), and `barycentric`, the weights of the corners a, b and c in that order:
-/// they are not negative, their sum is 1, and weighted with them the corners add up to the point of
-/// the hit.
+/// The hit holds `t`, the parameter on the ray (origin + t·direction, t ≥ 0, in multiples of the
+/// direction as given), and `barycentric`, the weights of the vertices a, b and c in that order:
+/// they are not negative, their sum is 1, and the weighted sum of the vertices is the point of the
+/// hit.
 ///
-/// - Touching counts: a hit on an edge, on a corner, or at the origin itself (t = 0) is a hit.
+/// - Touching counts: on an edge, at a vertex, or at the origin itself (t = 0).
 /// - Both sides of the triangle can be hit.
-/// - A ray in a parallel plane, or in the plane of the triangle, has no single point of hit:
-///   nothing. The same holds for a direction of length zero and for a triangle without area.
-/// - Size does not matter: a triangle a micrometre wide is hit like one a kilometre wide.
+/// - A ray parallel to the plane of the triangle, or in it, has no single meeting point: nothing.
+///   The same holds for a zero direction and for a triangle without area.
+/// - Size does not matter, from micrometres to kilometres.
 ///
 /// @param ray origin in m; direction of any length but finite, in m for each unit of t
-/// @param triangle corners in m
+/// @param triangle vertices in m
 std::optional<contact::TriangleHit<double>> ray_triangle(const contact::Ray<double>& ray,
                                                          const contact::Triangle<double>& triangle);
 

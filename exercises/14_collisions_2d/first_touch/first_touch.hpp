@@ -15,17 +15,17 @@ struct Disc {
 
 /// Two discs that touch.
 struct Touch {
-  int first;    ///< index of the one
+  int first;    ///< index of one disc
   int second;   ///< index of the other, larger than first
   double time;  ///< s from now, not negative
 };
 
-/// The first touch of any two discs, at its true time. Nothing if no two ever touch.
+/// The first touch of any two discs, at its exact time. Nothing if no two ever touch.
 ///
-/// Discs touch at the first moment from now at which the distance of their centres is no more than
-/// the sum of their radii while they approach. So two that touch or overlap now touch at time 0 if
-/// their centres come closer, and not at all if not. The test cases have no ties and no paths that
-/// only just graze. The time may be off by 2⁻³⁵ of itself.
+/// Discs touch at the first moment from now at which the distance of their centres is at most the
+/// sum of their radii while they approach. So two discs in contact or overlapping now touch at time
+/// 0 if they approach, and not at all if they do not. The test cases have no ties and no paths that
+/// nearly graze. The time may have a relative error of 2⁻³⁵.
 std::optional<Touch> first_touch(const std::vector<Disc>& discs);
 
 }  // namespace exercise

@@ -1,18 +1,18 @@
 /// @file
-/// Exercise: a nucleus that sends out a piece of itself.
+/// Exercise: a nucleus that emits a piece of itself.
 #pragma once
 
 #include <contact/prelude.hpp>
 
 namespace exercise {
 
-/// What is left of a body that has sent out a piece.
+/// The remainder of a body that has emitted a piece.
 struct Rest {
-  Eigen::Vector2d velocity;  ///< of what is left, m/s
-  double energy_gained;      ///< kinetic energy of both afterwards less that of the whole before, J
+  Eigen::Vector2d velocity;  ///< of the remainder, m/s
+  double energy_gained;  ///< kinetic energy of both afterwards minus that of the whole before, J
 };
 
-/// The motion of what is left of a body that has sent out one piece. No force acts from outside.
+/// The motion of the remainder of a body that has emitted one piece. No external force acts.
 ///
 /// @param mass of the whole, kg
 /// @param velocity of the whole before, m/s

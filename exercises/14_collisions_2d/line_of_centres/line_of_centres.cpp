@@ -8,7 +8,7 @@ std::optional<Eigen::Vector2d> line_of_centres(const Eigen::Vector2d& /*centre_a
 }
 
 Parts parts(const Eigen::Vector2d& velocity, const Eigen::Vector2d& axis) {
-  // How far the velocity reaches along the axis: a number. What is the part along it?
+  // The component of the velocity along the axis is a number. What is the vector along it?
   [[maybe_unused]] const double reach = axis.dot(velocity);
   contact::todo();
 }

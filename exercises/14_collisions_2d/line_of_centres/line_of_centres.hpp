@@ -1,5 +1,5 @@
 /// @file
-/// Exercise: the axis of a collision, and a velocity's parts along it and across it.
+/// Exercise: the line of impact, and the normal and tangential components of a velocity.
 #pragma once
 
 #include <contact/prelude.hpp>
@@ -13,13 +13,13 @@ namespace exercise {
 std::optional<Eigen::Vector2d> line_of_centres(const Eigen::Vector2d& centre_a,
                                                const Eigen::Vector2d& centre_b);
 
-/// A velocity as the sum of two at right angles.
+/// A velocity as the sum of two perpendicular ones.
 struct Parts {
-  Eigen::Vector2d along;   ///< parallel to the axis, m/s
-  Eigen::Vector2d across;  ///< at right angles to it, m/s
+  Eigen::Vector2d along;   ///< normal component, parallel to the axis, m/s
+  Eigen::Vector2d across;  ///< tangential component, perpendicular to it, m/s
 };
 
-/// The parts of a velocity along an axis and across it.
+/// The components of a velocity along an axis and perpendicular to it.
 ///
 /// @param velocity m/s
 /// @param axis a unit vector

@@ -1,5 +1,5 @@
 /// @file
-/// Exercise: two smooth discs that touch, and how they leave.
+/// Exercise: the collision of two smooth discs in contact.
 #pragma once
 
 #include <contact/prelude.hpp>
@@ -19,18 +19,18 @@ struct Velocities {
   Eigen::Vector2d b;  ///< m/s
 };
 
-/// Whether the centres of two discs come closer. If they go apart, or their distance does not
-/// change at that moment, they do not approach; nor do discs whose centres coincide.
+/// Whether two discs approach: whether the distance of their centres decreases. Discs that
+/// separate, whose distance is stationary, or whose centres coincide do not approach.
 bool approach(const Disc& a, const Disc& b);
 
-/// The velocities of two discs after they have touched.
+/// The velocities of two discs in contact after their collision.
 ///
-/// Along the line of centres they collide with the coefficient of restitution given; across it
-/// nothing pushes. Discs that do not approach() keep their velocities.
+/// Along the line of centres they collide with the given coefficient of restitution; the tangential
+/// components do not change. Discs that do not approach() keep their velocities.
 ///
-/// @param a, b two discs that touch
-/// @param restitution e, from 0 to 1: along the line of centres they part e times as fast as they
-/// approached
+/// @param a, b two discs in contact
+/// @param restitution e, from 0 to 1: the separation speed along the line of centres is e times the
+/// approach speed
 Velocities after_touch(const Disc& a, const Disc& b, double restitution);
 
 }  // namespace exercise

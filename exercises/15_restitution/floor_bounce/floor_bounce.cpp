@@ -4,7 +4,7 @@ namespace exercise {
 
 Eigen::Vector3d after_bounce(const Eigen::Vector3d& velocity, const Eigen::Vector3d& normal,
                              double /*k*/) {
-  // How fast the body moves along the normal: negative if towards the surface.
+  // Normal velocity: negative if the body approaches the surface.
   [[maybe_unused]] const double along_normal = velocity.dot(normal);
   contact::todo();
 }

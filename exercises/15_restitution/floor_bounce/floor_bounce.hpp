@@ -6,8 +6,8 @@
 
 namespace exercise {
 
-/// The velocity after a bounce off a surface without friction, in m/s. What moves along the surface
-/// or away from it does not bounce: its velocity comes back unchanged.
+/// The velocity after a bounce off a surface without friction, in m/s. A body that moves along the
+/// surface or away from it does not bounce: its velocity is returned unchanged.
 ///
 /// @param velocity before, m/s, relative to the surface
 /// @param normal unit vector that points away from the surface

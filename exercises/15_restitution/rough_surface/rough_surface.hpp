@@ -6,10 +6,11 @@
 
 namespace exercise {
 
-/// The velocity after a bounce off a rough surface of a body that does not turn, in m/s. The
-/// surface gives it a change of velocity along the normal, and friction one against its motion
-/// along the surface: up to friction times as large, and no larger than what stops that motion.
-/// What moves along the surface or away from it does not bounce: its velocity comes back unchanged.
+/// The velocity of a body that does not rotate after a bounce off a rough surface, in m/s. The
+/// normal velocity changes as without friction. Friction changes the tangential velocity, against
+/// its direction, by at most `friction` times the change of the normal velocity, and by no more
+/// than what stops it (no tangential restitution). A body that moves along the surface or away from
+/// it does not bounce: its velocity is returned unchanged.
 ///
 /// @param velocity before, m/s, relative to the surface
 /// @param normal unit vector that points away from the surface

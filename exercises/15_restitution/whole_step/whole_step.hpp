@@ -1,12 +1,12 @@
 /// @file
-/// Exercise: one step of a bouncing ball that comes to rest, with every impact in it.
+/// Exercise: one time step of a bouncing ball that comes to rest, with every impact in it.
 #pragma once
 
 #include <contact/prelude.hpp>
 
 namespace exercise {
 
-/// A ball over a level floor.
+/// A ball above a level floor.
 struct Ball {
   double height = 0;     ///< of its lowest point, m, not negative
   double velocity = 0;   ///< upwards, m/s
@@ -14,13 +14,13 @@ struct Ball {
   bool resting = false;  ///< then height and velocity are 0
 };
 
-/// The ball one step later. Between impacts it falls freely; at an impact it leaves the floor k
-/// times as fast as it came. If it would leave with rest_speed or less, it rests from then on; that
-/// impact counts too. A step may hold many impacts, or none. An impact at the very end of the step
-/// belongs to it.
+/// The ball one step later. Between impacts it falls freely; at an impact it leaves the floor with
+/// k times the speed with which it came. If it would leave at rest_speed or less, it rests from
+/// then on; that impact counts too. A step may contain many impacts, or none. An impact exactly at
+/// the end of the step belongs to it.
 ///
-/// @param ball at the start of the step; a resting ball stays as it is; one on the floor that does
-/// not rest moves up
+/// @param ball at the start of the step; a resting ball is returned unchanged; a ball on the floor
+/// that does not rest moves up
 /// @param gravity m/s², greater than 0
 /// @param k coefficient of restitution, 0 to 1
 /// @param rest_speed m/s, greater than 0

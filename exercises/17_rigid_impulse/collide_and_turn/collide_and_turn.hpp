@@ -1,39 +1,39 @@
 /// @file
-/// Exercise: a collision without friction between bodies that can turn.
+/// Exercise: a collision without friction between bodies that can rotate.
 #pragma once
 
 #include <contact/prelude.hpp>
 
 namespace exercise {
 
-/// A rigid body at one moment. Everything is in the axes of the world but `moments`.
+/// A rigid body at one moment. Everything but `moments` is in the axes of the world.
 struct Body {
-  double mass;               ///< kg, greater than 0; infinite for a body that nothing moves
-  Eigen::Vector3d moments;   ///< inertia about its own axes, kg·m², each greater than 0
-  Eigen::Matrix3d rotation;  ///< its columns are the body's axes as the world sees them
+  double mass;               ///< kg, greater than 0; infinite for an immovable body
+  Eigen::Vector3d moments;   ///< principal moments of inertia, kg·m², each greater than 0
+  Eigen::Matrix3d rotation;  ///< its columns are the principal axes in world coordinates
   Eigen::Vector3d centre;    ///< of mass, m
   Eigen::Vector3d velocity;  ///< of the centre of mass, m/s
   Eigen::Vector3d spin;      ///< angular velocity, rad/s
 };
 
-/// How one body moves after the collision.
+/// The motion of one body after the collision.
 struct Motion {
   Eigen::Vector3d velocity;  ///< of the centre of mass, m/s
   Eigen::Vector3d spin;      ///< angular velocity, rad/s
 };
 
-/// How both move.
+/// The motion of both.
 struct After {
   Motion a, b;
 };
 
 /// The motion of two bodies after a collision without friction at `point`.
 ///
-/// Bodies that do not close there keep their motion. A body of infinite mass keeps its motion
-/// whatever hits it, and whatever its moments; at most one of the two is such a body.
+/// Bodies that do not close there keep their motion. A body of infinite mass always keeps its
+/// motion, whatever its moments; at most one of the two is such a body.
 ///
 /// @param a, b before
-/// @param point where they touch, in the world, m
+/// @param point of contact, in the world, m
 /// @param normal unit vector, from B to A
 /// @param e coefficient of restitution, from 0 to 1
 After collide(const Body& a, const Body& b, const Eigen::Vector3d& point,

@@ -3,7 +3,7 @@
 namespace exercise {
 
 Eigen::Vector3d velocity_of_point(const Motion& body, const Eigen::Vector3d& /*point*/) {
-  // Every point moves with the centre. What does the spin add?
+  // Every point moves with the centre of mass. What does the rotation add?
   [[maybe_unused]] const Eigen::Vector3d with_the_centre = body.velocity;
   contact::todo();
 }

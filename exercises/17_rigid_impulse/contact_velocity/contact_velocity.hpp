@@ -1,19 +1,19 @@
 /// @file
-/// Exercise: how fast a point of a spinning body moves, and whether two bodies close.
+/// Exercise: the velocity of a point of a rotating body, and whether two bodies close.
 #pragma once
 
 #include <contact/prelude.hpp>
 
 namespace exercise {
 
-/// How a rigid body moves at one moment, in the axes of the world.
+/// The motion of a rigid body at one moment, in the axes of the world.
 struct Motion {
   Eigen::Vector3d centre;    ///< of mass, m
   Eigen::Vector3d velocity;  ///< of the centre of mass, m/s
   Eigen::Vector3d spin;      ///< angular velocity, rad/s
 };
 
-/// What two bodies that touch are about to do.
+/// The three cases of the normal velocity of two bodies in contact.
 enum class Closing { approaching, touching, separating };
 
 /// The velocity of the point of the body that is at `point` now, in m/s.
@@ -22,8 +22,8 @@ enum class Closing { approaching, touching, separating };
 /// @param point in the world, m
 Eigen::Vector3d velocity_of_point(const Motion& body, const Eigen::Vector3d& point);
 
-/// Whether two bodies that touch at `point` close, rest against each other along the normal, or
-/// part.
+/// Whether two bodies in contact at `point` approach each other, touch without normal velocity, or
+/// separate.
 ///
 /// @param a, b the two bodies
 /// @param point in the world, m

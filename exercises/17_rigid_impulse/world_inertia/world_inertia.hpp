@@ -12,7 +12,7 @@ namespace exercise {
 /// @param size whole lengths of its edges along x, y and z, m, each greater than 0
 Eigen::Matrix3d box_inertia(double mass, const Eigen::Vector3d& size);
 
-/// The inertia tensor of a body about another point than its centre of mass, in kg·m².
+/// The inertia tensor of a body about a point other than its centre of mass, in kg·m².
 ///
 /// @param central tensor about the centre of mass, kg·m²
 /// @param mass kg, greater than 0
@@ -20,10 +20,10 @@ Eigen::Matrix3d box_inertia(double mass, const Eigen::Vector3d& size);
 Eigen::Matrix3d about_point(const Eigen::Matrix3d& central, double mass,
                             const Eigen::Vector3d& offset);
 
-/// The inertia tensor of a turned body in the axes of the world, in kg·m².
+/// The inertia tensor of a rotated body in the axes of the world, in kg·m².
 ///
 /// @param inertia in the body's own axes, kg·m²
-/// @param rotation its columns are the body's axes as the world sees them
+/// @param rotation its columns are the body's axes in world coordinates
 Eigen::Matrix3d in_world(const Eigen::Matrix3d& inertia, const Eigen::Matrix3d& rotation);
 
 }  // namespace exercise

@@ -1,18 +1,18 @@
 /// @file
-/// Exercise: a step of a ball between walls, with every impact in it.
+/// Exercise: one step of a ball between walls, with all its impacts.
 #pragma once
 
 #include <contact/prelude.hpp>
 
 namespace exercise {
 
-/// The front of a plane: all x with normal · x ≥ offset.
+/// A half-space in which the ball may be: all x with normal · x ≥ offset.
 struct Wall {
   Eigen::Vector3d normal;  ///< unit vector, into the room
   double offset;           ///< m
 };
 
-/// A ball that moves in a straight line.
+/// A ball that moves in straight lines.
 struct Ball {
   Eigen::Vector3d centre;    ///< m
   Eigen::Vector3d velocity;  ///< m/s
@@ -20,14 +20,14 @@ struct Ball {
   int impacts;               ///< so far
 };
 
-/// The ball one step later. It moves straight on until it touches the first wall that it
-/// approaches, is reflected there, and uses up the rest of the step in the same way, as often as
-/// need be. A reflection turns round the part of the velocity along the normal, times k, and leaves
-/// the rest. An impact at the very end of the step belongs to it. A wall that the ball touches
-/// without approaching it does nothing.
+/// The ball one step later. It moves in a straight line to the first wall that it hits, is
+/// reflected there, and uses up the rest of the step in the same way, however many impacts there
+/// are. A reflection multiplies the normal component of the velocity by −k and does not change the
+/// tangential component. An impact exactly at the end of the step counts. A wall that the ball
+/// touches without approaching it has no effect.
 ///
-/// The test cases have no two walls that are met at one time, and no more than a hundred impacts in
-/// a step.
+/// In the test cases no two walls are hit at the same time, and a step has at most a hundred
+/// impacts.
 /// @param ball at the start of the step, inside the room, perhaps touching walls
 /// @param walls of the room
 /// @param k coefficient of restitution, greater than 0 and at most 1

@@ -6,28 +6,28 @@
 
 namespace exercise {
 
-/// A bead on a wire. All beads are alike, and so small that they are points.
+/// A bead on a wire. All beads have the same mass, and are points.
 struct Bead {
   double position;  ///< m
   double velocity;  ///< m/s
 };
 
-/// Two neighbours that meet.
+/// Two neighbours that meet and exchange their velocities.
 struct Meeting {
   double time;  ///< s from the start
-  int left;     ///< index of the left one; the other is left + 1
+  int left;     ///< index of the left bead; the other is left + 1
 };
 
-/// All meetings from the start until the time `until`, that moment included, in their order.
+/// All meetings from the start until the time `until`, inclusive, in order.
 ///
-/// Two neighbours meet when they are at one place and the left one is faster than the right one.
-/// Then they exchange their velocities, since they are alike and nothing is lost; and they have
-/// met. So beads keep their order on the wire, and neighbours that have just met do not meet again
-/// before something else has happened to one of them. Of meetings that are due at one time, the one
-/// with the smallest `left` comes first; what its exchange makes due at the same time is then due
-/// like the others.
+/// Two neighbours meet when they are at the same position and the left one has the larger velocity.
+/// Then they exchange their velocities, as equal masses do in an elastic collision. So beads keep
+/// their order on the wire, and two neighbours that have just met do not meet again before one of
+/// them has met its other neighbour. Of meetings at the same time, the one with the smallest `left`
+/// comes first; if its exchange causes another meeting at that time, this one is ordered with those
+/// that remain.
 ///
-/// @param beads in the order of their positions; neighbours may be at one place
+/// @param beads in the order of their positions; neighbours may be at the same position
 /// @param until s, 0 or more
 std::vector<Meeting> meetings(const std::vector<Bead>& beads, double until);
 

@@ -3,7 +3,7 @@
 namespace exercise {
 
 Body position_first(const Body& body, const Eigen::Vector3d& acceleration, double step) {
-  // The velocity after the step is the same in both orders. Which one moves the body?
+  // The velocity after the step is the same in both methods. Which velocity moves the body?
   [[maybe_unused]] const Eigen::Vector3d velocity = body.velocity + acceleration * step;
   contact::todo();
 }

@@ -1,5 +1,5 @@
 /// @file
-/// Exercise: Euler's step in its two orders.
+/// Exercise: a step of explicit Euler and a step of symplectic Euler.
 #pragma once
 
 #include <contact/prelude.hpp>
@@ -12,16 +12,16 @@ struct Body {
   Eigen::Vector3d velocity;  ///< m/s
 };
 
-/// One step of Euler's that moves the body first, with the velocity it had, and then changes its
+/// One step of explicit Euler: first the position, with the velocity of the start, and then the
 /// velocity.
 ///
 /// @param body at the start of the step
-/// @param acceleration m/s², the same everywhere
+/// @param acceleration m/s², constant
 /// @param step s, greater than 0
 Body position_first(const Body& body, const Eigen::Vector3d& acceleration, double step);
 
-/// One step of Euler's that changes the velocity first, and then moves the body with the velocity
-/// it has now. The lecture does it so.
+/// One step of symplectic Euler, as in the lecture: first the velocity, and then the position, with
+/// the new velocity.
 ///
 /// @param body, acceleration, step as above
 Body velocity_first(const Body& body, const Eigen::Vector3d& acceleration, double step);

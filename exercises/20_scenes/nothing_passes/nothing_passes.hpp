@@ -1,33 +1,34 @@
 /// @file
-/// Exercise: the proof that two bodies cannot pass through each other between two looks.
+/// Exercise: the proof that two bodies cannot pass through each other within a step (tunnelling).
 #pragma once
 
 #include <contact/prelude.hpp>
 
 namespace exercise {
 
-/// What is known of a body before a step. Directions are not known.
+/// Bounds on a body's motion in a step. Directions are not known.
 struct Mover {
-  double speed;         ///< of its centre at the beginning of the step, at most, m/s
-  double acceleration;  ///< of its centre during the step, at most, m/s²
-  double reach;         ///< of its surface from its centre, at most, m
-  double spin;          ///< during the step, at most, rad/s
+  double speed;         ///< at most, of its centre at the beginning of the step, m/s
+  double acceleration;  ///< at most, of its centre during the step, m/s²
+  double reach;         ///< bounding radius: at most, from its centre to its surface, m
+  double spin;          ///< angular speed: at most, during the step, rad/s
 };
 
 /// What is proven for a step.
 struct Proof {
-  double displacement;  ///< no two points come farther towards each other, m
-  bool nothing_passes;  ///< whether that proves that nothing passes through unseen
+  double displacement;  ///< no two points approach each other by more, m
+  bool nothing_passes;  ///< whether that proves that nothing passes through undetected
 };
 
-/// Whether two bodies can pass through each other in a step and not be seen to touch.
+/// Whether two bodies can pass through each other in a step without being detected.
 ///
-/// The displacement asked for is the greatest length of the path of a point of A and of the path of
-/// a point of B in the step, both together: no less can be proven, and no more is needed.
+/// The displacement is the largest possible path length of a point of A in the step plus that of a
+/// point of B. Without directions no smaller bound is valid.
 ///
-/// The program looks for contact at the beginning and at the end of the step, and bodies that just
-/// touch are in contact. To pass from one side of each other to the other, and touch at neither
-/// look, the two must move by more than `thickness` towards each other.
+/// The program tests for contact at the beginning and at the end of the step, and bodies that just
+/// touch are in contact. To pass through each other and touch at neither test, the two must
+/// approach each other by more than `thickness`. So a displacement of exactly `thickness` is proof
+/// enough.
 ///
 /// @param a, b the two; no number is negative
 /// @param step s, greater than 0

@@ -1,5 +1,5 @@
 /// @file
-/// Exercise: along which axes nothing ever moves, as the planner proves it.
+/// Exercise: along which axes no ball ever moves, proven by mirror symmetry.
 #pragma once
 
 #include <contact/prelude.hpp>
@@ -21,12 +21,13 @@ struct Scene {
 
 /// For x, y and z: whether this proves that no ball ever moves along the axis.
 ///
-/// Reflect the whole scene in a plane across the axis. If the plane can be chosen so that each
-/// ball, its velocity, each wall and gravity are their own images, then so is the motion: the laws
-/// of motion know no left and right. What is its own image never leaves the plane.
+/// Reflect the whole scene in a plane perpendicular to the axis. If the plane can be chosen so that
+/// each ball, its velocity, each wall and gravity are their own images, then so is the motion,
+/// because the laws of motion are symmetric under reflection. A ball that is its own image never
+/// leaves the plane.
 ///
-/// It says yes only where that is so to the last bit. It does not ask who meets whom: a ball that
-/// is nowhere near the others, and a wall that no ball reaches, count like all others.
+/// It returns true only where that holds exactly. It does not depend on which bodies meet: a ball
+/// far from the others, and a wall that no ball reaches, count like all others.
 std::array<bool, 3> still_axes(const Scene& scene);
 
 }  // namespace exercise

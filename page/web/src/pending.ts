@@ -1,9 +1,10 @@
 // While `./contact serve` still builds the book, the server says at building.json what is waiting to
-// be built, in order. Asking for a thing moves it to the front. On any other host there is no such
+// be built, in order, and what of it is being built. Asking for a thing moves it to the front. On any other host there is no such
 // file, and nothing is waited for.
 
 interface Building {
   readonly waiting: readonly string[];
+  readonly building: readonly string[];
 }
 
 const PAUSE = 1500;
@@ -31,11 +32,13 @@ export async function untilBuilt(
   signal?: AbortSignal,
 ): Promise<boolean> {
   for (let waited = false; ; waited = true) {
-    const before = (await building(base, name))?.waiting.indexOf(name) ?? -1;
+    const said = await building(base, name);
     signal?.throwIfAborted();
-    if (before < 0) return waited;
+    const before = said?.waiting.indexOf(name) ?? -1;
+    if (said === undefined || before < 0) return waited;
     const others = before === 1 ? "one other is" : `${before} others are`;
-    say(before === 0 ? "This is being built now." : `This is not built yet: ${others} before it.`);
+    const now = before === 0 || said.building.includes(name);
+    say(now ? "This is being built now." : `This is not built yet: ${others} before it.`);
     await new Promise((resolve) => setTimeout(resolve, PAUSE));
   }
 }

@@ -6,8 +6,8 @@ std::optional<FirstTouch> moving_sphere_plane(const contact::Sphere<double>& sph
                                               const Eigen::Vector3d& displacement,
                                               const contact::Plane<double>& plane) {
   const double distance = plane.normal.dot(sphere.centre) - plane.offset;
-  // The centre is a point, and the plane comes towards it by the radius: on the side where it is
-  // now.
+  // Test the centre against the plane moved by the radius, towards the side on which the centre is
+  // at the start.
   const double side = distance < 0 ? -1 : 1;
   const double gap = side * distance - sphere.radius;
   if (gap <= 0) return FirstTouch{0, sphere.centre - distance * plane.normal};

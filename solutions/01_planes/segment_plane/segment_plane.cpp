@@ -8,7 +8,7 @@ std::optional<contact::RayHit<double>> segment_plane(const contact::Segment<doub
   const double d1 = plane.normal.dot(segment.end) - plane.offset;
   // Compare the signs one by one: a product of two tiny distances underflows to zero.
   if ((d0 > 0 && d1 > 0) || (d0 < 0 && d1 < 0)) return std::nullopt;
-  if (d0 == d1) return std::nullopt;  // along the plane, or in it
+  if (d0 == d1) return std::nullopt;  // parallel to the plane, or in it
   const double t = d0 / (d0 - d1);
   return contact::RayHit<double>{t, segment.start + t * (segment.end - segment.start)};
 }

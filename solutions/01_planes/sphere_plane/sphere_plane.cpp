@@ -1,4 +1,5 @@
-// The second test is the first one times the length of the normal, squared: no root, no division.
+// The second test is the first, multiplied by the length of the normal and squared: no root, no
+// division.
 #include "sphere_plane.hpp"
 
 namespace exercise {

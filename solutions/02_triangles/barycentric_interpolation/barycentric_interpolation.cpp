@@ -6,7 +6,7 @@ Eigen::Vector3d barycentric(const contact::Triangle<double>& triangle,
                             const Eigen::Vector3d& point) {
   const Eigen::Vector3d e1 = triangle.b - triangle.a;
   const Eigen::Vector3d e2 = triangle.c - triangle.a;
-  const Eigen::Vector3d n = e1.cross(e2);  // as long as twice the triangle's area
+  const Eigen::Vector3d n = e1.cross(e2);  // its length is twice the triangle's area
   if (n.squaredNorm() == 0) throw std::invalid_argument("triangle: it has no area");
 
   const Eigen::Vector3d x = point - triangle.a;

@@ -3,7 +3,7 @@
 namespace exercise {
 namespace {
 
-// Twice the signed area of p, q, x: positive if x is on the left of the way from p to q.
+// Twice the signed area of p, q, x: positive if x is to the left of the line from p to q.
 double area(const Eigen::Vector2d& p, const Eigen::Vector2d& q, const Eigen::Vector2d& x) {
   return (q.x() - p.x()) * (x.y() - p.y()) - (q.y() - p.y()) * (x.x() - p.x());
 }

@@ -9,8 +9,8 @@ std::optional<contact::TriangleHit<double>> ray_triangle(
   const Eigen::Vector3d e2 = triangle.c - triangle.a;
   const Eigen::Vector3d p = ray.direction.cross(e2);
   const double det = e1.dot(p);
-  // No tolerance: a determinant is as small as the triangle is, and what counts as parallel must
-  // not depend on that.
+  // No tolerance: the determinant scales with the triangle, and whether the ray is parallel must
+  // not depend on the size.
   if (det == 0) return std::nullopt;
 
   const Eigen::Vector3d s = ray.origin - triangle.a;

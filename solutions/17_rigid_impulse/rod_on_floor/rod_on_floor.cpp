@@ -4,7 +4,7 @@ namespace exercise {
 
 Motion after_floor(const Body& body, const Eigen::Vector2d& point, double e, double friction) {
   const Eigen::Vector2d r = point - body.centre;
-  // How slip and normal velocity answer to impulses along the floor (t) and up (n).
+  // Inverse effective mass for impulses along the floor (t) and up (n).
   const double k_tt = 1 / body.mass + r.y() * r.y() / body.inertia;
   const double k_tn = -r.x() * r.y() / body.inertia;
   const double k_nn = 1 / body.mass + r.x() * r.x() / body.inertia;
@@ -12,12 +12,12 @@ Motion after_floor(const Body& body, const Eigen::Vector2d& point, double e, dou
   double normal = body.velocity.y() + body.spin * r.x();
   double along = 0;
   double up = 0;
-  double taken = 0;  // work that the normal impulse has taken and not given back
+  double taken = 0;  // work that the normal impulse has absorbed and not given back
   bool restitution = false;
   bool over = !(normal < 0);
 
   while (!over) {
-    // Which way friction pushes, for each unit of normal impulse.
+    // Friction for each unit of normal impulse.
     double pull = slip > 0 ? -friction : friction;
     double slip_rate = k_tt * pull + k_tn;
     if (slip == 0 && std::abs(k_tn) <= friction * k_tt) {
@@ -29,7 +29,7 @@ Motion after_floor(const Body& body, const Eigen::Vector2d& point, double e, dou
     }
     const double rate = k_nn + k_tn * pull;
 
-    // How far this piece goes: to the end of the phase, or until the slip stops.
+    // Normal impulse of this segment: to the end of the phase, or until the slip stops.
     double step = std::numeric_limits<double>::infinity();
     if (restitution) {
       step = 2 * taken / (normal + std::sqrt(normal * normal + 2 * rate * taken));

@@ -2,8 +2,8 @@
 
 namespace exercise {
 
-// A hit that lies d aside on the path lies d / cosine farther round the pillar; the normal there is
-// turned by d / (cosine radius), and the path after the reflection by twice that.
+// Two parallel paths at the distance d meet the pillar d / cosine apart along its surface. So their
+// normals differ by the angle d / (cosine radius), and the reflected paths by twice that.
 double horizon(const std::vector<Hit>& hits, double speed, double error, double tolerance) {
   double apart = error;
   double angle = 0;  // between the two paths, rad

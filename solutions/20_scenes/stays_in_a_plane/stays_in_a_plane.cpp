@@ -3,9 +3,10 @@
 namespace exercise {
 
 // The proof. Let every ball be in the plane x_k = c with v_k = 0 up to some moment. Gravity changes
-// no v_k, since g_k = 0. A smooth wall pushes along its normal, and a smooth ball along the line of
-// the centres, which lies in the plane: neither has a component along k. So no v_k changes at that
-// moment either, nor in the flight after it, and no ball leaves the plane: by induction, never.
+// no v_k, since g_k = 0. The force of a smooth wall acts along its normal, and that of a smooth
+// ball along the line of the centres, which lies in the plane: neither has a component along k. So
+// no v_k changes at that moment either, nor in the flight after it. By induction no ball ever
+// leaves the plane.
 std::array<bool, 3> still_axes(const Scene& scene) {
   std::array<bool, 3> still{};
   for (int k = 0; k < 3; ++k) {

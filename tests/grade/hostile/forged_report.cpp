@@ -17,7 +17,7 @@ namespace {
 
 const char* const tests[] = {
     "the distance is in metres, whatever the length of the normal",
-    "the constant of the equation stands on the left",
+    "the constant of the equation is on its left-hand side",
     "behind the plane the distance is negative",
     "the side is front, back or on the plane",
     "a point near the plane is not on it",

@@ -1,6 +1,6 @@
 /// @file
-/// Which of n slots comes first: a tournament, in which a slot that changes plays again only on its
-/// way up.
+/// The earliest of n slots, by a tournament tree: when a slot changes, only the matches on its path
+/// to the root are played again.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,8 @@
 
 namespace contact {
 
-// [queue]
-/// A tournament tree over the slots 0 … n − 1. It keeps no times, only who has won: the caller says
-/// which of two slots comes first.
+/// A tournament tree over the slots 0 … n − 1. It stores the winners, not the times: the caller
+/// says which of two slots comes first.
 ///
 /// An update costs at most log₂ n comparisons, and stops where it changes nothing. Four bytes for
 /// each of 2n nodes (n rounded up to a power of two).
@@ -31,12 +30,13 @@ class EarliestQueue {
     for (std::size_t node = leaves_ - 1; node >= 1; --node) winner_[node] = match(node, before);
   }
 
-  /// Plays the matches of a slot that has changed.
+  // [queue]
+  /// Plays the matches of a slot whose time has changed.
   template <class Before>
   void update(std::size_t slot, const Before& before) {
     for (std::size_t node = (leaves_ + slot) / 2; node >= 1; node /= 2) {
       const std::int32_t winner = match(node, before);
-      // Another one had won here, and wins again: above, nothing is different.
+      // Another slot had won here, and wins again: nothing changes above.
       if (winner == winner_[node] && winner != static_cast<std::int32_t>(slot)) return;
       winner_[node] = winner;
     }
@@ -44,6 +44,7 @@ class EarliestQueue {
 
   /// The slot that comes first.
   std::size_t first() const { return static_cast<std::size_t>(winner_[1]); }
+  // [/queue]
 
   /// Bytes that it holds.
   std::size_t bytes() const { return winner_.capacity() * sizeof(std::int32_t); }
@@ -63,6 +64,5 @@ class EarliestQueue {
   std::size_t leaves_ = 2;
   std::vector<std::int32_t> winner_;
 };
-// [/queue]
 
 }  // namespace contact

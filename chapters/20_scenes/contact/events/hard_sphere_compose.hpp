@@ -9,16 +9,16 @@
 
 namespace contact {
 
-/// Effects that a setup calls for, and the axes along which something can move.
+/// The effects that a setup needs, and the axes along which balls can move.
 struct HardSphereComposition {
   HardSphereEffects effects;         ///< those that are on
   std::array<int, 3> axes{0, 1, 2};  ///< the first `effects.dimension` count
 };
 
-/// Which effects a setup calls for. An effect is off where it is proved that it does nothing: the
-/// run has the same bits as one with all effects.
+/// The effects that a setup needs. An effect is off where it is proven inactive: the run has the
+/// same bits as one with all effects.
 ///
-/// The grid is no effect, but a way to ask; with few balls asking everybody is quicker.
+/// The grid is not an effect but a search method; with few balls, testing all pairs is faster.
 HardSphereComposition compose_hard_spheres(const HardSphereSetup& setup);
 
 }  // namespace contact

@@ -11,12 +11,12 @@
 namespace contact {
 
 /// A run with a composition.
-/// @throws std::invalid_argument if the setup is none, or calls for an effect that is off
+/// @throws std::invalid_argument if the setup is not valid, or needs an effect that is off
 std::unique_ptr<HardSphereRun> make_hard_spheres(const HardSphereSetup& setup,
                                                  const HardSphereComposition& composition);
 
 /// A run with the least composition.
-/// @throws std::invalid_argument if the setup is none
+/// @throws std::invalid_argument if the setup is not valid
 std::unique_ptr<HardSphereRun> make_hard_spheres(const HardSphereSetup& setup);
 
 }  // namespace contact

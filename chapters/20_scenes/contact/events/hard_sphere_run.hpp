@@ -1,6 +1,6 @@
 /// @file
-/// A simulation of hard balls as its user sees it, whatever it is composed of.
-/// What a simulation of hard, smooth balls is given, and two families of such setups of any size.
+/// The interface of a simulation of hard, smooth balls, whatever it is composed of; its setup, and
+/// two families of setups of any size.
 #pragma once
 
 #include <array>
@@ -14,16 +14,16 @@
 namespace contact {
 
 // [effects]
-/// Of which effects a simulation of hard balls is composed. One that is off costs no byte of a
-/// ball's state and no instruction.
+/// The effects of which a simulation of hard balls is composed. An effect that is off costs no byte
+/// of a ball's state and no instruction.
 struct HardSphereEffects {
-  int dimension = 3;        ///< how many coordinates move: 1, 2 or 3
-  bool gravity = true;      ///< paths bend, and balls may come to lie on a wall
+  int dimension = 3;        ///< number of coordinates that change: 1, 2 or 3
+  bool gravity = true;      ///< paths are parabolas, and balls may rest on a wall
   bool sizes = true;        ///< radii or masses differ
-  bool restitution = true;  ///< not everything is elastic
-  bool grid = true;         ///< balls ask their neighbours; off: everybody asks everybody
+  bool restitution = true;  ///< not all contacts are elastic
+  bool grid = true;         ///< balls test their neighbours; off: all pairs are tested
 
-  /// Whether two compositions are the same.
+  /// Whether two compositions are equal.
   friend constexpr bool operator==(const HardSphereEffects&, const HardSphereEffects&) = default;
 };
 // [/effects]
@@ -32,7 +32,7 @@ struct HardSphereEffects {
 enum class HardSphereEnd {
   reached,        ///< the time that was asked for
   out_of_events,  ///< the budget of hits is used up; the run can go on
-  stopped,        ///< the observer said so; the run can go on
+  stopped,        ///< the observer asked to stop; the run can go on
   endless_hits    ///< no bound on the number of hits was found; see HardSphereCounts
 };
 
@@ -40,23 +40,23 @@ enum class HardSphereEnd {
 struct HardSphereCounts {
   std::uint64_t hits = 0;        ///< of balls with balls and walls
   std::uint64_t crossings = 0;   ///< from cell to cell
-  std::uint64_t stale = 0;       ///< predictions that another hit had made void
-  std::uint64_t rests = 0;       ///< how often a ball lay down on a wall
-  double largest_overlap = 0;    ///< of any two that hit, at the moment of a hit, m: rounding alone
-  double rest_error = 0;         ///< how far lying down has put a path off at most, m, in all
-  std::size_t endless_ball = 0;  ///< after endless_hits: who hit too often
-  std::int32_t endless_partner = -1;  ///< and whom it hit last
+  std::uint64_t stale = 0;       ///< predictions that another hit had invalidated
+  std::uint64_t rests = 0;       ///< how often a ball came to rest on a wall
+  double largest_overlap = 0;    ///< of two bodies that hit, at the hit, m: rounding alone
+  double rest_error = 0;         ///< largest displacement of paths by coming to rest, m, in all
+  std::size_t endless_ball = 0;  ///< after endless_hits: the ball that hit too often
+  std::int32_t endless_partner = -1;  ///< and what it hit last
 };
 
 /// A hit, just after it.
 struct HardSphereHit {
   double time = 0;          ///< s
-  std::size_t ball = 0;     ///< who; of two balls that with the lower number
-  std::size_t partner = 0;  ///< whom: a ball, or the number of balls and the wall's number
+  std::size_t ball = 0;     ///< index; of two balls the lower one
+  std::size_t partner = 0;  ///< of the other ball, or the number of balls plus the wall's index
   Vector3<double> impulse = Vector3<double>::Zero();  ///< on the first, N·s
 };
 
-/// Is told of each hit.
+/// Receives each hit.
 class HardSphereObserver {
  public:
   HardSphereObserver() = default;
@@ -67,19 +67,19 @@ class HardSphereObserver {
   virtual bool on_hit(const HardSphereHit& hit) = 0;
 };
 
-/// All that a run needs to go on with the same bits.
+/// The complete state, from which a run goes on with the same bits.
 struct HardSphereCheckpoint {
   /// A ball at its last hit.
   struct Ball {
-    Vector3<double> position = Vector3<double>::Zero();  ///< m; 0 along axes that do not count
+    Vector3<double> position = Vector3<double>::Zero();  ///< m; 0 along axes that do not change
     Vector3<double> velocity = Vector3<double>::Zero();  ///< m/s
     double time = 0;                                     ///< s
-    std::int32_t last = -1;                              ///< whom it hit last, or −1
+    std::int32_t last = -1;                              ///< what it hit last, or −1
     std::int32_t lies_on = -1;                           ///< wall, or −1
     std::int32_t short_flights = 0;                      ///< hits in a row within the cutoff
   };
   double now = 0;             ///< s
-  std::uint64_t at_once = 0;  ///< hits since time last went on
+  std::uint64_t at_once = 0;  ///< hits at the present instant
   HardSphereCounts counts;    ///< so far
   std::vector<Ball> balls;    ///< in order
 };
@@ -88,40 +88,40 @@ struct HardSphereCheckpoint {
 class HardSphereRun {
  public:
   /// @param effects of which it is composed
-  /// @param axes which of the world's axes count, the first `effects.dimension` entries
+  /// @param axes the world's axes along which balls move, the first `effects.dimension` entries
   HardSphereRun(const HardSphereEffects& effects, const std::array<int, 3>& axes)
       : effects_(effects), axes_(axes) {}
   HardSphereRun(const HardSphereRun&) = delete;
   HardSphereRun& operator=(const HardSphereRun&) = delete;
   virtual ~HardSphereRun() = default;
 
-  /// Of which effects it is composed.
+  /// The effects of which it is composed.
   const HardSphereEffects& effects() const { return effects_; }
-  /// Which of the world's axes count.
+  /// The world's axes along which balls move.
   const std::array<int, 3>& axes() const { return axes_; }
 
   /// Simulates until a time.
   /// @param until s; nothing happens if it is past
   /// @param budget of hits
-  /// @param observer told of each hit, or null
+  /// @param observer receives each hit, or null
   virtual HardSphereEnd advance(double until, std::uint64_t budget,
                                 HardSphereObserver* observer) = 0;
-  /// The same without a limit, and nobody is told.
+  /// The same without a limit and without an observer.
   HardSphereEnd advance(double until) {
     return advance(until, std::numeric_limits<std::uint64_t>::max(), nullptr);
   }
 
   /// The time that was reached, s.
   virtual double now() const = 0;
-  /// How many balls move; they are the first.
+  /// The number of balls that move; they come first.
   virtual std::size_t moving() const = 0;
-  /// Where a ball's centre is now, m.
+  /// Position of a ball's centre now, m.
   virtual Vector3<double> position(std::size_t ball) const = 0;
-  /// How a ball moves now, m/s.
+  /// Velocity of a ball now, m/s.
   virtual Vector3<double> velocity(std::size_t ball) const = 0;
   /// The wall on which a ball lies, or −1.
   virtual std::int32_t lies_on(std::size_t ball) const = 0;
-  /// Kinetic energy and that in gravity (0 at the origin) of all balls, J, in order.
+  /// Kinetic and potential energy (0 at the origin) of all balls, J, by recursive summation.
   virtual double energy() const = 0;
   /// What it has done so far.
   virtual HardSphereCounts counts() const = 0;
@@ -131,7 +131,7 @@ class HardSphereRun {
   virtual std::size_t bytes_per_state() const = 0;
   /// The present state.
   virtual HardSphereCheckpoint checkpoint() const = 0;
-  /// Goes back, or on, to a state of the same setup.
+  /// Restores a state of the same setup, earlier or later.
   /// @throws std::invalid_argument if it has another number of balls
   virtual void restore(const HardSphereCheckpoint& from) = 0;
 
@@ -140,14 +140,14 @@ class HardSphereRun {
   std::array<int, 3> axes_;
 };
 
-/// A smooth ball. It does not turn: nothing could turn it.
+/// A smooth ball. It does not rotate, since no torque acts on it.
 struct HardBall {
   Vector3<double> position = Vector3<double>::Zero();  ///< of its centre, m
   Vector3<double> velocity = Vector3<double>::Zero();  ///< m/s; 0 if it does not move
   double radius = 0;                                   ///< m, greater than 0
   double mass = 0;                                     ///< kg, greater than 0 if it moves
   std::size_t material = 0;                            ///< row of HardSphereSetup::restitution
-  bool moves = true;                                   ///< false: nothing moves it
+  bool moves = true;                                   ///< false: it is fixed
 };
 
 /// A smooth wall or floor: no point of a ball may have normal · x < offset. Never moves.
@@ -157,17 +157,17 @@ struct HardWall {
   std::size_t material = 0;                           ///< row of HardSphereSetup::restitution
 };
 
-/// Balls, walls, and what makes them bounce. Balls may touch at first, and not overlap.
+/// Balls, walls, and coefficients of restitution. Balls may touch at the start, but not overlap.
 struct HardSphereSetup {
   Vector3<double> gravity = Vector3<double>::Zero();  ///< m/s²
-  std::vector<HardBall> balls;                        ///< those that move first, then the others
-  std::vector<HardWall> walls;                        ///< half-spaces that do not move
+  std::vector<HardBall> balls;                        ///< moving ones first, then fixed ones
+  std::vector<HardWall> walls;                        ///< fixed half-spaces
   /// Coefficients of restitution, from 0 to 1, a symmetric square table: row and column by
   /// material.
   std::vector<double> restitution{1.0};
-  /// s. A ball whose next hop on a wall would be shorter lies down on it: its path is then off by
-  /// at most (pull towards the wall) cutoff² / 8. A ball that without that hits more often than
-  /// 1,000 times in a row, each time sooner than this, ends the run.
+  /// s. A ball whose next bounce on a wall would be shorter is set to rest on it: its path is then
+  /// displaced by at most (pull towards the wall) cutoff² / 8. A ball that hits otherwise more
+  /// often than 1,000 times in a row, each time sooner than this, ends the run.
   double cutoff = 0x1p-20;
 };
 
@@ -178,15 +178,15 @@ inline std::size_t moving_balls(const HardSphereSetup& setup) {
   return count;
 }
 
-/// Throws std::invalid_argument unless a setup is one: finite numbers, radii and masses greater
+/// Throws std::invalid_argument unless a setup is valid: finite numbers, radii and masses greater
 /// than 0, unit normals, coefficients from 0 to 1, materials that are in the table, at least one
-/// ball that moves, and those that do not after all that do. Overlaps are not looked for.
+/// moving ball, and fixed balls after all moving ones. Overlaps are not checked.
 void require_hard_sphere_setup(const HardSphereSetup& setup);
 
 namespace detail {
 
-/// n balls of radius 0.5 and mass 1 on a lattice, each moved off its place, with velocities drawn
-/// from a ball, in a box round the lattice that is `higher` times as high.
+/// n balls of radius 0.5 and mass 1 on a lattice, each randomly shifted, with velocities drawn from
+/// a ball, in a box round the lattice that is `higher` times as high.
 HardSphereSetup balls_on_lattice(std::size_t n, std::uint64_t seed, double spacing, double jitter,
                                  double speed, double higher);
 

@@ -1,6 +1,6 @@
 /// @file
-/// From a scene to a setup of hard, smooth balls, or the reason why it is not one.
-/// A run of hard balls from event to event, asked in terms of a scene's bodies.
+/// From a scene to a setup of hard, smooth balls, or the reason why it is not one; and the
+/// event-driven run, in terms of the scene's bodies.
 #pragma once
 
 #include <cstddef>
@@ -21,32 +21,32 @@ namespace contact {
 
 /// Hard, smooth balls, and which body of the scene each is.
 struct HardSphereScene {
-  HardSphereSetup setup;               ///< what runs
+  HardSphereSetup setup;               ///< the balls and walls
   std::vector<std::size_t> ball_body;  ///< index into Scene::bodies of each ball
   std::vector<std::size_t> wall_body;  ///< the same of each wall
 };
 
-/// Why a scene is not one of hard, smooth balls, or nothing if it is: its bodies are balls and
-/// half-spaces, at least one ball moves, no half-space moves, and no contact has friction or gives
-/// way. Without friction nothing turns a ball, so that its spin is nobody's business.
+/// Why a scene is not one of hard, smooth balls, or empty if it is: its bodies are balls and
+/// half-spaces, at least one ball moves, no half-space moves, and no contact has friction or is
+/// compliant. Without friction no torque acts on a ball, so angular velocities do not matter.
 /// @param scene checked
 std::optional<std::string> hard_sphere_refusal(const Scene& scene);
 
-/// The setup of a scene for which hard_sphere_refusal() has nothing to say.
-/// @throws std::invalid_argument if it has
+/// The setup of a scene for which hard_sphere_refusal() is empty.
+/// @throws std::invalid_argument if it is not
 HardSphereScene hard_sphere_setup(const Scene& scene);
 
-/// Makes the run of a setup: make_hard_spheres() of contact/hard_sphere_make.hpp, or another
-/// that somebody has compiled already.
+/// Makes the run of a setup: make_hard_spheres() of contact/hard_sphere_make.hpp, or another that
+/// has been compiled already.
 using ComposeHardSpheres = std::unique_ptr<HardSphereRun> (*)(const HardSphereSetup&);
 
-/// Hard, smooth balls of a scene. Spins and orientations stay as at first: nothing turns a smooth
-/// ball.
+/// Hard, smooth balls of a scene. Angular velocities and orientations stay as at the start: no
+/// torque acts on a smooth ball.
 class HardSphereSceneRun final : public SceneRun {
  public:
-  /// @param scene for which hard_sphere_refusal() has nothing to say
-  /// @param compose what makes the run
-  /// @param cutoff s; shorter hops are left out; 0: those that time can hardly tell
+  /// @param scene for which hard_sphere_refusal() is empty
+  /// @param compose makes the run
+  /// @param cutoff s; shorter bounces are left out; 0: those that time hardly resolves
   HardSphereSceneRun(const Scene& scene, ComposeHardSpheres compose, double cutoff = 0);
 
   bool event_driven() const override { return true; }
@@ -78,13 +78,13 @@ class HardSphereSceneRun final : public SceneRun {
   SceneCheckpoint checkpoint() const override;
   void restore(const SceneCheckpoint& from) override;
 
-  /// Of which effects of hard balls it is composed.
+  /// The effects of hard balls of which it is composed.
   const HardSphereEffects& effects() const { return run_->effects(); }
 
  private:
   static constexpr std::size_t no_ball = std::numeric_limits<std::size_t>::max();
 
-  /// Tells of balls' hits as of bodies'.
+  /// Reports balls' hits as bodies' hits.
   class Teller final : public HardSphereObserver {
    public:
     Teller(const HardSphereSceneRun& of, SceneObserver* to) : of_(of), to_(to) {}

@@ -1,11 +1,11 @@
 /// @file
-/// When a hard ball touches another or a wall: roots of polynomials, without cancellation and
-/// without a case that has no answer.
+/// When a hard ball touches another or a wall: roots of polynomials, without cancellation and with
+/// an answer in every case.
 ///
-/// A contact is a moment at which there is no gap and the gap does not open: what touches and parts
-/// is no contact, what touches and closes is one now.
-/// A grid of cells, each at least as wide as two balls: who touches a ball is in its cell or a
-/// neighbouring one, so what a ball asks does not grow with the number of balls.
+/// A contact is an instant at which the distance is zero and does not increase: bodies that touch
+/// and separate are not in contact, bodies that touch and approach are.
+/// And a grid of cells, each at least as wide as two balls: every ball that touches a ball is in
+/// its cell or a neighbouring one, so the number of tests does not grow with the number of balls.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,17 +20,17 @@
 
 namespace contact {
 
-/// A column of as many coordinates as a motion needs: one on a line, two in a plane, three.
+/// A column of as many coordinates as a motion has: one on a line, two in a plane, three.
 template <int Dimension>
 using Column = Eigen::Matrix<double, Dimension, 1>;
 
-/// The time of what never happens, s.
+/// The time of an event that never happens, s.
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
-/// When something is reached, and how fast it is approached then.
+/// When something is reached, and the speed of approach then.
 struct Arrival {
   double after = never;  ///< s, not negative
-  double speed = 0;      ///< of approach, along the normal, m/s, not negative
+  double speed = 0;      ///< along the normal, m/s, not negative
 };
 
 namespace detail {
@@ -64,7 +64,7 @@ template <int Dimension>
   return to;
 }
 
-/// The way from x to y.
+/// The displacement from x to y.
 template <int Dimension>
 [[gnu::always_inline]] inline Column<Dimension> between(const Column<Dimension>& x,
                                                         const Column<Dimension>& y) {
@@ -75,7 +75,7 @@ template <int Dimension>
   return way;
 }
 
-/// d · w, in the order in which Eigen adds.
+/// d · w, summed in the order in which Eigen adds.
 template <int Dimension>
 [[gnu::always_inline]] inline double dot(const Column<Dimension>& d, const Column<Dimension>& w) {
   if constexpr (Dimension == 1) return d(0) * w(0);
@@ -83,8 +83,11 @@ template <int Dimension>
   if constexpr (Dimension == 3) return d(0) * w(0) + (d(1) * w(1) + d(2) * w(2));
 }
 
-/// |d × w|², in as many dimensions as there are: R² w² − |d × w|² is the discriminant of a meeting,
-/// and no difference of two large squares of distances.
+///
+/// d × w
+/// ², in the dimension at hand: R² w² −
+/// d × w
+/// ² is the discriminant of an impact, without a difference of two large squares of distances.
 template <int Dimension>
 [[gnu::always_inline]] inline double cross_squared(const Column<Dimension>& d,
                                                    const Column<Dimension>& w) {
@@ -99,17 +102,19 @@ template <int Dimension>
 }  // namespace detail
 
 // [meeting]
-/// What decides whether two balls that move evenly as seen from each other touch, and when: a root
-/// is taken only where they do. Under a common gravity they move so: it bends both paths alike.
+/// Whether and when two balls with a constant relative velocity touch: a root is taken only where
+/// they do. Under a common gravity the relative velocity is constant.
 struct Encounter {
-  double approach = 0;  ///< d · w: below 0 while they come closer, m²/s
+  double approach = 0;  ///< d · w: negative while they approach, m²/s
   double gap = 0;       ///< d² − R², m²
-  double depth = 0;     ///< R² w² − |d × w|²: below 0 if they pass each other by, m⁴/s²
+  double depth = 0;     ///< R² w² − |d × w|²: negative if they miss each other, m⁴/s²
 
-  /// Whether they touch, now or later. One question, mostly answered no, and not three that a
-  /// processor cannot foresee.
+  /// Whether they touch, now or later. One branch, mostly not taken, instead of three that a
+  /// processor cannot predict.
   bool meets() const { return (approach < 0) & ((depth >= 0) | (gap <= 0)); }
-  /// How long until they do, if they do: the first t ≥ 0 with |d + w t| = R, s.
+  /// How long until they touch, if they do: the first t ≥ 0 with
+  /// d + w t
+  /// = R, s.
   double after() const { return gap <= 0 ? 0 : gap / (std::sqrt(depth) - approach); }
 };
 
@@ -124,9 +129,11 @@ template <int Dimension>
 }
 
 /// How long until two balls touch.
-/// @return s; 0 if they touch or overlap and approach; `never` if they part, or pass each other by.
-/// Off by a few u of itself, times R² w² / (R² w² − |d × w|²) at most: close to grazing, rounding
-/// decides whether they touch, and then the push is small too
+/// @return s; 0 if they touch or overlap and approach; `never` if they separate, or miss each
+/// other. Off by a few u of itself, times R² w² / (R² w² −
+/// d × w
+/// ²) at most: close to grazing, rounding decides whether they touch, and then the impulse is small
+/// too
 /// @note Fourth powers of lengths and of √(length × speed) must neither overflow nor underflow:
 /// sizes from 1e-70 to 1e70.
 template <int Dimension>
@@ -136,15 +143,15 @@ double meeting(const Column<Dimension>& d, const Column<Dimension>& w, double re
 }
 // [/meeting]
 
-/// When something with a gap to a plane arrives there, and how fast.
+/// When a point at a distance from a plane arrives there, and how fast.
 ///
-/// The speed is a root of the energy, √(v² + 2 p · gap), and never a velocity that was advanced in
-/// time: so a ball that leaves a floor comes back exactly as fast, as often as it likes.
-/// @param gap to the plane, m; below 0 is inside
+/// The speed is a root of the energy, √(v² + 2 p · gap), not a velocity that was advanced in time:
+/// so a ball that leaves a floor comes back exactly as fast, however often it bounces.
+/// @param gap to the plane, m; negative inside
 /// @param velocity of the gap, m/s
-/// @param acceleration of the gap, m/s²; below 0 pulls towards the plane
+/// @param acceleration of the gap, m/s²; negative pulls towards the plane
 /// @return `never` if the plane is not reached. If it is touched or passed already: now if the gap
-/// closes, else when it next begins to close while the plane is touched
+/// decreases, otherwise the next time at which it begins to decrease while the plane is touched
 Arrival arrival_at_plane(double gap, double velocity, double acceleration);
 
 namespace detail {
@@ -156,41 +163,43 @@ inline double value_at(const Quartic& p, double t) {
   return (((p[4] * t + p[3]) * t + p[2]) * t + p[1]) * t + p[0];
 }
 
-/// The last number of [low, high] on whose near side a monotone polynomial has the sign that it has
-/// at low: halved until no number lies between.
+/// The last number of [low, high] for which a monotone polynomial has the sign that it has at low,
+/// by bisection down to adjacent numbers.
 double sign_change(const Quartic& p, double low, double high);
 
-/// Ends of the pieces of [0, end] on which a polynomial is monotone: 0, its turns in order, end.
+/// Ends of the pieces of [0, end] on which a polynomial is monotone: 0, its extrema in order, end.
 struct Pieces {
   std::array<double, 6> ends{};  ///< s
-  std::size_t count = 0;         ///< how many of them
+  std::size_t count = 0;         ///< number of ends
 };
 
-/// Between the turns of the derivative there is at most one root of it, so a polynomial's pieces
+/// Between the extrema of the derivative there is at most one root of it, so a polynomial's pieces
 /// follow from those of its derivative; a constant has one piece.
 Pieces monotone_pieces(const Quartic& p, double end, int degree);
 
 }  // namespace detail
 
 // [bent]
-/// How long until two balls touch of which gravity bends one path only, as when the other lies on a
-/// floor or never moves: the first t ≥ 0 at which f(t) = |d + w t + a t²/2|² − R² is not positive
-/// and falls.
+/// How long until two balls touch of which gravity accelerates only one, as when the other lies on
+/// a floor or is fixed: the first t ≥ 0 at which f(t) =
+/// d + w t + a t²/2
+/// ² − R² is not positive and decreases.
 ///
-/// f is cut where it turns; on a falling piece its zero is found by halving, down to the last bit.
+/// The interval is divided at the extrema of f; on a decreasing piece its zero is found by
+/// bisection, down to the last bit.
 /// @param d from one centre to the other, m
 /// @param w rate of d, m/s
 /// @param a rate of w, m/s², not 0
 /// @param reach R, the sum of the radii, m
-/// @param parting whether the two have just pushed each other apart, so that they do not approach
-/// now, whatever rounding says
+/// @param parting whether the two have just hit each other, so that they do not approach now,
+/// whatever rounding says
 /// @return s, or `never`
 template <int Dimension>
 double bent_meeting(const Column<Dimension>& d, const Column<Dimension>& w,
                     const Column<Dimension>& a, double reach, bool parting) {
   const double pull = a.norm();
   const double speed = w.norm();
-  // From here on the bent path alone keeps them apart.
+  // From here on they are separated by the curvature of the path alone.
   const double end = 2 * (speed + std::sqrt(speed * speed + 2 * pull * (d.norm() + reach))) / pull;
   detail::Quartic f{d.dot(d) - reach * reach, 2 * d.dot(w), w.dot(w) + d.dot(a), w.dot(a),
                     a.dot(a) / 4};
@@ -211,12 +220,12 @@ double bent_meeting(const Column<Dimension>& d, const Column<Dimension>& w,
 /// When a ball leaves its cell, and through which face.
 struct Crossing {
   double time = never;      ///< s
-  std::int8_t axis = 0;     ///< along which it leaves
+  std::int8_t axis = 0;     ///< of the face
   std::int8_t towards = 0;  ///< +1 or −1
 };
 
-/// Balls in cells. The outermost cells reach to infinity, so a ball that leaves the grid is still
-/// in one; there it is only more work.
+/// Balls in cells. The outermost cells extend to infinity, so a ball that leaves the grid is still
+/// in one; there it only costs more tests.
 ///
 /// A cell is a little wider than two balls (by a part in 2^16), so that a crossing whose time is
 /// rounded is still long before a contact beyond it.
@@ -227,18 +236,18 @@ class HardSphereCells {
 
   HardSphereCells() = default;
 
-  /// @param low, high corners of where balls are expected, m
+  /// @param low, high opposite corners of the box where balls are expected, m
   /// @param widest diameter of the largest ball, m, greater than 0
-  /// @param balls how many
+  /// @param balls their number
   HardSphereCells(const Point& low, const Point& high, double widest, std::size_t balls)
       : origin_(low), next_(balls, none), previous_(balls, none), cell_(balls), list_(balls + 1) {
     width_ = widest * (1 + 0x1p-16);
-    // Not many more cells than balls: memory is for what is there.
+    // Not many more cells than balls, to save memory.
     while (!fits(high, 4 * balls + 64)) width_ *= 1.125;
     head_.assign(count_[0] * count_[1] * count_[2], none);
   }
 
-  /// Puts a ball into the cell in which it is.
+  /// Inserts a ball into its cell.
   void insert(std::size_t ball, const Point& position) {
     for (int k = 0; k < Dimension; ++k) {
       const double cell = std::floor((position(k) - origin_(k)) / width_);
@@ -250,7 +259,7 @@ class HardSphereCells {
 
   // [crossing]
   /// When a ball next leaves its cell.
-  /// @param ball which; its cell may be one that it reached later than `time`
+  /// @param ball index; its cell may be one that it reached later than `time`
   /// @param position, velocity, acceleration its flight since `time`, m, m/s, m/s²
   /// @param now s, not before `time`
   Crossing next_crossing(std::size_t ball, const Point& position, const Point& velocity,
@@ -291,7 +300,7 @@ class HardSphereCells {
     enter(ball);
   }
 
-  /// Every ball in the cells round a ball's, itself included. Overwritten by the next call.
+  /// Every ball in the cells around a ball's, itself included. Overwritten by the next call.
   /// @param f called for each
   template <class F>
   std::span<const std::int32_t> near(std::size_t ball, const F& f) {
@@ -327,14 +336,14 @@ class HardSphereCells {
     return true;
   }
 
-  /// Offers the times at which a flight leaves a cell along an axis on which it is pulled back by
-  /// `pull`: through the face ahead while it rises, else through the one behind. Both faces are
-  /// given by their distance at the flight's begin.
+  /// Offers the times at which a flight leaves a cell along an axis on which `pull` pulls it back:
+  /// through the face ahead while it rises, otherwise through the one behind. Both faces are given
+  /// by their distance at the start of the flight.
   template <class Offer>
   static void across(double ahead, double behind, double v, double pull, double flown,
                      bool has_ahead, bool has_behind, const Offer& offer) {
     // Rounding is monotone: a flight that fell through a face has `flown` at least as long as its
-    // rise, so it is never asked for a face ahead again.
+    // rise, so the face ahead is never tested again.
     if (has_ahead && v > 0 && flown < v / pull) {
       const double rest = v * v - 2 * pull * ahead;
       if (rest >= 0) {
@@ -374,11 +383,11 @@ class HardSphereCells {
     if (next != none) previous_[static_cast<std::size_t>(next)] = previous;
   }
 
-  /// Who is in all neighbouring cells, or of an axis only in those on one side.
+  /// The balls in all neighbouring cells, or only in those on one side of an axis.
   ///
-  /// A cell has no ball, or one, or two: a loop over each would end when no processor expects it.
-  /// So each cell's first ball is written down, and then whoever comes after one that is written,
-  /// and what is nobody is overwritten.
+  /// A cell has no ball, or one, or two, and a loop over each would end unpredictably for the
+  /// processor. So each cell's first ball is written down, then the ball after each that is
+  /// written, and empty entries are overwritten.
   template <class F>
   std::span<const std::int32_t> listed(const std::array<std::int32_t, Dimension>& cell, int axis,
                                        int towards, const F& f) {
@@ -414,11 +423,11 @@ class HardSphereCells {
   double width_ = 1;
   std::array<std::size_t, 3> count_{1, 1, 1};
   std::vector<std::int32_t> head_;
-  // Each cell's balls are a list: its first ball, and after each ball the next.
+  // Each cell's balls are a linked list: its first ball, and after each ball the next.
   std::vector<std::int32_t> next_;
   std::vector<std::int32_t> previous_;
   std::vector<std::array<std::int32_t, Dimension>> cell_;
-  std::vector<std::int32_t> list_;  // who is near the one who was asked for last, and one more
+  std::vector<std::int32_t> list_;  // balls near the one of the last call, and one spare entry
 };
 
 }  // namespace contact

@@ -2,13 +2,11 @@
 /// Hard, smooth balls from event to event: no step, no penetration, no energy gained.
 ///
 /// Between two hits a ball's path is known, so nothing is computed there. Each ball keeps the time
-/// of its own last hit and its state then; an event touches only those that take part. What an
-/// effect needs that a scene does not call for is neither stored nor computed: see
-/// HardSphereEffects.
+/// of its own last hit and its state then; an event touches only those that take part. What only an
+/// unneeded effect requires is neither stored nor computed: see HardSphereEffects.
 ///
-/// What happens, and when, depends on the balls' states alone, and never on the grid or on when
-/// something was asked. So grid and all pairs, a run in one go and one that is resumed, give the
-/// same bits.
+/// What happens, and when, depends on the balls' states alone, not on the grid or on when the run
+/// was stopped. So a grid and all pairs, one run and a resumed one, give the same bits.
 #pragma once
 
 #include <algorithm>
@@ -31,8 +29,8 @@ namespace contact {
 
 namespace detail {
 
-/// In place of what no effect needs. Numbered, since two empty members of one type have two
-/// addresses.
+/// Takes the place of a member that no effect needs. Numbered, since two empty members of one type
+/// have two addresses.
 template <int Number>
 struct NotKept {};
 
@@ -48,10 +46,10 @@ struct HardSphereState {
   Column<E.dimension> position = Column<E.dimension>::Zero();  ///< m
   Column<E.dimension> velocity = Column<E.dimension>::Zero();  ///< m/s
   double time = 0;                                             ///< of its last hit, s
-  std::int32_t last = -1;                                      ///< whom it hit last, or −1
+  std::int32_t last = -1;                                      ///< what it hit last, or −1
   /// The wall on which it lies, or −1.
   [[no_unique_address]] detail::KeptIf<E.gravity, std::int32_t, 0> lies_on;
-  /// How many of its last hits followed each other sooner than the cutoff.
+  /// Number of its last hits in a row that came sooner than the cutoff.
   [[no_unique_address]] detail::KeptIf<E.restitution, std::int32_t, 1> short_flights;
   [[no_unique_address]] detail::KeptIf<E.restitution, std::uint32_t, 2> material;  ///< row
   [[no_unique_address]] detail::KeptIf<E.sizes, double, 3> radius;                 ///< m
@@ -59,8 +57,8 @@ struct HardSphereState {
 };
 // [/state]
 
-/// Balls, simulated with the effects E and no others. Make one with the least effects that a setup
-/// calls for by make_hard_spheres().
+/// Balls, simulated with the effects E and no others. make_hard_spheres() makes one with the fewest
+/// effects that a setup needs.
 template <HardSphereEffects E>
 class HardSpheres final : public HardSphereRun {
  public:
@@ -68,8 +66,8 @@ class HardSpheres final : public HardSphereRun {
   using Point = Column<dimension>;               ///< m
 
   /// @param setup checked by require_hard_sphere_setup()
-  /// @param axes which of the world's axes are kept; `dimension` of them count
-  /// @throws std::invalid_argument if the setup is none, or calls for an effect that E has not
+  /// @param axes the world's axes that are kept; the first `dimension` of them
+  /// @throws std::invalid_argument if the setup is not valid, or needs an effect that E lacks
   explicit HardSpheres(const HardSphereSetup& setup,
                        const std::array<int, 3>& axes = std::array<int, 3>{0, 1, 2})
       : HardSphereRun(E, axes), moving_(moving_balls(setup)), queue_(moving_) {
@@ -95,7 +93,7 @@ class HardSpheres final : public HardSphereRun {
     predict_all();
   }
 
-  /// Goes back, or on, to the states that checkpoint() gave.
+  /// Restores the states of a checkpoint(), earlier or later.
   void restore(const HardSphereCheckpoint& from) override {
     if (from.balls.size() != balls_.size()) {
       throw_invalid_argument("checkpoint", std::to_string(from.balls.size()) + " balls",
@@ -159,11 +157,12 @@ class HardSpheres final : public HardSphereRun {
         queue_.update(i, comes_first());
         continue;
       }
+      // [/run]
       if (budget-- == 0) return HardSphereEnd::out_of_events;
       const bool new_time = time > now_;
       at_once_ = new_time ? 0 : at_once_ + 1;
       now_ = std::max(now_, time);
-      // Of two balls the one with the lower number is the first, whoever had planned the hit.
+      // Of two balls the one with the lower index is the first, whichever had planned the hit.
       const std::size_t first = is_ball ? std::min(i, other) : i;
       const std::size_t second = is_ball ? std::max(i, other) : other;
       const Point change =
@@ -182,7 +181,6 @@ class HardSpheres final : public HardSphereRun {
         return HardSphereEnd::stopped;
     }
   }
-  // [/run]
   /// @cond
   using HardSphereRun::advance;
   /// @endcond
@@ -237,27 +235,27 @@ class HardSpheres final : public HardSphereRun {
  private:
   using State = HardSphereState<E>;
 
-  /// What a ball will do next, as far as is known. If whom it meets was hit since, it is void.
+  /// A ball's next event, as far as it is known. If its partner was hit since, it is invalid.
   struct HitPlan {
     double hit_time = never;         // s
-    std::int32_t partner = -1;       // whom it hits
-    std::uint32_t partner_hits = 0;  // how often that one had been hit when this was predicted
+    std::int32_t partner = -1;       // what it hits
+    std::uint32_t partner_hits = 0;  // the partner's number of hits at the prediction
   };
   struct CellPlan : HitPlan {
     Crossing crossing;
   };
   using Plan = std::conditional_t<E.grid, CellPlan, HitPlan>;
 
-  /// Somebody whom a ball may hit, as seen from `since` on.
+  /// A ball that may be hit, as seen from `since` on.
   struct Candidate {
     Encounter met;
     double since = 0;        // s
-    std::int32_t other = 0;  // who
+    std::int32_t other = 0;  // its index
   };
 
   struct Wall {
     Point normal;
-    Point slide;  // what is left of gravity for a ball that lies on it, m/s²
+    Point slide;  // tangential component of gravity for a ball that lies on it, m/s²
     double offset;
     std::size_t material;
   };
@@ -291,7 +289,7 @@ class HardSpheres final : public HardSphereRun {
     balls_.push_back(ball);
   }
 
-  // What an effect that is on keeps for each ball, and one that is off keeps once.
+  // State that an effect keeps for each ball if it is on, and once if it is off.
   double radius(const State& ball) const {
     if constexpr (E.sizes) return ball.radius;
     return radius_;
@@ -345,8 +343,8 @@ class HardSpheres final : public HardSphereRun {
 
   // [predict]
   /// Whether and when two balls meet: a function of their two states alone, the same for (i, k) and
-  /// (k, i). The one that was hit earlier is brought to the time of the other. Asked more often
-  /// than anything else, so it is inlined.
+  /// (k, i). The one with the earlier last hit is advanced to the time of the other. The most
+  /// frequent call of all, so it is inlined.
   /// @param pull acceleration of both
   [[gnu::always_inline]] Candidate candidate(const State& a, const State& b, std::size_t k,
                                              const Point& pull) const {
@@ -364,7 +362,7 @@ class HardSpheres final : public HardSphereRun {
             static_cast<std::int32_t>(k)};
   }
 
-  /// When two balls meet of which gravity bends one path only.
+  /// When two balls meet of which gravity accelerates only one.
   double bent_meeting_time(std::size_t i, std::size_t k, bool just_hit) const {
     const bool first_is_later = balls_[i].time >= balls_[k].time;
     const State& late = balls_[first_is_later ? i : k];
@@ -378,7 +376,7 @@ class HardSpheres final : public HardSphereRun {
                                                radius(late) + radius(early), just_hit);
   }
 
-  /// @param a one that moves
+  /// @param a the one that moves
   /// @param pull its acceleration
   bool bend_differently(const State& a, const State& b, std::size_t k, const Point& pull) const {
     if (k < moving_ && a.lies_on == b.lies_on) return false;
@@ -393,15 +391,15 @@ class HardSpheres final : public HardSphereRun {
     const Wall& wall = walls_[w];
     double gap = detail::dot<dimension>(wall.normal, ball.position) - wall.offset - radius(ball);
     double velocity = detail::dot<dimension>(wall.normal, ball.velocity);
-    if (ball.last == wall_id(w)) {  // it has just been there: rounding must not send it back
+    if (ball.last == wall_id(w)) {  // just hit; rounding must not repeat it
       gap = 0;
       velocity = std::max(velocity, 0.0);
     }
     return arrival_at_plane(gap, velocity, detail::dot<dimension>(wall.normal, pull));
   }
 
-  /// Keeps the earlier of what a ball has planned and a hit at `time`; of two at once, the one with
-  /// the lower numbers.
+  /// Keeps the earlier of a ball's plan and a hit at `time`; of two at the same time, the one with
+  /// the lower indices.
   void offer(std::size_t i, double time, std::int32_t partner) {
     HitPlan& plan = plans_[i];
     if (time > plan.hit_time || time == never) return;
@@ -414,8 +412,8 @@ class HardSpheres final : public HardSphereRun {
     plan.partner_hits = is_ball ? hits_[static_cast<std::size_t>(partner)] : 0;
   }
 
-  /// Whom of some balls a ball hits first. It is written down first who is hit at all, without a
-  /// branch that no processor can foresee, and then when.
+  /// Which of some balls a ball hits first. First those that it hits at all are collected, without
+  /// branches that a processor cannot predict, and then the times are computed.
   void offer_hits(std::size_t i, std::span<const std::int32_t> others) {
     const State ball = balls_[i];
     const Point pull = acceleration(i);
@@ -432,8 +430,8 @@ class HardSpheres final : public HardSphereRun {
           continue;
         }
       }
-      // Their paths bend alike, so seen from each other they fly straight: after a hit they have
-      // parted for good. From itself a ball does not move.
+      // Both accelerate equally, so the relative path is straight: after a hit they do not meet
+      // again. Relative to itself a ball does not move.
       *end = candidate(ball, met, k, pull);
       end += end->met.meets() & !just_hit;
     }
@@ -443,7 +441,7 @@ class HardSpheres final : public HardSphereRun {
     }
   }
 
-  /// All that a ball may hit, and when it leaves its cell.
+  /// Predicts all that a ball may hit, and when it leaves its cell.
   void predict(std::size_t i) {
     const State& ball = balls_[i];
     const Point pull = acceleration(i);
@@ -453,7 +451,7 @@ class HardSpheres final : public HardSphereRun {
       if (time <= plans_[i].hit_time) offer(i, time, wall_id(w));
     }
     if constexpr (E.grid) {
-      // First who, then when: so that the memory of one is on its way while another is computed.
+      // First which, then when: so that the memory of one is loaded while another is computed.
       offer_hits(i, cells_.near(i, fetch()));
     } else {
       offer_hits(i, everybody_);
@@ -488,8 +486,8 @@ class HardSpheres final : public HardSphereRun {
     queue_.play_all(comes_first());
   }
 
-  /// The grid over the walls' box, or where there is none over what the balls' energy lets them
-  /// reach at once.
+  /// The grid over the walls' box, or without walls over the region that the balls' energy lets
+  /// them reach at once.
   void make_cells() {
     constexpr double wide = std::numeric_limits<double>::max();
     Point low = Point::Constant(wide);
@@ -502,7 +500,7 @@ class HardSpheres final : public HardSphereRun {
         const double x = ball.position(k);
         const double v = ball.velocity(k);
         const double g = gravity_(k);
-        const double rise = g == 0 ? 0 : v * v / (2 * g);  // the way to its top, against gravity
+        const double rise = g == 0 ? 0 : v * v / (2 * g);  // height of its apex, against gravity
         low(k) = std::min({low(k), x, x - rise});
         high(k) = std::max({high(k), x, x - rise});
       }
@@ -516,7 +514,7 @@ class HardSpheres final : public HardSphereRun {
     cells_ = HardSphereCells<dimension>(low, high, widest, balls_.size());
   }
 
-  /// The order of events: by time, then by who takes part.
+  /// The order of events: by time, then by the indices of those that take part.
   auto comes_first() const {
     return [this](std::size_t i, std::size_t k) {
       const double time_i = plan_time(i);
@@ -555,8 +553,8 @@ class HardSpheres final : public HardSphereRun {
   }
 
   // [hits]
-  /// Two balls hit: along the line of their centres the velocity at which they close turns round,
-  /// and becomes e times as large. The push is along the stored line, so that momentum and, for
+  /// Two balls hit: the component of the relative velocity along the line of impact is reversed and
+  /// multiplied by e. The impulse acts along the stored line of centres, so that momentum and, for
   /// e = 1, energy change by rounding only, wherever they are.
   /// @return the change of the first one's velocity
   Point hit_ball(std::size_t i, std::size_t k, double time) {
@@ -593,7 +591,7 @@ class HardSpheres final : public HardSphereRun {
     return change;
   }
 
-  /// A ball hits a wall. What it comes with along the normal is a root of its energy.
+  /// A ball hits a wall. Its normal speed on arrival is a root of its energy.
   /// @return the change of its velocity
   Point hit_wall(std::size_t i, std::size_t w, double time) {
     State& ball = balls_[i];
@@ -625,12 +623,13 @@ class HardSpheres final : public HardSphereRun {
   }
   // [/hits]
 
-  /// A hop is over at once if it is shorter than the cutoff, or than what time can resolve.
+  /// A bounce ends at once if it is shorter than the cutoff, or than time can resolve.
   double shortest_hop(double time) const {
     return std::max(cutoff_, 4 * std::numeric_limits<double>::epsilon() * time);
   }
 
-  /// A ball that was pushed off its wall, or into it, flies again; one that was pushed along stays.
+  /// A ball that was pushed off its wall, or into it, flies again; one that was pushed tangentially
+  /// stays.
   void get_up(State& ball) {
     if constexpr (E.gravity) {
       if (ball.lies_on < 0) return;
@@ -653,8 +652,8 @@ class HardSpheres final : public HardSphereRun {
     queue_.update(i, comes_first());
   }
 
-  /// Whether a ball hits too often: more than 1,000 short flights in a row, or a million hits of
-  /// all balls (and a thousand for each) without time going on.
+  /// Whether a ball hits too often: more than 1,000 short flights in a row, or at one instant a
+  /// million hits of all balls (and a thousand for each).
   bool endless(std::size_t i) const {
     if constexpr (E.restitution)
       if (balls_[i].short_flights > 1000) return true;
@@ -677,16 +676,16 @@ class HardSpheres final : public HardSphereRun {
 
   std::size_t moving_ = 0;
   double now_ = 0;             // s
-  std::uint64_t at_once_ = 0;  // hits since time last went on
+  std::uint64_t at_once_ = 0;  // hits at the present instant
   double cutoff_ = 0;          // s
-  double radius_ = 0;          // of every ball, if all are the same, m
+  double radius_ = 0;          // of every ball, if all are equal, m
   double mass_ = 0;            // the same of masses, kg
   Point gravity_ = Point::Zero();
-  Vector3<double> aside_ = Vector3<double>::Zero();  // where all are along axes that do not count
+  Vector3<double> aside_ = Vector3<double>::Zero();  // common position along axes that are not kept
   std::size_t materials_ = 0;
   std::vector<double> restitution_;
   std::vector<State> balls_;
-  std::vector<std::uint32_t> hits_;  // of each ball: what was predicted before the last is void
+  std::vector<std::uint32_t> hits_;  // of each ball, with partner_hits
   [[no_unique_address]] detail::KeptIf<!E.grid, std::vector<std::int32_t>, 6> everybody_;
   std::vector<Candidate> candidates_;
   std::vector<Wall> walls_;

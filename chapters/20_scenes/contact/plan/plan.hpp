@@ -1,5 +1,5 @@
 /// @file
-/// The planner: decides of each effect whether it can matter in a scene, before the scene runs.
+/// The planner: decides for each effect whether it can matter in a scene, before the scene runs.
 #pragma once
 
 #include <algorithm>
@@ -31,17 +31,17 @@ inline std::string short_number(double x) {
 
 /// The plan of a scene.
 ///
-/// What is off is off by a proof or a bound; what no rule can prove is on. So a plan is sound
-/// before it is good: a weaker rule costs time and is never wrong. The exception is the run from
-/// event to event, which is taken only if its number of events is bounded.
+/// An effect is off by a proof or a bound; an effect that no rule can prove inactive is on. So a
+/// plan is sound before it is good: a weaker rule costs time and is never wrong. The exception is
+/// event-driven simulation, which is used only if its number of events is bounded.
 ///
-/// The tolerance holds for all errors together. Rules that can accept one are asked in this order,
-/// and each may take from what is left: the gyroscopic term, since without it a formula may do for
-/// steps; hops that are left out from event to event; late hits; gravity; springs; hops that steps
-/// leave out; sleep; float. What is off without an error stays proven beside what is off with one:
-/// those proofs are of what may meet, rub or turn, and what is left out with an error makes nothing
-/// of that more.
-/// @param scene checked, as read_scene() gives it
+/// The tolerance holds for the sum of all errors. Rules that can accept an error are applied in
+/// this order, and each may spend what the earlier ones have left: the gyroscopic term, since
+/// without it a formula may replace steps; bounces that are left out from event to event; late
+/// hits; gravity; springs; bounces that steps leave out; sleep; float. Effects that are off without
+/// an error stay proven: those proofs are about which bodies may meet, have friction or rotate, and
+/// leaving out other effects adds none of these.
+/// @param scene checked, as read_scene() returns it
 /// @param options a step makes the run go step by step; overrides have the last word
 /// @throws std::invalid_argument if the step is not finite and greater than 0, or if an override
 /// names an effect that cannot be switched

@@ -1,16 +1,12 @@
 /// @file
-/// The planner's rules on how bodies move: gravity, rotation, the gyroscopic term, and motion that
-/// stays in a plane or on a line. One rule a function; each says by what theorem it is sound.
-/// The planner's rules on contacts: friction, restitution, what gives way, several at once, rest,
-/// sleep, and what passes between two steps.
-/// The planner's rule on the broad phase: whether pairs are worth sorting out beforehand.
-/// The planner's rules on time and digits: from event to event or step by step, how long a step is,
-/// float or double.
-/// Until when places can be predicted: an estimate, not a proof.
-/// How many of each thing a run is expected to have: impacts, parts of steps, contacts that last.
-/// Estimates, not proofs.
-/// What each effect costs, estimated before the run: how many of each thing to expect, times what
-/// one costs.
+/// The planner's rules, one function each; each says by which theorem it is sound.
+/// - Motion: gravity, rotation, the gyroscopic term, motion in a plane or on a line.
+/// - Contacts: friction, restitution, compliant contacts, several at once, rest, sleep, tunnelling.
+/// - Broad phase: whether sorting out pairs beforehand pays.
+/// - Time and precision: event-driven or in steps, the step size, float or double.
+/// - The horizon until which positions can be predicted: an estimate, not a proof.
+/// - The expected numbers of impacts, substeps and lasting contacts, and from them the cost of each
+/// effect: estimates, not proofs.
 #pragma once
 
 #include <algorithm>
@@ -38,27 +34,27 @@
 
 namespace contact {
 
-/// What every rule of the planner looks at. Make it with plan_question().
+/// The input of every rule of the planner. Make it with plan_question().
 struct PlanQuestion {
-  const Scene* scene = nullptr;  ///< what is planned
+  const Scene* scene = nullptr;  ///< the scene that is planned
   SceneBounds bounds;            ///< what its energy allows
   int table = -1;                ///< the axis of a level table that cancels gravity; −1: none
-  std::vector<PairBound> pairs;  ///< that may meet, without balls and the table that they lie on
-  double tolerance = 0;          ///< of a place, m; 0: none is given
-  double left = 0;               ///< of the tolerance, for errors that are not accepted yet, m
-  bool even_spins = false;       ///< no gyroscopic term changes a spin
+  std::vector<PairBound> pairs;  ///< that may meet, without balls and the table on which they lie
+  double tolerance = 0;          ///< of a position, m; 0: none is given
+  double left = 0;               ///< rest of the error budget, m
+  bool even_spins = false;       ///< no gyroscopic term changes an angular velocity
   bool events = false;           ///< whether the run goes from event to event
   double step = 0;               ///< s; 0 with events
 };
 
-/// What an error is compared with.
-/// @param error of the effect that is asked about, m
+/// Compares an error with the rest of the error budget.
+/// @param error of the effect in question, m
 Inequality fits_what_is_left(const PlanQuestion& q, std::string error_is, double error);
 
-/// Takes what a decision accepts from what is left, rounded down.
+/// Subtracts the error that a decision accepts from the error budget, rounded down.
 void take_from_what_is_left(PlanQuestion& q, const Decision& decision);
 
-/// How much a rule takes that may choose its error.
+/// The error that a rule takes if it may choose: half of the rest of the budget.
 double chosen_share(const PlanQuestion& q);
 
 /// "x", "y" or "z".
@@ -71,7 +67,7 @@ inline double most_friction(const std::vector<PairBound>& pairs) {
   return most;
 }
 
-/// How many moving bodies are no balls and may touch something.
+/// How many moving bodies that are not balls may touch something.
 inline double rough_shapes_that_touch(const PlanQuestion& q) {
   double count = 0;
   for (std::size_t i = 0; i < q.bounds.bodies.size(); ++i)
@@ -79,60 +75,60 @@ inline double rough_shapes_that_touch(const PlanQuestion& q) {
   return count;
 }
 
-/// That no pair of bodies may meet.
+/// The condition that no pair of bodies may meet.
 Inequality nothing_meets(const PlanQuestion& q);
 
-/// Smooth balls: a contact's force on a ball runs through its centre if nothing rubs. So spin never
-/// changes, and it changes nothing; a ball looks alike however it lies. Bodies of another shape
-/// must touch nothing and not spin.
+/// Smooth balls: without friction, the contact force on a ball acts through its centre, without
+/// torque. So its angular velocity never changes, and changes nothing; a ball looks the same in
+/// every orientation. Bodies of another shape must touch nothing and not rotate.
 Proof smooth_balls(const PlanQuestion& q);
 
-/// A scene that is its own mirror image across an axis.
+/// The conditions for a scene to be its own mirror image across an axis.
 /// @param axis 0, 1 or 2: x, y or z
 std::vector<Inequality> mirror_conditions(const PlanQuestion& q, int axis);
 
 /// The plane-motion proof for an axis.
 inline Proof plane_motion(const PlanQuestion& q, int axis) {
-  return {"The scene is its own mirror image across " + axis_name(axis) +
-              "; the laws of motion know no left and right, so nothing ever moves along it.",
-          mirror_conditions(q, axis)};
+  return {
+      "The scene is its own mirror image across " + axis_name(axis) +
+          "; the laws of motion are symmetric under reflection, so nothing ever moves along it.",
+      mirror_conditions(q, axis)};
 }
 
-/// The line-motion proof: two mirrors at once leave one axis, and no spin at all.
+/// The line-motion proof: two mirrors leave one axis, and no rotation.
 Proof line_motion(const PlanQuestion& q, int along);
 
 /// The line-motion proof that holds, if one does.
 std::optional<Proof> proven_line(const PlanQuestion& q);
 
-/// Balls on a level table without friction: what presses them down is what the table pushes back,
-/// and no contact between balls of one height has a component up or down. Then neither gravity nor
-/// the table changes the motion. Heights are compared exactly.
+/// Balls on a level table without friction: the table balances their weight, and contacts between
+/// balls at the same height have no vertical component. Then neither gravity nor the table changes
+/// the motion. Heights are compared exactly.
 /// @param axis of gravity
 std::vector<Inequality> table_conditions(const PlanQuestion& q, int axis);
 
-/// What the rules look at: the bounds, and whether a table cancels gravity.
+/// The input of the rules: the bounds, and whether a table cancels gravity.
 PlanQuestion plan_question(const Scene& scene);
 
-/// Gravity that a body feels: what no table cancels, m/s².
+/// Gravity that no table cancels, m/s².
 inline double gravity_felt(const PlanQuestion& q) { return q.table >= 0 ? 0.0 : q.bounds.gravity; }
 
-/// Gravity is off if there is none, if nothing moves, if a table cancels it, or if nothing touches
-/// anything and free fall through the whole duration is shorter than what is left of the tolerance.
+/// Gravity is off if it is zero, if nothing moves, if a table cancels it, or if nothing touches
+/// anything and free fall over the whole duration is within the rest of the error budget.
 Decision plan_gravity(const PlanQuestion& q);
 
-/// Rotation is off for smooth balls, and where two mirrors leave no room for spin.
+/// Rotation is off for smooth balls, and where two mirrors exclude it.
 inline Decision plan_rotation(const PlanQuestion& q) {
   std::vector<Proof> proofs{smooth_balls(q)};
   if (const auto line = proven_line(q)) proofs.push_back(*line);
-  return decide(Effect::rotation, std::move(proofs),
-                "Not proven that spins and orientations change nothing.");
+  return decide(Effect::rotation, std::move(proofs), "Not proven that rotation changes nothing.");
 }
 
-/// The gyroscopic term ω × I ω is 0 for a body whose moments are all equal, and for a spin along a
-/// principal axis that a mirror keeps there. A body that touches nothing turns away from where it
-/// would be without the term by at most ½ α T², with α = (I₃ − I₁)/I₁ · |ω|² the largest change of
-/// its spin that the term can make. Neither place nor gravity is in that, so it holds without
-/// gravity as well.
+/// The gyroscopic term ω × I ω is 0 for a body whose moments of inertia are all equal, and for an
+/// angular velocity that mirror symmetry keeps along a principal axis. Without the term, the
+/// orientation of a body that touches nothing is wrong by at most ½ α T², where α = (I₃ − I₁)/I₁ ·
+/// (I₃/I₁) |ω|² bounds the angular acceleration by the term; |ω|² may grow by I₃/I₁ at constant
+/// energy. Neither position nor gravity enters, so the bound also holds without gravity.
 Decision plan_gyroscopic_term(const PlanQuestion& q);
 
 /// The third dimension is off if the scene is its own mirror image across an axis.
@@ -140,7 +136,7 @@ inline Decision plan_third_dimension(const PlanQuestion& q) {
   std::vector<Proof> proofs;
   for (int axis = 2; axis >= 0; --axis) proofs.push_back(plane_motion(q, axis));
   return decide(Effect::third_dimension, std::move(proofs),
-                "Not proven that motion stays in a plane across x, y or z.");
+                "Not proven that motion stays in a plane perpendicular to x, y or z.");
 }
 
 /// The second dimension is off if the scene is its own mirror image across two axes.
@@ -151,12 +147,12 @@ inline Decision plan_second_dimension(const PlanQuestion& q) {
                 "Not proven that motion stays on a line along x, y or z.");
 }
 
-/// Friction is off if no two bodies that may meet rub, or if all motion is along one line, where
-/// surfaces that touch never slide along each other.
+/// Friction is off if no two bodies that may meet have friction, or if all motion is along one
+/// line, where surfaces in contact never slide along each other.
 Decision plan_friction(const PlanQuestion& q);
 
-/// Restitution is off if every hard contact that may happen returns nothing (e = 0): the impulse
-/// only stops the approach.
+/// Restitution is off if every hard contact that may occur has e = 0: the impulse only stops the
+/// approach.
 Decision plan_restitution(const PlanQuestion& q);
 
 namespace detail {
@@ -166,81 +162,84 @@ double fastest_spring(const PlanQuestion& q);
 
 }  // namespace detail
 
-/// How far off springs may be at the end that push in parts of a length p: an estimate, from what
-/// leapfrog leaves of the motion of one pair along its normal.
+/// Error at the end of springs that push in substeps of length p: an estimate, from the error of
+/// leapfrog (velocity Verlet) in the motion of one pair along its normal.
 ///
-/// It swings too fast, by (ω p)²/24 of the time. And a spring lets go within a part. Its push is
-/// taken in the part's middle, so at the speed v, with τ of the part to go, ω² v (τ²/2 − (τ − p/2)
-/// p) of velocity is missing or too much: v (ω p)²/8 at most. (Where it begins to push is found,
-/// and ends a part.) A contact lasts half a swing or longer, so in the time T there are at most 1 +
-/// ω T/π, and what each of them leaves counts for the rest of the time. Dampers that see a part's
-/// end, and friction, are of first order in p: of them nothing is said. Nor is it a bound where
-/// bodies hit one another in turn.
+/// It oscillates too fast, by (ω p)²/24 of the time. And a spring may separate within a substep.
+/// Its force is evaluated in the middle of the substep, so at the speed v, with τ of the substep
+/// left, the velocity is wrong by ω² v (τ²/2 − (τ − p/2) p): at most v (ω p)²/8. (The start of the
+/// contact is found, and ends a substep.) A contact lasts at least half an oscillation, so in the
+/// time T there are at most 1 + ω T/π, and the error of each counts for the rest of the time.
+/// Dampers that are evaluated at the end of a substep, and friction, are of first order in p: for
+/// them there is no estimate. Nor is this a bound where bodies hit one another in turn.
 /// @param part p, s
-/// @return m; ∞ if nothing is said
+/// @return m; ∞ if there is no estimate
 double springs_off(const PlanQuestion& q, double part);
 
-/// How long a part of a step is at most while a spring may push: so that springs_off() is half of
-/// what is left of the tolerance, and no more than 1/128 of a radian of the stiffest spring, which
-/// keeps the energy of a swing to 2e-5. That is all where the tolerance would take more than a
-/// thousand parts a step.
+/// The longest substep while a spring may push: such that springs_off() is half of the rest of the
+/// error budget, and at most 1/128 of a radian of the stiffest spring, which conserves the energy
+/// of an oscillation to 2e-5. Only the latter holds where the tolerance would take more than a
+/// thousand substeps a step.
 /// @return s; 0 if no spring may push
 double longest_spring_part(const PlanQuestion& q);
 
-/// Penalty contact is off if nothing that may be touched gives way. On, it takes what springs_off()
-/// says, if that is within what is left of the tolerance.
+/// Penalty contact is off if no contact that may occur is compliant. On, it takes springs_off()
+/// from the error budget, if the budget is large enough.
 Decision plan_penalty_contact(const PlanQuestion& q);
 
-/// The most bodies that one moving body may touch, without a table that cancels gravity.
+/// The largest number of bodies that one moving body may touch, not counting a table that cancels
+/// gravity.
 double most_partners(const PlanQuestion& q);
 
-/// Several contacts at a time need two partners, or a shape that can touch at more than one point.
+/// Several contacts at once need two partners, or a shape that can touch at more than one point.
 Decision plan_several_contacts(const PlanQuestion& q);
 
-/// How a ball over one half-space bounces, at the least and at the most.
+/// Bounds on the bounces of a ball on one half-space.
 struct BounceRange {
-  double rest = detail::infinite;  ///< it does not come to rest before this, s, rounded down
-  double hits = 0;                 ///< no more impacts in the whole duration, rounded up
-  double late = 0;  ///< of all impacts together, m/s: times the step, what lateness costs
+  double rest = detail::infinite;  ///< it does not come to rest before this time, s, rounded down
+  double hits = 0;                 ///< at most so many impacts in the whole duration, rounded up
+  double late = 0;  ///< error by lateness of all impacts together, for each second of step, m/s
 };
 
 /// The bounces of a ball whose only partner is a half-space, by its normal motion alone: friction
-/// and spin do not change that. Flight k takes 2 eᵏ w/g, so all end at t₁ + 2 e w/(g (1 − e)).
-/// @return nothing proven (rest 0, hits and late ∞) for a ball that begins on the half-space, for
-/// contacts that give way, or beyond a million impacts
+/// and rotation do not change that. Flight k takes 2 eᵏ w/g, so all end at t₁ + 2 e w/(g (1 − e)).
+/// @return nothing proven (rest 0, hits and late ∞) for a ball that starts on the half-space, for
+/// compliant contacts, or beyond a million impacts
 BounceRange bounce_range(const PlanQuestion& q, const PairBound& pair);
 
-/// The worst of all bounces, if each moving body has one half-space as its only partner; nothing
-/// proven otherwise.
+/// The worst of all bounces, if each moving body has one half-space as its only partner; otherwise
+/// nothing proven.
 BounceRange worst_bounces(const PlanQuestion& q);
 
-/// The ways to show that no contact lasts and carries a force.
+/// The proofs that no contact lasts and carries a force.
 ///
-/// Nothing presses without gravity, but for a body that turns and pushes another along: a ball on a
-/// rod that swings round. Elastic balls leave at the speed at which they came, which is
-/// never 0: a flight that only grazes what gravity presses it on would have come from inside. (Hits
-/// that fall on one instant are the business of the rule on several contacts.) And a ball that
-/// bounces on one half-space does not rest before its last bounce.
+/// Without gravity no force presses bodies together, except a rotating body that pushes another
+/// along: a ball on a rotating rod. Elastic balls leave with the normal speed with which they came.
+/// That is 0 only in a graze. A parabola that grazes a half-space on which gravity presses would
+/// have come from inside. It may graze a fixed ball from outside and then be pressed onto it, but
+/// only if it rises with exactly v² = g R cos θ: this case is neglected. (Simultaneous hits are
+/// left to the rule on several contacts.) And a ball that bounces on one half-space does not rest
+/// before its last bounce.
 std::vector<Proof> resting_proofs(const PlanQuestion& q);
 
-/// Whether gravity presses nothing together: there is none, or nothing that may be met stands
-/// still. Then all fall alike, and what flies off does not come back.
+/// Whether gravity presses no bodies together: it is zero, or no fixed body may be met. Then all
+/// bodies fall equally, and bodies that separate do not come back.
 inline bool all_fall_alike(const PlanQuestion& q) {
   bool stands = false;
   for (const PairBound& pair : q.pairs) stands = stands || !pair.both_move;
   return !stands || !(gravity_felt(q) > 0);
 }
 
-/// How high a hop is, at most, that steps leave out where things come to rest: half of what is left
-/// of the tolerance; where nothing is left, as much as places are rounded. Along each contact's
-/// normal it is also shorter than a step: slowest_bounce() makes a speed of both.
+/// The largest height of bounces that steps leave out where bodies may come to rest: half of the
+/// rest of the error budget; if that is 0, the rounding of positions. Along each contact's normal
+/// such a bounce is also shorter than a step: slowest_bounce() makes a speed of both.
 /// @return m; 0: none is left out
 double hops_left_out(const PlanQuestion& q);
 
 namespace detail {
 
-/// How hard gravity may press a pair together, m/s²: on a half-space to rounding, 0 if it pulls
-/// away.
+/// How strongly gravity may press a pair together, m/s²: on a half-space up to rounding, 0 if it
+/// pulls away.
 inline double pair_pressing(const PlanQuestion& q, const PairBound& pair) {
   if (!pair.half_space) return q.bounds.gravity;
   const auto& wall = std::get<HalfSpaceShape>(q.scene->bodies[pair.b].shape);
@@ -250,10 +249,10 @@ inline double pair_pressing(const PlanQuestion& q, const PairBound& pair) {
 
 }  // namespace detail
 
-/// Whether what lies on something lies there alone: a smooth ball on one hard half-space, beside
-/// which it may meet only walls at right angles to that one, smooth and hard too. Then the motion
-/// along the half-space knows nothing of the motion along its normal: whoever lies down too early,
-/// or sleeps, is off by what that leaves out, and no more.
+/// Whether each resting body rests alone: a smooth ball on one hard half-space, which may otherwise
+/// meet only smooth hard walls perpendicular to it. Then the tangential motion does not depend on
+/// the normal motion: a ball that rests or sleeps too early is wrong by what that leaves out, and
+/// no more.
 /// @param lasts of a pair: whether leaving something out there counts
 template <class Lasts>
 bool rests_alone(const PlanQuestion& q, const Lasts& lasts) {
@@ -274,41 +273,43 @@ bool rests_alone(const PlanQuestion& q, const Lasts& lasts) {
   return true;
 }
 
-/// Resting contact is off if one of resting_proofs() holds. On, steps leave out hops no higher than
-/// hops_left_out(): a ball that lies down in place of a hop on its floor is off by the hop's
-/// height, and all hops after it are lower. That is a bound if rests_alone(). Where bodies lie on
-/// or hit each other, or rub, a hop that is left out may change what comes after, and the plan says
-/// that there is no bound.
+/// Resting contact is off if one of resting_proofs() holds. On, steps leave out bounces no higher
+/// than hops_left_out(): a ball that rests instead of bouncing is displaced by the height of the
+/// bounce, and all later bounces are lower. That is a bound if rests_alone(). Where bodies lie on
+/// or hit each other, or have friction, a bounce that is left out may change what comes after, and
+/// the plan says that there is no bound.
 Decision plan_resting(const PlanQuestion& q);
 
-/// How far a body that sleeps may be off: half of the tolerance, or what is left of it.
+/// The error that sleep may make: half of the tolerance, or the rest of the error budget if that is
+/// less.
 inline double sleeping_share(const PlanQuestion& q) { return std::min(q.left, q.tolerance / 2); }
 
 /// Sleeping is off where nothing rests. Leaving it off is never wrong; it only costs time. On, it
-/// takes sleeping_share(): a body sleeps that would not come farther in the whole duration T, if it
-/// went on at the speed s, or if what has pushed it so far in sleep_after() went on to: s T and s
-/// T²/τ. That is a bound if rests_alone(): gravity pushes evenly then. It is none for what
-/// balances: a body on its edge falls ever faster. And what only falls is never slow for so long.
+/// takes sleeping_share(): a body may sleep if it would not move farther in the whole duration T at
+/// its speed s, or at the acceleration that gave it s within sleep_after: s T and s T²/τ. That is a
+/// bound if rests_alone(), where the force is constant. It is none for a balanced body: a body on
+/// its edge falls ever faster. A body that only falls is never slow for so long.
 Decision plan_sleeping(const PlanQuestion& q);
 
-/// How slow a body must be to sleep, m/s.
+/// The speed below which a body may sleep, m/s.
 /// @param sleeping the decision on it
 inline double sleep_speed(const PlanQuestion& q, const Decision& sleeping) {
   const double t = q.scene->duration;
   return sleeping.error > 0 ? sleeping_share(q) / std::max(t, t * t / sleep_after) : 0;
 }
 
-/// What can go unseen between two steps of length h, if contacts are looked for at steps only.
+/// What can be missed between two steps of length h, if contacts are tested at steps only.
 /// @param h s
 std::vector<Inequality> tunnelling_conditions(const PlanQuestion& q, double h);
 
-/// Continuous detection is off if nothing can pass through anything between two steps, and what
-/// comes late or is missed stays within the tolerance.
+/// Continuous detection is off if nothing can pass through anything between two steps, and late and
+/// missed hits stay within the tolerance.
 Decision plan_continuous_detection(const PlanQuestion& q, double h);
 
 namespace detail {
 
-/// The space that moving bodies have: between level walls where there are any, else round them.
+/// The space that moving bodies have: between level walls where there are any, otherwise their
+/// bounding box.
 struct Room {
   Vector3<double> size = Vector3<double>::Zero();  ///< m
   double widest = 0;                               ///< largest diameter of a moving body, m
@@ -320,57 +321,60 @@ Room room_of(const Scene& scene);
 
 }  // namespace detail
 
-/// What finding the pairs that are near costs in one part, by cells and by comparing all, without
-/// the boxes that both need.
+/// Cost of finding near pairs in one substep, by cells and by comparing all, without the bounding
+/// boxes that both need.
 struct PairSearchCost {
   double all = 0;    ///< instructions
   double cells = 0;  ///< instructions
 };
 
-/// The same counts as chapter 10's: pairs, entries in cells, pairs near enough to be compared. An
-/// entry is sorted in half as many steps as its number has binary digits, and once more looked at.
-/// @param boxes in an order of their own
+/// The same counts as in chapter 10: pairs, entries in cells, pairs near enough to be compared.
+/// Sorting takes half as many steps for an entry as its number has binary digits, and one more
+/// visit.
+/// @param boxes in an order that does not depend on the scene's
 PairSearchCost pair_search_cost(std::span<const Aabb<double>> boxes);
 
 namespace detail {
 
-/// Boxes about the ways of all that is bounded in a first step: of the balls about them. In an
-/// order of their own, so that a scene's order changes nothing. None if one is out of all bounds.
+/// Boxes that bound all bounded bodies during a first step: of their bounding balls. Sorted, so
+/// that the scene's order changes nothing. None if one is too large.
 std::vector<Aabb<double>> first_boxes(const Scene& scene, double h);
 
 }  // namespace detail
 
-/// A broad phase never changes what happens, so this is a question of cost alone.
+/// A broad phase never changes a result, so this is a question of cost alone.
 Decision plan_broad_phase(const PlanQuestion& q);
 
-/// That between impacts every spin stays as it is: a formula gives how a body lies.
+/// The condition that every angular velocity is constant between impacts, so that orientations have
+/// a formula.
 Inequality nothing_turns_unevenly(const PlanQuestion& q);
 
-/// What an event-driven run can hold: smooth hard balls, half-spaces and balls that stand still,
-/// and what meets nothing and turns evenly.
+/// The conditions of an event-driven run: smooth hard balls, half-spaces and fixed balls, and
+/// bodies that meet nothing and rotate at constant angular velocity.
 std::vector<Inequality> event_conditions(const PlanQuestion& q);
 
-/// The shortest flight that an event-driven run follows, if places may be off by a tolerance: a
-/// hop of a ball under g that takes t rises by g t²/8.
+/// The shortest flight that an event-driven run follows for a tolerance of positions: a bounce
+/// under g that takes t rises by g t²/8.
 /// @return s; half of the tolerance is used
 inline double contact_time_cutoff(double tolerance, double gravity) {
   return std::sqrt(4 * tolerance / gravity);
 }
 
-/// From event to event only where the number of events is bounded.
+/// Event-driven only where the number of events is bounded.
 ///
-/// Finitely many elastic balls hit each other finitely often (Vaserstein 1979; Burago, Ferleger and
+/// Finitely many elastic balls have finitely many hits (Vaserstein 1979; Burago, Ferleger and
 /// Kononenko 1998 with a bound by number and masses alone), and with walls and gravity finitely
-/// often in a finite time (Galperin 1981), as long as nothing rests. A ball on one half-space has a
-/// budget of bounces. A pair that flies freely meets once. A ball that comes to rest on one
-/// half-space is followed until its hops are shorter than a cutoff; their height is the error. No
-/// other error is accepted beside it: what else may be left out within the tolerance touches
-/// nothing, or goes step by step. Everything else goes step by step: that is the safe side.
+/// many in a finite time (Galperin 1981), as long as nothing rests. The bounces of a ball on one
+/// half-space are counted. A pair that flies freely meets once. A ball that comes to rest on one
+/// half-space is followed until its bounces are shorter than a cutoff; their height is the error.
+/// No other error is accepted with it: the other effects that may be left out within the tolerance
+/// are those of bodies that touch nothing or go step by step. Everything else goes step by step,
+/// which is always safe.
 Decision plan_event_driven(const PlanQuestion& q);
 
 namespace detail {
 
-/// How long a step is if nothing else decides: a frame.
+/// The default step: a frame.
 inline double frame_step(const Scene& scene) {
   double h = std::min(1.0 / 60, scene.duration);
   if (scene.output.every > 0) h = std::min(h, scene.output.every);
@@ -379,73 +383,74 @@ inline double frame_step(const Scene& scene) {
 
 }  // namespace detail
 
-/// The largest step with which the tolerance holds though contacts are looked for at steps only; a
-/// frame where no step proves that, because then impacts are found between steps. So they are where
-/// it would take more than a thousand steps a frame: to look for impacts costs less. A spring of
-/// angular frequency ω takes at least 20 steps for each radian·π: h ≤ 1/(10 ω), far inside the
-/// limit h ω < 2 of Euler's velocity-first step. While it may push, longest_spring_part() cuts the
-/// step further.
+/// The largest step that keeps the tolerance although contacts are tested at steps only; a frame
+/// where no step is proven to, because then impacts are found between steps. The same where it
+/// would take more than a thousand steps a frame: finding impacts costs less. A spring of angular
+/// frequency ω takes at least 10 steps for each radian: h ≤ 1/(10 ω), far inside the stability
+/// limit h ω < 2 of semi-implicit Euler. While it may push, longest_spring_part() divides the step
+/// further.
 /// @return s
 double step_from_tolerance(const PlanQuestion& q);
 
 /// The step size as a decision: on with its value, or off from event to event.
 Decision plan_step_size(const PlanQuestion& q, const PlanOptions& options);
 
-/// Float is enough if nothing touches anything, spins stay, and a flight's rounding keeps within
-/// what is left of the tolerance: in x + (v t + g t²/2) no term passes more than 8 roundings, each
-/// off by at most u of the sum of the terms' sizes; and a turn by ω t is off by at most 32 u (1 +
-/// |ω| t), which takes a point along by that times its distance. Without gravity a term is missing,
-/// and the rest is rounded no worse. Squares of times and spins have to be numbers that a float
-/// holds. After a hit rounding may grow, and nothing is proven.
+/// Float suffices if nothing touches anything, angular velocities are constant, and the rounding of
+/// a flight is within the rest of the error budget. In x + (v t + g t²/2) no term goes through more
+/// than 8 roundings, each off by at most u of the sum of the terms' sizes. A rotation by ω t is
+/// wrong by at most 32 u (1 + |ω| t), which moves a point by that times its distance. Without
+/// gravity a term is missing, and the rest is rounded no worse. Squares of times and angular
+/// velocities must neither overflow nor underflow in float. After a hit rounding errors may grow,
+/// and nothing is proven.
 Decision plan_double_precision(const PlanQuestion& q);
 
 namespace detail {
 
-/// Before this nothing touches anything; 0 for a crowd, whose pairs are not asked one by one.
+/// No touch happens before this time; 0 for a crowd, whose pairs are not tested one by one.
 double first_touch(const PlanQuestion& q);
 
 }  // namespace detail
 
-/// Until when places can be predicted.
+/// Until when positions can be predicted.
 /// @param turning whether the plan has rotation
 Decision plan_horizon(const PlanQuestion& q, bool turning);
 
 // [expected-run]
-/// How many of each thing a run is expected to have. Sums over pairs are taken in their order of
-/// size, so that the order of a scene's bodies changes nothing.
+/// The expected numbers in a run. Sums over pairs are taken in order of size, so that the order of
+/// a scene's bodies changes nothing.
 struct ExpectedRun {
   double movers = 0;     ///< bodies that move
-  double bounded = 0;    ///< bodies that are no half-spaces
+  double bounded = 0;    ///< bodies other than half-spaces
   double walls = 0;      ///< half-spaces
   double hits = 0;       ///< impacts
-  double wall_hits = 0;  ///< and of these, on half-spaces
+  double wall_hits = 0;  ///< impacts on half-spaces, of these
   double crossings = 0;  ///< from cell to cell, from event to event
   double occupancy = 0;  ///< balls in a cell there
   double steps = 0;      ///< of time
-  double parts = 0;      ///< into which impacts and springs cut them
-  double awake = 1;      ///< share of the time in which not all sleep
-  // Of pairs that go on touching, as many as there are on the average at any time:
+  double parts = 0;      ///< substeps, into which impacts and springs divide them
+  double awake = 1;      ///< share of the time in which not all bodies sleep
+  // Of pairs that stay in contact, the mean number at any time:
   double touching = 0;      ///< pairs
   double contacts = 0;      ///< their points
-  double unpressed = 0;     ///< and of the pairs, those that nothing presses
-  double gaps = 0;          ///< what finding these points costs, instructions
-  double impact = 0;        ///< what it costs to find when a pair comes to touch, instructions
-  double spring_parts = 0;  ///< parts in which a spring pushes
-  double looks = 0;         ///< parts of turns with the gyroscopic term
-  PairSearchCost search;    ///< of each part
-  bool cells = false;       ///< balls ask their neighbours only, from event to event
-  bool heap = false;        ///< contacts are guessed: a crowd lies in a heap, three a body
+  double unpressed = 0;     ///< pairs that nothing presses together, of these
+  double gaps = 0;          ///< cost of finding these points, instructions
+  double impact = 0;        ///< cost of finding when a pair comes to touch, instructions
+  double spring_parts = 0;  ///< substeps in which a spring pushes
+  double looks = 0;         ///< substeps of rotations with the gyroscopic term
+  PairSearchCost search;    ///< of each substep
+  bool cells = false;       ///< balls test their neighbours only, from event to event
+  bool heap = false;        ///< the number of contacts is assumed: three a body in a heap
 };
 // [/expected-run]
 
-/// What to expect of a run of the scene.
+/// The expected numbers in a run of the scene.
 /// @param h of a step, s
-/// @param spring_part how long a part is while a spring pushes, s; 0: none does
-/// @param sleeps whether what rests may sleep
+/// @param spring_part length of a substep while a spring pushes, s; 0: none does
+/// @param sleeps whether bodies at rest may sleep
 ExpectedRun expected_run(const PlanQuestion& q, double h, double spring_part, bool sleeps);
 
-/// Says of each effect what it costs in this run, beside a run without it. What a choice of
-/// somebody's changes is not in it, but for events or steps.
+/// Estimates what each effect costs in this run, compared with a run without it. Overrides are not
+/// included, except of events or steps.
 /// @param h of a step, or of the step that would be taken, s
 void estimate_savings(const PlanQuestion& q, double h, Plan& plan);
 

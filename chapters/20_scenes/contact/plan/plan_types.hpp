@@ -1,6 +1,6 @@
 /// @file
-/// What a plan is made of: effects, inequalities, proofs and decisions. Plain data, so that a page,
-/// a program and a test read the same.
+/// The parts of a plan: effects, inequalities, proofs and decisions. Plain data, the same for a
+/// page, a program and a test.
 #pragma once
 
 #include <array>
@@ -12,25 +12,25 @@
 
 namespace contact {
 
-/// What a simulation of a scene may need. Each can be left out, or is a value that must be chosen.
+/// The effects of a simulation. Each can be left out, or is a value that must be chosen.
 enum class Effect {
   gravity,               ///< the acceleration of free flight
-  rotation,              ///< orientations and spins as state
-  gyroscopic_term,       ///< ω × I ω in the change of a spin
-  friction,              ///< impulses along a surface
-  restitution,           ///< bouncing: what comes back of an approach
-  continuous_detection,  ///< looking for impacts between two steps
+  rotation,              ///< orientations and angular velocities as state
+  gyroscopic_term,       ///< ω × I ω in Euler's equations of rotation
+  friction,              ///< tangential impulses
+  restitution,           ///< rebound: the speed after an impact
+  continuous_detection,  ///< finding impacts between two steps
   broad_phase,           ///< sorting out pairs before they are tested
   several_contacts,      ///< a body with more than one contact at a time
   resting,               ///< contacts that last and carry a force
-  sleeping,              ///< bodies at rest that are left alone
-  penalty_contact,       ///< contacts that give way like springs
+  sleeping,              ///< bodies at rest that are skipped
+  penalty_contact,       ///< contacts that are compliant, like springs
   third_dimension,       ///< motion out of a plane
   second_dimension,      ///< motion off a line
-  double_precision,      ///< double in place of float
-  event_driven,          ///< from impact to impact in place of step by step
-  step_size,             ///< how long a step is
-  horizon                ///< until when places can be predicted
+  double_precision,      ///< double instead of float
+  event_driven,          ///< from impact to impact instead of step by step
+  step_size,             ///< length of a step
+  horizon                ///< until when positions can be predicted
 };
 
 /// Every effect, in the order of a plan.
@@ -42,7 +42,7 @@ inline constexpr std::array<Effect, 17> all_effects{
     Effect::second_dimension, Effect::double_precision, Effect::event_driven,
     Effect::step_size,        Effect::horizon};
 
-/// The name by which an effect is asked for: "gyroscopic-term".
+/// The name of an effect: "gyroscopic-term".
 std::string_view effect_name(Effect effect);
 
 /// The effect of that name; nothing if there is none.
@@ -53,12 +53,12 @@ inline std::optional<Effect> effect_named(std::string_view name) {
   return std::nullopt;
 }
 
-/// Whether an effect is switched on or off. The other two are values: step size and horizon.
+/// Whether an effect can be on or off. The other two are values: step size and horizon.
 inline bool can_be_switched(Effect effect) {
   return effect != Effect::step_size && effect != Effect::horizon;
 }
 
-/// How long a body is slow before it may sleep, s.
+/// How long a body must be slow before it may sleep, s.
 inline constexpr double sleep_after = 0.5;
 
 /// How the two sides of an inequality are compared.
@@ -68,8 +68,9 @@ enum class Relation {
   equal     ///< left = right
 };
 
-/// One condition of a proof: two numbers, what each of them is, and how they are compared. A bound
-/// is rounded away from the comparison's holding, so that what holds here holds without rounding.
+/// One condition of a proof: two numbers, what each of them is, and how they are compared. Bounds
+/// are rounded away from the side where the condition holds, so that a condition that holds also
+/// holds without rounding.
 struct Inequality {
   std::string left_is;                    ///< what the left side is, in words
   double left = 0;                        ///< in `unit`
@@ -82,7 +83,7 @@ struct Inequality {
 /// Whether the condition holds. A side that is not a number proves nothing.
 bool holds(const Inequality& condition);
 
-/// One way to show that an effect cannot matter, or matters less than the tolerance.
+/// One proof that an effect cannot matter, or matters less than the tolerance.
 struct Proof {
   std::string why;                     ///< the theorem, one sentence
   std::vector<Inequality> conditions;  ///< all must hold
@@ -93,28 +94,28 @@ struct Proof {
 /// Whether every condition holds. A proof without conditions proves nothing.
 bool is_proven(const Proof& proof);
 
-/// What an effect costs, by an estimate that is made before the run. The unit is an instruction of
-/// the book's own code, optimised (-O2), as x86-64 has it: contact/plan_costs.hpp says what one of
-/// each thing takes, and how that was counted.
+/// The cost of an effect, estimated before the run. The unit is an instruction of the book's own
+/// code, optimised (-O2), on x86-64: contact/plan_costs.hpp has the unit costs, and how they were
+/// counted.
 struct Saving {
-  /// How many more the whole run takes with the effect than without it: what leaving it out saves.
-  /// Less than 0: so many are saved by having it.
+  /// How many more instructions the whole run takes with the effect than without it: what leaving
+  /// it out saves. Negative if the effect saves instructions.
   double instructions = 0;
   std::string is;  ///< what was counted
 
-  /// The same, with something said beside it.
+  /// The same, with more words.
   Saving and_more(const std::string& words) const { return {instructions, is + "; " + words}; }
 };
 
-/// What a plan says of one effect.
+/// What a plan says about one effect.
 struct Decision {
   Effect effect = Effect::gravity;  ///< which effect
   bool on = true;                   ///< whether the simulation has it
-  bool planned = true;              ///< the same before anybody overrode it
-  bool overridden = false;          ///< whether somebody did
+  bool planned = true;              ///< the same before an override
+  bool overridden = false;          ///< whether it was overridden
   bool proven = false;              ///< by `because`; else "not proven": the safe choice
   std::string why;                  ///< the theorem that decided, or why none did
-  std::vector<Inequality> because;  ///< with what numbers; failed ones if nothing is proven
+  std::vector<Inequality> because;  ///< its numbers; the failed conditions if nothing is proven
   double error = 0;                 ///< position error accepted, m
   std::string error_is = "none";    ///< the same in words
   Saving saving;                    ///< what leaving it out saves, estimated
@@ -122,38 +123,38 @@ struct Decision {
   std::vector<Proof> tried;         ///< every proof that the rule tried, in order
 };
 
-/// The decision that a rule's proofs make.
-/// @param not_proven what to say then
+/// Makes a decision from a rule's proofs.
+/// @param not_proven what to say if none holds
 Decision decide(Effect effect, std::vector<Proof> proofs, const std::string& not_proven);
 
-/// Effects that somebody forces on or off, whatever the plan says.
+/// Effects that are forced on or off, whatever the plan says.
 struct Overrides {
   std::vector<Effect> with;     ///< forced on
   std::vector<Effect> without;  ///< forced off
 };
 
-/// What a plan is asked with.
+/// Options of a plan.
 struct PlanOptions {
   std::optional<double> step;  ///< s, greater than 0; without it the tolerance chooses
-  Overrides overrides;         ///< last word on what is on
+  Overrides overrides;         ///< the last word on what is on
 };
 
-/// The decisions on a scene, one for each effect in the order of all_effects, and what a reader
-/// must know beside them.
+/// The decisions on a scene, one for each effect in the order of all_effects, and notices for the
+/// reader.
 struct Plan {
   std::vector<Decision> decisions;   ///< as many as there are effects
   std::vector<std::string> notices;  ///< sentences, such as that the tolerance outlives the horizon
-  double tolerance = 0;              ///< of a place, m; 0: no error is accepted
-  /// m; of the errors that decisions accept, all together; ∞ if one has no bound, or if an effect
-  /// is forced off that the plan has on
+  double tolerance = 0;              ///< of a position, m; 0: no error is accepted
+  /// m; sum of the errors that decisions accept; ∞ if one has no bound, or if an effect is forced
+  /// off that the plan has on
   double error = 0;
   double speed = 0;  ///< no centre of mass is ever faster, m/s
   double step = 0;   ///< s; 0: no steps, from event to event
-  /// s; shorter hops of a ball on its floor are left out; 0: none that an error would tell
+  /// s; shorter bounces of a ball on its floor are left out; 0: none that makes an error
   double cutoff = 0;
-  double rest_height = 0;  ///< hops no higher than this are left out in steps, m; 0: none is
-  double sleep_speed = 0;  ///< what is slower for a while may sleep in steps, m/s
-  double spring_part = 0;  ///< s; no part of a step is longer while a spring may push; 0: none does
+  double rest_height = 0;  ///< bounces no higher than this are left out in steps, m; 0: none is
+  double sleep_speed = 0;  ///< bodies that are slower for a while may sleep in steps, m/s
+  double spring_part = 0;  ///< s; longest substep while a spring may push; 0: none does
   std::size_t pairs = 0;   ///< of bodies that may meet; a crowd counts all its pairs
 };
 

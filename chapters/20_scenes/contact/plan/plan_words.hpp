@@ -1,5 +1,5 @@
 /// @file
-/// What somebody types to change a plan: a step, and effects that are forced on or off.
+/// Options of a command that change a plan: a step, and effects that are forced on or off.
 #pragma once
 
 #include <string>
@@ -16,13 +16,13 @@ struct PlanWords {
   std::string step;                  ///< s; empty: the plan's
 };
 
-/// What they ask for.
-/// @throws std::invalid_argument for an effect that is none, or a step that is none
+/// The options that they mean.
+/// @throws std::invalid_argument for an unknown effect, or an invalid step
 PlanOptions plan_options(const PlanWords& words);
 
 /// A number of seconds as typed after an option.
-/// @param zero whether 0 is one
-/// @throws std::invalid_argument that names the option and what it may be
+/// @param zero whether 0 is allowed
+/// @throws std::invalid_argument with the option's name and what is allowed
 double seconds_of(const std::string& option, const std::string& text, bool zero);
 
 }  // namespace contact::scenes

@@ -1,7 +1,7 @@
 /// @file
-/// Where the functions of this chapter are defined: in src/, which is compiled once into a library,
-/// or, without the library, in every program that includes a header, which then takes its source
-/// in. Who links the library defines CONTACT_SCENES_COMPILED; the build's target contact_scenes
+/// Where the functions of this chapter are defined. Either src/ is compiled once into a library,
+/// or, without the library, each program that includes a header includes its source too. A program
+/// that links the library defines CONTACT_SCENES_COMPILED, as the build's target contact_scenes
 /// does.
 #pragma once
 

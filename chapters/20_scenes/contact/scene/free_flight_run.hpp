@@ -1,5 +1,6 @@
 /// @file
-/// Bodies that meet nothing and whose spins stay: a formula for any time, and no step.
+/// Bodies that meet nothing and whose angular velocities are constant: a formula for any time, and
+/// no steps.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +24,8 @@
 namespace contact {
 
 // [flies-freely]
-/// Whether nothing of a planned scene meets anything and every spin stays as it is. Then each body
-/// is where x₀ + t (v₀ + t g/2) says, turned by ω t.
+/// Whether nothing of a planned scene meets anything and every angular velocity is constant. Then
+/// each body is at x₀ + t (v₀ + t g/2), rotated by ω t.
 inline bool flies_freely(const Plan& plan) {
   const bool steady =
       !decision_on(plan, Effect::rotation).on || !decision_on(plan, Effect::gyroscopic_term).on;
@@ -33,14 +34,14 @@ inline bool flies_freely(const Plan& plan) {
 // [/flies-freely]
 
 // [free-flight-run]
-/// A run of what flies freely. It keeps of each mover the numbers with which it began, in the type
-/// and of the coordinates that the plan asks for; places are computed when somebody asks.
+/// A run of bodies that fly freely. It stores the initial state of each, in the type and the
+/// coordinates that the plan asks for; positions are computed on request.
 /// @tparam S float or double
-/// @tparam Dimension how many coordinates change
+/// @tparam Dimension number of coordinates that change
 template <std::floating_point S, int Dimension>
 class FreeFlightRun final : public SceneRun {
  public:
-  /// @param scene of whose plan flies_freely() is true
+  /// @param scene with a plan for which flies_freely() is true
   /// @param axes which coordinates change; `Dimension` of them count
   /// @param turning whether orientations are kept
   FreeFlightRun(const Scene& scene, const std::array<int, 3>& axes, bool turning)
@@ -69,7 +70,7 @@ class FreeFlightRun final : public SceneRun {
         {"flight", std::to_string(Dimension) + (Dimension == 1 ? " coordinate" : " coordinates") +
                        (falls ? ", parabolas" : ", straight lines") + type}};
     if (falls) stages.push_back({"gravity", "exact"});
-    if (!turns_.empty()) stages.push_back({"turning", "with even spins"});
+    if (!turns_.empty()) stages.push_back({"turning", "with constant angular velocities"});
     return stages;
   }
 
@@ -115,7 +116,7 @@ class FreeFlightRun final : public SceneRun {
     return sizeof(Flight) + (turns_.empty() ? 0 : sizeof(Turn));
   }
 
-  /// The time says it all.
+  /// The time is the whole state.
   SceneCheckpoint checkpoint() const override {
     SceneCheckpoint to;
     to.kind = "free flight";
@@ -135,11 +136,11 @@ class FreeFlightRun final : public SceneRun {
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
   struct Flight {
-    Point position;  // at the beginning, m
+    Point position;  // initial, m
     Point velocity;  // m/s
   };
   struct Turn {
-    Rotor<S> orientation;  // at the beginning
+    Rotor<S> orientation;  // initial
     Vector3<S> spin;       // rad/s
   };
 
@@ -159,13 +160,14 @@ class FreeFlightRun final : public SceneRun {
   Point pull_;  // m/s²
   double now_ = 0;
   std::vector<Flight> flights_;
-  std::vector<Turn> turns_;             // empty if nothing turns
+  std::vector<Turn> turns_;             // empty if nothing rotates
   std::vector<std::size_t> flight_of_;  // by body
 };
 // [/free-flight-run]
 
-/// The run of what flies freely, with the numbers that its plan asks for: no more coordinates than
-/// change unless the plan has them on, float where that is enough, orientations where bodies turn.
+/// The run of bodies that fly freely, with the numbers that its plan asks for: only the coordinates
+/// that change unless the plan has more on, float where that suffices, orientations where bodies
+/// rotate.
 /// @param plan for which flies_freely() is true
 std::unique_ptr<SceneRun> make_free_flight_run(const Scene& scene, const Plan& plan);
 

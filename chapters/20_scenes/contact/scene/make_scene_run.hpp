@@ -1,6 +1,6 @@
 /// @file
-/// What a scene expects, measured on a run of it.
-/// From a scene and its plan to the run that simulates it.
+/// From a scene and its plan to the run that simulates it, and the quantities that a scene expects,
+/// measured on a run.
 #pragma once
 
 #include <cstddef>
@@ -22,23 +22,24 @@
 
 namespace contact {
 
-/// A quantity that a scene expects, as a run has it now. Names and units as in scene_quantities.
-/// @return in SI units; not a number if it names a body that is not there
+/// A quantity that a scene expects, at the present time of a run. Names and units as in
+/// scene_quantities.
+/// @return in SI units; not a number if it names a body that does not exist
 double scene_quantity(const Scene& scene, const SceneRun& run, const SceneExpectation& wanted);
 
-/// A scene without what somebody has forced off: gravity, friction, restitution, springs. What the
-/// planner has proven inactive stays: it changes nothing.
+/// A scene without the effects that are forced off: gravity, friction, restitution, springs.
+/// Effects that the planner has proven inactive stay, since they change nothing.
 Scene scene_without_effects(Scene scene, const Plan& plan);
 
-/// A run from event to event that goes on step by step where events do not end, or where a budget
-/// of them runs out: visibly, with fallback().
+/// An event-driven run that goes on step by step where events do not end, or where their budget is
+/// used up; fallback() says so.
 class FallbackRun final : public SceneRun {
  public:
   /// @param scene of hard, smooth balls
   /// @param overrides for the plan of the stepped run
-  /// @param compose what makes a run of hard balls
+  /// @param compose makes a run of hard balls
   /// @param event_budget hits, after which it goes on step by step
-  /// @param cutoff s; shorter hops are left out; 0: those that time can hardly tell
+  /// @param cutoff s; shorter bounces are left out; 0: those that time hardly resolves
   FallbackRun(Scene scene, Overrides overrides, ComposeHardSpheres compose,
               std::uint64_t event_budget, double cutoff = 0);
 
@@ -65,17 +66,17 @@ class FallbackRun final : public SceneRun {
   Vector3<double> spin(std::size_t body) const override { return seen().spin(body); }
   double energy() const override { return seen().energy(); }
   SceneRunCounts counts() const override;
-  /// Of which effects of hard balls it is composed until it goes over.
+  /// The effects of hard balls of which it is composed until it falls back.
   const HardSphereEffects& effects() const { return events_->effects(); }
   std::size_t bytes() const override { return seen().bytes(); }
   std::size_t bytes_per_body() const override { return seen().bytes_per_body(); }
 
-  /// Of a run that has gone over: first the places and velocities with which it did.
+  /// Of a run that has fallen back: first the positions and velocities at that time.
   SceneCheckpoint checkpoint() const override;
   void restore(const SceneCheckpoint& from) override;
 
  private:
-  /// Tells of hits with the time of the whole run.
+  /// Reports hits with the time of the whole run.
   class Later final : public SceneObserver {
    public:
     Later(double begin, SceneObserver* to) : begin_(begin), to_(to) {}
@@ -99,19 +100,19 @@ class FallbackRun final : public SceneRun {
   std::uint64_t event_budget_;
   double cutoff_;
   std::unique_ptr<HardSphereSceneRun> events_;
-  std::unique_ptr<SceneRun> steps_;  // from when on it goes step by step
+  std::unique_ptr<SceneRun> steps_;  // since it goes step by step
   std::optional<SceneFallback> fallback_;
   SceneRunCounts before_;  // until then
-  Scene from_;             // as it was then
+  Scene from_;             // at that time
 };
 
-/// The run that a plan decides on: a formula for what flies freely; from event to event where the
-/// plan says so and the scene is one of hard, smooth balls; step by step otherwise, with the stages
+/// The run that a plan decides on: a formula for bodies that fly freely; event-driven where the
+/// plan says so and the scene is one of hard, smooth balls; otherwise step by step, with the stages
 /// that are on.
-/// @param scene checked; what names and shapes it has, its run keeps
+/// @param scene checked; its run keeps its names and shapes
 /// @param plan as plan_scene() makes it, overrides included
-/// @param compose what makes a run of hard balls
-/// @param event_budget hits, after which a run from event to event goes on step by step
+/// @param compose makes a run of hard balls
+/// @param event_budget hits, after which an event-driven run goes on step by step
 /// @throws std::invalid_argument with what stepped_refusal() says, if neither can run it
 std::unique_ptr<SceneRun> make_scene_run(
     const Scene& scene, const Plan& plan, ComposeHardSpheres compose,

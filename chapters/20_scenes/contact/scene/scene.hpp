@@ -1,6 +1,6 @@
 /// @file
-/// A scene as plain data: what there is, how it moves at first, how long it lasts and how accurate
-/// the answer must be. SI units; one frame, the world's, right-handed.
+/// A scene as plain data: its bodies, their initial motion, how long it lasts and how accurate the
+/// answer must be. SI units; one frame, the world's, right-handed.
 ///
 /// A scene that is read from a file has been checked (contact/scene_check.hpp). A scene that a
 /// program makes is checked by check_scene().
@@ -40,54 +40,53 @@ struct HullShape {
 
 /// All points x of the world with normal · x ≤ offset: a floor or a wall. Never moves.
 struct HalfSpaceShape {
-  Vector3<double> normal = Vector3<double>::UnitZ();  ///< unit vector out of the matter
+  Vector3<double> normal = Vector3<double>::UnitZ();  ///< unit normal out of the solid
   double offset = 0;                                  ///< m
 };
 
-/// What a body's shape may be.
+/// The shapes of a body.
 using SceneShape = std::variant<BallShape, BoxShape, CapsuleShape, HullShape, HalfSpaceShape>;
 
-/// What a surface is made of.
+/// The material of a surface.
 struct SceneMaterial {
-  std::string name;        ///< by which bodies name it
+  std::string name;        ///< the name that bodies refer to
   double restitution = 0;  ///< from 0 to 1, no unit
   double friction = 0;     ///< Coulomb's coefficient, not negative, no unit
-  /// Of a contact that gives way, N/m and greater than 0; without it the contact is hard.
+  /// Of a compliant contact, N/m and greater than 0; without it the contact is hard.
   std::optional<double> stiffness;
-  double damping = 0;  ///< of a contact that gives way, N·s/m, not negative
+  double damping = 0;  ///< of a compliant contact, N·s/m, not negative
 };
 
-/// A body: what it is, and how it lies and moves when the scene begins.
+/// A body: what it is, and its initial state.
 struct SceneBody {
   std::string name;          ///< no other body has it
   SceneShape shape;          ///< about its origin; a half-space in the world
   std::size_t material = 0;  ///< index into Scene::materials
-  bool moves = true;         ///< false: nothing moves it, and it does not move
+  bool moves = true;         ///< false: it is fixed
   double mass = 0;           ///< kg, greater than 0 if it moves; else 0
-  /// About its centre of mass and its own axes, kg·m². Those of a solid of even density. Off the
-  /// diagonal only for a hull.
+  /// About its centre of mass and its own axes, kg·m², for uniform density. Off the diagonal only
+  /// for a hull.
   Matrix3<double> inertia = Matrix3<double>::Zero();
   Vector3<double> position = Vector3<double>::Zero();  ///< of its origin, m
-  Rotor<double> orientation;                           ///< turns its axes into the world's
+  Rotor<double> orientation;                           ///< rotates its axes into the world's
   Vector3<double> velocity = Vector3<double>::Zero();  ///< m/s
   Vector3<double> spin = Vector3<double>::Zero();      ///< angular velocity in the world, rad/s
 };
 
 /// How accurate the answer must be: one or both.
 struct SceneTolerance {
-  std::optional<double> position;  ///< largest error of a body's place up to the horizon, m
+  std::optional<double> position;  ///< largest error of a body's position up to the horizon, m
   bool event_order = false;        ///< the hits come in their right order
 };
 
 /// What is written while a scene runs.
 struct SceneOutput {
   double every = 0;         ///< s between two frames; 0: only the last
-  bool velocities = false;  ///< beside places
+  bool velocities = false;  ///< beside positions
   bool events = false;      ///< each hit: time, bodies, point, impulse
 };
 
-/// What comes out of a scene, if it is simulated rightly: kept with the scenes of the book, and
-/// tested.
+/// The expected result of a correct simulation: kept with the scenes of the book, and tested.
 struct SceneExpectation {
   std::string quantity;  ///< "position.z", "velocity.x", "speed", "energy", "events", "gap", ...
   std::string body;      ///< of which body; empty for a quantity of the whole scene
@@ -107,14 +106,14 @@ struct Scene {
   double duration = 0;                                ///< s, greater than 0
   SceneTolerance tolerance;                           ///< what the answer must keep
   SceneOutput output;                                 ///< what is written
-  std::vector<SceneExpectation> expect;               ///< what comes out, if it is known
+  std::vector<SceneExpectation> expect;               ///< expected results, where known
 };
 
-/// What two materials make of a contact: the less elastic and the smoother decide, and two springs
-/// in a row are as soft as both together.
+/// The material of a contact: the less elastic and the smoother decide, and two springs act in
+/// series.
 struct PairMaterial {
-  double restitution = 0;           ///< the lesser of the two
-  double friction = 0;              ///< the lesser of the two
+  double restitution = 0;           ///< the smaller of the two
+  double friction = 0;              ///< the smaller of the two
   std::optional<double> stiffness;  ///< N/m; absent if both are hard
   double damping = 0;               ///< N·s/m; the sum
 };

@@ -1,6 +1,5 @@
 /// @file
-/// What makes a scene a scene: every number in its range, every name found, nothing inside anything
-/// else.
+/// What makes a scene valid: every number in its range, every name found, no overlap.
 #pragma once
 
 #include <array>
@@ -14,24 +13,24 @@
 namespace contact {
 
 // [scene-limits]
-/// The least size, mass, time or other number of a scene that must be greater than 0, in its SI
-/// unit. No product that a simulation makes of such numbers vanishes.
+/// The smallest value of any number of a scene that must be greater than 0, in its SI unit. No
+/// product of such numbers in a simulation underflows to 0.
 inline constexpr double scene_least = 1e-30;
-/// The largest size that any number of a scene may have, in its SI unit. No product that a
-/// simulation makes of such numbers overflows.
+/// The largest size of any number of a scene, in its SI unit. No product of such numbers in a
+/// simulation overflows.
 inline constexpr double scene_most = 1e30;
-/// How far the square of a unit vector's or unit quaternion's length may be from 1: what 13 digits
-/// say, and more than rounding makes.
+/// How far the squared length of a unit vector or unit quaternion may be from 1: the error of 13
+/// digits, which is more than rounding makes.
 inline constexpr double scene_unit_slack = 1e-12;
-/// The most bodies of a scene.
+/// The largest number of bodies of a scene.
 inline constexpr std::size_t scene_most_bodies = 1'000'000;
 // [/scene-limits]
 
-/// Something that a scene may not be.
+/// A fault of a scene.
 struct SceneFault {
   std::string path;     ///< where, as in the file: "bodies[3].mass"
-  std::string value;    ///< what is there; empty if nothing is
-  std::string allowed;  ///< what may be there
+  std::string value;    ///< the value; empty if there is none
+  std::string allowed;  ///< what is allowed
 };
 
 /// A fault as a line: "bodies[3].mass = -1: must be from 1e-30 to 1e+30 kg".
@@ -40,12 +39,12 @@ inline std::string fault_text(const SceneFault& fault) {
   return fault.path + " = " + fault.value + ": " + fault.allowed;
 }
 
-/// A number as its shortest text that gives the same bits back; "NaN", "Infinity" or "-Infinity" if
-/// it is none.
+/// A number as the shortest text from which the same bits are read; "NaN", "Infinity" or
+/// "-Infinity" if it is not finite.
 std::string shortest_text(double x);
 
 // [scene-quantities]
-/// Of what a quantity is.
+/// What a quantity belongs to.
 enum class QuantityOf {
   body,   ///< of one body, which must be named
   scene,  ///< of the whole scene: no body may be named
@@ -55,14 +54,14 @@ enum class QuantityOf {
 /// A quantity that a scene may expect.
 struct SceneQuantity {
   std::string_view name;  ///< as in the file
-  QuantityOf of;          ///< of what it is
+  QuantityOf of;          ///< what it belongs to
   std::string_view unit;  ///< SI
 };
 
-/// Every quantity that a scene may expect. The energy is ½ m v² + ½ ω · I ω − m g · x, of all that
-/// moves if no body is named; angular momentum is about the world's origin; events are the hits
-/// from the beginning to the time; the gap is the least distance from the body (or any that moves)
-/// to any other, and less than 0 where they overlap.
+/// Every quantity that a scene may expect. The energy is ½ m v² + ½ ω · I ω − m g · x, of all
+/// moving bodies if no body is named; angular momentum is about the world's origin; events are the
+/// hits from the start to the time; the gap is the smallest signed distance from the body (or any
+/// that moves) to any other, negative where they overlap.
 inline constexpr std::array<SceneQuantity, 19> scene_quantities{{
     {"position.x", QuantityOf::body, "m"},
     {"position.y", QuantityOf::body, "m"},
@@ -86,12 +85,12 @@ inline constexpr std::array<SceneQuantity, 19> scene_quantities{{
 }};
 // [/scene-quantities]
 
-/// Everything that is wrong with a scene; nothing if it can be simulated.
+/// All faults of a scene; none if it can be simulated.
 ///
 /// Numbers that are not finite or out of range, directions and rotations not of length 1, a hull
 /// that is flat or not about its centre of mass, mass and inertia that do not belong to the shape,
-/// names that stand twice or for nothing, expectations after the end, and bodies that overlap. A
-/// shape that some method cannot yet treat is no fault of the scene.
+/// duplicate and unknown names, expectations after the end, and bodies that overlap. A shape that
+/// some method does not support yet is not a fault of the scene.
 /// @return in the order of the file; overlaps last
 std::vector<SceneFault> check_scene(const Scene& scene);
 

@@ -1,5 +1,5 @@
 /// @file
-/// Scenes as JSON files: chapters/20_scenes/scene.schema.json is the format, contact-scene/1. Its
+/// Scenes as JSON files: chapters/20_scenes/scene.schema.json is the format, contact-scene/1. The
 /// sources need nlohmann's json.hpp.
 #pragma once
 
@@ -14,14 +14,14 @@
 
 namespace contact::scenes {
 
-/// A fault of a file, and where it is.
+/// A fault of a file, and its line.
 struct FileFault {
-  int line = 0;      ///< counted from 1; 0 if it is no line's
+  int line = 0;      ///< counted from 1; 0 if it belongs to no line
   SceneFault fault;  ///< what is wrong there
 };
 
-/// Why a file is no scene: everything that is wrong with it at once. what() is one line a fault,
-/// "FILE:12: bodies[3].mass = -1: must be ...", at most a hundred of them.
+/// Why a file is not a scene: all of its faults. what() has one line for each, "FILE:12:
+/// bodies[3].mass = -1: must be ...", at most a hundred.
 class SceneFileError : public std::runtime_error {
  public:
   /// @param file what to call it
@@ -34,18 +34,18 @@ class SceneFileError : public std::runtime_error {
   std::vector<FileFault> faults_;
 };
 
-/// The scene that a JSON text says. What it returns has no fault that check_scene() knows, and is
-/// the same on every machine.
+/// The scene in a JSON text. It has no fault that check_scene() finds, and is the same on every
+/// machine.
 /// @param file what to call the text in an error
 /// @throws SceneFileError
 Scene scene_from_text(std::string_view text, const std::string& file);
 
 /// The scene in a file.
-/// @throws SceneFileError if it is none; std::runtime_error if it cannot be read
+/// @throws SceneFileError if it is not valid; std::runtime_error if it cannot be read
 Scene read_scene(const std::filesystem::path& file);
 
-/// A scene as JSON, which scene_from_text() makes the same scene of, bit for bit. What was repeated
-/// stands there body by body.
+/// A scene as JSON, from which scene_from_text() makes the same scene, bit for bit. Repeated bodies
+/// are written one by one.
 /// @throws SceneFileError if check_scene() finds a fault: JSON has no NaN
 std::string text_of_scene(const Scene& scene);
 

@@ -1,6 +1,6 @@
 /// @file
-/// A simulation of a scene as its user sees it, whatever it is composed of: asked in terms of the
-/// scene's bodies.
+/// The interface of a simulation of a scene, whatever it is composed of, in terms of the scene's
+/// bodies.
 #pragma once
 
 #include <cstddef>
@@ -16,34 +16,34 @@
 
 namespace contact {
 
-/// How an advance of a scene ended.
+/// How a run ended.
 enum class SceneRunEnd {
   reached,        ///< the time that was asked for
   out_of_budget,  ///< of hits, from event to event, or of steps; the run can go on
-  stopped,        ///< the observer said so; the run can go on
-  endless_hits    ///< hits pile up without time going on, and no stepped run can take over
+  stopped,        ///< the observer asked to stop; the run can go on
+  endless_hits    ///< infinitely many hits at one instant, and no stepped run can take over
 };
 
-/// A stage of which a run is composed: there is none that it does not need.
+/// A stage of which a run is composed; it has only those that it needs.
 struct SceneStage {
   std::string name;    ///< "gravity", "broad phase", "friction", ...
-  std::string detail;  ///< how it is done, one phrase: "cells", "5 sweeps at most"
+  std::string detail;  ///< how it is done, one phrase: "cells", "5 iterations at most"
 };
 
-/// What a run has done so far. What a kind of run does not have stays 0.
+/// What a run has done so far. Counts that a kind of run does not have stay 0.
 struct SceneRunCounts {
   std::uint64_t steps = 0;          ///< of time
-  std::uint64_t parts = 0;          ///< into which impacts and springs cut them
-  std::uint64_t hits = 0;           ///< impacts: pairs that met faster than they rest
-  std::uint64_t pairs = 0;          ///< that the narrow phase looked at
-  std::uint64_t contacts = 0;       ///< points that were solved, over all parts of steps
+  std::uint64_t parts = 0;          ///< substeps, into which impacts and springs divide them
+  std::uint64_t hits = 0;           ///< impacts: pairs that met faster than the speed of rest
+  std::uint64_t pairs = 0;          ///< tested by the narrow phase
+  std::uint64_t contacts = 0;       ///< points that were solved, over all substeps
   std::uint64_t sweeps = 0;         ///< of the solver
   std::uint64_t crossings = 0;      ///< from event to event: from cell to cell
-  std::uint64_t rests = 0;          ///< how often a body lay down, or fell asleep
+  std::uint64_t rests = 0;          ///< how often a body came to rest, or fell asleep
   std::uint64_t crowded_steps = 0;  ///< with more impacts than are taken one by one
-  std::uint64_t most_impacts = 0;   ///< of a step, that are taken one by one; 0: there is no such
+  std::uint64_t most_impacts = 0;   ///< of a step, that are taken one by one; 0: not limited
   double largest_overlap = 0;       ///< of hard bodies, m
-  double rest_error = 0;            ///< how far lying down has put paths off at most, m
+  double rest_error = 0;            ///< largest displacement of paths by coming to rest, m
   std::size_t endless_first = 0;    ///< after endless_hits, or a fallback: index of a body, ...
   std::size_t endless_second = 0;   ///< ... and of the one that it hits again and again
 };
@@ -57,7 +57,7 @@ struct SceneHit {
   Vector3<double> impulse = Vector3<double>::Zero();  ///< on the first, N·s
 };
 
-/// Is told of each hit.
+/// Receives each hit.
 class SceneObserver {
  public:
   SceneObserver() = default;
@@ -68,21 +68,22 @@ class SceneObserver {
   virtual bool on_hit(const SceneHit& hit) = 0;
 };
 
-/// That a run from event to event went on step by step, and why.
+/// When and why an event-driven run went on step by step.
 struct SceneFallback {
-  double time = 0;  ///< s; from when on
+  double time = 0;  ///< s; since when
   std::string why;  ///< one sentence
 };
 
 // [scene-checkpoint]
-/// All that a run needs to go on with the same bits. What the numbers mean is the run's business.
+/// The complete state, from which a run goes on with the same bits. The run defines what the
+/// numbers mean.
 struct SceneCheckpoint {
   std::string kind;                       ///< "event-driven" or "stepped"
   double now = 0;                         ///< s
   SceneRunCounts counts;                  ///< so far
   std::vector<double> numbers;            ///< every number of the state, in the run's order
   std::vector<std::int64_t> integers;     ///< every whole number of the state, in the run's order
-  std::optional<SceneFallback> fallback;  ///< if it had gone over to stepping
+  std::optional<SceneFallback> fallback;  ///< if it had fallen back to steps
 };
 // [/scene-checkpoint]
 
@@ -95,40 +96,41 @@ class SceneRun {
   SceneRun& operator=(const SceneRun&) = delete;
   virtual ~SceneRun() = default;
 
-  /// Whether it goes from event to event, now.
+  /// Whether it is event-driven, now.
   virtual bool event_driven() const = 0;
-  /// s between two looks; 0 from event to event.
+  /// Step size, s; 0 from event to event.
   virtual double step() const = 0;
-  /// Of what it is composed, in the order in which it is done.
+  /// The stages of which it is composed, in their order.
   virtual std::vector<SceneStage> stages() const = 0;
-  /// When and why it went over to stepping, if it did.
+  /// When and why it fell back to steps, if it did.
   virtual std::optional<SceneFallback> fallback() const { return std::nullopt; }
 
-  /// Simulates until a time. Where a caller stops on the way changes no bit of what comes later.
+  /// Simulates until a time. Stopping on the way changes no bit of the later result.
   /// @param until s; nothing happens if it is past
   /// @param budget of hits from event to event, of steps otherwise
-  /// @param observer told of each hit, or null. A step's hits are told when the whole step is done
+  /// @param observer receives each hit, or null. A step's hits are reported when the whole step is
+  /// done
   virtual SceneRunEnd advance(double until, std::uint64_t budget, SceneObserver* observer) = 0;
-  /// The same without a limit, and nobody is told.
+  /// The same without a limit and without an observer.
   SceneRunEnd advance(double until) {
     return advance(until, std::numeric_limits<std::uint64_t>::max(), nullptr);
   }
 
-  /// Tells the hits of a step that is not done: of those until now, the ones that advance() has
-  /// not told. A run that goes on from here tells them once more.
+  /// Reports the hits of the present, unfinished step until now, which advance() has not reported.
+  /// A run that goes on from here reports them again.
   virtual void tell_unfinished(SceneObserver& /*observer*/) const {}
 
   /// The time that was reached, s.
   virtual double now() const = 0;
-  /// Where a body's origin is now, m.
+  /// Position of a body's origin now, m.
   virtual Vector3<double> position(std::size_t body) const = 0;
-  /// How a body lies now; as at first if the run knows no orientations.
+  /// Orientation of a body now; the initial one if the run keeps no orientations.
   virtual Rotor<double> orientation(std::size_t body) const = 0;
-  /// How a body moves now, m/s.
+  /// Velocity of a body now, m/s.
   virtual Vector3<double> velocity(std::size_t body) const = 0;
-  /// How a body turns now, rad/s; as at first if the run knows no spins.
+  /// Angular velocity of a body now, rad/s; the initial one if the run keeps none.
   virtual Vector3<double> spin(std::size_t body) const = 0;
-  /// ½ m v² + ½ ω · I ω − m g · x of all that moves, J, in order.
+  /// ½ m v² + ½ ω · I ω − m g · x of all moving bodies, J, by recursive summation.
   virtual double energy() const = 0;
   /// What it has done so far.
   virtual SceneRunCounts counts() const = 0;
@@ -138,7 +140,7 @@ class SceneRun {
   virtual std::size_t bytes_per_body() const = 0;
   /// The present state.
   virtual SceneCheckpoint checkpoint() const = 0;
-  /// Goes back, or on, to a state of the same scene and plan.
+  /// Restores a state of the same scene and plan, earlier or later.
   /// @throws std::invalid_argument if it is of another kind or size
   virtual void restore(const SceneCheckpoint& from) = 0;
 };
@@ -146,7 +148,7 @@ class SceneRun {
 
 namespace detail {
 
-/// ½ m v² + ½ ω · I ω − m g · x of all that moves, in order.
+/// ½ m v² + ½ ω · I ω − m g · x of all moving bodies, by recursive summation.
 double energy_of_run(const Scene& scene, const SceneRun& run);
 
 }  // namespace detail

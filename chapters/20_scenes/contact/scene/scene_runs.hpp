@@ -1,6 +1,7 @@
 /// @file
 /// Runs of scenes with any composition of hard balls. Without the chapter's library all of these
-/// are compiled here, which takes a minute: link it, or hand make_scene_run() those that you need.
+/// are compiled here, which takes a minute: link it, or pass to make_scene_run() those that you
+/// need.
 #pragma once
 
 #include <cstdint>
@@ -21,10 +22,10 @@ std::unique_ptr<SceneRun> make_run(
     const Scene& scene, const Plan& plan,
     std::uint64_t event_budget = std::numeric_limits<std::uint64_t>::max());
 
-/// Why a scene can be run neither from event to event nor step by step; nothing if it can.
+/// Why a scene can be run neither from event to event nor step by step; empty if it can.
 std::optional<std::string> run_refusal(const Scene& scene, const Plan& plan);
 
-/// Of which effects a run of hard balls is composed; nothing if it goes step by step.
+/// The effects of which a run of hard balls is composed; empty if it goes step by step.
 std::optional<HardSphereEffects> hard_sphere_effects(const SceneRun& run);
 
 }  // namespace contact::scenes

@@ -17,11 +17,11 @@
 
 namespace contact {
 
-/// A hull where its body is.
+/// A hull in its body's pose.
 HullCorners placed(const HullCorners& shape, const Vector3<double>& position,
                    const Matrix3<double>& rotation);
 
-/// Whether there is a narrow phase for two shapes: for all but a hull with anything else than a
+/// Whether there is a narrow phase for two shapes: for all except a hull with anything but a
 /// half-space, and two half-spaces.
 template <class A, class B>
 inline constexpr bool has_narrow_phase =
@@ -30,13 +30,13 @@ inline constexpr bool has_narrow_phase =
         : !std::same_as<B, HullCorners> &&
               !(std::same_as<A, HalfSpace<double>> && std::same_as<B, HalfSpace<double>>);
 
-/// The gap of two shapes in the world; endlessly far apart if there is no narrow phase for them.
+/// The signed distance of two shapes in the world; infinite if there is no narrow phase for them.
 Gap<double> gap_of_shapes(const StepShape& a, const StepShape& b);
 
 /// The points at which two shapes are at most the margin apart.
 ContactManifold<double> manifold_of_shapes(const StepShape& a, const StepShape& b, double margin);
 
-/// A body's shape where it is now.
+/// A body's shape in its present pose.
 inline StepShape shape_in_world(const SteppedBody& body, const Vector3<double>& position,
                                 const Rotor<double>& orientation) {
   const Matrix3<double> turn = matrix_of(orientation);
@@ -48,23 +48,23 @@ inline StepShape shape_in_world(const SteppedBody& body, const Vector3<double>& 
 Vector3<double> point_velocity(const SteppedSetup& setup, const SteppedState& state,
                                std::size_t place, const Vector3<double>& point);
 
-/// How fast two bodies come apart at a point, along the normal from b to a, m/s.
+/// The speed of separation of two bodies at a point, along the normal from b to a, m/s.
 inline double parting_speed(const SteppedSetup& setup, const SteppedState& state,
                             const NearPair& pair, const Vector3<double>& point) {
   return pair.manifold.normal.dot(Vector3<double>(point_velocity(setup, state, pair.a, point) -
                                                   point_velocity(setup, state, pair.b, point)));
 }
 
-/// How long a part may be in which everybody turns as at its end, so that nobody turns through
-/// whom it may touch; s.
+/// The longest substep in which all bodies rotate with their final angular velocities without
+/// rotating through a body that they may touch; s.
 double longest_turn(const SteppedSetup& setup, const StepPart& part);
 
-/// The narrow phase: how far each pair is apart, whether it touches, and at which points.
+/// The narrow phase: the distance of each pair, whether it touches, and its contact points.
 ///
-/// Of a pair that touches, points that may come to touch in this part belong to it too. A pair that
-/// parts at every point where it touches is on its way out. A body that turns while it touches
-/// something is looked at again before it has turned by a sixteenth of a radian, or has come a
-/// quarter into the thinner one by that.
+/// A touching pair also includes points that may come to touch in this substep. A pair that
+/// separates at every contact point is leaving. A body that rotates in contact is tested again
+/// before it has rotated by a sixteenth of a radian, or has penetrated the thinner body by a
+/// quarter of its thickness.
 void find_touching_pairs(const SteppedSetup& setup, SteppedState& state, StepPart& part);
 
 }  // namespace contact

@@ -1,5 +1,5 @@
 /// @file
-/// A stage: the forces that last, and hold bodies on each other.
+/// A stage: the lasting forces that hold bodies on each other.
 #pragma once
 
 #include <contact/contact_finish.hpp>
@@ -7,15 +7,15 @@
 
 namespace contact {
 
-/// The forces that last: what holds bodies on each other, and rubs them, through this part.
+/// The lasting forces: normal forces and friction of contacts through this substep.
 ///
-/// Points that touch do not come closer. A gap may close, and no more. A force acts evenly, so its
-/// body moves with the mean of the velocities at both ends of the part. What closes a gap acts at
-/// the start: its body has its end velocity all through along the normal, and does not come too
-/// far; so has what that pushes on.
+/// Points that touch do not approach. A distance may decrease to zero, and not below. A force is
+/// constant, so its body moves with the mean of its velocities at both ends of the substep. A
+/// contact that closes a distance acts at the start: along the normal its body has its final
+/// velocity all through, and does not move too far; neither does a body that it pushes.
 ///
-/// Where all impacts of the step are taken at once, each first comes to touch. How it bounces
-/// then is the business of the bounces stage: it is told how each would have come without a push.
+/// Where all impacts of the step are taken at once, bodies first come to touch. The stage of
+/// bounces makes them bounce then: it gets the velocities that each would have without contacts.
 void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPart& part);
 
 }  // namespace contact

@@ -1,7 +1,6 @@
 /// @file
-/// A stage: impacts at one moment.
-/// A stage: the bounces of impacts that were taken all at once.
-/// A stage: contacts that give way. Springs and dampers push while two surfaces overlap.
+/// Stages: impacts at one instant; the bounces of impacts that are taken all at once; compliant
+/// contacts, where springs and dampers push while two surfaces overlap.
 #pragma once
 
 #include <contact/contact_finish.hpp>
@@ -10,30 +9,31 @@
 
 namespace contact {
 
-/// Impacts of pairs that touch now and approach: each leaves with e times the speed with which it
-/// came, or with none if that is slower than slowest_bounce(). All that touch at this moment are
-/// solved together. Such a part has no length: velocities change, and no time passes.
+/// Impacts of pairs that touch now and approach: each leaves with e times its approach speed, or
+/// with 0 if that is slower than slowest_bounce(). All contacts at this instant are solved
+/// together. Such a substep has length zero: velocities change, and no time passes.
 void solve_impacts(const SteppedSetup& setup, SteppedState& state, StepPart& part);
 
-/// Of impacts that are taken all at once: how each leaves, as restitution says.
+/// The bounces of impacts that are taken all at once, by restitution.
 ///
-/// All that pushes is solved once more, from the velocities that are there before it pushes. A pair
-/// leaves with e times the speed at which it comes; had it been stopped first, to bounce would make
-/// energy. Momentum is kept to rounding. Energy is kept where nothing rubs and e is 1, but for what
-/// unfinished sweeps leave.
+/// All contacts that push are solved once more, from the velocities before they push. A pair leaves
+/// with e times its approach speed; if it were stopped first, bouncing would create energy.
+/// Momentum is conserved up to rounding. Energy is conserved without friction at e = 1, except for
+/// residuals of the iterations.
 void solve_bounces(const SteppedSetup& setup, SteppedState& state, StepPart& part);
 
-/// Who has bounced has come to touch by now, and leaves. What has turned meanwhile spins as before
-/// in its own axes: so it has the same energy. Its angular momentum is off by what it has turned.
+/// Bodies that have bounced are touching by now, and leave. A body that has rotated meanwhile keeps
+/// its angular velocity in its own axes, and so its energy. Its angular momentum is wrong by that
+/// rotation.
 void leave_bounced(const SteppedSetup& setup, SteppedState& state, StepPart& part);
 
-/// Springs and dampers of the pairs that overlap, at the middle of the part: leapfrog. A spring
-/// alone keeps its energy but for the square of the part's share of its period, and a part is
-/// at most 1/128 of a radian of the stiffest spring long.
+/// Springs and dampers of the pairs that overlap, in the middle of the substep: leapfrog (velocity
+/// Verlet). A spring alone conserves its energy up to the square of the substep's share of its
+/// period, and a substep is at most 1/128 of a radian of the stiffest spring long.
 ///
-/// The damper sees the velocity at the end of the part, so that no damper is too strong for a part
-/// (16's implicit damper). A pair's spring is shared by the points at which it touches. Friction
-/// stops what slides within the part, if Coulomb's bound lets it.
+/// The damper acts on the velocity at the end of the substep, so that no damper is too strong (16's
+/// implicit damper). A pair's spring is shared by its contact points. Friction stops sliding within
+/// the substep, within Coulomb's bound.
 void push_springs(const SteppedSetup& setup, SteppedState& state, StepPart& part);
 
 }  // namespace contact

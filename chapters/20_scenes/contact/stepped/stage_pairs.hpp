@@ -1,6 +1,6 @@
 /// @file
-/// A stage: which pairs may touch in what is left of the step; each is compared with each.
-/// A stage: the broad phase, in place of comparing each with each.
+/// Stages that find the pairs that may touch in the rest of the step: by comparing all, or by a
+/// broad phase.
 #pragma once
 
 #include <cstddef>
@@ -16,23 +16,23 @@
 
 namespace contact {
 
-/// How far off its straight way a mover may come in what is left of the step, m: by gravity, by
-/// turning, and where somebody flings it. A little is added, so that what lies still has some room
+/// How far a mover may deviate from its straight path in the rest of the step, m: by gravity, by
+/// rotation, and where a body throws it. A little is added, so that resting bodies have some room
 /// too.
 double room_of_sweep(const SteppedSetup& setup, const SteppedState& state, const StepPart& part,
                      std::size_t place);
 
-/// A box that holds a body at every moment of what is left of the step.
+/// A box that contains a body during all of the rest of the step.
 Aabb<double> swept_box(const SteppedSetup& setup, const SteppedState& state, const StepPart& part,
                        std::size_t place);
 
 namespace detail {
 
-/// Notes the pairs of a search, and those of movers that may come to a half-space.
+/// Stores the pairs of a search, and those of movers that may reach a half-space.
 void note_pairs(const SteppedSetup& setup, const SteppedState& state, StepPart& part,
                 std::span<const Aabb<double>> boxes, std::vector<BoxPair> found);
 
-/// How far two bodies may come towards each other in what is left of the step.
+/// How far two bodies may approach each other in the rest of the step.
 double pair_reach(const SteppedSetup& setup, const SteppedState& state, const StepPart& part,
                   const NearPair& pair);
 
@@ -49,14 +49,15 @@ void find_near_pairs(const SteppedSetup& setup, SteppedState& state, StepPart& p
 
 }  // namespace detail
 
-/// Where all impacts are taken at once: whether somebody is flung at somebody else who was not near
-/// before. Then part.flung says how far off its way each comes, and all is to be taken anew.
+/// Where all impacts are taken at once: whether a body is thrown at another that was not near
+/// before. Then part.flung says how far each deviates from its path, and the substep is to be
+/// repeated.
 /// @param find the stage that finds pairs
 bool flung_at_others(const SteppedSetup& setup, SteppedState& state, StepPart& part,
                      StepStage find);
 
 // [pairs-stage]
-/// The stage without a broad phase: the box of each is compared with the box of each.
+/// The stage without a broad phase: the box of each is compared with the box of each other.
 inline void compare_all_pairs(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
   detail::find_near_pairs(setup, state, part,
                           [](std::span<const Aabb<double>> boxes) { return all_pairs(boxes); });
@@ -64,7 +65,7 @@ inline void compare_all_pairs(const SteppedSetup& setup, SteppedState& state, St
 // [/pairs-stage]
 
 // [broad-phase-stage]
-/// The broad phase: cells, and each asks its neighbours. It finds the same pairs.
+/// The broad phase: cells, in which each tests its neighbours. It finds the same pairs.
 inline void sort_into_cells(const SteppedSetup& setup, SteppedState& state, StepPart& part) {
   detail::find_near_pairs(setup, state, part,
                           [](std::span<const Aabb<double>> boxes) { return grid_pairs(boxes); });

@@ -1,5 +1,6 @@
 /// @file
-/// A stage: continuous detection. The part ends at the first moment at which two bodies meet.
+/// A stage: continuous detection by conservative advancement. The substep ends at the first instant
+/// at which two bodies meet.
 #pragma once
 
 #include <cstddef>
@@ -13,27 +14,27 @@ namespace contact {
 
 namespace detail {
 
-/// How fast it turns then, but for PartMotion::unforeseen.
+/// Its angular velocity then, except for PartMotion::unforeseen.
 Vector3<double> spin_at(const SteppedSetup& setup, const SteppedState& state, const StepPart& part,
                         std::size_t place, double t, const Rotor<double>& orientation);
 
 }  // namespace detail
 
-/// When a pair first touches in a part; nothing if not before the given time.
+/// When a pair first touches in a substep; empty if not before the given time.
 ///
-/// Seen along the normal between their nearest points, each corner of the one is above each corner
-/// of the other. How fast such a height changes is known, and how fast that rate may change. Until
-/// the first of these heights is used up the bodies cannot touch: advance there, and look again. A
-/// ball and a plane take one look, what turns or comes at a slant takes a few. Of a pair that
-/// leaves, a corner may hang over the other's edge and come down beside it: before that has come
-/// into it by a sixteenth of half a thickness the part ends.
+/// Along the normal between their nearest points, each vertex of the one is above each vertex of
+/// the other. The rate of such a height is known, and so is a bound on the change of that rate. The
+/// bodies cannot touch before the first of these heights reaches zero: advance to then, and test
+/// again (conservative advancement). A ball and a plane take one test, rotating and oblique bodies
+/// take a few. In a pair that separates, a vertex may hang over the other's edge and come down
+/// beside it: the substep ends before it has penetrated by a sixteenth of half the thickness.
 /// @param before s
-/// @return s; never later than the touch, and earlier only after 64 looks
+/// @return s; never later than the touch, and earlier only after 64 tests
 std::optional<double> pair_impact(const SteppedSetup& setup, const SteppedState& state,
                                   const StepPart& part, const NearPair& pair, double before);
 
-/// Ends the part where the first of the pairs that are apart comes to touch. What touches already
-/// is kept apart by its contacts.
+/// Ends the substep when the first of the separate pairs comes to touch. Pairs that touch already
+/// are kept apart by their contacts.
 void find_first_impact(const SteppedSetup& setup, SteppedState& state, StepPart& part);
 
 }  // namespace contact

@@ -1,6 +1,6 @@
 /// @file
-/// How the stages hand contacts to 18's solver: island by island, and only bodies that have
-/// contacts.
+/// How the stages pass contacts to the solver of chapter 18: island by island, and only bodies that
+/// have contacts.
 #pragma once
 
 #include <cstddef>
@@ -19,16 +19,16 @@ namespace contact {
 
 namespace detail {
 
-/// A mover as the solver wants it, with the given velocity and spin.
+/// A mover as a body of the solver, with the given velocity and angular velocity.
 RigidBody<double> solver_body(const SteppedSetup& setup, const SteppedState& state,
                               std::size_t place, const Vector3<double>& velocity,
                               const Vector3<double>& spin);
 
-/// The bodies of some contacts, numbered anew: a body without a contact costs nothing.
+/// The bodies of some contacts, renumbered: a body without a contact costs nothing.
 struct ContactedBodies {
   std::vector<RigidBody<double>> bodies;
   std::vector<std::size_t> places;
-  std::vector<int> number;  // by place; −1: not among them
+  std::vector<int> number;  // by index in the list; −1: not among them
 
   explicit ContactedBodies(std::size_t count) : number(count, -1) {}
 
@@ -49,8 +49,8 @@ struct ContactedBodies {
   }
 };
 
-/// Contacts that hang together by bodies that move, each island by the contacts' indices. What
-/// happens in one has nothing to do with another.
+/// Contacts that are connected by moving bodies, each island as the contacts' indices. Islands are
+/// independent of each other.
 std::vector<std::vector<std::size_t>> islands(const SteppedSetup& setup, const SteppedState& state,
                                               const std::vector<BodyContact<double>>& contacts);
 
@@ -60,49 +60,50 @@ inline BodyContact<double> contact_at(const NearPair& pair, const ManifoldPoint<
           pair.manifold.normal,     pair.material.friction,   least_velocity};
 }
 
-/// What contacts are solved for. What rests is finished by elimination, and gets a hundred times
-/// the sweeps where that does not end it. Bounces get as many as there is work for, even in a
-/// crowd: an impulse that is not finished loses energy. Impacts at one moment are finished too:
-/// until they are, no time passes.
+/// What contacts are solved for. Resting contacts get an exact solve by elimination, and a hundred
+/// times the iterations where that does not suffice. Bounces get as many iterations as there is
+/// work for, even in a crowd: an impulse with a residual loses energy. Impacts at one instant get
+/// an exact solve too: until it is done, no time passes.
 enum class SweepsFor { anything, rest, bounces, impacts };
 
-/// How sweeps of these contacts go. Where no body has two contacts each is on its own, and a sweep
-/// goes all the way to its answer.
+/// Iterations for these contacts. Where no body has two contacts each is independent, and one
+/// iteration solves it.
 SweepLimits<double> sweep_limits(const SteppedSetup& setup,
                                  const std::vector<RigidBody<double>>& bodies,
                                  const std::vector<BodyContact<double>>& contacts, SweepsFor what);
 
-/// Solves contacts that are named by the bodies' numbers.
+/// Solves contacts that are named by the solver's numbers of bodies.
 SolvedContacts<double> solve_swept(SteppedState& state,
                                    const std::vector<RigidBody<double>>& bodies,
                                    const std::vector<BodyContact<double>>& contacts,
                                    const std::vector<ContactImpulse<double>>& start,
                                    const SweepLimits<double>& limits);
 
-/// Solves what rests: a few sweeps, then elimination, and one sweep looks whether that was the end.
-/// If not, sweeps go on from there.
+/// Solves resting contacts: a few iterations, then elimination, and one iteration to check the
+/// result. If it is not solved, the iterations continue from there.
 SolvedContacts<double> solve_resting(SteppedState& state,
                                      const std::vector<RigidBody<double>>& bodies,
                                      const std::vector<BodyContact<double>>& contacts,
                                      const std::vector<ContactImpulse<double>>& start,
                                      const SweepLimits<double>& limits);
 
-/// Whether what the sweeps have left is to be finished: nothing may come far into somebody else,
-/// and no bounce may lose much of its energy.
+/// Whether the residual of the iterations needs an exact solve: no body may penetrate another by
+/// much, and no bounce may lose much of its energy.
 bool unfinished(const SteppedSetup& setup, const std::vector<RigidBody<double>>& bodies,
                 const std::vector<BodyContact<double>>& contacts, double left, double time,
                 SweepsFor what);
 
-/// Finishes what sweeps have left, where that is better. Where it is not, or is too much, and
-/// bodies would come into each other by more than most_left(): friction is only kept in its cones,
-/// or, if that is no way out either, nothing rubs this time.
+/// Removes the residual of the iterations by an exact solve, where that is better. Where it is not,
+/// or takes too much work, and bodies would penetrate each other by more than most_left(): friction
+/// only stays within its cones, or, if that fails too, is left out this time.
 void finish_sweeps(const SteppedSetup& setup, const std::vector<RigidBody<double>>& bodies,
                    std::vector<BodyContact<double>> contacts, double time,
                    SolvedContacts<double>& solved);
 
-/// Solves contacts that are named by the bodies' places, island by island: a sweep over all would
-/// go on for those that have long been right. What moves then moves for that `time`. `make(place)`
-/// is a body before, `give(place, body)` takes one that moves after. Gives back the impulses.
+/// Solves contacts that are named by indices in the list of bodies, island by island: iterating
+/// over all would go on for islands that have converged. The bodies then move for that `time`.
+/// `make(place)` returns a body before, `give(place, body)` takes a moving one after. Returns the
+/// impulses.
 template <class Make, class Give>
 std::vector<ContactImpulse<double>> solve_islands(const SteppedSetup& setup, SteppedState& state,
                                                   const std::vector<BodyContact<double>>& contacts,
@@ -127,7 +128,7 @@ std::vector<ContactImpulse<double>> solve_islands(const SteppedSetup& setup, Ste
                       : solve_swept(state, bodies.bodies, named, before, limits);
     if (unfinished(setup, bodies.bodies, named, solved.report.last_change, time, what))
       finish_sweeps(setup, bodies.bodies, named, time, solved);
-    // What they have left must not bring anything through the thinnest.
+    // The residual must not move anything through the thinnest body.
     for (int more = 0; more < 100 && solved.report.last_change * time > setup.thinnest / 16; ++more)
       solved = solve_swept(state, bodies.bodies, named, solved.impulses, limits);
     for (std::size_t k = 0; k < island.size(); ++k) impulses[island[k]] = solved.impulses[k];
@@ -139,11 +140,11 @@ std::vector<ContactImpulse<double>> solve_islands(const SteppedSetup& setup, Ste
   return impulses;
 }
 
-/// The same from the velocities that bodies have now, and these are changed.
+/// The same from the present velocities of the bodies, which are changed.
 std::vector<ContactImpulse<double>> solve_now(const SteppedSetup& setup, SteppedState& state,
                                               const std::vector<BodyContact<double>>& contacts);
 
-/// Notes a hit: the impulses at all points of a pair together, at their middle.
+/// Records a hit: the sum of the impulses at all points of a pair, at their centre.
 void note_hit(const SteppedSetup& setup, SteppedState& state, StepPart& part,
               const std::vector<BodyContact<double>>& contacts,
               const std::vector<ContactImpulse<double>>& impulses, std::size_t first,

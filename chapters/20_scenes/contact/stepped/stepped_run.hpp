@@ -1,5 +1,6 @@
 /// @file
-/// A scene step by step: a pipeline of stages, put together from a plan. What is off is not in it.
+/// A scene step by step: a pipeline of stages, composed from a plan. It has no stage of an effect
+/// that is off.
 #pragma once
 
 #include <memory>
@@ -12,9 +13,9 @@
 
 namespace contact {
 
-/// Why a scene cannot be run step by step, or nothing if it can: of convex hulls only those that
-/// meet nothing but half-spaces.
-/// @param plan of the scene; where nothing may meet anything, every shape flies
+/// Why a scene cannot be run step by step, or empty if it can: convex hulls may meet half-spaces
+/// only.
+/// @param plan of the scene; where nothing may meet anything, every shape is possible
 std::optional<std::string> stepped_refusal(const Scene& scene, const Plan& plan);
 
 namespace detail {
@@ -24,7 +25,7 @@ inline bool is_on(const Plan& plan, Effect effect) { return decision_on(plan, ef
 }  // namespace detail
 
 /// The stepped run of a scene.
-/// @param plan of the scene; where it goes from event to event, a step is a frame
+/// @param plan of the scene; if it is event-driven, a step is a frame
 /// @throws std::invalid_argument with what stepped_refusal() says
 std::unique_ptr<SceneRun> make_stepped_run(const Scene& scene, const Plan& plan);
 

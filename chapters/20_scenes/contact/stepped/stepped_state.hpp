@@ -1,8 +1,7 @@
 /// @file
-/// Many vectors of which only the coordinates are kept that may change.
-/// How the impacts of a step are taken: each at its own time, or many at once.
-/// What a stepped run knows of a scene: what never changes, what changes from step to step, and
-/// what one part of a step hands from stage to stage.
+/// The data of a stepped run: what never changes, what changes from step to step, and what one
+/// substep passes from stage to stage. Vectors that store only the coordinates that change, and the
+/// limits of impacts in a step: each at its own time, or many at once.
 #pragma once
 
 #include <algorithm>
@@ -26,11 +25,11 @@
 
 namespace contact {
 
-/// Which coordinates of a run change: all three, two in a plane, or one on a line.
+/// The coordinates of a run that change: all three, two in a plane, or one on a line.
 struct KeptAxes {
   std::array<int, 3> axes{0, 1, 2};  ///< the first `count` are kept
   std::size_t count = 3;             ///< 1, 2 or 3
-  std::array<bool, 3> held{};        ///< of those kept, which stay as they were put in
+  std::array<bool, 3> held{};        ///< of those kept, which keep their initial value
 };
 
 // [kept-vectors]
@@ -41,17 +40,17 @@ class KeptVectors {
   /// @param kept of every vector
   explicit KeptVectors(const KeptAxes& kept) : kept_(kept) {}
 
-  /// The vector with that index; what is not kept is 0.
+  /// The vector with that index; coordinates that are not kept are 0.
   Vector3<double> operator[](std::size_t i) const { return over(i, Vector3<double>::Zero()); }
 
-  /// The vector with that index; what is not kept is as in `rest`.
+  /// The vector with that index; coordinates that are not kept are those of `rest`.
   Vector3<double> over(std::size_t i, Vector3<double> rest) const {
     const double* from = numbers_.data() + i * kept_.count;
     for (std::size_t k = 0; k < kept_.count; ++k) rest(kept_.axes[k]) = from[k];
     return rest;
   }
 
-  /// Puts a vector there; of coordinates that are not kept nothing is seen again.
+  /// Stores a vector; coordinates that are not kept are lost.
   void set(std::size_t i, const Vector3<double>& v) {
     double* to = numbers_.data() + i * kept_.count;
     for (std::size_t k = 0; k < kept_.count; ++k)
@@ -65,14 +64,14 @@ class KeptVectors {
       if (!kept_.held[k]) to[k] += v(kept_.axes[k]);
   }
 
-  /// One more, at the end.
+  /// Appends a vector.
   void push_back(const Vector3<double>& v) {
     for (std::size_t k = 0; k < kept_.count; ++k) numbers_.push_back(v(kept_.axes[k]));
   }
 
-  /// How many there are.
+  /// The number of vectors.
   std::size_t size() const { return numbers_.size() / kept_.count; }
-  /// Of memory, its spare room included.
+  /// Of memory, including spare capacity.
   std::size_t bytes() const { return numbers_.capacity() * sizeof(double); }
 
  private:
@@ -81,24 +80,26 @@ class KeptVectors {
 };
 // [/kept-vectors]
 
-/// How many impacts of a step are taken each at its own time. What is left of it then is taken in
-/// crowd_parts parts or more, and in each of them a pair bounces once. Balls meet as often as their
-/// speeds say, and each impact costs as much as there are pairs: one ball may have 65536, 64 of
-/// them 16 together. Corners chatter, and all that touches is solved anew for each: what turns and
-/// has some has 4. Where infinitely many hits come in a finite time it is this that ends them.
-/// @param edges whether something turns that is no ball
+/// How many impacts of a step are taken each at its own time. The rest of the step is then taken in
+/// crowd_parts substeps or more, and in each of them a pair bounces once. Balls hit as often as
+/// their speeds say, and the cost of an impact is proportional to the number of pairs: one ball may
+/// have 65,536, 64 of them 16 together. Bodies with vertices hit again and again, and all contacts
+/// are solved anew for each: if they rotate they have 4. Where infinitely many hits come in a
+/// finite time, this limit ends them.
+/// @param edges whether a body rotates that is not a ball
 inline int most_impacts(std::size_t movers, bool edges) {
   const std::size_t many = std::max<std::size_t>(movers, 1);
   return edges ? 4 : static_cast<int>(std::max<std::size_t>(65536 / (many * many), 4));
 }
-/// How many bodies may move for impacts to be taken one by one, each at its own time.
+/// The largest number of moving bodies for which impacts are taken one by one, each at its own
+/// time.
 inline constexpr std::size_t most_one_by_one = 64;
-/// In how many parts a step is taken in which more bodies move, or hit more often; a power of two.
+/// The number of substeps of a step in which more bodies move, or hit more often; a power of two.
 inline constexpr int crowd_parts = 4;
-/// How often in a row a part is taken anew because somebody is flung at somebody else.
+/// How often in a row a substep is repeated because a body is thrown at another one.
 inline constexpr int most_anew = 32;
 
-/// The corners of a convex hull.
+/// The vertices of a convex hull.
 struct HullCorners {
   std::vector<Vector3<double>> points;  ///< m
 };
@@ -108,127 +109,129 @@ using StepShape = std::variant<Sphere<double>, Capsule<double>, OrientedBox<doub
                                HalfSpace<double>, HullCorners>;
 
 // [stepped-body]
-/// What never changes of a body.
+/// The data of a body that never change.
 struct SteppedBody {
   std::size_t body = 0;      ///< index into Scene::bodies
   StepShape shape;           ///< in the body's axes; a half-space in the world
   std::size_t material = 0;  ///< index into Scene::materials
-  double mass = 0;           ///< kg; 0: nothing moves it
-  double reach = 0;          ///< no point of it is farther from its origin, m
-  double spin_arm = 0;       ///< how far turning can take a point of it, m; 0 for a ball
-  double core = 0;           ///< half its thickness, m; ∞ if that is not known
+  double mass = 0;           ///< kg; 0: fixed
+  double reach = 0;          ///< bounding radius: no point of it is farther from its origin, m
+  double spin_arm = 0;       ///< lever arm with which rotation moves its points, m; 0 for a ball
+  double core = 0;           ///< half its thickness, m; ∞ if unknown
   Vector3<double> moments = Vector3<double>::Zero();   ///< about its principal axes, kg·m²
   Matrix3<double> axes = Matrix3<double>::Identity();  ///< columns: its principal axes
-  bool round = false;                                  ///< all its moments are equal
+  bool round = false;                                  ///< all its moments of inertia are equal
 };
 // [/stepped-body]
 
 // [stepped-state]
-/// What changes, each in an array of its own: only the movers have it. Without rotation there are
-/// no orientations and no spins, without sleep no time of rest: the arrays are empty. Of places and
-/// velocities, and of spins, only the coordinates are there that change.
+/// The data that change, each in an array of its own, for moving bodies only. Without rotation
+/// there are no orientations and no angular velocities, without sleep no times of rest: these
+/// arrays are empty. Positions, velocities and angular velocities have only the coordinates that
+/// change.
 struct SteppedState {
-  std::uint64_t step = 0;                      ///< how many are done
+  std::uint64_t step = 0;                      ///< number of steps done
   KeptVectors position;                        ///< of each mover's origin, m
   KeptVectors velocity;                        ///< m/s
-  std::vector<Rotor<double>> orientation;      ///< turns a body's axes into the world's
+  std::vector<Rotor<double>> orientation;      ///< rotates a body's axes into the world's
   KeptVectors spin;                            ///< in the world, rad/s
-  std::vector<double> slow_since;              ///< how long it has been as slow as rest, s
+  std::vector<double> slow_since;              ///< how long it has been slower than sleep_speed, s
   std::vector<std::int32_t> sleeps_with;       ///< the sleepers' group; −1: awake
-  std::vector<BodyContact<double>> touched;    ///< contacts that carried a force in the last part
+  std::vector<BodyContact<double>> touched;    ///< contacts with a force in the last substep
   std::vector<ContactImpulse<double>> pushed;  ///< and the force of each, N
   SceneRunCounts counts;                       ///< so far
 };
 // [/stepped-state]
 
-/// All that never changes of a stepped run.
+/// All data of a stepped run that never change.
 struct SteppedSetup {
   Scene scene;                         ///< with its names and materials
-  std::vector<SteppedBody> bodies;     ///< movers, then what stands still, half-spaces last
+  std::vector<SteppedBody> bodies;     ///< movers, then fixed bodies, half-spaces last
   std::vector<std::size_t> place;      ///< of each of the scene's bodies in that list
-  std::size_t movers = 0;              ///< how many move
-  std::size_t bounded = 0;             ///< how many are no half-spaces
+  std::size_t movers = 0;              ///< number of bodies that move
+  std::size_t bounded = 0;             ///< number of bodies other than half-spaces
   std::vector<PairMaterial> material;  ///< of each pair of materials, row after row
   double step = 0;                     ///< s
-  double rest_height = 0;              ///< hops no higher than this are left out, m
-  double slow_speed = 0;               ///< slower approaches are rounding, m/s
+  double rest_height = 0;              ///< bounces no higher than this are left out, m
+  double slow_speed = 0;               ///< slower approaches are rounding errors, m/s
   double sleep_speed = 0;              ///< slower bodies may sleep, m/s
   double thinnest = 0;                 ///< no body is thinner, m
-  double spring_part = 0;              ///< s; no part is longer while a spring may push
-  bool rotation = false;               ///< bodies turn
-  bool gyroscopic = false;             ///< spins change though nothing pushes
-  bool line = false;                   ///< two mirrors leave a line, and no spin
-  bool smooth = false;                 ///< no two materials rub
-  bool continuous = false;             ///< nothing passes through anything between two looks
-  bool edges = false;                  ///< somebody may turn who is no ball
-  bool one_by_one = false;             ///< impacts each at its own time; else all of a step at once
+  double spring_part = 0;              ///< s; longest substep while a spring may push
+  bool rotation = false;               ///< bodies rotate
+  bool gyroscopic = false;             ///< angular velocities change without torque
+  bool line = false;                   ///< two mirrors leave a line, and no rotation
+  bool smooth = false;                 ///< no two materials have friction
+  bool continuous = false;             ///< nothing passes through anything between two tests
+  bool edges = false;                  ///< a body that is not a ball may rotate
+  bool one_by_one = false;             ///< impacts each at its own time; else all at once
   int most_impacts = 0;                ///< of a step, if one by one; then at once
-  bool together = false;               ///< a body's contacts are solved together, in many sweeps
-  KeptAxes kept;                       ///< of places and velocities
-  KeptAxes kept_spins;                 ///< of spins
-  std::array<bool, 3> turns{true, true, true};  ///< about which axes spins may change
+  bool together = false;               ///< a body's contacts are solved together, iterated
+  KeptAxes kept;                       ///< of positions and velocities
+  KeptAxes kept_spins;                 ///< of angular velocities
+  std::array<bool, 3> turns{true, true, true};  ///< about which axes angular velocities may change
   SweepLimits<double> sweeps;                   ///< of the solver
 };
 
-/// Two bodies that may touch in a part of a step, and where.
+/// Two bodies that may touch in a substep, and where.
 struct NearPair {
-  std::size_t a = 0;      ///< place of the one; always a mover
-  std::size_t b = 0;      ///< place of the other
+  std::size_t a = 0;      ///< position of the one in the list; always a mover
+  std::size_t b = 0;      ///< position of the other in the list
   PairMaterial material;  ///< of both
-  double touch = 0;       ///< they touch if they are no farther apart, m
-  double near = 0;        ///< rounding may have left them so far apart where much lies on little, m
-  double reach = 0;       ///< how far they may come towards each other in this part, m
+  double touch = 0;       ///< they touch if their distance is at most this, m
+  double near = 0;        ///< the same, enlarged where a heavy body lies on a light one, m
+  double reach = 0;       ///< how far they may approach each other in this substep, m
   double distance = 0;    ///< now, m
-  double slow = 0;        ///< slower approaches are rounding, m/s
+  double slow = 0;        ///< slower approaches are rounding errors, m/s
   bool touching = false;  ///< now
-  bool leaving = false;   ///< touching, and every point of it parts
-  ContactManifold<double> manifold;  ///< of those that touch; of all, if all are solved at once
+  bool leaving = false;   ///< touching, and separating at every point
+  ContactManifold<double> manifold;  ///< of touching pairs; of all, if all are solved at once
 };
 
-/// A contact that has pushed where all hits are taken at once, and how it bounces then.
+/// A contact that has pushed where all hits are taken at once, and its bounce.
 struct StepBounce {
   BodyContact<double> contact;  ///< with the speed at which it leaves, or 0
-  ContactImpulse<double> stop;  ///< what has stopped it, N·s
+  ContactImpulse<double> stop;  ///< impulse that has stopped it, N·s
 };
 
-/// How a mover leaves a part in which it bounces.
+/// The state with which a mover leaves a substep in which it bounces.
 struct BouncedBody {
   std::size_t place = 0;                               ///< of the mover
   Vector3<double> velocity = Vector3<double>::Zero();  ///< m/s
-  Vector3<double> spin = Vector3<double>::Zero();      ///< as it lay before the part, rad/s
-  Rotor<double> orientation;                           ///< how it lay
+  Vector3<double> spin = Vector3<double>::Zero();      ///< in that orientation, rad/s
+  Rotor<double> orientation;                           ///< before the substep
 };
 
-/// What the stages of one part of a step hand on. Its arrays keep their room from part to part.
+/// The data that the stages of one substep pass on. Its arrays keep their capacity from substep to
+/// substep.
 struct StepPart {
-  double whole = 0;      ///< how long the step is, s
-  double left = 0;       ///< of the step, s
-  double planned = 0;    ///< how long this part is without impacts, s; the end velocities are then
-  double length = 0;     ///< how long it is, s
-  int cuts = 0;          ///< how many parts of this step an impact has ended
-  bool at_once = false;  ///< all impacts of what is left of the step at once
+  double whole = 0;               ///< length of the step, s
+  double left = 0;                ///< rest of the step, s
+  double planned = 0;             ///< its length without impacts, s; for the end velocities
+  double length = 0;              ///< length of this substep, s
+  int cuts = 0;                   ///< number of substeps of this step that an impact has ended
+  bool at_once = false;           ///< all impacts of the rest of the step at once
   std::vector<NearPair> pairs;    ///< in increasing order
   std::vector<StepShape> shapes;  ///< of each body in a pair, in the world
   KeptVectors end_velocity;       ///< of each mover, m/s
   KeptVectors end_spin;           ///< of each mover, rad/s; empty without rotation
-  std::vector<bool> at_start;     ///< movers on which contacts act at the start of the part
-  /// Of these, what changes their velocities evenly all the same, m/s: what no contact holds back.
-  /// Empty if there are none.
+  std::vector<bool> at_start;     ///< movers on which contacts act at the start of the substep
+  /// Of these, the change of velocity by constant forces that no contact balances, m/s. Empty if
+  /// there are none.
   std::vector<Vector3<double>> even;
-  std::vector<bool> pushed;    ///< movers on which a contact acts in this part
+  std::vector<bool> pushed;    ///< movers on which a contact acts in this substep
   std::vector<SceneHit> hits;  ///< of this step
-  KeptVectors free_velocity;   ///< of each mover at the end of the part, had nothing pushed it, m/s
+  KeptVectors free_velocity;   ///< of each mover at the end of the substep without contacts, m/s
   // Where all hits are taken at once:
-  std::vector<StepBounce> bounces;   ///< what has pushed
-  std::vector<BouncedBody> bounced;  ///< who leaves otherwise than its forces say
-  KeptVectors free_spin;             ///< of spins, rad/s; empty without rotation
-  /// Of each mover, how far it may come off the way that its velocity says, because somebody pushes
-  /// it, m. Empty until somebody is flung farther than was looked for.
+  std::vector<StepBounce> bounces;   ///< contacts that have pushed
+  std::vector<BouncedBody> bounced;  ///< bodies that leave with other velocities
+  KeptVectors free_spin;             ///< without contacts, rad/s; empty without rotation
+  /// Of each mover, how far a push may displace it from the path of its velocity, m. Empty until a
+  /// body is thrown farther than was tested.
   std::vector<double> flung;
 };
 
 // [stage]
-/// What every stage is: a function of what never changes, what changes, and the part at hand.
+/// The type of every stage: a function of what never changes, what changes, and the substep.
 using StepStage = void (*)(const SteppedSetup&, SteppedState&, StepPart&);
 // [/stage]
 
@@ -238,38 +241,39 @@ SteppedBody stepped_body(const SceneBody& from, std::size_t index);
 
 }  // namespace detail
 
-/// Whether a body, by its place, sleeps.
+/// Whether a body, by its index in the list, sleeps.
 inline bool sleeps(const SteppedState& state, std::size_t place) {
   return place < state.sleeps_with.size() && state.sleeps_with[place] >= 0;
 }
-/// Where a body's origin is, m.
+/// Position of a body's origin, m.
 inline Vector3<double> position_of(const SteppedSetup& setup, const SteppedState& state,
                                    std::size_t place) {
   const Vector3<double>& start = setup.scene.bodies[setup.bodies[place].body].position;
   return place < setup.movers ? state.position.over(place, start) : start;
 }
-/// How a body lies.
+/// Orientation of a body.
 inline Rotor<double> orientation_of(const SteppedSetup& setup, const SteppedState& state,
                                     std::size_t place) {
   if (place < state.orientation.size()) return state.orientation[place];
   return setup.scene.bodies[setup.bodies[place].body].orientation;
 }
-/// How fast a body is, m/s.
+/// Velocity of a body, m/s.
 inline Vector3<double> velocity_of(const SteppedSetup& setup, const SteppedState& state,
                                    std::size_t place) {
   return place < setup.movers ? state.velocity[place] : Vector3<double>::Zero();
 }
-/// How a body turns, rad/s; 0 without rotation.
+/// Angular velocity of a body, rad/s; 0 without rotation.
 inline Vector3<double> spin_of(const SteppedState& state, std::size_t place) {
   return place < state.spin.size() ? state.spin[place] : Vector3<double>::Zero();
 }
-/// Whether contacts change a mover's spin, or ask it: not of a smooth ball, of which every
-/// contact's force runs through the middle, and nobody's on a line.
+/// Whether contacts depend on a mover's angular velocity: not for a smooth ball, where every
+/// contact force acts through the centre, and not on a line.
 inline bool turned_by_contacts(const SteppedSetup& setup, std::size_t place) {
   return setup.rotation && !setup.line && place < setup.movers &&
          !(setup.smooth && setup.bodies[place].spin_arm == 0);
 }
-/// With what velocity a mover begins a part, once contacts have acted that act at the start, m/s.
+/// The velocity of a mover at the start of a substep, after the contacts that act at the start,
+/// m/s.
 inline Vector3<double> first_velocity(const SteppedState& state, const StepPart& part,
                                       std::size_t place) {
   if (!part.at_start[place]) return state.velocity[place];
@@ -279,23 +283,23 @@ inline Vector3<double> first_velocity(const SteppedState& state, const StepPart&
 /// The size of a vector, m or m/s.
 inline double size_of(const Vector3<double>& v) { return std::sqrt(v.dot(v)); }
 
-/// By how much of the velocity that impulses change it may be wrong, by rounding.
+/// Relative error by rounding of a velocity that impulses change.
 inline constexpr double rounding_of_impulses = 0x1p-44;
-/// How far bodies may come into each other before what sweeps have left is finished: a small part
-/// of the thinnest one, m.
+/// The overlap above which the residual of the iterations is removed by an exact solve: a small
+/// part of the thinnest body's thickness, m.
 inline double most_left(const SteppedSetup& setup) { return setup.thinnest / 1024; }
-/// How far somebody may be flung off its way before it is asked whom it may meet there, m.
+/// How far a body may be thrown off its path before its possible partners are searched again, m.
 inline double most_flung(const SteppedSetup& setup) { return setup.thinnest / 64; }
 
 // [slowest-bounce]
-/// How fast an impact must be to bounce: as fast as a hop needs that is as long as a step, or as
-/// high as may be left out, whichever is slower. What leaves at v rises v²/(2 g) along the
-/// contact's normal, with the g that presses along it. So gravity decides: what it does not press
-/// back never comes back, and not to bounce would be no hop less but another way. Along a wall
-/// beside which all falls, or under a ceiling, only what rounding makes does not bounce.
-/// @param still whether the other body stands still; else each may lie on the other
+/// The slowest impact that bounces: the speed of a bounce that is as long as a step, or as high as
+/// may be left out, whichever is slower. A bounce at v rises v²/(2 g) along the contact's normal,
+/// with the component of gravity that presses along it. A body that gravity does not press back
+/// never comes back, and leaving out its bounce would change its path for good. Along a wall beside
+/// which bodies fall, or under a ceiling, only rounding errors do not bounce.
+/// @param still whether the other body is fixed; otherwise each may lie on the other
 /// @param normal unit, from the other body
-/// @return m/s; SteppedSetup::slow_speed at least
+/// @return m/s; at least SteppedSetup::slow_speed
 inline double slowest_bounce(const SteppedSetup& setup, bool still, const Vector3<double>& normal) {
   const double along = -normal.dot(setup.scene.gravity);
   const double g = still ? std::max(along, 0.0) : std::abs(along);

@@ -1,5 +1,5 @@
 // misconception: angle-by-acos
-// caught by: small angles, and angles near π, keep their digits
+// caught by: small angles, and angles near π, are accurate
 #include "angle_between.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: place-subtracted-from-velocity
-// caught by: a velocity has no place
+// caught by: a velocity has no position
 #include "in_the_wagon.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: products-rounded
-// caught by: what two products have in common cancels and the rest is right
+// caught by: the difference of nearly equal products is accurate
 #include "last_digits.hpp"
 
 namespace exercise {

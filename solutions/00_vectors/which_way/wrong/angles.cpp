@@ -1,5 +1,5 @@
 // misconception: angles-subtracted
-// caught by: in whatever direction one walks
+// caught by: in every direction of the path
 #include "which_way.hpp"
 
 namespace exercise {

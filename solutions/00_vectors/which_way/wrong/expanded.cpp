@@ -1,5 +1,5 @@
 // misconception: products-before-differences
-// caught by: far from the origin it is the same path
+// caught by: a path far from the origin turns like one near it
 #include "which_way.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: metres-for-fraction
-// caught by: a falling sphere touches when its centre is a radius away
+// caught by: a falling sphere touches when its centre is at the distance of its radius
 #include "moving_sphere_plane.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: separating-touches
-// caught by: a sphere that goes away, along or not far enough does not touch
+// caught by: a sphere that moves away, along or not far enough does not touch
 #include "moving_sphere_plane.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: normal-reversed
-// caught by: the normal faces the side from which the points run counter-clockwise
+// caught by: the normal is on the side from which the points are counter-clockwise
 #include "plane_from_points.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: fraction-from-the-end
-// caught by: a segment through the plane meets it at a fraction of its way
+// caught by: a segment through the plane meets it at a fraction of its length
 #include "segment_plane.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: metres-for-fraction
-// caught by: a segment through the plane meets it at a fraction of its way
+// caught by: a segment through the plane meets it at a fraction of its length
 #include "segment_plane.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: offset-sign
-// caught by: the constant of the equation stands on the left
+// caught by: the constant of the equation is on its left-hand side
 #include "signed_distance.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: square-on-one-side
-// caught by: a loose plane is judged in lengths of its normal
+// caught by: the length of a loose plane's normal is taken into account
 #include "sphere_plane.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: direction-normalised
-// caught by: t counts lengths of the direction as it is given
+// caught by: t is in multiples of the direction as it is given
 #include "ray_triangle.hpp"
 
 namespace exercise {

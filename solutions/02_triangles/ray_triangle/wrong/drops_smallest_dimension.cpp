@@ -1,5 +1,5 @@
 // misconception: drops-smallest-dimension
-// caught by: a triangle is hit whichever way it faces
+// caught by: a triangle is hit in every orientation
 #include "ray_triangle.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: hits-behind-origin
-// caught by: what lies behind the origin is not hit
+// caught by: a triangle behind the origin is not hit
 #include "ray_triangle.hpp"
 
 namespace exercise {

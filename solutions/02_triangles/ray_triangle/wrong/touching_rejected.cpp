@@ -1,5 +1,5 @@
 // misconception: touching-rejected
-// caught by: touching an edge, a corner or the origin counts as a hit
+// caught by: touching an edge, a vertex or the origin counts as a hit
 #include "ray_triangle.hpp"
 
 namespace exercise {

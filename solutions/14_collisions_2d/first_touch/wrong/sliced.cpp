@@ -1,5 +1,5 @@
 // misconception: sliced-time
-// caught by: one disc meets one that stands
+// caught by: one disc meets one at rest
 #include "first_touch.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: mass-not-refused
-// caught by: a piece that is no piece is refused
+// caught by: an invalid mass of the piece is refused
 #include "fly_apart.hpp"
 
 namespace exercise {

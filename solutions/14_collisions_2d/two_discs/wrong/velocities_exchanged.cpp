@@ -1,5 +1,5 @@
 // misconception: whole-velocities-exchanged
-// caught by: at an angle only the part along the centres changes
+// caught by: an oblique collision changes only the normal components
 #include "two_discs.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: times-go-with-k-squared
-// caught by: a ball that keeps half its speed rests after three falls' time
+// caught by: with k = 1/2 the ball rests after three times the first fall
 #include "end_of_bounces.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: bounce-reverses-all
-// caught by: the part along the surface stays
+// caught by: the tangential component is unchanged
 #include "floor_bounce.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: one-of-one-plus-k
-// caught by: a ball that falls straight down comes back k times as fast
+// caught by: a ball that falls vertically leaves with k times its speed
 #include "floor_bounce.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: restitution-on-the-slip
-// caught by: the part along the surface stays
+// caught by: the tangential component is unchanged
 #include "floor_bounce.hpp"
 
 namespace exercise {

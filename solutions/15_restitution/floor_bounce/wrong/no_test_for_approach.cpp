@@ -1,5 +1,5 @@
 // misconception: bounce-when-separating
-// caught by: what moves away is left alone
+// caught by: a body that moves away is left alone
 #include "floor_bounce.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: friction-of-the-stop-alone
-// caught by: friction takes its share of the whole change
+// caught by: friction acts during the whole change of the normal velocity
 #include "rough_surface.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: friction-turns-back
-// caught by: friction stops the slip and does not turn it round
+// caught by: friction stops the slip and does not reverse it
 #include "rough_surface.hpp"
 
 namespace exercise {

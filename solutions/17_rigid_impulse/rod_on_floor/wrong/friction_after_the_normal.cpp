@@ -1,5 +1,5 @@
 // misconception: friction-after-the-normal
-// caught by: the end slides all the way
+// caught by: the end slips during the whole impact
 #include "rod_on_floor.hpp"
 
 namespace exercise {

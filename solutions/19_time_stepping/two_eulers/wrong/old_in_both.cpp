@@ -1,5 +1,5 @@
 // misconception: old-velocity-in-both
-// caught by: from rest, one order stays and the other moves
+// caught by: from rest, explicit Euler stays and symplectic Euler moves
 #include "two_eulers.hpp"
 
 namespace exercise {

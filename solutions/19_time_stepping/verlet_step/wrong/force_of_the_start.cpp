@@ -1,5 +1,5 @@
 // misconception: push-from-the-start-twice
-// caught by: one step from the end of the swing
+// caught by: one step from the turning point
 #include "verlet_step.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: whole-push-twice
-// caught by: one step from the end of the swing
+// caught by: one step from the turning point
 #include "verlet_step.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: cosine-left-out
-// caught by: a slanting hit
+// caught by: an oblique hit
 #include "horizon.hpp"
 
 namespace exercise {

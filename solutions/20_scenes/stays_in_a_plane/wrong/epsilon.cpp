@@ -1,5 +1,5 @@
 // misconception: absolute-epsilon
-// caught by: next to nothing is something
+// caught by: the smallest component counts
 #include "stays_in_a_plane.hpp"
 
 namespace exercise {

@@ -6,7 +6,7 @@ import re
 import textwrap
 from dataclasses import dataclass
 
-from contact_book.errors import BookError, unknown
+from book_json import BookError
 
 _INLINE = re.compile(r"^\s*(?P<macro>CONTACT_[A-Z]+_INLINE )")
 _MARKER = re.compile(r"^\s*//\s*\[(?P<close>/?)(?P<name>[a-z0-9][a-z0-9_-]*)\]\s*$")
@@ -58,7 +58,8 @@ def region(text: str, name: str, where: str) -> Region:
     """The region called `name`, or an error that lists the regions there are."""
     regions = find_regions(text, where)
     if name not in regions:
-        raise unknown("region", name, regions, where)
+        there = ", ".join(sorted(regions)) or "none"
+        raise BookError(f"unknown region '{name}' in {where}; there is: {there}")
     return regions[name]
 
 

@@ -1,0 +1,163 @@
+"""Stages of `./contact test` run two at a time, one of each lane, and wait for what they need."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+
+import lanes  # noqa: E402
+import steps  # noqa: E402
+from slices import Slice  # noqa: E402
+from stages import Check, Lane, Row, Stage, Tally, row_from_json  # noqa: E402
+
+# A stage of these tests: says when it began and ended, and fails if its name says so.
+PROGRAM = """
+import json, os, pathlib, sys, time
+folder, name, _, row = pathlib.Path(sys.argv[1]), *sys.argv[2:]
+(folder / f"{name}.began").write_text(str(time.monotonic()))
+if name.startswith("crash"):
+    sys.exit("no row")
+if name.startswith("meets"):
+    # Goes on when the one beside it has begun as well.
+    other = folder / "meets_a.began" if name == "meets_b" else folder / "meets_b.began"
+    until = time.monotonic() + 20
+    while not other.exists() and time.monotonic() < until:
+        time.sleep(0.01)
+    failed = not other.exists()
+else:
+    failed = name.startswith("fails")
+(folder / f"{name}.ended").write_text(str(time.monotonic()))
+tally = {"passed": 1, "failed": int(failed), "names": [name] if failed else []}
+pathlib.Path(row).write_text(
+    json.dumps({"seconds": 1.0, "used": 2.0, "tally": tally, "slices": {}}))
+"""
+
+
+def nothing() -> Iterator[Check]:
+    yield lambda _: Tally()
+
+
+def stage(name: str, *needs: str, lane: Lane = Lane.COMPILES) -> Stage:
+    return Stage(name, "of a test", 1, nothing, needs, lane)
+
+
+@pytest.fixture(autouse=True)
+def logs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setattr(steps, "LOGS", tmp_path)
+    monkeypatch.setattr(steps, "ROOT", tmp_path)
+    return tmp_path
+
+
+def run(folder: Path, *stages: Stage) -> dict[str, Row]:
+    rows = lanes.run_all(stages, (sys.executable, "-c", PROGRAM, str(folder)))
+    assert [row.stage for row in rows] == list(stages)
+    return {row.stage.name: row for row in rows}
+
+
+def moment(folder: Path, name: str) -> float:
+    return float((folder / name).read_text())
+
+
+def test_one_of_each_lane_runs_at_a_time(logs: Path) -> None:
+    rows = run(logs, stage("meets_a"), stage("meets_b", lane=Lane.WAITS))
+    assert not any(row.tally.failed for row in rows.values())
+
+
+def test_two_of_one_lane_run_in_their_order(logs: Path) -> None:
+    run(logs, stage("first"), stage("second"))
+    assert moment(logs, "first.ended") <= moment(logs, "second.began")
+
+
+def test_a_stage_waits_for_what_it_needs_of_the_other_lane(logs: Path) -> None:
+    run(logs, stage("first"), stage("second", "first", lane=Lane.WAITS))
+    assert moment(logs, "first.ended") <= moment(logs, "second.began")
+
+
+def test_a_stage_that_needs_a_failed_one_fails_without_running(logs: Path) -> None:
+    rows = run(
+        logs,
+        stage("fails"),
+        stage("second", "fails", lane=Lane.WAITS),
+        stage("third", "second"),
+        stage("other", lane=Lane.WAITS),
+    )
+    assert not (logs / "second.began").exists()
+    assert rows["second"].tally.why == ["second was not run: it needs fails, which failed"]
+    assert rows["third"].tally.failed == 1
+    assert rows["other"].tally.failed == 0
+
+
+def test_a_stage_that_dies_has_failed_and_names_its_log(logs: Path) -> None:
+    rows = run(logs, stage("crash"), stage("after"))
+    (why,) = rows["crash"].tally.why
+    assert "stage-crash.log" in why
+    assert rows["after"].tally.passed == 1
+
+
+def test_a_need_that_comes_later_is_told(logs: Path) -> None:
+    with pytest.raises(RuntimeError, match="comes after it"):
+        run(logs, stage("first", "second"), stage("second"))
+
+
+def test_a_row_comes_back_as_it_was() -> None:
+    told = Tally(3, 1, 2, ["it failed"], ["some test"], explained=True)
+    row = Row(stage("a"), told, 1.5, 2.5, {"figures": Slice(["x"], ["y"])})
+    assert row_from_json(row.stage, row.as_json()) == row
+
+
+def test_who_stops_it_stops_what_its_stages_run(tmp_path: Path) -> None:
+    """A stage runs a command in a session of its own; it must not outlive the run."""
+    code = f"""
+import os, signal, sys
+sys.path.insert(0, {str(ROOT / "tools")!r})
+import pathlib, lanes, steps
+from stages import Lane, Stage
+steps.LOGS = pathlib.Path({str(tmp_path)!r})
+signal.signal(signal.SIGTERM, signal.default_int_handler)
+lanes.run_all([Stage("sleeps", "", 1, lambda: iter(()))], (sys.executable, "-c", {SLEEPS!r}))
+"""
+    process = subprocess.Popen([sys.executable, "-c", code], cwd=tmp_path)
+    number = tmp_path / "number"
+    until = time.monotonic() + 20
+    while not (number.exists() and number.read_text()):
+        assert time.monotonic() < until
+        time.sleep(0.02)
+    process.terminate()
+    process.wait(20)
+    assert not lives(int(number.read_text()))
+
+
+SLEEPS = f"""
+import os, pathlib, signal, sys
+sys.path.insert(0, {str(ROOT / "tools")!r})
+import steps
+steps.LOGS = pathlib.Path.cwd()
+signal.signal(signal.SIGTERM, signal.default_int_handler)
+shell = "echo $$ > number.new && mv number.new number && exec sleep 60"
+try:
+    steps.run(["sh", "-c", shell], "sleeps", cwd=pathlib.Path.cwd())
+except KeyboardInterrupt:
+    sys.exit(130)
+"""
+
+
+def lives(process: int) -> bool:
+    until = time.monotonic() + 5
+    while time.monotonic() < until:
+        try:
+            os.kill(process, 0)
+        except ProcessLookupError:
+            return False
+        time.sleep(0.05)
+    os.kill(process, signal.SIGKILL)
+    return True
