@@ -94,7 +94,9 @@ def grouped(lines: list[Line]) -> Iterator[Paragraph]:
             r"\d+\. |[@\\](param|return|tparam)", stripped
         ):
             yield from flush()
-        group.append((number, re.sub(r"^([-*+>] |\d+\. |#+ )", "", stripped)))
+        # A parameter's name is code.
+        said = re.sub(r"^([@\\]t?param) \w+(, \w+)*", r"\1", stripped)
+        group.append((number, re.sub(r"^([-*+>] |\d+\. |#+ )", "", said)))
         if stripped.startswith(("#", "|")):
             yield from flush()
     yield from flush()
@@ -204,9 +206,9 @@ _CPP = Language(tree_sitter_cpp.language())
 _TS = Language(tree_sitter_typescript.language_typescript())
 
 
-# Directives to tools, markers of regions, and the keys of wrong answers.
+# Directives to tools, markers of regions, keys of wrong answers, and names of parameters.
 _FOR_TOOLS = re.compile(
-    r"//\s*(NOLINT|clang-format|\[/?[\w-]+\]|biome-ignore|@ts-|caught by:|misconception:)"
+    r"/\*\w+\*/|//\s*(NOLINT|clang-format|\[/?[\w-]+\]|biome-ignore|@ts-|caught by:|misconception:)"
 )
 
 
