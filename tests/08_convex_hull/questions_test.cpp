@@ -114,7 +114,7 @@ KEY("sees-eight") {
   return questions::Construct{winning, horizon::compute(state).sees_many};
 }
 
-TEST_CASE("the chain loses corners where the figure's caption says so") {
+TEST_CASE("the chain loses vertices where the figure's caption says so") {
   chain::Input state{{-4, -1}, {-3, 2}, {-2, -2.5}, {-1, 0.5}, {1, -1}, {2, 3},
                      {3, -2},  {4, 1},  24,         0,         0};
   enum Method { exact, in_float, in_double, epsilon, angles };

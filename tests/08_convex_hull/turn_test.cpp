@@ -65,7 +65,7 @@ TEST_CASE("three points on one line give zero") {
   check({3, 1}, {5, 9}, {5, 9});
 }
 
-TEST_CASE("steep and backward ways turn as others do") {
+TEST_CASE("steep and backward paths turn as others do") {
   check({0, 0}, {0, 4}, {-2, 6});
   check({0, 0}, {0, 4}, {2, 6});
   check({0, 0}, {-4, 1}, {-6, 5});
@@ -74,7 +74,7 @@ TEST_CASE("steep and backward ways turn as others do") {
   check({0, 0}, {3, 1}, {-2, -2});
 }
 
-TEST_CASE("a turn by one unit counts in a long way") {
+TEST_CASE("an area of one counts on a long path") {
   check({0, 0}, {kFar - 1, kFar - 2}, {kFar, kFar - 1});
   check({0, 0}, {kFar, kFar - 1}, {kFar - 1, kFar - 2});
   check({-kFar, -kFar}, {0, 0}, {kFar, kFar - 1});
