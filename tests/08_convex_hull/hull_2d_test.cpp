@@ -24,7 +24,7 @@ void check(const Points& points) {
   const auto has = [](const Corners& list, int i) {
     return std::find(list.begin(), list.end(), i) != list.end();
   };
-  ask("Which points are corners of the hull, counter-clockwise?")
+  ask("Which points are vertices of the hull, counter-clockwise?")
       .given("points", points)
       .suspect("hull-clockwise",
                [&] {
@@ -39,7 +39,7 @@ void check(const Points& points) {
                       for (std::size_t j = 0; j < i; ++j) {
                         if (got[i] != got[j] && at(got[i]) == at(got[j])) return true;
                       }
-                      // Or a later one of equals in the place of the first.
+                      // Or a later one of equal points instead of the first.
                       for (const int j : right) {
                         if (!has(right, got[i]) && at(got[i]) == at(j)) return true;
                       }
@@ -48,7 +48,7 @@ void check(const Points& points) {
                   })
       .suspect_if("half-hull",
                   [&](const Corners& got) {
-                    // The first corners of the right answer, up to the last in the order of x.
+                    // The first vertices of the right answer, up to the one of greatest x.
                     if (got.size() < 2 || got.size() >= right.size()) return false;
                     return std::equal(got.begin(), got.end(), right.begin()) &&
                            std::all_of(right.begin(), right.end(),
@@ -57,7 +57,7 @@ void check(const Points& points) {
       .suspect_if("ties-in-x",
                   [&](const Corners& got) {
                     if (!valid(points, got)) return false;
-                    // A corner above or below a right one of the same x stands in for it or beside
+                    // A point with the same x as a right vertex is returned instead of it or beside
                     // it.
                     for (const int i : got) {
                       if (has(right, i)) continue;

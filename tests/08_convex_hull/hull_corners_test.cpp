@@ -35,7 +35,7 @@ bool solid(const Points& points) {
   return false;
 }
 
-/// The corners of faces that have no fourth point in their plane.
+/// The vertices of faces that have no fourth point in their plane.
 Corners without_ties(const Points& points) {
   Corners corners;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -65,7 +65,7 @@ void check(const Points& points) {
                        [&](int i) { return i >= 0 && i < static_cast<int>(points.size()); });
   };
   const auto at = [&](int i) { return points[static_cast<std::size_t>(i)]; };
-  ask("Which points are corners of the hull?")
+  ask("Which points are vertices of the hull?")
       .given("points", points)
       .suspect_if("ties-dropped",
                   [&](const Corners& got) {
@@ -141,7 +141,7 @@ TEST_CASE("the corners of a box are vertices, and inner points are not") {
 }
 
 TEST_CASE("points inside a face or on an edge are no vertices") {
-  // Within a face, and on no line between two others.
+  // Inside a face, and on no line between two others.
   check({{-1, -1, -1}, {9, 0, 0}, {0, 9, 0}, {3, 3, 3}, {0, 0, 9}});
   // On edges only.
   check({{-1, -1, -1}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}, {4, 4, 0}, {2, 0, 6}, {4, 0, 4}});

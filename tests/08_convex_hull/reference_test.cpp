@@ -81,7 +81,7 @@ Points draw_set(Random& random, int kind, int most) {
   return points;
 }
 
-/// What a hull promises, each part in exact arithmetic.
+/// The contract of a hull, checked in exact arithmetic.
 void require_hull(const Points& points, const Hull& hull) {
   const auto at = [&](int i) -> const Vector3<double>& {
     return points[static_cast<std::size_t>(i)];
@@ -98,7 +98,7 @@ void require_hull(const Points& points, const Hull& hull) {
   }
   const int corners = static_cast<int>(hull.vertices.size());
   REQUIRE(corners - hull.edge_count() + hull.face_count() == 2);
-  // Every edge is shared by two faces, once in each direction; every corner has enough of them.
+  // Every edge is shared by two faces, once in each direction; every vertex has enough faces.
   std::set<std::pair<int, int>> edges;
   std::map<int, int> faces_at;
   for (int f = 0; f < hull.face_count(); ++f) {
@@ -109,7 +109,7 @@ void require_hull(const Points& points, const Hull& hull) {
       const int a = polygon[i], b = polygon[(i + 1) % size], c = polygon[(i + 2) % size];
       REQUIRE(edges.insert({a, b}).second);
       ++faces_at[a];
-      // Nothing is in front, at every corner of the face: so it is flat, and all is behind it.
+      // No point is in front, tested at every vertex of the face: so the face is flat.
       REQUIRE_FALSE(contact::on_one_line(at(a), at(b), at(c)));
       for (const Vector3<double>& p : points)
         REQUIRE(contact::side_of_plane(at(a), at(b), at(c), p) <= 0);
@@ -130,7 +130,7 @@ void require_hull(const Points& points, const Hull& hull) {
   }
 }
 
-/// The faces, each from its least corner, in order.
+/// The faces, each from its least vertex, in order.
 std::set<std::vector<int>> canonical(const Hull& hull) {
   std::set<std::vector<int>> faces;
   for (int f = 0; f < hull.face_count(); ++f) {
@@ -174,7 +174,7 @@ TEST_CASE("orientation predicates have the sign that fractions give, on every ki
         REQUIRE(oracle::error(bounded.value, area) <= oracle::exact(bounded.bound));
     }
   }
-  // The test means something: many are exactly 0, and many are beyond the filter.
+  // Guard: many signs are exactly 0, and many cannot be decided by the filter.
   REQUIRE(zeros > 500);
   REQUIRE(doubts > zeros);
 }

@@ -34,7 +34,7 @@ int by_slopes(const Point& a, const Point& b, const Point& c) {
 
 void check(const Point& a, const Point& b, const Point& c) {
   const int right = whole::turn(a, b, c);
-  ask("Does the way from a over b to c turn left (1), right (-1) or neither (0)?")
+  ask("Does the path from a over b to c turn left (1), right (-1) or neither (0)?")
       .given("a", a)
       .given("b", b)
       .given("c", c)
@@ -80,7 +80,7 @@ TEST_CASE("an area of one counts on a long path") {
   check({-kFar, -kFar}, {0, 0}, {kFar, kFar - 1});
   check({-kFar, -kFar}, {kFar - 1, kFar - 2}, {kFar, kFar - 1});
   check({-kFar, -kFar}, {0, 0}, {kFar, kFar});
-  // Directions that are two and have one arctangent.
+  // Different directions with the same rounded arctangent.
   check({kFar, -kFar}, {-21542497, 19078079}, {-29946953, 27106614});
   check({kFar, -kFar}, {-27202485, 6795957}, {-18583107, 1071584});
 }
