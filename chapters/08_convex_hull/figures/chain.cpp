@@ -15,7 +15,7 @@ struct Input {
   double step;    // how many orientation tests are shown
   double method;  // 0 exact, 1 float, 2 double, 3 double with an epsilon of 1e-6, 4 sorted by
                   // angle, with exact orientation
-  double flat;  // k: flattened to 10^-k of their heights, onto a sloping line; 0: as they are
+  double flat;    // k: flattened to 10^-k of their heights, onto a sloping line; 0: as they are
 };
 
 constexpr int count = 8;

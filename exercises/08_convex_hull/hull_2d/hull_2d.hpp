@@ -6,8 +6,8 @@
 
 namespace exercise {
 
-/// The vertices of the convex hull, by index, counter-clockwise. The first is the one with the least
-/// x, and of those the one with the least y.
+/// The vertices of the convex hull, by index, counter-clockwise. The first is the one with the
+/// least x, and of those the one with the least y.
 ///
 /// - A point on an edge, between two vertices, is no vertex.
 /// - Of equal points only the first can be a vertex.

@@ -11,8 +11,8 @@ namespace exercise {
 /// face on the other side of the edge.
 ///
 /// The result is the index i of a point such that the triangle to, from, i has an area and no point
-/// of the set lies in front of its plane (on the side from which to, from, i run counter-clockwise).
-/// If there are several, it is the smallest such index.
+/// of the set lies in front of its plane (on the side from which to, from, i run
+/// counter-clockwise). If there are several, it is the smallest such index.
 ///
 /// @param points whole numbers from -1000 to 1000, not all in one plane; points may be equal, or on
 ///   one line with the edge
