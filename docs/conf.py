@@ -79,6 +79,7 @@ epub_css_files = ["ebook.css"]
 html_theme = "furo"
 html_title = "Contact Hours"
 html_favicon = "_static/favicon.svg"
+templates_path = ["_templates"]
 html_static_path = ["_static"]
 html_css_files = ["book.css"]
 html_js_files = [("book.js", {"defer": "defer"})]

@@ -137,9 +137,12 @@ int print(const std::vector<DevResult>& results, bool json) {
     list.push_back({{"kind", result.kind},
                     {"name", result.name},
                     {"passed", good},
-                    {"problems", result.problems}});
+                    {"problems", result.problems},
+                    {"said", result.said}});
+    if (good && !json && !result.said.empty()) say(result.said);
     if (good || json) continue;
     say(style.bad("failed") + "  " + result.kind + " " + style.bold(result.name));
+    if (!result.said.empty()) say(wrapped(result.said, 10, 110));
     for (const std::string& problem : result.problems) say(wrapped(problem, 10, 110));
   }
   if (json) {
@@ -171,6 +174,10 @@ int run(Context& context, const Options& options) {
       return std::none_of(exercises.begin(), exercises.end(),
                           [&](const Exercise* exercise) { return exercise->id() == result.name; });
     });
+  }
+  if (options.names.empty()) {
+    for (DevResult& result : check_lessons(context.loop(), book))
+      results.push_back(std::move(result));
   }
   const grading::TemporaryFolder folder;
   for (DevResult& result : apply_patches(context.loop(), book, exercises, folder.path()))

@@ -121,19 +121,6 @@ bool same_text(const fs::path& a, const fs::path& b) {
   }
 }
 
-fs::path python_of(const grading::Book& book) {
-  const fs::path python = book.root() / "build" / "venv" / "bin" / "python";
-  return fs::exists(python) ? python : fs::path("python3");
-}
-
-grading::ProcessResult run_python(grading::Loop& loop, const std::vector<std::string>& command) {
-  grading::ProcessSpec spec;
-  spec.command = command;
-  spec.environment = {{"PYTHONDONTWRITEBYTECODE", "1"}};
-  spec.time_limit = 60.0;
-  return grading::run_process(loop, spec);
-}
-
 bool is_patch(const fs::path& file) { return file.extension() == ".patch"; }
 
 // The null answer, and the generated proxy and server once more, to hold against those that the
@@ -192,6 +179,19 @@ std::vector<fs::path> wrong_answer_files(const Exercise& exercise) {
   }
   std::sort(files.begin(), files.end());
   return files;
+}
+
+fs::path python_of(const grading::Book& book) {
+  const fs::path python = book.root() / "build" / "venv" / "bin" / "python";
+  return fs::exists(python) ? python : fs::path("python3");
+}
+
+grading::ProcessResult run_python(grading::Loop& loop, const std::vector<std::string>& command) {
+  grading::ProcessSpec spec;
+  spec.command = command;
+  spec.environment = {{"PYTHONDONTWRITEBYTECODE", "1"}};
+  spec.time_limit = 60.0;
+  return grading::run_process(loop, spec);
 }
 
 std::vector<DevResult> apply_patches(grading::Loop& loop, const grading::Book& book,

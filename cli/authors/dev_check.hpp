@@ -14,10 +14,11 @@ namespace contact::cli {
 
 /// One thing that was looked at, and what is wrong with it (nothing, if all is well).
 struct DevResult {
-  std::string kind;  ///< "chapter", "exercise", "misconception", "stub", "solution", "wrong
-                     ///< answer", "null answer"
+  std::string kind;  ///< "chapter", "lesson", "exercise", "misconception", "stub", "solution",
+                     ///< "wrong answer", "null answer"
   std::string name;
   std::vector<std::string> problems;
+  std::string said = {};  ///< What is worth a line even if all is well; mostly nothing.
 };
 
 /// First lines of a wrong answer: `// misconception: ID` and `// caught by: TEST`.
@@ -37,6 +38,13 @@ std::vector<std::filesystem::path> wrong_answer_files(const grading::Exercise& e
 std::vector<DevResult> apply_patches(grading::Loop& loop, const grading::Book& book,
                                      const std::vector<const grading::Exercise*>& exercises,
                                      const std::filesystem::path& folder);
+
+/// The project's own Python if `./contact setup` has made it, or the system's.
+std::filesystem::path python_of(const grading::Book& book);
+grading::ProcessResult run_python(grading::Loop& loop, const std::vector<std::string>& command);
+
+/// Of each lesson: the minutes that it takes, and whether it and its listings are short enough.
+std::vector<DevResult> check_lessons(grading::Loop& loop, const grading::Book& book);
 
 /// Chapters, their graph and headers; exercises and their folders; misconceptions. Reads files
 /// only.

@@ -21,9 +21,7 @@
       box.open = true;
   };
   const openAddress = () => {
-    const name = location.hash.slice(1);
-    const target =
-      name && (document.getElementById(name) ?? document.getElementById(decodeURI(name)));
+    const target = document.getElementById(location.hash.slice(1));
     if (!target?.closest("details.deeper:not([open])")) return;
     openAround(target);
     target.scrollIntoView();
@@ -43,6 +41,84 @@
     for (const box of closedOnScreen) box.open = false;
   });
   document.addEventListener("toggle", reach, true);
+
+  // A linked term shows its definition to whoever points at it, reaches it by key, or taps it.
+  const definitions = new Map();
+  for (const node of document.querySelectorAll(".definitions > .definition"))
+    for (const name of node.dataset.terms.split(" ")) definitions.set(name, node);
+  /** The link whose definition is shown, and the box that shows it. */
+  let shown;
+  let waiting = 0;
+  const hideTerm = () => {
+    clearTimeout(waiting);
+    shown?.box.remove();
+    shown?.link.removeAttribute("aria-describedby");
+    shown = undefined;
+  };
+  const hideSoon = () => {
+    clearTimeout(waiting);
+    waiting = setTimeout(hideTerm, 200);
+  };
+  const stay = () => clearTimeout(waiting);
+  const showTerm = (link, definition) => {
+    stay();
+    if (shown?.link === link) return;
+    hideTerm();
+    const box = document.createElement("div");
+    box.className = "term-shown";
+    const words = definition.cloneNode(true);
+    words.id = "term-shown";
+    const entry = document.createElement("p");
+    entry.className = "entry";
+    const there = document.createElement("a");
+    there.href = link.href;
+    there.textContent = "In the glossary";
+    entry.append(there);
+    box.append(words, entry);
+    box.addEventListener("pointerenter", stay);
+    box.addEventListener("pointerleave", hideSoon);
+    // In the article, for its fonts; what it stands on scrolls with it.
+    const paper = link.closest("article");
+    paper.append(box);
+    const at = link.getClientRects()[0];
+    const width = document.documentElement.clientWidth;
+    const left = Math.max(8, Math.min(at.left, width - box.offsetWidth - 8));
+    const above = at.bottom + box.offsetHeight + 8 > innerHeight && at.top > box.offsetHeight + 60;
+    const from = (box.offsetParent ?? document.documentElement).getBoundingClientRect();
+    box.style.left = `${left - from.left}px`;
+    box.style.top = `${(above ? at.top - box.offsetHeight - 4 : at.bottom + 4) - from.top}px`;
+    link.setAttribute("aria-describedby", "term-shown");
+    shown = { link, box };
+  };
+  for (const text of document.querySelectorAll("article a > .std-term")) {
+    const link = text.parentElement;
+    const definition = definitions.get(link.hash.slice(1));
+    if (!definition || link.closest(".definitions")) continue;
+    link.addEventListener("pointerenter", (event) => {
+      stay();
+      if (event.pointerType === "mouse" && shown?.link !== link)
+        waiting = setTimeout(() => showTerm(link, definition), 150);
+    });
+    link.addEventListener("pointerleave", (event) => {
+      if (event.pointerType === "mouse") hideSoon();
+    });
+    link.addEventListener("focus", () => {
+      if (link.matches(":focus-visible")) showTerm(link, definition);
+    });
+    link.addEventListener("blur", hideSoon);
+    link.addEventListener("click", (event) => {
+      if (event.pointerType !== "touch") return;
+      event.preventDefault();
+      showTerm(link, definition);
+    });
+  }
+  document.addEventListener("keydown", (event) => {
+    if (event.key === "Escape") hideTerm();
+  });
+  document.addEventListener("pointerdown", (event) => {
+    if (shown && !shown.box.contains(event.target) && !shown.link.contains(event.target))
+      hideTerm();
+  });
 
   /** The site's root, as the page names it. */
   const root = new URL(document.documentElement.dataset.content_root ?? "./", document.baseURI);

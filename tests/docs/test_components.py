@@ -173,7 +173,8 @@ def test_a_measurement_shows_where_it_is_from_and_what_is_asked_for(lesson: Beau
 def test_the_head_says_time_what_it_builds_on_and_objectives(lesson: BeautifulSoup) -> None:
     head = one(lesson, ".chapter-head")
     assert head.find_previous_sibling().name == "h1"  # type: ignore[union-attr]
-    assert "About 11 minutes: 1 to read, 10 for the first exercises" in head.get_text()
+    assert "About 11 minutes, and 10 minutes of exercises" in head.get_text()
+    assert "Optional: 2 minutes of Deeper boxes" in head.get_text()
     assert one(head, 'a[href="../api/00_numbers.html"]').get_text() == "Numbers"
     assert len(head.select(".objectives li")) == 2
     assert "lines & planes" in one(lesson, ".chapter-foot").get_text()

@@ -38,6 +38,8 @@ from contact_book.maths import visit_block, visit_inline
 from contact_book.nodes import component, slot
 from contact_book.offline import write_offline
 from contact_book.scene_player import ScenePlayer
+from contact_book.term_index import show_index
+from contact_book.terms import connect as connect_terms
 from contact_book.your_work import YourWork
 from contact_book.your_work import read_again as read_your_work_again
 
@@ -92,6 +94,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     connect_exercise_data(app)
     connect_ebook(app)
     connect_blocks(app)
+    connect_terms(app)
     app.connect("builder-inited", name_authors_files)
     app.connect("builder-inited", copy_fonts)
     app.connect("builder-inited", copy_components)
@@ -101,6 +104,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.connect("source-read", depend_on_headers)
     app.connect("doctree-read", place_head)
     app.connect("html-page-context", add_script)
+    app.connect("html-page-context", show_index)
     app.connect("html-page-context", plain_captions, priority=900)
     app.connect("build-finished", name_columns)
     app.connect("build-finished", subset_fonts)

@@ -77,11 +77,6 @@ class Chapter:
         return self.status == "lesson" and self.lesson.is_file()
 
     @property
-    def reading_minutes(self) -> int:
-        """At 200 words a minute, code and questions among them."""
-        return max(1, round(len(self.lesson.read_text(encoding="utf-8").split()) / 200))
-
-    @property
     def headers(self) -> list[Path]:
         return sorted((self.folder / "contact").rglob("*.hpp"))
 

@@ -48,6 +48,10 @@ def joined(items: list[nodes.Node]) -> list[nodes.Node]:
     return made
 
 
+def minutes(count: int) -> str:
+    return f"{count} minute{'' if count == 1 else 's'}"
+
+
 class ChapterDirective(BookDirective):
     """A directive about the chapter it stands in."""
 
@@ -86,14 +90,14 @@ class Objectives(ChapterDirective):
 class ChapterHead(ChapterDirective):
     """Added to every lesson by `append_frame`, then moved to its place under the title."""
 
-    def time(self) -> str:
+    def times(self) -> list[str]:
         time = lesson_time(self.book, self.chapter)
-        words = f"About {time.lesson} minutes"
-        if time.in_lesson:
-            words += f": {time.reading} to read, {time.in_lesson} for the first exercises"
-        if time.further:
-            words += f"; {time.further} more for further practice"
-        return words
+        words = f"About {minutes(time.lesson)}"
+        if time.exercises:
+            words += f", and {minutes(time.exercises)} of exercises"
+        beside = [(time.further, "further practice"), (time.deeper, "Deeper boxes")]
+        more = [f"{minutes(count)} of {what}" for count, what in beside if count]
+        return [words, *([f"Optional: {', '.join(more)}"] if more else [])]
 
     def build(self) -> list[nodes.Node]:
         chapter = self.chapter
@@ -103,7 +107,7 @@ class ChapterHead(ChapterDirective):
             head += nodes.paragraph("", "", *words, classes=["tooltip"])
         facts = nodes.paragraph(classes=["facts"])
         self.depends(chapter.lesson)
-        facts += nodes.inline("", self.time())
+        facts += [nodes.inline("", words) for words in self.times()]
         if chapter.builds_on:
             earlier = [self.book.chapter(slug, self.source) for slug in chapter.builds_on]
             links = joined([chapter_link(item, self.env.docname) for item in earlier])

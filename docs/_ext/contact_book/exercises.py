@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from lesson_minutes import lesson_of
+
 from contact_book.book import Book, Chapter
 from contact_book.errors import BookError, unknown
 
@@ -93,15 +95,12 @@ def find_exercise(book: Book, name: str, here: str | None, where: str) -> Exerci
 
 @dataclass(frozen=True)
 class LessonTime:
-    """How many minutes a lesson takes, and what may come after it."""
+    """How many minutes a lesson takes, and what goes with it."""
 
-    reading: int
-    in_lesson: int
+    lesson: int
+    exercises: int
     further: int
-
-    @property
-    def lesson(self) -> int:
-        return self.reading + self.in_lesson
+    deeper: int
 
 
 def lesson_time(book: Book, chapter: Chapter) -> LessonTime:
@@ -113,10 +112,13 @@ def lesson_time(book: Book, chapter: Chapter) -> LessonTime:
         name: find_exercise(book, name, chapter.slug, where).minutes for name in chapter.exercises
     }
     in_lesson = sum(minutes[name] for name in chapter.in_lesson)
+    said = book.registry["chapters"][chapter.slug]
+    lesson = lesson_of(book.root, chapter.slug, said)
     return LessonTime(
-        reading=chapter.reading_minutes,
-        in_lesson=in_lesson,
+        lesson=max(1, round(lesson.main.minutes)),
+        exercises=in_lesson,
         further=sum(minutes.values()) - in_lesson,
+        deeper=round(lesson.deeper.minutes),
     )
 
 

@@ -8,7 +8,7 @@ from sphinx.environment import BuildEnvironment
 from sphinx.writers.html5 import HTML5Translator
 
 from contact_book.book import PARTS, Chapter
-from contact_book.chapter import chapter_link, joined
+from contact_book.chapter import chapter_link, joined, minutes
 from contact_book.directive import BookDirective
 from contact_book.errata import faulted
 from contact_book.exercises import lesson_time
@@ -48,7 +48,11 @@ class ChapterCards(BookDirective):
         facts = nodes.paragraph(classes=["facts"])
         if chapter.has_lesson:
             self.depends(chapter.lesson)
-            facts += nodes.inline("", f"{lesson_time(self.book, chapter).lesson} minutes")
+            time = lesson_time(self.book, chapter)
+            words = minutes(time.lesson)
+            if time.exercises:
+                words += f", and {time.exercises} of exercises"
+            facts += nodes.inline("", words)
         if not chapter.has_lesson:
             facts += nodes.inline("", "code only")
         if chapter.builds_on:
