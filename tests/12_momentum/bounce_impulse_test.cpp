@@ -65,7 +65,7 @@ TEST_CASE("a bounce takes more than a stop") {
   check_impulse(0.25, {0, 4, -16}, {0, 4, 12});
 }
 
-TEST_CASE("a push sideways turns the velocity") {
+TEST_CASE("a sideways impulse changes the direction") {
   check_impulse(4, {3, 4, 0}, {4, 3, 0});
   check_impulse(4, {5, 0, 0}, {0, 0, 5});
 }

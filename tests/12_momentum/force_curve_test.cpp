@@ -107,23 +107,23 @@ void check(const Samples& samples, double mass, double velocity) {
 
 }  // namespace
 
-TEST_CASE("under a steady force the area is a rectangle") {
+TEST_CASE("under a constant force the area is a rectangle") {
   check({{0, 6}, {2, 6}}, 1, 0);
   check({{1, -4}, {1.5, -4}, {2, -4}}, 1, 0);
 }
 
-TEST_CASE("a force that rises and falls has its own area") {
+TEST_CASE("the area under a rising and falling force is that of trapezoids") {
   check({{0, 0}, {1, 10}, {2, 0}}, 1, 0);
   check({{0, 2}, {1, 10}}, 1, 0);
   check({{3, 8}, {4, 4}, {5, 16}, {6, 1}}, 1, 0);
 }
 
-TEST_CASE("samples need not be equally far apart") {
+TEST_CASE("samples need not be equally spaced") {
   check({{0, 8}, {1, 4}, {4, 2}}, 1, 0);
   check({{0, 2}, {0.5, 4}, {0.75, 8}, {8, 0}}, 1, 0);
 }
 
-TEST_CASE("a force that turns round takes back") {
+TEST_CASE("a force that reverses has negative area") {
   check({{0, 8}, {1, -6}, {2, -4}}, 1, 0);
   check({{0, -2}, {1, -4}, {2, -4}}, 1, 0);
   check({{0, 5}, {2, -5}}, 1, 0);

@@ -136,7 +136,7 @@ KEY("one-skater-stands") {
   return questions::Construct{winning, skaters::compute(state).first_stands};
 }
 
-TEST_CASE("in the figure of the books, one line alone stays where it is") {
+TEST_CASE("in the figure of the drift only one line stays at zero") {
   for (const double wide : {0.0, 1.0}) {
     double farther = 0;  // of how many orders the formulas drift further when there are more
     for (int order = 0; order < 20; ++order) {

@@ -46,7 +46,7 @@ constexpr std::array<Push, 4> all_pushes{Push::one_way, Push::both_ways, Push::z
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("every way of adding impulses is as near as its comment says", "", float,
+TEMPLATE_TEST_CASE("every sum of impulses satisfies the bound in its comment", "", float,
                    double) {
   using S = TestType;
   Random random(1201);
@@ -87,7 +87,7 @@ TEST_CASE("sums of rationals are exact in every order") {
   }
 }
 
-TEST_CASE("a thousand tenths between a large impulse and its opposite, as the lesson tells it") {
+TEST_CASE("a thousand tenths between a large impulse and its opposite, as in the lesson") {
   const auto tenths = []<class S>(S, int power) {
     std::vector<S> all(1002, S(0.1F));
     all.front() = std::ldexp(S(1), power);
@@ -114,7 +114,7 @@ TEST_CASE("a thousand tenths between a large impulse and its opposite, as the le
   CHECK(contact::total_kahan(tenths(0.0F, 32)) == 0);
 }
 
-TEST_CASE("a sum that overflows only on the way is finite, and none is ever NaN") {
+TEST_CASE("a sum with an intermediate overflow is finite, and none is NaN") {
   const double big = std::numeric_limits<double>::max();
   const std::vector<double> there_and_back{big, big, 3.0, -big, -big};
   CHECK(contact::total_exactly(there_and_back) == 3.0);

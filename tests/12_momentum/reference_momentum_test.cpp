@@ -73,7 +73,7 @@ ExactSums<S> exact_sums(const std::vector<PointMass<S>>& all) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("momentum, its scale and the centre's velocity agree with fractions", "", float,
+TEMPLATE_TEST_CASE("momentum, its scale and the velocity of the centre agree with fractions", "", float,
                    double) {
   using S = TestType;
   Random random(1204);
@@ -148,7 +148,7 @@ TEST_CASE("the lecture's players: 90 kg at 6 m/s and 80 kg at -7 m/s") {
   CHECK(contact::centre_velocity(players)->x() == oracle::nearest(Rational(-2) / 17));
 }
 
-TEST_CASE("no push between two bodies moves their centre of mass, in fractions") {
+TEST_CASE("no internal impulse changes the velocity of the centre of mass, in fractions") {
   Random random(1206);
   for (int i = 0; i < 300; ++i) {
     const auto fraction = [&] { return Rational(random.integer(-50, 50)) / random.integer(1, 9); };
@@ -310,7 +310,7 @@ void check_bookings(Random& random) {
 
 }  // namespace
 
-TEST_CASE("over many collisions the momentum drifts no further than each rounding allows") {
+TEST_CASE("over many collisions the momentum drifts no farther than the roundings allow") {
   Random random(1211);
   check_bookings<float>(random);
   check_bookings<double>(random);

@@ -19,7 +19,7 @@ using oracle::Vector;
 using rounding::nearest;
 using rounding::u;
 
-TEST_CASE("matter that joins or leaves takes its own momentum with it") {
+TEST_CASE("matter that joins or leaves carries its own momentum") {
   Random random(1209);
   for (int i = 0; i < 300; ++i) {
     const auto fraction = [&] { return Rational(random.integer(-50, 50)) / random.integer(1, 9); };
@@ -53,7 +53,7 @@ TEST_CASE("matter that joins or leaves takes its own momentum with it") {
   }
 }
 
-TEST_CASE("a rocket that throws its mass away grain by grain gains u ln(m0 / m1)") {
+TEST_CASE("a rocket that ejects its mass continuously gains u ln(m0 / m1)") {
   Random random(1210);
   for (int i = 0; i < 400; ++i) {
     const double before = random.uniform(1, 100);
@@ -88,7 +88,7 @@ TEST_CASE("a rocket that throws its mass away grain by grain gains u ln(m0 / m1)
   }
 }
 
-TEST_CASE("a steady stream moves a body by the logarithm, and by its momentum") {
+TEST_CASE("a steady stream changes a velocity by the rocket equation, and conserves momentum") {
   // The textbook's integrals, which divide by the rate, by intervals; the numbers are whole
   // sixteenths, so that the mass that is left is exact.
   Random random(1212);

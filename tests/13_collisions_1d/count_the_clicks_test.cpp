@@ -98,7 +98,7 @@ TEST_CASE("a hundred times as heavy") {
   check(900);
 }
 
-TEST_CASE("heavier and lighter") {
+TEST_CASE("other mass ratios") {
   check(1.5);
   check(5);
   check(16);
@@ -106,7 +106,7 @@ TEST_CASE("heavier and lighter") {
   check(1600);
 }
 
-TEST_CASE("close calls") {
+TEST_CASE("close cases") {
   for (const int n : {5, 7, 12, 19, 33, 47, 60, 71, 96, 113}) {
     for (const int ulps : {-1, 0, 1}) check(near_tie(n, ulps));
   }

@@ -65,7 +65,7 @@ TEST_CASE("the truck and the parked car") {
   check({3000, 20, 1000, 0}, 21);
 }
 
-TEST_CASE("what the second gains the first has lost, by mass") {
+TEST_CASE("the momentum that the second gains the first has lost") {
   check({4, 6, 1, -2}, 6);
   check({1, 6, 4, -2}, 0);
   check({8, 5, 3, 1}, 4);
@@ -78,13 +78,13 @@ TEST_CASE("equal speeds of approach and separation are elastic") {
   check({2, 9, 4, 0}, 4);
 }
 
-TEST_CASE("nobody passes through") {
+TEST_CASE("bodies that passed through each other are recognised") {
   check({4, 6, 2, 0}, 2);
   check({4, 6, 2, 0}, 0);
   check({4, 6, 2, 0}, 6);
 }
 
-TEST_CASE("random collisions get the right verdict") {
+TEST_CASE("random collisions are classified right") {
   generators::Random random(seed(0));
   for (int asked = 0; asked < 300; ++asked) {
     const double m1 = std::ldexp(1.0, random.integer(0, 3));

@@ -174,7 +174,7 @@ TEST_CASE("as many leave as come in") {
   check(equals({0, 0, 0, -1, -1}));
 }
 
-TEST_CASE("what comes from both sides") {
+TEST_CASE("balls that come in from both sides") {
   check(equals({1, 0, 0, -1}));
   check(equals({2, 1, 0, 0, -4}));
   check(equals({-1, 0, 1}));
@@ -188,7 +188,7 @@ TEST_CASE("a heavy ball among light ones") {
   check({{1, 8}, {1, 0}, {7, 0}});
 }
 
-TEST_CASE("random rows settle as the rule says") {
+TEST_CASE("random rows settle by the rule of the contract") {
   generators::Random random(seed(0));
   for (int asked = 0; asked < 200;) {
     Row row;
