@@ -52,7 +52,7 @@ void add_total(hard_cases::Runner& runner) {
       return same(total(c.numbers("impulses")), answer, "sum");
     });
   };
-  in_double("double, in order", [](const Numbers& terms) { return plain(terms); });
+  in_double("double, recursive", [](const Numbers& terms) { return plain(terms); });
   in_double("pairwise", [](const Numbers& terms) { return contact::total_pairwise(terms); });
   in_double("Kahan", [](const Numbers& terms) { return contact::total_kahan(terms); });
   in_double("compensated", [](const Numbers& terms) { return contact::total_compensated(terms); });
@@ -70,7 +70,7 @@ void add_total_of_floats(hard_cases::Runner& runner) {
       return same(static_cast<double>(total(floats)), answer, "sum", 18);
     });
   };
-  in_float("float, in order", [](const auto& terms) { return plain(terms); });
+  in_float("float, recursive", [](const auto& terms) { return plain(terms); });
   in_float("float, pairwise", [](const auto& terms) { return contact::total_pairwise(terms); });
   in_float("float, compensated",
            [](const auto& terms) { return contact::total_compensated(terms); });
@@ -101,7 +101,7 @@ void add_together(hard_cases::Runner& runner) {
     const Numbers velocities = c.numbers("velocities");
     return same(plain(velocities) / static_cast<double>(velocities.size()), answer, "velocity");
   });
-  runner.method("together", "as one writes it first", [](const Case& c, const Json& answer) {
+  runner.method("together", "naive formula", [](const Case& c, const Json& answer) {
     double momentum = 0;
     double mass = 0;
     for (const auto& body : bodies(c)) {
@@ -185,7 +185,7 @@ void add_curve(hard_cases::Runner& runner) {
                     (c.numbers("times").back() - c.numbers("times").front()),
                 answer, "impulse");
   });
-  runner.method("curve", "trapezoids, in order", [](const Case& c, const Json& answer) {
+  runner.method("curve", "trapezoids, recursive sum", [](const Case& c, const Json& answer) {
     const Numbers times = c.numbers("times");
     const Numbers forces = c.numbers("forces");
     double area = 0;
@@ -264,7 +264,7 @@ void add_push_off(hard_cases::Runner& runner) {
                  c.number("together") - c.number("apart") * c.number("second") / c.number("first"),
                  ground, answer);
   });
-  runner.method("push_off", "as one writes it first", [judge](const Case& c, const Json& answer) {
+  runner.method("push_off", "naive formula", [judge](const Case& c, const Json& answer) {
     const double m1 = c.number("first");
     const double m2 = c.number("second");
     const double u = c.number("apart");

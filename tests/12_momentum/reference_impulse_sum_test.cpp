@@ -46,8 +46,7 @@ constexpr std::array<Push, 4> all_pushes{Push::one_way, Push::both_ways, Push::z
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("every sum of impulses satisfies the bound in its comment", "", float,
-                   double) {
+TEMPLATE_TEST_CASE("every sum of impulses satisfies the bound in its comment", "", float, double) {
   using S = TestType;
   Random random(1201);
   int zero_totals = 0;

@@ -73,8 +73,8 @@ ExactSums<S> exact_sums(const std::vector<PointMass<S>>& all) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("momentum, its scale and the velocity of the centre agree with fractions", "", float,
-                   double) {
+TEMPLATE_TEST_CASE("momentum, its scale and the velocity of the centre agree with fractions", "",
+                   float, double) {
   using S = TestType;
   Random random(1204);
   for (int i = 0; i < 2500; ++i) {

@@ -156,7 +156,7 @@ void add_lost(hard_cases::Runner& runner) {
     return energy(p.first, p.first.velocity) + energy(p.second, p.second.velocity) -
            energy(p.first, after.first) - energy(p.second, after.second);
   });
-  add("(1 − e²) of all energy", [energy](const Pair& p) {
+  add("(1 − e²) of the total energy", [energy](const Pair& p) {
     return (1 - p.e * p.e) *
            (energy(p.first, p.first.velocity) + energy(p.second, p.second.velocity));
   });
@@ -201,7 +201,7 @@ void add_count(hard_cases::Runner& runner) {
   add("float, formula", [](double r) { return contact::count_by_formula(static_cast<float>(r)); });
   add("formula", [](double r) { return contact::count_by_formula(r); });
   add("textbook", [](double r) { return contact::count_by_textbook(r, limit); });
-  add("book, colliding", [](double r) { return contact::count_by_colliding(r, limit); });
+  add("book, simulation", [](double r) { return contact::count_by_colliding(r, limit); });
   add("double-double, formula",
       [](double r) { return contact::count_by_formula(contact::DoubleDouble(r)); });
   add("book", [](double r) { return contact::count_collisions(r).value_or(-1); });
