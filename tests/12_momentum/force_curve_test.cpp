@@ -67,8 +67,8 @@ Push mistaken(const Samples& samples, double mass, double velocity, Mistake mist
   return {impulse, impulse / duration, velocity + after};
 }
 
-/// A piece goes through four roundings, then through as many sums as there are pieces; the
-/// quotients and the last sum add three. The oracle's own is one.
+/// Each piece has four roundings, then one for each sum; the quotients and the last sum add three,
+/// and the oracle one.
 Push bound(const Samples& samples, double mass, double velocity) {
   double size = 0;
   for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
@@ -96,7 +96,7 @@ void check(const Samples& samples, double mass, double velocity) {
     suspects.push_back(
         {id, [&, mistake = mistake] { return mistaken(samples, mass, velocity, mistake); }});
   }
-  ask("What has the force done to the body?")
+  ask("What are the impulse, the average force and the velocity afterwards?")
       .given("samples", samples)
       .given("mass", mass)
       .given("velocity", velocity)

@@ -1,9 +1,9 @@
-// Recomputes the answers of hard_cases.json and says which method gets which case right.
+// Recomputes the answers of hard_cases.json and checks which methods are right in which case.
 //
 // All answers are of class (a): rational in the stored numbers, rounded once. A sum or a mean is
-// right if it is off by at most 2^-40 of itself (2^-18 for a method in float), and exactly 0 where
-// it is 0. A velocity that comes out of a difference is right if it is off by at most 2^-40 of the
-// velocities that went in: more is not to be had.
+// right if its error is at most 2^-40 of itself (2^-18 for a method in float), and exactly 0 where
+// it is 0. A velocity that is computed as a difference is right if its error is at most 2^-40 of
+// the velocities that it is computed from.
 #include "support/hard_cases.hpp"
 
 #include <cmath>
@@ -121,8 +121,8 @@ contact::ForceCurve<double> curve(const Case& c) {
   return contact::force_curve<double>(c.numbers("times"), force);
 }
 
-/// The whole momentum after elastic collisions of two at a time, each with each in turn. Between
-/// themselves they cannot change it, so the answer is that of the start.
+/// The total momentum after elastic collisions of all pairs in turn. Internal impulses do not
+/// change it, so the right answer is the initial one.
 void add_balance(hard_cases::Runner& runner) {
   runner.question("balance", [](const Case& c) {
     Rational sum = 0;
@@ -211,7 +211,7 @@ void add_exchange(hard_cases::Runner& runner) {
         (m + change);
     return Json{{"class", "a"}, {"velocity", hex(after)}};
   });
-  // What |v| + |w − v| |Δm| / (m + Δm) leaves to be had.
+  // The attainable error is relative to |v| + |w − v| |Δm| / (m + Δm).
   const auto judge = [](const Case& c, double got, const Json& answer) {
     const Rational m = oracle::exact(c.number("mass"));
     const Rational change = oracle::exact(c.number("change"));
@@ -252,7 +252,7 @@ void add_push_off(hard_cases::Runner& runner) {
   const auto judge = [](const Case& c, double first, double second, const Json& answer) {
     const double room =
         std::ldexp(std::abs(c.number("together")) + std::abs(c.number("apart")), -40);
-    // From rest the small recoil of a heavy body is a product, and has all its digits.
+    // From rest the small recoil of a heavy body is a product, with all its digits right.
     const bool from_rest = c.number("together") == 0;
     return (from_rest ? same(first, answer, "first")
                       : close(first, unhex(answer, "first"), room)) &&

@@ -1,6 +1,6 @@
 // impulse_sum.hpp against rational arithmetic on the stored numbers (class (a) of the oracle). u is
-// the unit roundoff of the type. A bound that a comment of the reference gives is tested as it
-// stands, without an allowance.
+// the unit roundoff of the type. A bound in a comment of the reference is tested
+// without an allowance.
 #include <array>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -103,8 +103,8 @@ TEST_CASE("a thousand tenths between a large impulse and its opposite, as in the
   for (int power = 0; power <= 52; ++power) {
     CAPTURE(power);
     CHECK(std::abs(contact::total_compensated(tenths(0.0F, power)) - 100) < 0.002F);
-    // What Kahan's sum hands to the last term is rounded to its digits, which are those just below
-    // 2^power: from 2^27 on they are multiples of 8, and 100 is none.
+    // Kahan's correction is rounded to the digits of the last term, which are just below 2^power:
+    // from 2^27 on they are multiples of 8, and 100 is none.
     if (power < 20) continue;
     const float kahan = contact::total_kahan(tenths(0.0F, power));
     CHECK(std::fmod(kahan, std::ldexp(1.0F, power - 24)) == 0);

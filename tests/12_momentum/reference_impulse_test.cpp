@@ -1,6 +1,6 @@
 // impulse.hpp against rational arithmetic on the stored numbers (class (a) of the oracle). u is the
-// unit roundoff of the type. A bound that a comment of the reference gives is tested as it stands,
-// without an allowance.
+// unit roundoff of the type. A bound in a comment of the reference is tested without an
+// allowance.
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>

@@ -54,7 +54,7 @@ double roundings(const Bodies& bodies) {
 void check_momentum(const Bodies& bodies) {
   const auto coordinate = [&](int k) { return quotient<double>(momentum(bodies, k), Exact(1.0)); };
   const Vector right{coordinate(0), coordinate(1), coordinate(2)};
-  ask("What is the momentum of all bodies together?")
+  ask("What is the total momentum of the bodies?")
       .given("bodies", bodies)
       .suspect("speeds-for-velocities", [&] { return with_speeds(bodies, false); })
       .suspect("speeds-for-velocities", [&] { return with_speeds(bodies, true); })
@@ -67,7 +67,7 @@ void check_velocity(const Bodies& bodies) {
   const auto coordinate = [&](int k) { return quotient<double>(momentum(bodies, k), whole); };
   const Vector right{coordinate(0), coordinate(1), coordinate(2)};
   const double m = rounded_mass(bodies);
-  ask("What is the velocity of the bodies once they stick together?")
+  ask("What is the velocity of the bodies after they have stuck together?")
       .given("bodies", bodies)
       .suspect("mean-of-velocities",
                [&]() -> Vector {
@@ -90,7 +90,7 @@ void check_velocity(const Bodies& bodies) {
 }
 
 void check_refused(const Bodies& bodies) {
-  ask("What is the velocity of the bodies once they stick together?")
+  ask("What is the velocity of the bodies after they have stuck together?")
       .given("bodies", bodies)
       .suspect_if("mass-not-refused", [](const Vector&) { return true; })
       .answer([&] { return exercise::velocity_together(bodies); })

@@ -49,7 +49,7 @@ void check(const Impulses& impulses) {
   const double right = quotient<double>(sum, Exact(1.0));
   const double n = static_cast<double>(impulses.size());
   const double bound = 2 * 0x1p-53 * std::abs(right) + 2 * n * n * 0x1p-106 * size;
-  ask("What do the impulses add up to?")
+  ask("What is the sum of the impulses?")
       .given("impulses", impulses)
       .suspect("rounding-added-up", [&] { return in_order(impulses); })
       .suspect("kahan-large-term", [&] { return kahan(impulses); })

@@ -57,8 +57,8 @@ void check_throws(double thrower, const Stones& stones, double velocity, double 
   const double right =
       quotient<double>(Exact(velocity) * denominator - Exact(relative) * numerator, denominator);
   const double n = static_cast<double>(stones.size());
-  // What is left of the mass may be the difference of the whole and what has been thrown: off by n
-  // u of the whole, that is by whole/thrower times as much of itself.
+  // The remaining mass may be computed as the total minus the thrown mass: its error is n u of the
+  // total, that is n u total/thrower of itself.
   const double bound = (2 * n + 8) * 0x1p-53 * size * whole_of(thrower, stones) / thrower;
   ask("What is the thrower's velocity after the last throw?")
       .given("thrower", thrower)

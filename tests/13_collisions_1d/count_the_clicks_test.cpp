@@ -54,7 +54,7 @@ void check(double ratio) {
   const int right = right_answer(ratio);
   const double steps = pi / std::atan(std::sqrt(1 / ratio));
   const bool close_call = std::abs(steps - std::round(steps)) < 1e-10;
-  ask("How many clicks are there?")
+  ask("How many collisions are there?")
       .given("ratio", ratio)
       .suspect("wall-not-counted", [&] { return by_velocities(ratio, false); })
       .suspect("floor-for-ceiling",
@@ -75,8 +75,8 @@ double moved(double x, int ulps) {
   return x;
 }
 
-/// Near cot²(π/n), where n θ is nearly π: so many numbers above the least ratio with n clicks. That
-/// one is found from an estimate that may differ from machine to machine, as it does not.
+/// Near cot²(π/n), where n θ is nearly π: this many numbers above the least ratio with n
+/// collisions. It is found from an estimate that may differ between machines; the result does not.
 double near_tie(int n, int ulps) {
   const double tangent = std::tan(pi / n);
   double least = std::max(1.0, 1 / (tangent * tangent));

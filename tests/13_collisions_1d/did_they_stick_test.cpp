@@ -1,6 +1,5 @@
-// All numbers are small whole numbers, and first masses powers of two: every right answer is exact,
-// and so is every formula that leads there. Every test asks for at least two different answers, so
-// that no constant passes one.
+// All numbers are small whole numbers, and first masses are powers of two, so every right formula
+// is exact. Every test asks for at least two different answers, so that no constant passes one.
 #include "did_they_stick.hpp"
 
 #include <support/exercise.hpp>
@@ -30,7 +29,7 @@ void check(const Before& before, double second_after) {
   const double closing = before.first_velocity - before.second_velocity;
   const double separation = second_after - first_after;
   const Report right{first_after, separation / closing, kind_of(separation, closing)};
-  // e is a quotient, rounded once; written in another way perhaps three times.
+  // e is a quotient, rounded once; in another form perhaps three times.
   const Report room{0, 4 * 0x1p-53 * std::abs(right.restitution), right.kind};
   ask("What kind of collision was it?")
       .given("before", before)

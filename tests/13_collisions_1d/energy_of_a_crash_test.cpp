@@ -39,11 +39,11 @@ void check(const Body& first, const Body& second, double restitution) {
   const double mu = first.mass * second.mass / (first.mass + second.mass);
   const double before = energy(first, second);
   const double e = restitution;
-  // At most 11 roundings for the loss and 6 more for the fraction. 1 − e² written as such rounds e²
-  // before it subtracts, which costs 1/(1 − e²) as much; no e here is above 0.95.
+  // At most 11 roundings for the loss and 6 more for the fraction. The form 1 − e² rounds e² before
+  // the subtraction, which magnifies the error by 1/(1 − e²); no e here is above 0.95.
   const double room = (20 + 2 / (1 - e * e)) * 0x1p-53;
   const auto of = [before](double lost) { return Bill{lost, lost / before}; };
-  ask("What does the collision cost?")
+  ask("What kinetic energy does the collision lose?")
       .given("first", first)
       .given("second", second)
       .given("restitution", restitution)

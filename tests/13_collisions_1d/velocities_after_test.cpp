@@ -33,8 +33,7 @@ After right_answer(const Body& a, const Body& b, double e) {
 }
 
 void check(const Body& first, const Body& second, double restitution) {
-  // In any way of writing it there are at most 8 roundings, of terms that are at most 2 (|v₁| +
-  // |v₂|).
+  // In every form there are at most 8 roundings, of terms that are at most 2 (|v₁| + |v₂|).
   const double bound = 16 * 0x1p-53 * (std::abs(first.velocity) + std::abs(second.velocity));
   ask("What are the velocities after the collision?")
       .given("first", first)
