@@ -28,10 +28,11 @@
   };
   addEventListener("hashchange", openAddress);
   openAddress();
-  addEventListener("load", () => {
-    // What Sphinx's search marked.
+  // Sphinx's search marks words a moment after the page is there.
+  const openMarked = () => {
     for (const word of document.querySelectorAll("details.deeper .highlighted")) openAround(word);
-  });
+  };
+  addEventListener("load", () => setTimeout(openMarked, 100));
   let closedOnScreen = [];
   addEventListener("beforeprint", () => {
     closedOnScreen = [...document.querySelectorAll("details.deeper:not([open])")];

@@ -14,7 +14,7 @@ def test_a_box_is_closed_at_first_and_needs_no_script(built: Sample) -> None:
     page = BeautifulSoup(built.page("chapters/01_lines.html"), "html.parser")
     [box] = page.select("details.deeper")
     assert not box.has_attr("open")
-    assert box["id"] == "deeper-beside-n"
+    assert box["id"] == "deeper-beside-n-an-outline"
     summary = box.select_one("summary")
     assert summary is not None
     assert summary.get_text().startswith("Deeper Beside ")

@@ -93,6 +93,9 @@ class BookDirective(SphinxDirective):
     def inline_markdown(self, text: str) -> list[nodes.Node]:
         """Parsed MyST; a lone paragraph gives its inline content."""
         parsed = self.markdown(text)
-        if len(parsed) == 1 and isinstance(parsed[0], nodes.paragraph):
-            return list(parsed[0].children)
-        return parsed
+        if len(parsed) != 1 or not isinstance(parsed[0], nodes.paragraph):
+            return parsed
+        content = list(parsed[0].children)
+        # A target must stand in text: anywhere else it would name what follows it.
+        named = any(isinstance(node, nodes.target) for node in content)
+        return [nodes.inline("", "", *content)] if named else content

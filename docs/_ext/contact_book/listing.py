@@ -25,9 +25,8 @@ def listing(text: str, language: str, caption: list[nodes.Node]) -> nodes.Elemen
 
 
 def language_of(path: Path) -> str:
-    return {".py": "python", ".ts": "typescript", ".toml": "toml", ".json": "json"}.get(
-        path.suffix, "cpp"
-    )
+    known = {".py": "python", ".ts": "typescript", ".toml": "toml", ".json": "json", ".out": "text"}
+    return known.get(path.suffix, "cpp")
 
 
 class Code(BookDirective):
