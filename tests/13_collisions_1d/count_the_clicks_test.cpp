@@ -87,7 +87,7 @@ double near_tie(int n, int ulps) {
 
 }  // namespace
 
-TEST_CASE("equal blocks click three times") {
+TEST_CASE("equal blocks make three collisions") {
   check(1);
   check(2);
   check(3);

@@ -99,7 +99,7 @@ TEST_CASE("a heavy body hardly changes its velocity") {
   check({1023, 20}, {1, -20}, 1);
 }
 
-TEST_CASE("e = 1/2 gives half the speed of separation") {
+TEST_CASE("with e = 0.5 the speed of separation is half the closing speed") {
   check({1, 4}, {1, 0}, 0.5);
   check({3, 8}, {1, 0}, 0.25);
   check({1, 8}, {3, -8}, 0.75);
