@@ -6,8 +6,8 @@
 
 namespace exercise {
 
-/// The impulse on a body whose velocity changes, in N·s. The sign counts: it is the impulse *on* the
-/// body, not that of the body on another.
+/// The impulse on a body whose velocity changes, in N·s. The sign counts: it is the impulse *on*
+/// the body, not that of the body on another.
 ///
 /// @param mass kg, greater than 0
 /// @param before velocity before, m/s

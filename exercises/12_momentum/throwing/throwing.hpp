@@ -6,8 +6,8 @@
 
 namespace exercise {
 
-/// The velocity of a body after matter has joined it or left it, in m/s. No external force acts, and
-/// the motion is along one line.
+/// The velocity of a body after matter has joined it or left it, in m/s. No external force acts,
+/// and the motion is along one line.
 ///
 /// @param mass before, kg, greater than 0
 /// @param velocity before, m/s
