@@ -1,5 +1,5 @@
-// What does it cost to be right about a hull? Gift wrapping and growing, in float, double and
-// exact, against the number of points and against the part of them that are corners.
+// What do right hulls cost? Gift wrapping and the incremental algorithm, in float, double and exact
+// arithmetic, against the number of points and the share of them that are vertices.
 #include <support/ladder.hpp>
 
 #include <contact/convex_hull.hpp>
@@ -9,12 +9,12 @@ namespace {
 
 using Point = contact::Vector3<double>;
 
-/// Every coordinate is a float, so that every method is asked about the same points.
+/// Every coordinate is a float, so that every method gets the same points.
 struct Input {
   std::vector<Point> points;
 };
 
-/// What is compared: the corners, and how many faces there are. Triangles are compared by number.
+/// What is compared: the vertices and the number of faces, or of triangles.
 struct Answer {
   bool closed = false;
   bool only_triangles = false;
@@ -42,7 +42,8 @@ Point on_sphere(generators::Random& random) {
   }
 }
 
-/// A share of the points on the sphere, the others well inside: so many are corners.
+/// A share of the points is on the sphere and the others are well inside, so the share of vertices
+/// is known.
 auto with_share(double share) {
   return [share](generators::Random& random) {
     return random.chance(share) ? on_sphere(random) : Point(in_ball(random) / 4);
@@ -60,7 +61,7 @@ Point on_grid(generators::Random& random) {
   const double x = random.integer(0, 3), y = random.integer(0, 3);
   return {x, y, double(random.integer(0, 3))};
 }
-/// Sums of tenths: near a plane, rounded.
+/// Rounded sums of tenths: points near a plane.
 Point nearly_flat(generators::Random& random) {
   const double x = random.integer(-10, 10) / 10.0, y = random.integer(-10, 10) / 10.0;
   return {x, y, 0.3 * x + 0.7 * y};
@@ -73,7 +74,7 @@ Point tied_top(generators::Random& random) {
 
 Answer of_hull(const contact::Hull& hull) {
   Answer answer{hull.closed, false, hull.vertices, static_cast<std::size_t>(hull.face_count()), 0};
-  // Corners of all faces, less two a face.
+  // A face with k vertices has k - 2 triangles.
   answer.triangles = hull.corners.size() - 2 * answer.faces;
   return answer;
 }
@@ -110,8 +111,8 @@ ladder::Ladder<Input, Answer> experiment() {
   family("sphere-8", "8 points on a sphere", 8, on_sphere);
   family("sphere-24", "24 points on a sphere", 24, on_sphere);
   family("sphere-72", "72 points on a sphere", 72, on_sphere);
-  family("share-quarter", "72 points, a quarter of them corners", 72, with_share(0.25));
-  family("share-half", "72 points, half of them corners", 72, with_share(0.5));
+  family("share-quarter", "72 points, a quarter of them vertices", 72, with_share(0.25));
+  family("share-half", "72 points, half of them vertices", 72, with_share(0.5));
   family("grid", "16 points of a grid, many equal", 16, on_grid);
   family("flat", "16 points near a plane", 16, nearly_flat);
   family("top", "16 points, half of them at the top", 16, tied_top);
@@ -131,23 +132,23 @@ ladder::Ladder<Input, Answer> experiment() {
   add("angles-double", "wrapping, signed angles", "double", false, [](const Points& p) {
     return of_triangles(contact::wrap_by_angles<double>(p, contact::FoldAngle::signed_));
   });
-  add("wrap-double", "wrapping, sides", "double", false, [](const Points& p) {
+  add("wrap-double", "wrapping, orientation", "double", false, [](const Points& p) {
     return of_hull(contact::gift_wrap_with<contact::RoundedSides<double>>(p));
   });
-  add("wrap-exact", "wrapping, sides", "double, then exact", true,
+  add("wrap-exact", "wrapping, orientation", "double, then exact", true,
       [](const Points& p) { return of_hull(contact::gift_wrap(p)); });
-  add("grow-float", "growing", "float", false, [](const Points& p) {
+  add("grow-float", "incremental", "float", false, [](const Points& p) {
     return of_hull(contact::convex_hull_with<contact::RoundedSides<float>>(p));
   });
-  add("grow-double", "growing", "double", false, [](const Points& p) {
+  add("grow-double", "incremental", "double", false, [](const Points& p) {
     return of_hull(contact::convex_hull_with<contact::RoundedSides<double>>(p));
   });
-  add("grow-epsilon", "growing, epsilon 1e-6", "double", false, [](const Points& p) {
+  add("grow-epsilon", "incremental, epsilon 1e-6", "double", false, [](const Points& p) {
     return of_hull(contact::convex_hull_with<contact::RoundedSides<double>>(p, 1e-6));
   });
-  add("grow-exact", "growing (the book's)", "double, then exact", true,
+  add("grow-exact", "incremental (the book's)", "double, then exact", true,
       [](const Points& p) { return of_hull(contact::convex_hull(p)); });
-  add("grow-unfiltered", "growing, no filter", "exact", true, [](const Points& p) {
+  add("grow-unfiltered", "incremental, no filter", "exact", true, [](const Points& p) {
     return of_hull(contact::convex_hull_with<contact::UnfilteredSides>(p));
   });
   return ladder;

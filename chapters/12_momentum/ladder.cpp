@@ -1,4 +1,4 @@
-// What does it cost to add up many impulses without losing the small ones?
+// What do accurate sums of many impulses cost?
 #include <support/ladder.hpp>
 
 #include <contact/impulse_sum.hpp>
@@ -11,21 +11,20 @@ namespace {
 
 constexpr int count = 128;
 
-/// The same impulses as a float and as a double stores them; the change of type is not timed.
+/// The same impulses stored as float and as double; the conversion is not timed.
 struct Input {
   std::vector<float> in_float;
   std::vector<double> in_double;
 };
 
-/// A sum as the number nearest to it and what that leaves, and Σ|Jᵢ|, beside which an error is
-/// large or small.
+/// A sum as the nearest number and the rest, and Σ|Jᵢ|, the scale of the error.
 struct Sum {
   double nearest = 0;
   double rest = 0;
   double size = 0;
 };
 
-/// What a method says, of the floats or of the doubles; the truth says both.
+/// The answer of a method, for the floats or for the doubles; the truth has both.
 struct Answer {
   bool of_floats = false;
   Sum in_float, in_double;
@@ -44,14 +43,14 @@ void shuffle(generators::Random& random, std::vector<double>& impulses) {
   }
 }
 
-/// A push that goes on: all of them one way.
+/// Impulses of one sign.
 Input one_way(generators::Random& random) {
   std::vector<double> impulses;
   for (int i = 0; i < count; ++i) impulses.push_back(random.uniform(0.5, 1));
   return in_both_types(std::move(impulses));
 }
 
-/// A force that changes its sign: a swing to and fro, and its samples.
+/// Samples of a force that changes sign.
 Input to_and_fro(generators::Random& random) {
   std::vector<double> impulses;
   const double period = random.uniform(5, 20);
@@ -77,7 +76,7 @@ Input zero_total(generators::Random& random) {
   return in_both_types(std::move(impulses));
 }
 
-/// From 1 to 2^53, about 10^16: what is large comes with its opposite, what is small does not.
+/// Sizes from 1 to 2^53, about 10^16: large impulses come with their opposites, small ones do not.
 Input spread(generators::Random& random) {
   std::vector<double> impulses;
   for (int i = 0; i < count / 4; ++i) {
@@ -128,7 +127,7 @@ ladder::Ladder<Input, Answer> experiment() {
   };
   ladder::Ladder<Input, Answer> ladder("What do 128 impulses add up to?", truth_of, judge);
 
-  ladder.family("one-way", "all one way", one_way);
+  ladder.family("one-way", "all of one sign", one_way);
   ladder.family("to-and-fro", "a force that changes sign", to_and_fro);
   ladder.family("zero-total", "actions and reactions: zero total", zero_total);
   ladder.family("spread", "sizes from 1 to 1e16, the large ones cancel", spread);
@@ -145,7 +144,7 @@ ladder::Ladder<Input, Answer> experiment() {
           return Answer{false, {}, {method(input.in_double), 0, 0}};
         });
   };
-  in_both("order", "in order", [](const auto& terms) { return contact::total_in_order(terms); });
+  in_both("order", "recursive", [](const auto& terms) { return contact::total_in_order(terms); });
   in_both("pairwise", "pairwise", [](const auto& terms) { return contact::total_pairwise(terms); });
   in_both("kahan", "Kahan", [](const auto& terms) { return contact::total_kahan(terms); });
   in_both("compensated", "compensated",

@@ -1,17 +1,17 @@
-// What does it cost to count collisions without miscounting?
+// What do right counts of collisions cost?
 #include <support/ladder.hpp>
 
 #include <contact/block_count.hpp>
 
 namespace {
 
-/// The same ratio as a float and as a double stores it; the change of type is not timed.
+/// The same ratio stored as float and as double; the conversion is not timed.
 struct Input {
   float in_float = 1;
   double in_double = 1;
 };
 
-/// What a method says, of the float or of the double; the truth says both.
+/// The answer of a method, for the float or for the double; the truth has both.
 struct Answer {
   bool of_float = false;
   std::int64_t in_float = 0;
@@ -99,9 +99,9 @@ ladder::Ladder<Input, Answer> experiment() {
   };
   in_both("formula", "the formula with π and arctan",
           [](const auto& ratio) { return contact::count_by_formula(ratio); });
-  in_both("textbook", "colliding, textbook formulas",
+  in_both("textbook", "simulation, textbook formulas",
           [](const auto& ratio) { return contact::count_by_textbook(ratio, limit); });
-  in_both("colliding", "colliding, the book's formulas",
+  in_both("colliding", "simulation, the book's formulas",
           [](const auto& ratio) { return contact::count_by_colliding(ratio, limit); });
   ladder.method(
       {.id = "formula-double-double",

@@ -1,4 +1,4 @@
-// Recomputes the answers of hard_cases.json and says which method gets which case right.
+// Recomputes the answers of hard_cases.json and checks which methods are right in which case.
 #include "support/hard_cases.hpp"
 
 #include <algorithm>
@@ -29,15 +29,15 @@ std::vector<Eigen::Matrix<double, Size, 1>> points_of(const Case& c) {
   return points;
 }
 
-/// A point is a corner of the flat hull if there is a line through it with all others strictly on
-/// one side: by fractions, from the angles that the others span.
+/// A point is a vertex of the hull in the plane if a line through it has all other points strictly
+/// on one side: decided in fractions.
 bool is_corner(const std::vector<Vector2<Rational>>& points, std::size_t i) {
   std::vector<Vector2<Rational>> others;
   for (std::size_t j = 0; j < points.size(); ++j) {
     if (points[j] != points[i]) others.push_back(points[j] - points[i]);
     if (j < i && points[j] == points[i]) return false;
   }
-  // In the hull of the others: on a segment, or in a triangle of them.
+  // It is in the hull of the others if it is on a segment or in a triangle of them.
   const auto cross = [](const auto& u, const auto& v) { return contact::cross2<Rational>(u, v); };
   for (const auto& u : others) {
     for (const auto& v : others) {
@@ -75,7 +75,7 @@ std::vector<Vector2<S>> narrowed(const std::vector<Vector2<double>>& points) {
   return result;
 }
 
-/// Graham's scan with angles about the lowest point, by atan2, and ties in any order.
+/// Graham's scan with angles about the lowest point, by atan2, with ties in any order.
 std::vector<int> by_angles(const std::vector<Vector2<double>>& points) {
   if (points.size() < 3) return contact::convex_hull_2d(points);
   const auto at = [&](int i) { return points[static_cast<std::size_t>(i)]; };
@@ -161,7 +161,7 @@ Json solid_answer(const Case& c) {
 
 using Points = std::vector<Vector3<double>>;
 
-/// Whether three points span a plane with nothing in front of it.
+/// Whether three points span a plane with no point in front of it.
 bool supports(const Points& points, int a, int b, int c) {
   const auto at = [&points](int i) { return points[static_cast<std::size_t>(i)]; };
   return !contact::on_one_line(at(a), at(b), at(c)) &&
@@ -170,8 +170,8 @@ bool supports(const Points& points, int a, int b, int c) {
          });
 }
 
-/// Faces with nothing in front that close are the hull; then the number of corners says whether
-/// they are the right ones.
+/// Faces that close and have no point in front are those of the hull; the counts then say whether
+/// their vertices are the right ones.
 bool right_hull(const Json& answer, const Points& points, const Hull& hull) {
   bool right = hull.closed && hull.dimension == answer.at("dimension").get<int>() &&
                hull.vertices.size() == answer.at("corners").get<std::size_t>() &&
@@ -183,7 +183,7 @@ bool right_hull(const Json& answer, const Points& points, const Hull& hull) {
   return right;
 }
 
-/// Triangles only: right if they close with nothing in front, and have the right corners.
+/// Triangles only: right if they close, have no point in front, and have the right vertices.
 bool right_wrapping(const Json& answer, const Points& points, const contact::Wrapping& wrapping) {
   std::set<int> corners;
   for (const auto& t : wrapping.triangles) corners.insert(t.begin(), t.end());
@@ -194,7 +194,7 @@ bool right_wrapping(const Json& answer, const Points& points, const contact::Wra
                      [&points](const auto& t) { return supports(points, t[0], t[1], t[2]); });
 }
 
-/// A method for points in space, and how it is judged.
+/// A method for points in space, with the function that judges it.
 template <class Method, class Judge>
 auto judged(Method method, Judge judge) {
   return [method, judge](const Case& c, const Json& answer) {
@@ -239,7 +239,7 @@ int main(int argc, char** argv) {
                     },
                     right_wrapping));
   runner.method(
-      "hull_3d", "wrapping, sides in double",
+      "hull_3d", "wrapping, double",
       judged(
           [](const Points& p) { return contact::gift_wrap_with<contact::RoundedSides<double>>(p); },
           right_hull));

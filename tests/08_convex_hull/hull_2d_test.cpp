@@ -24,7 +24,7 @@ void check(const Points& points) {
   const auto has = [](const Corners& list, int i) {
     return std::find(list.begin(), list.end(), i) != list.end();
   };
-  ask("Which points are corners of the hull, counter-clockwise?")
+  ask("Which points are vertices of the hull, counter-clockwise?")
       .given("points", points)
       .suspect("hull-clockwise",
                [&] {
@@ -39,7 +39,7 @@ void check(const Points& points) {
                       for (std::size_t j = 0; j < i; ++j) {
                         if (got[i] != got[j] && at(got[i]) == at(got[j])) return true;
                       }
-                      // Or a later one of equals in the place of the first.
+                      // Or a later one of equal points instead of the first.
                       for (const int j : right) {
                         if (!has(right, got[i]) && at(got[i]) == at(j)) return true;
                       }
@@ -48,7 +48,7 @@ void check(const Points& points) {
                   })
       .suspect_if("half-hull",
                   [&](const Corners& got) {
-                    // The first corners of the right answer, up to the last in the order of x.
+                    // The first vertices of the right answer, up to the one of greatest x.
                     if (got.size() < 2 || got.size() >= right.size()) return false;
                     return std::equal(got.begin(), got.end(), right.begin()) &&
                            std::all_of(right.begin(), right.end(),
@@ -57,7 +57,7 @@ void check(const Points& points) {
       .suspect_if("ties-in-x",
                   [&](const Corners& got) {
                     if (!valid(points, got)) return false;
-                    // A corner above or below a right one of the same x stands in for it or beside
+                    // A point with the same x as a right vertex is returned instead of it or beside
                     // it.
                     for (const int i : got) {
                       if (has(right, i)) continue;
@@ -88,19 +88,19 @@ constexpr double kFar = 0x1p25;
 
 }  // namespace
 
-TEST_CASE("the corners come counter-clockwise from the leftmost") {
+TEST_CASE("the vertices come counter-clockwise from the leftmost") {
   check({{4, 3}, {0, 0}, {5, -2}, {2, 1}});
   check({{1, 0}, {7, 1}, {0, 2}, {6, 5}, {3, 3}, {4, -1}});
   check({{0, 0}, {3, 8}, {9, 1}});
 }
 
-TEST_CASE("points on an edge are no corners") {
+TEST_CASE("points on an edge are no vertices") {
   check({{0, 0}, {2, -1}, {4, -2}, {8, 5}, {4, 3}});
   check({{0, 1}, {3, 4}, {1, 2}, {2, 3}, {5, 0}});
   check({{-6, 0}, {6, -6}, {0, -3}, {2, -4}, {7, 1}});
 }
 
-TEST_CASE("points straight above each other are sorted by y") {
+TEST_CASE("points with the same x are sorted by y") {
   check({{0, 4}, {0, 0}, {0, 2}, {5, 1}});
   check({{0, 2}, {0, 5}, {0, 0}, {4, 3}, {4, 6}, {4, -1}});
   check({{3, 0}, {3, 3}, {0, 3}, {0, 0}});
@@ -119,7 +119,7 @@ TEST_CASE("no points, one point and points on a line have a hull too") {
   check({{2, 7}, {2, -3}, {2, 0}});
 }
 
-TEST_CASE("a corner that sticks out by a hair is kept") {
+TEST_CASE("a vertex just outside an edge is kept") {
   check({{-kFar, -kFar}, {0, -1}, {kFar, kFar - 1}, {-kFar, kFar}});
   check({{-kFar, -kFar}, {0, 0}, {kFar, kFar}, {-kFar, kFar}});
   check({{0, 0}, {kFar - 1, kFar - 2}, {kFar, kFar - 1}, {3, kFar}});

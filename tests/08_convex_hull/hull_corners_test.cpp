@@ -35,7 +35,7 @@ bool solid(const Points& points) {
   return false;
 }
 
-/// The corners of faces that have no fourth point in their plane.
+/// The vertices of faces that have no fourth point in their plane.
 Corners without_ties(const Points& points) {
   Corners corners;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -65,7 +65,7 @@ void check(const Points& points) {
                        [&](int i) { return i >= 0 && i < static_cast<int>(points.size()); });
   };
   const auto at = [&](int i) { return points[static_cast<std::size_t>(i)]; };
-  ask("Which points are corners of the hull?")
+  ask("Which points are vertices of the hull?")
       .given("points", points)
       .suspect_if("ties-dropped",
                   [&](const Corners& got) {
@@ -126,7 +126,7 @@ void check(const Points& points) {
 
 }  // namespace
 
-TEST_CASE("corners of a box, and nothing within") {
+TEST_CASE("the corners of a box are vertices, and inner points are not") {
   check({{0, 0, 0},
          {4, 0, 0},
          {0, 4, 0},
@@ -140,14 +140,14 @@ TEST_CASE("corners of a box, and nothing within") {
   check({{0, 0, 0}, {9, 1, 0}, {1, 8, 2}, {2, 1, 7}, {2, 2, 2}});
 }
 
-TEST_CASE("points within a face or on an edge are no corners") {
-  // Within a face, and on no line between two others.
+TEST_CASE("points inside a face or on an edge are no vertices") {
+  // Inside a face, and on no line between two others.
   check({{-1, -1, -1}, {9, 0, 0}, {0, 9, 0}, {3, 3, 3}, {0, 0, 9}});
   // On edges only.
   check({{-1, -1, -1}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}, {4, 4, 0}, {2, 0, 6}, {4, 0, 4}});
 }
 
-TEST_CASE("corners are found in every direction") {
+TEST_CASE("vertices are found in every direction") {
   check({{-9, 0, 0}, {9, 0, 0}, {0, -9, 0}, {0, 9, 0}, {0, 0, -9}, {0, 0, 9}, {5, 5, 5}});
   check({{-9, 0, 0},
          {9, 0, 0},
@@ -164,7 +164,7 @@ TEST_CASE("equal points count once") {
   check({{1, 0, 7}, {5, 0, 0}, {1, 0, 7}, {0, 6, 1}, {0, 0, 0}});
 }
 
-TEST_CASE("points in a plane, on a line or in one place have corners too") {
+TEST_CASE("coplanar, collinear and equal points have vertices too") {
   check({{0, 0, 0}, {6, 0, 6}, {0, 5, 0}, {6, 5, 6}, {2, 1, 2}});
   check({{1, 1, 1}, {3, 5, 7}, {2, 3, 4}});
   check({{2, 2, 2}, {2, 2, 2}});

@@ -47,7 +47,7 @@ KEY("wrapping-a-sphere") {
 }
 
 KEY("highest-corner") {
-  // Points of a top edge and a top face, in every order: which rule always finds a corner?
+  // Points of a top edge and a top face: which rule always finds a vertex?
   std::vector<Solid> points{{1, 1, 5}, {0, 0, 5}, {3, 0, 5}, {0, 3, 5},
                             {3, 3, 5}, {3, 1, 5}, {1, 2, 0}};
   const auto corner = [&](const Solid& p) {
@@ -71,7 +71,7 @@ KEY("what-dies") {
 }
 
 KEY("adding-a-point") {
-  // What each step needs to have been done before it.
+  // The steps that must come before each step.
   const std::vector<std::set<int>> needs{{4}, {}, {0}, {1}, {3}};
   std::vector<int> order;
   std::set<int> done;
@@ -92,7 +92,8 @@ KEY("adding-a-point") {
 }
 
 KEY("epsilon-chain") {
-  // An arch of a hundred points: each is near the line of its neighbours, the middle far from all.
+  // An arch of a hundred points: each is near the line of its neighbours, and the middle is far
+  // from the chord.
   double sag_of_neighbours = 0;
   const double n = 100, height = 0.5;
   const auto arch = [&](double i) { return height * (1 - (2 * i / n - 1) * (2 * i / n - 1)); };
@@ -103,7 +104,7 @@ KEY("epsilon-chain") {
 KEY("all-corners") {
   chain::Input state{{-4, 0}, {-3, -2}, {0, -3}, {3, -2}, {4, 0}, {3, 2}, {0, 3}, {-3, 2}, 0, 0, 0};
   const double winning = chain::compute(state).all_corners;
-  state.p1 = {-2, -1.5};  // on the way from one neighbour to the other
+  state.p1 = {-2, -1.5};  // on the segment between its neighbours
   return questions::Construct{winning, chain::compute(state).all_corners};
 }
 
@@ -114,7 +115,7 @@ KEY("sees-eight") {
   return questions::Construct{winning, horizon::compute(state).sees_many};
 }
 
-TEST_CASE("the chain loses corners where the figure's caption says so") {
+TEST_CASE("the chain loses vertices where the figure's caption says so") {
   chain::Input state{{-4, -1}, {-3, 2}, {-2, -2.5}, {-1, 0.5}, {1, -1}, {2, 3},
                      {3, -2},  {4, 1},  24,         0,         0};
   enum Method { exact, in_float, in_double, epsilon, angles };

@@ -81,7 +81,7 @@ Points draw_set(Random& random, int kind, int most) {
   return points;
 }
 
-/// What a hull promises, each part in exact arithmetic.
+/// The contract of a hull, checked in exact arithmetic.
 void require_hull(const Points& points, const Hull& hull) {
   const auto at = [&](int i) -> const Vector3<double>& {
     return points[static_cast<std::size_t>(i)];
@@ -98,7 +98,7 @@ void require_hull(const Points& points, const Hull& hull) {
   }
   const int corners = static_cast<int>(hull.vertices.size());
   REQUIRE(corners - hull.edge_count() + hull.face_count() == 2);
-  // Every edge is shared by two faces, once in each direction; every corner has enough of them.
+  // Every edge is shared by two faces, once in each direction; every vertex has enough faces.
   std::set<std::pair<int, int>> edges;
   std::map<int, int> faces_at;
   for (int f = 0; f < hull.face_count(); ++f) {
@@ -109,7 +109,7 @@ void require_hull(const Points& points, const Hull& hull) {
       const int a = polygon[i], b = polygon[(i + 1) % size], c = polygon[(i + 2) % size];
       REQUIRE(edges.insert({a, b}).second);
       ++faces_at[a];
-      // Nothing is in front, at every corner of the face: so it is flat, and all is behind it.
+      // No point is in front, tested at every vertex of the face: so the face is flat.
       REQUIRE_FALSE(contact::on_one_line(at(a), at(b), at(c)));
       for (const Vector3<double>& p : points)
         REQUIRE(contact::side_of_plane(at(a), at(b), at(c), p) <= 0);
@@ -130,7 +130,7 @@ void require_hull(const Points& points, const Hull& hull) {
   }
 }
 
-/// The faces, each from its least corner, in order.
+/// The faces, each from its least vertex, in order.
 std::set<std::vector<int>> canonical(const Hull& hull) {
   std::set<std::vector<int>> faces;
   for (int f = 0; f < hull.face_count(); ++f) {
@@ -144,7 +144,7 @@ std::set<std::vector<int>> canonical(const Hull& hull) {
 
 }  // namespace
 
-TEST_CASE("sides have the sign that fractions give, on every kind of input") {
+TEST_CASE("orientation predicates have the sign that fractions give, on every kind of input") {
   Random random(1);
   int zeros = 0, doubts = 0;
   for (int i = 0; i < 8000; ++i) {
@@ -174,12 +174,12 @@ TEST_CASE("sides have the sign that fractions give, on every kind of input") {
         REQUIRE(oracle::error(bounded.value, area) <= oracle::exact(bounded.bound));
     }
   }
-  // The test means something: many are exactly 0, and many are beyond the filter.
+  // Guard: many signs are exactly 0, and many cannot be decided by the filter.
   REQUIRE(zeros > 500);
   REQUIRE(doubts > zeros);
 }
 
-TEST_CASE("the hull in the plane is what wrapping in whole numbers gives") {
+TEST_CASE("the hull in the plane equals that of wrapping in whole numbers") {
   Random random(2);
   for (int round = 0; round < 1500; ++round) {
     const int size = round % 4 == 0 ? 1 << 25 : 1 + round % 6;
@@ -192,7 +192,7 @@ TEST_CASE("the hull in the plane is what wrapping in whole numbers gives") {
   }
 }
 
-TEST_CASE("hulls keep every promise on every kind of set, and wrapping finds the same faces") {
+TEST_CASE("hulls satisfy their contract on every kind of set, and wrapping finds the same faces") {
   Random random(3);
   std::map<int, int> dimensions;
   for (int round = 0; round < 900; ++round) {
@@ -213,7 +213,7 @@ TEST_CASE("hulls keep every promise on every kind of set, and wrapping finds the
   for (int dimension = -1; dimension <= 3; ++dimension) REQUIRE(dimensions[dimension] > 10);
 }
 
-TEST_CASE("corners agree with planes tried one by one in whole numbers") {
+TEST_CASE("vertices agree with planes tried one by one in whole numbers") {
   Random random(4);
   for (int round = 0; round < 200; ++round) {
     Points points;
@@ -226,7 +226,7 @@ TEST_CASE("corners agree with planes tried one by one in whole numbers") {
   }
 }
 
-TEST_CASE("a grid has eight corners and six faces, however many points it has") {
+TEST_CASE("a grid of any size has eight vertices and six faces") {
   Points grid;
   for (int i = 0; i < 1000; ++i)
     grid.push_back({double(i % 10), double(i / 10 % 10), double(i / 100)});
@@ -236,7 +236,7 @@ TEST_CASE("a grid has eight corners and six faces, however many points it has") 
   REQUIRE(hull.face_count() == 6);
 }
 
-TEST_CASE("points on a sphere are all corners, and the surface closes") {
+TEST_CASE("points on a sphere are all vertices, and the surface closes") {
   Random random(5);
   Points points;
   for (int i = 0; i < 400; ++i) points.push_back(draw(random, 4));
@@ -290,7 +290,7 @@ TEST_CASE("wrapping by signed angles is right in general position, and unsigned 
   REQUIRE(unsigned_right < 100);
 }
 
-TEST_CASE("rounded sides end, whatever they decide") {
+TEST_CASE("rounded decisions always terminate") {
   Random random(8);
   int wrong = 0;
   for (int round = 0; round < 600; ++round) {
@@ -308,7 +308,7 @@ TEST_CASE("rounded sides end, whatever they decide") {
   REQUIRE(wrong > 100);
 }
 
-TEST_CASE("what is not finite is refused, by name") {
+TEST_CASE("a coordinate that is not finite is refused by name") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Points points{{0, 0, 0}, {1, nan, 0}};
   REQUIRE_THROWS_AS(contact::convex_hull(points), std::invalid_argument);

@@ -34,7 +34,7 @@ int by_slopes(const Point& a, const Point& b, const Point& c) {
 
 void check(const Point& a, const Point& b, const Point& c) {
   const int right = whole::turn(a, b, c);
-  ask("Does the way from a over b to c turn left (1), right (-1) or neither (0)?")
+  ask("Does the path from a over b to c turn left (1), right (-1) or neither (0)?")
       .given("a", a)
       .given("b", b)
       .given("c", c)
@@ -65,7 +65,7 @@ TEST_CASE("three points on one line give zero") {
   check({3, 1}, {5, 9}, {5, 9});
 }
 
-TEST_CASE("steep and backward ways turn as others do") {
+TEST_CASE("steep and backward paths turn as others do") {
   check({0, 0}, {0, 4}, {-2, 6});
   check({0, 0}, {0, 4}, {2, 6});
   check({0, 0}, {-4, 1}, {-6, 5});
@@ -74,13 +74,13 @@ TEST_CASE("steep and backward ways turn as others do") {
   check({0, 0}, {3, 1}, {-2, -2});
 }
 
-TEST_CASE("a turn by one unit counts in a long way") {
+TEST_CASE("an area of one counts on a long path") {
   check({0, 0}, {kFar - 1, kFar - 2}, {kFar, kFar - 1});
   check({0, 0}, {kFar, kFar - 1}, {kFar - 1, kFar - 2});
   check({-kFar, -kFar}, {0, 0}, {kFar, kFar - 1});
   check({-kFar, -kFar}, {kFar - 1, kFar - 2}, {kFar, kFar - 1});
   check({-kFar, -kFar}, {0, 0}, {kFar, kFar});
-  // Directions that are two and have one arctangent.
+  // Different directions with the same rounded arctangent.
   check({kFar, -kFar}, {-21542497, 19078079}, {-29946953, 27106614});
   check({kFar, -kFar}, {-27202485, 6795957}, {-18583107, 1071584});
 }

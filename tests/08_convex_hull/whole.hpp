@@ -1,6 +1,6 @@
 /// @file
-/// Hulls of points with whole coordinates, in integers, by ways that share nothing with the
-/// reference: what the exercises' tests hold answers against.
+/// Hulls of points with whole coordinates, in integers, by methods that share nothing with the
+/// reference. The tests of the exercises compare answers with these.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@ using Point = Eigen::Vector3d;
 
 inline std::int64_t to_integer(double x) { return static_cast<std::int64_t>(x); }
 
-/// The sign of a turn; coordinates up to 2^25.
+/// The orientation of three points; coordinates up to 2^25.
 inline int turn(const Point2& a, const Point2& b, const Point2& c) {
   const auto d = [](double x, double y) { return to_integer(x) - to_integer(y); };
   const std::int64_t area = d(b.x(), a.x()) * d(c.y(), a.y()) - d(b.y(), a.y()) * d(c.x(), a.x());
@@ -35,7 +35,7 @@ inline Vector cross(const Vector& u, const Vector& v) {
 inline std::int64_t dot(const Vector& u, const Vector& v) {
   return u.x * v.x + u.y * v.y + u.z * v.z;
 }
-/// The sign of the side of d; coordinates up to 1000.
+/// The orientation of four points; coordinates up to 1000.
 inline int side(const Point& a, const Point& b, const Point& c, const Point& d) {
   const std::int64_t volume = dot(difference(d, a), cross(difference(b, a), difference(c, a)));
   return volume > 0 ? 1 : (volume < 0 ? -1 : 0);
@@ -45,7 +45,7 @@ inline bool on_line(const Point& a, const Point& b, const Point& c) {
   return n.x == 0 && n.y == 0 && n.z == 0;
 }
 
-/// The corners in the plane, counter-clockwise from the lexicographically least, by wrapping.
+/// The vertices in the plane, counter-clockwise from the lexicographically least, by wrapping.
 inline std::vector<int> hull_2d(const std::vector<Point2>& points) {
   const auto before = [&](std::size_t i, std::size_t j) {
     if (points[i].x() != points[j].x()) return points[i].x() < points[j].x();
@@ -76,7 +76,7 @@ inline std::vector<int> hull_2d(const std::vector<Point2>& points) {
   return hull;
 }
 
-/// The corners in space, by planes with nothing in front, and by lines and points for flat sets.
+/// The vertices in space, by supporting planes, and by lines and points for flat sets.
 inline std::vector<int> hull_corners(const std::vector<Point>& points) {
   const std::size_t n = points.size();
   std::vector<bool> corner(n, false);

@@ -21,8 +21,8 @@ Vector exact_impulse(double mass, const Vector& before, const Vector& after) {
 }
 
 void check_impulse(double mass, const Vector& before, const Vector& after) {
-  // A difference, a product, or two products and a difference: 3 u of the momenta, and 1 u of the
-  // oracle's own. Doubled.
+  // A difference and a product, or two products and a difference: 3 u of the momenta, plus 1 u of
+  // the oracle. Doubled.
   const Vector bound = 8 * 0x1p-53 * mass * (before.cwiseAbs() + after.cwiseAbs());
   ask("What impulse changes the velocity from before to after?")
       .given("mass", mass)
@@ -65,7 +65,7 @@ TEST_CASE("a bounce takes more than a stop") {
   check_impulse(0.25, {0, 4, -16}, {0, 4, 12});
 }
 
-TEST_CASE("a push sideways turns the velocity") {
+TEST_CASE("a sideways impulse changes the direction") {
   check_impulse(4, {3, 4, 0}, {4, 3, 0});
   check_impulse(4, {5, 0, 0}, {0, 0, 5});
 }

@@ -67,8 +67,8 @@ Push mistaken(const Samples& samples, double mass, double velocity, Mistake mist
   return {impulse, impulse / duration, velocity + after};
 }
 
-/// A piece goes through four roundings, then through as many sums as there are pieces; the
-/// quotients and the last sum add three. The oracle's own is one.
+/// Each piece has four roundings, then one for each sum; the quotients and the last sum add three,
+/// and the oracle one.
 Push bound(const Samples& samples, double mass, double velocity) {
   double size = 0;
   for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
@@ -96,7 +96,7 @@ void check(const Samples& samples, double mass, double velocity) {
     suspects.push_back(
         {id, [&, mistake = mistake] { return mistaken(samples, mass, velocity, mistake); }});
   }
-  ask("What has the force done to the body?")
+  ask("What are the impulse, the average force and the velocity afterwards?")
       .given("samples", samples)
       .given("mass", mass)
       .given("velocity", velocity)
@@ -107,23 +107,23 @@ void check(const Samples& samples, double mass, double velocity) {
 
 }  // namespace
 
-TEST_CASE("under a steady force the area is a rectangle") {
+TEST_CASE("under a constant force the area is a rectangle") {
   check({{0, 6}, {2, 6}}, 1, 0);
   check({{1, -4}, {1.5, -4}, {2, -4}}, 1, 0);
 }
 
-TEST_CASE("a force that rises and falls has its own area") {
+TEST_CASE("the area under a rising and falling force is that of trapezoids") {
   check({{0, 0}, {1, 10}, {2, 0}}, 1, 0);
   check({{0, 2}, {1, 10}}, 1, 0);
   check({{3, 8}, {4, 4}, {5, 16}, {6, 1}}, 1, 0);
 }
 
-TEST_CASE("samples need not be equally far apart") {
+TEST_CASE("samples need not be equally spaced") {
   check({{0, 8}, {1, 4}, {4, 2}}, 1, 0);
   check({{0, 2}, {0.5, 4}, {0.75, 8}, {8, 0}}, 1, 0);
 }
 
-TEST_CASE("a force that turns round takes back") {
+TEST_CASE("a force that reverses has negative area") {
   check({{0, 8}, {1, -6}, {2, -4}}, 1, 0);
   check({{0, -2}, {1, -4}, {2, -4}}, 1, 0);
   check({{0, 5}, {2, -5}}, 1, 0);

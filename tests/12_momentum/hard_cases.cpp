@@ -1,9 +1,9 @@
-// Recomputes the answers of hard_cases.json and says which method gets which case right.
+// Recomputes the answers of hard_cases.json and checks which methods are right in which case.
 //
 // All answers are of class (a): rational in the stored numbers, rounded once. A sum or a mean is
-// right if it is off by at most 2^-40 of itself (2^-18 for a method in float), and exactly 0 where
-// it is 0. A velocity that comes out of a difference is right if it is off by at most 2^-40 of the
-// velocities that went in: more is not to be had.
+// right if its error is at most 2^-40 of itself (2^-18 for a method in float), and exactly 0 where
+// it is 0. A velocity that is computed as a difference is right if its error is at most 2^-40 of
+// the velocities that it is computed from.
 #include "support/hard_cases.hpp"
 
 #include <cmath>
@@ -52,7 +52,7 @@ void add_total(hard_cases::Runner& runner) {
       return same(total(c.numbers("impulses")), answer, "sum");
     });
   };
-  in_double("double, in order", [](const Numbers& terms) { return plain(terms); });
+  in_double("double, recursive", [](const Numbers& terms) { return plain(terms); });
   in_double("pairwise", [](const Numbers& terms) { return contact::total_pairwise(terms); });
   in_double("Kahan", [](const Numbers& terms) { return contact::total_kahan(terms); });
   in_double("compensated", [](const Numbers& terms) { return contact::total_compensated(terms); });
@@ -70,7 +70,7 @@ void add_total_of_floats(hard_cases::Runner& runner) {
       return same(static_cast<double>(total(floats)), answer, "sum", 18);
     });
   };
-  in_float("float, in order", [](const auto& terms) { return plain(terms); });
+  in_float("float, recursive", [](const auto& terms) { return plain(terms); });
   in_float("float, pairwise", [](const auto& terms) { return contact::total_pairwise(terms); });
   in_float("float, compensated",
            [](const auto& terms) { return contact::total_compensated(terms); });
@@ -101,7 +101,7 @@ void add_together(hard_cases::Runner& runner) {
     const Numbers velocities = c.numbers("velocities");
     return same(plain(velocities) / static_cast<double>(velocities.size()), answer, "velocity");
   });
-  runner.method("together", "as one writes it first", [](const Case& c, const Json& answer) {
+  runner.method("together", "naive formula", [](const Case& c, const Json& answer) {
     double momentum = 0;
     double mass = 0;
     for (const auto& body : bodies(c)) {
@@ -121,8 +121,8 @@ contact::ForceCurve<double> curve(const Case& c) {
   return contact::force_curve<double>(c.numbers("times"), force);
 }
 
-/// The whole momentum after elastic collisions of two at a time, each with each in turn. Between
-/// themselves they cannot change it, so the answer is that of the start.
+/// The total momentum after elastic collisions of all pairs in turn. Internal impulses do not
+/// change it, so the right answer is the initial one.
 void add_balance(hard_cases::Runner& runner) {
   runner.question("balance", [](const Case& c) {
     Rational sum = 0;
@@ -185,7 +185,7 @@ void add_curve(hard_cases::Runner& runner) {
                     (c.numbers("times").back() - c.numbers("times").front()),
                 answer, "impulse");
   });
-  runner.method("curve", "trapezoids, in order", [](const Case& c, const Json& answer) {
+  runner.method("curve", "trapezoids, recursive sum", [](const Case& c, const Json& answer) {
     const Numbers times = c.numbers("times");
     const Numbers forces = c.numbers("forces");
     double area = 0;
@@ -211,7 +211,7 @@ void add_exchange(hard_cases::Runner& runner) {
         (m + change);
     return Json{{"class", "a"}, {"velocity", hex(after)}};
   });
-  // What |v| + |w − v| |Δm| / (m + Δm) leaves to be had.
+  // The attainable error is relative to |v| + |w − v| |Δm| / (m + Δm).
   const auto judge = [](const Case& c, double got, const Json& answer) {
     const Rational m = oracle::exact(c.number("mass"));
     const Rational change = oracle::exact(c.number("change"));
@@ -252,7 +252,7 @@ void add_push_off(hard_cases::Runner& runner) {
   const auto judge = [](const Case& c, double first, double second, const Json& answer) {
     const double room =
         std::ldexp(std::abs(c.number("together")) + std::abs(c.number("apart")), -40);
-    // From rest the small recoil of a heavy body is a product, and has all its digits.
+    // From rest the small recoil of a heavy body is a product, with all its digits right.
     const bool from_rest = c.number("together") == 0;
     return (from_rest ? same(first, answer, "first")
                       : close(first, unhex(answer, "first"), room)) &&
@@ -264,7 +264,7 @@ void add_push_off(hard_cases::Runner& runner) {
                  c.number("together") - c.number("apart") * c.number("second") / c.number("first"),
                  ground, answer);
   });
-  runner.method("push_off", "as one writes it first", [judge](const Case& c, const Json& answer) {
+  runner.method("push_off", "naive formula", [judge](const Case& c, const Json& answer) {
     const double m1 = c.number("first");
     const double m2 = c.number("second");
     const double u = c.number("apart");

@@ -39,7 +39,7 @@ KEY("bounce-or-stop") {
 
 KEY("belt-force") {
   const auto impulse = contact::impulse_of_change<double>(5, {15, 0, 0}, {0, 0, 0});
-  // A steady force with this impulse is its own average.
+  // A constant force with this impulse is its own average.
   const Vector force = impulse / 0.1;
   const auto steady = contact::force_curve<double>({0, 0.1}, {force, force});
   return std::abs(contact::average_force(steady).x());
@@ -52,7 +52,7 @@ KEY("triangle-area") {
 }
 
 KEY("internal-or-external") {
-  // The man's push J on the boat, the boat's push on the man, and what each does to the total.
+  // The impulse J of the man on the boat, that of the boat on the man, and the change of the total.
   const Body man{80, {0, 0, 0}, {0, 0, 0}};
   const Body boat{200, {0, 0, 0}, {0, 0, 0}};
   const Vector push(-50, 0, 0);
@@ -65,7 +65,7 @@ KEY("internal-or-external") {
 }
 
 KEY("conservation-steps") {
-  // What each step needs to have been done before it.
+  // The steps that must come before each step.
   const std::vector<std::set<int>> needs{{1, 3, 4}, {}, {0}, {1, 4}, {1}};
   std::vector<int> order;
   std::set<int> done;
@@ -78,7 +78,7 @@ KEY("conservation-steps") {
         possible.push_back(i);
       }
     }
-    if (possible.size() != 1) return std::vector<int>{};  // two right orders would be no question
+    if (possible.size() != 1) return std::vector<int>{};  // the order must be unique
     order.push_back(possible.front());
     done.insert(possible.front());
   }
@@ -120,11 +120,11 @@ KEY("which-sum") {
 }
 
 KEY("stop-it-gently") {
-  // 0.8 kN held for all but the ends of 8 ms: 31 · 0.8 · 8/32 = 6.2 N·s for 6.2 kg·m/s.
+  // 0.8 kN for 8 ms except at the ends: 31 · 0.8 · 8/32 = 6.2 N·s for 6.2 kg·m/s.
   force_time::Input state{{}, 8, 0.5, 12.4, 0};
   state.drawn.fill(0.8);
   const double winning = force_time::compute(state).stops_gently;
-  state.drawn[15] = 1.6;  // the same area, and too hard
+  state.drawn[15] = 1.6;  // nearly the same area, but too large a force
   state.drawn[10] = state.drawn[20] = 0.4;
   return questions::Construct{winning, force_time::compute(state).stops_gently};
 }
@@ -136,7 +136,7 @@ KEY("one-skater-stands") {
   return questions::Construct{winning, skaters::compute(state).first_stands};
 }
 
-TEST_CASE("in the figure of the books, one line alone stays where it is") {
+TEST_CASE("in the figure of the drift only one line stays at zero") {
   for (const double wide : {0.0, 1.0}) {
     double farther = 0;  // of how many orders the formulas drift further when there are more
     for (int order = 0; order < 20; ++order) {

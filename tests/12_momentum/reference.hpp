@@ -14,8 +14,8 @@ using generators::Random;
 
 enum class Push { one_way, both_ways, zero_total, spread };
 
-/// Impulses: all one way; to and fro; to and fro with the sum of all before as the last; from 1 to
-/// 10^16 in size, and what is large cancels.
+/// Impulses: all of one sign; of both signs; of both signs with the negative sum as the last; of
+/// sizes from 1 to 10^16, where the large ones cancel.
 template <class S>
 std::vector<S> impulses(Random& random, Push push) {
   const int n = random.integer(1, 60);

@@ -1,6 +1,6 @@
 // impulse_sum.hpp against rational arithmetic on the stored numbers (class (a) of the oracle). u is
-// the unit roundoff of the type. A bound that a comment of the reference gives is tested as it
-// stands, without an allowance.
+// the unit roundoff of the type. A bound in a comment of the reference is tested
+// without an allowance.
 #include <array>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -46,8 +46,7 @@ constexpr std::array<Push, 4> all_pushes{Push::one_way, Push::both_ways, Push::z
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("every way of adding impulses is as near as its comment says", "", float,
-                   double) {
+TEMPLATE_TEST_CASE("every sum of impulses satisfies the bound in its comment", "", float, double) {
   using S = TestType;
   Random random(1201);
   int zero_totals = 0;
@@ -87,7 +86,7 @@ TEST_CASE("sums of rationals are exact in every order") {
   }
 }
 
-TEST_CASE("a thousand tenths between a large impulse and its opposite, as the lesson tells it") {
+TEST_CASE("a thousand tenths between a large impulse and its opposite, as in the lesson") {
   const auto tenths = []<class S>(S, int power) {
     std::vector<S> all(1002, S(0.1F));
     all.front() = std::ldexp(S(1), power);
@@ -104,8 +103,8 @@ TEST_CASE("a thousand tenths between a large impulse and its opposite, as the le
   for (int power = 0; power <= 52; ++power) {
     CAPTURE(power);
     CHECK(std::abs(contact::total_compensated(tenths(0.0F, power)) - 100) < 0.002F);
-    // What Kahan's sum hands to the last term is rounded to its digits, which are those just below
-    // 2^power: from 2^27 on they are multiples of 8, and 100 is none.
+    // Kahan's correction is rounded to the digits of the last term, which are just below 2^power:
+    // from 2^27 on they are multiples of 8, and 100 is none.
     if (power < 20) continue;
     const float kahan = contact::total_kahan(tenths(0.0F, power));
     CHECK(std::fmod(kahan, std::ldexp(1.0F, power - 24)) == 0);
@@ -114,7 +113,7 @@ TEST_CASE("a thousand tenths between a large impulse and its opposite, as the le
   CHECK(contact::total_kahan(tenths(0.0F, 32)) == 0);
 }
 
-TEST_CASE("a sum that overflows only on the way is finite, and none is ever NaN") {
+TEST_CASE("a sum with an intermediate overflow is finite, and none is NaN") {
   const double big = std::numeric_limits<double>::max();
   const std::vector<double> there_and_back{big, big, 3.0, -big, -big};
   CHECK(contact::total_exactly(there_and_back) == 3.0);

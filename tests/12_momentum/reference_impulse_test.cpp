@@ -1,6 +1,6 @@
 // impulse.hpp against rational arithmetic on the stored numbers (class (a) of the oracle). u is the
-// unit roundoff of the type. A bound that a comment of the reference gives is tested as it stands,
-// without an allowance.
+// unit roundoff of the type. A bound in a comment of the reference is tested without an
+// allowance.
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -60,7 +60,7 @@ TEMPLATE_TEST_CASE("the impulse of a curve is the area under it", "", float, dou
   }
 }
 
-TEST_CASE("a curve of very many samples is off by more than a few roundings, and by what is said") {
+TEST_CASE("the error for very many samples exceeds a few roundings and satisfies its bound") {
   const int pieces = 200000;
   std::vector<float> time;
   for (int i = 0; i <= pieces; ++i) time.push_back(static_cast<float>(i));
@@ -72,7 +72,7 @@ TEST_CASE("a curve of very many samples is off by more than a few roundings, and
         (5 * u<float>() + gamma<float>(pieces - 1) * gamma<float>(pieces - 1)) * right);
 }
 
-TEST_CASE("the impulse so far grows with the area so far") {
+TEST_CASE("the impulse up to a time is the area up to that time") {
   // A triangle of 6 ms and 4000 N: 12 N·s, of which a quarter by 3/√2 ms.
   const auto curve =
       contact::force_curve<double>({0, 0.003, 0.006}, {{0, 0, 0}, {4000, 0, 0}, {0, 0, 0}});
@@ -84,7 +84,7 @@ TEST_CASE("the impulse so far grows with the area so far") {
   CHECK(contact::impulse_until(curve, 9.0) == contact::impulse(curve));
 }
 
-TEST_CASE("impulse and average force are finite where only a step on the way overflows") {
+TEST_CASE("impulse and average force are finite if only an intermediate result overflows") {
   const double big = std::numeric_limits<double>::max();
   const auto wide = contact::force_curve<double>({-big, big}, {{1, 2, 0}, {1, -2, 0}});
   CHECK(contact::average_force(wide) == Vector3<double>(1, 0, 0));

@@ -1,6 +1,6 @@
 // momentum.hpp and momentum_balance.hpp against rational arithmetic on the stored numbers (class
-// (a) of the oracle). u is the unit roundoff of the type. A bound that a comment of the reference
-// gives is tested as it stands, without an allowance.
+// (a) of the oracle). u is the unit roundoff of the type. A bound in a comment of the reference is
+// tested without an allowance.
 #include <array>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -73,14 +73,14 @@ ExactSums<S> exact_sums(const std::vector<PointMass<S>>& all) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("momentum, its scale and the centre's velocity agree with fractions", "", float,
-                   double) {
+TEMPLATE_TEST_CASE("momentum, its scale and the velocity of the centre agree with fractions", "",
+                   float, double) {
   using S = TestType;
   Random random(1204);
   for (int i = 0; i < 2500; ++i) {
     const int range = i % 2 == 0 ? 3 : 25;
     auto all = bodies<S>(random, -range, range);
-    if (random.chance(0.3)) {  // everything comes back the other way: the total is zero
+    if (random.chance(0.3)) {  // every body has an opposite: the total is zero
       for (std::size_t n = all.size(), k = 0; k < n; ++k) {
         all.push_back(all[k]);
         all.back().velocity = -all.back().velocity;
@@ -148,7 +148,7 @@ TEST_CASE("the lecture's players: 90 kg at 6 m/s and 80 kg at -7 m/s") {
   CHECK(contact::centre_velocity(players)->x() == oracle::nearest(Rational(-2) / 17));
 }
 
-TEST_CASE("no push between two bodies moves their centre of mass, in fractions") {
+TEST_CASE("no internal impulse changes the velocity of the centre of mass, in fractions") {
   Random random(1206);
   for (int i = 0; i < 300; ++i) {
     const auto fraction = [&] { return Rational(random.integer(-50, 50)) / random.integer(1, 9); };
@@ -209,8 +209,8 @@ std::array<Rational, 2> after_collision(const contact::BookedBody<S>& a,
   return {((ma - mb) * va + 2 * mb * vb) / (ma + mb), ((mb - ma) * vb + 2 * ma * va) / (ma + mb)};
 }
 
-/// What the roundings of one collision by formulas may put on m v of the first body: six of them,
-/// of which five meet each term at most.
+/// A bound on the error of m v of the first body in one collision by formulas: six roundings, of
+/// which at most five affect each term.
 template <class S>
 double room_of_formula(const contact::BookedBody<S>& a, const contact::BookedBody<S>& b,
                        double roundoff) {
@@ -247,7 +247,7 @@ void check_bookings(Random& random) {
       return sum;
     };
     const Rational before = total_of();
-    double room = 0;  // what the roundings of all collisions can add up to
+    double room = 0;  // bound on the sum of the rounding errors of all collisions
     for (int c = 0; c < generators::tried(40000); ++c) {
       const auto i = static_cast<std::size_t>(random.integer(0, int(n) - 1));
       const auto j = (i + static_cast<std::size_t>(random.integer(1, int(n) - 1))) % n;
@@ -267,7 +267,7 @@ void check_bookings(Random& random) {
       if (booking == Booking::formulas) room += formula_a + formula_b;
       if (booking == Booking::impulses) room += sum_room(was_a, a) + sum_room(was_b, b);
       if (c >= generators::tried(2000)) continue;
-      Rational change = 0, scale = 0;  // the bound that the comment gives
+      Rational change = 0, scale = 0;  // the bound in the comment
       for (const auto& [was, is] : {std::pair(was_a, a), std::pair(was_b, b)}) {
         const Rational m = oracle::exact(is.mass);
         change += booking == Booking::grid
@@ -277,9 +277,9 @@ void check_bookings(Random& random) {
       }
       REQUIRE(abs(change) <=
               (booking == Booking::grid ? Rational(0) : Rational(16 * u<S>() * scale)));
-      // Each way gives the velocities of one physics. An impulse has five roundings, and what is
-      // done with it two more; on a grid it is off by half a unit besides, and so is the momentum
-      // that was kept.
+      // Each program computes the same exact velocities, with errors. An impulse has five
+      // roundings, and its use two more; on a grid the impulse and the stored momentum each have an
+      // error of half a unit in addition.
       const auto right = after_collision(was_a, was_b);
       const double impulse = std::abs(double(a.velocity) - double(was_a.velocity)) * double(a.mass);
       const double by_impulse =
@@ -310,7 +310,7 @@ void check_bookings(Random& random) {
 
 }  // namespace
 
-TEST_CASE("over many collisions the momentum drifts no further than each rounding allows") {
+TEST_CASE("over many collisions the momentum drifts no farther than the roundings allow") {
   Random random(1211);
   check_bookings<float>(random);
   check_bookings<double>(random);

@@ -19,7 +19,7 @@ using oracle::Vector;
 using rounding::nearest;
 using rounding::u;
 
-TEST_CASE("matter that joins or leaves takes its own momentum with it") {
+TEST_CASE("matter that joins or leaves carries its own momentum") {
   Random random(1209);
   for (int i = 0; i < 300; ++i) {
     const auto fraction = [&] { return Rational(random.integer(-50, 50)) / random.integer(1, 9); };
@@ -32,11 +32,11 @@ TEST_CASE("matter that joins or leaves takes its own momentum with it") {
     if (after) REQUIRE(Vector(*after * Rational(m + change)) == Vector(v * m + w * change));
   }
   const Vector3<double> v(3, 0, 0);
-  // Sand runs out of a wagon: it leaves with the wagon's velocity, and nothing happens.
+  // Sand runs out of a wagon: it leaves with the wagon's velocity, which does not change.
   CHECK(*contact::velocity_after_exchange(5000.0, v, -2000.0, v) == v);
   CHECK(contact::acceleration_with_exchange<double>(5000, {0, 0, 0}, {0, 0, 0}, -100) ==
         Vector3<double>(0, 0, 0));
-  // Rain falls into it: it must be brought to the wagon's speed.
+  // Rain falls into it: the rain must be accelerated to the wagon's speed.
   const auto wet = contact::velocity_after_exchange<double>(5000, v, 1000, {0, 0, 0});
   CHECK(wet->x() == 2.5);
   CHECK(contact::acceleration_with_exchange<double>(5000, {0, 0, 0}, -v, 100).x() == -0.06);
@@ -53,7 +53,7 @@ TEST_CASE("matter that joins or leaves takes its own momentum with it") {
   }
 }
 
-TEST_CASE("a rocket that throws its mass away grain by grain gains u ln(m0 / m1)") {
+TEST_CASE("a rocket that ejects its mass continuously gains u ln(m0 / m1)") {
   Random random(1210);
   for (int i = 0; i < 400; ++i) {
     const double before = random.uniform(1, 100);
@@ -66,11 +66,11 @@ TEST_CASE("a rocket that throws its mass away grain by grain gains u ln(m0 / m1)
     });
     REQUIRE(right.has_value());
     const double got = contact::rocket_speed_gain(exhaust, before, after);
-    // Difference, quotient and product round once each, the logarithm by an ulp; its own slope
-    // never makes a relative error larger here.
+    // Difference, quotient and product round once each, and the logarithm has an error of an ulp;
+    // it does not magnify relative errors here.
     REQUIRE(std::abs(got - *right) <= 8 * 0x1p-53 * std::abs(*right));
   }
-  // Many small throws come near it from below, and their shortfall halves with their size.
+  // Many small throws approach it from below, with a difference proportional to their size.
   double shortfall = 0;
   for (const int throws : {100, 200}) {
     double mass = 10;
@@ -88,9 +88,9 @@ TEST_CASE("a rocket that throws its mass away grain by grain gains u ln(m0 / m1)
   }
 }
 
-TEST_CASE("a steady stream moves a body by the logarithm, and by its momentum") {
+TEST_CASE("a steady stream changes a velocity by the rocket equation, and conserves momentum") {
   // The textbook's integrals, which divide by the rate, by intervals; the numbers are whole
-  // sixteenths, so that the mass that is left is exact.
+  // sixteenths, so that the remaining mass is exact.
   Random random(1212);
   const auto some = [&](double size) { return std::round(random.uniform(-size, size) * 16) / 16; };
   for (int i = 0; i < 2000; ++i) {
@@ -134,7 +134,7 @@ TEST_CASE("a steady stream moves a body by the logarithm, and by its momentum") 
     REQUIRE(std::abs(seen->way.x() - value(Rational(v * t + push * (m0 - m) / (r * r)),
                                            Rational(-push * m / (r * r)))) <=
             64 * unit * (std::abs(v0) * time + forces * far));
-    // Nothing is lost between the body and the matter.
+    // The total momentum of body and matter changes by F t only.
     const double size = (mass + std::abs(rate) * time) *
                         (std::abs(v0) + std::abs(u) + forces * (gain + far / time));
     REQUIRE(std::abs(seen->mass * seen->velocity.x() + seen->carried_off.x() -
@@ -152,7 +152,7 @@ TEST_CASE("a steady stream moves a body by the logarithm, and by its momentum") 
             64 * unit * (std::abs(v0) * time + all * wide));
     REQUIRE(rain->carried_off.x() == -u * (rate * time));
   }
-  // Rain into a wagon, sand that runs out of it, and a push without any matter.
+  // Rain into a wagon, sand that runs out of it, and a force without matter.
   const auto wet =
       contact::after_stream_over_ground<double>(4000, {3, 0, 0}, {0, 0, 0}, {0, 0, 0}, 200, 10);
   CHECK(wet->mass == 6000);
@@ -167,7 +167,7 @@ TEST_CASE("a steady stream moves a body by the logarithm, and by its momentum") 
   CHECK(pushed->velocity.x() == 4);
   CHECK(pushed->way.x() == 7);
   CHECK(pushed->carried_off.x() == 0);
-  // A rocket, by the function for nothing but it, and by a thousand throws.
+  // A rocket, by its own function and by a thousand throws.
   const auto rocket =
       contact::after_stream_from_body<double>(10, {0, 0, 0}, {0, 0, 0}, {-1000, 0, 0}, -1, 5);
   CHECK(std::abs(rocket->velocity.x() - contact::rocket_speed_gain(1000.0, 10.0, 5.0)) < 1e-12);

@@ -54,7 +54,7 @@ double roundings(const Bodies& bodies) {
 void check_momentum(const Bodies& bodies) {
   const auto coordinate = [&](int k) { return quotient<double>(momentum(bodies, k), Exact(1.0)); };
   const Vector right{coordinate(0), coordinate(1), coordinate(2)};
-  ask("What is the momentum of all bodies together?")
+  ask("What is the total momentum of the bodies?")
       .given("bodies", bodies)
       .suspect("speeds-for-velocities", [&] { return with_speeds(bodies, false); })
       .suspect("speeds-for-velocities", [&] { return with_speeds(bodies, true); })
@@ -67,7 +67,7 @@ void check_velocity(const Bodies& bodies) {
   const auto coordinate = [&](int k) { return quotient<double>(momentum(bodies, k), whole); };
   const Vector right{coordinate(0), coordinate(1), coordinate(2)};
   const double m = rounded_mass(bodies);
-  ask("What is the velocity of the bodies once they stick together?")
+  ask("What is the velocity of the bodies after they have stuck together?")
       .given("bodies", bodies)
       .suspect("mean-of-velocities",
                [&]() -> Vector {
@@ -90,7 +90,7 @@ void check_velocity(const Bodies& bodies) {
 }
 
 void check_refused(const Bodies& bodies) {
-  ask("What is the velocity of the bodies once they stick together?")
+  ask("What is the velocity of the bodies after they have stuck together?")
       .given("bodies", bodies)
       .suspect_if("mass-not-refused", [](const Vector&) { return true; })
       .answer([&] { return exercise::velocity_together(bodies); })
@@ -108,7 +108,7 @@ TEST_CASE("momenta add as vectors") {
   check_momentum({});
 }
 
-TEST_CASE("the players move on slowly, the way the lighter one went") {
+TEST_CASE("the players move on slowly, in the lighter one's direction") {
   check_velocity(kPlayers);
   check_velocity({{90, {6, 0, 0}}, {80, {7, 0, 0}}});
   check_velocity({{60, {2, 0, 0}}, {60, {-2, 0, 0}}});
@@ -119,7 +119,7 @@ TEST_CASE("the heavier body counts for more") {
   check_velocity({{1, {8, 0, 0}}, {7, {0, 0, 0}}});
 }
 
-TEST_CASE("it does not matter which two stick together first") {
+TEST_CASE("the order of sticking together does not matter") {
   const Bodies three{{1, {8, 0, 4}}, {3, {0, 4, 0}}, {4, {-2, 1, 8}}};
   check_velocity(three);
   // The first two have become one body of 4 kg at (2, 3, 1) m/s.
@@ -127,7 +127,7 @@ TEST_CASE("it does not matter which two stick together first") {
   check_velocity({{1, {8, 0, 4}}, {3, {0, 4, 0}}});
 }
 
-TEST_CASE("what is no mass is refused") {
+TEST_CASE("invalid masses are refused") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   check_velocity(kPlayers);
   check_velocity({{1, {8, 0, 0}}, {3, {0, 4, 0}}});

@@ -49,7 +49,7 @@ void check(const Impulses& impulses) {
   const double right = quotient<double>(sum, Exact(1.0));
   const double n = static_cast<double>(impulses.size());
   const double bound = 2 * 0x1p-53 * std::abs(right) + 2 * n * n * 0x1p-106 * size;
-  ask("What do the impulses add up to?")
+  ask("What is the sum of the impulses?")
       .given("impulses", impulses)
       .suspect("rounding-added-up", [&] { return in_order(impulses); })
       .suspect("kahan-large-term", [&] { return kahan(impulses); })
@@ -76,21 +76,21 @@ TEST_CASE("a few impulses add up") {
   check({16777216, 1, 1});
 }
 
-TEST_CASE("small pushes beside a large one are not lost") {
+TEST_CASE("small impulses beside a large one are not lost") {
   check({0x1p+54, 1, 1, 1, -0x1p+54});
   check({kLarge, 1, 1, 1, -kLarge});
   check({-kLarge, 0.5, kLarge});
   check({0x1p+54, 1, 1, 1, 1});
 }
 
-TEST_CASE("what is left when large pushes cancel is right") {
+TEST_CASE("the total is right if large impulses cancel") {
   check({0x1p+55, 3, -0x1p+55, 2});
   check({kLarge, 3, 0x1p+57, -kLarge, 1, -0x1p+57});
   check({0x1p+55, 5, -0x1p+54, 7, -0x1p+54});
   check({kLarge, 0x1p+40, -kLarge, -0x1p+40});
 }
 
-TEST_CASE("a large push may come late") {
+TEST_CASE("a large impulse may come late") {
   check({1, 0x1p+54, 1, 1, 1, 1, -0x1p+54});
   check({1, kLarge, 1, -kLarge});
   check({3, -kLarge, 0.25, kLarge, 8});

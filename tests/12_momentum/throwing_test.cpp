@@ -57,8 +57,8 @@ void check_throws(double thrower, const Stones& stones, double velocity, double 
   const double right =
       quotient<double>(Exact(velocity) * denominator - Exact(relative) * numerator, denominator);
   const double n = static_cast<double>(stones.size());
-  // What is left of the mass may be the difference of the whole and what has been thrown: off by n
-  // u of the whole, that is by whole/thrower times as much of itself.
+  // The remaining mass may be computed as the total minus the thrown mass: its error is n u of the
+  // total, that is n u total/thrower of itself.
   const double bound = (2 * n + 8) * 0x1p-53 * size * whole_of(thrower, stones) / thrower;
   ask("What is the thrower's velocity after the last throw?")
       .given("thrower", thrower)
@@ -109,13 +109,13 @@ TEST_CASE("rain slows a wagon and sand that runs out does not") {
   check_exchange(4000, 3, 2000, 0);
 }
 
-TEST_CASE("what leaves with a speed of its own pushes") {
+TEST_CASE("matter with a relative velocity causes thrust") {
   check_exchange(4, 0, -1, 6);
   check_exchange(4, 2, -1, -4);
   check_exchange(3, 2, 1, 10);
 }
 
-TEST_CASE("a throw pushes the thrower the other way") {
+TEST_CASE("a throw pushes the thrower in the opposite direction") {
   check_throws(60, {4}, 0, 8);
   check_throws(60, {4}, 0, -8);
   check_throws(60, {}, 0, 8);
@@ -127,7 +127,7 @@ TEST_CASE("each throw starts from a smaller mass") {
   check_throws(60, {6, 10, 20}, 0, 8);
 }
 
-TEST_CASE("the thrower's own motion comes on top") {
+TEST_CASE("the thrower's own velocity is added") {
   check_throws(60, {4}, 2, 8);
   check_throws(60, {4}, -1, 8);
   check_throws(8, {4, 4}, 3, -6);

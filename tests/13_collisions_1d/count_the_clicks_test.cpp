@@ -54,7 +54,7 @@ void check(double ratio) {
   const int right = right_answer(ratio);
   const double steps = pi / std::atan(std::sqrt(1 / ratio));
   const bool close_call = std::abs(steps - std::round(steps)) < 1e-10;
-  ask("How many clicks are there?")
+  ask("How many collisions are there?")
       .given("ratio", ratio)
       .suspect("wall-not-counted", [&] { return by_velocities(ratio, false); })
       .suspect("floor-for-ceiling",
@@ -75,8 +75,8 @@ double moved(double x, int ulps) {
   return x;
 }
 
-/// Near cot²(π/n), where n θ is nearly π: so many numbers above the least ratio with n clicks. That
-/// one is found from an estimate that may differ from machine to machine, as it does not.
+/// Near cot²(π/n), where n θ is nearly π: this many numbers above the least ratio with n
+/// collisions. It is found from an estimate that may differ between machines; the result does not.
 double near_tie(int n, int ulps) {
   const double tangent = std::tan(pi / n);
   double least = std::max(1.0, 1 / (tangent * tangent));
@@ -87,7 +87,7 @@ double near_tie(int n, int ulps) {
 
 }  // namespace
 
-TEST_CASE("equal blocks click three times") {
+TEST_CASE("equal blocks make three collisions") {
   check(1);
   check(2);
   check(3);
@@ -98,7 +98,7 @@ TEST_CASE("a hundred times as heavy") {
   check(900);
 }
 
-TEST_CASE("heavier and lighter") {
+TEST_CASE("other mass ratios") {
   check(1.5);
   check(5);
   check(16);
@@ -106,7 +106,7 @@ TEST_CASE("heavier and lighter") {
   check(1600);
 }
 
-TEST_CASE("close calls") {
+TEST_CASE("close cases") {
   for (const int n : {5, 7, 12, 19, 33, 47, 60, 71, 96, 113}) {
     for (const int ulps : {-1, 0, 1}) check(near_tie(n, ulps));
   }

@@ -1,6 +1,5 @@
-// All numbers are small whole numbers, and first masses powers of two: every right answer is exact,
-// and so is every formula that leads there. Every test asks for at least two different answers, so
-// that no constant passes one.
+// All numbers are small whole numbers, and first masses are powers of two, so every right formula
+// is exact. Every test asks for at least two different answers, so that no constant passes one.
 #include "did_they_stick.hpp"
 
 #include <support/exercise.hpp>
@@ -30,7 +29,7 @@ void check(const Before& before, double second_after) {
   const double closing = before.first_velocity - before.second_velocity;
   const double separation = second_after - first_after;
   const Report right{first_after, separation / closing, kind_of(separation, closing)};
-  // e is a quotient, rounded once; written in another way perhaps three times.
+  // e is a quotient, rounded once; in another form perhaps three times.
   const Report room{0, 4 * 0x1p-53 * std::abs(right.restitution), right.kind};
   ask("What kind of collision was it?")
       .given("before", before)
@@ -65,7 +64,7 @@ TEST_CASE("the truck and the parked car") {
   check({3000, 20, 1000, 0}, 21);
 }
 
-TEST_CASE("what the second gains the first has lost, by mass") {
+TEST_CASE("the momentum that the second gains the first has lost") {
   check({4, 6, 1, -2}, 6);
   check({1, 6, 4, -2}, 0);
   check({8, 5, 3, 1}, 4);
@@ -78,13 +77,13 @@ TEST_CASE("equal speeds of approach and separation are elastic") {
   check({2, 9, 4, 0}, 4);
 }
 
-TEST_CASE("nobody passes through") {
+TEST_CASE("bodies that passed through each other are recognised") {
   check({4, 6, 2, 0}, 2);
   check({4, 6, 2, 0}, 0);
   check({4, 6, 2, 0}, 6);
 }
 
-TEST_CASE("random collisions get the right verdict") {
+TEST_CASE("random collisions are classified right") {
   generators::Random random(seed(0));
   for (int asked = 0; asked < 300; ++asked) {
     const double m1 = std::ldexp(1.0, random.integer(0, 3));

@@ -39,11 +39,11 @@ void check(const Body& first, const Body& second, double restitution) {
   const double mu = first.mass * second.mass / (first.mass + second.mass);
   const double before = energy(first, second);
   const double e = restitution;
-  // At most 11 roundings for the loss and 6 more for the fraction. 1 − e² written as such rounds e²
-  // before it subtracts, which costs 1/(1 − e²) as much; no e here is above 0.95.
+  // At most 11 roundings for the loss and 6 more for the fraction. The form 1 − e² rounds e² before
+  // the subtraction, which magnifies the error by 1/(1 − e²); no e here is above 0.95.
   const double room = (20 + 2 / (1 - e * e)) * 0x1p-53;
   const auto of = [before](double lost) { return Bill{lost, lost / before}; };
-  ask("What does the collision cost?")
+  ask("What kinetic energy does the collision lose?")
       .given("first", first)
       .given("second", second)
       .given("restitution", restitution)
@@ -72,7 +72,7 @@ TEST_CASE("the truck and the parked car") {
   check({3000, 20}, {1000, -20}, 0);
 }
 
-TEST_CASE("from a train the loss is the same") {
+TEST_CASE("in the frame of a train the loss is the same") {
   check({2, 6}, {1, 0}, 0);
   check({2, 3}, {1, -3}, 0);
   check({2, 16}, {1, 10}, 0);
@@ -90,7 +90,7 @@ TEST_CASE("bodies that do not approach lose nothing") {
   check({2, 3}, {1, 2}, 0.5);
 }
 
-TEST_CASE("docking is gentle, however fast both fly") {
+TEST_CASE("the loss in docking is accurate at orbital speeds") {
   check({4000, 7000.0625}, {90000, 7000}, 0);
   check({4000, 7000.00390625}, {90000, 7000}, 0.25);
   check({0.5, 1e8 + 0x1p-20}, {2, 1e8}, 0.5);

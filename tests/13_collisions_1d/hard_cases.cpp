@@ -1,11 +1,11 @@
-// Recomputes the answers of hard_cases.json and says which method gets which case right.
+// Recomputes the answers of hard_cases.json and checks which methods are right in which case.
 //
 // Velocities, energies and rows are of class (a): rational in the stored numbers, rounded once. A
-// velocity of "after" is right if it is off by at most 16 u (|v₁| + |v₂|) + η, twice the bound of
-// the reference; one of "small_velocity" if it is off by at most 2^-40 of itself, which no formula
-// in doubles can promise. A loss is right if it is off by at most 2^-40 of itself, a row by 2^-40
-// Σ|v|. A count and a decision are right or not; counts are of class (c), by intervals, with ties
-// by algebra.
+// velocity of "after" is right if its error is at most 16 u (|v₁| + |v₂|) + η, twice the bound of
+// the reference; one of "small_velocity" if its error is at most 2^-40 of itself, which no formula
+// in doubles can guarantee. The error of a loss may be 2^-40 of itself, that of a row 2^-40 Σ|v|. A
+// count and a decision are right or not; counts are of class (c), by intervals, with ties decided
+// algebraically.
 #include "support/hard_cases.hpp"
 
 #include <cmath>
@@ -91,7 +91,7 @@ void add_after(hard_cases::Runner& runner) {
                             oracle::exact(0x1p-1074);
       const auto close = [&room](double x, const Rational& true_x) {
         const double distance = oracle::error(x, true_x);
-        // Beyond the largest number infinity is the right answer.
+        // Beyond the largest number, infinity is the right answer.
         if (!std::isfinite(x)) return x == oracle::nearest(true_x);
         return std::isfinite(distance) && oracle::exact(distance) <= room;
       };
@@ -156,7 +156,7 @@ void add_lost(hard_cases::Runner& runner) {
     return energy(p.first, p.first.velocity) + energy(p.second, p.second.velocity) -
            energy(p.first, after.first) - energy(p.second, after.second);
   });
-  add("(1 − e²) of all energy", [energy](const Pair& p) {
+  add("(1 − e²) of the total energy", [energy](const Pair& p) {
     return (1 - p.e * p.e) *
            (energy(p.first, p.first.velocity) + energy(p.second, p.second.velocity));
   });
@@ -169,8 +169,8 @@ void add_lost(hard_cases::Runner& runner) {
   add("book", [](const Pair& p) { return contact::energy_lost(p.first, p.second, p.e); });
 }
 
-/// ⌈π/θ⌉ − 1 for θ = arctan √(1/R): where π/θ is not a whole number, by intervals; R = 1 and R = 3
-/// make it 4 and 6.
+/// ⌈π/θ⌉ − 1 for θ = arctan √(1/R): by intervals unless π/θ is an integer, which is 4 for R = 1 and
+/// 6 for R = 3.
 std::int64_t count_of(double ratio) {
   if (ratio == 1) return 3;
   if (ratio == 3) return 5;
@@ -201,7 +201,7 @@ void add_count(hard_cases::Runner& runner) {
   add("float, formula", [](double r) { return contact::count_by_formula(static_cast<float>(r)); });
   add("formula", [](double r) { return contact::count_by_formula(r); });
   add("textbook", [](double r) { return contact::count_by_textbook(r, limit); });
-  add("book, colliding", [](double r) { return contact::count_by_colliding(r, limit); });
+  add("book, simulation", [](double r) { return contact::count_by_colliding(r, limit); });
   add("double-double, formula",
       [](double r) { return contact::count_by_formula(contact::DoubleDouble(r)); });
   add("book", [](double r) { return contact::count_collisions(r).value_or(-1); });

@@ -1,8 +1,8 @@
 // Right answers come from the same rule in the other form, ((m₁ − m₂) v₁ + 2 m₂ v₂)/(m₁ + m₂). An
-// elastic collision keeps Σ m v², so in the lengths √m v an error neither grows nor shrinks: after
-// n collisions two ways of writing it differ by n times what one collision rounds. Rows in which a
-// decision would hang on that are not asked. Every test asks for at least two different answers, so
-// that no constant passes one.
+// elastic collision conserves Σ m v², so in the variables √m v an error neither grows nor shrinks:
+// after n collisions two forms differ by at most n times the rounding error of one collision. Rows
+// in which a decision would depend on that are skipped. Every test asks for at least two different
+// answers, so that no constant passes one.
 #include "newtons_cradle.hpp"
 
 #include <support/exercise.hpp>
@@ -20,7 +20,7 @@ using Velocities = std::vector<double>;
 struct Course {
   Velocities velocities;
   int collisions = 0;
-  double nearest = 1;  // how near a decision was to the other way, of the sum of the speeds
+  double nearest = 1;  // margin of the closest decision, relative to the sum of the speeds
 };
 
 void hit(const Row& row, Velocities& v, std::size_t i) {
@@ -54,13 +54,13 @@ Course course(const Row& row, bool swaps) {
     }
     const double closing = v[fastest] - v[fastest + 1];
     for (std::size_t i = 0; i + 1 < row.size(); ++i) {
-      // Pairs that share no ball may go in any order.
+      // Pairs without a common ball may collide in any order.
       const bool apart = i > fastest + 1 || fastest > i + 1;
       if (i == fastest || apart) continue;
       const double margin = std::abs(closing - (v[i] - v[i + 1]));
       if (closing > 0) result.nearest = std::min(result.nearest, margin / size);
     }
-    // A pair that has just collided parts, and is not in doubt.
+    // A pair that has just collided separates, without doubt.
     if (closing != 0) result.nearest = std::min(result.nearest, std::abs(closing) / size);
     if (!(closing > 0) || result.collisions == 1000) break;
     if (swaps) {
@@ -127,8 +127,8 @@ Velocities updated_too_early(const Row& row) {
   return v;
 }
 
-/// What n collisions of masses from 1 to `spread` can round: 16 u of the speeds each, and as much
-/// again for the other way of writing it.
+/// Bound on the rounding error of n collisions of masses from 1 to `spread`: 16 u of the speeds
+/// each, and as much for the other form.
 double room(const Row& row, const Course& right) {
   double light = row.empty() ? 1 : row[0].mass;
   double heavy = light;
@@ -174,7 +174,7 @@ TEST_CASE("as many leave as come in") {
   check(equals({0, 0, 0, -1, -1}));
 }
 
-TEST_CASE("what comes from both sides") {
+TEST_CASE("balls that come in from both sides") {
   check(equals({1, 0, 0, -1}));
   check(equals({2, 1, 0, 0, -4}));
   check(equals({-1, 0, 1}));
@@ -188,7 +188,7 @@ TEST_CASE("a heavy ball among light ones") {
   check({{1, 8}, {1, 0}, {7, 0}});
 }
 
-TEST_CASE("random rows settle as the rule says") {
+TEST_CASE("random rows settle by the rule of the contract") {
   generators::Random random(seed(0));
   for (int asked = 0; asked < 200;) {
     Row row;

@@ -48,8 +48,8 @@ KEY("do-they-collide") {
 }
 
 KEY("cradle-two") {
-  // Springs keep momentum and energy as pairs do, and give another result: two equations leave it
-  // open.
+  // Springs conserve momentum and energy as pairs do, with another result: two equations do not
+  // determine it.
   const std::vector<contact::LineBody<double>> row{{1, 1}, {1, 1}, {1, 0}, {1, 0}, {1, 0}};
   const auto pairs = contact::collide_row(row, 1.0, contact::PairOrder::fastest_first, 100);
   const auto springs = contact::row_on_springs(row, contact::ContactSpring::linear, 2000);
@@ -67,7 +67,7 @@ KEY("cradle-two") {
 }
 
 KEY("derivation-steps") {
-  // What each step needs to have been done before it; the momentum equation is written first.
+  // The steps that must come before each step; the momentum equation is written first.
   const std::vector<std::set<int>> needs{{1, 3}, {}, {0}, {1}};
   std::vector<int> order;
   std::set<int> done;
@@ -80,7 +80,7 @@ KEY("derivation-steps") {
         possible.push_back(i);
       }
     }
-    if (possible.size() != 1) return std::vector<int>{};  // two right orders would be no question
+    if (possible.size() != 1) return std::vector<int>{};  // the order must be unique
     order.push_back(possible.front());
     done.insert(possible.front());
   }
@@ -88,7 +88,7 @@ KEY("derivation-steps") {
 }
 
 KEY("where-digits-go") {
-  // How much the answer of a collision near 0 changes with an ulp of the input, against itself.
+  // The relative change of a velocity near 0 if the input changes by an ulp.
   const auto stopped = [](double v2) {
     return contact::collide_exactly(line_body(0.3, 1.0), line_body(1.0, v2), 0.3).first;
   };

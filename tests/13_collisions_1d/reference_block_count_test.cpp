@@ -24,7 +24,7 @@ TEST_CASE("double-double arithmetic keeps its bounds") {
       return high + contact::DoubleDouble(random.magnitude(-75, -54)) * high;
     };
     const auto x = draw();
-    // Now and then nearly opposite numbers, which cancel.
+    // Sometimes nearly opposite numbers, which cancel.
     const auto y =
         random.chance(0.3) ? contact::DoubleDouble(random.uniform(1e-20, 1e-14)) - x : draw();
     const Rational a = exactly(x);
@@ -47,7 +47,7 @@ TEST_CASE("double-double arithmetic keeps its bounds") {
 
 namespace {
 
-/// ⌈π/θ⌉ − 1 by intervals, which do not decide a tie.
+/// ⌈π/θ⌉ − 1 by intervals, which cannot decide a tie.
 std::int64_t count_by_intervals(double ratio) {
   using oracle::Interval;
   for (unsigned bits = 128; bits <= 1024; bits *= 2) {
@@ -82,7 +82,7 @@ TEST_CASE("counts are right within 2 ulp of cot²(π/n) for n up to 5000") {
   }
   CHECK(off == 0);
   CHECK(asked == 24979);
-  // That they are close calls shows in the formula: it is wrong about three times in ten.
+  // Guard: these are close cases, for the formula is wrong about three times in ten.
   CHECK(miscounted > asked / 5);
   CHECK(miscounted < asked / 2);
 }
@@ -99,7 +99,7 @@ TEST_CASE("ties keep their bound") {
   }
 }
 
-TEST_CASE("the close calls are the doubles nearest to cot²(π/n)") {
+TEST_CASE("the close cases are the doubles nearest to cot²(π/n)") {
   for (int n = 5; n <= 5000; n += 37) {
     const auto cot_squared = oracle::nearest_value([n](unsigned bits) {
       const auto angle = oracle::Interval::pi(bits) / oracle::Interval(Rational(n), bits);
@@ -113,7 +113,7 @@ TEST_CASE("the close calls are the doubles nearest to cot²(π/n)") {
   }
 }
 
-TEST_CASE("ties, powers of 100, and what is out of range") {
+TEST_CASE("ties, powers of 100, and ratios out of range") {
   CHECK(contact::count_collisions(1) == 3);
   CHECK(contact::count_collisions(3) == 5);
   CHECK(contact::count_collisions(std::nextafter(1.0, 2.0)) == 4);

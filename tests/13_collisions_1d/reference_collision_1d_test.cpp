@@ -1,6 +1,6 @@
 // collision_1d.hpp against rational arithmetic on the stored numbers (class (a) of the oracle). u
-// is the unit roundoff of the type, η its smallest number. A bound that a comment of
-// the reference gives is tested as it stands, without an allowance.
+// is the unit roundoff of the type, η its smallest number. A bound in a comment of
+// the reference is tested without an allowance.
 #include <array>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -63,7 +63,7 @@ TEMPLATE_TEST_CASE("velocities after a collision keep their bound", "", float, d
   }
 }
 
-TEMPLATE_TEST_CASE("what holds however it rounds", "", float, double) {
+TEMPLATE_TEST_CASE("properties that rounding does not affect", "", float, double) {
   using S = TestType;
   Random random(1302);
   for (int i = 0; i < 4000; ++i) {
@@ -77,7 +77,7 @@ TEMPLATE_TEST_CASE("what holds however it rounds", "", float, double) {
       CHECK(after.first == p.second.velocity);
       CHECK(after.second == p.first.velocity);
     }
-    // From behind.
+    // The mirrored collision.
     const auto mirrored =
         contact::collide(contact::line_body(p.second.mass, -p.second.velocity),
                          contact::line_body(p.first.mass, -p.first.velocity), p.e);
@@ -135,7 +135,7 @@ TEMPLATE_TEST_CASE("impulse, energy and restitution keep their bounds", "", floa
   }
 }
 
-TEST_CASE("what the formulas say agrees with what they were derived from") {
+TEST_CASE("the formulas satisfy the equations that they were derived from") {
   // In fractions: momentum, the two speeds, the energy before and after, and the loss.
   Random random(1304);
   for (int i = 0; i < 1000; ++i) {
@@ -156,14 +156,14 @@ TEST_CASE("what the formulas say agrees with what they were derived from") {
       CHECK(after.second - after.first == e * (a.velocity - b.velocity));
       CHECK(*contact::restitution_of(a, b, after.first, after.second) == e);
     }
-    // Seen from a train the loss is the same.
+    // In the frame of a train the loss is the same.
     const Rational train = random.integer(-99, 99);
     CHECK(contact::energy_lost<Rational>({a.mass, a.velocity + train}, {b.mass, b.velocity + train},
                                          e) == contact::energy_lost(a, b, e));
   }
 }
 
-TEST_CASE("no finite input makes a NaN, and only true overflow an infinity") {
+TEST_CASE("no finite input gives a NaN, and only true overflow gives infinity") {
   Random random(1305);
   for (int i = 0; i < 3000; ++i) {
     const auto mass = [&random] {

@@ -1,6 +1,6 @@
 // cradle.hpp against rational arithmetic on the stored numbers (class (a) of the oracle). u
-// is the unit roundoff of the type, η its smallest number. A bound that a comment of
-// the reference gives is tested as it stands, without an allowance.
+// is the unit roundoff of the type, η its smallest number. A bound in a comment of
+// the reference is tested without an allowance.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/block_count.hpp>
@@ -22,7 +22,7 @@ using reference::pair;
 using rounding::error;
 using rounding::gamma;
 
-TEST_CASE("equal balls are sorted, in any order and without rounding") {
+TEST_CASE("equal balls are sorted in any order, without rounding") {
   Random random(1308);
   for (int i = 0; i < 500; ++i) {
     std::vector<LineBody<double>> row;
@@ -41,7 +41,7 @@ TEST_CASE("equal balls are sorted, in any order and without rounding") {
   }
 }
 
-TEST_CASE("a row keeps its momentum, loses no more than it has, and does not approach") {
+TEST_CASE("a row conserves momentum, gains no energy, and does not approach afterwards") {
   Random random(1309);
   for (int i = 0; i < 300; ++i) {
     std::vector<LineBody<double>> row;
@@ -67,7 +67,7 @@ TEST_CASE("a row keeps its momentum, loses no more than it has, and does not app
       after += m * v * v;
       if (k > 0) CHECK(outcome.velocities[k - 1] <= outcome.velocities[k]);
     }
-    // Speeds can grow on the way, by the root of the mass ratio at most: a factor of 3 for masses
+    // Intermediate speeds can grow by at most the root of the mass ratio: a factor of 3 for masses
     // up to 9, squared for momenta.
     CHECK(abs(drift) <= 9 * outcome.collisions * gamma<double>(8) * size * 2);
     CHECK(after <= before * (1 + outcome.collisions * gamma<double>(64)));
@@ -81,7 +81,7 @@ TEST_CASE("a row keeps its momentum, loses no more than it has, and does not app
   CHECK(left.velocities != right.velocities);
 }
 
-TEST_CASE("all pairs at once keep momentum, and lose energy where a ball gets two blows") {
+TEST_CASE("all pairs at once conserve momentum, and lose energy if a ball is hit from both sides") {
   const auto energy = [](const std::vector<LineBody<Rational>>& row, const auto& velocities) {
     Rational sum = 0;
     for (std::size_t k = 0; k < row.size(); ++k) {
@@ -109,29 +109,30 @@ TEST_CASE("all pairs at once keep momentum, and lose energy where a ball gets tw
     lost += energy(row, outcome.velocities) < energy(row, before);
   }
   CHECK(lost > 20);
-  // One ball in from the left: nobody is hit from both sides.
+  // One ball in from the left: no ball is hit from both sides.
   const std::vector<LineBody<Rational>> cradle{{1, 2}, {1, 0}, {1, 0}, {1, 0}, {1, 0}};
   const auto one = contact::collide_all_at_once<Rational>(cradle, 1, 100);
   CHECK(one.settled);
   CHECK(
       one.velocities ==
       contact::collide_row<Rational>(cradle, 1, contact::PairOrder::fastest_first, 100).velocities);
-  // The lesson's row, one in from each end: the middle ball gets both blows, and a fifth is left.
+  // The lesson's row, one in from each end: the middle ball is hit from both sides, and a fifth of
+  // the energy remains.
   const std::vector<LineBody<Rational>> both{{1, 2}, {1, 0}, {1, 0}, {1, 0}, {1, -1}};
   const auto two = contact::collide_all_at_once<Rational>(both, 1, 100);
   CHECK(two.settled);
   CHECK(two.velocities == std::vector<Rational>{0, 0, 0, 0, 1});
 }
 
-TEST_CASE("balls that hardly bounce may collide without end") {
-  // Three equal balls, the outer ones come in alike: below e = 7 − 4 √3 = 0.0718 the middle one is
-  // hit to and fro for ever.
+TEST_CASE("pairs with a small e may collide without end") {
+  // Three equal balls, the outer ones come in symmetrically: below e = 7 − 4 √3 = 0.0718 there are
+  // infinitely many collisions.
   const auto row = [](double) { return std::vector<LineBody<double>>{{1, 1}, {1, 0}, {1, -1}}; };
   CHECK(contact::collide_row(row(0), 0.08, contact::PairOrder::fastest_first, 100).settled);
   CHECK_FALSE(contact::collide_row(row(0), 0.06, contact::PairOrder::fastest_first, 100).settled);
 }
 
-TEST_CASE("springs keep momentum and energy, and two bodies do what pairs do") {
+TEST_CASE("springs conserve momentum and energy, and two bodies collide as a pair") {
   using contact::ContactSpring;
   for (const auto law : {ContactSpring::linear, ContactSpring::hertz}) {
     const std::vector<LineBody<double>> two{{3, 2}, {1, -1}};
@@ -158,7 +159,7 @@ TEST_CASE("springs keep momentum and energy, and two bodies do what pairs do") {
     }
     CHECK(std::abs(momentum - 1) < 1e-12);
     CHECK(std::abs(energy - 1) < 1e-4);
-    // Not the cradle of the shops: the first ball comes back.
+    // Unlike the ideal cradle: the first ball bounces back.
     CHECK(outcome.velocities[0] < -0.05);
     CHECK(outcome.velocities[4] < 0.995);
     CHECK(outcome.velocities[4] > 0.9);

@@ -33,8 +33,7 @@ After right_answer(const Body& a, const Body& b, double e) {
 }
 
 void check(const Body& first, const Body& second, double restitution) {
-  // In any way of writing it there are at most 8 roundings, of terms that are at most 2 (|v₁| +
-  // |v₂|).
+  // In every form there are at most 8 roundings, of terms that are at most 2 (|v₁| + |v₂|).
   const double bound = 16 * 0x1p-53 * (std::abs(first.velocity) + std::abs(second.velocity));
   ask("What are the velocities after the collision?")
       .given("first", first)
@@ -88,19 +87,19 @@ TEST_CASE("equal bodies exchange their velocities") {
   check({7, -1}, {7, -8}, 1);
 }
 
-TEST_CASE("without bounce both leave at one velocity") {
+TEST_CASE("with e = 0 both leave at one velocity") {
   check({3000, 20}, {1000, 0}, 0);
   check({90, 6}, {80, -7}, 0);
   check({1, 1}, {3, -3}, 0);
 }
 
-TEST_CASE("a heavy body is hardly turned") {
+TEST_CASE("a heavy body hardly changes its velocity") {
   check({3000, 20}, {1000, 0}, 1);
   check({1, 20}, {1023, 0}, 1);
   check({1023, 20}, {1, -20}, 1);
 }
 
-TEST_CASE("half the bounce is half the speed of separation") {
+TEST_CASE("with e = 0.5 the speed of separation is half the closing speed") {
   check({1, 4}, {1, 0}, 0.5);
   check({3, 8}, {1, 0}, 0.25);
   check({1, 8}, {3, -8}, 0.75);
@@ -113,7 +112,7 @@ TEST_CASE("bodies that do not approach keep their velocities") {
   check({2, 5}, {1, -4}, 0.5);
 }
 
-TEST_CASE("what is no mass or no coefficient is refused") {
+TEST_CASE("invalid masses and coefficients are refused") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   check({1, 2}, {3, -5}, 1);
   check({1, 2}, {3, -5}, 0);

@@ -1,5 +1,5 @@
 /// @file
-/// The convex hull of points in space, built point by point.
+/// The convex hull of points in space, by the incremental algorithm.
 #pragma once
 
 #include <array>
@@ -12,30 +12,30 @@
 
 namespace contact {
 
-/// A hull that grows by one point at a time, as a closed surface of triangles.
+/// The incremental algorithm: a closed surface of triangles to which one point is added at a time.
 ///
-/// Coplanar triangles stay apart until `finish`. A triangle is removed only if the new point is
-/// strictly in front of it; so with exact sides no triangle without area is ever made: the horizon
-/// edge of a triangle that is seen is never on one line with the point that sees it.
+/// Coplanar triangles are joined only in `finish`. A triangle is removed only if the new point is
+/// strictly in front of it. So with exact decisions no triangle without area is made: a horizon
+/// edge of a triangle that the point sees is never collinear with that point.
 ///
-/// @tparam Sides what decides; the proof that the surface stays closed needs exact ones. With
-///   rounded ones the horizon may fail to be one ring: then `stuck` is set, and nothing more is
-///   added.
+/// @tparam Sides the orientation predicate; the proof that the surface stays closed needs an exact
+///   one. With a rounded one the horizon may fail to be one ring: then `stuck` is set, and nothing
+///   more is added.
 template <SideTest Sides>
 class GrowingHull {
  public:
-  /// One triangle. Neighbour i lies across the edge from corner i to corner i + 1.
+  /// One triangle. Neighbour i shares the edge from vertex i to vertex i + 1.
   struct Triangle {
     std::array<int, 3> corner;     ///< points, counter-clockwise from outside
     std::array<int, 3> neighbour;  ///< triangles
-    int first_waiting = -1;        ///< head of the list of points that wait in front of it
-    std::uint32_t marked = 0;      ///< by the last search that has seen it
-    int walked_by = -1;            ///< the last waiting point that has asked about it
+    int first_waiting = -1;        ///< head of its conflict list
+    std::uint32_t marked = 0;      ///< number of the last search that visited it
+    int walked_by = -1;            ///< the last point whose walk tested it
     bool alive = true;             ///< false once it is removed
-    typename Sides::Plane plane;   ///< worked out when it was made
+    typename Sides::Plane plane;   ///< computed when it was made
   };
 
-  /// Begins with the four points of a simplex of three dimensions, 3 behind 0, 1, 2.
+  /// Starts with a tetrahedron: point 3 is behind 0, 1, 2.
   GrowingHull(const Sides& sides, const std::array<int, 4>& s, int point_count)
       : sides_(sides),
         next_waiting_(static_cast<std::size_t>(point_count), -1),
@@ -50,11 +50,11 @@ class GrowingHull {
     for (const int corner : s) stands_for_[static_cast<std::size_t>(corner)] = corner;
   }
 
-  /// All triangles that were ever made; those that are not alive have been removed.
+  /// All triangles; those that are not alive have been removed.
   const std::vector<Triangle>& all() const { return triangles_; }
   /// Whether the horizon failed to be one ring.
   bool stuck() const { return stuck_; }
-  /// The triangle that waiting point p sees, or −1 if it waits no more.
+  /// The triangle in whose conflict list point p is, or −1 if it is in none.
   int sees(int p) const { return sees_[static_cast<std::size_t>(p)]; }
 
   /// On which side of a triangle point p is.
@@ -62,8 +62,8 @@ class GrowingHull {
     return sides_.side(t.plane, t.corner[0], t.corner[1], t.corner[2], p);
   }
 
-  /// Lets point p wait at one of these triangles that it sees, if there is one.
-  /// @return whether there is
+  /// Puts point p into the conflict list of the first of these triangles that it sees.
+  /// @return whether it sees one
   template <class Triangles>
   bool wait(int p, const Triangles& candidates) {
     for (const int t : candidates) {
@@ -78,14 +78,14 @@ class GrowingHull {
     return false;
   }
 
-  // [add]
-  /// Adds point p, which sees triangle `seen`: what p sees is removed, and the horizon is joined to
-  /// p. Points that waited at a triangle that is gone wait at a new one, or are inside.
-  /// @param dropped dropped(p, q) is called for a point q that waited and is in the new hull now:
-  /// it
-  ///   may be equal to p
+  /// Adds point p, which sees triangle `seen`: removes the triangles that p sees and connects the
+  /// horizon to p. Points in the conflict list of a removed triangle move to that of a new one, or
+  /// are dropped if they see none.
+  /// @param dropped dropped(p, q) is called for each point q that is dropped because it is in the
+  ///   new hull; it may be equal to p
   template <class Dropped>
   void add(int p, int seen, const Dropped& dropped) {
+    // [add-triangles]
     find_horizon(p, seen);
     if (stuck_) return;
     const std::size_t size = horizon_.size();
@@ -96,9 +96,10 @@ class GrowingHull {
       triangle.neighbour[1] = made_[(i + 1) % size];
       triangle.neighbour[2] = made_[(i + size - 1) % size];
     }
+    // [/add-triangles]
     sees_[static_cast<std::size_t>(p)] = -1;
     stands_for_[static_cast<std::size_t>(p)] = p;
-    // Of a few new triangles each is asked: that is no more than so many steps, and quicker.
+    // A few new triangles are tested in turn, which is faster than walking.
     const bool few = size <= few_triangles;
     for (const int gone : removed_) {
       int q = triangles_[static_cast<std::size_t>(gone)].first_waiting;
@@ -111,16 +112,17 @@ class GrowingHull {
     free_.insert(free_.end(), removed_.begin(), removed_.end());
   }
 
-  /// Lets point q, which sees removed triangle `gone`, wait at one of the triangles just made that
-  /// it sees, if there is one: found on a walk over the removed triangles that q sees, whose length
-  /// does not depend on how many were made.
+  /// Puts point q, which sees the removed triangle `gone`, into the conflict list of a new triangle
+  /// that it sees, if there is one. A walk over the removed triangles that q sees finds it; the
+  /// length of the walk does not depend on the number of new triangles.
   ///
-  /// Why the walk finds one: what q saw of the old hull is one patch. If it reaches beyond the
-  /// horizon, q saw both triangles at the edge where the walk first gets there, and so it sees the
-  /// new one at that edge, whose plane lies between theirs. If it does not, the walk comes to every
-  /// triangle that q saw; and q can see the new triangle of an edge only if it saw one of the two
-  /// there.
+  /// The walk finds one if there is one: the triangles that q saw on the old hull form one
+  /// connected patch. If the patch extends beyond the horizon, the walk reaches a horizon edge
+  /// where q saw both triangles. So q sees the new triangle there, whose plane lies between theirs.
+  /// If it does not, the walk reaches every triangle that q saw, and q can see the new triangle of
+  /// an edge only if it saw one of the two old ones there.
   /// @return whether there is one
+  // [walk]
   bool wait_beyond(int q, int gone) {
     walk_.assign(1, gone);
     triangles_[static_cast<std::size_t>(gone)].walked_by = q;
@@ -130,7 +132,7 @@ class GrowingHull {
       for (std::size_t i = 0; i < 3; ++i) {
         const int beyond = here.neighbour[i];
         Triangle& other = triangles_[static_cast<std::size_t>(beyond)];
-        if (other.alive) {  // the horizon: across the edge there is a new triangle now
+        if (other.alive) {  // a horizon edge: its other triangle is now a new one
           const int back = edge_to(other, here.corner[(i + 1) % 3]);
           if (wait(q, std::array{other.neighbour[static_cast<std::size_t>(back)]})) {
             walk_.clear();
@@ -145,22 +147,22 @@ class GrowingHull {
     sees_[static_cast<std::size_t>(q)] = -1;
     return false;
   }
-  // [/add]
+  // [/walk]
 
-  /// So many new triangles are asked in turn; among more, `wait_beyond` walks.
+  /// Up to this many new triangles are tested in turn; with more, `wait_beyond` walks.
   static constexpr std::size_t few_triangles = 16;
 
-  /// The triangles that the last search removed.
+  /// The triangles that the last call of `add` removed.
   const std::vector<int>& removed() const { return removed_; }
-  /// The triangles that took their place, in order round the horizon.
+  /// The triangles that replaced them, in the order of the horizon.
   const std::vector<int>& made() const { return made_; }
 
-  /// Makes `index` the one that is told for point p.
+  /// Reports point p as `index`.
   void stand_for(int p, int index) { stands_for_[static_cast<std::size_t>(p)] = index; }
 
   // [finish]
-  /// The hull: triangles of one plane joined into one face, and corners that are on an edge or
-  /// within a face left out. `name(p)` is what stands in the result for point p.
+  /// The hull: coplanar neighbours are joined into one face, and points on an edge or in the
+  /// interior of a face are left out. `name(p)` is the index that the result has for point p.
   template <class Name>
   Hull finish(const Name& name) {
     Hull hull;
@@ -172,7 +174,7 @@ class GrowingHull {
       const int back = edge_to(other, t.corner[static_cast<std::size_t>((i + 1) % 3)]);
       return side(t, other.corner[static_cast<std::size_t>((back + 2) % 3)]) == 0;
     };
-    // Bit i: across edge i the surface goes on in the same plane.
+    // Bit i: the neighbour across edge i is coplanar.
     std::vector<std::uint8_t> flat(triangles_.size(), 0);
     std::vector<int> ways(stands_for_.size(), 0);  // boundary edges that start at a point
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
@@ -181,7 +183,7 @@ class GrowingHull {
       for (int i = 0; i < 3; ++i) {
         const auto other = triangle.neighbour[static_cast<std::size_t>(i)];
         bool is_flat = false;
-        if (static_cast<std::size_t>(other) < t) {  // asked from the other side already
+        if (static_cast<std::size_t>(other) < t) {  // tested already, as the neighbour's edge
           const Triangle& there = triangles_[static_cast<std::size_t>(other)];
           const int back = edge_to(there, triangle.corner[static_cast<std::size_t>((i + 1) % 3)]);
           is_flat = (flat[static_cast<std::size_t>(other)] >> back & 1) != 0;
@@ -195,7 +197,7 @@ class GrowingHull {
         }
       }
     }
-    // Walk round each face along the edges that are not flat.
+    // Walk round each face along its boundary edges.
     std::vector<std::uint8_t> done(triangles_.size(), 0);
     std::vector<int> polygon;
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
@@ -208,10 +210,10 @@ class GrowingHull {
         do {
           done[at] = static_cast<std::uint8_t>(done[at] | 1 << edge);
           const int corner = triangles_[at].corner[static_cast<std::size_t>(edge)];
-          // Two ways from a point are the two of one edge: it lies on that.
+          // If only two boundary edges start at a point, it lies on an edge of the hull.
           if (ways[static_cast<std::size_t>(corner)] > 2) polygon.push_back(name(corner));
           edge = (edge + 1) % 3;
-          // Rounded sides may have folded the surface, so that a corner's triangles are no ring.
+          // After rounded decisions the triangles at a vertex may form no ring.
           std::size_t turns = 0;
           while (flat[at] >> edge & 1) {
             if (++turns > triangles_.size()) {
@@ -235,11 +237,11 @@ class GrowingHull {
   }
   // [/finish]
 
-  /// What was told to stand for point p.
+  /// The index that is reported for point p.
   int standing_for(int p) const { return stands_for_[static_cast<std::size_t>(p)]; }
 
  private:
-  /// A horizon edge: edge `index` of removed triangle `inner`, seen from there.
+  /// A horizon edge, directed as in the removed triangle, and the kept triangle beyond it.
   struct Edge {
     int from, to, outer, outer_edge;
   };
@@ -280,16 +282,16 @@ class GrowingHull {
     return index;
   }
 
-  /// The edge of a triangle that starts at this corner.
+  /// The edge of a triangle that starts at this vertex.
   static int edge_to(const Triangle& triangle, int corner) {
     return triangle.corner[0] == corner ? 0 : triangle.corner[1] == corner ? 1 : 2;
   }
 
   // [horizon]
-  /// Walks over all triangles that p sees, depth first and each time round in order: so the edges
-  /// beyond which p sees nothing come out in order too, as one ring.
+  /// Visits all triangles that p sees, depth first, and the edges of each in order, so the horizon
+  /// edges are found in order, as one ring.
   void find_horizon(int p, int seen) {
-    search_ += 2;  // marked == search_: seen; search_ + 1: asked and not seen
+    search_ += 2;  // marked == search_: seen; search_ + 1: tested and not seen
     horizon_.clear();
     removed_.clear();
     const auto enter = [this](int t, int edge, int left) {
@@ -324,7 +326,7 @@ class GrowingHull {
       }
       horizon_.push_back({triangle.corner[edge], to, beyond, back});
     }
-    // With exact sides this is never so.
+    // This cannot happen with exact decisions.
     if (horizon_.size() < 3) stuck_ = true;
     for (std::size_t i = 0; i < horizon_.size() && !stuck_; ++i) {
       stuck_ = horizon_[i].to != horizon_[(i + 1) % horizon_.size()].from;
@@ -336,7 +338,7 @@ class GrowingHull {
   // [/horizon]
 };
 
-/// The same order of numbers on every machine (splitmix64), to shuffle with.
+/// Pseudo-random numbers for the shuffle, the same on every machine (splitmix64).
 class HullShuffle {
  public:
   /// 64 random bits.
@@ -354,11 +356,11 @@ class HullShuffle {
 };
 
 // [convex-hull-with]
-/// The hull by random increments, with the sides that `Sides` decides.
+/// The hull by the randomised incremental algorithm, with the orientation predicate `Sides`.
 template <SideTest Sides, class... Arguments>
 Hull convex_hull_with(const std::vector<Vector3<double>>& points, Arguments... arguments) {
   require_finite_points(points);
-  // In random order, and copied so: then what is used together lies together.
+  // The points are copied in random order, so that points used together are close in memory.
   std::vector<int> order(points.size());
   std::iota(order.begin(), order.end(), 0);
   HullShuffle random;
@@ -373,7 +375,7 @@ Hull convex_hull_with(const std::vector<Vector3<double>>& points, Arguments... a
   const int n = static_cast<int>(points.size());
   GrowingHull<Sides> hull(sides, simplex.points, n);
 
-  // Of equal points the one with the least index is told.
+  // Of equal points the one with the least index is reported.
   std::vector<int> name = order;
   const auto dropped = [&](int p, int q) {
     const auto at = [&shuffled](int i) { return shuffled[static_cast<std::size_t>(i)]; };
@@ -395,18 +397,18 @@ Hull convex_hull_with(const std::vector<Vector3<double>>& points, Arguments... a
 // [convex-hull]
 /// The convex hull of points in space, with every decision exact.
 ///
-/// Every point is on or inside it, every face is a convex polygon, and all of one plane is one
-/// face; `Hull` says what comes back for points in a plane, on a line, all equal, or none.
+/// Every point is on or inside it, every face is a convex polygon, and each plane has at most one
+/// face. `Hull` says what is returned for points in a plane, on a line, all equal, or none.
 ///
 /// @param points m, any number, any scale; throws std::invalid_argument unless all are finite
 ///
-/// Limits: exact for every finite input; fewer than 2^29 points. For points in a random order, no
-/// four of them in one plane, the expected time is O(n log n). The order is shuffled, but the same
-/// each time: who knows it can make points for which it is bad.
+/// Limits: exact for every finite input; fewer than 2^29 points. The expected time is O(n log n)
+/// for points in random order, no four of them coplanar. The order is shuffled, but with a fixed
+/// seed: an attacker who knows it can construct points for which it is bad.
 ///
 /// Source: Clarkson and Shor, Applications of Random Sampling in Computational Geometry II, 1989,
-/// who keep for each point all triangles that it sees; that one is enough to wait at is from
-/// Barber, Dobkin and Huhdanpaa, The Quickhull Algorithm for Convex Hulls, 1996.
+/// who keep for each point all triangles that it sees. Barber, Dobkin and Huhdanpaa, The Quickhull
+/// Algorithm for Convex Hulls, 1996, show that one conflict list per point is enough.
 inline Hull convex_hull(const std::vector<Vector3<double>>& points) {
   return convex_hull_with<ExactSides>(points);
 }

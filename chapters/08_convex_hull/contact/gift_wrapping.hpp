@@ -1,6 +1,6 @@
 /// @file
-/// Gift wrapping: a hull found face by face, each folded over an edge of the one before. As the
-/// lecture gives it, by angles, and mended, by orientation.
+/// Gift wrapping: a hull found face by face, each folded over an edge of the one before. Once as
+/// the lecture gives it, by angles, and once repaired, by orientation tests.
 #pragma once
 
 #include <algorithm>
@@ -18,18 +18,18 @@ namespace contact {
 /// What "the angle with the plane" means.
 enum class FoldAngle {
   unsigned_,  ///< between two planes, 0 to 90°: as the words of the slide have it
-  signed_     ///< how far the paper turns over the edge, 0 to 180°
+  signed_     ///< by how much the paper turns about the edge, 0 to 180°
 };
 
-/// What wrapping by angles gave.
+/// The result of wrapping by angles.
 struct Wrapping {
   std::vector<std::array<int, 3>> triangles;  ///< three points each
   bool closed = false;  ///< every edge is shared by two triangles, once in each direction
 };
 
-/// A number that grows with the angle whose sine (not negative) and cosine these are, times any
-/// size: 0 for 0°, 1 for 90°, 2 for 180°. It compares as the angle does, without an arctangent, and
-/// so the same everywhere.
+/// A monotonic function of an angle, from its sine (not negative) and cosine times a common
+/// positive factor: 0 for 0°, 1 for 90°, 2 for 180°. It compares as the angle does but needs no
+/// arctangent, so it gives the same result on every machine.
 template <Scalar S>
 S angle_rank(const S& sine, const S& cosine) {
   return S(1) - cosine / (sine + (cosine < S(0) ? -cosine : cosine));
@@ -39,11 +39,11 @@ S angle_rank(const S& sine, const S& cosine) {
 /// The lecture's five steps, in the arithmetic of S: highest vertex, edge of least angle with the
 /// horizontal plane, first triangle, then over each unmatched edge the vertex of least angle.
 ///
-/// Of equal angles the first one counts, as a plain loop has it, and a point equal to the highest
-/// is passed over. It stops when a triangle meets an edge that is taken, or after 2n triangles:
-/// then `closed` is false.
+/// Of equal angles the first one counts, as in a plain loop, and a point equal to the highest is
+/// skipped. The method stops with `closed` false if a triangle needs an edge that another triangle
+/// has, or after 2n triangles.
 ///
-/// @param points m; the first three steps need three of them that are not on a line
+/// @param points m; the first three steps need three of them that are not collinear
 ///
 /// Limits: right in general position with signed angles, within rounding. Wrong with unsigned ones,
 /// and where several points share the least angle (coplanar, collinear, equal).
@@ -58,7 +58,7 @@ Wrapping wrap_by_angles(const std::vector<Vector3<double>>& points, FoldAngle fo
   };
   Wrapping result;
   if (n < 4) return result;
-  // The point for which `angle` is least; what is not a number never is.
+  // The point with the least `angle`; a NaN is never the least.
   const auto least = [n](const auto& angle) {
     int best = -1;
     S smallest = S(0);
@@ -80,7 +80,7 @@ Wrapping wrap_by_angles(const std::vector<Vector3<double>>& points, FoldAngle fo
     if (d == Vector3<S>::Zero()) return none;
     return angle_rank<S>(-d.z(), sqrt(d.x() * d.x() + d.y() * d.y()));
   });
-  // How far the triangle over the edge a, b to point i turns away from the plane with this normal.
+  // The angle between the triangle a, b, i and the plane with this normal.
   const auto angle_over = [&](int a, int b, int i, const Vector3<S>& normal) {
     if (i == a || i == b) return none;
     const Vector3<S> turned = (at(b) - at(a)).cross(at(i) - at(a));
@@ -142,20 +142,19 @@ Wrapping wrap_by_angles(const std::vector<Vector3<double>>& points, FoldAngle fo
 }
 // [/by-angles]
 
-// [wrap]
-/// Gift wrapping with whole faces and with orientation in the place of angles.
+/// Gift wrapping with whole faces, and with orientation tests instead of angles.
 ///
-/// It starts at the lexicographically highest point (z, then x, then y), which is a corner whatever
-/// ties there are, and at a face found by turning a plane round it. Over each unmatched edge it
-/// turns a plane until no point is in front; every point in that plane belongs to the face, whose
-/// corners are the hull of these points in two dimensions.
+/// It starts at the lexicographically highest point (z, then x, then y), which is a vertex even if
+/// there are ties, with a face found by turning a plane about it. Over each unmatched edge it turns
+/// a plane until no point is in front; every point in that plane belongs to the face, whose
+/// vertices are the hull of these points in two dimensions.
 ///
-/// With exact sides the answer is that of `convex_hull`. With rounded ones it may get stuck: then
-/// `closed` is false.
+/// With exact decisions the result is that of `convex_hull`. With rounded ones it may get stuck:
+/// then `closed` is false.
 ///
 /// @param points m; throws std::invalid_argument unless all are finite
 ///
-/// Limits: 2n side tests for each face of the hull, so O(n h) with h corners.
+/// Limits: 2n orientation tests for each face of the hull, so O(n h) with h vertices.
 ///
 /// Source: Chand and Kapur, An Algorithm for Convex Polytopes, 1970.
 template <SideTest Sides, class... Arguments>
@@ -171,7 +170,8 @@ Hull gift_wrap_with(const std::vector<Vector3<double>>& points, Arguments... arg
   Hull hull;
   hull.dimension = 3;
 
-  // Turns the plane through a, b and c forward until nothing is in front of it.
+  // [wrap-turn]
+  // Turns the plane through a, b and c about the edge a, b until no point is in front of it.
   const auto turn_forward = [&](int a, int b, int c) {
     typename Sides::Plane plane = sides.plane(a, b, c);
     for (int i = 0; i < n; ++i) {
@@ -181,7 +181,7 @@ Hull gift_wrap_with(const std::vector<Vector3<double>>& points, Arguments... arg
     }
     return c;
   };
-  // All points of the plane a, b, c, as a polygon.
+  // The face in the plane a, b, c: the hull of all points of that plane.
   const auto face_of = [&](int a, int b, int c) {
     const typename Sides::Plane plane = sides.plane(a, b, c);
     std::vector<int> flat;
@@ -190,20 +190,22 @@ Hull gift_wrap_with(const std::vector<Vector3<double>>& points, Arguments... arg
     }
     return hull_in_plane(points, flat, a, b, c);
   };
+  // [/wrap-turn]
   const auto off_line = [&](int a, int b) {
     int c = 0;
     while (c < n && on_one_line(at(a), at(b), at(c))) ++c;
     return c;
   };
 
-  // The highest point; of ties the one with the largest x, then y.
+  // [wrap-start]
+  // The highest point; of ties the one with the greatest x, then y.
   int top = 0;
   for (int i = 1; i < n; ++i) {
     const auto key = [&at](int k) { return std::array{at(k).z(), at(k).x(), at(k).y()}; };
     if (key(top) < key(i)) top = i;
   }
-  // Seen along y it is a corner of the flat hull too: the edge from there is a plane with nothing
-  // in front.
+  // Projected along y it is a vertex of the projected hull. The edge of that hull that starts there
+  // is a plane with no point in front.
   std::vector<Vector2<double>> side_view;
   for (const Vector3<double>& p : points) side_view.emplace_back(p.z(), p.x());
   int second = -1;
@@ -215,7 +217,7 @@ Hull gift_wrap_with(const std::vector<Vector3<double>>& points, Arguments... arg
       continue;
     }
     const int side = side_of_line(flat(top), flat(second), flat(i));
-    // Of those on one line any will do.
+    // Of collinear points any will do.
     if (side > 0) second = i;
   }
   std::vector<int> on_plane;
@@ -223,8 +225,8 @@ Hull gift_wrap_with(const std::vector<Vector3<double>>& points, Arguments... arg
     const auto flat = [&](int k) { return side_view[static_cast<std::size_t>(k)]; };
     if (side_of_line(flat(top), flat(second), flat(i)) == 0) on_plane.push_back(i);
   }
-  // An extreme pair of that plane is an edge if all its points are on one line; else its polygon
-  // has edges.
+  // If all points of that plane are collinear, the two ends are an edge; otherwise the polygon has
+  // edges.
   std::vector<Vector3<double>> in_plane;
   for (const int i : on_plane) in_plane.push_back(at(i));
   const Hull start = flat_hull(in_plane, first_simplex(in_plane));
@@ -232,8 +234,10 @@ Hull gift_wrap_with(const std::vector<Vector3<double>>& points, Arguments... arg
   const int a = named(start.dimension == 2 ? start.corners[0] : start.vertices[0]);
   const int b = named(start.dimension == 2 ? start.corners[1] : start.vertices[1]);
   const int c = turn_forward(a, b, off_line(a, b));
+  // [/wrap-start]
 
-  std::map<std::pair<int, int>, int> inner;  // for each directed edge another corner of its face
+  // [wrap-loop]
+  std::map<std::pair<int, int>, int> inner;  // for each directed edge another vertex of its face
   std::vector<std::pair<int, int>> unmatched;
   const auto add = [&](const std::vector<int>& polygon) {
     if (polygon.size() < 3) hull.closed = false;
@@ -248,11 +252,12 @@ Hull gift_wrap_with(const std::vector<Vector3<double>>& points, Arguments... arg
   for (std::size_t next = 0; next < unmatched.size() && hull.closed; ++next) {
     const auto [from, to] = unmatched[next];
     if (inner.contains({to, from})) continue;
-    // Behind the face there is a point, so the paper folded right back turns away from it.
+    // Start with the plane of the known face, reversed: all other points are in front of it.
     const int third = turn_forward(to, from, inner.at({from, to}));
     add(face_of(to, from, third));
     if (!inner.contains({to, from})) hull.closed = false;
   }
+  // [/wrap-loop]
   collect_vertices(hull);
   return hull;
 }
@@ -261,6 +266,5 @@ Hull gift_wrap_with(const std::vector<Vector3<double>>& points, Arguments... arg
 inline Hull gift_wrap(const std::vector<Vector3<double>>& points) {
   return gift_wrap_with<ExactSides>(points);
 }
-// [/wrap]
 
 }  // namespace contact

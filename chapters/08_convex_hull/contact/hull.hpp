@@ -1,5 +1,5 @@
 /// @file
-/// What a convex hull is: its corners and its faces, for input of any dimension.
+/// A convex hull as vertices and faces, for input of any dimension.
 #pragma once
 
 #include <algorithm>
@@ -25,26 +25,26 @@ namespace contact {
 /// | −1 | none | none | none |
 /// | 0 | all equal | one | none |
 /// | 1 | on a line | the two ends | none |
-/// | 2 | in a plane | the corners of a convex polygon | two: that polygon from either side |
-/// | 3 | none of these | the corners of a polyhedron | its faces |
+/// | 2 | in a plane | the vertices of a convex polygon | two: that polygon from either side |
+/// | 3 | none of these | the vertices of a polyhedron | its faces |
 ///
-/// A face is a convex polygon, and all that lies in one plane is one face. Its corners run
-/// counter-clockwise as seen from outside. No corner lies on an edge or within a face. Of equal
-/// points the first one stands for all. For 2 and 3 dimensions Euler's formula holds: corners −
-/// edges + faces = 2, where the number of edges is half that of the corners of all faces.
+/// A face is a convex polygon; coplanar triangles are joined into one face. Its vertices run
+/// counter-clockwise as seen from outside. No vertex lies on an edge or in the interior of a face.
+/// Of equal points the first one represents all. For 2 and 3 dimensions Euler's formula holds:
+/// vertices − edges + faces = 2, where the number of edges is half the length of `corners`.
 struct Hull {
-  int dimension = -1;         ///< of what the points span, from -1 to 3
+  int dimension = -1;         ///< of the affine hull of the points, from -1 to 3
   std::vector<int> vertices;  ///< in increasing order
-  std::vector<int> corners;   ///< of all faces, one face after the other
-  std::vector<int> starts;    ///< where each face begins in `corners`, and at last where it ends
-  /// False if a method of rounded decisions got stuck: then the faces do not close.
+  std::vector<int> corners;   ///< the vertices of all faces, one face after the other
+  std::vector<int> starts;    ///< where each face begins in `corners`, then where the last one ends
+  /// False if a method with rounded decisions got stuck: then the faces do not close.
   bool closed = true;
 
-  /// How many faces there are.
+  /// The number of faces.
   int face_count() const { return starts.empty() ? 0 : static_cast<int>(starts.size()) - 1; }
-  /// How many edges there are.
+  /// The number of edges.
   int edge_count() const { return static_cast<int>(corners.size() / 2); }
-  /// The corners of face i, counter-clockwise from outside.
+  /// The vertices of face i, counter-clockwise from outside.
   std::span<const int> face(int i) const {
     const auto at = static_cast<std::size_t>(i);
     return std::span<const int>(corners).subspan(
@@ -60,7 +60,7 @@ struct Hull {
 };
 // [/hull]
 
-/// The faces cut into triangles, each by diagonals from its first corner.
+/// The faces cut into triangles, each by diagonals from its first vertex.
 inline std::vector<std::array<int, 3>> triangles(const Hull& hull) {
   std::vector<std::array<int, 3>> all;
   for (int f = 0; f < hull.face_count(); ++f) {
@@ -72,22 +72,23 @@ inline std::vector<std::array<int, 3>> triangles(const Hull& hull) {
   return all;
 }
 
-/// Fills `vertices` with the corners of the faces.
+/// Fills `vertices` from the faces.
 inline void collect_vertices(Hull& hull) {
   hull.vertices = hull.corners;
   std::sort(hull.vertices.begin(), hull.vertices.end());
   hull.vertices.erase(std::unique(hull.vertices.begin(), hull.vertices.end()), hull.vertices.end());
 }
 
-/// Four points that are not in one plane, or fewer if there are none: the dimension that the points
-/// span, and `dimension + 1` of them. For 3 dimensions point 3 is behind the triangle of the
-/// others.
+/// The dimension of the affine hull of the points, and `dimension + 1` of the points that span it:
+/// four that are not coplanar, or fewer if there are none. For 3 dimensions point 3 is behind the
+/// triangle of the others.
 struct Simplex {
   int dimension = -1;                     ///< from -1 to 3
   std::array<int, 4> points{0, 0, 0, 0};  ///< the first `dimension + 1` count
 };
 
-/// A large simplex of the points, found exactly: far points are tried first, all if those fail.
+/// A large simplex of the points, found exactly: distant points are tried first, and all points if
+/// those are degenerate.
 inline Simplex first_simplex(const std::vector<Vector3<double>>& points) {
   Simplex simplex;
   if (points.empty()) return simplex;
@@ -99,7 +100,7 @@ inline Simplex first_simplex(const std::vector<Vector3<double>>& points) {
   int& b = simplex.points[1];
   int& c = simplex.points[2];
   int& d = simplex.points[3];
-  // The candidate with the largest rounded size; if that one is degenerate, the first that is not.
+  // The candidate with the greatest rounded size; if that is degenerate, the first that is not.
   const auto choose = [n](const auto& size, const auto& fits) {
     int best = 0;
     double largest = -1;
@@ -137,8 +138,8 @@ inline Simplex first_simplex(const std::vector<Vector3<double>>& points) {
   return simplex;
 }
 
-/// The corners of the hull of some points that lie in the plane of a, b and c, counter-clockwise
-/// from where that triangle is seen so. Exact. Of equal points the first stands for all.
+/// The vertices of the hull of some points of the plane a, b, c, in the sense of rotation of that
+/// triangle. Exact. Of equal points the first one represents all.
 inline std::vector<int> hull_in_plane(const std::vector<Vector3<double>>& points,
                                       const std::vector<int>& chosen, int a, int b, int c) {
   const auto at = [&points](int i) -> const Vector3<double>& {
@@ -187,8 +188,9 @@ inline Hull flat_hull(const std::vector<Vector3<double>>& points, const Simplex&
   return hull;
 }
 
-/// What decides in a hull: side(plane, a, b, c, d) is +1 if point d is in front of the triangle of
-/// the points a, b, c, −1 behind and 0 in its plane; `plane` is what was worked out before.
+/// The decisions of a hull: side(plane, a, b, c, d) is +1 if point d is in front of the triangle of
+/// the points a, b, c, −1 if it is behind and 0 if it is in the plane; `plane` is what was computed
+/// in advance for that triangle.
 template <class T>
 concept SideTest = requires(const T test, int i) {
   typename T::Plane;
@@ -197,22 +199,22 @@ concept SideTest = requires(const T test, int i) {
 };
 
 // [exact-sides]
-/// Exact sides, with one filter a plane: the normal is computed once, with a bound on the error for
-/// all points of the set.
+/// Exact orientation, with one filter per plane: the normal is computed once, with a bound on the
+/// error for all points of the set.
 ///
-/// The bound is that of `bounded_volume`, with the width of the set in the place of |p_i|. Rounding
-/// keeps order, so the computed |p_i| is at most the computed width, and each step of the bound is
-/// at least that of one point.
+/// The bound is that of `bounded_volume`, with the width of the set instead of |p_i|. Rounding is
+/// monotonic, so the computed |p_i| is at most the computed width, and each step of the bound is at
+/// least that of one point.
 class ExactSides {
  public:
-  /// A plane, its normal as rounded, and how far n·(p − at) may be from exact.
+  /// A plane: its rounded normal n, and a bound on the error of n·(p − at).
   struct Plane {
     Vector3<double> normal;  ///< not normalised
     Vector3<double> at;      ///< a point of the plane
     double bound;            ///< on the error of n·(p − at), for every point of the set
   };
 
-  /// @param points must stay where they are, and be finite
+  /// @param points finite; must neither move in memory nor change while this object is used
   explicit ExactSides(const std::vector<Vector3<double>>& points)
       : points_(points.data()), width_(0, 0, 0) {
     if (points.empty()) return;
@@ -241,7 +243,7 @@ class ExactSides {
     return plane;
   }
 
-  /// +1 if point d is in front of the points a, b, c, −1 behind, 0 exactly in their plane.
+  /// +1 if point d is in front of the plane a, b, c, −1 behind, 0 exactly in it.
   int side(const Plane& plane, int a, int b, int c, int d) const {
     const Vector3<double> p = at(d) - plane.at;
     const double value = p[0] * plane.normal[0] + p[1] * plane.normal[1] + p[2] * plane.normal[2];
@@ -258,12 +260,12 @@ class ExactSides {
 };
 // [/exact-sides]
 
-/// Sides by exact arithmetic from the start.
+/// Exact orientation without a filter.
 class UnfilteredSides {
  public:
-  /// Nothing is worked out beforehand.
+  /// Nothing is computed in advance.
   struct Plane {};
-  /// @param points must stay where they are, and be finite
+  /// @param points finite; must neither move in memory nor change while this object is used
   explicit UnfilteredSides(const std::vector<Vector3<double>>& points) : points_(points.data()) {}
   /// Nothing.
   Plane plane(int, int, int) const { return {}; }
@@ -277,8 +279,8 @@ class UnfilteredSides {
 };
 
 // [rounded-sides]
-/// Sides as the scalar rounds them. With an epsilon, what is nearer to the plane than that (in m)
-/// counts as in it. For comparison: these decisions contradict each other near zero.
+/// Orientation as the scalar rounds it. With an epsilon, points nearer to the plane than that (in
+/// m) count as in it. For comparison only: these decisions contradict each other near zero.
 template <Scalar S>
 class RoundedSides {
  public:
@@ -305,7 +307,7 @@ class RoundedSides {
   }
   /// +1 in front, −1 behind, 0 in the plane, as rounded.
   int side(const Plane& plane, int a, int b, int c, int d) const {
-    if (d == a || d == b || d == c) return 0;  // rounded, a corner may be off its own plane
+    if (d == a || d == b || d == c) return 0;  // rounded, a vertex may be off its own plane
     const S value = plane.normal.dot(at(d) - plane.at);
     return value > epsilon_ ? 1 : (value < -epsilon_ ? -1 : 0);
   }

@@ -14,13 +14,14 @@
 namespace contact {
 
 // [monotone-chain]
-/// The corners of the hull of the points, by index, counter-clockwise from the one with the least x
-/// (and the least y of those), by Andrew's monotone chain.
+/// The vertices of the hull of the points, by index, counter-clockwise from the one with the least
+/// x (and of those the least y), by Andrew's monotone chain.
 ///
-/// What decides is passed in: `turn(i, j, k)` is positive if the way over the points i, j, k turns
-/// left, and 0 if it goes straight on. Points where the way goes straight on are no corners.
+/// The orientation predicate is a parameter: `turn(i, j, k)` is positive if the path over the
+/// points i, j, k turns left, and 0 if it is straight. Points at which it is straight are no
+/// vertices.
 ///
-/// @param points m; of equal points the first one stands for all
+/// @param points m; of equal points the first one represents all
 template <Ring S, class Turn>
 std::vector<int> monotone_chain(const std::vector<Vector2<S>>& points, const Turn& turn) {
   const auto at = [&points](int i) -> const Vector2<S>& {
@@ -65,11 +66,11 @@ void require_finite_points(const std::vector<Eigen::Matrix<double, Size, 1>>& po
 }
 
 // [convex-hull-2d]
-/// The corners of the convex hull, by index, counter-clockwise, with every decision exact.
+/// The vertices of the convex hull, by index, counter-clockwise, with every decision exact.
 ///
-/// The first corner is the one with the least x, and the least y of those. A point on an edge, or
-/// equal to an earlier one, is no corner. No points give no corners; points that are all equal give
-/// one, the first; points on a line give its two ends.
+/// The first vertex is the one with the least x, and of those the least y. A point on an edge, or
+/// equal to an earlier one, is no vertex. No points give no vertices; points that are all equal
+/// give one, the first; points on a line give the two ends.
 ///
 /// @param points m, any number; throws std::invalid_argument unless all are finite
 ///
@@ -87,8 +88,8 @@ inline std::vector<int> convex_hull_2d(const std::vector<Vector2<double>>& point
 }
 // [/convex-hull-2d]
 
-/// The same with the orientation as the scalar rounds it, or within `epsilon` of zero counted as
-/// straight on. For comparison: corners may be lost, and what comes back may be no hull.
+/// The same with the orientation as the scalar rounds it; values within `epsilon` of zero count as
+/// straight. For comparison only: vertices may be lost, and the result may be no hull.
 template <Scalar S>
 std::vector<int> convex_hull_2d_rounded(const std::vector<Vector2<S>>& points, S epsilon = S(0)) {
   return monotone_chain(points, [&points, epsilon](int i, int j, int k) {

@@ -1,6 +1,6 @@
 /// @file
-/// On which side? The orientation of three points in the plane and of four points in space, with
-/// the right sign for every finite input.
+/// Orientation predicates: the orientation of three points in the plane and of four points in
+/// space, with the right sign for every finite input.
 #pragma once
 
 #include <array>
@@ -15,23 +15,21 @@
 
 namespace contact {
 
-// [rounded-2d]
-/// Twice the signed area of the triangle a, b, c, as the scalar rounds it: positive if the way from
-/// a over b to c turns left.
+/// Twice the signed area of the triangle a, b, c, as the scalar rounds it: positive if the path
+/// from a over b to c turns left.
 ///
-/// Limits: on rounded numbers the sign may be wrong where the three points are nearly on a line.
-/// With S = Exact it is exact.
+/// Limits: rounded, the sign may be wrong if the three points are nearly collinear. With S = Exact
+/// it is exact.
 template <Ring S>
 S turn(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& c) {
   return cross2<S>(b - a, c - a);
 }
-// [/rounded-2d]
 
-// [rounded-3d]
 /// Six times the signed volume of the tetrahedron a, b, c, d, as the scalar rounds it: positive if
-/// d is in front of the triangle a, b, c, where its corners are seen counter-clockwise.
+/// d is in front of the triangle a, b, c, where its vertices run counter-clockwise.
 ///
 /// Limits: as `turn`.
+// [rounded-3d]
 template <Ring S>
 S signed_volume(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c,
                 const Vector3<S>& d) {
@@ -45,7 +43,8 @@ namespace orientation_detail {
 /// −1, 0 or +1.
 inline int sign_of(double x) { return x > 0 ? 1 : (x < 0 ? -1 : 0); }
 
-/// A sum of doubles that do not overlap, least first, without zeros: its sign is that of the last.
+/// A floating-point expansion: a sum of doubles that do not overlap, in increasing order and
+/// without zeros. Its sign is that of the last one.
 template <std::size_t Capacity>
 struct Expansion {
   std::array<double, Capacity> part{};  ///< the doubles
@@ -72,15 +71,15 @@ void grow(Expansion<Capacity>& e, double x) {
   e.push(x);
 }
 
-/// Whether x − y has no rounding error, and what it is.
+/// Whether x − y has no rounding error, and its value.
 inline bool exact_difference(double x, double y, double& difference) {
   const WithError<double> sum = two_sum(x, -y);
   difference = sum.value;
   return sum.error == 0;
 }
 
-/// Whether products of three such numbers and their errors stay clear of overflow and of the
-/// smallest numbers: a whole multiple of 2^-352 below 2^300 each.
+/// Whether products of three such numbers and their errors neither overflow nor underflow: each is
+/// a whole multiple of 2^-352 below 2^300.
 inline bool moderate(double x) {
   const double size = std::abs(x);
   return x == 0 || (size >= 0x1p-300 && size <= 0x1p300);
@@ -88,8 +87,8 @@ inline bool moderate(double x) {
 
 }  // namespace orientation_detail
 
-/// The same sign as `side_of_line`, in exact arithmetic from the start: slow, and the measure of
-/// what the filter saves.
+/// The same sign as `side_of_line`, in exact arithmetic from the start: slow. It shows what the
+/// filter saves.
 inline int side_of_line_exactly(const Vector2<double>& a, const Vector2<double>& b,
                                 const Vector2<double>& c) {
   const auto exact = [](const Vector2<double>& v) {
@@ -107,14 +106,15 @@ inline int side_of_plane_exactly(const Vector3<double>& a, const Vector3<double>
   return signed_volume<Exact>(exact(a), exact(b), exact(c), exact(d)).sign();
 }
 
-// [filter-2d]
+// [filter-bound]
 /// `turn` in double with its error bound.
 ///
-/// The bound. Each product has two rounded differences and its own rounding, and the difference of
-/// the products is rounded once: four roundings a term, so |value − exact| ≤ γ₄ (|left| + |right|)
-/// for exact products. The computed magnitudes are at most γ₃ smaller, and their sum is rounded:
-/// 5u covers 4u/(1 − 4u)/(1 − γ₃)·(1 + u)². An underflow adds at most 2^-1074 for each product; the
-/// floor is far more. Overflow makes the bound infinite or NaN, and then no sign is certain.
+/// The bound: each product has two rounded differences and its own rounding, and the difference of
+/// the products is rounded once. These are four roundings a term, so |value − exact| ≤
+/// γ₄ (|left| + |right|) for exact products. The computed magnitudes are at most γ₃ smaller, and
+/// their sum is rounded: 5u covers 4u/(1 − 4u)/(1 − γ₃)·(1 + u)². Underflow adds at most 2^-1074
+/// for each product, far less than the constant 2^-1000. Overflow makes the bound infinite or NaN,
+/// and then no sign is certain.
 inline Bounded bounded_turn(const Vector2<double>& a, const Vector2<double>& b,
                             const Vector2<double>& c) {
   constexpr double five_u = 2.5 * std::numeric_limits<double>::epsilon();
@@ -122,17 +122,19 @@ inline Bounded bounded_turn(const Vector2<double>& a, const Vector2<double>& b,
   const double right = (b.y() - a.y()) * (c.x() - a.x());
   return {left - right, five_u * (std::abs(left) + std::abs(right)) + 0x1p-1000};
 }
+// [/filter-bound]
 
-/// On which side of the line from a to b the point c is: +1 left, −1 right, 0 exactly on it (or
-/// a = b).
+/// The orientation of three points: +1 if c is left of the line from a to b, −1 if it is right of
+/// it, 0 if it is exactly on it (or a = b).
 ///
-/// The sign is right for every finite input: a floating-point filter answers nearly always, exact
+/// The sign is right for every finite input: a floating-point filter decides most cases, and exact
 /// arithmetic the rest.
 ///
 /// @param a,b,c m, any scale; coordinates must be finite
 ///
 /// Source: Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
 /// Predicates, 1997, with the bound derived at `bounded_turn`.
+// [filter-2d]
 inline int side_of_line(const Vector2<double>& a, const Vector2<double>& b,
                         const Vector2<double>& c) {
   const int certain = bounded_turn(a, b, c).certain_sign();
@@ -140,12 +142,12 @@ inline int side_of_line(const Vector2<double>& a, const Vector2<double>& b,
 }
 // [/filter-2d]
 
-/// What the filter could not decide: on which side of the plane a, b, c the point d is.
+/// Decides what the filter could not: on which side of the plane a, b, c the point d is.
 ///
-/// If the nine differences have no rounding error (whole numbers, floats of like size), the
-/// determinant is summed as an expansion of doubles that do not overlap: two_product makes each
-/// product of two an exact pair, and of three at most four parts, so 24 parts in all. Otherwise, or
-/// at extreme scales, the exact type decides.
+/// If the nine differences have no rounding error (whole numbers, floats of similar size), the
+/// determinant is summed as a floating-point expansion: two_product makes each product of two
+/// numbers an exact pair, and each product of three at most four components, so there are at most
+/// 24. Otherwise, or at extreme scales, the exact type decides.
 inline int side_of_plane_in_doubt(const Vector3<double>& a, const Vector3<double>& b,
                                   const Vector3<double>& c, const Vector3<double>& d) {
   using namespace orientation_detail;
@@ -175,8 +177,9 @@ inline int side_of_plane_in_doubt(const Vector3<double>& a, const Vector3<double
 }
 
 // [filter-3d]
-/// On which side of the plane through a, b and c the point d is: +1 in front, where the corners are
-/// seen counter-clockwise, −1 behind, 0 exactly on it (or a, b, c on one line).
+/// The orientation of four points: +1 if d is in front of the plane through a, b and c, on the side
+/// from which they run counter-clockwise, −1 if it is behind, 0 if it is exactly on the plane (or
+/// a, b, c are collinear).
 ///
 /// The sign is right for every finite input.
 ///
@@ -191,7 +194,7 @@ inline int side_of_plane(const Vector3<double>& a, const Vector3<double>& b,
 }
 // [/filter-3d]
 
-/// Whether three points are exactly on one line (or two of them are one point).
+/// Whether three points are exactly collinear (or two of them are equal).
 inline bool on_one_line(const Vector3<double>& a, const Vector3<double>& b,
                         const Vector3<double>& c) {
   for (int k = 0; k < 3; ++k) {
@@ -203,13 +206,13 @@ inline bool on_one_line(const Vector3<double>& a, const Vector3<double>& b,
   return true;
 }
 
-/// A coordinate that may be dropped from points of the plane a, b, c without folding it, and the
-/// sign that the flat triangle then has; {0, 0} if they are on one line.
+/// A coordinate that can be dropped so that the projection of the plane a, b, c stays injective,
+/// and the orientation of the projected triangle; {0, 0} if the points are collinear.
 struct FlatView {
   int dropped = 0;  ///< 0, 1 or 2
-  int turn = 0;     ///< +1 if a, b, c turn left in the flat picture, −1 if right
+  int turn = 0;     ///< +1 if a, b, c turn left in the projection, −1 if right
 };
-/// Looks for that coordinate, exactly.
+/// Finds that coordinate, exactly.
 inline FlatView flat_view(const Vector3<double>& a, const Vector3<double>& b,
                           const Vector3<double>& c) {
   for (int k = 0; k < 3; ++k) {

@@ -1,4 +1,4 @@
-// What is counted: how often a hull is asked on which side of a plane a point is.
+// Counts the orientation tests of gift wrapping and of the incremental algorithm.
 #include <contact/convex_hull.hpp>
 #include <contact/gift_wrapping.hpp>
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 using Point = contact::Vector3<double>;
 
-/// Exact sides that count.
+/// Exact orientation, with a counter.
 class CountingSides : public contact::ExactSides {
  public:
   using ExactSides::ExactSides;
@@ -36,17 +36,17 @@ std::vector<Point> draw(int count, bool on_surface) {
 void count(const std::vector<Point>& points) {
   CountingSides::asked = 0;
   const contact::Hull hull = contact::convex_hull_with<CountingSides>(points);
-  const std::int64_t growing = CountingSides::asked;
+  const std::int64_t incremental = CountingSides::asked;
   CountingSides::asked = 0;
   contact::gift_wrap_with<CountingSides>(points);
   std::printf("%8zu %9zu %16lld %16lld\n", points.size(), hull.vertices.size(),
-              static_cast<long long>(CountingSides::asked), static_cast<long long>(growing));
+              static_cast<long long>(CountingSides::asked), static_cast<long long>(incremental));
 }
 
 int main() {
   for (const bool on_surface : {false, true}) {
     std::printf("%s\n%8s %9s %16s %16s\n", on_surface ? "on a sphere" : "in a ball", "points",
-                "corners", "wrapping asks", "growing asks");
+                "vertices", "wrapping", "incremental");
     for (const int n : {125, 500, 2000}) count(draw(n, on_surface));
   }
   std::printf("some on a sphere, the others within half of it\n");

@@ -1,4 +1,4 @@
-// The lecture's first rule on points with ties at the top, and the rule that mends it.
+// The lecture's first rule on points with ties at the top, and the rule that repairs it.
 #include <array>
 #include <contact/convex_hull.hpp>
 #include <cstdio>
@@ -19,10 +19,10 @@ int main() {
     if (key(i) > key(lexicographic)) lexicographic = i;
   }
   const auto report = [&](const char* rule, std::size_t i) {
-    bool corner = false;
-    for (const int v : hull.vertices) corner = corner || v == static_cast<int>(i);
+    bool vertex = false;
+    for (const int v : hull.vertices) vertex = vertex || v == static_cast<int>(i);
     std::printf("%-28s point %zu (%g, %g, %g): %s\n", rule, i, points[i].x(), points[i].y(),
-                points[i].z(), corner ? "a corner" : "no corner");
+                points[i].z(), vertex ? "a vertex" : "no vertex");
   };
   report("first of the highest:", highest);
   report("highest, then x, then y:", lexicographic);

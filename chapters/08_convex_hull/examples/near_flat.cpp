@@ -1,4 +1,4 @@
-// A sloping grid of tenths: flat to the eye, and not as stored.
+// A sloping grid of tenths, which looks flat and is not flat as stored.
 #include <contact/convex_hull.hpp>
 #include <contact/gift_wrapping.hpp>
 #include <cstdio>
@@ -13,16 +13,17 @@ int main() {
     }
   }
   const auto report = [](const char* method, const contact::Hull& hull) {
-    std::printf("%-24s %2zu corners, %2d faces, corners - edges + faces = %d%s\n", method,
+    std::printf("%-25s %2zu vertices, %2d faces, vertices - edges + faces = %d%s\n", method,
                 hull.vertices.size(), hull.face_count(),
                 static_cast<int>(hull.vertices.size()) - hull.edge_count() + hull.face_count(),
                 hull.closed ? "" : ", does not close");
   };
   using contact::RoundedSides;
   report("wrapping, double", contact::gift_wrap_with<RoundedSides<double>>(points));
-  report("growing, float", contact::convex_hull_with<RoundedSides<float>>(points));
-  report("growing, double", contact::convex_hull_with<RoundedSides<double>>(points));
-  report("growing, epsilon 1e-9", contact::convex_hull_with<RoundedSides<double>>(points, 1e-9));
+  report("incremental, float", contact::convex_hull_with<RoundedSides<float>>(points));
+  report("incremental, double", contact::convex_hull_with<RoundedSides<double>>(points));
+  report("incremental, epsilon 1e-9",
+         contact::convex_hull_with<RoundedSides<double>>(points, 1e-9));
   report("wrapping, exact", contact::gift_wrap(points));
-  report("growing, exact", contact::convex_hull(points));
+  report("incremental, exact", contact::convex_hull(points));
 }

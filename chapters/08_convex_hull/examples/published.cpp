@@ -1,4 +1,4 @@
-// Reports of hulls that went wrong, asked again: each in the type in which its numbers are parsed.
+// Published reports of wrong hulls, recomputed: each in the types in which its numbers may be read.
 #include <contact/convex_hull.hpp>
 #include <contact/hull_2d.hpp>
 #include <cstdio>
@@ -6,20 +6,20 @@
 
 template <class S>
 void bullet_262(const char* type) {
-  const S slant = static_cast<S>(1.414213562373095);
+  const S diagonal = static_cast<S>(1.414213562373095);
   const std::vector<contact::Vector3<S>> stored{
       {2, static_cast<S>(3.535533905932738), static_cast<S>(3.535533905932737)},
       {4, 2, 0},
       {0, 2, 0},
       {1, 0, 0},
-      {4, slant, slant},
-      {0, slant, slant},
+      {4, diagonal, diagonal},
+      {0, diagonal, diagonal},
       {3, 0, 0},
       {2, 5, 0}};
   std::vector<contact::Vector3<double>> points;
   for (const auto& p : stored) points.push_back(p.template cast<double>());
   const contact::Hull hull = contact::convex_hull(points);
-  std::printf("Bullet 262, as %s: %zu corners, %zu triangles, %d faces\n", type,
+  std::printf("Bullet 262, as %s: %zu vertices, %zu triangles, %d faces\n", type,
               hull.vertices.size(), contact::triangles(hull).size(), hull.face_count());
 }
 
@@ -34,7 +34,7 @@ void box2d_296(const char* type) {
   std::vector<contact::Vector2<double>> points;
   for (const auto& p : stored) points.push_back(p.template cast<double>());
   const double turn = contact::turn(points[3], points[4], points[0]);
-  std::printf("Box2D 296, as %s: cross product %.1e, %zu corners\n", type, turn,
+  std::printf("Box2D 296, as %s: cross product %.1e, %zu vertices\n", type, turn,
               contact::convex_hull_2d(points).size());
 }
 

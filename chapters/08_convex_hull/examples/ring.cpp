@@ -1,5 +1,5 @@
-// What it costs to find a triangle to wait at: by a walk, or by trying every new one. The points
-// are a ring, a few points above its middle, and one below.
+// The cost of moving points to new conflict lists: by a walk, or by testing every new triangle. The
+// points are a ring, a few points above its middle, and one below.
 #include <array>
 #include <cmath>
 #include <contact/convex_hull.hpp>
@@ -10,7 +10,7 @@
 
 using Point = contact::Vector3<double>;
 
-/// Exact sides that count.
+/// Exact orientation, with a counter.
 class CountingSides : public contact::ExactSides {
  public:
   using ExactSides::ExactSides;
@@ -24,7 +24,7 @@ class CountingSides : public contact::ExactSides {
 int main() {
   contact::HullShuffle random;
   const auto uniform = [&random] { return static_cast<double>(random.next() >> 11) * 0x1p-52 - 1; };
-  std::printf("%8s %20s %20s\n", "points", "growing, in all", "moves alone, in turn");
+  std::printf("%8s %20s %20s\n", "points", "all tests", "moves alone, in turn");
   for (const int n : {125, 500, 2000}) {
     std::vector<Point> points{{0, 0, -3}};
     for (int i = 1; i <= 10; ++i) points.emplace_back(1e-3 * uniform(), 1e-3 * uniform(), 0.05 * i);
@@ -46,7 +46,7 @@ int main() {
         if (hull.sees(p) < 0) continue;
         for (int q = 0; q < n; ++q) before[static_cast<std::size_t>(q)] = hull.sees(q);
         hull.add(p, hull.sees(p), [](int, int) {});
-        // What the points that moved would have asked of the new triangles in turn.
+        // What the moved points would have tested if they tried the new triangles in turn.
         const std::int64_t so_far = CountingSides::asked;
         std::vector<bool> gone(hull.all().size(), false);
         for (const int t : hull.removed()) gone[static_cast<std::size_t>(t)] = true;

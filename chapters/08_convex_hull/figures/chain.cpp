@@ -1,4 +1,4 @@
-// The hull of eight points in the plane, by a chain that is built step by step.
+// The hull of eight points in the plane by the monotone chain, step by step.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,30 +12,30 @@ using Point = contact::Vector2<double>;
 
 struct Input {
   Point p0, p1, p2, p3, p4, p5, p6, p7;
-  double step;    // how many of the turns that are asked have been asked
-  double method;  // who decides: 0 exact, 1 float, 2 double, 3 double with an epsilon of 1e-6 m²,
-                  // 4 angles, and then exact turns
-  double flat;    // k: pressed to 10^-k of their heights, on a sloping line; 0: as they are
+  double step;    // how many orientation tests are shown
+  double method;  // 0 exact, 1 float, 2 double, 3 double with an epsilon of 1e-6, 4 sorted by
+                  // angle, with exact orientation
+  double flat;    // k: flattened to 10^-k of their heights, onto a sloping line; 0: as they are
 };
 
 constexpr int count = 8;
 
 struct Output {
   double problem;
-  double steps;                         // turns asked in all
+  double steps;                         // orientation tests in all
   double corners;                       // of the finished chain
   std::array<double, 2 * count> hull;   // their indices, then -1
-  double length;                        // of the chain after `step` turns
+  double length;                        // of the chain after `step` tests
   std::array<double, 2 * count> chain;  // its indices, then -1
-  std::array<double, 3> asked;          // the three points of the last turn, or -1
+  std::array<double, 3> asked;          // the three points of the last test, or -1
   double turn;                          // its sign
-  double all_corners;                   // goal of a question: every point is a corner
+  double all_corners;                   // goal of a question: every point is a vertex
   double true_corners;                  // of the exact hull
   std::array<double, count> true_hull;  // their indices, then -1
-  double found;                         // corners of the exact hull that the method has
-  std::array<double, count> lost;       // 1 for those that it has not
-  double wrong_turns;                   // asked in all, with another sign than the exact one
-  std::array<double, 2 * count> place;  // the points as stored, with the heights drawn up again
+  double found;                         // vertices of the exact hull that the method has
+  std::array<double, count> lost;       // 1 for those that it lacks
+  double wrong_turns;                   // tests whose sign differs from the exact one
+  std::array<double, 2 * count> place;  // positions as stored, with the heights stretched back
 };
 
 namespace {
@@ -48,13 +48,13 @@ double power_of_ten(double k) {
   return power;
 }
 
-/// How high above the sloping line what is stored lies, times the power.
+/// The height of a stored point above the sloping line, times the power.
 double drawn_up(const Point& p, double power) {
   using contact::Exact;
   return quotient<double>((Exact(p.y()) - Exact(slope) * Exact(p.x())) * Exact(power), Exact(1.0));
 }
 
-/// The points as a method reads them, its corners, and what it asked on the way.
+/// The points as a method reads them, its vertices, and its orientation tests.
 struct Chain {
   std::vector<Point> read;
   std::vector<int> corners;
@@ -74,7 +74,7 @@ Chain chain_by(const std::vector<Point>& read, const Turn& turn) {
   return chain;
 }
 
-/// With the points and their turns rounded in S.
+/// With points and orientation rounded to S.
 template <class S>
 Chain rounded_chain(const std::vector<Point>& points, double epsilon) {
   std::vector<Point> read;
@@ -85,9 +85,9 @@ Chain rounded_chain(const std::vector<Point>& points, double epsilon) {
   });
 }
 
-// WRONG: two directions that differ may have the same angle once it is rounded, and points on one
-// line through the lowest have it without that. Then nothing says who comes first, and a corner
-// that comes before what lies below it goes, however exactly the turns are decided.
+// WRONG: different directions may get the same rounded angle, and points collinear with the lowest
+// point have the same angle exactly. Their order is then arbitrary, and a vertex may be removed by
+// a point that should come before it, although every orientation is exact.
 Chain chain_by_angles(const std::vector<Point>& points) {
   Chain chain{points, {}, {}, {}};
   const auto at = [&points](int i) { return points[static_cast<std::size_t>(i)]; };
@@ -170,8 +170,7 @@ Output compute(const Input& in) {
     out.wrong_turns += contact::side_of_line(at(0), at(1), at(2)) != asked.answers[q];
   }
 
-  // The chain as it stands is what has been asked about and not been taken off: it is told by
-  // following the questions.
+  // The chain after `step` tests consists of the points tested and not removed: replay the tests.
   const auto shown = static_cast<std::size_t>(std::clamp(in.step, 0.0, out.steps));
   std::vector<int> lower, chain;
   bool back = false;
@@ -181,10 +180,10 @@ Output compute(const Input& in) {
     const Point& third = asked.read[static_cast<std::size_t>(k)];
     const bool leftwards =
         third.x() < second.x() || (third.x() == second.x() && third.y() < second.y());
-    // The way back is a chain of its own; by angles there is one way round.
+    // The pass from right to left is a chain of its own; sorted by angle there is one pass.
     if (leftwards && !back && in.method != 4) lower.swap(chain);
     back = leftwards;
-    // The question is about the last two of the chain, so cut it back to these.
+    // A test is about the last two points of the chain, so cut it back to these.
     while (!chain.empty() && chain.back() != j) chain.pop_back();
     if (chain.size() < 2 || chain[chain.size() - 2] != i) {
       if (!chain.empty()) chain.pop_back();

@@ -1,5 +1,5 @@
-// A chain of left turns round eight points. Each step asks for one turn: green keeps the point in
-// the middle, red takes it off. Who decides may be a rounded turn, on points that are nearly on a line.
+// The monotone chain of eight points. Each step is one orientation test: green keeps the middle
+// point, red removes it. The test may be rounded, on points that are nearly collinear.
 
 import { defineFigure, type Vec2 } from "@contact/figure";
 
@@ -65,7 +65,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slider",
       field: "step",
-      label: "turns",
+      label: "tests",
       min: 0,
       max: 24,
       step: 1,
@@ -76,11 +76,11 @@ export default defineFigure<Input, Output>({
       field: "method",
       label: "Decided by",
       options: [
-        { value: 0, label: "exact turns" },
-        { value: 1, label: "turns in float" },
-        { value: 2, label: "turns in double" },
-        { value: 3, label: "turns beyond 1e-6 m²" },
-        { value: 4, label: "angles, then exact turns" },
+        { value: 0, label: "exact orientation" },
+        { value: 1, label: "orientation in float" },
+        { value: 2, label: "orientation in double" },
+        { value: 3, label: "an epsilon of 1e-6" },
+        { value: 4, label: "sorting by angle" },
       ],
     },
     { kind: "slider", field: "flat", label: "k, heights × 10⁻ᵏ", min: 0, max: 16, step: 1 },
@@ -118,26 +118,26 @@ export default defineFigure<Input, Output>({
       const role = output.turn > 0 ? "hit" : "miss";
       scene.path([at(i), at(j), at(k)], { role, width: 2, dashed: true, arrow: true });
       scene.dot(at(j), role, 6, output.turn <= 0);
-      scene.label(at(j), output.turn > 0 ? "left: stays" : "off", { role, offset: [10, 18] });
+      scene.label(at(j), output.turn > 0 ? "left: stays" : "removed", { role, offset: [10, 18] });
     }
   },
   values: (input, output) => [
     {
       name: "found",
-      meaning: "of the hull's corners; it is dashed",
+      meaning: "of the vertices of the hull, which is dashed",
       value: `${output.found} of ${output.true_corners}${output.corners > output.found ? `, ${output.corners - output.found} more` : ""}`,
       role:
         output.found < output.true_corners || output.corners > output.found ? "miss" : "surface",
     },
     {
       name: "wrong",
-      meaning: "turns of all",
+      meaning: "tests of all",
       value: output.wrong_turns,
       role: output.wrong_turns ? "miss" : "ink",
     },
     {
-      name: "turns",
-      meaning: "asked so far, of all",
+      name: "tests",
+      meaning: "so far, of all",
       value: `${Math.min(input.step, output.steps)} of ${output.steps}`,
     },
     {
@@ -155,5 +155,5 @@ export default defineFigure<Input, Output>({
     },
   ],
   describe: (input, output) =>
-    `The hull of the eight points has ${output.true_corners} corners, of which ${output.found} are found. ${Math.min(input.step, output.steps)} of ${output.steps} turns have been asked.`,
+    `The hull of the eight points has ${output.true_corners} vertices, of which ${output.found} are found. ${Math.min(input.step, output.steps)} of ${output.steps} orientation tests have been made.`,
 });

@@ -1,4 +1,4 @@
-// A hull and one more point: what it sees, its horizon, and the hull afterwards.
+// A hull and one more point: the triangles that it sees, its horizon, and the hull afterwards.
 #include <array>
 #include <contact/convex_hull.hpp>
 #include <contact/figure.hpp>
@@ -10,7 +10,7 @@ using Point = contact::Vector3<double>;
 
 struct Input {
   Point p;        // the new point
-  double turned;  // 0: what it sees; 1: the hull afterwards
+  double turned;  // 0: the triangles that it sees; 1: the hull afterwards
 };
 
 constexpr int count = 12;
@@ -37,7 +37,7 @@ Output compute(const Input& in) {
     out.problem = contact::figure::too_large;
     return out;
   }
-  // An icosahedron with coordinates in whole eighths.
+  // Nearly an icosahedron, with coordinates in whole eighths.
   const double s = 0.625, l = 1;
   std::vector<Point> points;
   for (const double x : {-s, s}) {

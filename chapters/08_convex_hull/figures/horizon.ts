@@ -24,7 +24,7 @@ interface Output {
 const GROUND = -1.4;
 
 export default defineFigure<Input, Output>({
-  title: "One point more",
+  title: "Adding a point",
   view: {
     kind: "3d",
     target: [0.2, 0, 0.1],
@@ -77,11 +77,11 @@ export default defineFigure<Input, Output>({
       value: output.horizon_count,
       role: "normal",
     },
-    { name: "corners", meaning: "with p", value: output.corners_after },
+    { name: "vertices", meaning: "with p", value: output.corners_after },
     { name: "faces", meaning: "with p", value: output.faces_after, role: "hit" },
   ],
   describe: (_input, output) =>
     output.seen_count === 0
       ? "p sees no triangle: it is inside the hull, or on it, and changes nothing."
-      : `p sees ${output.seen_count} of ${output.faces} triangles, with a horizon of ${output.horizon_count} edges. With p the hull has ${output.corners_after} corners and ${output.faces_after} faces.`,
+      : `p sees ${output.seen_count} of ${output.faces} triangles, with a horizon of ${output.horizon_count} edges. With p the hull has ${output.corners_after} vertices and ${output.faces_after} faces.`,
 });

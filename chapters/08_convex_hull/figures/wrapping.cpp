@@ -1,4 +1,4 @@
-// One set of points and several ways to its hull: where the ways part, at most one is right.
+// One set of points and several methods for its hull: where they differ, at most one is right.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,11 +14,11 @@ using Point = contact::Vector3<double>;
 
 struct Input {
   Point a, b, c, d, e, f, g, h;
-  double method;   // 0 exact, 1 angles as on the slide, 2 signed angles, 3 growing with an epsilon,
-                   // 4 growing in float, 5 growing in double, 6 wrapping with sides in double
+  double method;   // 0 exact, 1 angles as on the slide, 2 signed angles, 3 incremental with an
+                   // epsilon, 4 incremental in float, 5 in double, 6 wrapping in double
   double epsilon;  // m, for method 3
   double shown;    // how many triangles are shown
-  double flat;     // 0: as they are; k: pressed to 10^-k of their heights, on a sloping plane
+  double flat;     // 0: as they are; k: flattened to 10^-k of their heights, onto a sloping plane
 };
 
 constexpr int count = 8;
@@ -27,7 +27,7 @@ constexpr int most = 24;
 struct Output {
   double problem;
   double dimension, corners, faces;       // of the exact hull
-  double triangles;                       // that the method gave
+  double triangles;                       // made by the method
   double closed;                          // 1 if they close
   double right;                           // 1 if they are the hull
   std::array<double, 3 * most> corner;    // three indices a triangle
@@ -35,9 +35,9 @@ struct Output {
   double open_edges;                      // edges that belong to one triangle only
   std::array<double, 2 * 3 * most> open;  // their ends
   double outside;                         // points that are exactly in front of some triangle
-  double found;                           // corners of the exact hull that the method has
-  std::array<double, count> lost;         // 1 for those that it has not
-  std::array<double, 3 * count> place;    // the points as stored, with the heights drawn up again
+  double found;                           // vertices of the exact hull that the method has
+  std::array<double, count> lost;         // 1 for those that it lacks
+  std::array<double, 3 * count> place;    // positions as stored, with the heights stretched back
 };
 
 namespace {
@@ -50,12 +50,12 @@ double power_of_ten(double k) {
   return power;
 }
 
-/// The point on its place over the sloping plane, as doubles store it.
+/// The point flattened onto the sloping plane, as doubles store it.
 Point pressed(const Point& p, double power) {
   return {p.x(), p.y(), slope_x * p.x() + slope_y * p.y() + p.z() / power};
 }
 
-/// How high above the sloping plane what is stored lies, times the power.
+/// The height of a stored point above the sloping plane, times the power.
 double drawn_up(const Point& p, double power) {
   using contact::Exact;
   const Exact plane = Exact(slope_x) * Exact(p.x()) + Exact(slope_y) * Exact(p.y());

@@ -1,5 +1,5 @@
-// Eight points and what a method makes of them. A triangle with points in front of it is red, and so
-// is an edge that no second triangle has.
+// Eight points and the triangles that a method makes of them. A triangle with points in front of it
+// is red, and so is an edge that no second triangle has.
 
 import { defineFigure, type Vec3, vectorAt } from "@contact/figure";
 
@@ -42,9 +42,9 @@ const METHODS = [
   "angles as on the slide",
   "signed angles",
   "an epsilon",
-  "growing in float",
-  "growing in double",
-  "wrapping in double",
+  "incremental, float",
+  "incremental, double",
+  "wrapping, double",
 ];
 
 export default defineFigure<Input, Output>({
@@ -86,12 +86,12 @@ export default defineFigure<Input, Output>({
       field: "method",
       label: "Method",
       options: [
-        { value: 0, label: "exact sides" },
+        { value: 0, label: "exact" },
         { value: 1, label: "wrapping, angles as on the slide" },
         { value: 2, label: "wrapping, signed angles" },
-        { value: 3, label: "growing, with an epsilon" },
-        { value: 4, label: "growing, rounded in float" },
-        { value: 5, label: "growing, rounded in double" },
+        { value: 3, label: "incremental, with an epsilon" },
+        { value: 4, label: "incremental, rounded in float" },
+        { value: 5, label: "incremental, rounded in double" },
         { value: 6, label: "wrapping, rounded in double" },
       ],
     },
@@ -159,14 +159,14 @@ export default defineFigure<Input, Output>({
     },
     {
       name: "found",
-      meaning: "of the hull's corners",
+      meaning: "of the hull's vertices",
       value: `${output.found} of ${output.corners}`,
       role: output.found < output.corners ? "miss" : "ink",
     },
     { name: "triangles", meaning: "of the method", value: output.triangles },
     {
       name: "closed",
-      meaning: "says the method",
+      meaning: "as the method reports",
       value: output.closed ? "yes" : "no",
       role: output.closed ? "ink" : "miss",
     },
@@ -185,5 +185,5 @@ export default defineFigure<Input, Output>({
     { name: "faces", meaning: "of the exact hull", value: output.faces, role: "surface" },
   ],
   describe: (input, output) =>
-    `The exact hull has ${output.corners} corners and ${output.faces} faces. The method (${METHODS[input.method]}) finds ${output.found} of them and gives ${output.triangles} triangles with ${output.open_edges} open edges; ${output.outside} points are outside. It is ${output.right ? "the hull" : "not the hull"}.`,
+    `The exact hull has ${output.corners} vertices and ${output.faces} faces. The method (${METHODS[input.method]}) finds ${output.found} of them and gives ${output.triangles} triangles with ${output.open_edges} open edges; ${output.outside} points are outside. It is ${output.right ? "the hull" : "not the hull"}.`,
 });

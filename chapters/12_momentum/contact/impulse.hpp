@@ -1,6 +1,6 @@
 /// @file
-/// Impulse: the area under a force–time curve, average force times time, and what it does to a
-/// velocity.
+/// Impulse: the area under a force–time curve, average force times time, and the change of velocity
+/// that it causes.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +20,8 @@
 
 namespace contact {
 
-/// A force that was sampled: straight lines between the samples, no force before the first and
-/// after the last. Make it with force_curve(), which checks what it is given.
+/// A sampled force: piecewise linear between the samples, zero before the first and after the last.
+/// Make it with force_curve(), which checks its arguments.
 template <Ring S>
 struct ForceCurve {
   std::vector<S> time;            ///< s, increasing, at least two
@@ -55,25 +55,27 @@ ForceCurve<S> force_curve(std::vector<S> time, std::vector<Vector3<S>> force) {
   return {std::move(time), std::move(force)};
 }
 
-// [velocity-after]
 /// The velocity of a body after an impulse, v + J / m, for one coordinate.
 /// @param mass kg, greater than 0
 /// @param velocity before, m/s
 /// @param impulse of all forces on the body, N·s
 /// @return m/s; off by at most u of itself and u |J| / m
 /// @see *Interaction and Normals*, slide "Impulse"
+// [velocity-after]
 template <Scalar S>
 S velocity_after(const S& mass, const S& velocity, const S& impulse) {
   return velocity + impulse / mass;
 }
+// [/velocity-after]
 /// The same for all three coordinates.
 template <Scalar S>
 Vector3<S> velocity_after(const S& mass, const Vector3<S>& velocity, const Vector3<S>& impulse) {
   return velocity + impulse / mass;
 }
 
-/// The impulse that a change of velocity takes, m (v' − v): a difference of vectors, so a bounce
-/// straight back needs more than a stop.
+// [impulse-of-change]
+/// The impulse that changes a velocity, m (v' − v): a difference of vectors, so a bounce straight
+/// back needs more than a stop.
 /// @param mass kg, greater than 0
 /// @param before, after m/s
 /// @return N·s; each entry off by at most 2 u of itself (if the difference does not overflow)
@@ -82,11 +84,11 @@ template <Ring S>
 Vector3<S> impulse_of_change(const S& mass, const Vector3<S>& before, const Vector3<S>& after) {
   return (after - before) * mass;
 }
-// [/velocity-after]
+// [/impulse-of-change]
 
 namespace detail {
 
-/// One coordinate of the impulse in rounded arithmetic: the trapezoids, then their sum.
+/// One coordinate of the impulse in rounded arithmetic: the sum of the trapezoids.
 template <std::floating_point S>
 S trapezoids(const ForceCurve<S>& curve, std::size_t pieces, int k) {
   std::vector<S> areas(pieces);
@@ -121,13 +123,13 @@ std::size_t pieces_of(const ForceCurve<S>& curve) {
 /// The impulse of a force, ∫F dt: the area between the curve and the time axis, counted negative
 /// where the force is.
 ///
-/// Straight lines make trapezoids, width times mean height, so the area under the curve is exact
-/// but for rounding. Between samples of a force that is *not* straight it is the trapezoidal rule,
-/// off by T h² max|F″| / 12 at most for a step h.
+/// Each linear piece makes a trapezoid, width times mean height, so the area under this curve is
+/// exact except for rounding. For a force that is *not* linear between samples it is the
+/// trapezoidal rule, with an error of at most T h² max|F″| / 12 for a step h and a duration T.
 /// @param curve of a force_curve()
-/// @return N·s. In a floating-point type each entry is off by at most 5 u + γ(n − 1)² of the sum of
-/// the sizes of the n trapezoids, if nothing underflows and n u < 1/4; if a sum overflows it is
-/// computed again without rounding
+/// @return N·s. In a floating-point type the error of each entry is at most 5 u + γ(n − 1)² of the
+/// sum of the absolute values of the n trapezoids, if nothing underflows and n u < 1/4; if a sum
+/// overflows it is computed again without rounding
 /// @see *Interaction and Normals*, slide "More About Impulse: F-t The Graph"
 template <Scalar S>
 Vector3<S> impulse(const ForceCurve<S>& curve) {
@@ -151,8 +153,7 @@ Vector3<S> impulse(const ForceCurve<S>& curve) {
 // [/impulse]
 
 // [impulse-exactly]
-/// The same area, rounded once: right also when what pushes and what pulls cancel to the last
-/// digit.
+/// The same area, rounded once: right also if positive and negative areas cancel almost completely.
 /// @return N·s; each entry the nearest number to the area under the stored curve
 template <std::floating_point S>
 Vector3<S> impulse_exactly(const ForceCurve<S>& curve) {
@@ -166,10 +167,11 @@ Vector3<S> impulse_exactly(const ForceCurve<S>& curve) {
 // [/impulse-exactly]
 
 // [average-force]
-/// The constant force that would give the same impulse in the same time, ∫F dt / T. It is the mean
-/// over *time*: the mean of the samples only if they are equally spaced, and not even then quite.
-/// @return N; off by at most 8 u + γ(n − 1)² of the sizes of the n trapezoids over the time, if
-/// nothing underflows and n u < 1/4. Finite for finite input
+/// The constant force with the same impulse in the same time, ∫F dt / T. It is the mean over *time*
+/// and not the mean of the samples, even if they are equally spaced: the first and the last sample
+/// count half.
+/// @return N; the error is at most 8 u + γ(n − 1)² of the sum of the absolute values of the n
+/// trapezoids over the time, if nothing underflows and n u < 1/4. Finite for finite input
 /// @see *Interaction and Normals*, slide "Impulse", the time-averaged force
 template <Scalar S>
 Vector3<S> average_force(const ForceCurve<S>& curve) {
@@ -192,13 +194,13 @@ Vector3<S> average_force(const ForceCurve<S>& curve) {
 // [/average-force]
 
 // [impulse-until]
-/// The impulse given by the time t: 0 before the curve begins, all of it once it has ended. Divided
-/// by the mass it is the change of velocity so far.
+/// The impulse up to the time t: 0 before the curve begins, all of it once it has ended. Divided by
+/// the mass it is the change of velocity so far.
 /// @param curve of a force_curve(); its forces and times far from overflow
 /// @param t s
-/// @return N·s; errors as in impulse(), and besides at most γ(6) (t − tᵢ)/2 (|Fᵢ| + |Fᵢ₊₁|) in each
-/// coordinate, of the force that is interpolated at t between the samples i and i + 1: three
-/// roundings in its share, three more in the sum. Not so if a product underflows.
+/// @return N·s; errors as in impulse(), plus at most γ(6) (t − tᵢ)/2 (|Fᵢ| + |Fᵢ₊₁|) in each
+/// coordinate for the force interpolated at t between the samples i and i + 1: three roundings in
+/// its share, three more in the sum. This bound needs products that do not underflow.
 template <std::floating_point S>
 Vector3<S> impulse_until(const ForceCurve<S>& curve, const S& t) {
   if (!(t > curve.time.front())) return Vector3<S>::Zero();

@@ -1,5 +1,5 @@
 /// @file
-/// Adding up many impulses: five ways that differ in what rounding leaves of a small total.
+/// Sums of many impulses: five methods that differ in the error of a small total.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace contact {
 
 namespace detail {
 
-/// How many terms a pairwise sum adds in order before it splits no further.
+/// Up to this many terms a pairwise sum is recursive.
 inline constexpr std::size_t pairwise_block = 8;
 
 template <Ring S>
@@ -36,7 +36,7 @@ S pairwise(const S* terms, std::size_t count) {
 }
 
 // [compensated]
-/// The sum, and beside it the sum of what each addition cut off.
+/// The sum, corrected at the end by the sum of the rounding errors.
 template <std::floating_point S>
 S compensated(const S* terms, std::size_t count) {
   S sum(0);
@@ -44,7 +44,7 @@ S compensated(const S* terms, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     const S x = terms[i];
     const S next = sum + x;
-    // The smaller of the two loses its last digits. Both differences are exact.
+    // The smaller of the two loses digits. Both differences are exact.
     lost += std::abs(sum) >= std::abs(x) ? (sum - next) + x : (x - next) + sum;
     sum = next;
   }
@@ -52,7 +52,7 @@ S compensated(const S* terms, std::size_t count) {
 }
 // [/compensated]
 
-/// The sum, with what each addition cut off taken from the next term.
+/// The sum, with the rounding error of each addition subtracted from the next term.
 template <std::floating_point S>
 S kahan(const S* terms, std::size_t count) {
   S sum(0);
@@ -71,8 +71,8 @@ bool every_term_is_finite(const std::vector<S>& terms) {
   return std::all_of(terms.begin(), terms.end(), [](const S& x) { return std::isfinite(x); });
 }
 
-/// The result of a way of summing; if a sum overflowed on the way, that of the terms divided by a
-/// power of two that is more than twice their number, multiplied back.
+/// The result of a method; if an intermediate sum overflowed, the terms are scaled down by a power
+/// of two of more than twice their number, and the result is scaled back.
 template <std::floating_point S, class Sum>
 S without_overflow(const std::vector<S>& terms, Sum sum) {
   const S plain = sum(terms.data(), terms.size());
@@ -86,10 +86,11 @@ S without_overflow(const std::vector<S>& terms, Sum sum) {
 }  // namespace detail
 
 // [in-order]
-/// The sum of impulses (or of anything else in one unit), added in the order given.
+/// The sum of impulses (or of other numbers of one unit) by recursive summation, in the order
+/// given.
 ///
-/// Off by at most γ(n − 1) Σ|Jᵢ| for n terms: nothing to worry about when all push the same way,
-/// and everything that is left when they cancel. Exact if S is exact.
+/// The error is at most γ(n − 1) Σ|Jᵢ| for n terms: small compared with the total if all terms have
+/// one sign, and possibly larger than the total if they cancel. Exact if S is exact.
 /// @param terms finite, N·s
 /// @return N·s; 0 for no terms; ±∞ only if the true sum is about as large as that
 /// @see Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd edition, section 4.2
@@ -104,10 +105,10 @@ S total_in_order(const std::vector<S>& terms) {
 // [/in-order]
 
 // [pairwise]
-/// The sum of impulses, added half by half.
+/// The sum of impulses by pairwise summation.
 ///
-/// Each term goes through about log₂ n additions in place of n, so the sum is off by at most
-/// γ(⌈log₂ n⌉ + 4) Σ|Jᵢ|. It costs no more than adding in order. Exact if S is exact.
+/// Each term goes through about log₂ n additions instead of n, so the error is at most
+/// γ(⌈log₂ n⌉ + 4) Σ|Jᵢ|. It costs no more than recursive summation. Exact if S is exact.
 /// @param terms finite, N·s
 /// @return N·s; 0 for no terms; ±∞ only if the true sum is about as large as that
 /// @see Higham, section 4.1
@@ -121,11 +122,11 @@ S total_pairwise(const std::vector<S>& terms) {
 }
 // [/pairwise]
 
-/// The sum of impulses with the digits that each addition cuts off kept and added at the end
-/// (Neumaier's form of Kahan's compensated sum).
+/// The sum of impulses by compensated summation: the rounding error of each addition is computed,
+/// and their sum is added at the end (Neumaier's form of Kahan's sum).
 ///
-/// Off by at most u |ΣJᵢ| + γ(n − 1)² Σ|Jᵢ|: as if it had been computed with twice the digits and
-/// then rounded. So it is good down to totals of about n² u² Σ|Jᵢ|, and not beyond.
+/// The error is at most u |ΣJᵢ| + γ(n − 1)² Σ|Jᵢ|, as if computed with twice the digits and then
+/// rounded. So the result has right digits for totals down to about n² u² Σ|Jᵢ|.
 /// @param terms finite, N·s
 /// @return N·s; 0 for no terms; ±∞ only if the true sum is about as large as that
 /// @see Neumaier, *Zeitschrift für Angewandte Mathematik und Mechanik* 54 (1974); the bound is that
@@ -135,11 +136,11 @@ S total_compensated(const std::vector<S>& terms) {
   return detail::without_overflow(terms, detail::compensated<S>);
 }
 
-/// Kahan's sum, the older form of the compensated one: what an addition cuts off is handed to the
-/// next term. Where that is so large that it vanishes in it, it is lost.
+/// Kahan's sum, the older form of compensated summation: the rounding error of an addition is
+/// passed to the next term, and is lost if that term is much larger.
 ///
-/// Off by at most (2 u + O(n u²)) Σ|Jᵢ|: far better than in order, and no better than the sizes of
-/// the terms allow if they cancel. Here to be compared; prefer total_compensated().
+/// The error is at most (2 u + O(n u²)) Σ|Jᵢ|: much better than recursive summation, but not small
+/// compared with a total whose terms cancel. For comparison; prefer total_compensated().
 /// @param terms finite, N·s
 /// @return N·s; 0 for no terms; ±∞ only if the true sum is about as large as that
 /// @see Kahan, *Communications of the ACM* 8 (1965); Higham, section 4.3
@@ -149,8 +150,8 @@ S total_kahan(const std::vector<S>& terms) {
 }
 
 // [exactly]
-/// The sum of impulses without rounding, until it is rounded once, to the nearest number.
-/// @param terms finite, N·s; if one is not, the rounded sum in order
+/// The exact sum of impulses, rounded once to the nearest number.
+/// @param terms finite, N·s; if one is not, the result is the recursive sum
 /// @return N·s; 0 for no terms; ±∞ if the true sum is beyond the largest number
 template <std::floating_point S>
 S total_exactly(const std::vector<S>& terms) {
@@ -163,11 +164,11 @@ S total_exactly(const std::vector<S>& terms) {
 // [/exactly]
 
 // [total-impulse]
-/// The sum of impulses, never off by more than 3 u of itself, whatever cancels.
+/// The sum of impulses with an error of at most 3 u of itself, however much cancels.
 ///
-/// The compensated sum has an error of at most u |ΣJᵢ| + γ(n)² Σ|Jᵢ|. If the second part is below
-/// u |sum| it is returned; if not, too much has cancelled, and the sum is computed again without
-/// rounding.
+/// The compensated sum has an error of at most u |ΣJᵢ| + γ(n)² Σ|Jᵢ|. If the second term is below
+/// u |sum|, the compensated sum is returned; otherwise too much has cancelled, and the sum is
+/// computed again without rounding.
 /// @param terms finite, N·s
 /// @return N·s; 0 if the true sum is 0 (or there are no terms), and only then
 template <std::floating_point S>
@@ -177,7 +178,8 @@ S total_impulse(const std::vector<S>& terms) {
   S size(0);
   for (const S& x : terms) size += std::abs(x);
   const S u = tolerance::unit_roundoff<S>;
-  // γ(n) < 1.1 n u for n u < 1/16. The size is itself a sum in order, and off by less than as much.
+  // γ(n) < 1.1 n u for n u < 1/16. The size is itself a recursive sum, with a smaller relative
+  // error than that.
   const S share = S(n) * u;
   const S uncertain = S(1.5) * share * share * size;
   if (std::isfinite(size) && share < S(0.0625) && uncertain <= u * std::abs(sum)) return sum;

@@ -1,6 +1,6 @@
 /// @file
-/// Momentum: of one body, of many, of their centre of mass, and how two bodies that push off each
-/// other share it.
+/// Momentum: of one body, of many, of their centre of mass, and of two bodies that push off each
+/// other.
 #pragma once
 
 #include <cmath>
@@ -16,8 +16,8 @@
 
 namespace contact {
 
-/// A body of which only its mass and its motion count: a point, or the centre of mass of something
-/// larger. Make it with point_mass(), which checks what it is given.
+/// A body of which only the mass and the motion count: a point, or the centre of mass of a larger
+/// body. Make it with point_mass(), which checks its arguments.
 template <Ring S>
 struct PointMass {
   S mass = S(1);                             ///< kg, greater than 0
@@ -34,7 +34,7 @@ void require_mass(const char* argument, const S& mass) {
   }
 }
 
-/// A body with a mass, a place and a velocity.
+/// A body with a mass, a position and a velocity.
 /// @param mass kg, greater than 0
 /// @param position m
 /// @param velocity m/s
@@ -48,7 +48,7 @@ PointMass<S> point_mass(const S& mass, const Vector3<S>& position, const Vector3
 }
 
 // [momentum]
-/// The momentum of a body, p = m v: how hard it is to stop, and which way it goes.
+/// The linear momentum of a body, p = m v.
 /// @return kg·m/s, which is the same as N·s; each entry rounded once
 /// @see *Interaction and Normals*, slide "Linear momentum"
 template <Ring S>
@@ -59,7 +59,7 @@ Vector3<S> momentum(const PointMass<S>& body) {
 
 namespace detail {
 
-/// One coordinate of Σ mᵢ qᵢ and how large its terms are.
+/// One coordinate of Σ mᵢ qᵢ, and the sum of the absolute values of its terms.
 template <Ring S>
 struct Weighted {
   S sum = S(0);
@@ -68,8 +68,8 @@ struct Weighted {
 };
 
 // [weighted-sum]
-/// Σ mᵢ qᵢ in a floating-point type: each product is kept with what its rounding cut off, and so is
-/// each sum (Ogita, Rump and Oishi, algorithm Dot2).
+/// Σ mᵢ qᵢ in a floating-point type, with the rounding errors of all products and sums added at the
+/// end (Ogita, Rump and Oishi, algorithm Dot2).
 template <std::floating_point S, class Of>
 Weighted<S> weighted_sum(const std::vector<PointMass<S>>& bodies, const Of& of) {
   S sum(0);
@@ -88,7 +88,7 @@ Weighted<S> weighted_sum(const std::vector<PointMass<S>>& bodies, const Of& of) 
     all_zero = all_zero && q == S(0);
   }
   result.sum = sum + lost;
-  // Above this a product that underflows is far below u² of the whole.
+  // Above this size a product that underflows is far below u² of the sum.
   const S small =
       std::ldexp(S(1), std::numeric_limits<S>::min_exponent + 3 * std::numeric_limits<S>::digits);
   result.sound =
@@ -111,7 +111,7 @@ Exact exact_mass(const std::vector<PointMass<S>>& bodies) {
   return sum;
 }
 
-/// One coordinate of Σ mᵢ qᵢ; in a floating-point type, without rounding where the fast way is not
+/// One coordinate of Σ mᵢ qᵢ; in a floating-point type, in exact arithmetic if the fast sum is not
 /// sound.
 template <Ring S, class Of>
 S weighted_total(const std::vector<PointMass<S>>& bodies, const Of& of) {
@@ -149,7 +149,7 @@ Vector3<S> each_coordinate(const Function& f) {
 
 }  // namespace detail
 
-/// The mass of all bodies together, kg; 0 for none. Off by at most γ(n − 1) of itself.
+/// The total mass, kg; 0 for no bodies. Its error is at most γ(n − 1) of itself.
 template <Ring S>
 S total_mass(const std::vector<PointMass<S>>& bodies) {
   S sum(0);
@@ -158,13 +158,13 @@ S total_mass(const std::vector<PointMass<S>>& bodies) {
 }
 
 // [total-momentum]
-/// The momentum of all bodies together, Σ mᵢ vᵢ.
+/// The total momentum, Σ mᵢ vᵢ.
 ///
-/// Forces between the bodies do not change it, since they come in opposite pairs; only forces from
-/// outside do. So it is what a simulation can be held against.
-/// @return kg·m/s. In a floating-point type each entry is off by at most u of itself and 3 n² u² of
-/// Σ mᵢ|vᵢ| for n bodies, n u < 1/10; ±∞ only if the true sum is beyond the largest number; 0 for
-/// no bodies
+/// Internal forces do not change it, since they come in opposite pairs; only external forces do. So
+/// it is an invariant by which a simulation can be checked.
+/// @return kg·m/s. In a floating-point type the error of each entry is at most u of itself plus
+/// 3 n² u² of Σ mᵢ|vᵢ| for n bodies, n u < 1/10; ±∞ only if the true sum is beyond the largest
+/// number; 0 for no bodies
 /// @see *Interaction and Normals*, slide "Conservation of Momentum and Newton's Third Law"
 template <Ring S>
 Vector3<S> total_momentum(const std::vector<PointMass<S>>& bodies) {
@@ -175,9 +175,9 @@ Vector3<S> total_momentum(const std::vector<PointMass<S>>& bodies) {
 }
 // [/total-momentum]
 
-/// Σ mᵢ |vᵢ|, one coordinate at a time: how much momentum there is before directions cancel. An
-/// error of the total momentum is small or large beside this, not beside the total, which may be 0.
-/// @return kg·m/s; off by at most γ(n) of itself; ∞ if it overflows
+/// Σ mᵢ |vᵢ| for each coordinate: the scale with which to compare an error of the total momentum.
+/// The total itself may be 0.
+/// @return kg·m/s, with an error of at most γ(n) of itself; ∞ if it overflows
 template <Ring S>
 Vector3<S> momentum_scale(const std::vector<PointMass<S>>& bodies) {
   Vector3<S> sum = Vector3<S>::Zero();
@@ -192,9 +192,9 @@ Vector3<S> momentum_scale(const std::vector<PointMass<S>>& bodies) {
 
 // [centre-of-mass]
 /// The centre of mass of all bodies, Σ mᵢ xᵢ / Σ mᵢ.
-/// @return m, or nothing if there are no bodies. In a floating-point type off by at most (n + 2) u
-/// of itself and 3 n² u² of Σ mᵢ|xᵢ| / Σ mᵢ for n bodies, n u < 1/10, and by the smallest positive
-/// number where the division by the mass underflows; finite
+/// @return m, or nothing if there are no bodies. In a floating-point type it is finite, and its
+/// error is at most (n + 2) u of itself plus 3 n² u² of Σ mᵢ|xᵢ| / Σ mᵢ for n bodies, n u < 1/10,
+/// plus the smallest positive number if the division by the mass underflows
 template <Scalar S>
 std::optional<Vector3<S>> centre_of_mass(const std::vector<PointMass<S>>& bodies) {
   if (bodies.empty()) return std::nullopt;
@@ -207,8 +207,8 @@ std::optional<Vector3<S>> centre_of_mass(const std::vector<PointMass<S>>& bodies
 /// The velocity of the centre of mass, Σ mᵢ vᵢ / Σ mᵢ: also the velocity of all bodies once they
 /// have stuck together.
 ///
-/// It does not change while no force acts from outside, whatever the bodies do to each other. So a
-/// thing made of parts moves like a point of its whole mass as far as its centre of mass goes.
+/// Internal forces do not change it. So the centre of mass of a composite body moves like a point
+/// with the total mass, on which the external forces act.
 /// @return m/s, or nothing if there are no bodies; errors as in centre_of_mass()
 /// @see *Interaction and Normals*, the hockey players, and "Composite objects can be treated like
 /// point particles"
@@ -231,18 +231,18 @@ struct PushOff {
 };
 
 // [push-off]
-/// Recoil: two bodies that move as one part, so that the second leaves the first with a given
-/// velocity as seen from it.
+/// Recoil: two bodies that moved together separate, with a given velocity of the second relative to
+/// the first.
 ///
-/// Nothing acts from outside, so the centre of mass keeps its velocity v. With u the relative
-/// velocity, the first gets v − u m₂ / (m₁ + m₂) and the second v + u m₁ / (m₁ + m₂).
+/// No external force acts, so the centre of mass keeps its velocity v. With u the relative
+/// velocity, the first body gets v − u m₂ / (m₁ + m₂) and the second v + u m₁ / (m₁ + m₂).
 /// @param first_mass, second_mass kg, finite and greater than 0
 /// @param together velocity of both before, m/s
-/// @param relative velocity of the second as seen from the first afterwards, m/s
-/// @return in a floating-point type off by a few u of |v| + |u|
-/// @note Three velocities are easily mixed up: as seen from the ground, from the first body, from
-/// the centre of mass. If what is known is the second's velocity over the ground, w, then the first
-/// gets v − (w − v) m₂ / m₁.
+/// @param relative velocity of the second relative to the first afterwards, m/s
+/// @return in a floating-point type with an error of a few u of |v| + |u|
+/// @note Three velocities are easily confused: relative to the ground, to the first body, and to
+/// the centre of mass. If the second's velocity w over the ground is known instead, the first gets
+/// v − (w − v) m₂ / m₁.
 /// @see *Interaction and Normals*, slides "Recoil" and "Archer Example"
 template <Scalar S>
 PushOff<S> push_off(const S& first_mass, const S& second_mass, const Vector3<S>& together,
@@ -256,7 +256,7 @@ PushOff<S> push_off(const S& first_mass, const S& second_mass, const Vector3<S>&
       second_share = second_mass / S(2) / half_sum;
     }
   }
-  // m₁ m₂ / (m₁ + m₂), without a product that could overflow.
+  // The reduced mass m₁ m₂ / (m₁ + m₂), without a product that could overflow.
   const S reduced =
       first_mass < second_mass ? S(first_mass * second_share) : S(second_mass * first_share);
   return {together - relative * second_share, together + relative * first_share,

@@ -1,5 +1,5 @@
 /// @file
-/// How a program books collisions, and what each way does to the balance of momentum.
+/// Three ways to update velocities in a collision, and their effect on the total momentum.
 #pragma once
 
 #include <cmath>
@@ -10,19 +10,19 @@
 
 namespace contact {
 
-/// How the velocities after an elastic collision on a line are found.
+/// How the velocities after an elastic collision on a line are computed.
 enum class Booking {
   formulas,  ///< each new velocity from its own formula
-  impulses,  ///< one impulse, given to one body and taken from the other
+  impulses,  ///< one impulse, added to one body and subtracted from the other
   grid       ///< the same with momenta and impulses that are whole multiples of a unit
 };
 
-/// A body on a line, as its collisions are booked. Make it with booked_body().
+/// A body on a line. Make it with booked_body().
 template <std::floating_point S>
 struct BookedBody {
   S mass = S(1);      ///< kg, greater than 0
   S velocity = S(0);  ///< m/s
-  S momentum = S(0);  ///< N·s, a multiple of the unit; only Booking::grid keeps it up
+  S momentum = S(0);  ///< N·s, a multiple of the unit; only Booking::grid updates it
 };
 
 // [on-grid]
@@ -49,11 +49,11 @@ BookedBody<S> booked_body(S mass, S momentum, S unit) {
 }
 
 // [collide]
-/// An elastic collision of two bodies on a line: what they had is exchanged about the velocity of
-/// their common centre of mass, whether they approach or not.
+/// An elastic collision of two bodies on a line: their velocities are reflected about that of the
+/// common centre of mass, whether they approach or not.
 ///
-/// With Booking::formulas and Booking::impulses the momentum of the two changes by rounding, by
-/// some u of m|v| and of the impulse (u the unit roundoff); with Booking::grid not at all, while
+/// With Booking::formulas and Booking::impulses rounding changes the total momentum, by some u of
+/// m|v| and of the impulse (u the unit roundoff). With Booking::grid it does not change, as long as
 /// each momentum and impulse stays below 2^p units.
 /// @param unit N·s, for Booking::grid alone: a power of two
 /// @see *Interaction and Normals*, slide "Conservation of Momentum and Newton's Third Law"
@@ -73,15 +73,15 @@ void collide_booked(BookedBody<S>& a, BookedBody<S>& b, Booking booking, S unit)
     return;
   }
   impulse = on_grid(impulse, unit);
-  a.momentum -= impulse;  // exact, and so is the next
+  a.momentum -= impulse;  // exact, as is the next line
   b.momentum += impulse;
   a.velocity = a.momentum / a.mass;
   b.velocity = b.momentum / b.mass;
 }
 // [/collide]
 
-/// The momentum of all the bodies together, without rounding: of m v, or with Booking::grid of the
-/// momenta that are kept. All numbers must be finite.
+/// The total momentum without rounding: of m v, or with Booking::grid of the stored momenta. All
+/// numbers must be finite.
 template <std::floating_point S>
 Exact booked_momentum(const std::vector<BookedBody<S>>& bodies, Booking booking) {
   Exact sum;

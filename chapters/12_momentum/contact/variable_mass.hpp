@@ -15,13 +15,12 @@ namespace contact {
 // [acceleration]
 /// The acceleration of a body that matter joins or leaves: m dv/dt = F + u dm/dt.
 ///
-/// The matter that comes or goes is part of the system for an instant, and its velocity counts: u
-/// is its velocity *as seen from the body* just before it joins, or just after it has left. F =
-/// dp/dt with p the momentum of the body alone would put −v in place of u, which is right only for
-/// matter that is at rest over the ground.
+/// u is the velocity of the matter *relative to the body*, just before it joins or just after it
+/// has left. F = dp/dt with p the momentum of the body alone has −v instead of u, which is right
+/// only for matter at rest over the ground.
 /// @param mass now, kg, greater than 0
 /// @param force from outside, N
-/// @param relative velocity u of the matter as seen from the body, m/s
+/// @param relative velocity u of the matter relative to the body, m/s
 /// @param mass_rate dm/dt, kg/s: positive for what joins, negative for what leaves
 /// @return m/s²
 template <Scalar S>
@@ -32,16 +31,16 @@ Vector3<S> acceleration_with_exchange(const S& mass, const Vector3<S>& force,
 // [/acceleration]
 
 // [exchange]
-/// The velocity of a body after matter has joined it, or left it, at one blow.
+/// The velocity of a body after matter has joined it or left it at one instant.
 ///
-/// From the momentum of both before and after: (m + Δm) v' = m v + Δm w, so v' = v + (w − v) Δm /
-/// (m + Δm). No force acts from outside.
+/// The total momentum of both is conserved: (m + Δm) v' = m v + Δm w, so v' = v + (w − v) Δm /
+/// (m + Δm). No external force acts.
 /// @param mass before, kg, greater than 0
 /// @param velocity before, m/s
 /// @param mass_change Δm, kg: positive for what joins, negative for what leaves
 /// @param matter_velocity w over the ground, m/s: before it joins, or after it has left
-/// @return m/s, or nothing if no mass would be left. In a floating-point type off by 4 u of |v| +
-/// |w − v| |Δm| / (m + Δm); never NaN
+/// @return m/s, or nothing if no mass would be left. In a floating-point type the error is at most
+/// 4 u of |v| + |w − v| |Δm| / (m + Δm); never NaN
 template <Scalar S>
 std::optional<Vector3<S>> velocity_after_exchange(const S& mass, const Vector3<S>& velocity,
                                                   const S& mass_change,
@@ -67,9 +66,9 @@ std::optional<Vector3<S>> velocity_after_exchange(const S& mass, const Vector3<S
 // [/exchange]
 
 // [rocket]
-/// How much faster a rocket gets, u ln(m₀ / m₁), when it throws its mass backwards grain by grain
-/// (Tsiolkovsky). No force acts from outside.
-/// @param exhaust_speed u of what is thrown, as seen from the rocket, m/s
+/// The speed that a rocket gains by ejecting mass backwards in a steady stream, u ln(m₀ / m₁)
+/// (Tsiolkovsky's rocket equation). No external force acts.
+/// @param exhaust_speed u of the ejected matter relative to the rocket, m/s
 /// @param mass_before m₀, kg, greater than 0
 /// @param mass_after m₁, kg, greater than 0 and not above m₀
 /// @return m/s. Near m₁ = m₀ the difference is taken first, so that nothing cancels
@@ -81,8 +80,8 @@ S rocket_speed_gain(const S& exhaust_speed, const S& mass_before, const S& mass_
 
 namespace detail {
 
-/// artanh(z) / z by its series 1 + z²/3 + z⁴/5 + …, for |z| of at most 1/5; each machine gives the
-/// same bits.
+/// artanh(z) / z by its series 1 + z²/3 + z⁴/5 + …, for |z| of at most 1/5, with the same bits on
+/// every machine.
 template <std::floating_point S>
 S artanh_over(const S& z) {
   const S square = z * z;
@@ -93,7 +92,7 @@ S artanh_over(const S& z) {
 
 /// ln(1 + x) / x, which is 1 at 0.
 /// @param x finite, above −1
-/// @return off by at most 8 u of itself
+/// @return with an error of at most 8 u of itself
 template <std::floating_point S>
 S logarithm_over(const S& x) {
   if (std::abs(x) <= S(1) / S(3)) {  // ln(1 + x) = 2 artanh(x / (2 + x))
@@ -111,7 +110,7 @@ S logarithm_over(const S& x) {
 
 /// (x − ln(1 + x)) / x², which is 1/2 at 0: ∫₀¹ s / (1 + s x) ds.
 /// @param x finite, above −1
-/// @return off by at most 40 u of itself
+/// @return with an error of at most 40 u of itself
 template <std::floating_point S>
 S logarithm_rest_over(const S& x) {
   if (std::abs(x) > S(1) / S(3)) return (S(1) - logarithm_over(x)) / x;
@@ -130,25 +129,26 @@ template <std::floating_point S>
 struct AfterStream {
   S mass = S(0);                                ///< kg
   Vector3<S> velocity = Vector3<S>::Zero();     ///< m/s
-  Vector3<S> way = Vector3<S>::Zero();          ///< from where it was at first, m
-  Vector3<S> carried_off = Vector3<S>::Zero();  ///< momentum of what has left less that of what has
-                                                ///< joined, before it did, kg·m/s
+  Vector3<S> way = Vector3<S>::Zero();          ///< displacement, m
+  Vector3<S> carried_off = Vector3<S>::Zero();  ///< momentum of the matter that has left, minus
+                                                ///< that of the matter that has joined, kg·m/s
 };
 
-/// The motion while matter leaves, or joins, at a steady rate and with a steady velocity *as seen
-/// from the body*: a rocket (Tsiolkovsky) that a force pushes as well.
+/// The motion while matter leaves or joins at a steady rate and with a steady velocity *relative to
+/// the body*: a rocket (Tsiolkovsky) on which a force may act as well.
 ///
-/// m dv/dt = F + u dm/dt gives v = v₀ + (F + u ṁ) ln(m₀ / m) / (−ṁ) and, once more integrated, the
-/// way. Both are written so that nothing cancels for a small ṁ, and ṁ = 0 is an even push.
+/// m dv/dt = F + u dm/dt gives v = v₀ + (F + u ṁ) ln(m₀ / m) / (−ṁ), and a second integration gives
+/// the displacement. Both are written so that nothing cancels for a small ṁ; ṁ = 0 is a constant
+/// force.
 /// @param mass at first, m₀, kg, greater than 0
 /// @param velocity at first, v₀, m/s
-/// @param force from outside, steady, N
-/// @param relative velocity u of the matter as seen from the body, m/s
+/// @param force external, constant, N
+/// @param relative velocity u of the matter relative to the body, m/s
 /// @param mass_rate ṁ, kg/s: positive for what joins, negative for what leaves
 /// @param time t, s, 0 or more
-/// @return nothing if no mass would be left. Where ṁ t and m₀ + ṁ t do not round, the velocity is
-/// off by at most 16 u of |v₀| + (|F| + |u ṁ|) ln(m₀ / m) / |ṁ|, and the way by 64 u of the
-/// integral of that, if nothing overflows
+/// @return nothing if no mass would be left. If ṁ t and m₀ + ṁ t are exact and nothing overflows,
+/// the error of the velocity is at most 16 u of |v₀| + (|F| + |u ṁ|) ln(m₀ / m) / |ṁ|, and that of
+/// the displacement at most 64 u of the integral of that
 template <std::floating_point S>
 std::optional<AfterStream<S>> after_stream_from_body(const S& mass, const Vector3<S>& velocity,
                                                      const Vector3<S>& force,
@@ -167,19 +167,19 @@ std::optional<AfterStream<S>> after_stream_from_body(const S& mass, const Vector
   return after;
 }
 
-/// The motion while matter joins, or leaves, at a steady rate and with a steady velocity *over the
+/// The motion while matter joins or leaves at a steady rate and with a steady velocity *over the
 /// ground*: rain.
 ///
-/// All momenta add up to what they were and F t: m v = m₀ v₀ + (F + w ṁ) t.
+/// The total momentum changes by F t: m v = m₀ v₀ + (F + w ṁ) t.
 /// @param mass at first, m₀, kg, greater than 0
 /// @param velocity at first, v₀, m/s
-/// @param force from outside, steady, N
+/// @param force external, constant, N
 /// @param matter_velocity w over the ground, m/s: before it joins, or after it has left
 /// @param mass_rate ṁ, kg/s: positive for what joins, negative for what leaves
 /// @param time t, s, 0 or more
-/// @return nothing if no mass would be left. Where ṁ t and m₀ + ṁ t do not round, the velocity is
-/// off by at most 8 u of |v₀| + (|F| + (|v₀| + |w|) |ṁ|) t / m, and the way by 64 u of the integral
-/// of that, if nothing overflows
+/// @return nothing if no mass would be left. If ṁ t and m₀ + ṁ t are exact and nothing overflows,
+/// the error of the velocity is at most 8 u of |v₀| + (|F| + (|v₀| + |w|) |ṁ|) t / m, and that of
+/// the displacement at most 64 u of the integral of that
 template <std::floating_point S>
 std::optional<AfterStream<S>> after_stream_over_ground(const S& mass, const Vector3<S>& velocity,
                                                        const Vector3<S>& force,

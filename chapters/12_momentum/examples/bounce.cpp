@@ -1,4 +1,4 @@
-// A ball of 0.4 kg hits a wall at 10 m/s. It stops, or it comes back.
+// A ball of 0.4 kg hits a wall at 10 m/s and stops or bounces.
 #include <cmath>
 #include <contact/impulse.hpp>
 #include <cstdio>

@@ -1,5 +1,5 @@
-// Two carts with a spring between them, thrown along a track. Inside it jumps about; the centre of
-// mass moves like one point of the whole mass.
+// Two carts with a spring between them on a track. The carts oscillate; the centre of mass moves
+// like a point with the total mass.
 #include <contact/impulse.hpp>
 #include <contact/momentum.hpp>
 #include <cstdio>
@@ -22,8 +22,8 @@ int main() {
                   carts[1].velocity.x(), contact::centre_velocity(carts)->x(),
                   contact::total_momentum(carts).x());
     }
-    // The spring pulls one cart and, just as hard, the other. From 0.5 s to 1 s a hand pushes the
-    // first one with 4 N: the only force from outside.
+    // The spring exerts opposite forces on the carts. From 0.5 s to 1 s a hand pushes the first one
+    // with 4 N: the only external force.
     const double stretch = carts[1].position.x() - carts[0].position.x() - rest_length;
     const Vector3<double> spring(stiffness * stretch * step, 0, 0);
     const Vector3<double> hand(i >= 500 && i < 1000 ? 4 * step : 0, 0, 0);

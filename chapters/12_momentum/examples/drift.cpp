@@ -1,5 +1,5 @@
-// Sixteen bodies on a line collide ten million times, two at a time. Their momentum should not
-// change at all; how far does it drift?
+// Sixteen bodies on a line collide ten million times, two at a time: the drift of their total
+// momentum.
 #include <cmath>
 #include <contact/momentum_balance.hpp>
 #include <cstdint>
@@ -18,7 +18,7 @@ std::uint64_t next(std::uint64_t& state) {
   return z ^ (z >> 31);
 }
 
-/// |total − total before| over Σ m|v|, without rounding until the quotient.
+/// |total − total before| over Σ m|v|, exact except for the quotient.
 template <class S>
 double drift(Booking booking, int collisions) {
   const S unit = sizeof(S) == sizeof(float) ? S(0x1p-14) : S(0x1p-40);  // N·s

@@ -1,4 +1,4 @@
-// A million small impulses, and four ways of adding them.
+// A million small impulses and four sums.
 #include <cmath>
 #include <contact/impulse_sum.hpp>
 #include <cstdio>
@@ -15,13 +15,13 @@ void show(const char* type, const std::vector<S>& impulses) {
     const auto off = rounded<double>(contact::Exact(double(got)) - sum);
     return std::abs(off) / size;
   };
-  std::printf("%-6s in order %.0e, pairwise %.0e, compensated %.0e, exact %.0e\n", type,
+  std::printf("%-6s recursive %.0e, pairwise %.0e, compensated %.0e, exact %.0e\n", type,
               error(contact::total_in_order(impulses)), error(contact::total_pairwise(impulses)),
               error(contact::total_compensated(impulses)), error(contact::total_exactly(impulses)));
 }
 
 int main() {
-  std::printf("a million impulses of 0.1 N s: error over the sum of their sizes\n");
+  std::printf("a million impulses of 0.1 N s: error relative to the sum of their sizes\n");
   show("float", std::vector<float>(1000000, 0.1f));
   show("double", std::vector<double>(1000000, 0.1));
 }

@@ -1,4 +1,4 @@
-// Two hockey players meet head-on and hold on to each other.
+// Two hockey players collide head-on and hold on to each other.
 #include <contact/impulse.hpp>
 #include <contact/momentum.hpp>
 #include <cstdio>
@@ -17,6 +17,6 @@ int main() {
   std::printf("impulse on the first: %.1f N s, on the second: %.1f N s\n", on_first.x(),
               on_second.x());
 
-  // What speeds in place of velocities would give.
+  // The result with speeds instead of velocities.
   std::printf("without the minus: %.2f m/s\n", (90 * 6 + 80 * 7) / (90.0 + 80.0));
 }

@@ -1,5 +1,4 @@
-// How much momentum gravity brings in while a bat hits a ball: the impulse approximation in
-// numbers.
+// The impulse of gravity while a bat hits a ball: the impulse approximation in numbers.
 #include <contact/impulse.hpp>
 #include <cstdio>
 
@@ -13,8 +12,8 @@ int main() {
         {0, duration}, {{0, 0, -mass * gravity}, {0, 0, -mass * gravity}});
     const double of_gravity = -contact::impulse(weight).z();
     std::printf(
-        "contact of %4g s: gravity gives %.5f N s, %.2g of the bat's; left out, the velocity "
-        "is off by %.4f m/s\n",
+        "contact of %4g s: gravity gives %.5f N s, %.2g of the bat's; without it the error is "
+        "%.4f m/s\n",
         duration, of_gravity, of_gravity / of_bat.x(), of_gravity / mass);
   }
 }

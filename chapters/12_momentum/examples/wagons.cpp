@@ -1,4 +1,4 @@
-// A wagon of 4000 kg rolls at 3 m/s without friction. Its mass changes; what about its speed?
+// A wagon of 4000 kg rolls at 3 m/s without friction, and its mass changes.
 #include <contact/momentum.hpp>
 #include <contact/variable_mass.hpp>
 #include <cstdio>
@@ -10,14 +10,14 @@ int main() {
   const auto show = [&](const char* what, double change, const contact::Vector3<double>& w) {
     const double after = contact::velocity_after_exchange(mass, v, change, w)->x();
     const double alone = mass * v.x() / (mass + change);
-    std::printf("%-22s %5g kg: %.3f m/s; with m v of the wagon alone kept: %.3f m/s\n", what,
+    std::printf("%-22s %5g kg: %.3f m/s; with m v of the wagon alone constant: %.3f m/s\n", what,
                 mass + change, after, alone);
   };
-  show("rain falls straight in", 1000, {0, 0, 0});
+  show("rain falls vertically", 1000, {0, 0, 0});
   show("sand runs out", -1000, v);
   show("sand is thrown back", -1000, {-1, 0, 0});
 
-  // A rocket throws half its mass backwards at 1000 m/s, in fewer or more pieces.
+  // A rocket ejects half its mass backwards at 1000 m/s, in fewer or more pieces.
   std::printf("\nrocket, half of 10 kg at 1000 m/s:\n");
   for (const int pieces : {1, 10, 100, 1000}) {
     double left = 10;
@@ -29,5 +29,5 @@ int main() {
     }
     std::printf("%5d pieces: %.3f m/s\n", pieces, speed.x());
   }
-  std::printf("  grain by grain: %.3f m/s\n", contact::rocket_speed_gain(1000.0, 10.0, 5.0));
+  std::printf("   continuously: %.3f m/s\n", contact::rocket_speed_gain(1000.0, 10.0, 5.0));
 }

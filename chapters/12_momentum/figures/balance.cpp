@@ -1,5 +1,5 @@
-// Four bodies on a line that collide again and again: how far their total momentum drifts, by three
-// ways to book a collision.
+// Four bodies on a line that collide repeatedly: the drift of their total momentum in three
+// programs.
 #include <algorithm>
 #include <contact/figure.hpp>
 #include <contact/momentum_balance.hpp>
@@ -10,11 +10,11 @@ constexpr std::size_t count = 4;
 constexpr std::size_t samples = 101;
 
 struct Input {
-  double v0, v1, v2, v3;  // at first, m/s
-  double power;           // 10^power collisions in all; a part of one does not count
+  double v0, v1, v2, v3;  // initial, m/s
+  double power;           // 10^power collisions in all; rounded down
   double wide;            // 1: in double precision; 0: in single
-  double order;           // which collisions there are, by a whole number
-  double share;           // where the drift is read off, % of all collisions
+  double order;           // seed of the sequence of collisions
+  double share;           // position of the reading, % of all collisions
 };
 
 struct Output {

@@ -1,5 +1,5 @@
-// Above: how far the total momentum of four bodies has drifted, against the number of collisions, by
-// three ways to book one. Below: the bodies, and the velocities that they begin with.
+// Above: the drift of the total momentum of four bodies against the number of collisions, in three
+// programs. Below: the bodies and their initial velocities.
 
 import { defineFigure, pretty, type Role, type Vec2 } from "@contact/figure";
 
@@ -28,7 +28,7 @@ interface Output {
   most: number;
 }
 
-/** How each way is drawn, in the order of `read`. */
+/** How each program is drawn, in the order of `read`. */
 const WAYS: readonly {
   field: "formulas" | "impulses" | "grid";
   name: string;
@@ -58,7 +58,7 @@ function above(most: number): number {
 }
 
 export default defineFigure<Input, Output>({
-  title: "Whose books balance?",
+  title: "Drift of the total momentum",
   view: { kind: "2d", x: [-0.9, 10.7], y: [-3.4, 5.9] },
   aspect: 1.2,
   initial: { v0: 3, v1: -2, v2: 1.5, v3: -1, power: 4, wide: 0, order: 0, share: 80 },
@@ -66,7 +66,7 @@ export default defineFigure<Input, Output>({
     ...FIELDS.map((field, i) => ({
       kind: "slide" as const,
       field,
-      label: `velocity of body ${i + 1} at first, m/s`,
+      label: `initial velocity of body ${i + 1}, m/s`,
       role: "ball" as const,
       at: (input: Input): Vec2 => [(PLACES[i] ?? 0) + LONG * input[field], LINE - 0.65],
       along: (): Vec2 => [LONG, 0],
@@ -76,7 +76,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slide",
       field: "share",
-      label: "where the drift is read off, % of all collisions",
+      label: "position of the reading, % of all collisions",
       role: "muted",
       at: (input): Vec2 => [input.share / 10, ZERO + HIGH + 0.3],
       along: (): Vec2 => [0.1, 0],
@@ -88,14 +88,14 @@ export default defineFigure<Input, Output>({
     {
       kind: "choice",
       field: "wide",
-      label: "Numbers",
+      label: "Type",
       options: [
         { value: 0, label: "float" },
         { value: 1, label: "double" },
       ],
     },
     { kind: "slider", field: "power", label: "collisions: 10 to the", min: 2, max: 5, step: 1 },
-    { kind: "slider", field: "order", label: "which of them", min: 0, max: 50, step: 1 },
+    { kind: "slider", field: "order", label: "sequence", min: 0, max: 50, step: 1 },
     {
       kind: "slider",
       field: "share",
@@ -164,8 +164,8 @@ export default defineFigure<Input, Output>({
     }
   },
   values: (_input, output) => [
-    { name: "Σ m v", meaning: "at first", value: output.before, unit: "N·s" },
-    { name: "Σ m|v|", meaning: "at first", value: output.size, unit: "N·s" },
+    { name: "Σ m v", meaning: "initial", value: output.before, unit: "N·s" },
+    { name: "Σ m|v|", meaning: "initial", value: output.size, unit: "N·s" },
     { name: "n", meaning: "collisions so far", value: output.read_at },
     ...WAYS.map(({ name, role }, k) => ({
       name,
@@ -177,6 +177,6 @@ export default defineFigure<Input, Output>({
   ],
   describe(_input, output) {
     const [formulas = 0, impulses = 0, grid = 0] = output.off;
-    return `After ${pretty(output.read_at)} collisions the total momentum, ${pretty(output.before)} N·s at first, has drifted by ${pretty(formulas)} N·s with formulas, by ${pretty(impulses)} N·s with impulses and by ${pretty(grid)} N·s on a grid.`;
+    return `After ${pretty(output.read_at)} collisions the total momentum, initially ${pretty(output.before)} N·s, has drifted by ${pretty(formulas)} N·s with formulas, by ${pretty(impulses)} N·s with impulses and by ${pretty(grid)} N·s on a grid.`;
   },
 });

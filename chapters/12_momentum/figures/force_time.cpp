@@ -1,4 +1,4 @@
-// A force that is drawn by hand, and what it does to a body: area, average, velocity.
+// A force drawn by hand and its effect on a body: area, average, velocity.
 // Times are in ms and forces in kN, so that an area is in N·s.
 #include <algorithm>
 #include <contact/figure.hpp>
@@ -32,14 +32,14 @@ struct Output {
   std::array<double, moments> velocity_at;      // m/s
   double peak_impulse;                          // F_p T, N·s
   double peak_after;                            // the velocity that it would give, m/s
-  std::array<double, moments> peak_at;          // and on the way there
+  std::array<double, moments> peak_at;          // and before that
   double stops_gently;  // goal of a question: a body with momentum stops, and no force above 1.5 kN
 };
 
 namespace {
 
-// WRONG: as if the largest force lasted the whole time. The box is as high as the curve at its
-// highest, and the curve fills only a part of it.
+// WRONG: as if the largest force lasted the whole time. The box is as high as the maximum of the
+// curve, and its area is larger.
 double largest_force_times_time(double largest, double duration) { return largest * duration; }
 
 }  // namespace

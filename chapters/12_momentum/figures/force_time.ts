@@ -1,5 +1,5 @@
-// A force–time curve that is drawn by hand, and under it the velocity that it gives. A duration that
-// grows stretches the curve: the same shape in a longer time is a larger area.
+// A force–time curve drawn by hand, and below it the velocity that results. A longer duration
+// stretches the curve: the same shape in a longer time has a larger area.
 
 import { defineFigure, pretty, type Vec2 } from "@contact/figure";
 
@@ -56,7 +56,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "stroke",
       field: "drawn",
-      label: "force in the course of time, kN",
+      label: "force against time, kN",
       role: "ray",
       across: (index, input): number => share(index) * input.duration,
       step: 0.05,
@@ -70,7 +70,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "choice",
       field: "beside",
-      label: "beside the area",
+      label: "compare the area with",
       options: [
         { value: 0, label: "average force × T" },
         { value: 1, label: "largest force × T" },
@@ -114,7 +114,7 @@ export default defineFigure<Input, Output>({
     scene.label([END, LOW], "t, ms", { role: "muted", offset: [0, -10], anchor: "end" });
     if (output.problem) return;
 
-    // Where the curve crosses the axis it has a point, so that cutting heights off at 0 cuts there.
+    // The curve has a point where it crosses the axis, so clamping heights at 0 clips it there.
     const curve = output.time.flatMap((t, i): Vec2[] => {
       const split = output.split_time[i];
       const here: Vec2 = [t, output.force[i] ?? 0];
@@ -152,7 +152,7 @@ export default defineFigure<Input, Output>({
       { role: "ball", width: 2.5 },
     );
     if (input.beside) {
-      // Where the plot ends the line does too, with an arrow.
+      // The line is clipped at the edge of the plot, with an arrow.
       const line = output.moment
         .map((t, i): Vec2 => [t, output.peak_at[i] ?? 0])
         .filter(([, v]) => Math.abs(v) <= 26)
@@ -205,7 +205,7 @@ export default defineFigure<Input, Output>({
   describe(input, output) {
     const start = `The force gives ${pretty(output.impulse, 3)} N·s in ${pretty(input.duration, 3)} ms`;
     if (output.after * output.before < 0)
-      return `${start}: more than the ${pretty(output.to_stop, 3)} N·s that stop the body, so it goes back, at ${pretty(output.after, 3)} m/s.`;
-    return `${start}, and the body goes on at ${pretty(output.after, 3)} m/s.`;
+      return `${start}: more than the ${pretty(output.to_stop, 3)} N·s that stop the body, so it moves back at ${pretty(output.after, 3)} m/s.`;
+    return `${start}, and the body continues at ${pretty(output.after, 3)} m/s.`;
   },
 });

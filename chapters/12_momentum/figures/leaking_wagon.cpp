@@ -1,14 +1,14 @@
-// A wagon whose mass changes while it rolls: its velocity by the law for matter that comes and
-// goes, and by F = d(mv)/dt for the wagon alone.
+// A wagon whose mass changes: its velocity by the law for variable mass, and by F = d(mv)/dt for
+// the wagon alone.
 #include <contact/figure.hpp>
 #include <contact/variable_mass.hpp>
 
 struct Input {
-  double velocity;  // of the wagon at first, m/s
-  double rate;      // kg/s: how much sand runs out, or how much rain falls in
-  double apart;     // u, velocity of the sand as seen from the wagon when it has just left, m/s
+  double velocity;  // of the wagon initially, m/s
+  double rate;      // kg/s: of the sand that runs out or the rain that falls in
+  double apart;     // u, velocity of the sand relative to the wagon just after it has left, m/s
   double force;     // along the track, N
-  double rains;     // 1: rain that falls straight down joins; 0: sand leaves
+  double rains;     // 1: rain that falls vertically joins; 0: sand leaves
   double time;      // s
 };
 
@@ -23,11 +23,11 @@ struct Output {
   std::array<double, moments> velocity;  // m/s
   std::array<double, moments> alone;     // by d(mv)/dt = F, m/s
   double mass;                           // at the time, kg
-  double relative;                       // velocity of the matter as seen from the wagon then, m/s
+  double relative;                       // velocity of the matter relative to the wagon then, m/s
   double velocity_now, alone_now;        // m/s
   double place, place_alone;             // m
   double thrust;                         // u dm/dt, N
-  double p_given;                        // p at first and all that F has given, kg·m/s
+  double p_given;                        // initial p plus F t, kg·m/s
   double p_all, p_all_alone;             // of wagon and all matter, by either, kg·m/s
   double agree;                          // whether both laws give one velocity, to a thousandth
 };
@@ -48,13 +48,13 @@ struct Stream {
                        at_first, {velocity, 0, 0}, {force, 0, 0}, {apart, 0, 0}, mass_rate, t);
   }
 
-  // WRONG, d(mv)/dt = F: as if what leaves left its momentum behind. A law about always the same
-  // matter is asked of a wagon that loses some. It is right only for matter that is at rest over
-  // the ground, before it joins or after it has left; and so it moves as if all of it were.
+  // WRONG, d(mv)/dt = F: as if matter that leaves left its momentum behind. The law holds for a
+  // closed set of matter, and the wagon is none. It is right only for matter at rest over the
+  // ground, before it joins or after it has left.
   AfterStream<double> by_own_momentum(double t) const {
     auto after = *contact::after_stream_over_ground<double>(at_first, {velocity, 0, 0},
                                                             {force, 0, 0}, {0, 0, 0}, mass_rate, t);
-    // What leaves a wagon with this velocity has it too, and u besides.
+    // Matter that leaves has the wagon's velocity plus u.
     if (!rains) after.carried_off.x() = -mass_rate * (after.way.x() + apart * t);
     return after;
   }
@@ -67,7 +67,7 @@ Output compute(const Input& in) {
   for (const double x : {in.velocity, in.rate, in.apart, in.force, in.time}) {
     if (std::abs(x) > 1e30) out.problem = contact::figure::too_large;
   }
-  // More would leave less than the empty wagon.
+  // A larger loss would leave less than the empty wagon.
   if (in.rate > (at_first - least) / seconds || in.time > seconds) {
     out.problem = contact::figure::too_large;
   }

@@ -1,5 +1,5 @@
-// A wagon that loses sand or collects rain. Above: its velocity against time, by two laws. Below:
-// the two wagons that those laws speak of, on a track each.
+// A wagon that loses sand or collects rain. Above: its velocity against time, by two laws. Below: a
+// wagon for each law, on its own track.
 
 import { defineFigure, pretty, type Role, type Scene, type Vec2 } from "@contact/figure";
 
@@ -41,7 +41,7 @@ const seen = (place: number): boolean => FAR * place >= -0.5 && FAR * place <= 1
 const drawn = (v: number): boolean => v >= LEAST && v <= MOST;
 
 export default defineFigure<Input, Output>({
-  title: "A wagon that leaks",
+  title: "A wagon of variable mass",
   view: { kind: "2d", x: [-0.9, 10.9], y: [-4.3, 5.4] },
   aspect: 1.2,
   initial: { velocity: 3, rate: 200, apart: 0, force: 0, rains: 0, time: 6 },
@@ -49,7 +49,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slide",
       field: "velocity",
-      label: "v, velocity at first, m/s",
+      label: "v, initial velocity, m/s",
       role: "ball",
       at: (input): Vec2 => at(0, input.velocity),
       along: (): Vec2 => [0, HIGH],
@@ -59,7 +59,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slide",
       field: "time",
-      label: "t, the time that is looked at, s",
+      label: "t, time of the reading, s",
       role: "muted",
       at: (input): Vec2 => at(input.time, 0),
       along: (): Vec2 => [1, 0],
@@ -143,7 +143,7 @@ export default defineFigure<Input, Output>({
         wagon(scene, [FAR * place, track], output.mass, role, role === "miss");
         continue;
       }
-      // It has rolled out of the picture.
+      // It has left the picture.
       const back = place < 0;
       const where = `${pretty(place, 3)} m`;
       scene.label([back ? -0.7 : 10.7, track], back ? `← ${where}` : `${where} →`, {
@@ -180,7 +180,7 @@ export default defineFigure<Input, Output>({
       unit: "m/s",
       role: "miss",
     },
-    { name: "p", meaning: "at first, and F t", value: output.p_given, unit: "kg·m/s" },
+    { name: "p", meaning: "initial, plus F t", value: output.p_given, unit: "kg·m/s" },
     {
       name: "p",
       meaning: "of wagon and sand, or rain",

@@ -1,5 +1,4 @@
-// A large impulse, many small ones, and the large one taken back: what each way of adding keeps of
-// the small ones.
+// A large impulse, many small ones, and the large one reversed: the sums by different methods.
 #include <algorithm>
 #include <cmath>
 #include <contact/error_free.hpp>
@@ -7,9 +6,9 @@
 #include <contact/impulse_sum.hpp>
 
 struct Input {
-  double power;   // the large impulse is 2^power N·s; a part of one does not count
+  double power;   // the large impulse is 2^power N·s; power is rounded down
   double small;   // each small impulse, N·s; rounded to single precision
-  double pushes;  // where the totals are read off; rounded to a sample
+  double pushes;  // position of the reading; rounded to a sample
 };
 
 inline constexpr std::size_t samples = 51;

@@ -1,5 +1,5 @@
-// Above: what is left of many small impulses once the large one before them has been taken back,
-// against their number. Below: which digits of the two there is room for.
+// Above: the computed sum of many small impulses between a large one and its opposite, against
+// their number. Below: the digits that the type holds for the large and the small impulse.
 
 import { defineFigure, pretty, type Role, type Vec2 } from "@contact/figure";
 
@@ -23,10 +23,10 @@ interface Output {
   first_digit: number;
 }
 
-/** How each way is drawn, in the order of `read`; `at` is the sample at which its name stands. */
+/** How each sum is drawn, in the order of `read`; `at` is the sample beside which its name is. */
 const WAYS = [
-  { field: "in_order", name: "in order", role: "miss", width: 3, at: 42 },
-  { field: "halves", name: "by halves", role: "b", width: 2, at: 27 },
+  { field: "in_order", name: "recursive", role: "miss", width: 3, at: 42 },
+  { field: "halves", name: "pairwise", role: "b", width: 2, at: 27 },
   { field: "kahan", name: "Kahan", role: "normal", width: 2, at: 33 },
   { field: "compensated", name: "compensated", role: "hit", width: 2, at: 37 },
   { field: "in_double", name: "double", role: "a", width: 2, at: 14 },
@@ -55,7 +55,7 @@ const POWERS = [
 const digit = (power: number): number => DIGIT * (power - LAST + 1);
 
 export default defineFigure<Input, Output>({
-  title: "Many small pushes after a large one",
+  title: "Many small impulses after a large one",
   view: { kind: "2d", x: [-0.9, 10.4], y: [-3.9, 5.9] },
   aspect: 1.2,
   initial: { power: 27, small: 0.1, pushes: 1000 },
@@ -80,7 +80,7 @@ export default defineFigure<Input, Output>({
     const axis = { role: "muted", width: 1 } as const;
     const end = MOST * input.small;
     scene.arrow([0, 0], [10.3, 0], axis).arrow([0, 0], [0, 5.6], axis);
-    scene.label([0, 5.6], "left, N·s", { role: "muted", offset: [10, 6] });
+    scene.label([0, 5.6], "sum, N·s", { role: "muted", offset: [10, 6] });
     scene.label([10.3, 0], "n", { role: "muted", offset: [2, 24], anchor: "middle" });
     const small = { role: "muted", size: "small" } as const;
     for (const n of [250, 500, 750])
@@ -111,10 +111,10 @@ export default defineFigure<Input, Output>({
       const path = curve(output[field]);
       scene.path(path, { role, width, dashed: field === "in_double" });
       const beside = path[at];
-      // A name stands where no other curve is.
+      // Names are placed where no other curve is.
       const above =
         field === "compensated" ? !crowded : field === "in_double" || over(output[field]);
-      // Below the axis are its numbers.
+      // The numbers of the axis are below it.
       if (beside)
         scene.label(beside, name, {
           role,
@@ -158,7 +158,7 @@ export default defineFigure<Input, Output>({
   values: (_input, output) => [
     { name: "right", meaning: "n times the small one", value: output.read[5] ?? 0, unit: "N·s" },
     ...WAYS.map(({ field, name, role }, k) => ({
-      name: field === "in_double" ? "in order" : name,
+      name: field === "in_double" ? "recursive" : name,
       meaning: field === "in_double" ? "double precision" : "single precision",
       value: output.read[k] ?? 0,
       unit: "N·s",
@@ -174,6 +174,6 @@ export default defineFigure<Input, Output>({
   ],
   describe(input, output) {
     const [order = 0, halves = 0, kahan = 0, compensated = 0, double = 0, right = 0] = output.read;
-    return `After 2 to the power ${pretty(output.power)} N·s, ${pretty(output.pushes)} pushes of ${pretty(input.small)} N·s and the large one back, ${pretty(right)} N·s should be left. In single precision the sum in order leaves ${pretty(order)}, by halves ${pretty(halves)}, Kahan’s ${pretty(kahan)}, compensated ${pretty(compensated)}; in double precision in order ${pretty(double)}.`;
+    return `After 2 to the power ${pretty(output.power)} N·s, ${pretty(output.pushes)} impulses of ${pretty(input.small)} N·s and the large one reversed, the sum should be ${pretty(right)} N·s. In single precision recursive summation gives ${pretty(order)}, pairwise ${pretty(halves)}, Kahan’s ${pretty(kahan)}, compensated ${pretty(compensated)}; in double precision recursive summation gives ${pretty(double)}.`;
   },
 });

@@ -1,19 +1,19 @@
-// Two skaters who push off each other: what each gets, and what does not change.
+// Two skaters push off each other: their velocities, and the conserved momentum.
 #include <contact/figure.hpp>
 #include <contact/momentum.hpp>
 
 struct Input {
   double mass_1, mass_2;  // kg
   double together;        // velocity of both before the push, m/s
-  double apart;           // velocity of the second as seen from the first afterwards, m/s
+  double apart;           // velocity of the second relative to the first afterwards, m/s
   double time;            // since the push, s
 };
 
 struct Output {
   double problem;
   double first, second;      // velocities after the push, m/s
-  double impulse;            // on the second, N·s; on the first the opposite
-  double first_share;        // how much of `apart` the second gets
+  double impulse;            // on the second, N·s; that on the first is the opposite
+  double first_share;        // share of `apart` that the second gets
   double p_1, p_2;           // momenta afterwards, kg·m/s
   double p_before, p_after;  // of both
   double centre_velocity;    // after the push
@@ -41,7 +41,7 @@ Output compute(const Input& in) {
   out.impulse = after.impulse.x();
   out.first_share =
       contact::push_off<double>(in.mass_1, in.mass_2, V(0, 0, 0), V(1, 0, 0)).second.x();
-  // Before the push both move at one velocity; afterwards each at its own.
+  // Before the push both have one velocity, afterwards each its own.
   const bool pushed = in.time > 0;
   out.x_1 = (pushed ? out.first : in.together) * in.time;
   out.x_2 = (pushed ? out.second : in.together) * in.time;

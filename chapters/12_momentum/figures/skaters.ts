@@ -1,5 +1,5 @@
-// Two skaters who push off each other. Above: where each is at each moment, time running upwards.
-// Below: their momenta, and the sum that the push cannot change.
+// Two skaters push off each other. Above: the position of each, with time upwards. Below: their
+// momenta, and the sum, which the push does not change.
 
 import { defineFigure, pretty, type Vec2 } from "@contact/figure";
 
@@ -55,7 +55,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slide",
       field: "apart",
-      label: "u, velocity of the second as the first sees it, m/s",
+      label: "u, velocity of the second relative to the first, m/s",
       role: "b",
       at: (_input, output): Vec2 => [LATE * output.second, LATE * HIGH],
       along: (_input, output): Vec2 => [LATE * output.first_share, 0],
@@ -131,7 +131,7 @@ export default defineFigure<Input, Output>({
       [output.second, "v_2", "b", left ? 1 : -1],
     ] as const) {
       const tip: Vec2 = [LATE * velocity, LATE * HIGH];
-      // Beside the line's end, or above it where there is no room.
+      // Beside the line's end, or above it if there is no room.
       const beside = tip[0] * outer < 2;
       scene.label(tip, `${name} = ${pretty(velocity, 2)}`, {
         role,
@@ -186,6 +186,6 @@ export default defineFigure<Input, Output>({
     },
   ],
   describe(input, output) {
-    return `The first skater goes at ${pretty(output.first, 3)} m/s and the second at ${pretty(output.second, 3)} m/s; their centre of mass still moves at ${pretty(output.centre_velocity, 3)} m/s, as both did before (${pretty(input.together, 3)} m/s).`;
+    return `The first skater moves at ${pretty(output.first, 3)} m/s and the second at ${pretty(output.second, 3)} m/s; their centre of mass still moves at ${pretty(output.centre_velocity, 3)} m/s, as both did before (${pretty(input.together, 3)} m/s).`;
   },
 });

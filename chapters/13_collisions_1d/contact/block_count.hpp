@@ -1,10 +1,10 @@
 /// @file
-/// How often two blocks and a wall collide: counted by colliding, by a formula, and for certain.
+/// The number of collisions of two blocks and a wall: by simulation, by a formula, and certain.
 ///
-/// A block of mass M slides towards one of mass m that rests before a wall. Everything is elastic
-/// and nothing rubs. The number of collisions, of the blocks with each other and of the small one
-/// with the wall, is ⌈π/θ⌉ − 1 with θ = arctan √(m/M): for M = 100^k m it is the first k + 1 digits
-/// of π.
+/// A block of mass M slides towards one of mass m that rests in front of a wall. Everything is
+/// elastic, without friction. The number of collisions, of the blocks with each other and of the
+/// small one with the wall, is ⌈π/θ⌉ − 1 with θ = arctan √(m/M): for M = 100^k m it is the first k
+/// + 1 digits of π.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ namespace contact {
 // [count-by-colliding]
 namespace detail {
 
-/// The count, by letting the blocks collide until nothing approaches. `blocks` makes of two bodies
-/// their velocities after a collision.
+/// The count by simulation: the blocks collide until none approaches. `blocks` returns the
+/// velocities of two bodies after a collision.
 template <Scalar S, class Blocks>
 std::int64_t count_by(const S& ratio, std::int64_t limit, const Blocks& blocks) {
   LineBody<S> large{ratio, S(1)};
@@ -47,12 +47,12 @@ std::int64_t count_by(const S& ratio, std::int64_t limit, const Blocks& blocks) 
 
 }  // namespace detail
 
-/// The count, by letting the blocks collide() until nothing approaches.
+/// The count by simulation with collide().
 ///
-/// Each collision rounds, and whether there is one more is decided by the sign of a velocity that
-/// may be nearly zero. So where π/θ is nearly a whole number the count is a guess.
+/// Each collision rounds, and the last one depends on the sign of a velocity that may be nearly
+/// zero. So if π/θ is nearly an integer the count may be wrong.
 /// @param ratio M/m, greater than 0
-/// @param limit stops there
+/// @param limit on the count
 template <Scalar S>
 std::int64_t count_by_colliding(const S& ratio, std::int64_t limit = 1000000) {
   return detail::count_by(ratio, limit, [](const LineBody<S>& large, const LineBody<S>& small) {
@@ -60,8 +60,7 @@ std::int64_t count_by_colliding(const S& ratio, std::int64_t limit = 1000000) {
   });
 }
 
-/// The same with the formulas as textbooks print them, ((m₁ − m₂) v₁ + 2 m₂ v₂)/(m₁ + m₂), and as
-/// much of a guess.
+/// The same with the textbook formulas, ((m₁ − m₂) v₁ + 2 m₂ v₂)/(m₁ + m₂), and as uncertain.
 template <Scalar S>
 std::int64_t count_by_textbook(const S& ratio, std::int64_t limit = 1000000) {
   return detail::count_by(ratio, limit, [](const LineBody<S>& large, const LineBody<S>& small) {
@@ -76,8 +75,8 @@ std::int64_t count_by_textbook(const S& ratio, std::int64_t limit = 1000000) {
 // [/count-by-colliding]
 
 // [arctan]
-/// arctan x for 0 ≤ x ≤ 1, the same bits on every machine: halved angles, then the series.
-/// @return rad; off by a few u of itself
+/// arctan x for 0 ≤ x ≤ 1, with the same bits on every machine: halved angles, then the series.
+/// @return rad, with an error of a few u of itself
 template <Scalar S>
 S arctan(const S& x) {
   using std::sqrt;
@@ -98,10 +97,10 @@ S arctan(const S& x) {
 // [/arctan]
 
 // [close-call]
-/// The ratio M/m for which n θ = π: cot²(π/n), by the series of the sine. The same bits on every
-/// machine.
-/// @param n from 3 on
-/// @return off by at most 2^-96 of itself, for n up to 5001
+/// The ratio M/m for which n θ = π: cot²(π/n), by the series of the sine, with the same bits on
+/// every machine.
+/// @param n at least 3
+/// @return with an error of at most 2^-96 of itself, for n up to 5001
 inline DoubleDouble tie_ratio(int n) {
   const DoubleDouble x = DoubleDouble(4.0) * arctan(DoubleDouble(1.0)) / DoubleDouble(n);
   const DoubleDouble square = x * x;
@@ -114,8 +113,8 @@ inline DoubleDouble tie_ratio(int n) {
 }
 
 /// The double nearest to tie_ratio(n), moved by some ulps. The same bits on every machine.
-/// @param n from 3 on
-/// @param ulps how many steps to the next larger double, or smaller if negative
+/// @param n at least 3
+/// @param ulps number of steps to the next larger double, or smaller if negative
 inline double close_call(int n, int ulps) {
   double ratio = tie_ratio(n).high();
   for (; ulps > 0; --ulps) ratio = std::nextafter(ratio, 2 * ratio);
@@ -125,8 +124,8 @@ inline double close_call(int n, int ulps) {
 // [/close-call]
 
 // [count-by-formula]
-/// The count ⌈π/θ⌉ − 1, by the formula in S. Where π/θ is nearly a whole number n, an error of an
-/// ulp makes it n for n − 1, or n − 1 for n.
+/// The count ⌈π/θ⌉ − 1, by the formula in S. If π/θ is nearly an integer, an error of an ulp
+/// changes the count by one.
 /// @param ratio M/m, at least 1
 template <Scalar S>
 std::int64_t count_by_formula(const S& ratio) {
@@ -162,8 +161,8 @@ inline int exact_sine_sign(const Exact& ratio, std::int64_t n) {
 }
 
 /// The same by repeated squaring in double-double, or nothing if the bound on its error does not
-/// exclude the other sign. A product of complex numbers is off by at most 2^-102 of itself, so zⁿ
-/// is by less than n 2^-101; four times as much is asked for.
+/// exclude the other sign. A product of complex numbers has an error of at most 2^-102 of itself,
+/// so the error of zⁿ is less than n 2^-101; the test uses four times that bound.
 inline std::optional<int> sine_sign(double ratio, std::int64_t n) {
   using Complex = std::array<DoubleDouble, 2>;
   const auto times = [](const Complex& x, const Complex& y) {
@@ -192,15 +191,15 @@ inline std::optional<int> sine_sign(double ratio, std::int64_t n) {
 }  // namespace detail
 
 // [count-collisions]
-/// The count for certain: the largest n with n θ < π, decided by the sign of sin(n θ).
+/// The certain count: the largest n with n θ < π, decided by the sign of sin(n θ).
 ///
-/// sin(n θ) is, but for a positive factor, the imaginary part of (√R + i)ⁿ with R = M/m. For n ≤ 8
-/// its sign is computed without rounding; above that in double-double with a bound on its error,
-/// and where the bound does not decide, nothing is returned. (Exact ties, n θ = π, are R = 1 and
-/// R = 3 alone: no other cot²(π/n) is a dyadic number above 0.)
+/// Up to a positive factor sin(n θ) is the imaginary part of (√R + i)ⁿ with R = M/m. For n ≤ 8 its
+/// sign is computed without rounding; above that in double-double with a bound on its error, and if
+/// the bound does not decide, nothing is returned. (Exact ties, n θ = π, occur only for R = 1 and
+/// R = 3: no other cot²(π/n) is a dyadic number above 0.)
 /// @param ratio M/m, as stored; finite, at least 2^-60
-/// @return nothing if ratio is above 1e24, not that large or NaN, or if no digit decides: which is
-/// not known to happen, and would need n θ within 1e-29 n of π
+/// @return nothing if ratio is below 2^-60, above 1e24 or NaN, or if the bound does not decide:
+/// that is not known to happen, and would need n θ within 1e-29 n of π
 /// @see Galperin, *Playing pool with π*, Regular and Chaotic Dynamics 8 (2003)
 inline std::optional<std::int64_t> count_collisions(double ratio) {
   if (!(ratio >= 0x1p-60 && ratio <= 1e24)) return std::nullopt;
@@ -210,7 +209,7 @@ inline std::optional<std::int64_t> count_collisions(double ratio) {
     if (!sign) return std::nullopt;
     return *sign > 0;
   };
-  // Any arctan will do for a first guess, since every step from it is certain.
+  // Any arctan will do for the first guess, since every step from there is certain.
   const double guess = std::floor(3.141592653589793 / std::atan(1 / std::sqrt(ratio)));
   auto n = static_cast<std::int64_t>(guess < 2 ? 2 : guess);
   for (;;) {

@@ -1,9 +1,9 @@
 /// @file
-/// Two bodies that collide on a line: their velocities afterwards, the impulse between them, and
-/// the energy that is lost.
+/// Collisions of two bodies on a line: the velocities afterwards, the impulse between them, and the
+/// loss of kinetic energy.
 ///
-/// The first body is the one with the smaller coordinate, and velocities count in the direction
-/// from the first to the second. So they approach if the first is faster, with its sign.
+/// The first body is the one with the smaller coordinate, and velocities are positive in the
+/// direction from the first to the second. So they approach if v₁ > v₂.
 #pragma once
 
 #include <algorithm>
@@ -20,10 +20,10 @@
 
 namespace contact {
 
-/// A body on a line. Make it with line_body(), which checks what it is given.
+/// A body on a line. Make it with line_body(), which checks its arguments.
 template <Ring S>
 struct LineBody {
-  S mass = S(1);      ///< kg, greater than 0; infinite for a wall, which nothing turns
+  S mass = S(1);      ///< kg, greater than 0; infinite for a wall, whose velocity never changes
   S velocity = S(0);  ///< m/s
 };
 
@@ -50,19 +50,20 @@ void require_restitution(const char* argument, const S& e) {
 }
 
 // [approaching]
-/// Whether two bodies come closer, so that they collide when they touch. Equal velocities do not.
+/// Whether two bodies approach, so that they collide when they touch. With equal velocities they do
+/// not.
 ///
-/// A comparison, so never wrong, even where the difference of the velocities would round or
+/// A comparison of stored numbers is exact, even if the difference of the velocities would round or
 /// overflow.
 template <Ring S>
 bool approaching(const LineBody<S>& first, const LineBody<S>& second) {
   return first.velocity > second.velocity;
 }
 
-/// How fast two bodies come closer, v₁ − v₂; negative if they part. After a collision its opposite
-/// is the speed of separation.
-/// @return m/s; off by at most u of itself; ±∞ only if the true difference is beyond the largest
-/// number
+/// The closing speed, v₁ − v₂; negative if the bodies separate. After a collision its opposite is
+/// the speed of separation.
+/// @return m/s, with an error of at most u of itself; ±∞ only if the true difference is beyond the
+/// largest number
 /// @see *Interaction and Normals*, slide "Elastic Collisions in 1-dimension": "relative velocity of
 /// approach"
 template <Ring S>
@@ -71,7 +72,7 @@ S closing_speed(const LineBody<S>& first, const LineBody<S>& second) {
 }
 // [/approaching]
 
-/// What part of two bodies' mass each has.
+/// The shares of two bodies in their total mass.
 template <Ring S>
 struct MassShares {
   S first = S(0);   ///< m₁ / (m₁ + m₂)
@@ -79,11 +80,11 @@ struct MassShares {
 };
 
 // [mass-shares]
-/// What part of the mass of both each body has. The *other's* share is how much of a change of
-/// relative velocity falls to a body: the light one does most of the turning.
+/// The share of each body in the total mass. A body's part of a change of relative velocity is the
+/// *other* body's share: the lighter body changes its velocity more.
 /// @param first_mass, second_mass kg, greater than 0; an infinite one has the share 1, and two
-/// infinite ones have a half each
-/// @return each off by at most γ(2) of itself, if it does not underflow. No sum overflows
+/// infinite ones have one half each
+/// @return each with an error of at most γ(2) of itself, if it does not underflow. No sum overflows
 template <Scalar S>
 MassShares<S> mass_shares(const S& first_mass, const S& second_mass) {
   if constexpr (std::floating_point<S>) {
@@ -100,11 +101,11 @@ MassShares<S> mass_shares(const S& first_mass, const S& second_mass) {
   return {first_mass / sum, second_mass / sum};
 }
 
-/// The reduced mass μ = m₁ m₂ / (m₁ + m₂): the mass that a collision feels. It is less than either,
-/// and at least half the smaller one.
-/// @param first_mass, second_mass kg, greater than 0; beside a wall it is the other's mass
-/// @return kg; off by at most γ(3) of itself, if it does not underflow; ∞ only for two infinite
-/// masses
+/// The reduced mass μ = m₁ m₂ / (m₁ + m₂). It is less than either mass, and at least half the
+/// smaller one.
+/// @param first_mass, second_mass kg, greater than 0; with a wall it is the other body's mass
+/// @return kg, with an error of at most γ(3) of itself, if it does not underflow; ∞ only for two
+/// infinite masses
 template <Scalar S>
 S reduced_mass(const S& first_mass, const S& second_mass) {
   const MassShares<S> share = mass_shares(first_mass, second_mass);
@@ -113,10 +114,10 @@ S reduced_mass(const S& first_mass, const S& second_mass) {
 }
 // [/mass-shares]
 
-/// What becomes of two bodies.
+/// The outcome of a collision.
 template <Ring S>
 struct LineCollision {
-  /// Whether they collided: they approached, and at least one of them could be turned.
+  /// Whether they collided: they approached, and at least one of them was no wall.
   bool collided = false;
   S first = S(0);   ///< velocity of the first afterwards, m/s
   S second = S(0);  ///< velocity of the second afterwards, m/s
@@ -143,19 +144,19 @@ bool collides(const LineBody<S>& first, const LineBody<S>& second) {
 template <Scalar S>
 LineCollision<S> rebound(const MassShares<S>& share, const S& v1, const S& v2, const S& e) {
   if (e == S(0)) {
-    // One velocity for both: that of the centre of mass.
+    // Both get the velocity of the centre of mass.
     const S together = std::clamp(S(share.first * v1 + share.second * v2), v2, v1);
     return {true, together, together};
   }
   const S w = v1 - v2;
-  // The heavier body changes its own velocity a little. The lighter one (or equal) takes the
-  // other's velocity and changes that: so equal bodies exchange theirs, bit for bit.
+  // The heavier body changes its own velocity a little. The lighter (or equal) one starts from the
+  // other's velocity and changes that, so equal bodies exchange velocities bit for bit.
   S first = share.first > share.second ? S(v1 - (S(1) + e) * share.second * w)
                                        : S(v2 + (share.first - e * share.second) * w);
   S second = share.second > share.first ? S(v2 + (S(1) + e) * share.first * w)
                                         : S(v1 - (share.second - e * share.first) * w);
   if (first > second) {
-    // They part by less than the rounding: together, then, and certainly not through each other.
+    // The speed of separation is below the rounding error: make it 0, so that they do not approach.
     if (share.first > share.second) {
       second = first;
     } else if (share.second > share.first) {
@@ -168,7 +169,7 @@ LineCollision<S> rebound(const MassShares<S>& share, const S& v1, const S& v2, c
 }
 // [/rebound]
 
-/// The product of finite factors times 2^exponent, without overflow or underflow on the way.
+/// The product of finite factors times 2^exponent, without intermediate overflow or underflow.
 template <std::floating_point S>
 S scaled_product(std::initializer_list<S> factors, int exponent) {
   S mantissa(1);
@@ -197,19 +198,20 @@ Difference<S> difference(const S& v1, const S& v2) {
 // [collide]
 /// The velocities of two bodies after they have collided.
 ///
-/// Momentum is conserved, and they part e times as fast as they came closer: v₁' = v₁ − (1 + e) w
-/// m₂/(m₁ + m₂) and v₂' = v₂ + (1 + e) w m₁/(m₁ + m₂), with w = v₁ − v₂. For e = 1 the collision is
-/// elastic and no kinetic energy is lost; for e = 0 it is perfectly inelastic and both leave with
-/// one velocity. Bodies that do not approach have not collided, and keep their velocities.
-/// @param first, second of line_body(), in the order of their coordinates. Of two walls neither can
-/// be turned: they are left as they are
+/// Momentum is conserved, and the speed of separation is e times the closing speed w = v₁ − v₂:
+/// v₁' = v₁ − (1 + e) w m₂/(m₁ + m₂) and v₂' = v₂ + (1 + e) w m₁/(m₁ + m₂). For e = 1 the collision
+/// is elastic and no kinetic energy is lost; for e = 0 it is perfectly inelastic and both leave
+/// with one velocity. Bodies that do not approach do not collide and keep their velocities.
+/// @param first, second of line_body(), in the order of their coordinates. Two walls keep their
+/// velocities
 /// @param e coefficient of restitution, from 0 to 1
-/// @return in a floating-point type each velocity is off by at most γ(8) (|v₁| + |v₂|) + η, and by
-/// no less may be hoped for where it is small itself: that is how much it changes if the input does
-/// by an ulp. Finite unless the true velocity is beyond the largest number; never NaN
-/// @note However it rounds: they do not approach afterwards; for e = 0 both velocities are the same
-/// number; elastic equals exchange their velocities exactly; a wall keeps its velocity exactly;
-/// looked at from behind (masses exchanged, velocities exchanged and negated) it gives the same
+/// @return in a floating-point type the error of each velocity is at most γ(8) (|v₁| + |v₂|) + η. A
+/// small velocity may have no right digit: it changes by as much if the input changes by an ulp.
+/// Finite unless the true velocity is beyond the largest number; never NaN
+/// @note Properties that rounding does not affect: the bodies do not approach afterwards; for e = 0
+/// both velocities are the same number; in an elastic collision equal bodies exchange velocities
+/// exactly; a wall keeps its velocity exactly; the mirrored collision (masses exchanged, velocities
+/// exchanged and negated) has the mirrored result
 /// @see *Interaction and Normals*, slides "Elastic Collisions in 1-dimension" and "Perfectly
 /// Inelastic Collisions"; *Fundamentals of Computer Animation*, "Collisions Between Spheres", step
 /// c
@@ -233,11 +235,11 @@ LineCollision<S> collide(const LineBody<S>& first, const LineBody<S>& second, co
 // [/collide]
 
 // [impulse]
-/// The impulse that the first body gives the second, (1 + e) μ w; the second gives the first the
-/// opposite. Never negative, since bodies push and do not pull; 0 if they do not collide.
+/// The impulse of the first body on the second, (1 + e) μ w; that on the first is the opposite. It
+/// is never negative, since bodies push and do not pull; 0 if they do not collide.
 /// @param first, second, e as for collide()
-/// @return N·s; off by at most γ(7) of itself, if it does not underflow; ∞ only if the true impulse
-/// is about as large as that
+/// @return N·s, with an error of at most γ(7) of itself, if it does not underflow; ∞ only if the
+/// true impulse is about as large as the largest number
 template <Scalar S>
 S collision_impulse(const LineBody<S>& first, const LineBody<S>& second, const S& e) {
   if (!detail::collides(first, second)) return S(0);
@@ -252,14 +254,14 @@ S collision_impulse(const LineBody<S>& first, const LineBody<S>& second, const S
 // [/impulse]
 
 // [energy-lost]
-/// The kinetic energy that a collision turns into something else, ½ μ (1 − e²) w².
+/// The kinetic energy that a collision loses, ½ μ (1 − e²) w².
 ///
-/// It depends on the velocities only through the closing speed w, so everybody who looks sees the
-/// same loss, whatever kinetic energy they see. A product, so it keeps its digits where the
-/// difference of the energies before and after would lose them.
-/// @param first, second, e as for collide(); beside a moving wall it is the loss that the wall sees
-/// @return J, never negative; off by at most γ(11) of itself, if it does not underflow; 0 if they
-/// do not collide; ∞ only if the true loss is about as large as that
+/// It depends on the velocities only through the closing speed w, so it is the same in every frame,
+/// although the kinetic energies differ. It is computed as a product, which has no cancellation;
+/// the difference of the energies before and after has.
+/// @param first, second, e as for collide(); with a moving wall it is the loss in the wall's frame
+/// @return J, never negative, with an error of at most γ(11) of itself, if it does not underflow; 0
+/// if they do not collide; ∞ only if the true loss is about as large as the largest number
 template <Scalar S>
 S energy_lost(const LineBody<S>& first, const LineBody<S>& second, const S& e) {
   if (!detail::collides(first, second)) return S(0);
@@ -275,8 +277,8 @@ S energy_lost(const LineBody<S>& first, const LineBody<S>& second, const S& e) {
 // [/energy-lost]
 
 /// The kinetic energy of a body, ½ m v².
-/// @return J; off by at most γ(2) of itself, if it does not underflow; ∞ if the true energy is
-/// beyond the largest number, and for a wall that moves
+/// @return J, with an error of at most γ(2) of itself, if it does not underflow; ∞ if the true
+/// energy is beyond the largest number, and for a moving wall
 template <Scalar S>
 S kinetic_energy(const LineBody<S>& body) {
   if (body.velocity == S(0)) return S(0);
@@ -289,16 +291,15 @@ S kinetic_energy(const LineBody<S>& body) {
 }
 
 // [restitution]
-/// The coefficient of restitution that was, from the velocities before and after: the speed of
-/// separation over the closing speed.
+/// The coefficient of restitution of a collision that was measured: the speed of separation over
+/// the closing speed.
 ///
-/// It says more than a number. Below 0 the bodies have gone through each other, 0 says that they
-/// left at one velocity (and not that they adhere), 1 that no kinetic energy was lost; above 1 some
-/// was set free.
+/// Below 0 the bodies have passed through each other; at 0 they left with one velocity (but need
+/// not adhere); at 1 no kinetic energy was lost; above 1 some was released.
 /// @param first, second of line_body(), before
 /// @param first_after, second_after velocities, m/s
-/// @return in a floating-point type off by at most γ(3) of itself, if nothing underflows; nothing
-/// if they did not approach, for then there was no collision
+/// @return in a floating-point type with an error of at most γ(3) of itself, if nothing underflows;
+/// nothing if they did not approach, because then there was no collision
 template <Scalar S>
 std::optional<S> restitution_of(const LineBody<S>& first, const LineBody<S>& second,
                                 const S& first_after, const S& second_after) {
@@ -314,8 +315,8 @@ std::optional<S> restitution_of(const LineBody<S>& first, const LineBody<S>& sec
 // [/restitution]
 
 // [collide-exactly]
-/// The velocities after a collision, each rounded once: the nearest number to what the stored
-/// masses, velocities and e give.
+/// The exact velocities after a collision of the stored masses, velocities and e, each rounded once
+/// to the nearest number.
 /// @param first, second, e as for collide()
 /// @return ±∞ if the true velocity is beyond the largest number
 template <std::floating_point S>
@@ -325,7 +326,7 @@ LineCollision<S> collide_exactly(const LineBody<S>& first, const LineBody<S>& se
   if (!detail::collides(first, second)) return {false, first.velocity, second.velocity};
   const bool wall_1 = !detail::can_be_turned(first);
   const bool wall_2 = !detail::can_be_turned(second);
-  // Beside a wall the other mass counts for nothing.
+  // With a wall the other mass is negligible.
   const Exact m1(wall_1 ? 1.0 : wall_2 ? 0.0 : double(first.mass));
   const Exact m2(wall_2 ? 1.0 : wall_1 ? 0.0 : double(second.mass));
   const Exact v1(double(first.velocity));

@@ -1,6 +1,6 @@
 /// @file
-/// Balls in a row that touch, as in Newton's cradle: one pair after the other, or all at once on
-/// springs.
+/// A row of touching balls, as in Newton's cradle: resolved one pair at a time, or simultaneously
+/// with springs.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +15,14 @@
 
 namespace contact {
 
-/// Which of several pairs that approach collides next.
+/// Which of several approaching pairs collides next.
 enum class PairOrder {
-  left_to_right,  ///< sweeps from the first pair to the last, again and again
-  right_to_left,  ///< the other way
+  left_to_right,  ///< repeatedly from the first pair to the last
+  right_to_left,  ///< repeatedly from the last pair to the first
   fastest_first   ///< always the pair with the largest closing speed; of equals the leftmost
 };
 
-/// What has become of a row.
+/// The outcome for a row.
 template <Ring S>
 struct RowOutcome {
   std::vector<S> velocities;  ///< m/s, in the order of the balls
@@ -31,23 +31,23 @@ struct RowOutcome {
 };
 
 // [collide-row]
-/// A row of balls that touch their neighbours: pairs that approach collide, one at a time, until
-/// none does.
+/// A row of balls that touch their neighbours: approaching pairs collide, one at a time, until none
+/// approaches.
 ///
-/// Balls of one mass with e = 1 exchange velocities, so any order sorts them, and the result is the
-/// same. With other masses, or e < 1, the order decides: pairs alone do not say what the row does.
+/// Balls of equal mass with e = 1 exchange velocities, so every order sorts them, with the same
+/// result. With other masses or e < 1 the result depends on the order.
 /// @param row of line_body(), by coordinate
 /// @param e coefficient of restitution of every pair, from 0 to 1
 /// @param order see PairOrder
-/// @param limit how many collisions at most. For small e there may be infinitely many, and then the
+/// @param limit on the number of collisions. For small e there may be infinitely many, and then the
 /// row is not settled when the limit is reached
-/// @return momentum is conserved to γ(8) of Σ m|v| a collision
+/// @return momentum is conserved up to γ(8) of Σ m|v| per collision
 template <Scalar S>
 RowOutcome<S> collide_row(std::vector<LineBody<S>> row, const S& e, PairOrder order, int limit) {
   RowOutcome<S> outcome;
   const std::size_t pairs = row.empty() ? 0 : row.size() - 1;
   const auto collides = [&row](std::size_t i) { return detail::collides(row[i], row[i + 1]); };
-  std::size_t next = 0;  // where a sweep goes on
+  std::size_t next = 0;  // where the iteration continues
   while (true) {
     std::size_t chosen = pairs;
     for (std::size_t step = 0; step < pairs; ++step) {
@@ -76,16 +76,16 @@ RowOutcome<S> collide_row(std::vector<LineBody<S>> row, const S& e, PairOrder or
 // [/collide-row]
 
 // [all-at-once]
-/// The same row with all pairs that approach colliding at once, each as if it were alone, and the
-/// changes of velocity added; again and again until no pair approaches.
+/// The same row with all approaching pairs resolved at once (Jacobi), each as if it were alone, and
+/// the changes of velocity added. This is repeated until no pair approaches.
 ///
-/// A plain method that fails by nature: a ball between two others gets two blows, each computed as
-/// if there were no other. Momentum is conserved. Energy is lost even with e = 1: the blows J and
-/// J' are opposite, and with both at once the ball has J J'/m less than with each alone. Here to be
-/// compared; where no ball is hit from both sides, it is right.
+/// For comparison only: a ball between two others gets two impulses, each computed as if the other
+/// did not exist. Momentum is conserved. Energy is lost even with e = 1: the impulses J and J' are
+/// opposite, and with both at once the ball has J J'/m less than with each alone. If no ball is hit
+/// from both sides, the result is right.
 /// @param row, e see collide_row()
-/// @param limit how many rounds at most
-/// @return velocities, and how many collisions of pairs there were
+/// @param limit on the number of iterations
+/// @return velocities, and the number of collisions of pairs
 template <Scalar S>
 RowOutcome<S> collide_all_at_once(std::vector<LineBody<S>> row, const S& e, int limit) {
   RowOutcome<S> outcome;
@@ -107,24 +107,24 @@ RowOutcome<S> collide_all_at_once(std::vector<LineBody<S>> row, const S& e, int 
 }
 // [/all-at-once]
 
-/// How a contact pushes back when it is pressed in by d.
+/// The contact force as a function of the depth d.
 enum class ContactSpring {
   linear,  ///< force = k d
   hertz    ///< force = k d^(3/2), as elastic spheres do (Hertz, 1882)
 };
 
 // [row-on-springs]
-/// The same row with all contacts at once: between neighbours is a spring that pushes when it is
-/// pressed, and never pulls. The balls have finite masses and move until every spring is free.
+/// The same row with simultaneous contacts: between neighbours is a spring that pushes when it is
+/// compressed and never pulls. The balls have finite masses and move until no spring is compressed.
 ///
-/// This is what simultaneous contact needs: a law for the force, and time for it to act. The
-/// velocities afterwards do not depend on the stiffness k, only on its *ratio* from contact to
-/// contact (here all are alike) and on the shape of the law. Nothing is lost on the way.
-/// @param row of line_body(), by coordinate, touching and unpressed
+/// Simultaneous contacts need a force law, and time for the force to act. The velocities afterwards
+/// do not depend on the stiffness k, only on its *ratio* from contact to contact (here all are
+/// equal) and on the shape of the law. Kinetic energy is conserved.
+/// @param row of line_body(), by coordinate, touching and uncompressed
 /// @param law see ContactSpring
-/// @param steps how many of the leapfrog method cover the time in which sound would cross the row;
-/// the error falls with the square of it
-/// @return velocities when no spring is pressed; settled = false if that took too long
+/// @param steps number of leapfrog (velocity Verlet) steps in the time in which sound would cross
+/// the row; the error is proportional to 1/steps²
+/// @return velocities when no spring is compressed; settled = false if that took too long
 template <std::floating_point S>
 RowOutcome<S> row_on_springs(const std::vector<LineBody<S>>& row, ContactSpring law, int steps) {
   const std::size_t n = row.size();
@@ -138,7 +138,7 @@ RowOutcome<S> row_on_springs(const std::vector<LineBody<S>>& row, ContactSpring 
     mass = std::max(mass, ball.mass);
     fastest = std::max(fastest, std::abs(ball.velocity - row.front().velocity));
   }
-  // Units in which the heaviest mass, the stiffness and the largest relative velocity are 1.
+  // Units in which the largest mass, the stiffness and the largest relative velocity are 1.
   if (n < 2 || fastest == S(0)) {
     outcome.settled = true;
     return outcome;

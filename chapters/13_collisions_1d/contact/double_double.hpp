@@ -1,6 +1,6 @@
 /// @file
-/// A number as the unevaluated sum of two doubles: about 106 bits, for a few hundred times less
-/// than arithmetic that never rounds.
+/// A number as the unevaluated sum of two doubles: about 106 bits, a few hundred times faster than
+/// exact arithmetic.
 #pragma once
 
 #include <cmath>
@@ -12,9 +12,8 @@ namespace contact {
 
 /// The sum high + low, with |low| at most half an ulp of high.
 ///
-/// A sum or a difference is off by at most 3 u² of itself, a product by 5 u², a quotient by 15 u²,
-/// with u = 2^-53, as long as nothing overflows, and no product or quotient comes near the smallest
-/// numbers (below about 2^-900).
+/// The relative error of a sum or a difference is at most 3 u², of a product 5 u², of a quotient
+/// 15 u², with u = 2^-53, if nothing overflows and no product or quotient is below about 2^-900.
 /// @see Joldes, Muller and Popescu, *Tight and rigorous error bounds for basic building blocks of
 /// double-word arithmetic*, ACM Transactions on Mathematical Software 44 (2017)
 class DoubleDouble {
@@ -24,7 +23,7 @@ class DoubleDouble {
   DoubleDouble(double value) : high_(value) {}
 
   double high() const { return high_; }  ///< the double nearest to the sum
-  double low() const { return low_; }    ///< what high() leaves
+  double low() const { return low_; }    ///< the rest
 
   // [arithmetic]
   friend DoubleDouble operator-(const DoubleDouble& x) { return {-x.high_, -x.low_}; }
@@ -47,7 +46,7 @@ class DoubleDouble {
   }
   // [/arithmetic]
 
-  /// √x for x > 0, off by at most 4 u² of itself.
+  /// √x for x > 0, with an error of at most 4 u² of itself.
   friend DoubleDouble sqrt(const DoubleDouble& x) {
     const double guess = std::sqrt(x.high_);
     const double rest = std::fma(-guess, guess, x.high_) + x.low_;

@@ -1,5 +1,5 @@
-// Newton's cradle three ways: as pairs, on springs, and as elastic spheres. Then a row in which the
-// order of the pairs matters.
+// Newton's cradle by pairs, with springs, and as elastic spheres. Then a row in which the order of
+// the pairs matters.
 #include <contact/cradle.hpp>
 #include <cstdio>
 

@@ -1,4 +1,4 @@
-// How often the blocks collide. At powers of 100 the count spells π; elsewhere it does not.
+// The number of collisions of the blocks. At powers of 100 it has the digits of π; elsewhere not.
 #include <contact/block_count.hpp>
 #include <cstdio>
 

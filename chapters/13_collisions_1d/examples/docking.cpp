@@ -1,5 +1,5 @@
-// Two satellites dock at a centimetre a second while both fly at 7 km/s: the energy that is lost,
-// as a difference of energies and as a product.
+// Two satellites dock at 1 cm/s while both move at 7 km/s: the loss of energy as a difference of
+// energies and as a product.
 #include <contact/collision_1d.hpp>
 #include <cstdio>
 

@@ -1,5 +1,5 @@
-// How many close calls each way of counting gets wrong: mass ratios within 2 ulp of cot²(π/n), for
-// every tenth n up to 5000.
+// How many close cases each method miscounts: mass ratios within 2 ulp of cot²(π/n), for every
+// tenth n up to 5000.
 #include <contact/block_count.hpp>
 #include <cstdio>
 
@@ -21,9 +21,9 @@ int main() {
     }
   }
   const auto share = [asked](int wrong) { return 100.0 * wrong / asked; };
-  std::printf("of %d close calls, miscounted\n", asked);
+  std::printf("of %d close cases, miscounted\n", asked);
   std::printf("  by the formula in double            %4d, %4.1f %%\n", formula, share(formula));
-  std::printf("  colliding, textbook formulas        %4d, %4.1f %%\n", textbook, share(textbook));
-  std::printf("  colliding, the book's formulas      %4d, %4.1f %%\n", book, share(book));
+  std::printf("  simulation, textbook formulas       %4d, %4.1f %%\n", textbook, share(textbook));
+  std::printf("  simulation, the book's formulas     %4d, %4.1f %%\n", book, share(book));
   std::printf("  by the formula with twice the bits  %4d\n", more_digits);
 }

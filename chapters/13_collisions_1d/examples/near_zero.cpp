@@ -1,5 +1,5 @@
-// A body that is nearly stopped: how far off its small velocity is, as a part of itself and as a
-// part of what went in. In float, so that it shows; truth without rounding.
+// A body that nearly stops: the error of its small velocity, relative to itself and to the input.
+// In float, where the error is larger; the truth is computed without rounding.
 #include <cmath>
 #include <contact/collision_1d.hpp>
 #include <cstdio>
@@ -7,7 +7,7 @@
 int main() {
   const float u = 0x1p-24f;
   const auto second = contact::line_body(1.0f, 0.0f);
-  std::printf("   m1      exact v1'    computed   off by, of itself   of u(|v1| + |v2|)\n");
+  std::printf("   m1      exact v1'    computed      relative error   of u(|v1| + |v2|)\n");
   for (const float m1 : {0.6f, 0.31f, 0.3001f, 0.30001f, 0.3000001f}) {
     const auto first = contact::line_body(m1, 1.0f);
     const float e = 0.3f;

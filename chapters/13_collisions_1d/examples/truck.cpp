@@ -1,5 +1,5 @@
-// A truck of 3000 kg at 20 m/s runs into a parked car of 1000 kg, which leaves at 15 m/s: did they
-// stick together? Then the same crash elastically.
+// A truck of 3000 kg at 20 m/s runs into a parked car of 1000 kg, which leaves at 15 m/s. Then the
+// same collision with other coefficients of restitution.
 #include <contact/collision_1d.hpp>
 #include <cstdio>
 

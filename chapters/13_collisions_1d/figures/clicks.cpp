@@ -1,19 +1,19 @@
-// Two blocks and a wall: the velocities of both as a point that leaps round a circle.
+// Two blocks and a wall: the velocities of both as a point that is reflected on a circle.
 #include <contact/block_count.hpp>
 #include <contact/figure.hpp>
 
 struct Input {
   double ratio;  // M/m
-  double step;   // how many collisions have been
+  double step;   // number of collisions so far
 };
 
 struct Output {
   double problem;
-  double clicks;                // for certain
+  double clicks;                // certain count
   std::array<double, 33> x, y;  // √M V and √m v after each collision, as parts of √(2K); the last
                                 // is repeated
-  double large, small;      // velocities after `step` collisions, in those of the beginning
-  double done;              // how many there have been: step, or all
+  double large, small;      // velocities after `step` collisions, relative to the initial one
+  double done;              // number of collisions shown: step, or all
   double slope_x, slope_y;  // the direction in which V = v
 };
 

@@ -1,5 +1,5 @@
-// The velocities of two blocks as one point: a collision with the wall turns it upside down, one of
-// the blocks reflects it in a line that is steeper or flatter by the masses.
+// The velocities of two blocks as one point: a collision with the wall reflects it in the horizontal
+// axis, a collision of the blocks in a line whose slope depends on the masses.
 
 import { defineFigure, pretty, type Vec2 } from "@contact/figure";
 
@@ -24,7 +24,7 @@ const SCALE = -4.4;
 const place = (ratio: number): number => -4 + 0.08 * ratio;
 
 export default defineFigure<Input, Output>({
-  title: "Leaps round a circle",
+  title: "Reflections on a circle",
   view: { kind: "2d", x: [-5, 5], y: [-5.2, 3.8] },
   aspect: 1.1,
   initial: { ratio: 16, step: 32 },
@@ -72,7 +72,7 @@ export default defineFigure<Input, Output>({
     scene.face([[0, 0], [-R, 0], end], { role: "hit", fill: 0.25, outline: false });
     scene.line([-end[0], -end[1]], end, { role: "b", width: 1.5, dashed: true });
     scene.label([-end[0], -end[1]], "V = v", { role: "b", offset: [10, 0] });
-    scene.label([-R, 0], "all parts", {
+    scene.label([-R, 0], "all separate", {
       role: "hit",
       offset: [-4, -10],
       anchor: "middle",
@@ -88,10 +88,10 @@ export default defineFigure<Input, Output>({
   values: (_input, output) => [
     { name: "n", meaning: "collisions in all", value: output.clicks },
     { name: "k", meaning: "collisions so far", value: output.done },
-    { name: "V", meaning: "large block, in its first velocity", value: output.large },
+    { name: "V", meaning: "large block, relative to its initial velocity", value: output.large },
     { name: "v", meaning: "small block", value: output.small },
   ],
   describe(input, output) {
-    return `A block ${pretty(input.ratio)} times as heavy makes ${pretty(output.clicks)} clicks.`;
+    return `With a mass ratio of ${pretty(input.ratio)} there are ${pretty(output.clicks)} collisions.`;
   },
 });

@@ -1,5 +1,5 @@
-// Blocks whose count of collisions is a close call: mass ratios within two ulps of cot²(π/n). Which
-// of the ways to count gets them right.
+// Close cases of the count of collisions: mass ratios within two ulps of cot²(π/n), and which
+// methods are right.
 #include <contact/block_count.hpp>
 #include <contact/figure.hpp>
 
@@ -10,12 +10,12 @@ struct Input {
 struct Output {
   double problem;
   std::array<double, 5> ratio;       // M/m at -2 to 2 ulps
-  std::array<double, 5> right;       // the count for certain
-  std::array<double, 5> by_formula;  // and by three ways that round
+  std::array<double, 5> right;       // the certain count
+  std::array<double, 5> by_formula;  // and by three methods that round
   std::array<double, 5> by_textbook;
   std::array<double, 5> by_book;
   std::array<double, 3> wrong;  // counts of these three that are wrong, for n and the next nine
-  double asked;                 // of so many
+  double asked;                 // out of this many
 };
 
 Output compute(const Input& in) {

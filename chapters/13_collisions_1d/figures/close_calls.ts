@@ -1,4 +1,4 @@
-// A table of close calls: five neighbouring mass ratios, and what four ways of counting say.
+// A table of close cases: five neighbouring mass ratios, and the counts of four methods.
 
 import { defineFigure, pretty, type Vec2 } from "@contact/figure";
 
@@ -22,7 +22,7 @@ const column = (i: number): number => 1 + 1.9 * (i - 2);
 const place = (n: number): number => -5 + n / 500;
 
 export default defineFigure<Input, Output>({
-  title: "Close calls",
+  title: "Close cases",
   view: { kind: "2d", x: [-6.2, 6.2], y: [-3, 5] },
   aspect: 1.4,
   initial: { n: 314 },
@@ -30,7 +30,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slide",
       field: "n",
-      label: "n: so many steps of θ are nearly π",
+      label: "n: n steps of θ are nearly π",
       role: "ray",
       at: (input): Vec2 => [place(input.n), SCALE],
       along: (): Vec2 => [1 / 500, 0],
@@ -113,6 +113,6 @@ export default defineFigure<Input, Output>({
     const wrong = [output.by_formula, output.by_textbook, output.by_book]
       .map((counts) => counts.filter((count, i) => count !== output.right[i]).length)
       .reduce((sum, count) => sum + count, 0);
-    return `At ${pretty(input.n)} steps the three ways that round miscount ${wrong} of these 15 times.`;
+    return `At ${pretty(input.n)} steps the three methods that round miscount ${wrong} of these 15 times.`;
   },
 });

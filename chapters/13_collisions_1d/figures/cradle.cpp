@@ -1,13 +1,13 @@
-// Five balls that touch: what each way of settling the row makes of the velocities before.
+// Five touching balls: the velocities after the impact by several methods.
 #include <contact/cradle.hpp>
 #include <contact/figure.hpp>
 
 struct Input {
   double v_1, v_2, v_3, v_4, v_5;  // before, m/s
-  double middle;                   // mass of the third ball in those of the others
-  double e;                        // coefficient of restitution of every pair; springs lose nothing
-  double method;                   // 0: fastest pair first, 1: from the left, 2: from the right,
-                                   // 3: linear springs, 4: elastic spheres, 5: all pairs at once
+  double middle;                   // mass of the third ball relative to the others
+  double e;       // coefficient of restitution of every pair; springs lose no energy
+  double method;  // 0: fastest pair first, 1: from the left, 2: from the right,
+                  // 3: linear springs, 4: elastic spheres, 5: all pairs at once
 };
 
 struct Output {
@@ -16,7 +16,7 @@ struct Output {
   double collisions;            // of pairs; 0 for springs
   double settled;               // whether no neighbours approach any more
   double p, after_p;            // momenta, in masses of an outer ball times m/s
-  double kept;                  // part of the kinetic energy that is left; 1 if there was none
+  double kept;                  // remaining fraction of the kinetic energy; 1 if there was none
   std::array<double, 5> other;  // by pairs from the other end: equal unless the order matters
   double order_matters;         // goal: from the left and from the right differ by 0.05 m/s
 };

@@ -1,4 +1,4 @@
-// Newton's cradle: the velocities of five balls before the blow, which the reader sets, and after.
+// Newton's cradle: the velocities of five balls before the impact, set by the reader, and after.
 
 import { defineFigure, pretty, type Vec2 } from "@contact/figure";
 
@@ -52,7 +52,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "choice",
       field: "method",
-      label: "how",
+      label: "method",
       options: [
         { value: 0, label: "pairs, fastest first" },
         { value: 1, label: "pairs, from the left" },
@@ -130,10 +130,10 @@ export default defineFigure<Input, Output>({
     { name: "n", meaning: "collisions of pairs", value: output.collisions },
     { name: "p", meaning: "before, per mass of an outer ball", value: output.p, unit: "m/s" },
     { name: "p′", meaning: "after", value: output.after_p, unit: "m/s" },
-    { name: "K′/K", meaning: "energy that is left", value: output.kept },
+    { name: "K′/K", meaning: "remaining kinetic energy", value: output.kept },
   ],
   describe(_input, output) {
     const list = output.after.map((v) => pretty(v, 2)).join(", ");
-    return `The balls leave at ${list} m/s${output.settled ? "" : ", and some still approach"}; ${pretty(100 * output.kept, 3)} % of the kinetic energy is left.`;
+    return `The balls leave at ${list} m/s${output.settled ? "" : ", and some still approach"}; ${pretty(100 * output.kept, 3)} % of the kinetic energy remains.`;
   },
 });

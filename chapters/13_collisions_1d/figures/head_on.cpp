@@ -1,6 +1,5 @@
-// Two carts on a line: where they are at each moment, and their momenta and energies before and
-// after. With a switch for the formula as it stands on the slides, which asks nobody whether they
-// approach.
+// Two carts on a line: their positions against time, and their momenta and energies before and
+// after. A switch selects the formula of the slides, which does not test for approach.
 #include <contact/collision_1d.hpp>
 #include <contact/figure.hpp>
 
@@ -9,12 +8,12 @@ struct Input {
   double v_1, v_2;        // before, m/s
   double e;               // coefficient of restitution
   double tested;          // 1: with the test for approach; 0: without
-  double time;            // since they touch, s
+  double time;            // since the contact, s
 };
 
 struct Output {
   double problem;
-  double approach;              // whether they do
+  double approach;              // whether they approach
   double after_1, after_2;      // velocities, m/s
   double closing, separation;   // m/s
   double impulse;               // on the second, N·s
@@ -25,7 +24,7 @@ struct Output {
   double fraction;              // of the kinetic energy before; 0 if there is none
   double centre;                // velocity of the centre of mass, m/s
   double x_1, x_2;              // at the time, m; they touch at 0
-  double through;               // whether they are on the wrong sides of each other afterwards
+  double through;               // whether they have passed through each other
   double first_stops;           // goal: unequal masses, the second at rest, the first stops
 };
 
@@ -52,8 +51,8 @@ Output compute(const Input& in) {
   out.impulse = contact::collision_impulse(first, second, in.e);
   out.lost = contact::energy_lost(first, second, in.e);
   if (in.tested == 0) {
-    // WRONG: nobody asks whether they approach. The formula is right if they do; if they part it
-    // turns their velocities round, so that they go through each other.
+    // WRONG: no test for approach. The formula is right if they approach; if they separate it
+    // reverses their velocities, so that they pass through each other.
     const double change = (1 + in.e) * out.closing;
     after.first = in.v_1 - change * share.second;
     after.second = in.v_2 + change * share.first;

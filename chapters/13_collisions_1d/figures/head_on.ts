@@ -1,5 +1,5 @@
-// Two carts that collide. Above: where each is at each moment, time running upwards. Below: the
-// kinetic energy before and after, and what is lost of it.
+// Two carts collide. Above: the position of each, with time upwards. Below: the kinetic energy
+// before and after, and the loss.
 
 import { defineFigure, pretty, type Vec2 } from "@contact/figure";
 
@@ -90,8 +90,8 @@ export default defineFigure<Input, Output>({
       field: "tested",
       label: "test for approach",
       options: [
-        { value: 1, label: "asked first" },
-        { value: 0, label: "left out" },
+        { value: 1, label: "on" },
+        { value: 0, label: "off" },
       ],
     },
   ],
@@ -216,8 +216,8 @@ export default defineFigure<Input, Output>({
   ],
   describe(input, output) {
     if (output.through)
-      return `The bodies part at ${pretty(-output.closing, 3)} m/s already. The formula turns them round all the same, and they go through each other.`;
+      return `The bodies separate at ${pretty(-output.closing, 3)} m/s already. Without the test the formula sends them through each other.`;
     if (!output.approach) return "The bodies do not approach, so nothing happens.";
-    return `They come closer at ${pretty(output.closing, 3)} m/s and part at ${pretty(output.separation, 3)} m/s, ${pretty(input.e, 3)} times as fast; ${pretty(100 * output.fraction, 3)} % of the kinetic energy is lost.`;
+    return `They approach at ${pretty(output.closing, 3)} m/s and separate at ${pretty(output.separation, 3)} m/s, ${pretty(input.e, 3)} times as fast; ${pretty(100 * output.fraction, 3)} % of the kinetic energy is lost.`;
   },
 });

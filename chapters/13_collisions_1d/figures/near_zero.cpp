@@ -1,12 +1,12 @@
-// A body of about e kilograms hits one of 1 kg at rest, and nearly stops. Its velocity in single
-// precision and without rounding, under a glass that enlarges more and more.
+// A body of about e kilograms hits one of 1 kg at rest, and nearly stops: its velocity in single
+// precision and without rounding, at growing magnification.
 #include <contact/collision_1d.hpp>
 #include <contact/figure.hpp>
 #include <contact/tolerance.hpp>
 
 struct Input {
   double zoom;   // the window is 2^-zoom wide to either side of m_1 = e
-  double place;  // of the mass that is read off, from -1 to 1 in the window
+  double place;  // of the mass of the reading, from -1 to 1 in the window
   double e;      // coefficient of restitution
 };
 
@@ -18,9 +18,9 @@ struct Output {
   double bound;                    // γ(8) (|v₁| + |v₂|) in the same units
   double m_1;                      // read off, kg
   double v_exact, v_rounded;       // m/s
-  double relative;                 // error of v_rounded as a part of v_exact; 0 where both are 0
-  double absolute;                 // and of u (|v₁| + |v₂|)
-  double read_x, read_y;           // where that is in the picture
+  double relative;                 // error of v_rounded relative to v_exact; 0 if both are 0
+  double absolute;                 // and in units of u (|v₁| + |v₂|)
+  double read_x, read_y;           // its position in the picture
 };
 
 Output compute(const Input& in) {

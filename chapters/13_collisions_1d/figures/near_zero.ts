@@ -1,4 +1,4 @@
-// A velocity near zero under a glass: what it is, and what single precision makes of it.
+// A velocity near zero, enlarged: the exact value and that in single precision.
 
 import { defineFigure, pretty, type Vec2 } from "@contact/figure";
 
@@ -37,7 +37,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slide",
       field: "zoom",
-      label: "how much the glass enlarges, in powers of two",
+      label: "magnification, as a power of two",
       role: "ray",
       at: (input): Vec2 => [zoomAt(input.zoom), SCALE],
       along: (): Vec2 => [9.2 / 21, 0],
@@ -47,7 +47,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slide",
       field: "place",
-      label: "the mass m₁ that is read off",
+      label: "the mass m₁ of the reading",
       role: "hit",
       at: (input): Vec2 => [input.place * WIDE, 0],
       along: (): Vec2 => [WIDE, 0],
@@ -107,6 +107,6 @@ export default defineFigure<Input, Output>({
     },
   ],
   describe(_input, output) {
-    return `The velocity is ${pretty(output.v_exact, 3)} m/s; single precision is off by ${pretty(output.relative, 2)} of that, and by ${pretty(output.absolute, 2)} u of what went in.`;
+    return `The velocity is ${pretty(output.v_exact, 3)} m/s; the error of single precision is ${pretty(output.relative, 2)} of that, and ${pretty(output.absolute, 2)} u (|v₁| + |v₂|).`;
   },
 });

@@ -1,5 +1,5 @@
-// One crash, looked at from frames with different velocities: the kinetic energy before and after,
-// and what would be left if e, or its square, were the part of all of it that is kept.
+// One collision in frames of different velocities: the kinetic energy before and after, and what
+// would remain if e, or its square, were the kept fraction of the total.
 #include <contact/collision_1d.hpp>
 #include <contact/figure.hpp>
 
@@ -7,8 +7,8 @@ struct Input {
   double mass_1, mass_2;  // kg
   double v_1, v_2;        // before, over the ground, m/s
   double e;               // coefficient of restitution
-  double frame;           // velocity of who looks, over the ground, m/s
-  double part;            // which part of all energy is said to be kept. 2: e²; 1: e
+  double frame;           // velocity of the frame over the ground, m/s
+  double part;            // fraction assumed to be kept. 2: e²; 1: e
 };
 
 constexpr int samples = 61;
@@ -17,18 +17,18 @@ struct Output {
   double problem;
   double approach;
   std::array<double, samples> frames;                // m/s
-  std::array<double, samples> before, after, wrong;  // kJ, as seen from each
-  std::array<double, samples> centre;                // kJ: what no collision can take
-  double k_before, k_after, k_wrong, k_centre;       // kJ, for who looks
-  double lost, fraction;                             // kJ, and of all energy for who looks
-  double centre_velocity;                            // over the ground, m/s
-  double impossible;  // whether the wrong one is less than what must stay
+  std::array<double, samples> before, after, wrong;  // kJ, in each frame
+  std::array<double, samples> centre;                // kJ: of the centre of mass, always kept
+  double k_before, k_after, k_wrong, k_centre;       // kJ, in the frame
+  double lost, fraction;   // kJ, and as a fraction of the total in the frame
+  double centre_velocity;  // over the ground, m/s
+  double impossible;       // whether the wrong value is less than what is always kept
 };
 
 namespace {
 
-// WRONG: e is a ratio of speeds, and its square the part of the *relative* energy that is kept. Of
-// all energy it is so only for who moves with the centre of mass.
+// WRONG: e is a ratio of speeds, and its square the kept fraction of the *relative* energy. It is
+// the kept fraction of the total only in the frame of the centre of mass.
 double kept_of_all(double energy, double e, bool squared) { return energy * (squared ? e * e : e); }
 
 struct Seen {

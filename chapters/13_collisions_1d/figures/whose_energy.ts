@@ -1,5 +1,5 @@
-// The kinetic energy of two bodies before and after a crash, against the velocity of who looks. The
-// dashed curve is what is left if e² (or e) is taken for the part of it all that is kept.
+// The kinetic energy of two bodies before and after a collision, against the velocity of the frame.
+// The dashed curve is what would remain if e² (or e) were the kept fraction of the total.
 
 import { defineFigure, pretty, type Vec2 } from "@contact/figure";
 
@@ -38,7 +38,7 @@ const MOST = 620;
 const place = (frame: number, energy: number): Vec2 => [FAR * frame, HIGH * energy];
 
 export default defineFigure<Input, Output>({
-  title: "Whose energy is kept?",
+  title: "Kinetic energy in different frames",
   view: { kind: "2d", x: [-0.9, 9.8], y: [-1.7, 6.7] },
   aspect: 1.3,
   initial: { mass_1: 3000, mass_2: 1000, v_1: 20, v_2: 0, e: 0.5, frame: 5, part: 2 },
@@ -46,7 +46,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "slide",
       field: "frame",
-      label: "velocity of who looks, m/s",
+      label: "velocity of the frame, m/s",
       role: "muted",
       at: (input): Vec2 => place(input.frame, 0),
       along: (): Vec2 => [FAR, 0],
@@ -78,14 +78,14 @@ export default defineFigure<Input, Output>({
     {
       kind: "choice",
       field: "part",
-      label: "said to be kept",
+      label: "assumed to be kept",
       options: [
-        { value: 2, label: "e² of all energy" },
-        { value: 1, label: "e of all energy" },
+        { value: 2, label: "e² of the total" },
+        { value: 1, label: "e of the total" },
       ],
     },
     { kind: "slider", field: "e", label: "e", min: 0, max: 1, step: 0.05 },
-    { kind: "slider", field: "frame", label: "who looks", min: 0, max: 30, step: 0.5, unit: "m/s" },
+    { kind: "slider", field: "frame", label: "frame", min: 0, max: 30, step: 0.5, unit: "m/s" },
     { kind: "slider", field: "mass_1", label: "m_1", min: 500, max: 4000, step: 100, unit: "kg" },
     { kind: "slider", field: "mass_2", label: "m_2", min: 500, max: 4000, step: 100, unit: "kg" },
   ],
@@ -147,7 +147,7 @@ export default defineFigure<Input, Output>({
     }
   },
   values: (input, output) => [
-    { name: "K", meaning: "before, for who looks", value: output.k_before, unit: "kJ" },
+    { name: "K", meaning: "before, in the frame", value: output.k_before, unit: "kJ" },
     { name: "K′", meaning: "after", value: output.k_after, unit: "kJ", role: "hit" },
     {
       name: input.part === 1 ? "e K" : "e² K",
@@ -155,19 +155,19 @@ export default defineFigure<Input, Output>({
         ? "no collision"
         : output.impossible
           ? "less than clay keeps: impossible"
-          : "said to be kept",
+          : "assumed to be kept",
       value: output.approach ? output.k_wrong : "—",
       unit: "kJ",
       role: "miss",
     },
     {
       name: "½ M v_c²",
-      meaning: "of the centre of mass: clay keeps it",
+      meaning: "of the centre of mass: always kept",
       value: output.k_centre,
       unit: "kJ",
       role: "normal",
     },
-    { name: "ΔK", meaning: "lost, for everybody", value: output.lost, unit: "kJ" },
+    { name: "ΔK", meaning: "lost, in every frame", value: output.lost, unit: "kJ" },
     {
       name: "ΔK/K",
       meaning: output.approach
@@ -179,7 +179,9 @@ export default defineFigure<Input, Output>({
   describe(input, output) {
     if (!output.approach) return "The bodies do not approach, so nothing is lost.";
     const part = input.part === 1 ? "e" : "e²";
-    const start = `Seen at ${pretty(input.frame, 3)} m/s, ${pretty(output.k_after, 3)} kJ are left of ${pretty(output.k_before, 3)} kJ; ${part} of all would be ${pretty(output.k_wrong, 3)} kJ`;
-    return output.impossible ? `${start}, less than even clay keeps.` : `${start}.`;
+    const start = `In the frame at ${pretty(input.frame, 3)} m/s, ${pretty(output.k_after, 3)} kJ remain of ${pretty(output.k_before, 3)} kJ; ${part} of the total would be ${pretty(output.k_wrong, 3)} kJ`;
+    return output.impossible
+      ? `${start}, less than a perfectly inelastic collision keeps.`
+      : `${start}.`;
   },
 });

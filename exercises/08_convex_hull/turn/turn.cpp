@@ -3,7 +3,7 @@
 namespace exercise {
 
 int turn(const Eigen::Vector2d& /*a*/, const Eigen::Vector2d& /*b*/, const Eigen::Vector2d& /*c*/) {
-  // Which sign has the cross product of two of the edges?
+  // What is the sign of the cross product of two of the edges?
   contact::todo();
 }
 

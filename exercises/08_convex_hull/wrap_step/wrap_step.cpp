@@ -2,8 +2,7 @@
 
 namespace exercise {
 
-int wrap_step(const std::vector<Eigen::Vector3d>& /*points*/, int /*from*/, int /*to*/,
-              int /*inner*/) {
+int wrap_step(const std::vector<Eigen::Vector3d>& /*points*/, int /*from*/, int /*to*/) {
   // `u.dot(v.cross(w))` is the signed volume of the box u, v, w.
   contact::todo();
 }

@@ -7,16 +7,16 @@
 namespace exercise {
 
 /// A face of the hull is known, and with it the edge from point `from` to point `to`: seen from
-/// outside, the corners from, to and `inner` run counter-clockwise. The face on the other side of
-/// that edge is to be found.
+/// outside, the vertices of that face run counter-clockwise, through `from` and then `to`. Find the
+/// face on the other side of the edge.
 ///
 /// The result is the index i of a point such that the triangle to, from, i has an area and no point
-/// of the set lies in front of its plane (where its corners are seen counter-clockwise). If there
-/// are several, it is the smallest such index.
+/// of the set lies in front of its plane (on the side from which to, from, i run
+/// counter-clockwise). If there are several, it is the smallest such index.
 ///
 /// @param points whole numbers from -1000 to 1000, not all in one plane; points may be equal, or on
 ///   one line with the edge
-/// @param from,to,inner indices of three points that are not on one line, with no point in front
-int wrap_step(const std::vector<Eigen::Vector3d>& points, int from, int to, int inner);
+/// @param from,to indices of two different points on an edge of the hull
+int wrap_step(const std::vector<Eigen::Vector3d>& points, int from, int to);
 
 }  // namespace exercise

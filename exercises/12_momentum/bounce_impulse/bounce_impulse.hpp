@@ -1,13 +1,13 @@
 /// @file
-/// Exercise: the impulse that a change of velocity takes, and the average force behind it.
+/// Exercise: the impulse of a change of velocity, and the average force.
 #pragma once
 
 #include <contact/prelude.hpp>
 
 namespace exercise {
 
-/// The impulse on a body that changes its velocity, in N·s. The direction counts: it is the impulse
-/// *on* the body.
+/// The impulse on a body whose velocity changes, in N·s. The sign counts: it is the impulse *on*
+/// the body, not that of the body on another.
 ///
 /// @param mass kg, greater than 0
 /// @param before velocity before, m/s
@@ -15,7 +15,7 @@ namespace exercise {
 Eigen::Vector3d impulse_of(double mass, const Eigen::Vector3d& before,
                            const Eigen::Vector3d& after);
 
-/// The average force that gives this impulse in this time, in N.
+/// The average force with this impulse in this time, in N.
 ///
 /// @param impulse N·s
 /// @param duration s, greater than 0

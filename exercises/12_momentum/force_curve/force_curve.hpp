@@ -1,5 +1,5 @@
 /// @file
-/// Exercise: what a sampled force does to a body.
+/// Exercise: the effect of a sampled force on a body.
 #pragma once
 
 #include <contact/prelude.hpp>
@@ -12,18 +12,18 @@ struct Sample {
   double force;  ///< N, with its sign
 };
 
-/// What the force has done by the time of the last sample.
+/// The effect of the force up to the last sample.
 struct Push {
   double impulse;         ///< N·s
   double average_force;   ///< the constant force with the same impulse in the same time, N
   double velocity_after;  ///< m/s
 };
 
-/// What a force does to a body on which nothing else acts. The motion is along one line, and a sign
-/// is a direction. Between two samples the force changes along a straight line.
+/// The effect of a force on a body on which no other force acts. The motion is along one line, and
+/// signs are directions. Between two samples the force is linear.
 ///
-/// @param samples at least two; each is later than the one before, and the times need not be
-/// equally far apart
+/// @param samples at least two; each is later than the one before; the times need not be equally
+/// spaced
 /// @param mass of the body, kg, greater than 0
 /// @param velocity at the first sample, m/s
 Push push(const std::vector<Sample>& samples, double mass, double velocity);

@@ -1,5 +1,5 @@
 /// @file
-/// Exercise: the momentum of several bodies, and their velocity once they stick together.
+/// Exercise: the total momentum of several bodies, and their velocity if they stick together.
 #pragma once
 
 #include <contact/prelude.hpp>
@@ -11,10 +11,11 @@ struct Body {
   Eigen::Vector3d velocity;  ///< m/s
 };
 
-/// The momentum of all bodies together, in kg·m/s. Zero for no bodies.
+/// The total momentum of all bodies, in kg·m/s. Zero for no bodies.
 Eigen::Vector3d total_momentum(const std::vector<Body>& bodies);
 
-/// The velocity of all bodies once they have stuck together, in m/s. No force acts from outside.
+/// The common velocity of all bodies after they have stuck together, in m/s. No external force
+/// acts.
 ///
 /// It throws std::invalid_argument if there are no bodies, or if a mass is not greater than 0.
 Eigen::Vector3d velocity_together(const std::vector<Body>& bodies);

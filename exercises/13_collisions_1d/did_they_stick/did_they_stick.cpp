@@ -14,8 +14,9 @@ namespace {
 }  // namespace
 
 Report report(const Before& /*before*/, double /*second_after*/) {
-  // Complete: the velocity of the first afterwards, from the momentum of both; then the coefficient
-  // of restitution. End with `return {first_after, restitution, kind_of(restitution)};`.
+  // Complete: the velocity of the first body afterwards, from the total momentum; then the
+  // coefficient of restitution. End with `return {first_after, restitution,
+  // kind_of(restitution)};`.
   contact::todo();
 }
 

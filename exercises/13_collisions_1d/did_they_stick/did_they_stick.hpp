@@ -1,5 +1,5 @@
 /// @file
-/// Exercise: what kind of collision it was, from what was measured.
+/// Exercise: the kind of a collision, from measured velocities.
 #pragma once
 
 #include <contact/prelude.hpp>
@@ -16,11 +16,11 @@ struct Before {
 };
 
 enum class Kind {
-  passed_through,  ///< they still approach: no collision does that
+  passed_through,  ///< they still approach, which no collision does
   together,        ///< perfectly inelastic: they leave at one velocity
-  inelastic,       ///< kinetic energy is lost, and they part
+  inelastic,       ///< kinetic energy is lost, and they separate
   elastic,         ///< no kinetic energy is lost
-  energy_gained    ///< more kinetic energy than before: something has gone off
+  energy_gained    ///< more kinetic energy than before, as in an explosion
 };
 
 struct Report {
@@ -29,8 +29,8 @@ struct Report {
   Kind kind;
 };
 
-/// What happened in a collision of which the second body's velocity afterwards is known. No force
-/// acts from outside.
+/// The outcome of a collision after which the second body's velocity is known. No external force
+/// acts.
 ///
 /// @param before the two bodies
 /// @param second_after velocity of the second afterwards, m/s

@@ -1,5 +1,5 @@
 /// @file
-/// Exercise: the kinetic energy that a collision costs.
+/// Exercise: the kinetic energy that a collision loses.
 #pragma once
 
 #include <contact/prelude.hpp>
@@ -12,12 +12,13 @@ struct Body {
 };
 
 struct Bill {
-  double lost;      ///< kinetic energy of both before, less that after, J
-  double fraction;  ///< what part of the kinetic energy before that is; 0 if there was none
+  double lost;      ///< total kinetic energy before minus that after, J
+  double fraction;  ///< the loss divided by the total kinetic energy before; 0 if that was 0
 };
 
-/// What a collision on a line costs. If the bodies do not approach there is none, and it costs
-/// nothing. The answer has a small *relative* error, also if the bodies fly fast and meet gently.
+/// The kinetic energy that a collision on a line loses. If the bodies do not approach, there is no
+/// collision and no loss. The *relative* error must be small, also for a small closing speed of two
+/// fast bodies.
 ///
 /// @param first the body on the left; to the right is positive
 /// @param second the body on the right

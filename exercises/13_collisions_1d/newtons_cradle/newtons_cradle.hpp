@@ -13,9 +13,8 @@ struct Ball {
 
 /// The velocities of all balls, in m/s, when no neighbours approach any more.
 ///
-/// Each ball touches its neighbours. Of all pairs of neighbours that approach, the one with the
-/// largest closing speed collides, elastically; of equal ones the leftmost. Then the next, and so
-/// on.
+/// Each ball touches its neighbours. Of all pairs of neighbours that approach, the pair with the
+/// largest closing speed collides elastically; of equal ones the leftmost. This is repeated.
 /// @param row from left to right; to the right is positive. At most 12 balls, perhaps none
 std::vector<double> settled(const std::vector<Ball>& row);
 

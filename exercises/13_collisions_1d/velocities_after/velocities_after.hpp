@@ -17,8 +17,8 @@ struct After {
   double second;
 };
 
-/// The velocities of two bodies that touch, after they have collided. If they do not approach there
-/// is no collision, and they keep their velocities. No force acts from outside.
+/// The velocities of two touching bodies after they have collided. If they do not approach there is
+/// no collision, and they keep their velocities. No external force acts.
 ///
 /// It throws std::invalid_argument if a mass is not greater than 0, or if the coefficient of
 /// restitution is not from 0 to 1.

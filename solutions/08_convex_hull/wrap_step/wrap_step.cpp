@@ -3,7 +3,7 @@
 namespace exercise {
 namespace {
 
-// Positive if p is in front of the triangle a, b, c.
+// Positive if p is in front of the plane a, b, c.
 double side(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
             const Eigen::Vector3d& p) {
   return (p - a).dot((b - a).cross(c - a));
@@ -15,11 +15,12 @@ bool on_line(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Ve
 
 }  // namespace
 
-int wrap_step(const std::vector<Eigen::Vector3d>& points, int from, int to, int inner) {
+int wrap_step(const std::vector<Eigen::Vector3d>& points, int from, int to) {
   const auto at = [&](std::size_t i) { return points[i]; };
   const Eigen::Vector3d f = at(static_cast<std::size_t>(from));
   const Eigen::Vector3d t = at(static_cast<std::size_t>(to));
-  auto best = static_cast<std::size_t>(inner);
+  std::size_t best = 0;
+  while (on_line(t, f, at(best))) ++best;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (side(t, f, at(best), at(i)) > 0) best = i;
   }

@@ -1,4 +1,4 @@
-// Neumaier's sum: what an addition cuts off is known exactly, and is added at the end.
+// Neumaier's sum: the rounding error of each addition is computed exactly and added at the end.
 #include "sum_of_impulses.hpp"
 
 namespace exercise {

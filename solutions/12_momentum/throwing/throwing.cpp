@@ -8,7 +8,7 @@ double after_exchange(double mass, double velocity, double mass_change, double m
 
 double after_throws(double thrower, const std::vector<double>& stones, double velocity,
                     double relative) {
-  // From the last stone backwards the whole mass grows by what is carried.
+  // From the last stone backwards, the total mass grows by one stone each.
   double whole = thrower;
   double gained = 0;
   for (auto stone = stones.rbegin(); stone != stones.rend(); ++stone) {

@@ -4,9 +4,8 @@
 
 namespace exercise {
 
-// Only the directions of the velocities decide, and not their size. So nothing needs dividing:
-// after each collision of the blocks all velocities are M + m times too large, which changes no
-// sign.
+// Only the signs of velocities and of their difference matter, so no division is needed: after each
+// collision of the blocks all velocities are M + m times too large, which changes no sign.
 int clicks(double ratio) {
   using contact::Exact;
   const Exact difference = Exact(ratio) - Exact(1.0);

@@ -1,5 +1,5 @@
 // misconception: axis-extremes-only
-// caught by: corners are found in every direction
+// caught by: vertices are found in every direction
 #include "hull_corners.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: collinear-kept
-// caught by: points within a face or on an edge are no corners
+// caught by: points inside a face or on an edge are no vertices
 #include "hull_corners.hpp"
 
 namespace exercise {

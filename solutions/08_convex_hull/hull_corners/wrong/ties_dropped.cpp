@@ -1,5 +1,5 @@
 // misconception: ties-dropped
-// caught by: corners of a box, and nothing within
+// caught by: the corners of a box are vertices, and inner points are not
 #include "hull_corners.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 using Point = Eigen::Vector3d;
 using Points = std::vector<Point>;
 
-// A face: all points but its three corners are behind it.
+// A face: all points except its three vertices are behind it.
 bool is_face(const Points& points, const Point& a, const Point& b, const Point& c) {
   const Point normal = (b - a).cross(c - a);
   if (normal == Point(0, 0, 0)) return false;

@@ -1,5 +1,5 @@
 // misconception: epsilon-orientation
-// caught by: a turn by one unit counts in a long way
+// caught by: an area of one counts on a long path
 #include "turn.hpp"
 
 namespace exercise {

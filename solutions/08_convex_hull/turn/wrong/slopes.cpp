@@ -1,5 +1,5 @@
 // misconception: turn-by-slopes
-// caught by: steep and backward ways turn as others do
+// caught by: steep and backward paths turn as others do
 #include "turn.hpp"
 
 namespace exercise {

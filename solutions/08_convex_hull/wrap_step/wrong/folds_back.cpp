@@ -1,5 +1,5 @@
 // misconception: fold-back
-// caught by: the paper folds on, not back, over a sharp edge
+// caught by: over a sharp edge the paper folds on and not back
 #include "wrap_step.hpp"
 
 namespace exercise {
@@ -9,12 +9,25 @@ bool on_line(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Ve
   return (b - a).cross(c - a) == Eigen::Vector3d(0, 0, 0);
 }
 
+// The first point of the known face that is not on the line of the edge.
+int inner_of(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& f,
+             const Eigen::Vector3d& t) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3d normal = (t - f).cross(points[i] - f);
+    bool face = !on_line(t, f, points[i]);
+    for (const Eigen::Vector3d& p : points) face = face && normal.dot(p - f) <= 0;
+    if (face) return static_cast<int>(i);
+  }
+  return -1;
+}
+
 }  // namespace
 
-int wrap_step(const std::vector<Eigen::Vector3d>& points, int from, int to, int inner) {
+int wrap_step(const std::vector<Eigen::Vector3d>& points, int from, int to) {
   const auto at = [&](std::size_t i) { return points[i]; };
   const Eigen::Vector3d f = at(static_cast<std::size_t>(from));
   const Eigen::Vector3d t = at(static_cast<std::size_t>(to));
+  const int inner = inner_of(points, f, t);
   const Eigen::Vector3d normal = (t - f).cross(at(static_cast<std::size_t>(inner)) - f);
   double least = 4;
   int best = inner;

@@ -11,14 +11,14 @@ bool on_line(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Ve
 
 }  // namespace
 
-int wrap_step(const std::vector<Eigen::Vector3d>& points, int from, int to, int inner) {
+int wrap_step(const std::vector<Eigen::Vector3d>& points, int from, int to) {
   const auto at = [&](std::size_t i) { return points[i]; };
   const Eigen::Vector3d f = at(static_cast<std::size_t>(from));
   const Eigen::Vector3d t = at(static_cast<std::size_t>(to));
-  int best = inner;
+  int best = -1;
   double least = -1;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (on_line(t, f, at(i)) || static_cast<int>(i) == inner) continue;
+    if (on_line(t, f, at(i))) continue;
     const double distance = (t - f).cross(at(i) - f).squaredNorm();
     if (least < 0 || distance < least) {
       least = distance;

@@ -1,11 +1,11 @@
 // misconception: starts-on-the-edge
-// caught by: points on the line of the edge make no face
+// caught by: points on the edge's line make no face
 #include "wrap_step.hpp"
 
 namespace exercise {
 namespace {
 
-// Positive if p is in front of the triangle a, b, c.
+// Positive if p is in front of the plane a, b, c.
 double side(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
             const Eigen::Vector3d& p) {
   return (p - a).dot((b - a).cross(c - a));
@@ -13,7 +13,7 @@ double side(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vec
 
 }  // namespace
 
-int wrap_step(const std::vector<Eigen::Vector3d>& points, int from, int to, int /*inner*/) {
+int wrap_step(const std::vector<Eigen::Vector3d>& points, int from, int to) {
   const auto at = [&](std::size_t i) { return points[i]; };
   const Eigen::Vector3d f = at(static_cast<std::size_t>(from));
   const Eigen::Vector3d t = at(static_cast<std::size_t>(to));

@@ -1,5 +1,5 @@
 // misconception: mean-of-samples
-// caught by: a force that rises and falls has its own area
+// caught by: the area under a rising and falling force is that of trapezoids
 #include "force_curve.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: mean-of-velocities
-// caught by: the players move on slowly, the way the lighter one went
+// caught by: the players move on slowly, in the lighter one's direction
 #include "stick_together.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: rounding-added-up
-// caught by: small pushes beside a large one are not lost
+// caught by: small impulses beside a large one are not lost
 #include "sum_of_impulses.hpp"
 
 namespace exercise {

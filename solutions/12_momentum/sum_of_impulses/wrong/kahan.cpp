@@ -1,5 +1,5 @@
 // misconception: kahan-large-term
-// caught by: a large push may come late
+// caught by: a large impulse may come late
 #include "sum_of_impulses.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: sorting-for-accuracy
-// caught by: what is left when large pushes cancel is right
+// caught by: the total is right if large impulses cancel
 #include "sum_of_impulses.hpp"
 
 #include <algorithm>

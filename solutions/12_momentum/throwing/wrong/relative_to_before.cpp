@@ -1,5 +1,5 @@
 // misconception: relative-to-before
-// caught by: a throw pushes the thrower the other way
+// caught by: a throw pushes the thrower in the opposite direction
 #include "throwing.hpp"
 
 namespace exercise {

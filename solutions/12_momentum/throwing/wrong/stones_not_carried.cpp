@@ -10,7 +10,7 @@ double after_exchange(double mass, double velocity, double mass_change, double m
 
 double after_throws(double thrower, const std::vector<double>& stones, double velocity,
                     double relative) {
-  // As if the thrower carried no stone but the one that is thrown.
+  // As if the thrower carried only the stone that is thrown.
   for (const double stone : stones) velocity -= relative * stone / (thrower + stone);
   return velocity;
 }

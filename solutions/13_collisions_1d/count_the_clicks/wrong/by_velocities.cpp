@@ -1,5 +1,5 @@
 // misconception: count-by-rounded-velocities
-// caught by: close calls
+// caught by: close cases
 #include "count_the_clicks.hpp"
 
 #include <cmath>

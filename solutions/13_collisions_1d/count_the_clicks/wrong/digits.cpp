@@ -1,5 +1,5 @@
 // misconception: digits-of-pi
-// caught by: heavier and lighter
+// caught by: other mass ratios
 #include "count_the_clicks.hpp"
 
 #include <cmath>

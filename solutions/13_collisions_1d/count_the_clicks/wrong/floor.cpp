@@ -1,5 +1,5 @@
 // misconception: floor-for-ceiling
-// caught by: equal blocks click three times
+// caught by: equal blocks make three collisions
 #include "count_the_clicks.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // misconception: energy-by-subtraction
-// caught by: docking is gentle, however fast both fly
+// caught by: the loss in docking is accurate at orbital speeds
 #include "energy_of_a_crash.hpp"
 
 namespace exercise {

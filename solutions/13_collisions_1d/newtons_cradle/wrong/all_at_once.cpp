@@ -1,5 +1,5 @@
 // misconception: all-pairs-at-once
-// caught by: what comes from both sides
+// caught by: balls that come in from both sides
 #include "newtons_cradle.hpp"
 
 namespace exercise {
