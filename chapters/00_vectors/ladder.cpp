@@ -146,7 +146,7 @@ ladder::Ladder<Input, Answer> experiment() {
   ladder.family("one-way", "a sum of 32 terms of one sign", one_way);
   ladder.family("cancelling", "a sum of 32 terms, the large ones cancel", cancelling);
   ladder.family("dot", "a dot product of two vectors", dot);
-  ladder.family("upright", "a dot product of vectors at a right angle", upright);
+  ladder.family("upright", "a dot product of perpendicular vectors", upright);
   ladder.family("corner", "a cross product of two edges", corner);
   ladder.family("sliver", "a cross product of the edges of a sliver", sliver);
 

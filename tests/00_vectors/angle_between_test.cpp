@@ -1,8 +1,8 @@
 // Right answers come from both products, each computed without rounding and rounded once, and from
-// atan2: their relative error is at most 6 u. The contract allows 36 u: a cross product in order is
-// off by 2 √3 u |u||v| (and its length by 4 u of it), a dot product by 3 u |u||v|, and the angle by
-// no more than both and the 2 u of atan2: under 14 u π / 2. Every test expects at least two
-// different answers.
+// atan2: their relative error is at most 6 u. The contract allows 36 u: a cross product computed
+// plainly is off by 2 √3 u |u||v| (and its length by 4 u of it), a dot product by 3 u |u||v|, and
+// the angle by no more than both and the 2 u of atan2: under 14 u π / 2. Every test expects at
+// least two different answers.
 #include "angle_between.hpp"
 
 #include <support/exercise.hpp>

@@ -128,8 +128,8 @@ TEST_CASE("a ray hits where it passes inside the triangle and misses beside it")
 }
 
 TEST_CASE("t is in multiples of the direction as it is given") {
-  // Half a metre away, then half a direction: who hits the first and misses the second takes a ray
-  // for a way that ends at t = 1, and measures it in metres.
+  // Half a metre away, then half a direction: an answer that hits the first and misses the second
+  // treats the ray as a segment that ends at t = 1, and measures t in metres.
   check(aimed(kTilted, 0.25, 0.5, kDown, 0.5), kTilted);
   check(aimed(kTilted, 0.25, 0.5, 4 * kDown, 0.5), kTilted,
         {Mistake::direction_normalised, Mistake::metres_for_fraction});
@@ -184,7 +184,7 @@ TEST_CASE("a tiny triangle is hit like a large one") {
 TEST_CASE("a parallel ray, a direction of length zero and a triangle without area give no hit") {
   check(aimed(kFlat, 0.25, 0.5, kDown, 3), kFlat);
   check({{1, 1, 0}, {1, 0, 0}}, kFlat);   // in its plane, from inside it
-  check({{-1, 1, 0}, {1, 0, 0}}, kFlat);  // in its plane, across it
+  check({{-1, 1, 0}, {1, 0, 0}}, kFlat);  // in its plane, through it
   check({{1, 1, 2}, {1, 0, 0}}, kFlat);   // in a parallel plane
   check({{1, 1, 0}, {0, 0, 0}}, kFlat);
   check({{1, 1, 2}, {0, 0, 0}}, kFlat);

@@ -98,7 +98,7 @@ TEST_CASE("weights in double are within their bound") {
 }
 
 TEST_CASE(
-    "a triangle without area has no weights, and blending gives the corners their own values") {
+    "a triangle without area has no weights, and blending gives the vertices their own values") {
   const Triangle<double> line{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}};
   REQUIRE_FALSE(contact::barycentric(Vector3<double>(1, 1, 1), line).has_value());
   const Triangle<double> point{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}};

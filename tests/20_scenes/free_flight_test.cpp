@@ -184,7 +184,7 @@ TEST_CASE("it stores the numbers that the plan needs, and no others") {
   SECTION("a quaternion and a spin where it turns") {
     CHECK(bytes(1e-9, {2, 3, 0}, {0, 0, -10}, {1, 2, 3}) == 48 + 56);
   }
-  SECTION("what somebody forces on") {
+  SECTION("effects that are forced on") {
     PlanOptions options;
     options.overrides.with = {Effect::third_dimension, Effect::double_precision};
     CHECK(bytes(1e-2, {0, 1, 0}, zero, zero, options) == 48);

@@ -176,7 +176,7 @@ TEST_CASE("elastic runs conserve energy, and overlaps are rounding errors only")
     const double before = run.energy();
     for (int frame = 1; frame <= 20; ++frame) {
       REQUIRE(run.advance(frame * 0.1) == HardSphereEnd::reached);
-      // Places are off by some u of 6 m each.
+      // Positions are off by some u of 6 m each.
       REQUIRE(largest_overlap(run, setup) <= 1e-13);
     }
     REQUIRE(std::abs(run.energy() - before) <= 1e-13 * before);

@@ -236,7 +236,7 @@ TEST_CASE("a light ball is as fast as a heavy one that falls on it can make it")
 }
 
 TEST_CASE("a body falls to a floor as far as its thickness allows, on a slope without end") {
-  // A box that is upright 6 m high lies 1 m high at last.
+  // A box that is 6 m high ends lying, 1 m high.
   Scene standing = empty(0, 0, 100, 0);
   standing.gravity = {0, 0, -8};
   wall(standing, Point::UnitZ(), 0);

@@ -236,14 +236,14 @@ TEST_CASE("substeps of springs: from the tolerance, unless there is friction or 
     CHECK_FALSE(contact::decision_on(other, Effect::step_size).proven);
     CHECK(notice_of(other).find(why) != std::string::npos);
   };
-  unclaimed(soft(1e-12), "more than 1024 parts a step");
+  unclaimed(soft(1e-12), "more than 1024 substeps a step");
   unclaimed(soft(0), "no error is accepted");
   Scene damped = soft(1e-3);
   damped.materials[0].damping = least;
-  unclaimed(damped, "rubs, or is damped");
+  unclaimed(damped, "with friction or damping");
   Scene rough = soft(1e-3);
   rough.materials[0].friction = least;
-  unclaimed(rough, "rubs, or is damped");
+  unclaimed(rough, "with friction or damping");
   // Its damper acts on the velocity at the end of the substep: of first order.
   const auto height = [](double shorter) {
     Scene scene = dropped(0.5, 0.5, 1.2, 1e-3);

@@ -163,7 +163,7 @@ TEST_CASE("the gyroscopic term: a box that is no cube tumbles, and within bounds
   off(spinning({1, 2, 3}, {1, 2, 3}, 2, bound), Effect::gyroscopic_term);
 }
 
-TEST_CASE("the third dimension: one ulp of motion, of spin or of place leaves the plane") {
+TEST_CASE("the third dimension: one ulp of velocity, of spin or of position leaves the plane") {
   Scene flat = empty(1, 0.5, 2, 1e-6);
   box(flat, {1, 2, 3}, 1, Point::Zero(), {1, 0.25, 0}).spin = {0, 0, 2};
   ball(flat, 0.5, 1, {5, 0, 0});

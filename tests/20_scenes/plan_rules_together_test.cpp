@@ -105,7 +105,7 @@ TEST_CASE("the errors of a run in steps share the tolerance: bounces a half, sle
   CHECK(std::isinf(resting.error));
   CHECK(std::isinf(sleeping.error));
   CHECK(std::isinf(plan.error));
-  // Smooth, it moves along its floor as if it hopped.
+  // Smooth, it moves along its floor as if it bounced.
   Scene smooth = scene;
   smooth.materials[0].friction = 0;
   const contact::Plan gliding = contact::plan_scene(smooth, stepped(0.01));
@@ -144,7 +144,8 @@ TEST_CASE(
   const double hop = error(alone);
   CHECK(hop > 0);
   CHECK(hop <= 0.125e-4 * (1 + 1e-12));
-  // A wall at right angles, however the ball hits it, changes nothing along the floor's normal.
+  // A wall perpendicular to the floor, however the ball hits it, changes nothing along the floor's
+  // normal.
   Scene walled = alone;
   wall(walled, Point::UnitX(), -5);
   CHECK(error(walled) == hop);

@@ -103,7 +103,7 @@ TEST_CASE("A rotated box or hull over a half-space: the deepest vertex decides")
     }
     CHECK(std::abs(gap_of(box, floor) - least) <= 64 * u * 16);
     CHECK(std::abs(gap_of(hull, floor) - least) <= 64 * u * 16);
-    // A ball that holds the box reaches as far or further, and so does no direction's reach.
+    // A ball that contains the box extends at least as far as the box's support in every direction.
     CHECK(contact::bounding_radius(box.shape) >=
           ground.normal.dot(place) - ground.offset - least - 64 * u * 16);
   }

@@ -148,7 +148,7 @@ TEST_CASE("however slowly, a ball that falls along a wall bounces off it") {
     x += v * left;
     CAPTURE(e, speed, way, run->step());
     CHECK(hits.seen.size() == bounces);
-    // Places far down are rounded: 2 km at 2^-40 of that, at each touch.
+    // Positions far down are rounded: 2 km at 2^-40 of that, at each touch.
     CHECK(std::abs(run->position(2).x() - x) <= 1e-7);
     CHECK(std::abs(run->velocity(2).x() - v) <= 1e-12);
     CHECK(contact::decision_on(plan, Effect::resting).error == 0);

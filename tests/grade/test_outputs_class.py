@@ -170,7 +170,7 @@ def test_the_commonest_misconception_stands_first_with_the_hint_given(tmp_path: 
     )
     page = pages(tmp_path, class_)["class"]
     believed = section(page, "Commonest misconceptions")
-    assert believed.index("Compares with a fixed small number") < believed.index("Normalises the")
+    assert believed.index("Compares with a fixed tolerance") < believed.index("Normalises the")
     assert "Your code treats a value as zero because it is below a fixed number" in believed
     # A student who shows it in two tests counts once.
     assert " 3 Compares" in believed
@@ -256,7 +256,7 @@ def test_hidden_tests_are_on_the_projected_page_in_sum_only(tmp_path: Path) -> N
     assert "test number 2" not in page
     assert "Hidden tests, in sum 50 % of points" in page
     assert "test number 3 after the due date" in page
-    assert "fixed small number" not in page, "what a hidden test recognises is hidden too"
+    assert "fixed tolerance" not in page, "what a hidden test recognises is hidden too"
 
 
 def test_the_distribution_counts_everybody_once(tmp_path: Path) -> None:

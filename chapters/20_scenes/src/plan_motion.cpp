@@ -108,7 +108,7 @@ CONTACT_SCENES_INLINE double mirrors_apart_in(const PlanQuestion& q, const PairB
 
 }  // namespace detail
 
-/// The conditions for a scene to be its own mirror image across an axis.
+/// The conditions for a scene to be its own mirror image in a plane perpendicular to an axis.
 ///
 /// The laws of motion are symmetric under reflection. So a scene that a reflection maps to itself,
 /// body by body, stays so: no velocity and no force ever has a component along the axis, and no

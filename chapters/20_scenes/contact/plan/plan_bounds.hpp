@@ -122,7 +122,7 @@ struct BodyBound {
   double outer = 0;        ///< bounding radius, m
   double arm = 0;          ///< lever arm of its surface, m
   double slowness = 0;     ///< 1/m, inverse mass, 1/kg
-  double turning = 0;      ///< arm²/I + 1/m, least I: inverse effective mass, 1/kg
+  double turning = 0;      ///< lever arm²/I + 1/m, least I: inverse effective mass, 1/kg
   double speed = 0;        ///< its centre is never faster, m/s
   double travel = 0;       ///< its centre never moves farther from its start, m
 };

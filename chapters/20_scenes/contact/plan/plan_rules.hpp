@@ -83,7 +83,7 @@ Inequality nothing_meets(const PlanQuestion& q);
 /// every orientation. Bodies of another shape must touch nothing and not rotate.
 Proof smooth_balls(const PlanQuestion& q);
 
-/// The conditions for a scene to be its own mirror image across an axis.
+/// The conditions for a scene to be its own mirror image in a plane perpendicular to an axis.
 /// @param axis 0, 1 or 2: x, y or z
 std::vector<Inequality> mirror_conditions(const PlanQuestion& q, int axis);
 
@@ -131,7 +131,8 @@ inline Decision plan_rotation(const PlanQuestion& q) {
 /// energy. Neither position nor gravity enters, so the bound also holds without gravity.
 Decision plan_gyroscopic_term(const PlanQuestion& q);
 
-/// The third dimension is off if the scene is its own mirror image across an axis.
+/// The third dimension is off if the scene is its own mirror image in a plane perpendicular to an
+/// axis.
 inline Decision plan_third_dimension(const PlanQuestion& q) {
   std::vector<Proof> proofs;
   for (int axis = 2; axis >= 0; --axis) proofs.push_back(plane_motion(q, axis));
@@ -139,7 +140,8 @@ inline Decision plan_third_dimension(const PlanQuestion& q) {
                 "Not proven that motion stays in a plane perpendicular to x, y or z.");
 }
 
-/// The second dimension is off if the scene is its own mirror image across two axes.
+/// The second dimension is off if the scene is its own mirror image in planes perpendicular to two
+/// axes.
 inline Decision plan_second_dimension(const PlanQuestion& q) {
   std::vector<Proof> proofs;
   for (int along = 2; along >= 0; --along) proofs.push_back(line_motion(q, along));
