@@ -316,8 +316,8 @@ BounceState<S> bounce_at(const BouncingBall<S>& ball, const S& t) {
 
 // [rest-speed]
 /// The rest speed √(2 g ε): bounces that leave the floor more slowly may be left out if heights
-/// need be right only to ε. They never get higher than ε, are over within 2 w / (g (1 − k)), and
-/// have an energy of at most m w² / 2.
+/// need be right only to ε. They never get higher than ε. With v for the rest speed, they are over
+/// within 2 v / (g (1 − k)) and have an energy of at most m v² / 2.
 /// @param height ε, m, 0 or more
 /// @param gravity m/s², greater than 0
 /// @return m/s

@@ -17,10 +17,10 @@ enum class StepRule {
   /// Below the floor the ball is put on it, and its velocity is reversed.
   clamp,
   /// The lecture's loop: the new velocity of the semi-implicit Euler step moves the ball to the
-  /// floor,
-  /// is reflected, and moves it on for the rest of the step.
+  /// floor, is reflected, and moves it on for the rest of the step.
   new_velocity,
-  /// The exact parabola and time of impact, but the velocity of the end of the step is reflected.
+  /// The exact parabola and time of impact, but the velocity of the end of the step is reflected
+  /// there; with it the ball flies on for the rest of the step.
   end_velocity,
   /// The exact parabola, time and velocity of the impact, and of every further impact in the step.
   impact_velocity

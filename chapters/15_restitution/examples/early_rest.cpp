@@ -5,7 +5,7 @@
 int main() {
   const auto ball = contact::bouncing_ball(1.0, 0.0, 9.81, 0.8);
   const double end = contact::rest_time(ball);
-  std::printf("height    rest speed   impacts  rests       early by\n");
+  std::printf("epsilon   rest speed   impacts  rests       early by\n");
   for (const double height : {0.01, 0.001, 1e-4, 1e-6, 1e-9}) {
     const double slow = contact::rest_speed(height, ball.gravity);
     const auto rest = contact::follow_bounces(ball, end, slow);
