@@ -123,7 +123,7 @@ void add_collision(hard_cases::Runner& runner, const std::string& question) {
            });
     method("mass product",
            [push](const Body& a, const Body& b, const auto& at, double e, const Case&) -> Pair {
-             // Multiplied through by m_A m_B, as on paper: 0/0 where one body is immovable.
+             // Multiplied through by m_A m_B. An immovable body has mass 0 here: no impulse.
              const double v = contact::normal_velocity(a, b, at);
              if (!(v < 0)) return {a, b};
              Body alone_a = a;

@@ -109,7 +109,7 @@ KEY("lawful-gain") {
   const auto stronge = contact::stronge_impact(rod, 1.0, 0.5);
   const auto joint = contact::joint_impact(rod, 1.0, 0.5);
   if (contact::energy_change(newton) <= 0 || contact::energy_change(stronge) > 0) return -1;
-  // The joint rule gains more than Newton's law.
+  // The joint law gains more than Newton's law.
   if (!joint || contact::energy_change(*joint) <= contact::energy_change(newton)) return -1;
   return 1;
 }

@@ -178,7 +178,7 @@ RigidBody<S> after_impulse(RigidBody<S> body, const Vector3<S>& impulse, const V
 // [sweet-spot]
 /// The centre of percussion, I/(m d): how far beyond the centre of mass a hit must be for a point
 /// on the other side to stay at rest.
-/// @param inertia about the centre of mass and the axis of the rotation, kg·m², greater than 0
+/// @param inertia about the axis through the centre of mass, kg·m², greater than 0
 /// @param mass kg, greater than 0
 /// @param d distance of the point that is to stay at rest from the centre of mass, m
 /// @return m; ∞ for d = 0 in a floating-point type: every hit moves the centre of mass

@@ -191,6 +191,7 @@ Collided<S> collide(const RigidBody<S>& a, const RigidBody<S>& b, const ContactP
             after_impulse<S>(b, Vector3<S>(-impulse), at.point), impulse};
   };
   Collided<S> after = pushed();
+  // What follows only corrects j where rounding leaves the bodies closing.
   // [/collide]
   if constexpr (std::floating_point<S>) {
     const auto size = [&] { return detail::size_of_normal_velocity(after.a, after.b, at); };

@@ -24,18 +24,4 @@ int main() {
         (contact::kinetic_energy(a) + contact::kinetic_energy(b)) / contact::kinetic_energy(ball),
         momentum.z(), contact::angular_momentum(ball, none).z());
   }
-
-  // Two errors of a lecture: the normal reversed, and j/M multiplied by a time step.
-  const auto ball = contact::rigid_body<double>(1, contact::sphere_inertia<double>(1, 0.1),
-                                                {0, -0.1, 0}, {0, 4, 0}, none);
-  const contact::ContactPoint<double> towards_b{{0, 0, 0}, {0, -1, 0}};
-  std::printf("normal from A to B: v_n = %+.1f m/s, so it counts as separating: j = %g\n",
-              contact::normal_velocity(rod, ball, towards_b),
-              contact::collision_impulse<double>(rod, ball, towards_b, 0.5));
-  const contact::ContactPoint<double> hit{{0, 0, 0}, {0, 1, 0}};
-  const double j = contact::collision_impulse<double>(rod, ball, hit, 0.5);
-  for (const double h : {1.0 / 60, 1.0 / 120}) {
-    std::printf("v + h j/M with h = 1/%g s: the rod leaves at %.4f m/s instead of %.4f\n", 1 / h,
-                h * j / 3, j / 3);
-  }
 }
