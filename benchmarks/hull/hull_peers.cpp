@@ -66,7 +66,7 @@ void compare(const char* family, const Points& points, int runs) {
     }
   }
   std::printf("%s, %zu points\n  %-24s %10s %19s %9s %9s\n", family, points.size(), "", "ms",
-              "least - most", "corners", "faces");
+              "least - most", "vertices", "faces");
   for (std::size_t m = 0; m < methods.size(); ++m) {
     std::sort(times[m].begin(), times[m].end());
     std::printf("  %-24s %10.1f %8.1f - %8.1f %9zu %9zu\n", methods[m].first.c_str(),

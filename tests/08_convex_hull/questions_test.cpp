@@ -42,8 +42,8 @@ KEY("twelve-corners") {
 }
 
 KEY("wrapping-a-sphere") {
-  const double n = 1e5;
-  return (2 * n - 4) * n / 1e9;
+  const double n = 1000;
+  return (2 * n - 4) * n;
 }
 
 KEY("highest-corner") {

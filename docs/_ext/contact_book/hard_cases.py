@@ -4,10 +4,12 @@ program."""
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from docutils import nodes
+from docutils.parsers.rst import directives
 
 from contact_book.directive import BookDirective
 from contact_book.errors import BookError
@@ -38,8 +40,20 @@ def _verdict(word: str) -> nodes.Node:
     return nodes.inline("", word, classes=["verdict", word])
 
 
+def chosen(cases: list[dict[str, Any]], names: Sequence[str]) -> list[dict[str, Any]]:
+    """The cases of these names, in the order of the chapter; all if there are no names."""
+    there = {case["name"] for case in cases}
+    for name in names:
+        if name not in there:
+            raise BookError(f'there is no hard case "{name}"')
+    return [case for case in cases if not names or case["name"] in names]
+
+
 class HardCases(BookDirective):
+    """`:only:` names the cases to show, for a lesson whose whole table is too long."""
+
     optional_arguments = 1
+    option_spec: ClassVar[dict[str, Any]] = {"only": directives.unchanged_required}
 
     def build(self) -> list[nodes.Node]:
         slug = self.arguments[0].strip() if self.arguments else self.here
@@ -60,7 +74,7 @@ class HardCases(BookDirective):
     def tables(self, data: dict[str, Any]) -> list[nodes.Node]:
         """One table for each question the cases ask, since each has methods of its own."""
         groups: dict[tuple[str, ...], list[dict[str, Any]]] = {}
-        for case in data["cases"]:
+        for case in chosen(data["cases"], self.options.get("only", "").split()):
             methods = tuple(name for name in data["methods"] if name in case["verdicts"])
             groups.setdefault(methods, []).append(case)
         made: list[nodes.Node] = []

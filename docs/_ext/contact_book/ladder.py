@@ -41,6 +41,37 @@ def _count(value: int) -> str:
     return f"{value:,}"
 
 
+def columns(data: dict[str, Any]) -> tuple[list[str], list[list[str]]]:
+    """Heads and rows of the table. Errors have columns only if the ladder measures errors."""
+    methods = {row["id"]: row for row in data["methods"]}
+    families = {row["id"]: row for row in data["families"]}
+    errors = [
+        (head, key)
+        for head, key in (("Median error", "error_median"), ("Largest error", "error_max"))
+        if any(row[key] is not None for row in data["results"])
+    ]
+    heads = [
+        "Inputs",
+        "Method",
+        "Wrong answers",
+        *[head for head, _ in errors],
+        "Time, ns: median (quartiles)",
+    ]
+    rows = []
+    for row in data["results"]:
+        method = methods[row["method"]]
+        rows.append(
+            [
+                families[row["family"]]["title"],
+                f"{method['title']}, {method['scalar']}",
+                f"{_count(row['wrong'])} of {_count(row['n'])}",
+                *[_number(row[key]) for _, key in errors],
+                f"{_number(row['ns_median'])} ({_number(row['ns_q1'])}–{_number(row['ns_q3'])})",
+            ]
+        )
+    return heads, rows
+
+
 class Ladder(BookDirective):
     optional_arguments = 1
 
@@ -101,32 +132,9 @@ class Ladder(BookDirective):
         return [nodes.paragraph("", words)]
 
     def results(self, data: dict[str, Any]) -> nodes.Element:
-        methods = {row["id"]: row for row in data["methods"]}
-        families = {row["id"]: row for row in data["families"]}
-        rows = []
-        for row in data["results"]:
-            method = methods[row["method"]]
-            spread = (
-                f"{_number(row['ns_median'])} ({_number(row['ns_q1'])}–{_number(row['ns_q3'])})"
-            )
-            cells = [
-                families[row["family"]]["title"],
-                f"{method['title']}, {method['scalar']}",
-                f"{_count(row['wrong'])} of {_count(row['n'])}",
-                _number(row["error_median"]),
-                _number(row["error_max"]),
-                spread,
-            ]
-            rows.append([nodes.Text(cell) for cell in cells])
-        heads = [
-            "Inputs",
-            "Method",
-            "Wrong answers",
-            "Median error",
-            "Largest error",
-            "Time, ns: median (quartiles)",
-        ]
-        return scrolled(table(heads, rows, data["question"], ["ladder"]), "Table of measurements")
+        heads, rows = columns(data)
+        cells = [[nodes.Text(text) for text in row] for row in rows]
+        return scrolled(table(heads, cells, data["question"], ["ladder"]), "Table of measurements")
 
 
 # What readers of e-books refuse in a drawing, and what its colours are without a page's palette.
