@@ -128,6 +128,24 @@
       hideTerm();
   });
 
+  // On the search page: what is shown of a find is the paragraph or the entry that its address names. Sphinx shows the
+  // named element alone, which is empty if it is a place in the index.
+  if (typeof Search !== "undefined")
+    Search.htmlToText = (html, anchor) => {
+      const page = new DOMParser().parseFromString(html, "text/html").querySelector("[role=main]");
+      const noise = ".headerlink, script, style, .katex-html, annotation, .definitions";
+      for (const node of page?.querySelectorAll(noise) ?? []) node.remove();
+      const named = anchor ? page?.querySelector(anchor) : undefined;
+      const block = named?.closest("p, li, dt, dd, td, details, section");
+      const entry = block?.matches("dt")
+        ? block.parentElement.querySelector(`${anchor} ~ dd`)
+        : null;
+      return [block ?? page, entry]
+        .map((node) => node?.textContent ?? "")
+        .join(" ")
+        .trim();
+    };
+
   /** The site's root, as the page names it. */
   const root = new URL(document.documentElement.dataset.content_root ?? "./", document.baseURI);
 

@@ -37,10 +37,13 @@ describe("terms", { skip }, () => {
 
   for (const name of WANTED)
     ofAll(`searching for ${name} leads to the place that teaches it`, async () => {
-      const { page, close } = await open(
+      const { page, trouble, close } = await open(
         chromium.browser,
         url(`search.html?q=${encodeURIComponent(name)}`),
       );
+      const summary = page.locator("#search-results li").first().locator("p.context");
+      assert.ok(((await summary.textContent()) ?? "").toLowerCase().includes(name.toLowerCase()));
+      assert.deepEqual(trouble, []);
       const first = page.locator("#search-results li a").first();
       const href = (await first.getAttribute("href")) ?? "";
       const place = new URL(href, page.url());
