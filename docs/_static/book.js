@@ -63,7 +63,8 @@
   const stay = () => clearTimeout(waiting);
   const showTerm = (link, definition) => {
     stay();
-    if (shown?.link === link) return;
+    // A term in a definition leads to its entry as any link does.
+    if (shown?.link === link || link.closest(".term-shown")) return;
     hideTerm();
     const box = document.createElement("div");
     box.className = "term-shown";
@@ -91,28 +92,34 @@
     link.setAttribute("aria-describedby", "term-shown");
     shown = { link, box };
   };
-  for (const text of document.querySelectorAll("article a > .std-term")) {
-    const link = text.parentElement;
-    const definition = definitions.get(link.hash.slice(1));
-    if (!definition || link.closest(".definitions")) continue;
-    link.addEventListener("pointerenter", (event) => {
-      stay();
-      if (event.pointerType === "mouse" && shown?.link !== link)
-        waiting = setTimeout(() => showTerm(link, definition), 150);
-    });
-    link.addEventListener("pointerleave", (event) => {
-      if (event.pointerType === "mouse") hideSoon();
-    });
-    link.addEventListener("focus", () => {
-      if (link.matches(":focus-visible")) showTerm(link, definition);
-    });
-    link.addEventListener("blur", hideSoon);
-    link.addEventListener("click", (event) => {
-      if (event.pointerType !== "touch") return;
-      event.preventDefault();
-      showTerm(link, definition);
-    });
-  }
+  // Asked of the document, because questions and exercises write their links anew.
+  const termAt = (target) => {
+    const link = target instanceof Element && target.closest("article a:has(> .std-term)");
+    return link && definitions.has(link.hash.slice(1)) ? link : undefined;
+  };
+  const definitionOf = (link) => definitions.get(link.hash.slice(1));
+  document.addEventListener("pointerover", ({ target, pointerType }) => {
+    const link = termAt(target);
+    if (!link || pointerType !== "mouse") return;
+    stay();
+    if (shown?.link !== link) waiting = setTimeout(() => showTerm(link, definitionOf(link)), 150);
+  });
+  document.addEventListener("pointerout", ({ target, pointerType }) => {
+    if (termAt(target) && pointerType === "mouse") hideSoon();
+  });
+  document.addEventListener("focusin", ({ target }) => {
+    const link = termAt(target);
+    if (link?.matches(":focus-visible")) showTerm(link, definitionOf(link));
+  });
+  document.addEventListener("focusout", ({ target }) => {
+    if (termAt(target)) hideSoon();
+  });
+  document.addEventListener("click", (event) => {
+    const link = termAt(event.target);
+    if (!link || event.pointerType !== "touch" || link.closest(".term-shown")) return;
+    event.preventDefault();
+    showTerm(link, definitionOf(link));
+  });
   document.addEventListener("keydown", (event) => {
     if (event.key === "Escape") hideTerm();
   });
@@ -120,6 +127,24 @@
     if (shown && !shown.box.contains(event.target) && !shown.link.contains(event.target))
       hideTerm();
   });
+
+  // On the search page: what is shown of a find is the paragraph or the entry that its address names. Sphinx shows the
+  // named element alone, which is empty if it is a place in the index.
+  if (typeof Search !== "undefined")
+    Search.htmlToText = (html, anchor) => {
+      const page = new DOMParser().parseFromString(html, "text/html").querySelector("[role=main]");
+      const noise = ".headerlink, script, style, .katex-html, annotation, .definitions";
+      for (const node of page?.querySelectorAll(noise) ?? []) node.remove();
+      const named = anchor ? page?.querySelector(anchor) : undefined;
+      const block = named?.closest("p, li, dt, dd, td, details, section");
+      const entry = block?.matches("dt")
+        ? block.parentElement.querySelector(`${anchor} ~ dd`)
+        : null;
+      return [block ?? page, entry]
+        .map((node) => node?.textContent ?? "")
+        .join(" ")
+        .trim();
+    };
 
   /** The site's root, as the page names it. */
   const root = new URL(document.documentElement.dataset.content_root ?? "./", document.baseURI);

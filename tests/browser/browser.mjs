@@ -146,19 +146,28 @@ export function gatherTrouble(page, origin) {
 }
 
 /**
- * A page in a context of its own, with what must not happen on it.
+ * A page in a context of its own, with what must not happen on it. Its Deeper boxes are opened, so that what is in them
+ * is tested like the rest, unless `boxes` says "closed".
  * @param {import("playwright-core").Browser} browser
  * @param {string} url
- * @param {import("playwright-core").BrowserContextOptions} options
+ * @param {import("playwright-core").BrowserContextOptions & { boxes?: "open" | "closed" }} options
  */
-export async function open(browser, url, options = {}) {
+export async function open(browser, url, { boxes = "open", ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1200, height: 900 }, ...options });
   const page = await context.newPage();
   const { origin } = url.startsWith("about:") ? { origin: "" } : new URL(url);
   const trouble = gatherTrouble(page, origin);
   await page.goto(url, { waitUntil: "load" });
+  if (boxes === "open") await openBoxes(page);
   return { page, trouble, close: () => context.close() };
 }
+
+/** Opens every Deeper box of a page. @param {import("playwright-core").Page} page */
+export const openBoxes = (page) =>
+  page.evaluate(() => {
+    /** @type {HTMLDetailsElement} */ for (const box of document.querySelectorAll("details.deeper"))
+      (box).open = true;
+  });
 
 /** Loads every figure of a page, as scrolling through it does. @param {import("playwright-core").Page} page */
 export async function loadFigures(page) {

@@ -37,10 +37,13 @@ describe("terms", { skip }, () => {
 
   for (const name of WANTED)
     ofAll(`searching for ${name} leads to the place that teaches it`, async () => {
-      const { page, close } = await open(
+      const { page, trouble, close } = await open(
         chromium.browser,
         url(`search.html?q=${encodeURIComponent(name)}`),
       );
+      const summary = page.locator("#search-results li").first().locator("p.context");
+      assert.ok(((await summary.textContent()) ?? "").toLowerCase().includes(name.toLowerCase()));
+      assert.deepEqual(trouble, []);
       const first = page.locator("#search-results li a").first();
       const href = (await first.getAttribute("href")) ?? "";
       const place = new URL(href, page.url());
@@ -164,7 +167,10 @@ describe("boxes", { skip }, () => {
     page.locator(box).evaluate((node) => /** @type {HTMLDetailsElement} */ (node).open);
 
   ofAll("a box is closed at first, and opened from the keyboard without a script", async () => {
-    const { page, close } = await open(chromium.browser, url(sink), { javaScriptEnabled: false });
+    const { page, close } = await open(chromium.browser, url(sink), {
+      javaScriptEnabled: false,
+      boxes: "closed",
+    });
     const inside = page.locator(`${box} .inside`);
     assert.equal(await inside.isVisible(), false);
     await page.locator(`${box} > summary`).focus();
@@ -175,7 +181,7 @@ describe("boxes", { skip }, () => {
 
   ofAll("an address inside opens the box, on the page and on the way to it", async () => {
     const inside = "#question-blended-temperature";
-    const { page, close } = await open(chromium.browser, url(sink + inside));
+    const { page, close } = await open(chromium.browser, url(sink + inside), { boxes: "closed" });
     assert.ok(await isOpen(page));
     await page.locator(`${box} > summary`).click();
     assert.equal(await isOpen(page), false);
@@ -189,19 +195,24 @@ describe("boxes", { skip }, () => {
   });
 
   ofAll("a search opens the box in which it marks a word", async () => {
-    const { page, close } = await open(chromium.browser, url(`${sink}?highlight=listing`));
+    const { page, close } = await open(chromium.browser, url(`${sink}?highlight=listing`), {
+      boxes: "closed",
+    });
     await page.waitForFunction((of) => document.querySelector(of)?.matches("[open]"), box);
     await close();
   });
 
   ofAll("on paper a box is open, with a script and without", async () => {
-    const { page, close } = await open(chromium.browser, url(sink));
+    const { page, close } = await open(chromium.browser, url(sink), { boxes: "closed" });
     await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
     assert.ok(await isOpen(page));
     await page.evaluate(() => dispatchEvent(new Event("afterprint")));
     assert.equal(await isOpen(page), false);
     await close();
-    const paper = await open(chromium.browser, url(sink), { javaScriptEnabled: false });
+    const paper = await open(chromium.browser, url(sink), {
+      javaScriptEnabled: false,
+      boxes: "closed",
+    });
     await paper.page.emulateMedia({ media: "print" });
     const inside = paper.page.locator(`${box} .inside`);
     assert.ok(await inside.evaluate((node) => node.checkVisibility() && node.clientHeight > 50));

@@ -146,6 +146,8 @@ def test_dev_check_sees_what_is_wrong_in_the_files(clone: Path) -> None:
         clone / "chapters/01_planes/contact/plane.hpp",
         clone / "chapters/02_triangles/contact/plane.hpp",
     )
+    lesson = clone / "chapters/01_planes/lesson.md"
+    lesson.write_text(lesson.read_text() + "\n" + "word " * 9001)
     # Nothing is built in this copy, so the answers are not checked: the files are.
     environment = {**os.environ, "CONTACT_ROOT": str(clone)}
     text = subprocess.run(
@@ -158,6 +160,9 @@ def test_dev_check_sees_what_is_wrong_in_the_files(clone: Path) -> None:
         "no hint for never-heard-of",
         "requires one that does not exist: 'no such test'",
         "builds on itself",
+        "and may take 45: ",
+        "20_scenes: ",
+        "it may be longer than 45: ",
         "plane.hpp is in 01_planes and in 02_triangles",
     ):
         assert part in " ".join(text.split()), part

@@ -162,8 +162,14 @@ def test_code_comes_from_its_region_and_examples_show_their_output(lesson: Beaut
     assert "prints" in example
 
 
+def test_a_name_before_a_component_is_an_anchor(lesson: BeautifulSoup) -> None:
+    assert one(lesson, "#the-player").find_next("contact-player")
+    assert one(lesson, 'a[href="#the-player"]').get_text() == "The player"
+
+
 def test_a_measurement_shows_where_it_is_from_and_what_is_asked_for(lesson: BeautifulSoup) -> None:
-    measured = lesson.select(".literal-block-wrapper")[-1].get_text()
+    shown = [box.get_text() for box in lesson.select(".literal-block-wrapper")]
+    [measured] = [text for text in shown if "results/peers" in text]
     assert "benchmarks/results/peers.small.txt" in measured
     assert "one core, 2026-01-02" in measured
     assert "9.00" in measured
@@ -173,8 +179,8 @@ def test_a_measurement_shows_where_it_is_from_and_what_is_asked_for(lesson: Beau
 def test_the_head_says_time_what_it_builds_on_and_objectives(lesson: BeautifulSoup) -> None:
     head = one(lesson, ".chapter-head")
     assert head.find_previous_sibling().name == "h1"  # type: ignore[union-attr]
-    assert "About 11 minutes, and 10 minutes of exercises" in head.get_text()
-    assert "Optional: 2 minutes of Deeper boxes" in head.get_text()
+    assert "About 12 minutes, and 10 minutes of exercises" in head.get_text()
+    assert "Optional: 1 minute of Deeper boxes" in head.get_text()
     assert one(head, 'a[href="../api/00_numbers.html"]').get_text() == "Numbers"
     assert len(head.select(".objectives li")) == 2
     assert "lines & planes" in one(lesson, ".chapter-foot").get_text()

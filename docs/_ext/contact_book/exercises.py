@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from lesson_minutes import lesson_of
+from lesson_minutes import Lesson, Tally, lesson_of
 
 from contact_book.book import Book, Chapter
 from contact_book.errors import BookError, unknown
@@ -113,7 +113,11 @@ def lesson_time(book: Book, chapter: Chapter) -> LessonTime:
     }
     in_lesson = sum(minutes[name] for name in chapter.in_lesson)
     said = book.registry["chapters"][chapter.slug]
-    lesson = lesson_of(book.root, chapter.slug, said)
+    try:
+        lesson = lesson_of(book.root, chapter.slug, said)
+    except BookError:
+        # The directive that cannot be counted says why, at its line in the lesson.
+        lesson = Lesson(chapter.slug, Tally(), Tally())
     return LessonTime(
         lesson=max(1, round(lesson.main.minutes)),
         exercises=in_lesson,

@@ -14,6 +14,8 @@ from contact_book.nodes import component, slot
 
 Renderer = Callable[[HTML5Translator, component], str]
 RENDERERS: dict[str, Renderer] = {}
+# The kinds that write their ids themselves.
+ANCHORED = {"deeper"}
 
 
 def renders(kind: str) -> Callable[[Renderer], Renderer]:
@@ -70,6 +72,9 @@ def can_run_scripts(translator: HTML5Translator) -> bool:
 
 
 def visit_component(translator: HTML5Translator, node: component) -> None:
+    if node["kind"] not in ANCHORED:
+        # What an author's `(name)=` before it gave it.
+        translator.body += [f"<span{attributes(id=name)}></span>" for name in node["ids"]]
     translator.body.append(RENDERERS[node["kind"]](translator, node))
     raise nodes.SkipNode
 

@@ -111,7 +111,8 @@ def find_places(env: BuildEnvironment) -> dict[str, Place]:
 def marked(places: dict[str, Place], page: str, entries: list[Entry]) -> list[Entry]:
     """The entries of a page: those of the place that teaches a term come first, under all names."""
     made: list[Entry] = []
-    for kind, value, anchor, main, key in entries:
+    for kind, text, anchor, main, key in entries:
+        value = text.replace("'", "’")
         place = places.get(value.lower()) if kind == "single" else None
         if place is None:
             made.append((kind, value, anchor, main, key))
