@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 from contact_book.errors import BookError
-from contact_book.hard_cases import chosen
+from contact_book.hard_cases import chosen, in_words
 from contact_book.ladder import columns
 
 
@@ -39,3 +39,7 @@ def test_an_error_that_a_row_has_is_shown() -> None:
     heads, rows = columns(measured(None, 0.5))
     assert heads[3] == "Largest error"
     assert rows[0][3] == "0.5"
+
+
+def test_a_case_keeps_the_sign_of_its_exponent() -> None:
+    assert in_words("thrown-at-1e-200-metres") == "thrown at 1e-200 metres"

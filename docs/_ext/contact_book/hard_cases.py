@@ -4,6 +4,7 @@ program."""
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, ClassVar
@@ -34,6 +35,11 @@ def told(said: str) -> str:
     cases = [{key: case[key] for key in _SHOWN} for case in data["cases"]]
     kept = {"methods": data["methods"], "cases": cases}
     return json.dumps(kept, indent=1, ensure_ascii=False) + "\n"
+
+
+def in_words(name: str) -> str:
+    """A case's name with spaces for its hyphens; the sign of an exponent (1e-200) stays."""
+    return re.sub(r"(?<!\de)-", " ", name)
 
 
 def _verdict(word: str) -> nodes.Node:
@@ -93,7 +99,7 @@ class HardCases(BookDirective):
         return [scrolled(table(heads, rows, words, ["hard-cases"]), label)]
 
     def row(self, methods: tuple[str, ...], case: dict[str, Any]) -> list[Any]:
-        name = nodes.strong("", case["name"].replace("-", " "))
+        name = nodes.strong("", in_words(case["name"]))
         title = [name, nodes.Text(f" — {case['why']}")]
         verdicts = [_verdict(case["verdicts"][method]) for method in methods]
         return [title, nodes.Text(case["answer_text"]), *verdicts]
