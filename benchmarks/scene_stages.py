@@ -38,19 +38,19 @@ FUNCTIONS = {
     "contacts": "find_touching_pairs",
     "waking": "wake_bodies",
     "impacts": "solve_impacts",
-    "springs": "push_springs",
+    "springs": "apply_spring_forces",
     "gravity": "add_gravity",
     "contact forces": "solve_forces",
     "impacts left over": "solve_forces",
     "time of impact": "find_first_impact",
     "motion": "move_bodies",
-    "rotation": "turn_bodies",
+    "rotation": "rotate_bodies",
     "bounces": "solve_bounces",
-    "leaving": "leave_bounced",
-    "pushing out": "push_out",
+    "leaving": "apply_bounces",
+    "pushing out": "correct_positions",
     "sleep": "put_to_sleep",
 }
-GYROSCOPIC = "turn_with_gyroscopic_term"
+GYROSCOPIC = "rotate_with_gyroscopic_term"
 
 
 class Case(NamedTuple):

@@ -70,8 +70,8 @@ void compare(const char* family, const Points& points, int runs) {
   for (std::size_t m = 0; m < methods.size(); ++m) {
     std::sort(times[m].begin(), times[m].end());
     std::printf("  %-24s %10.1f %8.1f - %8.1f %9zu %9zu\n", methods[m].first.c_str(),
-                times[m][times[m].size() / 2], times[m].front(), times[m].back(), counts[m].corners,
-                counts[m].faces);
+                times[m][times[m].size() / 2], times[m].front(), times[m].back(),
+                counts[m].vertices, counts[m].faces);
   }
   std::printf("\n");
 }

@@ -17,7 +17,7 @@ peers::Counts peers::qhull(const std::vector<double>& coordinates) {
   const int count = static_cast<int>(copy.size() / 3);
   Counts counts;
   if (qh_new_qhull(qh, 3, count, copy.data(), False, command, nothing, nothing) == 0) {
-    counts.corners = static_cast<std::size_t>(qh->num_vertices);
+    counts.vertices = static_cast<std::size_t>(qh->num_vertices);
     counts.faces = static_cast<std::size_t>(qh->num_facets);
   }
   qh_freeqhull(qh, !qh_ALL);

@@ -9,7 +9,7 @@ namespace peers {
 
 /// What a program says of the hull of points (x, y, z one after the other).
 struct Counts {
-  std::size_t corners = 0;
+  std::size_t vertices = 0;
   std::size_t faces = 0;  ///< as the program joins triangles, or does not
 };
 

@@ -75,7 +75,7 @@ nlohmann::json of_hard_balls(
           {"stages", nlohmann::json::array()},
           {"bytes_per_body", run->bytes_per_state()},
           {"steps", 0},
-          {"parts", 0},
+          {"substeps", 0},
           {"hits", run->counts().hits}};
 }
 
@@ -108,11 +108,11 @@ nlohmann::json measured(const contact::Scene& scene, double seconds,
               {"stages", stages},
               {"bytes_per_body", run->bytes_per_body()},
               {"steps", counts.steps},
-              {"parts", counts.parts},
+              {"substeps", counts.substeps},
               {"hits", counts.hits},
               {"pairs", counts.pairs},
               {"contacts", counts.contacts},
-              {"sweeps", counts.sweeps}};
+              {"iterations", counts.iterations}};
   }
   result["step"] = plan.step;
   result["estimates"] = estimates(plan);

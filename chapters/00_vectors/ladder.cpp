@@ -163,7 +163,7 @@ ladder::Ladder<Input, Answer> experiment() {
         });
   };
   in_both("order", "recursive summation",
-          [](const auto& x, const auto& y) { return contact::dot_in_order(x, y); });
+          [](const auto& x, const auto& y) { return contact::dot_recursive(x, y); });
   ladder.method(
       {.id = "widened", .title = "floats, in double", .scalar = "float in double", .exact = false},
       [](const Input& input) {

@@ -75,7 +75,7 @@ Point tied_top(generators::Random& random) {
 Answer of_hull(const contact::Hull& hull) {
   Answer answer{hull.closed, false, hull.vertices, static_cast<std::size_t>(hull.face_count()), 0};
   // A face with k vertices has k - 2 triangles.
-  answer.triangles = hull.corners.size() - 2 * answer.faces;
+  answer.triangles = hull.face_vertices.size() - 2 * answer.faces;
   return answer;
 }
 Answer of_triangles(const contact::Wrapping& wrapping) {

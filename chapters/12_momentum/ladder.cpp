@@ -144,7 +144,7 @@ ladder::Ladder<Input, Answer> experiment() {
           return Answer{false, {}, {method(input.in_double), 0, 0}};
         });
   };
-  in_both("order", "recursive", [](const auto& terms) { return contact::total_in_order(terms); });
+  in_both("order", "recursive", [](const auto& terms) { return contact::total_recursive(terms); });
   in_both("pairwise", "pairwise", [](const auto& terms) { return contact::total_pairwise(terms); });
   in_both("kahan", "Kahan", [](const auto& terms) { return contact::total_kahan(terms); });
   in_both("compensated", "compensated",

@@ -17,12 +17,12 @@ constexpr int steps_a_second = 64;
 /// A body at rest with an axis of symmetry, and the impulse on it. In double and in float.
 template <class S>
 struct Hit {
-  S across, along;          // moments, kg·m²
-  contact::Rotor<S> start;  // orientation; its axis of symmetry is its own z
-  V<S> momentum;            // r × J, kg·m²/s
-  M<S> tensor;              // in its own axes that are not the principal ones
-  M<S> frame;               // those axes in world coordinates, initially
-  int steps = 0;            // of 1/64 s
+  S transverse, along;           // moments, kg·m²
+  contact::Quaternion<S> start;  // orientation; its axis of symmetry is its own z
+  V<S> momentum;                 // r × J, kg·m²/s
+  M<S> tensor;                   // in its own axes that are not the principal ones
+  M<S> frame;                    // those axes in world coordinates, initially
+  int steps = 0;                 // of 1/64 s
 
   S step() const { return S(1) / S(steps_a_second); }
 };
@@ -40,7 +40,7 @@ struct Answer {
 
 template <class To>
 Hit<To> convert(const Hit<double>& h) {
-  return {static_cast<To>(h.across),
+  return {static_cast<To>(h.transverse),
           static_cast<To>(h.along),
           contact::normalised<To>({static_cast<To>(h.start.w), h.start.v.cast<To>()}),
           h.momentum.cast<To>(),
@@ -57,21 +57,21 @@ V<double> direction(generators::Random& random) {
   }
 }
 
-Input hit(generators::Random& random, double across, double along, int seconds = 1) {
+Input hit(generators::Random& random, double transverse, double along, int seconds = 1) {
   const auto turn = [&] {
     const V<double> axis = direction(random);
     return contact::exponential<double>(V<double>(axis * random.uniform(0, 3)));
   };
   Hit<double> h{};
-  h.across = across;
+  h.transverse = transverse;
   h.along = along;
   h.start = turn();
   // An impulse that makes it rotate at 1 to 4 rad/s.
   const double rate = random.uniform(1, 4);
-  const V<double> spin = direction(random) * rate;
+  const V<double> angular_velocity = direction(random) * rate;
   const M<double> r = contact::matrix_of(h.start);
-  const M<double> own = contact::detail::diagonal<double>(across, across, along);
-  h.momentum = contact::rotated<double>(own, r) * spin;
+  const M<double> own = contact::detail::diagonal<double>(transverse, transverse, along);
+  h.momentum = contact::rotated<double>(own, r) * angular_velocity;
   // The same body as a full tensor, in arbitrary axes.
   const M<double> left = contact::matrix_of(turn());
   h.tensor = contact::rotated<double>(own, left);
@@ -82,10 +82,10 @@ Input hit(generators::Random& random, double across, double along, int seconds =
 
 template <class S>
 M<double> right_end(const Hit<S>& h) {
-  contact::Rotor<double> q{double(h.start.w), h.start.v.template cast<double>()};
+  contact::Quaternion<double> q{double(h.start.w), h.start.v.template cast<double>()};
   q = contact::normalised<double>(q);
   return contact::matrix_of(contact::free_top<double>(q, h.momentum.template cast<double>(),
-                                                      double(h.across), double(h.along),
+                                                      double(h.transverse), double(h.along),
                                                       double(h.steps) / steps_a_second));
 }
 
@@ -97,13 +97,14 @@ Answer truth_of(const Input& input) {
 struct ByAxes {
   template <class S>
   V<S> operator()(const Hit<S>& h, const M<S>& r) const {
-    return contact::free_spin<S>(h.momentum, V<S>(h.across, h.across, h.along), r);
+    return contact::free_angular_velocity<S>(h.momentum, V<S>(h.transverse, h.transverse, h.along),
+                                             r);
   }
 };
 struct AsSphere {
   template <class S>
   V<S> operator()(const Hit<S>& h, const M<S>&) const {
-    return h.momentum / ((h.across + h.across + h.along) / S(3));
+    return h.momentum / ((h.transverse + h.transverse + h.along) / S(3));
   }
 };
 struct ByTensor {
@@ -119,43 +120,44 @@ struct ByTensor {
 };
 
 template <class S, class Spin>
-M<S> by_matrix(const Hit<S>& h, const Spin& spin) {
+M<S> by_matrix(const Hit<S>& h, const Spin& angular_velocity) {
   M<S> r = contact::matrix_of(h.start);
   for (int i = 0; i < h.steps; ++i) {
-    r = contact::orthonormalised<S>(contact::matrix_step<S>(r, spin(h, r), h.step()));
+    r = contact::orthonormalised<S>(contact::matrix_step<S>(r, angular_velocity(h, r), h.step()));
   }
   return r;
 }
 template <class S, class Spin>
-M<S> by_bare_matrix(const Hit<S>& h, const Spin& spin) {
+M<S> by_bare_matrix(const Hit<S>& h, const Spin& angular_velocity) {
   M<S> r = contact::matrix_of(h.start);
-  for (int i = 0; i < h.steps; ++i) r = contact::matrix_step<S>(r, spin(h, r), h.step());
+  for (int i = 0; i < h.steps; ++i)
+    r = contact::matrix_step<S>(r, angular_velocity(h, r), h.step());
   return r;
 }
 template <class S, class Spin>
-M<S> by_quaternion(const Hit<S>& h, const Spin& spin) {
-  contact::Rotor<S> q = h.start;
+M<S> by_quaternion(const Hit<S>& h, const Spin& angular_velocity) {
+  contact::Quaternion<S> q = h.start;
   for (int i = 0; i < h.steps; ++i) {
-    q = contact::quaternion_step<S>(q, spin(h, contact::matrix_of(q)), h.step());
+    q = contact::quaternion_step<S>(q, angular_velocity(h, contact::matrix_of(q)), h.step());
   }
   return contact::matrix_of(q);
 }
 template <class S, class Spin>
-M<S> by_exponential(const Hit<S>& h, const Spin& spin) {
-  contact::Rotor<S> q = h.start;
+M<S> by_exponential(const Hit<S>& h, const Spin& angular_velocity) {
+  contact::Quaternion<S> q = h.start;
   for (int i = 0; i < h.steps; ++i) {
-    q = contact::exponential_step<S>(q, spin(h, contact::matrix_of(q)), h.step());
+    q = contact::exponential_step<S>(q, angular_velocity(h, contact::matrix_of(q)), h.step());
   }
   return contact::matrix_of(q);
 }
 template <class S, class Spin>
-M<S> by_midpoint(const Hit<S>& h, const Spin& spin) {
-  contact::Rotor<S> q = h.start;
+M<S> by_midpoint(const Hit<S>& h, const Spin& angular_velocity) {
+  contact::Quaternion<S> q = h.start;
   const S step = h.step();
   for (int i = 0; i < h.steps; ++i) {
-    const V<S> first = spin(h, contact::matrix_of(q));
+    const V<S> first = angular_velocity(h, contact::matrix_of(q));
     const auto middle = contact::exponential_step<S>(q, first, step / S(2));
-    q = contact::exponential_step<S>(q, spin(h, contact::matrix_of(middle)), step);
+    q = contact::exponential_step<S>(q, angular_velocity(h, contact::matrix_of(middle)), step);
   }
   return contact::matrix_of(q);
 }

@@ -19,22 +19,22 @@ using contact::HardSphereEffects;
 using contact::HardSphereSetup;
 
 enum class Motion { line, table, box };
-enum class Asked { places, energy, overlap };
+enum class Asked { positions, energy, overlap };
 
 constexpr double radius = 0.25;
 constexpr double gravity = 9.8125;
 
 struct Input {
   Motion motion = Motion::line;
-  Asked asked = Asked::places;
+  Asked asked = Asked::positions;
   HardSphereSetup setup;
   double room = 0;  // m, of a cube, or of what the motion has of it
   double time = 0;  // s
 };
 
 struct Answer {
-  Asked asked = Asked::places;
-  std::vector<contact::Vector3<double>> places;  // m
+  Asked asked = Asked::positions;
+  std::vector<contact::Vector3<double>> positions;  // m
   double hits = 0;
   double energy_change = 0;  // relative
   double overlap = 0;        // deepest that occurred, m
@@ -196,7 +196,7 @@ Answer answer(const Input& input, const Balls<S>& all, double hits, double overl
   Answer got;
   got.asked = input.asked;
   for (const Ball<S>& ball : all)
-    got.places.push_back({as_double(ball.x[0]), as_double(ball.x[1]), as_double(ball.x[2])});
+    got.positions.push_back({as_double(ball.x[0]), as_double(ball.x[1]), as_double(ball.x[2])});
   got.hits = hits;
   const S before = energy_of(input, start<S>(input));
   got.energy_change = std::abs(as_double((energy_of(input, all) - before) / before));
@@ -301,7 +301,7 @@ Answer composed(const Input& input) {
   run.advance(input.time);
   Answer got;
   got.asked = input.asked;
-  for (std::size_t i = 0; i < run.moving(); ++i) got.places.push_back(run.position(i));
+  for (std::size_t i = 0; i < run.moving(); ++i) got.positions.push_back(run.position(i));
   const contact::HardSphereCounts did = run.counts();
   got.hits = static_cast<double>(did.hits);
   got.energy_change = std::abs((run.energy() - before) / before);
@@ -339,10 +339,10 @@ ladder::Verdict judge(const Answer& got, const Answer& right) {
     case Asked::overlap:
       verdict.error = got.overlap;
       break;
-    case Asked::places:
+    case Asked::positions:
       verdict.error = 0;
-      for (std::size_t i = 0; i < right.places.size(); ++i)
-        verdict.error = std::max(verdict.error, (got.places[i] - right.places[i]).norm());
+      for (std::size_t i = 0; i < right.positions.size(); ++i)
+        verdict.error = std::max(verdict.error, (got.positions[i] - right.positions[i]).norm());
       break;
   }
   return verdict;
@@ -356,10 +356,10 @@ ladder::Ladder<Input, Answer> experiment() {
       return balls(random, motion, asked);
     });
   };
-  family("line", "five on a line: positions, m", Motion::line, Asked::places);
-  family("table", "nine on a table: positions, m", Motion::table, Asked::places);
+  family("line", "five on a line: positions, m", Motion::line, Asked::positions);
+  family("table", "nine on a table: positions, m", Motion::table, Asked::positions);
   family("table-overlap", "nine on a table: deepest overlap, m", Motion::table, Asked::overlap);
-  family("box", "eight in a box, with gravity: positions, m", Motion::box, Asked::places);
+  family("box", "eight in a box, with gravity: positions, m", Motion::box, Asked::positions);
   family("box-energy", "eight in a box: relative change of energy", Motion::box, Asked::energy);
 
   for (const int rate : {60, 240}) {

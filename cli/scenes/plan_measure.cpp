@@ -105,7 +105,7 @@ MeasuredHorizon measured_horizon(const Scene& scene, const Plan& plan, double se
   const auto run = scenes::make_run(scene, plan);
   const auto twin = scenes::make_run(twin_of(scene), plan);
   const double began = processor_seconds();
-  for (int piece = 1; piece <= pieces && !measured.parted(); ++piece) {
+  for (int piece = 1; piece <= pieces && !measured.diverged(); ++piece) {
     if (processor_seconds() - began > seconds) break;
     measured.time = scene.duration * piece / pieces;
     run->advance(measured.time);

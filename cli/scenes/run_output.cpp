@@ -115,7 +115,7 @@ std::string trajectory_frame(const fs::path& path, const RunView& view) {
     else
       text += time + between + bodies[i].name + between + three(view.run.position(i), between);
     if (poses) {
-      const Rotor<double> lies = view.run.orientation(i);
+      const Quaternion<double> lies = view.run.orientation(i);
       text += between + three(lies.v, between) + between + shortest_text(lies.w);
     }
     if (velocities) text += between + three(view.run.velocity(i), between);
@@ -160,8 +160,8 @@ void write_checkpoint(const fs::path& file, const RunCheckpoint& checkpoint) {
                       {"output_size", checkpoint.output_size},
                       {"events_size", checkpoint.events_size},
                       {"counts",
-                       {counts.steps, counts.parts, counts.hits, counts.pairs, counts.contacts,
-                        counts.sweeps, counts.crossings, counts.rests, counts.crowded_steps}},
+                       {counts.steps, counts.substeps, counts.hits, counts.pairs, counts.contacts,
+                        counts.iterations, counts.crossings, counts.rests, counts.crowded_steps}},
                       {"largest_overlap", bits_text(counts.largest_overlap)},
                       {"rest_error", bits_text(counts.rest_error)},
                       {"numbers", numbers},
@@ -187,8 +187,8 @@ RunCheckpoint read_checkpoint(const fs::path& file) {
     SceneRunCounts& counts = state.counts;
     std::size_t at = 0;
     for (std::uint64_t* const count :
-         {&counts.steps, &counts.parts, &counts.hits, &counts.pairs, &counts.contacts,
-          &counts.sweeps, &counts.crossings, &counts.rests, &counts.crowded_steps})
+         {&counts.steps, &counts.substeps, &counts.hits, &counts.pairs, &counts.contacts,
+          &counts.iterations, &counts.crossings, &counts.rests, &counts.crowded_steps})
       *count = json.at("counts").at(at++).get<std::uint64_t>();
     counts.largest_overlap = from_bits(json.at("largest_overlap"));
     counts.rest_error = from_bits(json.at("rest_error"));

@@ -63,7 +63,7 @@ class Simulation {
     if (!options_.checkpoint.empty()) keep();
     if (events_) {
       Writer writer(*this);
-      run_->tell_unfinished(writer);
+      run_->report_unfinished(writer);
     }
     if (ending != Ending::interrupted && output_ && last_frame_ != run_->now()) add_frame();
     if (output_) output_->flush();

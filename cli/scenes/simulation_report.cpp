@@ -90,12 +90,12 @@ nlohmann::json report_json(const SimulationEnd& end) {
                       {"bodies", end.scene.bodies.size()},
                       {"moving", count_bodies(end, false)},
                       {"steps", counts.steps},
-                      {"parts", counts.parts},
+                      {"substeps", counts.substeps},
                       {"crowded_steps", counts.crowded_steps},
-                      {"most_impacts", counts.most_impacts},
+                      {"max_impacts", counts.max_impacts},
                       {"pairs", counts.pairs},
                       {"contacts", counts.contacts},
-                      {"sweeps", counts.sweeps},
+                      {"iterations", counts.iterations},
                       {"hits", counts.hits},
                       {"crossings", counts.crossings},
                       {"largest_overlap", counts.largest_overlap},
@@ -140,10 +140,10 @@ void tell(const SimulationEnd& end, const Style& style, SimulateOutcome& outcome
   outcome.say("  " + shortest_text(end.run.now()) + " s, " + std::to_string(counts.hits) +
               " hits, " + std::to_string(end.run.bytes_per_body()) + " bytes a body's state");
   if (!end.run.event_driven())
-    outcome.say("  " + std::to_string(counts.steps) + " steps in " + std::to_string(counts.parts) +
-                " substeps, " + std::to_string(counts.pairs) + " pairs tested, " +
-                std::to_string(counts.contacts) + " contacts solved in " +
-                std::to_string(counts.sweeps) + " iterations");
+    outcome.say("  " + std::to_string(counts.steps) + " steps in " +
+                std::to_string(counts.substeps) + " substeps, " + std::to_string(counts.pairs) +
+                " pairs tested, " + std::to_string(counts.contacts) + " contacts solved in " +
+                std::to_string(counts.iterations) + " iterations");
   outcome.say("  energy " + shortest_text(end.first_energy) + " J, then " +
               shortest_text(end.run.energy()) + " J; largest overlap " +
               shortest_text(counts.largest_overlap) + " m");
@@ -154,7 +154,7 @@ void tell(const SimulationEnd& end, const Style& style, SimulateOutcome& outcome
                                         : ""));
   if (counts.crowded_steps > 0)
     outcome.say("  " + style.warn(std::to_string(counts.crowded_steps) + " steps") +
-                " had more impacts than " + std::to_string(counts.most_impacts) +
+                " had more impacts than " + std::to_string(counts.max_impacts) +
                 "; the rest of these steps was taken in substeps in which a pair bounces once");
   if (const auto fallback = end.run.fallback())
     outcome.say("  " + style.warn("step by step") + " from " + shortest_text(fallback->time) +

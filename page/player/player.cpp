@@ -120,7 +120,7 @@ class Side {
     numbers.clear();
     for (const double x :
          {run_->now(), run_->energy(), first_energy_, static_cast<double>(counts.steps),
-          static_cast<double>(counts.parts), static_cast<double>(counts.hits),
+          static_cast<double>(counts.substeps), static_cast<double>(counts.hits),
           static_cast<double>(counts.pairs), static_cast<double>(counts.contacts),
           static_cast<double>(counts.rests), counts.largest_overlap,
           static_cast<double>(run_->bytes()), static_cast<double>(run_->bytes_per_body()),
@@ -139,7 +139,7 @@ class Side {
     numbers.push_back(farthest);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
       const Vector3<double> p = run_->position(i);
-      const Rotor<double> q = run_->orientation(i);
+      const Quaternion<double> q = run_->orientation(i);
       for (const double x : {p.x(), p.y(), p.z(), q.w, q.v.x(), q.v.y(), q.v.z()})
         numbers.push_back(x);
     }

@@ -89,7 +89,7 @@ void add_dot(hard_cases::Runner& runner) {
     });
   };
   method("recursive summation",
-         [](const Vector& u, const Vector& v) { return contact::dot_in_order(u, v); });
+         [](const Vector& u, const Vector& v) { return contact::dot_recursive(u, v); });
   method("|u||v| cos θ, by way of |u − v|", [](const Vector& u, const Vector& v) {
     return (u.squaredNorm() + v.squaredNorm() - Vector(u - v).squaredNorm()) / 2;
   });
@@ -125,8 +125,7 @@ void add_cross(hard_cases::Runner& runner) {
       return true;
     });
   };
-  method("as defined",
-         [](const Vector& u, const Vector& v) { return contact::cross_in_order(u, v); });
+  method("as defined", [](const Vector& u, const Vector& v) { return contact::cross_plain(u, v); });
   method("fused once", fused_once);
   method("Kahan", kahan);
   method("book", [](const Vector& u, const Vector& v) { return contact::cross_accurately(u, v); });
@@ -147,8 +146,8 @@ void add_side(hard_cases::Runner& runner) {
       return contact::Vector2<Rational>(oracle::exact(p.x()), oracle::exact(p.y()));
     };
     return Json{{"class", "a"},
-                {"side", oracle::sign(contact::line_side_by_differences(exact("a"), exact("b"),
-                                                                        exact("p")))}};
+                {"side", oracle::sign(contact::orientation_by_differences(exact("a"), exact("b"),
+                                                                          exact("p")))}};
   });
   const auto method = [&runner](const char* name, auto side) {
     runner.method("side", name, [side](const Case& c, const Json& answer) {
@@ -157,17 +156,17 @@ void add_side(hard_cases::Runner& runner) {
   };
   using Point = Vector2<double>;
   method("products first", [](const Point& a, const Point& b, const Point& p) {
-    return sign(contact::line_side_expanded(a, b, p));
+    return sign(contact::orientation_expanded(a, b, p));
   });
   method("differences first", [](const Point& a, const Point& b, const Point& p) {
-    return sign(contact::line_side_by_differences(a, b, p));
+    return sign(contact::orientation_by_differences(a, b, p));
   });
   method("differences first, zero below 1e-9", [](const Point& a, const Point& b, const Point& p) {
-    const double left = contact::line_side_by_differences(a, b, p);
+    const double left = contact::orientation_by_differences(a, b, p);
     return std::abs(left) < 1e-9 ? 0 : sign(left);
   });
   method("book", [](const Point& a, const Point& b, const Point& p) {
-    return contact::line_side_exactly(a, b, p);
+    return contact::orientation_exactly(a, b, p);
   });
 }
 

@@ -54,7 +54,7 @@ Vector room(const Vector& p, const Vector& o) {
 void check_place(const Wagon& wagon, const Vector& p) {
   ask("What are the coordinates of the position in the wagon's frame?")
       .given("wagon", wagon)
-      .given("place", p)
+      .given("position", p)
       .suspect("place-not-subtracted", [&]() -> Vector { return plain(wagon, p); })
       .suspect("place-subtracted-after-turning",
                [&]() -> Vector { return plain(wagon, p) - wagon.position; })
@@ -62,7 +62,7 @@ void check_place(const Wagon& wagon, const Vector& p) {
                [&]() -> Vector { return turned(wagon, p - wagon.position); })
       .suspect("left-for-right",
                [&]() -> Vector { return mirrored(plain(wagon, p - wagon.position)); })
-      .answer([&] { return exercise::place_in_wagon(wagon, p); })
+      .answer([&] { return exercise::position_in_wagon(wagon, p); })
       .close_to(in_axes(wagon, p, wagon.position), within(room(p, wagon.position)));
 }
 
@@ -83,12 +83,12 @@ void check_velocity(const Wagon& wagon, const Vector& v) {
 void check_world(const Wagon& wagon, const Vector& p) {
   ask("What are the coordinates of the position in the world?")
       .given("wagon", wagon)
-      .given("place_in_wagon", p)
+      .given("position_in_wagon", p)
       .suspect("place-not-subtracted", [&]() -> Vector { return turned(wagon, p); })
       .suspect("turned-the-other-way", [&]() -> Vector { return wagon.position + plain(wagon, p); })
       .suspect("left-for-right",
                [&]() -> Vector { return wagon.position + turned(wagon, mirrored(p)); })
-      .answer([&] { return exercise::place_in_world(wagon, p); })
+      .answer([&] { return exercise::position_in_world(wagon, p); })
       .close_to(back(wagon, p), within(room(p, wagon.position)));
 }
 

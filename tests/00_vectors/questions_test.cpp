@@ -93,7 +93,7 @@ KEY("down-and-back") {
 
 KEY("stone-in-wagon") {
   return index_of(
-      contact::place_in_frame(wagon(), {2, 4, 0}),
+      contact::position_in_frame(wagon(), {2, 4, 0}),
       std::array<Vector3<double>, 4>{Vector3<double>{3, 0, 0}, {0, 3, 0}, {4, -2, 0}, {2, 4, 0}});
 }
 

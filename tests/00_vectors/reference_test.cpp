@@ -155,10 +155,10 @@ TEMPLATE_TEST_CASE("errors of dot products are within their bounds", "", float, 
       CHECK(accurately == exactly);
     }
     if (size > oracle::exact(std::numeric_limits<S>::max()) / 8) continue;
-    CHECK(within(contact::dot_in_order(a, b), right, gamma<S>(3) * size + 2 * eta<S>()));
+    CHECK(within(contact::dot_recursive(a, b), right, gamma<S>(3) * size + 2 * eta<S>()));
     CHECK(within(contact::dot_compensated(a, b), right,
                  u<S>() * abs(right) + gamma<S>(3) * gamma<S>(3) * size + 4 * eta<S>()));
-    rescued += contact::dot_in_order(a, b) != accurately;
+    rescued += contact::dot_recursive(a, b) != accurately;
   }
   CHECK(rescued > 100);
 }
@@ -167,11 +167,11 @@ TEST_CASE("a sum is a dot product with ones") {
   Eigen::VectorXd terms(3);
   terms << 1, 1e100, -1e100;
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(3);
-  CHECK(contact::dot_in_order(terms, ones) == 0);
+  CHECK(contact::dot_recursive(terms, ones) == 0);
   CHECK(contact::dot_compensated(terms, ones) == 1);
   CHECK(contact::dot_accurately(terms, ones) == 1);
   const Eigen::VectorXd none(0);
-  CHECK(contact::dot_in_order(none, none) == 0);
+  CHECK(contact::dot_recursive(none, none) == 0);
   CHECK(contact::dot_compensated(none, none) == 0);
   CHECK(contact::dot_accurately(none, none) == 0);
   Random random(5);
@@ -199,7 +199,7 @@ TEMPLATE_TEST_CASE("errors of cross products are within their bounds", "", float
     const Vector3<S> exactly = contact::cross_exactly(a, b);
     const Vector3<S> accurately = contact::cross_accurately(a, b);
     const Vector3<S> reversed = contact::cross_accurately(b, a);
-    const Vector3<S> in_order = contact::cross_in_order(a, b);
+    const Vector3<S> in_order = contact::cross_plain(a, b);
     for (int k = 0; k < 3; ++k) {
       const int next = (k + 1) % 3;
       const int last = (k + 2) % 3;
@@ -229,7 +229,7 @@ TEST_CASE(
     const auto a = any_vector<double>(random, 1);
     const auto b = any_vector<double>(random, 1);
     const Vector3<double> n = contact::cross_accurately(a, b);
-    CHECK(n == contact::cross_in_order(a, b));
+    CHECK(n == contact::cross_plain(a, b));
     CHECK(n == Vector3<double>(a.cross(b)));
     CHECK(contact::cross_accurately(b, a) == -n);
     CHECK(contact::dot_accurately(n, a) == 0);
@@ -255,21 +255,21 @@ TEST_CASE("the orientation predicate is exact") {
     const auto exact = [](const Vector2<double>& v) {
       return contact::Vector2<Rational>(oracle::exact(v.x()), oracle::exact(v.y()));
     };
-    const Rational right = contact::line_side_by_differences(exact(a), exact(b), exact(p));
-    CHECK(right == contact::line_side_expanded(exact(a), exact(b), exact(p)));
-    CHECK(contact::line_side_exactly(a, b, p) == oracle::sign(right));
-    CHECK(contact::line_side_exactly(b, a, p) == -oracle::sign(right));
-    CHECK(contact::line_side_exactly(b, p, a) == oracle::sign(right));
+    const Rational right = contact::orientation_by_differences(exact(a), exact(b), exact(p));
+    CHECK(right == contact::orientation_expanded(exact(a), exact(b), exact(p)));
+    CHECK(contact::orientation_exactly(a, b, p) == oracle::sign(right));
+    CHECK(contact::orientation_exactly(b, a, p) == -oracle::sign(right));
+    CHECK(contact::orientation_exactly(b, p, a) == oracle::sign(right));
     const double size =
         std::abs((b.x() - a.x()) * (p.y() - a.y())) + std::abs((b.y() - a.y()) * (p.x() - a.x()));
-    CHECK(within(contact::line_side_by_differences(a, b, p), right,
+    CHECK(within(contact::orientation_by_differences(a, b, p), right,
                  gamma<double>(5) * oracle::exact(size) * (1 + 8 * u<double>())));
-    const double expanded = contact::line_side_expanded(a, b, p);
+    const double expanded = contact::orientation_expanded(a, b, p);
     expanded_wrong += (expanded > 0) - (expanded < 0) != oracle::sign(right);
   }
   CHECK(expanded_wrong > 300);
-  CHECK(contact::line_side_exactly<double>({0, 0}, {1, 0}, {0, 1}) == 1);
-  CHECK(contact::line_side_exactly<double>({3, 4}, {3, 4}, {0, 1}) == 0);
+  CHECK(contact::orientation_exactly<double>({0, 0}, {1, 0}, {0, 1}) == 1);
+  CHECK(contact::orientation_exactly<double>({3, 4}, {3, 4}, {0, 1}) == 0);
 }
 
 TEMPLATE_TEST_CASE("the error of an angle is within its bound", "", float, double) {
@@ -376,16 +376,17 @@ TEST_CASE("positions and directions convert into a frame and back") {
   for (int i = 0; i < 50; ++i) {
     const oracle::Vector p = oracle::exact(any_vector<double>(random, 2));
     const oracle::Vector q = oracle::exact(any_vector<double>(random, 2));
-    CHECK(contact::place_in_world(frame, contact::place_in_frame(frame, p)) == p);
+    CHECK(contact::position_in_world(frame, contact::position_in_frame(frame, p)) == p);
     CHECK(contact::direction_in_world(frame, contact::direction_in_frame(frame, p)) == p);
     // The difference of two positions is a direction.
-    CHECK(oracle::Vector(contact::place_in_frame(frame, p) - contact::place_in_frame(frame, q)) ==
+    CHECK(oracle::Vector(contact::position_in_frame(frame, p) -
+                         contact::position_in_frame(frame, q)) ==
           contact::direction_in_frame(frame, oracle::Vector(p - q)));
     // Dot products do not depend on the frame.
     CHECK(contact::direction_in_frame(frame, p).dot(contact::direction_in_frame(frame, q)) ==
           p.dot(q));
   }
-  CHECK(contact::place_in_frame(frame, frame.origin) == oracle::Vector(0, 0, 0));
+  CHECK(contact::position_in_frame(frame, frame.origin) == oracle::Vector(0, 0, 0));
 }
 
 TEMPLATE_TEST_CASE("rounding errors in a frame are within their bounds", "", float, double) {
@@ -404,8 +405,8 @@ TEMPLATE_TEST_CASE("rounding errors in a frame are within their bounds", "", flo
         origin.cwiseAbs() + oracle::Vector(axes.cwiseAbs() * exact_p.cwiseAbs());
     const oracle::Vector local_size =
         axes.cwiseAbs().transpose() * oracle::Vector(exact_p.cwiseAbs() + origin.cwiseAbs());
-    const Vector3<S> got_world = contact::place_in_world(frame, p);
-    const Vector3<S> got_local = contact::place_in_frame(frame, p);
+    const Vector3<S> got_world = contact::position_in_world(frame, p);
+    const Vector3<S> got_local = contact::position_in_frame(frame, p);
     for (int k = 0; k < 3; ++k) {
       CHECK(within(got_world[k], world[k], gamma<S>(4) * world_size[k]));
       CHECK(within(got_local[k], local[k], gamma<S>(4) * local_size[k]));

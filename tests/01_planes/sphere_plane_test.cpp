@@ -11,7 +11,7 @@ namespace {
 
 using namespace contact::testing;
 using contact::Exact;
-using exercise::LoosePlane;
+using exercise::RawPlane;
 using Plane = contact::Plane<double>;
 using Sphere = contact::Sphere<double>;
 using Vector = Eigen::Vector3d;
@@ -35,7 +35,7 @@ void check(const Sphere& sphere, const Plane& plane) {
       .equals(exact_meets(sphere, plane.normal, plane.offset));
 }
 
-void check_loose(const Sphere& sphere, const LoosePlane& plane) {
+void check_loose(const Sphere& sphere, const RawPlane& plane) {
   const auto value = [&] { return plane.normal.dot(sphere.centre) - plane.offset; };
   const auto square = [&] { return plane.normal.squaredNorm(); };
   const double r = sphere.radius;
@@ -45,13 +45,13 @@ void check_loose(const Sphere& sphere, const LoosePlane& plane) {
       .suspect("touching-rejected", [&] { return value() * value() < r * r * square(); })
       .suspect("normal-not-normalised", [&] { return std::abs(value()) <= r; })
       .suspect("square-on-one-side", [&] { return std::abs(value()) <= r * square(); })
-      .answer([&] { return exercise::meets_loose(sphere, plane); })
+      .answer([&] { return exercise::meets_raw(sphere, plane); })
       .equals(exact_meets(sphere, plane.normal, plane.offset));
 }
 
 const Plane kLevel{{0, 0, 1}, 3};
 // The normal (2, 3, 6) is 7 long; with offset 14 the plane is 2 from the origin.
-const LoosePlane kSeven{{2, 3, 6}, 14};
+const RawPlane kSeven{{2, 3, 6}, 14};
 
 }  // namespace
 

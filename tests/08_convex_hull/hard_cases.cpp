@@ -31,7 +31,7 @@ std::vector<Eigen::Matrix<double, Size, 1>> points_of(const Case& c) {
 
 /// A point is a vertex of the hull in the plane if a line through it has all other points strictly
 /// on one side: decided in fractions.
-bool is_corner(const std::vector<Vector2<Rational>>& points, std::size_t i) {
+bool is_vertex(const std::vector<Vector2<Rational>>& points, std::size_t i) {
   std::vector<Vector2<Rational>> others;
   for (std::size_t j = 0; j < points.size(); ++j) {
     if (points[j] != points[i]) others.push_back(points[j] - points[i]);
@@ -58,7 +58,7 @@ Json flat_answer(const Case& c) {
     points.push_back({oracle::exact(p.x()), oracle::exact(p.y())});
   std::vector<int> corners;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (is_corner(points, i)) corners.push_back(static_cast<int>(i));
+    if (is_vertex(points, i)) corners.push_back(static_cast<int>(i));
   }
   return {{"class", "a"}, {"corners", corners}};
 }
@@ -93,7 +93,7 @@ std::vector<int> by_angles(const std::vector<Vector2<double>>& points) {
   std::vector<int> hull;
   for (const int i : order) {
     while (hull.size() >= 2 &&
-           contact::turn<double>(at(hull[hull.size() - 2]), at(hull.back()), at(i)) <= 0) {
+           contact::orientation<double>(at(hull[hull.size() - 2]), at(hull.back()), at(i)) <= 0) {
       hull.pop_back();
     }
     hull.push_back(i);
@@ -141,7 +141,7 @@ Json solid_answer(const Case& c) {
         for (const std::size_t l : flat)
           view.push_back(contact::drop_dimension<Rational>(exact[l], drop));
         for (std::size_t l = 0; l < view.size(); ++l) {
-          if (is_corner(view, l)) corners.insert(kept[flat[l]]);
+          if (is_vertex(view, l)) corners.insert(kept[flat[l]]);
         }
       }
     }
@@ -149,10 +149,10 @@ Json solid_answer(const Case& c) {
   Json answer{{"class", "a"}};
   if (solid) dimension = 3;
   answer["dimension"] = dimension;
-  std::size_t corner_count = corners.size();
-  if (dimension == 0) corner_count = 1;
-  if (dimension == 1) corner_count = 2;
-  answer["corners"] = corner_count;
+  std::size_t vertex_count = corners.size();
+  if (dimension == 0) vertex_count = 1;
+  if (dimension == 1) vertex_count = 2;
+  answer["corners"] = vertex_count;
   answer["faces"] = dimension == 3   ? planes.size()
                     : dimension == 2 ? std::size_t(2)
                                      : std::size_t(0);
@@ -164,9 +164,9 @@ using Points = std::vector<Vector3<double>>;
 /// Whether three points span a plane with no point in front of it.
 bool supports(const Points& points, int a, int b, int c) {
   const auto at = [&points](int i) { return points[static_cast<std::size_t>(i)]; };
-  return !contact::on_one_line(at(a), at(b), at(c)) &&
+  return !contact::are_collinear(at(a), at(b), at(c)) &&
          std::all_of(points.begin(), points.end(), [&](const Vector3<double>& p) {
-           return contact::side_of_plane(at(a), at(b), at(c), p) <= 0;
+           return contact::orient_3d(at(a), at(b), at(c), p) <= 0;
          });
 }
 

@@ -20,7 +20,7 @@ namespace horizon {
 using Flat = contact::Vector2<double>;
 using Solid = contact::Vector3<double>;
 
-KEY("turn-area") { return contact::turn<double>({1, 1}, {4, 2}, {2, 5}); }
+KEY("turn-area") { return contact::orientation<double>({1, 1}, {4, 2}, {2, 5}); }
 
 KEY("grid-border") {
   std::vector<Flat> grid;
@@ -50,18 +50,18 @@ KEY("highest-corner") {
   // Points of a top edge and a top face: which rule always finds a vertex?
   std::vector<Solid> points{{1, 1, 5}, {0, 0, 5}, {3, 0, 5}, {0, 3, 5},
                             {3, 3, 5}, {3, 1, 5}, {1, 2, 0}};
-  const auto corner = [&](const Solid& p) {
+  const auto vertex = [&](const Solid& p) {
     for (const int v : contact::convex_hull(points).vertices) {
       if (points[static_cast<std::size_t>(v)] == p) return true;
     }
     return false;
   };
-  const bool first = corner(points[0]);
+  const bool first = vertex(points[0]);
   Solid best = points[0];
   for (const Solid& p : points) {
     if (std::array{best.z(), best.x(), best.y()} < std::array{p.z(), p.x(), p.y()}) best = p;
   }
-  return !first && corner(best) ? 2 : 1;
+  return !first && vertex(best) ? 2 : 1;
 }
 
 KEY("what-dies") {
@@ -103,9 +103,9 @@ KEY("epsilon-chain") {
 
 KEY("all-corners") {
   chain::Input state{{-4, 0}, {-3, -2}, {0, -3}, {3, -2}, {4, 0}, {3, 2}, {0, 3}, {-3, 2}, 0, 0, 0};
-  const double winning = chain::compute(state).all_corners;
+  const double winning = chain::compute(state).all_vertices;
   state.p1 = {-2, -1.5};  // on the segment between its neighbours
-  return questions::Construct{winning, chain::compute(state).all_corners};
+  return questions::Construct{winning, chain::compute(state).all_vertices};
 }
 
 KEY("sees-eight") {
@@ -124,7 +124,7 @@ TEST_CASE("the chain loses vertices where the figure's caption says so") {
     state.flat = flat;
     const auto out = chain::compute(state);
     CHECK(out.problem == 0);
-    return out.true_corners - out.found;
+    return out.true_vertices - out.found;
   };
   for (int k = 0; k <= 16; ++k) {
     CHECK(lost(exact, k) == 0);

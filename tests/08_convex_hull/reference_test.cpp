@@ -110,9 +110,9 @@ void require_hull(const Points& points, const Hull& hull) {
       REQUIRE(edges.insert({a, b}).second);
       ++faces_at[a];
       // No point is in front, tested at every vertex of the face: so the face is flat.
-      REQUIRE_FALSE(contact::on_one_line(at(a), at(b), at(c)));
+      REQUIRE_FALSE(contact::are_collinear(at(a), at(b), at(c)));
       for (const Vector3<double>& p : points)
-        REQUIRE(contact::side_of_plane(at(a), at(b), at(c), p) <= 0);
+        REQUIRE(contact::orient_3d(at(a), at(b), at(c), p) <= 0);
     }
   }
   for (const auto& [from, to] : edges) REQUIRE(edges.contains({to, from}));
@@ -124,7 +124,7 @@ void require_hull(const Points& points, const Hull& hull) {
     const auto polygon = hull.face(f);
     const bool has_behind = std::any_of(hull.vertices.begin(), hull.vertices.end(), [&](int v) {
       return std::find(polygon.begin(), polygon.end(), v) == polygon.end() &&
-             contact::side_of_plane(at(polygon[0]), at(polygon[1]), at(polygon[2]), at(v)) == 0;
+             contact::orient_3d(at(polygon[0]), at(polygon[1]), at(polygon[2]), at(v)) == 0;
     });
     REQUIRE_FALSE(has_behind);
   }
@@ -152,9 +152,9 @@ TEST_CASE("orientation predicates have the sign that fractions give, on every ki
     const auto a = draw(random, kind), b = draw(random, kind), c = draw(random, kind),
                d = draw(random, kind);
     const int right = right_side(a, b, c, d);
-    REQUIRE(contact::side_of_plane(a, b, c, d) == right);
-    REQUIRE(contact::side_of_plane_exactly(a, b, c, d) == right);
-    REQUIRE(contact::side_of_plane_in_doubt(a, b, c, d) == right);
+    REQUIRE(contact::orient_3d(a, b, c, d) == right);
+    REQUIRE(contact::orient_3d_exactly(a, b, c, d) == right);
+    REQUIRE(contact::orient_3d_in_doubt(a, b, c, d) == right);
     zeros += right == 0;
     doubts += contact::bounded_volume(d - a, b - a, c - a).certain_sign() == 0;
     const Points set{a, b, c, d};
@@ -167,9 +167,9 @@ TEST_CASE("orientation predicates have the sign that fractions give, on every ki
       const auto exact = [&](const Vector3<double>& v) {
         return contact::drop_dimension<Rational>(oracle::exact(v), k);
       };
-      const Rational area = contact::turn<Rational>(exact(a), exact(b), exact(c));
-      REQUIRE(contact::side_of_line(flat(a), flat(b), flat(c)) == oracle::sign(area));
-      const contact::Bounded bounded = contact::bounded_turn(flat(a), flat(b), flat(c));
+      const Rational area = contact::orientation<Rational>(exact(a), exact(b), exact(c));
+      REQUIRE(contact::orient_2d(flat(a), flat(b), flat(c)) == oracle::sign(area));
+      const contact::Bounded bounded = contact::bounded_orientation(flat(a), flat(b), flat(c));
       if (std::isfinite(bounded.bound))
         REQUIRE(oracle::error(bounded.value, area) <= oracle::exact(bounded.bound));
     }
@@ -222,7 +222,7 @@ TEST_CASE("vertices agree with planes tried one by one in whole numbers") {
       const double x = random.integer(-size, size), y = random.integer(-size, size);
       points.push_back({x, y, double(random.integer(-size, size))});
     }
-    REQUIRE(contact::convex_hull(points).vertices == whole::hull_corners(points));
+    REQUIRE(contact::convex_hull(points).vertices == whole::hull_vertices(points));
   }
 }
 

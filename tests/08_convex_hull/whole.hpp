@@ -16,7 +16,7 @@ using Point = Eigen::Vector3d;
 inline std::int64_t to_integer(double x) { return static_cast<std::int64_t>(x); }
 
 /// The orientation of three points; coordinates up to 2^25.
-inline int turn(const Point2& a, const Point2& b, const Point2& c) {
+inline int orientation(const Point2& a, const Point2& b, const Point2& c) {
   const auto d = [](double x, double y) { return to_integer(x) - to_integer(y); };
   const std::int64_t area = d(b.x(), a.x()) * d(c.y(), a.y()) - d(b.y(), a.y()) * d(c.x(), a.x());
   return area > 0 ? 1 : (area < 0 ? -1 : 0);
@@ -67,7 +67,7 @@ inline std::vector<int> hull_2d(const std::vector<Point2>& points) {
         next = i;
         continue;
       }
-      const int side = turn(points[at], points[next], points[i]);
+      const int side = orientation(points[at], points[next], points[i]);
       const auto reach = [&](std::size_t k) { return (points[k] - points[at]).squaredNorm(); };
       if (side < 0 || (side == 0 && reach(i) > reach(next))) next = i;
     }
@@ -77,20 +77,20 @@ inline std::vector<int> hull_2d(const std::vector<Point2>& points) {
 }
 
 /// The vertices in space, by supporting planes, and by lines and points for flat sets.
-inline std::vector<int> hull_corners(const std::vector<Point>& points) {
+inline std::vector<int> hull_vertices(const std::vector<Point>& points) {
   const std::size_t n = points.size();
-  std::vector<bool> corner(n, false);
+  std::vector<bool> vertex(n, false);
   const auto first_of = [&](std::size_t i) {
     std::size_t k = 0;
     while (points[k] != points[i]) ++k;
     return k;
   };
-  bool on_one_line = true;
+  bool are_collinear = true;
   for (std::size_t a = 0; a < n; ++a) {
     for (std::size_t b = 0; b < n; ++b) {
       for (std::size_t c = 0; c < n; ++c) {
         if (a == b || b == c || a == c || on_line(points[a], points[b], points[c])) continue;
-        on_one_line = false;
+        are_collinear = false;
         if (b < a || c < a) continue;  // each plane once from either side
         bool supporting = true;
         std::vector<std::size_t> flat;
@@ -107,11 +107,11 @@ inline std::vector<int> hull_corners(const std::vector<Point>& points) {
         for (const std::size_t i : flat)
           view.emplace_back(points[i][(drop + 1) % 3], points[i][(drop + 2) % 3]);
         for (const int k : hull_2d(view))
-          corner[first_of(flat[static_cast<std::size_t>(k)])] = true;
+          vertex[first_of(flat[static_cast<std::size_t>(k)])] = true;
       }
     }
   }
-  if (on_one_line && n > 0) {
+  if (are_collinear && n > 0) {
     const auto before = [&](std::size_t i, std::size_t j) {
       return std::lexicographical_compare(points[i].begin(), points[i].end(), points[j].begin(),
                                           points[j].end());
@@ -121,11 +121,11 @@ inline std::vector<int> hull_corners(const std::vector<Point>& points) {
       if (before(i, low)) low = i;
       if (before(high, i)) high = i;
     }
-    corner[first_of(low)] = corner[first_of(high)] = true;
+    vertex[first_of(low)] = vertex[first_of(high)] = true;
   }
   std::vector<int> all;
   for (std::size_t i = 0; i < n; ++i) {
-    if (corner[i]) all.push_back(static_cast<int>(i));
+    if (vertex[i]) all.push_back(static_cast<int>(i));
   }
   return all;
 }

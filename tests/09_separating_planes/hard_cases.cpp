@@ -92,7 +92,7 @@ Exactly beyond(const Rational& squared, const Rational& radii) {
 contact::Segment<Rational> core(const contact::Capsule<double>& c) { return oracle::exact(c.core); }
 
 Exactly exactly(const contact::Capsule<double>& a, const contact::Capsule<double>& b) {
-  return beyond(shape_oracle::least_squared(
+  return beyond(shape_oracle::min_squared(
                     difference(shape_oracle::zonotope(core(a)), shape_oracle::zonotope(core(b)))),
                 oracle::exact(a.radius) + oracle::exact(b.radius));
 }
@@ -115,7 +115,7 @@ Surd widest(const std::vector<Vector>& all, const shape_oracle::Zonotope& z) {
 /// The three cases of a zonotope of differences and the origin: every pair of spans gives two of
 /// its faces.
 Exactly exactly(const shape_oracle::Zonotope& z, const Rational& radius) {
-  const Rational squared = shape_oracle::least_squared(z);
+  const Rational squared = shape_oracle::min_squared(z);
   if (squared > 0) return beyond(squared, radius);
   std::vector<Vector> all;
   for (std::size_t i = 0; i < z.spans.size(); ++i) {

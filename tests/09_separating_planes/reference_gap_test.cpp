@@ -118,7 +118,7 @@ TEST_CASE("gaps of capsules, spheres and boxes are right to a few u") {
         if (n.dot(n) == 0) continue;
         const Rational s = n.dot(Vector(core.start - eb.centre));
         const Rational e = n.dot(Vector(core.end - eb.centre));
-        const Rational reach = contact::box_reach<Rational>(eb, n);
+        const Rational reach = contact::projected_radius<Rational>(eb, n);
         for (const Rational& g : {Rational(std::min<Rational>(s, e) - reach),
                                   Rational(-std::max<Rational>(s, e) - reach)}) {
           const auto way = oracle::divided_by_root(g, n.dot(n));
@@ -195,13 +195,13 @@ TEST_CASE("the normal of boxes that almost touch has full precision, at faces an
     const auto before = contact::gap(a, b);
     if (!(before.distance > left)) continue;
     b.centre += before.normal * (before.distance - left);
-    const auto widest = contact::detail::widest_room(a, b);
+    const auto widest = contact::detail::max_separation(a, b);
     const double room = gap_room * size;
     const auto gap = contact::gap(a, b);
-    if (!(widest.room > 64 * room)) continue;
+    if (!(widest.separation > 64 * room)) continue;
     // Not at a corner or an end of an edge: there the line between the two points is the only
     // direction.
-    const V aside = gap.on_a - gap.on_b - widest.normal * widest.room;
+    const V aside = gap.on_a - gap.on_b - widest.normal * widest.separation;
     if (aside.norm() > 0x1p-50 * size) continue;
     (widest.axis < 6 ? faces : edges) += 1;
     double low = std::numeric_limits<double>::infinity();

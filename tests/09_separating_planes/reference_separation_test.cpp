@@ -43,7 +43,7 @@ using reference::V;
 using reference::widest;
 using shape_oracle::exact;
 using shape_oracle::ExactBox;
-using shape_oracle::least_squared;
+using shape_oracle::min_squared;
 using shape_oracle::zonotope;
 using support::contains;
 using support::refusal;
@@ -59,13 +59,13 @@ int beyond(const Rational& squared, const Rational& reach) {
 
 /// By the oracle of active sets: separated, or overlapping even if shrunk, or touching.
 Separation by_active_sets(const ExactBox& a, const ExactBox& b) {
-  if (least_squared(difference(zonotope(a), zonotope(b))) > 0) return Separation::separating;
+  if (min_squared(difference(zonotope(a), zonotope(b))) > 0) return Separation::separating;
   ExactBox smaller = a;
   const Rational shrink = 1 - Rational(1) / (oracle::Integer(1) << 700);
   smaller.half_lengths = smaller.half_lengths * shrink;
   ExactBox other = b;
   other.half_lengths = other.half_lengths * shrink;
-  const Rational apart = least_squared(difference(zonotope(smaller), zonotope(other)));
+  const Rational apart = min_squared(difference(zonotope(smaller), zonotope(other)));
   return apart > 0 ? Separation::touching : Separation::colliding;
 }
 
@@ -80,7 +80,7 @@ TEST_CASE("exact squared distances agree with all active sets") {
     const auto ea = oracle::exact(a);
     const auto eb = oracle::exact(b);
     CHECK(contact::exact_squared_distance<Rational>(ea, eb) ==
-          least_squared(difference(zonotope(ea), zonotope(eb))));
+          min_squared(difference(zonotope(ea), zonotope(eb))));
   }
   for (int i = 0; i < tried(120); ++i) {
     const Kind kind = kinds[i % 3];
@@ -88,13 +88,13 @@ TEST_CASE("exact squared distances agree with all active sets") {
     const Box b = box(random, kind);
     const auto ea = oracle::exact(a);
     CHECK(contact::exact_squared_distance<Rational>(ea, exact(b)) ==
-          least_squared(difference(zonotope(ea), zonotope(exact(b)))));
+          min_squared(difference(zonotope(ea), zonotope(exact(b)))));
   }
   for (int i = 0; i < tried(16); ++i) {
     const Box a = box(random, kinds[i % 3]);
     const Box b = box(random, kinds[i % 3]);
     CHECK(contact::exact_squared_distance<Rational>(exact(a), exact(b)) ==
-          least_squared(difference(zonotope(exact(a)), zonotope(exact(b)))));
+          min_squared(difference(zonotope(exact(a)), zonotope(exact(b)))));
   }
 }
 
@@ -182,9 +182,8 @@ TEST_CASE("capsules, spheres and boxes: three cases, never wrong") {
       ExactBox smaller = exact(b);
       smaller.half_lengths =
           smaller.half_lengths * Rational(1 - Rational(1) / (oracle::Integer(1) << 700));
-      right = least_squared(difference(zonotope(oracle::exact(a.core)), zonotope(smaller))) > 0
-                  ? 0
-                  : -1;
+      right =
+          min_squared(difference(zonotope(oracle::exact(a.core)), zonotope(smaller))) > 0 ? 0 : -1;
     }
     ++seen[right + 1];
     CHECK(contact::separation(a, b) == by_sign(right));
@@ -314,8 +313,8 @@ TEST_CASE("a certificate is a proof: whatever direction it accepts separates in 
     ++accepted;
     const Vector e = oracle::exact(n);
     const Rational gap = e.dot(Vector(exact(a).centre - exact(b).centre)) -
-                         contact::box_reach<Rational>(exact(a), e) -
-                         contact::box_reach<Rational>(exact(b), e);
+                         contact::projected_radius<Rational>(exact(a), e) -
+                         contact::projected_radius<Rational>(exact(b), e);
     CHECK(gap > 0);
   }
   CHECK(accepted > tried(500));

@@ -72,7 +72,7 @@ inline std::optional<std::vector<Rational>> solved(std::vector<std::vector<Ratio
 
 /// The squared distance of the origin from a zonotope: every coordinate is −1, 1 or free, the free
 /// ones minimise the distance, and the smallest of all admissible distances is the result.
-inline Rational least_squared(const Zonotope& z) {
+inline Rational min_squared(const Zonotope& z) {
   std::optional<Rational> best;
   const std::size_t n = z.spans.size();
   std::size_t sets = 1;

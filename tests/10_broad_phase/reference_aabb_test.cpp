@@ -96,7 +96,7 @@ TEMPLATE_TEST_CASE("the box of an oriented box contains its corners", "", float,
     if (normal == Vector3<S>::Zero()) normal = Vector3<S>::UnitX();
     const auto frame = contact::frame_on_normal<S>(families::place<S>(random, 1e3), normal);
     const Vector3<S> half = families::place<S>(random, i % 2 == 0 ? 1 : 1e-40).cwiseAbs();
-    const auto box = contact::aabb_of_turned_box(frame, half);
+    const auto box = contact::aabb_of_rotated_box(frame, half);
     for (int k = 0; k < 3; ++k) {
       Rational reach = 0;
       for (int j = 0; j < 3; ++j)
@@ -157,8 +157,8 @@ TEST_CASE("an invalid box is refused, with the argument and the value") {
       },
       "its box overflows");
   says([&] { contact::aabb_of_swept_box<double>({}, V(0, 0, 0), -1); }, "margin = -1");
-  says([&] { contact::aabb_of_turned_box<double>({}, V(1, -1, 1)); }, "half_lengths = (1, -1, 1)");
-  says([&] { contact::aabb_of_turned_box<double>({}, V(1, largest, 1)); }, "its box overflows");
+  says([&] { contact::aabb_of_rotated_box<double>({}, V(1, -1, 1)); }, "half_lengths = (1, -1, 1)");
+  says([&] { contact::aabb_of_rotated_box<double>({}, V(1, largest, 1)); }, "its box overflows");
   // A flat box and a point are boxes.
   CHECK(contact::boxes_touch(aabb_from_corners<double>(V(1, 1, 1), V(1, 1, 1)),
                              aabb_from_corners<double>(V(0, 0, 1), V(2, 2, 1))));

@@ -58,7 +58,7 @@ TEST_CASE("a grid never takes more comparisons than its bound") {
       const auto boxes = families::make<double>(random, family, random.integer(2, 400));
       const std::span<const Aabb<double>> view(boxes);
       const auto grid = contact::grid_for(view);
-      const std::uint64_t bound = contact::most_grid_tests(view, grid);
+      const std::uint64_t bound = contact::max_grid_tests(view, grid);
       INFO(families::name(family) << ", " << boxes.size() << " boxes");
       CHECK(contact::grid_pairs(view, grid).box_tests <= bound);
       if (2 * bound < contact::pair_count(boxes.size())) ++useful;

@@ -58,7 +58,7 @@ inline std::optional<Rational> first_touch(const Box& a, const Box& b) {
   Rational from = 0;
   Rational to = 1;
   for (const oracle::Vector& axis : axes) {
-    const auto shadow = [&axis](const std::vector<oracle::Vector>& points) {
+    const auto projection = [&axis](const std::vector<oracle::Vector>& points) {
       Rational low = axis.dot(points[0]);
       Rational high = low;
       for (const oracle::Vector& point : points) {
@@ -68,8 +68,8 @@ inline std::optional<Rational> first_touch(const Box& a, const Box& b) {
       }
       return std::pair(low, high);
     };
-    const auto [low_a, high_a] = shadow(at_a);
-    const auto [low_b, high_b] = shadow(at_b);
+    const auto [low_a, high_a] = projection(at_a);
+    const auto [low_b, high_b] = projection(at_b);
     const Rational speed = axis.dot(w);
     if (speed == 0) {
       if (low_b > high_a || low_a > high_b) return std::nullopt;

@@ -56,8 +56,8 @@ void add_balls(hard_cases::Runner& runner) {
     const Balls p = read_balls(c);
     const oracle::Vector d = oracle::exact(p.a.centre) - oracle::exact(p.b.centre);
     const oracle::Vector w = oracle::exact(p.va) - oracle::exact(p.vb);
-    const Rational reach = oracle::exact(p.a.radius) + oracle::exact(p.b.radius);
-    const Quadratic q{w.dot(w), 2 * d.dot(w), d.dot(d) - reach * reach};
+    const Rational radius_sum = oracle::exact(p.a.radius) + oracle::exact(p.b.radius);
+    const Quadratic q{w.dot(w), 2 * d.dot(w), d.dot(d) - radius_sum * radius_sum};
     if (!(q.b < 0)) return answer_of(std::nullopt);
     if (q.c <= 0) return answer_of(Surd{});
     if (q.discriminant() < 0) return answer_of(std::nullopt);
@@ -70,8 +70,8 @@ void add_balls(hard_cases::Runner& runner) {
   };
   const auto overlap_at = [](const Balls& p, double t) {
     const V d = (p.a.centre + p.va * t) - (p.b.centre + p.vb * t);
-    const double reach = p.a.radius + p.b.radius;
-    return d.dot(d) <= reach * reach;
+    const double radius_sum = p.a.radius + p.b.radius;
+    return d.dot(d) <= radius_sum * radius_sum;
   };
   method("slices of 1/60 s, last free state", [overlap_at](const Balls& p) -> Time {
     const auto seen =
@@ -87,9 +87,9 @@ void add_balls(hard_cases::Runner& runner) {
   method("school formula", [](const Balls& p) -> Time {
     const V d = p.a.centre - p.b.centre;
     const V w = p.va - p.vb;
-    const double reach = p.a.radius + p.b.radius;
+    const double radius_sum = p.a.radius + p.b.radius;
     const double b = 2 * d.dot(w);
-    const double c = d.dot(d) - reach * reach;
+    const double c = d.dot(d) - radius_sum * radius_sum;
     if (!(b < 0)) return std::nullopt;
     if (c <= 0) return 0.0;
     const double discriminant = b * b - 4 * w.dot(w) * c;
@@ -99,9 +99,9 @@ void add_balls(hard_cases::Runner& runner) {
   method("quadratic_roots of rounded coefficients", [](const Balls& p) -> Time {
     const V d = p.a.centre - p.b.centre;
     const V w = p.va - p.vb;
-    const double reach = p.a.radius + p.b.radius;
+    const double radius_sum = p.a.radius + p.b.radius;
     const double b = 2 * d.dot(w);
-    const double c = d.dot(d) - reach * reach;
+    const double c = d.dot(d) - radius_sum * radius_sum;
     if (!(b < 0)) return std::nullopt;
     if (c <= 0) return 0.0;
     const auto roots = contact::quadratic_roots(w.dot(w), b, c);
@@ -229,7 +229,7 @@ void add_boxes(hard_cases::Runner& runner) {
       const auto times = pair.times(all[k]);
       const double speed = std::abs(times.speed);
       if (speed == 0) {
-        if (std::abs(times.distance) > times.reach) return std::nullopt;
+        if (std::abs(times.distance) > times.radius_sum) return std::nullopt;
         continue;
       }
       from = std::max(from, times.begins() / speed);
@@ -254,26 +254,27 @@ void add_capsule(hard_cases::Runner& runner) {
     const auto axis = c.segment("axis");
     const oracle::Vector m = ball.centre - oracle::exact(axis.start);
     const oracle::Vector e = oracle::exact(axis.end) - oracle::exact(axis.start);
-    const Rational reach = ball.radius + oracle::exact(c.number("radius"));
+    const Rational radius_sum = ball.radius + oracle::exact(c.number("radius"));
     const Rational ee = e.dot(e);
     const Rational along = m.dot(e);
     const auto square = [](const oracle::Vector& v) { return Rational(v.dot(v)); };
     const Rational here = along <= 0    ? square(m)
                           : along >= ee ? square(oracle::Vector(m - e))
                                         : Rational(square(m) - along * along / ee);
-    if (here <= reach * reach) return answer_of(Surd{});
+    if (here <= radius_sum * radius_sum) return answer_of(Surd{});
     std::optional<Surd> first;
     const auto note = [&first](const Surd& t) {
       if (oracle::sign(t) < 0 || oracle::compare(t, Surd{Rational(1)}) > 0) return;
       if (!first || oracle::compare(t, *first) < 0) first = t;
     };
     for (const oracle::Vector& from : {m, oracle::Vector(m - e)}) {
-      const Quadratic q{square(w), 2 * from.dot(w), square(from) - reach * reach};
+      const Quadratic q{square(w), 2 * from.dot(w), square(from) - radius_sum * radius_sum};
       if (q.a != 0 && q.discriminant() >= 0) note(q.roots().front());
     }
     const oracle::Vector across = m.cross(e);
     const oracle::Vector moved = w.cross(e);
-    const Quadratic side{square(moved), 2 * across.dot(moved), square(across) - reach * reach * ee};
+    const Quadratic side{square(moved), 2 * across.dot(moved),
+                         square(across) - radius_sum * radius_sum * ee};
     if (side.a != 0 && side.discriminant() >= 0) {
       const Surd t = side.roots().front();
       const Surd place = t * Rational(w.dot(e)) + along;
@@ -303,10 +304,10 @@ void add_capsule(hard_cases::Runner& runner) {
            const V e = axis.end - axis.start;
            const V across = V(ball.centre - axis.start).cross(e);
            const V moved = way.cross(e);
-           const double reach = ball.radius + r;
+           const double radius_sum = ball.radius + r;
            const auto roots =
                contact::quadratic_roots(moved.dot(moved), 2 * across.dot(moved),
-                                        across.dot(across) - reach * reach * e.dot(e));
+                                        across.dot(across) - radius_sum * radius_sum * e.dot(e));
            if (roots.count == 0 || roots.low < 0 || roots.low > 1) return std::nullopt;
            return roots.low;
          });

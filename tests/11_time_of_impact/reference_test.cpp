@@ -103,17 +103,17 @@ Pair<S> pair_of(Random& random, int kind) {
   p.vb = place<S>(random, 3);
   // Half of them are aimed at each other.
   if (random.chance(0.5)) p.va = p.vb + (p.b.centre - p.a.centre) * S(0.7) + place<S>(random, 0.5);
-  const S reach = p.a.radius + p.b.radius;
+  const S radius_sum = p.a.radius + p.b.radius;
   if (kind == 2) {
     // The path passes at a distance of the sum of both radii.
     const Vector3<S> d = p.b.centre - p.a.centre;
     const Vector3<S> across = contact::normalised(Vector3<S>(d.cross(place<S>(random, 1))));
     p.va = p.vb + d;
-    p.a.centre += across * nudged(random, reach, 3);
+    p.a.centre += across * nudged(random, radius_sum, 3);
   }
   if (kind == 3) {
     const Vector3<S> d = contact::normalised(Vector3<S>(p.a.centre - p.b.centre));
-    p.a.centre = p.b.centre + d * nudged(random, reach, 3);
+    p.a.centre = p.b.centre + d * nudged(random, radius_sum, 3);
   }
   if (kind == 4) {
     const Vector3<S> shift = place<S>(random, 1e6);
@@ -137,8 +137,8 @@ template <class S>
 Quadratic distance_polynomial(const Pair<S>& p) {
   const oracle::Vector d = oracle::exact(p.a.centre) - oracle::exact(p.b.centre);
   const oracle::Vector w = oracle::exact(p.va) - oracle::exact(p.vb);
-  const Rational reach = oracle::exact(p.a.radius) + oracle::exact(p.b.radius);
-  return {w.dot(w), 2 * d.dot(w), d.dot(d) - reach * reach};
+  const Rational radius_sum = oracle::exact(p.a.radius) + oracle::exact(p.b.radius);
+  return {w.dot(w), 2 * d.dot(w), d.dot(d) - radius_sum * radius_sum};
 }
 
 }  // namespace
@@ -277,14 +277,14 @@ TEST_CASE("balls in the same free fall touch when they would without gravity") {
     const oracle::Vector b =
         oracle::ballistic(oracle::exact(p.b.centre), oracle::exact(p.vb), g, time);
     const oracle::Vector d = a - b;
-    const Rational reach = oracle::exact(p.a.radius) + oracle::exact(p.b.radius);
+    const Rational radius_sum = oracle::exact(p.a.radius) + oracle::exact(p.b.radius);
     const Quadratic polynomial = distance_polynomial(p);
-    CHECK(d.dot(d) - reach * reach == polynomial.at(time));
+    CHECK(d.dot(d) - radius_sum * radius_sum == polynomial.at(time));
     // The residual is the slope there times the error of the time, 256 u, plus a term in its
     // square.
     const Rational slope = abs(2 * polynomial.a * time + polynomial.b);
     const Rational off = 256 * u<double>() * time;
-    CHECK(abs(d.dot(d) - reach * reach) <= slope * off + polynomial.a * off * off);
+    CHECK(abs(d.dot(d) - radius_sum * radius_sum) <= slope * off + polynomial.a * off * off);
   }
   CHECK(touched > generators::tried(60));
   const Vector3<double> at =
@@ -368,8 +368,8 @@ namespace {
 
 /// The smallest squared distance of m + t w, 0 ≤ t ≤ last, from the segment from 0 to e: the
 /// minimum of a convex quadratic over a rectangle, exactly.
-Rational least_square(const oracle::Vector& m, const oracle::Vector& w, const oracle::Vector& e,
-                      const Rational& last) {
+Rational min_square(const oracle::Vector& m, const oracle::Vector& w, const oracle::Vector& e,
+                    const Rational& last) {
   const auto clamp = [](const Rational& x, const Rational& high) {
     return x < 0 ? Rational(0) : x > high ? high : x;
   };
@@ -437,24 +437,25 @@ TEMPLATE_TEST_CASE("a moving ball against a capsule: the decision is right, and 
     const oracle::Vector m = oracle::exact(sphere.centre) - oracle::exact(axis.start);
     const oracle::Vector w = oracle::exact(way);
     const oracle::Vector e = oracle::exact(axis.end) - oracle::exact(axis.start);
-    const Rational reach = oracle::exact(sphere.radius) + oracle::exact(radius);
+    const Rational radius_sum = oracle::exact(sphere.radius) + oracle::exact(radius);
     const auto got = contact::sphere_capsule_impact(sphere, way, axis, radius);
-    const bool right = least_square(m, w, e, 1) <= reach * reach;
+    const bool right = min_square(m, w, e, 1) <= radius_sum * radius_sum;
     INFO("case " << i);
     REQUIRE(got.has_value() == right);
     if (!right) {
       ++missed;
       continue;
     }
-    const bool at_start = least_square(m, w, e, 0) <= reach * reach;
+    const bool at_start = min_square(m, w, e, 0) <= radius_sum * radius_sum;
     CHECK((*got == 0) == at_start);
     if (at_start) continue;
     ++touched;
     // They touch by t plus 5 u of it, and not before t less 5 u of it.
     const Rational t = oracle::exact(*got);
     const Rational step = 5 * u<S>() * t;
-    CHECK(least_square(m, w, e, t - step) >= reach * reach);
-    CHECK(least_square(m, w, e, std::min(Rational(1), Rational(t + step))) <= reach * reach);
+    CHECK(min_square(m, w, e, t - step) >= radius_sum * radius_sum);
+    CHECK(min_square(m, w, e, std::min(Rational(1), Rational(t + step))) <=
+          radius_sum * radius_sum);
   }
   CHECK(touched > generators::tried(500));
   CHECK(missed > generators::tried(300));
@@ -476,9 +477,9 @@ TEST_CASE(
     if (i % 8 == 5) p.va = Vector3<double>::Zero();
     const bool got = contact::swept_spheres_meet(p.a, p.va, p.b, p.vb);
     const oracle::Vector d = oracle::exact(p.a.centre) - oracle::exact(p.b.centre);
-    const Rational reach = oracle::exact(p.a.radius) + oracle::exact(p.b.radius);
+    const Rational radius_sum = oracle::exact(p.a.radius) + oracle::exact(p.b.radius);
     const bool right =
-        least_square(d, oracle::exact(p.va), oracle::exact(p.vb), 1) <= reach * reach;
+        min_square(d, oracle::exact(p.va), oracle::exact(p.vb), 1) <= radius_sum * radius_sum;
     REQUIRE(got == right);
     CHECK(contact::swept_spheres_meet(p.b, p.vb, p.a, p.va) == right);
     (right ? met : apart) += 1;

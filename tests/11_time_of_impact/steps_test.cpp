@@ -138,29 +138,29 @@ TEST_CASE("a missed chord is within the bounds on length, depth and angle") {
   int missed = 0;
   double deepest = 0;
   for (int i = 0; i < generators::tried(4000); ++i) {
-    const double reach = random.uniform(0.2, 2);
-    const double step = reach * random.uniform(0.05, 2.2);
+    const double radius_sum = random.uniform(0.2, 2);
+    const double step = radius_sum * random.uniform(0.05, 2.2);
     // A path along x at the height y above the centre: chord c = 2 √(ρ² − y²); a test every `step`.
-    const double y = reach * (1 - random.uniform() * random.uniform());
-    const double first = -2 * reach - step * random.uniform();
+    const double y = radius_sum * (1 - random.uniform() * random.uniform());
+    const double first = -2 * radius_sum - step * random.uniform();
     bool seen = false;
-    for (int k = 0; first + k * step < 2 * reach; ++k) {
+    for (int k = 0; first + k * step < 2 * radius_sum; ++k) {
       const Rational x = oracle::exact(first) + k * oracle::exact(step);
       seen = seen || x * x + oracle::exact(y) * oracle::exact(y) <=
-                         oracle::exact(reach) * oracle::exact(reach);
+                         oracle::exact(radius_sum) * oracle::exact(radius_sum);
     }
     if (seen) continue;
     ++missed;
-    const auto bound = contact::missed_chord(reach, step);
+    const auto bound = contact::missed_chord(radius_sum, step);
     const Rational square =
-        oracle::exact(reach) * oracle::exact(reach) - oracle::exact(y) * oracle::exact(y);
-    CHECK(oracle::exact(bound.depth) >= oracle::exact(reach) - oracle::exact(y));
+        oracle::exact(radius_sum) * oracle::exact(radius_sum) - oracle::exact(y) * oracle::exact(y);
+    CHECK(oracle::exact(bound.depth) >= oracle::exact(radius_sum) - oracle::exact(y));
     CHECK(oracle::exact(bound.length) * oracle::exact(bound.length) >= 4 * square);
     // The cosine at the entry is half the chord divided by ρ.
-    CHECK(oracle::exact(bound.approach) * oracle::exact(bound.approach) * oracle::exact(reach) *
-              oracle::exact(reach) >=
+    CHECK(oracle::exact(bound.approach) * oracle::exact(bound.approach) *
+              oracle::exact(radius_sum) * oracle::exact(radius_sum) >=
           square);
-    deepest = std::max(deepest, (reach - y) / bound.depth);
+    deepest = std::max(deepest, (radius_sum - y) / bound.depth);
   }
   CHECK(missed > generators::tried(500));
   CHECK(deepest > 0.8);  // the bound is almost attained
@@ -184,12 +184,12 @@ TEST_CASE("no point moves further than the bound, with rotation and acceleration
     const double h = random.uniform(0.001, 0.05);
     const V v = boxes::place(random, 5);
     const V acceleration = boxes::place(random, 10);
-    const V spin_a = boxes::place(random, 8);
-    const V spin_b = boxes::place(random, 8);
+    const V angular_velocity_a = boxes::place(random, 8);
+    const V angular_velocity_b = boxes::place(random, 8);
     const double ra = random.uniform(0.1, 1);
     const double rb = random.uniform(0.1, 1);
-    const auto a = contact::mover(0.0, ra, spin_a.norm() * (1 + 0x1p-50));
-    const auto b = contact::mover(0.0, rb, spin_b.norm() * (1 + 0x1p-50));
+    const auto a = contact::mover(0.0, ra, angular_velocity_a.norm() * (1 + 0x1p-50));
+    const auto b = contact::mover(0.0, rb, angular_velocity_b.norm() * (1 + 0x1p-50));
     const double centres = contact::centre_displacement(v.norm() * (1 + 0x1p-50),
                                                         acceleration.norm() * (1 + 0x1p-50), h);
     const double bound = contact::relative_displacement(a, b, centres, h);
@@ -197,11 +197,12 @@ TEST_CASE("no point moves further than the bound, with rotation and acceleration
     const V x0 = contact::normalised(boxes::place(random, 1)) * ((ra + rb) * random.uniform());
     const V p0 = contact::normalised(boxes::place(random, 1)) * ra;
     const auto in_b = [&](const V& x, double t) {
-      return V(contact::matrix_of(contact::exponential<double>(spin_b * t)).transpose() * x);
+      return V(
+          contact::matrix_of(contact::exponential<double>(angular_velocity_b * t)).transpose() * x);
     };
     for (const double t : {h / 3, h}) {
       const V x1 = x0 + v * t + acceleration * (t * t / 2);
-      const V p1 = contact::matrix_of(contact::exponential<double>(spin_a * t)) * p0;
+      const V p1 = contact::matrix_of(contact::exponential<double>(angular_velocity_a * t)) * p0;
       const V centre = in_b(x1, t) - x0;
       CHECK(centre.norm() <= bound);
       // Only within the radius of b: a point of a that is farther away cannot touch it.
@@ -216,7 +217,7 @@ TEST_CASE("no point moves further than the bound, with rotation and acceleration
   says([] { contact::mover(2.0, 1.0, 0.0); }, "outer_radius = 1");
   says([] { contact::mover(-1.0, 1.0, 0.0); }, "inner_radius = -1");
   says([] { contact::centre_displacement(1.0, -1.0, 1.0); }, "acceleration = -1");
-  says([] { contact::missed_chord(0.0, 1.0); }, "reach = 0");
+  says([] { contact::missed_chord(0.0, 1.0); }, "radius_sum = 0");
 }
 
 TEST_CASE("upper bounds are above the exact values, and the thickness of two balls below") {
@@ -270,13 +271,13 @@ TEST_CASE("a rod that rotates above a floor is advanced to just before its end t
     const double w = random.uniform(0.5, 40);
     const double h = s + l * random.uniform(0.1, 0.9);
     const double tolerance = std::ldexp(1.0, -random.integer(8, 30));
-    contact::TurningBox<double> rod;
+    contact::RotatingBox<double> rod;
     rod.half_lengths = V(l, s, s);
     rod.position = V(0, 0, h);
-    rod.spin = V(0, w, 0);
+    rod.angular_velocity = V(0, w, 0);
     const contact::Plane<double> floor{V(0, 0, 1), 0};
     const double quarter = 1.6 / w;
-    const auto end = contact::turning_box_plane_impact(rod, floor, quarter, tolerance, 10000);
+    const auto end = contact::rotating_box_plane_impact(rod, floor, quarter, tolerance, 10000);
     INFO("l = " << l << ", s = " << s << ", ω = " << w << ", h = " << h);
     REQUIRE(end.end == ConservativeEnd::impact);
     const Interval angle = Interval(oracle::exact(w) * oracle::exact(end.t), 128);
@@ -298,18 +299,18 @@ TEST_CASE(
   Random random(8);
   std::array<int, 3> ends{};
   for (int i = 0; i < generators::tried(160); ++i) {
-    std::array<contact::TurningBox<double>, 2> box;
+    std::array<contact::RotatingBox<double>, 2> box;
     for (auto& each : box) {
       each.half_lengths = boxes::place(random, 0.6).cwiseAbs() + V::Constant(0.1);
       each.position = boxes::place(random, 2.5);
       each.orientation = contact::normalised(contact::exponential<double>(boxes::place(random, 3)));
       each.velocity = boxes::place(random, 3);
-      if (i % 2 == 0) each.spin = boxes::place(random, 6);
+      if (i % 2 == 0) each.angular_velocity = boxes::place(random, 6);
     }
     auto& [a, b] = box;
     if (random.chance(0.6)) a.velocity = b.velocity + (b.position - a.position) * 1.5;
     const double tolerance = 1e-4;
-    const auto end = contact::turning_boxes_impact(a, b, 1.0, tolerance, 2000);
+    const auto end = contact::rotating_boxes_impact(a, b, 1.0, tolerance, 2000);
     ++ends[static_cast<std::size_t>(end.end)];
     INFO("pair " << i);
     REQUIRE(end.end != ConservativeEnd::gave_up);
@@ -346,15 +347,15 @@ TEST_CASE("the bound on the approach speed holds for any two points") {
   Random random(9);
   double nearest = 0;
   for (int i = 0; i < generators::tried(2000); ++i) {
-    std::array<contact::TurningBox<double>, 2> box;
+    std::array<contact::RotatingBox<double>, 2> box;
     std::array<V, 2> velocity;
     for (std::size_t k = 0; k < 2; ++k) {
       box[k].half_lengths = boxes::place(random, 1).cwiseAbs() + V::Constant(0.1);
       box[k].velocity = boxes::place(random, 3);
-      box[k].spin = boxes::place(random, 3);
+      box[k].angular_velocity = boxes::place(random, 3);
       const V corner = box[k].half_lengths.cwiseProduct(
           V(random.chance(0.5) ? 1 : -1, random.chance(0.5) ? 1 : -1, random.chance(0.5) ? 1 : -1));
-      velocity[k] = box[k].velocity + box[k].spin.cross(corner);
+      velocity[k] = box[k].velocity + box[k].angular_velocity.cross(corner);
     }
     const double bound = contact::approach_bound(box[0], box[1]);
     const V relative = velocity[0] - velocity[1];

@@ -11,11 +11,11 @@ namespace {
 
 using namespace contact::testing;
 using contact::Exact;
-using exercise::Push;
+using exercise::ForceEffect;
 using exercise::Sample;
 using Samples = std::vector<Sample>;
 
-Push exact_push(const Samples& samples, double mass, double velocity) {
+ForceEffect exact_push(const Samples& samples, double mass, double velocity) {
   Exact twice;  // the area
   for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
     twice += (Exact(samples[i + 1].time) - Exact(samples[i].time)) *
@@ -40,7 +40,7 @@ enum class Mistake {
   not_divided
 };
 
-Push mistaken(const Samples& samples, double mass, double velocity, Mistake mistake) {
+ForceEffect mistaken(const Samples& samples, double mass, double velocity, Mistake mistake) {
   const double duration = duration_of(samples);
   double impulse = 0;
   double peak = 0;
@@ -69,7 +69,7 @@ Push mistaken(const Samples& samples, double mass, double velocity, Mistake mist
 
 /// Each piece has four roundings, then one for each sum; the quotients and the last sum add three,
 /// and the oracle one.
-Push bound(const Samples& samples, double mass, double velocity) {
+ForceEffect bound(const Samples& samples, double mass, double velocity) {
   double size = 0;
   for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
     size += (samples[i + 1].time - samples[i].time) *
@@ -91,7 +91,7 @@ void check(const Samples& samples, double mass, double velocity) {
       {"mean-of-samples", Mistake::equal_steps},
       {"peak-force", Mistake::peak},
   };
-  std::vector<Suspect<Push>> suspects;
+  std::vector<Suspect<ForceEffect>> suspects;
   for (const auto& [id, mistake] : kMistakes) {
     suspects.push_back(
         {id, [&, mistake = mistake] { return mistaken(samples, mass, velocity, mistake); }});
@@ -101,7 +101,7 @@ void check(const Samples& samples, double mass, double velocity) {
       .given("mass", mass)
       .given("velocity", velocity)
       .suspects(std::move(suspects))
-      .answer([&] { return exercise::push(samples, mass, velocity); })
+      .answer([&] { return exercise::apply_force(samples, mass, velocity); })
       .close_to(exact_push(samples, mass, velocity), within(bound(samples, mass, velocity)));
 }
 

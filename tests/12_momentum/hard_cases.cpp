@@ -131,10 +131,10 @@ void add_balance(hard_cases::Runner& runner) {
     }
     return Json{{"class", "a"}, {"momentum", hex(sum)}};
   });
-  const auto method = [&runner](const char* name, contact::Booking booking) {
-    runner.method("balance", name, [booking](const Case& c, const Json& answer) {
+  const auto method = [&runner](const char* name, contact::MomentumUpdate update) {
+    runner.method("balance", name, [update](const Case& c, const Json& answer) {
       const double unit = 0x1p-40;  // N·s
-      std::vector<contact::BookedBody<double>> all;
+      std::vector<contact::MomentumBody<double>> all;
       for (const auto& body : bodies(c)) {
         const double v = body.velocity.x();
         all.push_back({body.mass, v, contact::on_grid(body.mass * v, unit)});
@@ -144,20 +144,20 @@ void add_balance(hard_cases::Runner& runner) {
       for (std::size_t k = 0; k < collisions; ++k) {
         const std::size_t a = k % n;
         const std::size_t b = (a + 1 + k / n % (n - 1)) % n;
-        contact::collide_booked(all[a], all[b], booking, unit);
+        contact::collide_with_update(all[a], all[b], update, unit);
       }
       Rational sum = 0;
       for (const auto& body : all) {
-        sum += booking == contact::Booking::grid
+        sum += update == contact::MomentumUpdate::grid
                    ? oracle::exact(body.momentum)
                    : oracle::exact(body.mass) * oracle::exact(body.velocity);
       }
       return same(oracle::nearest(sum), answer, "momentum");
     });
   };
-  method("formulas", contact::Booking::formulas);
-  method("impulses", contact::Booking::impulses);
-  method("on a grid", contact::Booking::grid);
+  method("formulas", contact::MomentumUpdate::formulas);
+  method("impulses", contact::MomentumUpdate::impulses);
+  method("on a grid", contact::MomentumUpdate::grid);
 }
 
 void add_curve(hard_cases::Runner& runner) {

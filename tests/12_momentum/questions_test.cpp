@@ -112,7 +112,7 @@ KEY("which-sum") {
     carry = (next - kahan) - y;
     kahan = next;
   }
-  const std::vector<double> got{contact::total_in_order(terms), contact::total_pairwise(terms),
+  const std::vector<double> got{contact::total_recursive(terms), contact::total_pairwise(terms),
                                 kahan, contact::total_compensated(terms)};
   const double right = contact::total_exactly(terms);
   if (std::count(got.begin(), got.end(), right) != 1) return -1;

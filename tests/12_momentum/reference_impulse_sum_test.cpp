@@ -57,7 +57,7 @@ TEMPLATE_TEST_CASE("every sum of impulses satisfies the bound in its comment", "
     const Rational right = sum_of(terms);
     const Rational size = size_of(terms);
     const int halvings = static_cast<int>(std::bit_width(static_cast<unsigned>(n - 1)));
-    REQUIRE(error(contact::total_in_order(terms), right) <= gamma<S>(n - 1) * size);
+    REQUIRE(error(contact::total_recursive(terms), right) <= gamma<S>(n - 1) * size);
     REQUIRE(error(contact::total_pairwise(terms), right) <= gamma<S>(halvings + 4) * size);
     REQUIRE(error(contact::total_compensated(terms), right) <=
             u<S>() * abs(right) + gamma<S>(n - 1) * gamma<S>(n - 1) * size);
@@ -81,7 +81,7 @@ TEST_CASE("sums of rationals are exact in every order") {
     for (const double x : impulses<double>(random, Push::spread)) terms.push_back(oracle::exact(x));
     Rational right = 0;
     for (const Rational& x : terms) right += x;
-    REQUIRE(contact::total_in_order(terms) == right);
+    REQUIRE(contact::total_recursive(terms) == right);
     REQUIRE(contact::total_pairwise(terms) == right);
   }
 }
@@ -93,11 +93,11 @@ TEST_CASE("a thousand tenths between a large impulse and its opposite, as in the
     all.back() = -all.front();
     return all;
   };
-  CHECK(contact::total_in_order(tenths(0.0F, 21)) == 0);
-  CHECK(contact::total_in_order(tenths(0.0F, 20)) == 125);
-  CHECK(contact::total_in_order(tenths(0.0F, 18)) == 93.75F);
-  CHECK(contact::total_in_order(tenths(0.0, 50)) == 0);
-  CHECK(contact::total_in_order(tenths(0.0, 49)) == 125);
+  CHECK(contact::total_recursive(tenths(0.0F, 21)) == 0);
+  CHECK(contact::total_recursive(tenths(0.0F, 20)) == 125);
+  CHECK(contact::total_recursive(tenths(0.0F, 18)) == 93.75F);
+  CHECK(contact::total_recursive(tenths(0.0, 50)) == 0);
+  CHECK(contact::total_recursive(tenths(0.0, 49)) == 125);
   CHECK(contact::total_pairwise(tenths(0.0F, 29)) > 0);
   CHECK(contact::total_pairwise(tenths(0.0F, 30)) == 0);
   for (int power = 0; power <= 52; ++power) {
@@ -118,7 +118,7 @@ TEST_CASE("a sum with an intermediate overflow is finite, and none is NaN") {
   const std::vector<double> there_and_back{big, big, 3.0, -big, -big};
   CHECK(contact::total_exactly(there_and_back) == 3.0);
   CHECK(contact::total_impulse(there_and_back) == 3.0);
-  for (const auto total : {contact::total_in_order<double>, contact::total_pairwise<double>,
+  for (const auto total : {contact::total_recursive<double>, contact::total_pairwise<double>,
                            contact::total_compensated<double>, contact::total_kahan<double>}) {
     CHECK(std::isfinite(total(there_and_back)));
     CHECK(std::abs(total({big, big / 2, -big}) - big / 2) <= 1e-15 * big);
@@ -133,7 +133,7 @@ TEST_CASE("a sum with an intermediate overflow is finite, and none is NaN") {
     for (int n = random.integer(0, 12); n > 0; --n) {
       terms.push_back(random.chance(0.5) ? any_finite(random) : random.magnitude(1015, 1023));
     }
-    REQUIRE_FALSE(std::isnan(contact::total_in_order(terms)));
+    REQUIRE_FALSE(std::isnan(contact::total_recursive(terms)));
     REQUIRE_FALSE(std::isnan(contact::total_pairwise(terms)));
     REQUIRE_FALSE(std::isnan(contact::total_compensated(terms)));
     REQUIRE(contact::total_exactly(terms) == oracle::nearest(sum_of(terms)));

@@ -202,8 +202,8 @@ namespace {
 
 /// The velocities of two bodies after an elastic collision, in fractions.
 template <class S>
-std::array<Rational, 2> after_collision(const contact::BookedBody<S>& a,
-                                        const contact::BookedBody<S>& b) {
+std::array<Rational, 2> after_collision(const contact::MomentumBody<S>& a,
+                                        const contact::MomentumBody<S>& b) {
   const Rational ma = oracle::exact(a.mass), mb = oracle::exact(b.mass);
   const Rational va = oracle::exact(a.velocity), vb = oracle::exact(b.velocity);
   return {((ma - mb) * va + 2 * mb * vb) / (ma + mb), ((mb - ma) * vb + 2 * ma * va) / (ma + mb)};
@@ -212,7 +212,7 @@ std::array<Rational, 2> after_collision(const contact::BookedBody<S>& a,
 /// A bound on the error of m v of the first body in one collision by formulas: six roundings, of
 /// which at most five affect each term.
 template <class S>
-double room_of_formula(const contact::BookedBody<S>& a, const contact::BookedBody<S>& b,
+double room_of_formula(const contact::MomentumBody<S>& a, const contact::MomentumBody<S>& b,
                        double roundoff) {
   const double ma = double(a.mass), mb = double(b.mass);
   return 5.1 * roundoff * ma *
@@ -223,26 +223,28 @@ double room_of_formula(const contact::BookedBody<S>& a, const contact::BookedBod
 
 template <class S>
 void check_bookings(Random& random) {
-  using contact::Booking;
+  using contact::MomentumUpdate;
   const double roundoff = double(contact::tolerance::unit_roundoff<S>);
   const S unit = S(std::ldexp(1.0, sizeof(S) == sizeof(float) ? -14 : -40));
   constexpr std::size_t n = 16;
-  std::vector<contact::BookedBody<S>> first;
+  std::vector<contact::MomentumBody<S>> first;
   for (std::size_t i = 0; i < n; ++i) {
     const S mass = S(random.uniform(0.5, 3));
     const S momentum = S(random.uniform(-8, 8));
-    first.push_back(contact::booked_body(mass, momentum, unit));
+    first.push_back(contact::momentum_body(mass, momentum, unit));
     REQUIRE(abs(oracle::exact(first[i].momentum) - oracle::exact(momentum)) <=
             oracle::exact(unit) / 2);
     REQUIRE(denominator(Rational(oracle::exact(first[i].momentum) / oracle::exact(unit))) == 1);
   }
-  for (const Booking booking : {Booking::formulas, Booking::impulses, Booking::grid}) {
+  for (const MomentumUpdate update :
+       {MomentumUpdate::formulas, MomentumUpdate::impulses, MomentumUpdate::grid}) {
     auto bodies = first;
     const auto total_of = [&] {
       Rational sum = 0;
       for (const auto& body : bodies) {
-        sum += booking == Booking::grid ? oracle::exact(body.momentum)
-                                        : oracle::exact(body.mass) * oracle::exact(body.velocity);
+        sum += update == MomentumUpdate::grid
+                   ? oracle::exact(body.momentum)
+                   : oracle::exact(body.mass) * oracle::exact(body.velocity);
       }
       return sum;
     };
@@ -257,36 +259,36 @@ void check_bookings(Random& random) {
       const auto was_b = b;
       const double formula_a = room_of_formula(a, b, roundoff);
       const double formula_b = room_of_formula(b, a, roundoff);
-      contact::collide_booked(a, b, booking, unit);
+      contact::collide_with_update(a, b, update, unit);
       // The quotient J / m and the sum are rounded, and |J| is no more than m|v| + m|v'|.
       const auto sum_room = [roundoff](const auto& was, const auto& is) {
         const double m = double(is.mass);
         return 1.1 * roundoff * m *
                (2 * std::abs(double(is.velocity)) + std::abs(double(was.velocity)));
       };
-      if (booking == Booking::formulas) room += formula_a + formula_b;
-      if (booking == Booking::impulses) room += sum_room(was_a, a) + sum_room(was_b, b);
+      if (update == MomentumUpdate::formulas) room += formula_a + formula_b;
+      if (update == MomentumUpdate::impulses) room += sum_room(was_a, a) + sum_room(was_b, b);
       if (c >= generators::tried(2000)) continue;
       Rational change = 0, scale = 0;  // the bound in the comment
       for (const auto& [was, is] : {std::pair(was_a, a), std::pair(was_b, b)}) {
         const Rational m = oracle::exact(is.mass);
-        change += booking == Booking::grid
+        change += update == MomentumUpdate::grid
                       ? oracle::exact(is.momentum) - oracle::exact(was.momentum)
                       : Rational(m * (oracle::exact(is.velocity) - oracle::exact(was.velocity)));
         scale += m * (abs(oracle::exact(was.velocity)) + abs(oracle::exact(is.velocity)));
       }
       REQUIRE(abs(change) <=
-              (booking == Booking::grid ? Rational(0) : Rational(16 * u<S>() * scale)));
+              (update == MomentumUpdate::grid ? Rational(0) : Rational(16 * u<S>() * scale)));
       // Each program computes the same exact velocities, with errors. An impulse has five
       // roundings, and its use two more; on a grid the impulse and the stored momentum each have an
       // error of half a unit in addition.
       const auto right = after_collision(was_a, was_b);
       const double impulse = std::abs(double(a.velocity) - double(was_a.velocity)) * double(a.mass);
       const double by_impulse =
-          8 * roundoff * impulse + (booking == Booking::grid ? double(unit) : 0.0);
+          8 * roundoff * impulse + (update == MomentumUpdate::grid ? double(unit) : 0.0);
       const auto close = [&](const auto& body, const auto& was, const Rational& v, double formula) {
         const double m = double(body.mass);
-        const double wide = booking == Booking::formulas
+        const double wide = update == MomentumUpdate::formulas
                                 ? formula
                                 : by_impulse + 4 * roundoff * m * std::abs(double(was.velocity));
         REQUIRE(abs(oracle::exact(body.velocity) - v) * oracle::exact(body.mass) <=
@@ -296,15 +298,14 @@ void check_bookings(Random& random) {
       close(b, was_b, right[1], formula_b);
     }
     const Rational drift = total_of() - before;
-    INFO("booking " << int(booking) << ", drift " << oracle::nearest(drift) << ", room " << room);
-    if (booking == Booking::grid) {
+    INFO("booking " << int(update) << ", drift " << oracle::nearest(drift) << ", room " << room);
+    if (update == MomentumUpdate::grid) {
       CHECK(drift == 0);
     } else {
       CHECK(drift != 0);
       CHECK(abs(drift) <= oracle::exact(room));
     }
-    CHECK(rounded<double>(contact::booked_momentum(bodies, booking)) ==
-          oracle::nearest(total_of()));
+    CHECK(rounded<double>(contact::stored_momentum(bodies, update)) == oracle::nearest(total_of()));
   }
 }
 

@@ -131,8 +131,8 @@ TEST_CASE("a steady stream changes a velocity by the rocket equation, and conser
     const double far = value(Rational((m0 - m) / (r * r)), Rational(-m / (r * r)));
     REQUIRE(std::abs(seen->velocity.x() - value(v, Rational(-push / r))) <=
             16 * unit * (std::abs(v0) + forces * gain));
-    REQUIRE(std::abs(seen->way.x() - value(Rational(v * t + push * (m0 - m) / (r * r)),
-                                           Rational(-push * m / (r * r)))) <=
+    REQUIRE(std::abs(seen->displacement.x() - value(Rational(v * t + push * (m0 - m) / (r * r)),
+                                                    Rational(-push * m / (r * r)))) <=
             64 * unit * (std::abs(v0) * time + forces * far));
     // The total momentum of body and matter changes by F t only.
     const double size = (mass + std::abs(rate) * time) *
@@ -147,7 +147,7 @@ TEST_CASE("a steady stream changes a velocity by the rocket equation, and conser
     REQUIRE(std::abs(rain->velocity.x() - oracle::nearest(Rational((m0 * v + push * t) / m))) <=
             8 * unit * (std::abs(v0) + all * time / seen->mass));
     const double wide = value(Rational(t / r), Rational(m0 / (r * r)));
-    REQUIRE(std::abs(rain->way.x() -
+    REQUIRE(std::abs(rain->displacement.x() -
                      value(Rational(push / r * t), Rational(-(v - push / r) * m0 / r))) <=
             64 * unit * (std::abs(v0) * time + all * wide));
     REQUIRE(rain->carried_off.x() == -u * (rate * time));
@@ -160,12 +160,12 @@ TEST_CASE("a steady stream changes a velocity by the rocket equation, and conser
   const auto leaks =
       contact::after_stream_from_body<double>(4000, {3, 0, 0}, {0, 0, 0}, {0, 0, 0}, -200, 6);
   CHECK(leaks->velocity == Vector3<double>(3, 0, 0));
-  CHECK(leaks->way == Vector3<double>(18, 0, 0));
+  CHECK(leaks->displacement == Vector3<double>(18, 0, 0));
   CHECK(leaks->carried_off == Vector3<double>(3600, 0, 0));
   const auto pushed =
       contact::after_stream_from_body<double>(4, {3, 0, 0}, {2, 0, 0}, {1, 0, 0}, 0, 2);
   CHECK(pushed->velocity.x() == 4);
-  CHECK(pushed->way.x() == 7);
+  CHECK(pushed->displacement.x() == 7);
   CHECK(pushed->carried_off.x() == 0);
   // A rocket, by its own function and by a thousand throws.
   const auto rocket =
@@ -175,14 +175,14 @@ TEST_CASE("a steady stream changes a velocity by the rocket equation, and conser
                   .has_value());
   double mass = 10;
   Vector3<double> v(0, 0, 0);
-  double way = 0;
+  double displacement = 0;
   for (int k = 0; k < 1000; ++k) {
     const auto after = contact::velocity_after_exchange<double>(
         mass, v, -0.005, Vector3<double>(v + Vector3<double>(-1000, 0, 0)));
-    way += (v.x() + after->x()) / 2 * 0.005;
+    displacement += (v.x() + after->x()) / 2 * 0.005;
     v = *after;
     mass -= 0.005;
   }
   CHECK(std::abs(rocket->velocity.x() / v.x() - 1) < 1e-3);
-  CHECK(std::abs(rocket->way.x() / way - 1) < 1e-3);
+  CHECK(std::abs(rocket->displacement.x() / displacement - 1) < 1e-3);
 }

@@ -11,14 +11,14 @@ namespace {
 
 using namespace contact::testing;
 using contact::Exact;
-using exercise::Bill;
 using exercise::Body;
+using exercise::EnergyLoss;
 
 double energy(const Body& a, const Body& b) {
   return 0.5 * (a.mass * a.velocity * a.velocity + b.mass * b.velocity * b.velocity);
 }
 
-Bill right_answer(const Body& a, const Body& b, double e) {
+EnergyLoss right_answer(const Body& a, const Body& b, double e) {
   if (a.velocity <= b.velocity) return {0, 0};
   const Exact m1(a.mass);
   const Exact m2(b.mass);
@@ -34,7 +34,7 @@ Bill right_answer(const Body& a, const Body& b, double e) {
 }
 
 void check(const Body& first, const Body& second, double restitution) {
-  const Bill right = right_answer(first, second, restitution);
+  const EnergyLoss right = right_answer(first, second, restitution);
   const double w = first.velocity - second.velocity;
   const double mu = first.mass * second.mass / (first.mass + second.mass);
   const double before = energy(first, second);
@@ -42,7 +42,7 @@ void check(const Body& first, const Body& second, double restitution) {
   // At most 11 roundings for the loss and 6 more for the fraction. The form 1 − e² rounds e² before
   // the subtraction, which magnifies the error by 1/(1 − e²); no e here is above 0.95.
   const double room = (20 + 2 / (1 - e * e)) * 0x1p-53;
-  const auto of = [before](double lost) { return Bill{lost, lost / before}; };
+  const auto of = [before](double lost) { return EnergyLoss{lost, lost / before}; };
   ask("What kinetic energy does the collision lose?")
       .given("first", first)
       .given("second", second)
@@ -51,17 +51,17 @@ void check(const Body& first, const Body& second, double restitution) {
       .suspect("fraction-of-everything", [&] { return of((1 - e * e) * before); })
       .suspect("fraction-of-everything",
                [&] {
-                 return Bill{right.lost, right.lost > 0 ? 1 - e * e : 0};
+                 return EnergyLoss{right.lost, right.lost > 0 ? 1 - e * e : 0};
                })
       .suspect("restitution-scales-energy-loss", [&] { return of(0.5 * mu * (1 - e) * w * w); })
       .suspect("sum-for-reduced-mass",
                [&] { return of(0.5 * (first.mass + second.mass) * (1 - e * e) * w * w); })
       .suspect_if("energy-by-subtraction",
-                  [right, before](const Bill& got) {
+                  [right, before](const EnergyLoss& got) {
                     return std::abs(got.lost - right.lost) <= 0x1p-46 * before;
                   })
-      .answer([&] { return exercise::bill(first, second, restitution); })
-      .close_to(right, within(Bill{room * right.lost, room * right.fraction}));
+      .answer([&] { return exercise::energy_loss(first, second, restitution); })
+      .close_to(right, within(EnergyLoss{room * right.lost, room * right.fraction}));
 }
 
 }  // namespace

@@ -243,7 +243,7 @@ void add_row(hard_cases::Runner& runner) {
     });
   };
   add("all pairs at once", [](const std::vector<LineBody<double>>& row, double e) {
-    return contact::collide_all_at_once(row, e, limit).velocities;
+    return contact::collide_simultaneously(row, e, limit).velocities;
   });
   for (const auto& [name, order] :
        {std::pair{"book, from the left", contact::PairOrder::left_to_right},

@@ -99,7 +99,7 @@ TEST_CASE("all pairs at once conserve momentum, and lose energy if a ball is hit
       row.push_back({mass, random.integer(-5, 5)});
       before.push_back(row.back().velocity);
     }
-    const auto outcome = contact::collide_all_at_once<Rational>(row, 1, 12);
+    const auto outcome = contact::collide_simultaneously<Rational>(row, 1, 12);
     Rational drift = 0;
     for (std::size_t k = 0; k < row.size(); ++k) {
       drift += row[k].mass * (outcome.velocities[k] - before[k]);
@@ -111,7 +111,7 @@ TEST_CASE("all pairs at once conserve momentum, and lose energy if a ball is hit
   CHECK(lost > 20);
   // One ball in from the left: no ball is hit from both sides.
   const std::vector<LineBody<Rational>> cradle{{1, 2}, {1, 0}, {1, 0}, {1, 0}, {1, 0}};
-  const auto one = contact::collide_all_at_once<Rational>(cradle, 1, 100);
+  const auto one = contact::collide_simultaneously<Rational>(cradle, 1, 100);
   CHECK(one.settled);
   CHECK(
       one.velocities ==
@@ -119,7 +119,7 @@ TEST_CASE("all pairs at once conserve momentum, and lose energy if a ball is hit
   // The lesson's row, one in from each end: the middle ball is hit from both sides, and a fifth of
   // the energy remains.
   const std::vector<LineBody<Rational>> both{{1, 2}, {1, 0}, {1, 0}, {1, 0}, {1, -1}};
-  const auto two = contact::collide_all_at_once<Rational>(both, 1, 100);
+  const auto two = contact::collide_simultaneously<Rational>(both, 1, 100);
   CHECK(two.settled);
   CHECK(two.velocities == std::vector<Rational>{0, 0, 0, 0, 1});
 }

@@ -30,11 +30,13 @@ Terms terms(const Disc& a, const Disc& b) {
   const Exact dy = difference(a.centre.y(), b.centre.y());
   const Exact wx = difference(a.velocity.x(), b.velocity.x());
   const Exact wy = difference(a.velocity.y(), b.velocity.y());
-  const Exact reach = Exact(a.radius) + Exact(b.radius);
+  const Exact radius_sum = Exact(a.radius) + Exact(b.radius);
   const Exact cross = dx * wy - dy * wx;
   const Exact speed2 = wx * wx + wy * wy;
-  return {rounded<double>(dx * dx + dy * dy - reach * reach), rounded<double>(-(dx * wx + dy * wy)),
-          rounded<double>(reach * reach * speed2 - cross * cross), rounded<double>(speed2)};
+  return {rounded<double>(dx * dx + dy * dy - radius_sum * radius_sum),
+          rounded<double>(-(dx * wx + dy * wy)),
+          rounded<double>(radius_sum * radius_sum * speed2 - cross * cross),
+          rounded<double>(speed2)};
 }
 
 /// The earliest of the times that `when` returns for the pairs.
@@ -199,8 +201,9 @@ TEST_CASE("random tables agree with exact arithmetic") {
     for (std::size_t i = 0; i < discs.size(); ++i) {
       for (std::size_t j = i + 1; j < discs.size(); ++j) {
         const Terms t = terms(discs[i], discs[j]);
-        const double reach = discs[i].radius + discs[j].radius;
-        clear = clear && t.gap > 0.01 && std::abs(t.depth) > 0.01 * reach * reach * t.speed2;
+        const double radius_sum = discs[i].radius + discs[j].radius;
+        clear =
+            clear && t.gap > 0.01 && std::abs(t.depth) > 0.01 * radius_sum * radius_sum * t.speed2;
       }
     }
     if (!clear) continue;

@@ -11,12 +11,12 @@ namespace {
 
 using namespace contact::testing;
 using contact::Exact;
-using exercise::Rest;
+using exercise::Remainder;
 using Vector = Eigen::Vector2d;
 
 Exact square(const Vector& v) { return Exact(v.x()) * Exact(v.x()) + Exact(v.y()) * Exact(v.y()); }
 
-Rest exact_rest(double mass, const Vector& v, double piece, const Vector& w) {
+Remainder exact_rest(double mass, const Vector& v, double piece, const Vector& w) {
   const Exact left = Exact(mass) - Exact(piece);
   Vector velocity(0, 0);
   Exact momentum2;
@@ -31,7 +31,7 @@ Rest exact_rest(double mass, const Vector& v, double piece, const Vector& w) {
 }
 
 void check(double mass, const Vector& v, double piece, const Vector& w) {
-  const Rest right = exact_rest(mass, v, piece, w);
+  const Remainder right = exact_rest(mass, v, piece, w);
   const double left = mass - piece;
   const double scale = mass * v.norm() + piece * w.norm();
   // Two products, a difference, a quotient by a difference: 6 u of the momenta. An energy is off by
@@ -44,7 +44,7 @@ void check(double mass, const Vector& v, double piece, const Vector& w) {
   const auto energy = [](double m, const Vector& velocity) {
     return m * velocity.squaredNorm() / 2;
   };
-  const auto with = [&](const Vector& rest, double rest_mass) -> Rest {
+  const auto with = [&](const Vector& rest, double rest_mass) -> Remainder {
     return {rest, energy(piece, w) + energy(rest_mass, rest) - energy(mass, v)};
   };
   ask("What is the velocity of the remainder, and what kinetic energy is gained?")
@@ -56,15 +56,15 @@ void check(double mass, const Vector& v, double piece, const Vector& w) {
       .suspect("recoil-forwards", [&] { return with((mass * v + piece * w) / left, left); })
       .suspect("relative-for-ground", [&] { return with(v - piece / left * w, left); })
       .suspect("energy-taken-for-conserved",
-               [&]() -> Rest {
+               [&]() -> Remainder {
                  return {right.velocity, 0};
                })
       .suspect("energy-of-piece-alone",
-               [&]() -> Rest {
+               [&]() -> Remainder {
                  return {right.velocity, energy(piece, w) - energy(mass, v)};
                })
       .answer([&] { return exercise::send_out(mass, v, piece, w); })
-      .close_to(right, within(Rest{Vector(off, off), energy_off}));
+      .close_to(right, within(Remainder{Vector(off, off), energy_off}));
 }
 
 void check_refused(double mass, double piece) {
@@ -75,7 +75,7 @@ void check_refused(double mass, double piece) {
       .given("velocity", v)
       .given("piece_mass", piece)
       .given("piece_velocity", w)
-      .suspect_if("mass-not-refused", [](const Rest&) { return true; })
+      .suspect_if("mass-not-refused", [](const Remainder&) { return true; })
       .answer([&] { return exercise::send_out(mass, v, piece, w); })
       .throws_invalid_argument();
 }

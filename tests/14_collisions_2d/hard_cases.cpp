@@ -32,12 +32,12 @@ Disc read_disc(const Case& c, const char* field) {
 
 /// Differences of two discs, exactly.
 struct Pair {
-  Rational dx, dy, wx, wy, reach;
-  Rational gap() const { return dx * dx + dy * dy - reach * reach; }
+  Rational dx, dy, wx, wy, radius_sum;
+  Rational gap() const { return dx * dx + dy * dy - radius_sum * radius_sum; }
   Rational approach() const { return -(dx * wx + dy * wy); }
   Rational depth() const {
     const Rational cross = dx * wy - dy * wx;
-    return reach * reach * (wx * wx + wy * wy) - cross * cross;
+    return radius_sum * radius_sum * (wx * wx + wy * wy) - cross * cross;
   }
 };
 Pair exact_pair(const Disc& a, const Disc& b) {
@@ -81,8 +81,8 @@ bool ever_meet(const Pair& p) { return p.approach() > 0 && (p.gap() <= 0 || p.de
 /// Whether the discs touch or overlap at t, for the method with time steps.
 bool overlap_at(const Disc& a, const Disc& b, double t) {
   const Vector d = (a.centre + a.velocity * t) - (b.centre + b.velocity * t);
-  const double reach = a.radius + b.radius;
-  return d.dot(d) <= reach * reach;
+  const double radius_sum = a.radius + b.radius;
+  return d.dot(d) <= radius_sum * radius_sum;
 }
 
 void add_meets(hard_cases::Runner& runner) {
@@ -103,9 +103,9 @@ void add_meets(hard_cases::Runner& runner) {
   method("b² − 4ac", [](const Disc& a, const Disc& b) {
     const Vector d = a.centre - b.centre;
     const Vector w = a.velocity - b.velocity;
-    const double reach = a.radius + b.radius;
+    const double radius_sum = a.radius + b.radius;
     const double half = d.dot(w);
-    const double gap = d.dot(d) - reach * reach;
+    const double gap = d.dot(d) - radius_sum * radius_sum;
     return half < 0 && half * half - w.dot(w) * gap >= 0;
   });
   method("R²w² − (d×w)²", [](const Disc& a, const Disc& b) {
@@ -135,9 +135,9 @@ void add_when(hard_cases::Runner& runner) {
   method("textbook formula", [](const Disc& a, const Disc& b) {
     const Vector d = a.centre - b.centre;
     const Vector w = a.velocity - b.velocity;
-    const double reach = a.radius + b.radius;
+    const double radius_sum = a.radius + b.radius;
     const double half = d.dot(w);
-    const double gap = d.dot(d) - reach * reach;
+    const double gap = d.dot(d) - radius_sum * radius_sum;
     return (-half - std::sqrt(half * half - w.dot(w) * gap)) / w.dot(w);
   });
   method("without cancelling roots", [](const Disc& a, const Disc& b) {

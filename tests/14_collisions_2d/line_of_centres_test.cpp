@@ -12,7 +12,7 @@ namespace {
 
 using namespace contact::testing;
 using contact::Exact;
-using exercise::Parts;
+using exercise::Components;
 using Vector = Eigen::Vector2d;
 using Axis = std::optional<Vector>;
 
@@ -35,12 +35,12 @@ void check_axis(const Vector& a, const Vector& b) {
 
 void check_parts(const Vector& velocity, const Vector& axis) {
   const Exact reach = Exact(axis.x()) * Exact(velocity.x()) + Exact(axis.y()) * Exact(velocity.y());
-  const auto along = [&](int k) { return reach * Exact(axis(k)); };
-  const auto across = [&](int k) { return Exact(velocity(k)) - along(k); };
+  const auto normal = [&](int k) { return reach * Exact(axis(k)); };
+  const auto tangential = [&](int k) { return Exact(velocity(k)) - normal(k); };
   const auto vector = [](const auto& part) {
     return Vector(quotient<double>(part(0), Exact(1.0)), quotient<double>(part(1), Exact(1.0)));
   };
-  const Parts right{vector(along), vector(across)};
+  const Components right{vector(normal), vector(tangential)};
   // Two products and a sum, a product and a difference; the sum may be as large as |v|.
   const double bound = 8 * 0x1p-53 * (std::abs(velocity.x()) + std::abs(velocity.y()));
   const Vector room(bound, bound);
@@ -48,16 +48,16 @@ void check_parts(const Vector& velocity, const Vector& axis) {
       .given("velocity", velocity)
       .given("axis", axis)
       .suspect("parts-exchanged",
-               [&]() -> Parts {
-                 return {right.across, right.along};
+               [&]() -> Components {
+                 return {right.tangential, right.normal};
                })
       .suspect("projection-without-sign",
-               [&]() -> Parts {
+               [&]() -> Components {
                  const Vector part = std::abs(axis.dot(velocity)) * axis;
                  return {part, velocity - part};
                })
-      .answer([&] { return exercise::parts(velocity, axis); })
-      .close_to(right, within(Parts{room, room}));
+      .answer([&] { return exercise::components(velocity, axis); })
+      .close_to(right, within(Components{room, room}));
 }
 
 }  // namespace

@@ -17,14 +17,14 @@ using generators::Random;
 using oracle::Rational;
 
 struct Pair {
-  Rational dx, dy, wx, wy, reach;
+  Rational dx, dy, wx, wy, radius_sum;
   Rational distance2() const { return dx * dx + dy * dy; }
   Rational speed2() const { return wx * wx + wy * wy; }
-  Rational gap() const { return distance2() - reach * reach; }
+  Rational gap() const { return distance2() - radius_sum * radius_sum; }
   Rational approach() const { return -(dx * wx + dy * wy); }
   Rational depth() const {
     const Rational cross = dx * wy - dy * wx;
-    return reach * reach * speed2() - cross * cross;
+    return radius_sum * radius_sum * speed2() - cross * cross;
   }
 };
 
@@ -74,11 +74,11 @@ std::array<Disc<S>, 2> pair_of(Random& random, Kind kind) {
   if (kind == Kind::grazing) {
     const auto n = *contact::line_of_centres(vector_of<S>(random, 1), Vector2<S>(S(0), S(2)));
     const Vector2<S> along{-n.y(), n.x()};
-    S reach = a.radius + b.radius;
+    S radius_sum = a.radius + b.radius;
     for (int k = random.integer(-3, 3); k != 0; k += k > 0 ? -1 : 1) {
-      reach = std::nextafter(reach, k > 0 ? S(9) : S(0));
+      radius_sum = std::nextafter(radius_sum, k > 0 ? S(9) : S(0));
     }
-    a.centre = b.centre + n * reach - along * number(0.1, 4);
+    a.centre = b.centre + n * radius_sum - along * number(0.1, 4);
     a.velocity = b.velocity + along * number(0.1, 4);
   }
   return {a, b};

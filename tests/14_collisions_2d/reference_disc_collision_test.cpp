@@ -106,8 +106,8 @@ TEMPLATE_TEST_CASE("components add up to the velocity", "", float, double) {
     const Rational size = root_up(oracle::exact(v.x()) * oracle::exact(v.x()) +
                                   oracle::exact(v.y()) * oracle::exact(v.y()));
     CHECK(error(parts.normal, along) <= 16 * u<S>() * size);
-    CHECK(error(parts.across.x(), oracle::exact(v.x()) - along * x) <= 16 * u<S>() * size);
-    CHECK(error(parts.across.y(), oracle::exact(v.y()) - along * y) <= 16 * u<S>() * size);
+    CHECK(error(parts.tangential.x(), oracle::exact(v.x()) - along * x) <= 16 * u<S>() * size);
+    CHECK(error(parts.tangential.y(), oracle::exact(v.y()) - along * y) <= 16 * u<S>() * size);
   }
 }
 

@@ -15,7 +15,7 @@
 #include <optional>
 #include <string>
 
-using contact::LetGo;
+using contact::ContactRelease;
 using contact::PenaltyScheme;
 using contact::StepBehaviour;
 using hard_cases::Case;
@@ -38,8 +38,8 @@ bool flag(const Case& c, const char* field) { return c.number(field) != 0; }
 PenaltyScheme scheme(const Case& c) {
   return static_cast<PenaltyScheme>(static_cast<int>(c.number("scheme")));
 }
-LetGo rule(const Case& c) {
-  return flag(c, "glued") ? LetGo::at_zero_penetration : LetGo::at_zero_force;
+ContactRelease rule(const Case& c) {
+  return flag(c, "glued") ? ContactRelease::at_zero_penetration : ContactRelease::at_zero_force;
 }
 
 bool same(double got, const Json& answer, const char* field) {
@@ -341,7 +341,7 @@ void add_jump(hard_cases::Runner& runner) {
     return (m * g + std::sqrt(m * g * m * g + 2 * k * m * g * h)) / k;
   });
   method("book", [](double m, double k, double g, double h) {
-    return contact::trampoline_jump(contact::trampoline(m, k, g, h)).greatest_depth;
+    return contact::trampoline_jump(contact::trampoline(m, k, g, h)).max_depth;
   });
 }
 

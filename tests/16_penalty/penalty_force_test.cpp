@@ -9,7 +9,7 @@
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
 
-using contact::LetGo;
+using contact::ContactRelease;
 using contact::PenaltyBall;
 using contact::Vector3;
 using generators::Random;
@@ -77,7 +77,8 @@ TEMPLATE_TEST_CASE("a half-space pushes a ball along its normal", "", float, dou
     // The error of the force is k times that of the penetration, plus 12 u of its terms: 4 for the
     // speed, 3 for the sum, 1 for the product with the normal, the rest is reserve. |v| is below 6.
     const Rational force_room = k * room + 12 * u * (k * abs(depth) + c * 6);
-    const auto glued = contact::half_space_force(ball, plane, spring, LetGo::at_zero_penetration);
+    const auto glued =
+        contact::half_space_force(ball, plane, spring, ContactRelease::at_zero_penetration);
     for (int j = 0; j < 3; ++j) {
       const Rational n = oracle::exact(plane.normal(j));
       REQUIRE(abs(oracle::exact(glued.force(j)) - n * sum) <= force_room);
@@ -163,7 +164,7 @@ TEMPLATE_TEST_CASE("the forces on two balls are opposite, and their momentum is 
     const Rational c = oracle::exact(spring.damping);
     const Rational closing =
         -(oracle::exact(a.velocity) - oracle::exact(b.velocity)).dot(apart) / square;
-    const auto glued = contact::ball_ball_force(a, b, spring, LetGo::at_zero_penetration);
+    const auto glued = contact::ball_ball_force(a, b, spring, ContactRelease::at_zero_penetration);
     const double size = oracle::nearest(Rational(k * reach + c * 12));
     for (int j = 0; j < 3; ++j) {
       const Surd right{apart(j) * (c * closing - k), apart(j) * k * reach / square, square};

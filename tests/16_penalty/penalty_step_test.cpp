@@ -13,7 +13,7 @@
 #include "support/generators.hpp"
 #include "support/oracle.hpp"
 
-using contact::LetGo;
+using contact::ContactRelease;
 using contact::PenaltyScheme;
 using contact::PenaltyState;
 using contact::SpringDamper;
@@ -238,14 +238,14 @@ TEST_CASE("the energy that an impact in steps gains or loses is within its bound
     REQUIRE(state.penetration < 0);
     REQUIRE(state.approach < 0);
     const Rational factor = state.approach * state.approach / (v * v);
-    REQUIRE(factor >= bound.least);
-    REQUIRE(factor <= bound.most);
-    REQUIRE(deepest * deepest * k * bound.least <= v * v);
+    REQUIRE(factor >= bound.min);
+    REQUIRE(factor <= bound.max);
+    REQUIRE(deepest * deepest * k * bound.min <= v * v);
     if (k > 1) {
-      nearest_least = std::min(
-          nearest_least, oracle::nearest(Rational((factor - bound.least) / (1 - bound.least))));
-      nearest_most = std::min(nearest_most,
-                              oracle::nearest(Rational((bound.most - factor) / (bound.most - 1))));
+      nearest_least = std::min(nearest_least,
+                               oracle::nearest(Rational((factor - bound.min) / (1 - bound.min))));
+      nearest_most =
+          std::min(nearest_most, oracle::nearest(Rational((bound.max - factor) / (bound.max - 1))));
     }
   }
   // The bounds are sharp: some impacts come close to both.
@@ -290,8 +290,8 @@ TEST_CASE("a contact spring pulls in steps only with at_zero_penetration") {
       REQUIRE(free.approach == v + h * g);
       const auto next = contact::penalty_step<Rational>(scheme, now, spring, 1, h, g);
       REQUIRE(next.approach <= free.approach);
-      const auto glued =
-          contact::penalty_step<Rational>(scheme, now, spring, 1, h, g, LetGo::at_zero_penetration);
+      const auto glued = contact::penalty_step<Rational>(scheme, now, spring, 1, h, g,
+                                                         ContactRelease::at_zero_penetration);
       if (d < 0) {
         REQUIRE(next.approach == free.approach);
         REQUIRE(glued.approach == free.approach);
@@ -344,7 +344,8 @@ TEST_CASE("with shorter steps each scheme converges to the closed form, at first
   // step 16 times shorter it is at most a quarter.
   for (const PenaltyScheme scheme : kSchemes) {
     for (const double ratio : {0.0, 0.1, 0.4, 0.9}) {
-      for (const LetGo rule : {LetGo::at_zero_force, LetGo::at_zero_penetration}) {
+      for (const ContactRelease rule :
+           {ContactRelease::at_zero_force, ContactRelease::at_zero_penetration}) {
         const auto spring = contact::spring_damper(400.0, 2 * ratio * 20);
         const auto impact = contact::spring_impact(spring, 1.0, 1.0, rule);
         const auto off = [&](double h) {
@@ -355,7 +356,7 @@ TEST_CASE("with shorter steps each scheme converges to the closed form, at first
             deepest = std::max(deepest, state.penetration);
           }
           return std::abs(-state.approach - impact.restitution) +
-                 20 * std::abs(deepest - impact.greatest_depth);
+                 20 * std::abs(deepest - impact.max_depth);
         };
         const double coarse = off(1.0 / 4096);
         const double fine = off(1.0 / 65536);

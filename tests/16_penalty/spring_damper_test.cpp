@@ -13,8 +13,8 @@
 #include "support/refusal.hpp"
 #include "support/rounding.hpp"
 
+using contact::ContactRelease;
 using contact::DampingRegime;
-using contact::LetGo;
 using contact::SpringDamper;
 using generators::Random;
 using oracle::Rational;
@@ -46,8 +46,8 @@ TEMPLATE_TEST_CASE("the contact force is k d + c d', and a pull only with at_zer
     const S v = S(random.magnitude(-8, 8));
     const Rational first = oracle::exact(spring.stiffness) * oracle::exact(d);
     const Rational second = oracle::exact(spring.damping) * oracle::exact(v);
-    const S push = contact::contact_push(spring, d, v);
-    const S glued = contact::contact_push(spring, d, v, LetGo::at_zero_penetration);
+    const S push = contact::contact_force(spring, d, v);
+    const S glued = contact::contact_force(spring, d, v, ContactRelease::at_zero_penetration);
     REQUIRE(push >= S(0));
     if (d < S(0)) {
       ++gaps;
@@ -85,7 +85,7 @@ TEST_CASE("spring and damper take from the motion what they store and dissipate,
                              contact::contact_spring_energy<Rational>(spring, d + 100 - step)) /
                             (2 * step) * v;
     const Rational push =
-        contact::contact_push<Rational>(spring, d + 100, v, LetGo::at_zero_penetration);
+        contact::contact_force<Rational>(spring, d + 100, v, ContactRelease::at_zero_penetration);
     REQUIRE(push * v == stored + c * v * v);
   }
 }
@@ -124,7 +124,7 @@ TEMPLATE_TEST_CASE("the damping regime is decided exactly", "", float, double) {
     const Surd rate{0, 1 / oracle::exact(m), oracle::exact(spring.stiffness) * oracle::exact(m)};
     REQUIRE(oracle::exact(oracle::error(double(contact::damping_ratio(spring, m)), ratio)) <=
             5 * u<S>() * oracle::exact(oracle::nearest(ratio)) * Rational(101, 100));
-    REQUIRE(oracle::exact(oracle::error(double(contact::natural_rate(spring, m)), rate)) <=
+    REQUIRE(oracle::exact(oracle::error(double(contact::natural_frequency(spring, m)), rate)) <=
             3 * u<S>() * oracle::exact(oracle::nearest(rate)) * Rational(101, 100));
   }
   CHECK(close > generators::tried(500));

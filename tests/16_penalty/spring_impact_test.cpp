@@ -17,7 +17,7 @@
 #include "support/oracle.hpp"
 #include "support/refusal.hpp"
 
-using contact::LetGo;
+using contact::ContactRelease;
 using contact::SpringDamper;
 using generators::Random;
 using oracle::Interval;
@@ -157,11 +157,11 @@ TEST_CASE("restitution of a damping ratio, for both rules") {
     const Interval y = Interval(Rational(2), bits) * x * arc_over_sine(x, z < 1);
     const double most = middle(y);
     if (most < 700) {
-      REQUIRE(within(contact::restitution_of_damping(z, LetGo::at_zero_force), exp(-y),
+      REQUIRE(within(contact::restitution_of_damping(z, ContactRelease::at_zero_force), exp(-y),
                      (8 + 90 * most) * kUnit));
     }
-    const double glued = contact::restitution_of_damping(z, LetGo::at_zero_penetration);
-    REQUIRE(glued <= contact::restitution_of_damping(z, LetGo::at_zero_force));
+    const double glued = contact::restitution_of_damping(z, ContactRelease::at_zero_penetration);
+    REQUIRE(glued <= contact::restitution_of_damping(z, ContactRelease::at_zero_force));
     if (z > 1) {
       REQUIRE(glued == 0);
       continue;
@@ -171,10 +171,11 @@ TEST_CASE("restitution of a damping ratio, for both rules") {
       REQUIRE(within(glued, exp(-late), (8 + (90 + 6 / (1 - z)) * middle(late)) * kUnit));
     }
   }
-  for (const LetGo rule : {LetGo::at_zero_force, LetGo::at_zero_penetration})
+  for (const ContactRelease rule :
+       {ContactRelease::at_zero_force, ContactRelease::at_zero_penetration})
     CHECK(contact::restitution_of_damping(0.0, rule) == 1);
-  CHECK(contact::restitution_of_damping(1.0, LetGo::at_zero_penetration) == 0);
-  CHECK(within(contact::restitution_of_damping(1.0, LetGo::at_zero_force),
+  CHECK(contact::restitution_of_damping(1.0, ContactRelease::at_zero_penetration) == 0);
+  CHECK(within(contact::restitution_of_damping(1.0, ContactRelease::at_zero_force),
                exp(-Interval(Rational(2), 128)), 200 * kUnit));
 }
 
@@ -192,24 +193,27 @@ TEST_CASE("the damping ratio of a restitution is the inverse function") {
     const Interval l = -log(Interval(oracle::exact(e), 2400));
     const double room = 200 * (1 + middle(l)) * kUnit;
     // 2 ζ θ / sin θ increases with ζ: too small a little below, too large a little above.
-    const double z = contact::damping_ratio_for(e, LetGo::at_zero_force);
+    const double z = contact::damping_ratio_for(e, ContactRelease::at_zero_force);
     const Rational less = oracle::exact(z) * (1 - oracle::exact(room));
     const Rational more = oracle::exact(z) * (1 + oracle::exact(room));
     REQUIRE((exponent(less) - l).sign() == -1);
     REQUIRE((exponent(more) - l).sign() == 1);
 
     const Interval pi = Interval::pi(2400);
-    REQUIRE(within(contact::damping_ratio_for(e, LetGo::at_zero_penetration),
+    REQUIRE(within(contact::damping_ratio_for(e, ContactRelease::at_zero_penetration),
                    l / sqrt(pi * pi + l * l), 200 * kUnit));
   }
-  for (const LetGo rule : {LetGo::at_zero_force, LetGo::at_zero_penetration})
+  for (const ContactRelease rule :
+       {ContactRelease::at_zero_force, ContactRelease::at_zero_penetration})
     CHECK(contact::damping_ratio_for(1.0, rule) == 0);
-  CHECK(contact::damping_ratio_for(0.0, LetGo::at_zero_penetration) == 1);
+  CHECK(contact::damping_ratio_for(0.0, ContactRelease::at_zero_penetration) == 1);
   CHECK(refusal([] {
-          contact::damping_ratio_for(0.0, LetGo::at_zero_force);
+          contact::damping_ratio_for(0.0, ContactRelease::at_zero_force);
         }).find("restitution") != std::string::npos);
   for (const double e : {-0.5, 1.5, std::numeric_limits<double>::quiet_NaN()}) {
-    CHECK(!refusal([e] { contact::damping_ratio_for(e, LetGo::at_zero_penetration); }).empty());
+    CHECK(!refusal([e] {
+             contact::damping_ratio_for(e, ContactRelease::at_zero_penetration);
+           }).empty());
   }
   CHECK(!refusal([] { contact::spring_for_restitution(0.0, 1.0, 0.5); }).empty());
   CHECK(refusal([] { contact::spring_for_restitution(1.0, -1.0, 0.5); }).find("mass") !=
@@ -240,32 +244,32 @@ TEMPLATE_TEST_CASE("the formulas of an impact agree with the motion", "", float,
     const double room = 2000 * last(S(1)) * (1 + z);
     const double scale = double(v) / rate;
 
-    const auto free = contact::spring_impact(spring, m, v, LetGo::at_zero_force);
+    const auto free = contact::spring_impact(spring, m, v, ContactRelease::at_zero_force);
     const Motion deepest = at(free.time_of_depth);
     REQUIRE(std::abs(middle(deepest.speed)) <= room * double(v));
-    REQUIRE(std::abs(middle(deepest.place) - double(free.greatest_depth)) <= room * scale);
+    REQUIRE(std::abs(middle(deepest.place) - double(free.max_depth)) <= room * scale);
     const Motion end = at(free.duration);
     REQUIRE(std::abs(force(end)) <= room * double(m) * double(v) * rate * (1 + 2 * z));
     REQUIRE(std::abs(middle(end.speed) + double(free.restitution * v)) <= room * double(v));
     REQUIRE(std::abs(middle(end.place) - double(free.left_overlap)) <= room * scale);
     // At the greatest penetration the spring holds the fraction e of the kinetic energy before.
-    REQUIRE(std::abs(double(k) * double(free.greatest_depth) * double(free.greatest_depth) -
+    REQUIRE(std::abs(double(k) * double(free.max_depth) * double(free.max_depth) -
                      double(free.restitution) * double(m) * double(v) * double(v)) <=
             room * double(m) * double(v) * double(v));
 
     double most = double(c) * double(v);  // at the first touch
     for (int n = 1; n <= 16; ++n) {
       const Motion x = at(S(double(free.duration) * n / 16));
-      REQUIRE(force(x) >= -room * double(free.greatest_force));
-      REQUIRE(force(x) <= double(free.greatest_force) * (1 + room));
-      REQUIRE(middle(x.place) <= double(free.greatest_depth) * (1 + room));
+      REQUIRE(force(x) >= -room * double(free.max_force));
+      REQUIRE(force(x) <= double(free.max_force) * (1 + room));
+      REQUIRE(middle(x.place) <= double(free.max_depth) * (1 + room));
       most = std::max(most, force(x));
     }
     // Between two samples a sine exceeds the larger one by at most 1 − cos(π/32) of its amplitude.
-    REQUIRE(most >= double(free.greatest_force) * 0.99);
+    REQUIRE(most >= double(free.max_force) * 0.99);
 
-    const auto glued = contact::spring_impact(spring, m, v, LetGo::at_zero_penetration);
-    REQUIRE(glued.greatest_depth == free.greatest_depth);
+    const auto glued = contact::spring_impact(spring, m, v, ContactRelease::at_zero_penetration);
+    REQUIRE(glued.max_depth == free.max_depth);
     REQUIRE(glued.time_of_depth == free.time_of_depth);
     REQUIRE(glued.left_overlap == S(0));
     if (contact::damping_regime(spring, m) != contact::DampingRegime::underdamped) {
@@ -277,7 +281,7 @@ TEMPLATE_TEST_CASE("the formulas of an impact agree with the motion", "", float,
     const Motion out = at(glued.duration);
     REQUIRE(std::abs(middle(out.place)) <= 4 * room * scale);
     REQUIRE(std::abs(middle(out.speed) + double(glued.restitution * v)) <= 4 * room * double(v));
-    REQUIRE(force(out) <= room * double(free.greatest_force));  // then it pulls, or is 0
+    REQUIRE(force(out) <= room * double(free.max_force));  // then it pulls, or is 0
     // The velocities afterwards are those of an impulse with this restitution.
     const contact::Vector3<S> up(S(0), S(0), S(1));
     const auto bounced = contact::after_bounce<S>(up * S(-v), up, glued.restitution);
@@ -312,10 +316,10 @@ TEMPLATE_TEST_CASE("the numbers of an impact are within their error bounds", "",
     REQUIRE(within(double(free.restitution), exp(-y), room));
     REQUIRE(within(double(free.duration), lift(2) * arc / rate, room));
     REQUIRE(within(double(free.time_of_depth), arc / rate, room));
-    REQUIRE(within(double(free.greatest_depth), lift(oracle::exact(v)) / rate * exp(-(y / lift(2))),
-                   room));
+    REQUIRE(
+        within(double(free.max_depth), lift(oracle::exact(v)) / rate * exp(-(y / lift(2))), room));
     if (rest < 0) continue;
-    const auto glued = contact::spring_impact(spring, m, v, LetGo::at_zero_penetration);
+    const auto glued = contact::spring_impact(spring, m, v, ContactRelease::at_zero_penetration);
     const Interval turn = Interval::pi(bits);
     REQUIRE(within(double(glued.duration), turn / (rate * root), room));
     const Interval late = turn * ratio / root;
@@ -339,8 +343,9 @@ TEST_CASE("near critical damping the time of separation is that of the stored nu
         4 * oracle::exact(k) * oracle::exact(m) - oracle::exact(c) * oracle::exact(c);
     const Interval duration = Interval(Rational(2), 512) * Interval::pi(512) *
                               Interval(oracle::exact(m), 512) / sqrt(Interval(rest, 512));
-    REQUIRE(within(contact::spring_impact(spring, m, 1.0, LetGo::at_zero_penetration).duration,
-                   duration, 100 * kUnit));
+    REQUIRE(
+        within(contact::spring_impact(spring, m, 1.0, ContactRelease::at_zero_penetration).duration,
+               duration, 100 * kUnit));
   }
 }
 
@@ -362,8 +367,8 @@ TEST_CASE("an impact penetrates as much as its stiffness was chosen for") {
       const double c = 2 * ratio * std::sqrt(stiff) * std::sqrt(mass);
       const auto impact =
           contact::spring_impact(contact::spring_damper(stiff, c), mass, oracle::nearest(v));
-      REQUIRE(impact.greatest_depth <= depth * (1 + 100 * kUnit));
-      REQUIRE((ratio > 0 || impact.greatest_depth >= depth * (1 - 100 * kUnit)));
+      REQUIRE(impact.max_depth <= depth * (1 + 100 * kUnit));
+      REQUIRE((ratio > 0 || impact.max_depth >= depth * (1 - 100 * kUnit)));
     }
   }
 }
@@ -383,8 +388,8 @@ TEMPLATE_TEST_CASE("a jump on a trampoline", "", float, double) {
     const double deep = oracle::nearest(depth);
     const double room = 40 * last(S(1));
     REQUIRE(oracle::error(double(jump.sag), oracle::Surd{sag, 0, 0}) <= room * double(jump.sag));
-    REQUIRE(oracle::error(double(jump.greatest_depth), depth) <= room * deep);
-    REQUIRE(oracle::error(double(jump.greatest_force), depth * oracle::exact(k)) <=
+    REQUIRE(oracle::error(double(jump.max_depth), depth) <= room * deep);
+    REQUIRE(oracle::error(double(jump.max_force), depth * oracle::exact(k)) <=
             room * deep * double(k));
     REQUIRE(oracle::error(double(jump.air_time),
                           oracle::Surd{0, 2, 2 * oracle::exact(h) / oracle::exact(g)}) <=

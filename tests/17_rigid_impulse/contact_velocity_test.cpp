@@ -18,31 +18,35 @@ using Vector = Eigen::Vector3d;
 Exact exact_velocity(const Motion& body, const Vector& p, int k) {
   const int y = (k + 1) % 3;
   const int z = (k + 2) % 3;
-  const auto arm = [&](int i) { return Exact(p(i)) - Exact(body.centre(i)); };
-  return Exact(body.velocity(k)) + Exact(body.spin(y)) * arm(z) - Exact(body.spin(z)) * arm(y);
+  const auto lever_arm = [&](int i) { return Exact(p(i)) - Exact(body.centre(i)); };
+  return Exact(body.velocity(k)) + Exact(body.angular_velocity(y)) * lever_arm(z) -
+         Exact(body.angular_velocity(z)) * lever_arm(y);
 }
 
 void check_velocity(const Motion& body, const Vector& p) {
   Vector right;
   Vector bound;
-  const Vector arm = (p - body.centre).cwiseAbs();
-  const Vector spin = body.spin.cwiseAbs();
+  const Vector lever_arm = (p - body.centre).cwiseAbs();
+  const Vector angular_velocity = body.angular_velocity.cwiseAbs();
   for (int k = 0; k < 3; ++k) {
     const int y = (k + 1) % 3;
     const int z = (k + 2) % 3;
     right(k) = rounded<double>(exact_velocity(body, p, k));
     // Difference, product, difference, sum: 4 u of the terms, 1 u of the oracle's. Doubled.
-    bound(k) = 10 * 0x1p-53 * (std::abs(body.velocity(k)) + spin(y) * arm(z) + spin(z) * arm(y));
+    bound(k) = 10 * 0x1p-53 *
+               (std::abs(body.velocity(k)) + angular_velocity(y) * lever_arm(z) +
+                angular_velocity(z) * lever_arm(y));
   }
   ask("What is the velocity of the body's point at `point`?")
       .given("body", body)
       .given("point", p)
       .suspect("omega-cross-r-reversed",
                [&]() -> Vector {
-                 return body.velocity + Vector(Vector(p - body.centre).cross(body.spin));
+                 return body.velocity +
+                        Vector(Vector(p - body.centre).cross(body.angular_velocity));
                })
       .suspect("arm-from-origin",
-               [&]() -> Vector { return body.velocity + Vector(body.spin.cross(p)); })
+               [&]() -> Vector { return body.velocity + Vector(body.angular_velocity.cross(p)); })
       .suspect("spin-left-out", [&]() -> Vector { return body.velocity; })
       .answer([&] { return exercise::velocity_of_point(body, p); })
       .close_to(right, within(bound));
@@ -76,8 +80,8 @@ void check_closing(const Motion& a, const Motion& b, const Vector& p, const Vect
                   [&](const Closing& got) { return sign == 0 && got == Closing::approaching; })
       .suspect("other-body-at-rest",
                [&] {
-                 const double v =
-                     n.dot(Vector(a.velocity + Vector(a.spin.cross(Vector(p - a.centre)))));
+                 const double v = n.dot(
+                     Vector(a.velocity + Vector(a.angular_velocity.cross(Vector(p - a.centre)))));
                  return case_of((v > 0) - (v < 0));
                })
       .suspect("normal-from-a-to-b", [&] { return case_of(-sign); })
@@ -86,13 +90,13 @@ void check_closing(const Motion& a, const Motion& b, const Vector& p, const Vect
       .suspect("omega-cross-r-reversed",
                [&] {
                  return with([&](const Motion& m) -> Vector {
-                   return m.velocity - Vector(m.spin.cross(Vector(p - m.centre)));
+                   return m.velocity - Vector(m.angular_velocity.cross(Vector(p - m.centre)));
                  });
                })
       .suspect("arm-from-origin",
                [&] {
                  return with([&](const Motion& m) -> Vector {
-                   return m.velocity + Vector(m.spin.cross(p));
+                   return m.velocity + Vector(m.angular_velocity.cross(p));
                  });
                })
       .answer([&] { return exercise::closing(a, b, p, n); })

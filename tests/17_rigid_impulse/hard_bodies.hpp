@@ -28,8 +28,8 @@ contact::RigidBody<S> body(const Case& c, const std::string& name) {
   const double mass = c.number(name + "_mass");
   const auto position = convert<S>(c.vector(name + "_position"));
   const auto velocity = convert<S>(c.vector(name + "_velocity"));
-  const auto spin = convert<S>(c.vector(name + "_spin"));
-  if (mass == 0) return contact::immovable<S>(position, velocity, spin);
+  const auto angular_velocity = convert<S>(c.vector(name + "_angular_velocity"));
+  if (mass == 0) return contact::immovable<S>(position, velocity, angular_velocity);
   contact::Matrix3<S> turn = contact::Matrix3<S>::Identity();
   if (c.has("turn")) {
     const auto t = convert<S>(c.vector("turn"));
@@ -38,7 +38,7 @@ contact::RigidBody<S> body(const Case& c, const std::string& name) {
     turn(0, 1) = S(-t.y());
   }
   return contact::rigid_body_from_axes<S>(convert<S>(mass), convert<S>(c.vector(name + "_moments")),
-                                          turn, position, velocity, spin);
+                                          turn, position, velocity, angular_velocity);
 }
 
 template <class S>

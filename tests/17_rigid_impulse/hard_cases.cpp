@@ -54,14 +54,14 @@ void add_closing(hard_cases::Runner& runner) {
     return sign_of(at.normal.dot(a.velocity - b.velocity));
   });
   method("ω × r reversed", [](const Body& a, const Body& b, const auto& at) {
-    const V va = a.velocity - V(a.spin.cross(V(at.point - a.position)));
-    const V vb = b.velocity - V(b.spin.cross(V(at.point - b.position)));
+    const V va = a.velocity - V(a.angular_velocity.cross(V(at.point - a.position)));
+    const V vb = b.velocity - V(b.angular_velocity.cross(V(at.point - b.position)));
     return sign_of(at.normal.dot(va - vb));
   });
   method("float", [](const Body& a, const Body& b, const auto& at) {
     const auto speed = [&](const Body& x) {
       const Eigen::Vector3f r = at.point.template cast<float>() - x.position.cast<float>();
-      return Eigen::Vector3f(x.velocity.cast<float>() + x.spin.cast<float>().cross(r));
+      return Eigen::Vector3f(x.velocity.cast<float>() + x.angular_velocity.cast<float>().cross(r));
     };
     return sign_of(at.normal.template cast<float>().dot(speed(a) - speed(b)));
   });
@@ -86,12 +86,12 @@ void add_collision(hard_cases::Runner& runner, const std::string& question) {
   // The motion that the exact impulse gives, coordinate by coordinate.
   const auto judge = [](const Body& before, const Body& after, const Exactly& right) {
     const V velocity = oracle::nearest(right.velocity);
-    const V spin = oracle::nearest(right.spin);
+    const V angular_velocity = oracle::nearest(right.angular_velocity);
     const double v = before.velocity.norm() + velocity.norm();
-    const double w = before.spin.norm() + spin.norm();
+    const double w = before.angular_velocity.norm() + angular_velocity.norm();
     for (int k = 0; k < 3; ++k) {
       if (!close(after.velocity(k), velocity(k), std::ldexp(v, -36))) return false;
-      if (!close(after.spin(k), spin(k), std::ldexp(w, -36))) return false;
+      if (!close(after.angular_velocity(k), angular_velocity(k), std::ldexp(w, -36))) return false;
     }
     return true;
   };
@@ -118,7 +118,8 @@ void add_collision(hard_cases::Runner& runner, const std::string& question) {
            });
     method("no test",
            [push](const Body& a, const Body& b, const auto& at, double e, const Case&) -> Pair {
-             const double k = contact::response<double>(a, b, at.point, at.normal, at.normal);
+             const double k =
+                 contact::inverse_effective_mass<double>(a, b, at.point, at.normal, at.normal);
              return push(a, b, at, -(1 + e) * contact::normal_velocity(a, b, at) / k);
            });
     method("mass product",
@@ -129,8 +130,8 @@ void add_collision(hard_cases::Runner& runner, const std::string& question) {
              Body alone_a = a;
              Body alone_b = b;
              alone_a.inverse_mass = alone_b.inverse_mass = 0;
-             const double turn =
-                 contact::response<double>(alone_a, alone_b, at.point, at.normal, at.normal);
+             const double turn = contact::inverse_effective_mass<double>(alone_a, alone_b, at.point,
+                                                                         at.normal, at.normal);
              const double product = a.mass * b.mass;
              return push(a, b, at, -(1 + e) * v * product / (a.mass + b.mass + product * turn));
            });
@@ -179,8 +180,8 @@ void add_collision(hard_cases::Runner& runner, const std::string& question) {
              }
              const auto turned = [&](const Body& x, const char* moments) -> V {
                if (x.mass == 0) return V::Zero();
-               const V twist = V(at.point - x.position).cross(at.normal);
-               return contact::free_spin<double>(twist, c.vector(moments), turn);
+               const V moment = V(at.point - x.position).cross(at.normal);
+               return contact::free_angular_velocity<double>(moment, c.vector(moments), turn);
              };
              const double v = contact::normal_velocity(a, b, at);
              if (!(v < 0)) return {a, b};
@@ -193,9 +194,9 @@ void add_collision(hard_cases::Runner& runner, const std::string& question) {
              Body a2 = a;
              Body b2 = b;
              a2.velocity += at.normal * (j * a.inverse_mass);
-             a2.spin += by_a * j;
+             a2.angular_velocity += by_a * j;
              b2.velocity -= at.normal * (j * b.inverse_mass);
-             b2.spin -= by_b * j;
+             b2.angular_velocity -= by_b * j;
              return {a2, b2};
            });
   }
@@ -340,7 +341,7 @@ void add_energy(hard_cases::Runner& runner) {
          [](const K& k, double e, double mu) { return contact::stronge_impact(k, e, mu); });
 }
 
-const std::vector<contact::Corners> tetrahedron{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+const std::vector<contact::VertexIndices> tetrahedron{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
 
 std::vector<V> corners(const Case& c) {
   return {c.vector("p"), c.vector("q"), c.vector("r"), c.vector("s")};
@@ -376,11 +377,11 @@ void add_mesh(hard_cases::Runner& runner) {
 }
 
 void add_spin(hard_cases::Runner& runner) {
-  runner.question("spin", [](const Case& c) {
+  runner.question("angular_velocity", [](const Case& c) {
     const auto part = [&](auto f) {
       return hex(*oracle::nearest_value([&](unsigned bits) {
-        return f(
-            oracle::Interval(oracle::exact(c.number("spin")) * oracle::exact(c.number("h")), bits));
+        return f(oracle::Interval(
+            oracle::exact(c.number("angular_velocity")) * oracle::exact(c.number("h")), bits));
       }));
     };
     return Json{{"class", "c"},
@@ -389,8 +390,8 @@ void add_spin(hard_cases::Runner& runner) {
   });
   // The angle itself is rounded: u of it, and 2^-40 for all else.
   const auto method = [&runner](const char* name, auto step) {
-    runner.method("spin", name, [step](const Case& c, const Json& answer) {
-      const double w = c.number("spin");
+    runner.method("angular_velocity", name, [step](const Case& c, const Json& answer) {
+      const double w = c.number("angular_velocity");
       const double h = c.number("h");
       const M r = step(V(0, 0, w), h);
       const double room = 0x1p-40 + 8 * 0x1p-53 * std::abs(w * h);
@@ -420,10 +421,10 @@ void add_top(hard_cases::Runner& runner) {
         const auto number = [&](const char* name) {
           return oracle::Interval(oracle::exact(c.number(name)), bits);
         };
-        const auto x = number("across") * number("spin_across");
+        const auto x = number("transverse") * number("spin_across");
         const auto z = number("along") * number("spin_along");
         const auto size = sqrt(x * x + z * z);
-        return f(x / size, z / size, size * number("t") / number("across"));
+        return f(x / size, z / size, size * number("t") / number("transverse"));
       }));
     };
     return Json{{"class", "c"},
@@ -433,42 +434,42 @@ void add_top(hard_cases::Runner& runner) {
   });
   const auto method = [&runner](const char* name, auto turned) {
     runner.method("top", name, [turned](const Case& c, const Json& answer) {
-      const double across = c.number("across");
+      const double transverse = c.number("transverse");
       const double along = c.number("along");
-      const V momentum(across * c.number("spin_across"), 0, along * c.number("spin_along"));
+      const V momentum(transverse * c.number("spin_across"), 0, along * c.number("spin_along"));
       const V axis =
-          contact::matrix_of<double>(turned(momentum, across, along, c.number("t"))).col(2);
+          contact::matrix_of<double>(turned(momentum, transverse, along, c.number("t"))).col(2);
       const double room = 1e-3;
       return close(axis.x(), unhex(answer.at("x")), room) &&
              close(axis.y(), unhex(answer.at("y")), room) &&
              close(axis.z(), unhex(answer.at("z")), room);
     });
   };
-  using Rotor = contact::Rotor<double>;
+  using Q = contact::Quaternion<double>;
   const auto in_steps = [](auto step) {
-    return [step](const V& momentum, double across, double along, double t) {
-      Rotor q;
-      for (int i = 0; i < 64; ++i) q = step(q, momentum, V(across, across, along), t / 64);
+    return [step](const V& momentum, double transverse, double along, double t) {
+      Q q;
+      for (int i = 0; i < 64; ++i) q = step(q, momentum, V(transverse, transverse, along), t / 64);
       return q;
     };
   };
   const auto with_spin_of_start = [](auto step) {
-    return [step](const Rotor& q, const V& momentum, const V& moments, double h) {
+    return [step](const Q& q, const V& momentum, const V& moments, double h) {
       const M turned = contact::matrix_of(q);
-      return step(q, contact::free_spin<double>(momentum, moments, turned), h);
+      return step(q, contact::free_angular_velocity<double>(momentum, moments, turned), h);
     };
   };
-  method("quaternion", in_steps(with_spin_of_start([](const Rotor& q, const V& w, double h) {
+  method("quaternion", in_steps(with_spin_of_start([](const Q& q, const V& w, double h) {
            return contact::quaternion_step<double>(q, w, h);
          })));
-  method("exponential map", in_steps(with_spin_of_start([](const Rotor& q, const V& w, double h) {
+  method("exponential map", in_steps(with_spin_of_start([](const Q& q, const V& w, double h) {
            return contact::exponential_step<double>(q, w, h);
          })));
-  method("midpoint", in_steps([](const Rotor& q, const V& momentum, const V& moments, double h) {
+  method("midpoint", in_steps([](const Q& q, const V& momentum, const V& moments, double h) {
            return contact::midpoint_step<double>(q, momentum, moments, h);
          }));
-  method("book", [](const V& momentum, double across, double along, double t) {
-    return contact::free_top<double>({}, momentum, across, along, t);
+  method("book", [](const V& momentum, double transverse, double along, double t) {
+    return contact::free_top<double>({}, momentum, transverse, along, t);
   });
 }
 

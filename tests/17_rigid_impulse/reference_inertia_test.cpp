@@ -12,9 +12,9 @@
 #include "support/oracle.hpp"
 #include "support/refusal.hpp"
 
-using contact::Corners;
 using contact::Matrix3;
 using contact::Vector3;
+using contact::VertexIndices;
 using generators::Random;
 using oracle::Rational;
 using oracle::Vector;
@@ -38,9 +38,9 @@ Rational integral(const F& f, const Rational& a, const Rational& b) {
           32 * f(Rational(a + 3 * h)) + 7 * f(b));
 }
 
-const std::vector<Corners> box_triangles{{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6},
-                                         {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7},
-                                         {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+const std::vector<VertexIndices> box_triangles{{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6},
+                                               {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7},
+                                               {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
 
 std::vector<Vector> box_corners(const Vector& size, const Vector& centre, const Matrix& rotation) {
   std::vector<Vector> corners;
@@ -78,15 +78,15 @@ TEST_CASE("solids of revolution have the moments found by slicing, in exact frac
     };
     const auto weight = [](const Rational& s, const Rational&) { return s; };
     const auto along = [](const Rational& s, const Rational&) { return Rational(s * s / 2); };
-    const auto across = [](const Rational& s, const Rational& z) {
+    const auto transverse = [](const Rational& s, const Rational& z) {
       return Rational(s * (s / 4 + z * z));
     };
     const Matrix cylinder = contact::cylinder_inertia<Rational>(sum(weight, true, false), r, h);
     CHECK(cylinder(2, 2) == sum(along, true, false));
-    CHECK(cylinder(0, 0) == sum(across, true, false));
+    CHECK(cylinder(0, 0) == sum(transverse, true, false));
     const Matrix capsule = contact::capsule_inertia<Rational>(sum(weight, true, true), r, h);
     CHECK(capsule(2, 2) == sum(along, true, true));
-    CHECK(capsule(0, 0) == sum(across, true, true));
+    CHECK(capsule(0, 0) == sum(transverse, true, true));
     CHECK(capsule(1, 1) == capsule(0, 0));
     // Without its cylinder it is a sphere.
     const Rational m = positive(random);
@@ -119,8 +119,8 @@ TEST_CASE("a mesh of a box has the box's mass, centre of mass and tensor, in exa
     CHECK(contact::box_inertia<Rational>(got->mass, size)(0, 0) == by_hand);
   }
   // Inside out, flat, or nothing at all.
-  std::vector<Corners> reversed = box_triangles;
-  for (Corners& corners : reversed) std::swap(corners[0], corners[1]);
+  std::vector<VertexIndices> reversed = box_triangles;
+  for (VertexIndices& corners : reversed) std::swap(corners[0], corners[1]);
   const auto corners = box_corners({1, 1, 1}, {0, 0, 0}, Matrix::Identity());
   CHECK_FALSE(contact::mesh_mass<Rational>(1, corners, reversed).has_value());
   CHECK_FALSE(contact::mesh_mass<Rational>(1, box_corners({1, 1, 0}, {0, 0, 0}, Matrix::Identity()),
@@ -167,7 +167,7 @@ TEST_CASE("the parallel-axis theorem and composite bodies, in exact fractions") 
           m, corner + Vector(start + length / 2, 0, 0),
           contact::box_inertia<Rational>(m, {length, size.y(), size.z()})};
     };
-    const auto whole = contact::together<Rational>({part(left, 0), part(right, left)});
+    const auto whole = contact::combine<Rational>({part(left, 0), part(right, left)});
     REQUIRE(whole.has_value());
     CHECK(whole->mass == mass);
     CHECK(whole->centre == corner + Vector(size.x() / 2, 0, 0));
@@ -179,7 +179,7 @@ TEST_CASE("the parallel-axis theorem and composite bodies, in exact fractions") 
     const Vector added = contact::parallel_axis<Rational>(mass, d) * w;
     CHECK(w.dot(added) == mass * moved.dot(moved));
   }
-  CHECK_FALSE(contact::together<double>({}).has_value());
+  CHECK_FALSE(contact::combine<double>({}).has_value());
 }
 
 TEST_CASE("principal axes give the tensor back") {
@@ -228,7 +228,10 @@ TEST_CASE("constructions refuse bad input, naming it") {
                    contact::rigid_body<double>(1, one, zero, {nan, 0, 0}, zero);
                  }),
                  "velocity"));
-  CHECK(contains(refusal([&] { contact::immovable<double>(zero, zero, {0, inf, 0}); }), "spin"));
+  CHECK(contains(refusal([&] {
+                   contact::immovable<double>(zero, zero, {0, inf, 0});
+                 }),
+                 "angular_velocity"));
   CHECK(contains(refusal([&] {
                    contact::rigid_body_from_axes<double>(1, {1, 0, 1}, one, zero, zero, zero);
                  }),

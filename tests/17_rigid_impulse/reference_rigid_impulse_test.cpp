@@ -65,10 +65,13 @@ Matrix exact_matrix(const Matrix3<double>& m) {
 }
 
 Exactly exactly(const Body& b) {
-  return {oracle::exact(b.mass),         exact_matrix(b.inertia),
-          oracle::exact(b.inverse_mass), exact_matrix(b.inverse_inertia),
-          oracle::exact(b.position),     oracle::exact(b.velocity),
-          oracle::exact(b.spin)};
+  return {oracle::exact(b.mass),
+          exact_matrix(b.inertia),
+          oracle::exact(b.inverse_mass),
+          exact_matrix(b.inverse_inertia),
+          oracle::exact(b.position),
+          oracle::exact(b.velocity),
+          oracle::exact(b.angular_velocity)};
 }
 
 Rational energy(const Body& a, const Body& b) {
@@ -86,7 +89,8 @@ TEST_CASE("a frictionless collision conserves what it must, in exact fractions")
     Exactly b = rational_body(random);
     const bool against_moving = i % 5 == 0;
     const bool against_ground = i % 5 == 1;
-    if (against_moving) b = contact::immovable<Rational>(b.position, b.velocity, b.spin);
+    if (against_moving)
+      b = contact::immovable<Rational>(b.position, b.velocity, b.angular_velocity);
     if (against_ground) {
       b = contact::immovable<Rational>(b.position, Vector(0, 0, 0), Vector(0, 0, 0));
     }
@@ -117,7 +121,8 @@ TEST_CASE("a frictionless collision conserves what it must, in exact fractions")
       grounded += against_ground;
       CHECK(k1 <= k0);
       // The loss is ½ (1 − e²) v_n² / k, with k the inverse effective mass along n.
-      const Rational k = contact::response<Rational>(a, b, at.point, at.normal, at.normal);
+      const Rational k =
+          contact::inverse_effective_mass<Rational>(a, b, at.point, at.normal, at.normal);
       CHECK(k0 - k1 == (1 - e * e) * before * before / k / 2);
     }
   }
@@ -139,9 +144,9 @@ TEST_CASE("the inverse effective mass is the effect of one unit of impulse") {
     const Vector change = relative(contact::after_impulse<Rational>(a, in, p),
                                    contact::after_impulse<Rational>(b, Vector(-in), p)) -
                           relative(a, b);
-    CHECK(contact::response<Rational>(a, b, p, out, in) == out.dot(change));
-    CHECK(contact::response<Rational>(a, b, p, in, out) ==
-          contact::response<Rational>(a, b, p, out, in));
+    CHECK(contact::inverse_effective_mass<Rational>(a, b, p, out, in) == out.dot(change));
+    CHECK(contact::inverse_effective_mass<Rational>(a, b, p, in, out) ==
+          contact::inverse_effective_mass<Rational>(a, b, p, out, in));
   }
 }
 
@@ -154,8 +159,8 @@ TEST_CASE("a collision through the centres of mass is one without rotation") {
     const ContactPoint<Rational> at{b.position + n * positive(random), n};
     a.position = at.point + n * positive(random);
     const auto [a2, b2, impulse] = contact::collide<Rational>(a, b, at, Rational(1) / 2);
-    CHECK(a2.spin == a.spin);
-    CHECK(b2.spin == b.spin);
+    CHECK(a2.angular_velocity == a.angular_velocity);
+    CHECK(b2.angular_velocity == b.angular_velocity);
     CHECK(impulse ==
           Vector(n * contact::impulse_without_rotation<Rational>(a, b, at, Rational(1) / 2)));
   }
@@ -168,7 +173,7 @@ TEST_CASE("in floating point a collision conserves momentum to rounding, and mee
   for (int i = 0; i < 1500; ++i) {
     const Body a = body(random, std::ldexp(random.uniform(1, 2), random.integer(-40, 40)));
     Body b = body(random, std::ldexp(random.uniform(1, 2), random.integer(-40, 40)));
-    if (i % 7 == 0) b = contact::immovable<double>(b.position, b.velocity, b.spin);
+    if (i % 7 == 0) b = contact::immovable<double>(b.position, b.velocity, b.angular_velocity);
     const bool ground = i % 7 == 1;
     if (ground) {
       b = contact::immovable<double>(b.position, Vector3<double>::Zero(), Vector3<double>::Zero());
@@ -178,7 +183,7 @@ TEST_CASE("in floating point a collision conserves momentum to rounding, and mee
     const double e = random.uniform();
     const auto [a2, b2, impulse] = contact::collide<double>(a, b, at, e);
     if (contact::closing_case(a, b, at) != Closing::approaching) {
-      CHECK((a2.velocity == a.velocity && b2.spin == b.spin));
+      CHECK((a2.velocity == a.velocity && b2.angular_velocity == b.angular_velocity));
       continue;
     }
     ++met;
@@ -196,20 +201,21 @@ TEST_CASE("in floating point a collision conserves momentum to rounding, and mee
         CHECK(abs(drift(k)) <= oracle::exact(4 * u * scale));
       }
       const Vector3<double> o = Vector3<double>::Zero();
-      const Vector twist = contact::angular_momentum(exactly(a2), oracle::exact(o)) +
-                           contact::angular_momentum(exactly(b2), oracle::exact(o)) -
-                           contact::angular_momentum(exactly(a), oracle::exact(o)) -
-                           contact::angular_momentum(exactly(b), oracle::exact(o));
+      const Vector angular_impulse = contact::angular_momentum(exactly(a2), oracle::exact(o)) +
+                                     contact::angular_momentum(exactly(b2), oracle::exact(o)) -
+                                     contact::angular_momentum(exactly(a), oracle::exact(o)) -
+                                     contact::angular_momentum(exactly(b), oracle::exact(o));
       // Σ|r||p|, the rotations' Iω, and the angular impulses I I⁻¹ (r × J). The stored inverse is
       // off by 20 u of I⁻¹ (two products of three), so by 20 u times I's ratio of at most 20 of r ×
       // J.
       const auto turning = [](const Body& x) {
-        return x.position.norm() * x.mass * x.velocity.norm() + x.inertia.norm() * x.spin.norm();
+        return x.position.norm() * x.mass * x.velocity.norm() +
+               x.inertia.norm() * x.angular_velocity.norm();
       };
       const double arms = (at.point - a.position).norm() + (at.point - b.position).norm();
       const double angular =
           turning(a) + turning(a2) + turning(b) + turning(b2) + 20 * arms * impulse.norm();
-      for (int k = 0; k < 3; ++k) CHECK(abs(twist(k)) <= oracle::exact(40 * u * angular));
+      for (int k = 0; k < 3; ++k) CHECK(abs(angular_impulse(k)) <= oracle::exact(40 * u * angular));
     }
     if (b.mass > 0 || ground) {
       grounded += ground;
@@ -218,7 +224,7 @@ TEST_CASE("in floating point a collision conserves momentum to rounding, and mee
     const double fast = contact::normal_velocity(a2, b2, at);
     const double right = -e * contact::normal_velocity(a, b, at);
     const auto speed = [&](const Body& x) {
-      return x.velocity.norm() + x.spin.norm() * (at.point - x.position).norm();
+      return x.velocity.norm() + x.angular_velocity.norm() * (at.point - x.position).norm();
     };
     CHECK(std::abs(fast - right) <= 200 * u * (speed(a) + speed(b) + speed(a2) + speed(b2)));
   }
@@ -255,7 +261,7 @@ TEST_CASE("bodies do not close after a collision, however slow they were") {
     // The impulse is raised until v_n is not below 0, in doubling steps: by at most three times the
     // rounding of the velocities, as in the test above.
     const auto speed = [&](const Body& x) {
-      return x.velocity.norm() + x.spin.norm() * (at.point - x.position).norm();
+      return x.velocity.norm() + x.angular_velocity.norm() * (at.point - x.position).norm();
     };
     const Rational right =
         -oracle::exact(e) * contact::normal_velocity(exactly(a), exactly(b), exact_at);
@@ -286,12 +292,13 @@ TEST_CASE("a collision near overflow stays finite, and one near underflow separa
         Body b = body(random, 1);
         a.velocity *= speed / 8;
         b.velocity *= speed / 8;
-        a.spin *= speed / 64;
-        b.spin *= speed / 64;
+        a.angular_velocity *= speed / 64;
+        b.angular_velocity *= speed / 64;
         const ContactPoint<double> at{{random.uniform(-1, 1), random.uniform(-1, 1), 0},
                                       Vector3<double>::UnitZ()};
         const auto [a2, b2, impulse] = contact::collide<double>(a, b, at, e);
-        for (const Body& x : {a2, b2}) CHECK((x.velocity.allFinite() && x.spin.allFinite()));
+        for (const Body& x : {a2, b2})
+          CHECK((x.velocity.allFinite() && x.angular_velocity.allFinite()));
         if (!(impulse.norm() > 0) && speed < 1) continue;  // below the smallest number
         if (speed < 1) CHECK(contact::closing_case(a2, b2, at) != Closing::approaching);
       }
@@ -317,7 +324,7 @@ TEST_CASE("the closing case is exact for the numbers as stored") {
     for (Body* x : {&a, &b}) {
       for (int k = 0; k < 3; ++k) {
         x->velocity(k) = std::ldexp(x->velocity(k), scale);
-        x->spin(k) = std::ldexp(x->spin(k), scale);
+        x->angular_velocity(k) = std::ldexp(x->angular_velocity(k), scale);
       }
     }
     const Rational right = contact::normal_velocity(

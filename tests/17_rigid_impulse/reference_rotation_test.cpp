@@ -40,9 +40,10 @@ TEST_CASE("the exponential map rotates by the given angle") {
         contact::matrix_of(contact::exponential<double>(Vector3<double>(axis * angle)));
     // The axis is fixed; a vector perpendicular to it rotates by the angle.
     CHECK((m * axis - axis).norm() <= 64 * u);
-    const Vector3<double> across = axis.unitOrthogonal();
-    const Vector3<double> right = across * std::cos(angle) + axis.cross(across) * std::sin(angle);
-    CHECK((m * across - right).norm() <= 64 * u);
+    const Vector3<double> transverse = axis.unitOrthogonal();
+    const Vector3<double> right =
+        transverse * std::cos(angle) + axis.cross(transverse) * std::sin(angle);
+    CHECK((m * transverse - right).norm() <= 64 * u);
     const Vector3<double> v = direction(random);
     CHECK((contact::cross_matrix<double>(axis) * v - axis.cross(v)).norm() == 0);
   }
@@ -63,11 +64,11 @@ TEST_CASE(
     Matrix3<double> m = contact::matrix_of(start);
     const double h = t / steps;
     for (int i = 0; i < steps; ++i) {
-      const auto spin = contact::free_spin<double>(
+      const auto angular_velocity = contact::free_angular_velocity<double>(
           momentum, moments, method == 0 ? contact::orthonormalised(m) : contact::matrix_of(q));
-      if (method == 0) m = contact::matrix_step<double>(m, spin, h);
-      if (method == 1) q = contact::quaternion_step<double>(q, spin, h);
-      if (method == 2) q = contact::exponential_step<double>(q, spin, h);
+      if (method == 0) m = contact::matrix_step<double>(m, angular_velocity, h);
+      if (method == 1) q = contact::quaternion_step<double>(q, angular_velocity, h);
+      if (method == 2) q = contact::exponential_step<double>(q, angular_velocity, h);
       if (method == 3) q = contact::midpoint_step<double>(q, momentum, moments, h);
     }
     return ((method == 0 ? m : contact::matrix_of(q)) - right).norm();
@@ -85,17 +86,18 @@ TEST_CASE(
   const double h = 0x1p-16;
   const auto before = contact::matrix_of(contact::free_top<double>(start, momentum, 2, 1, t - h));
   const auto after = contact::matrix_of(contact::free_top<double>(start, momentum, 2, 1, t + h));
-  const Vector3<double> spin = contact::free_spin<double>(momentum, moments, right);
+  const Vector3<double> angular_velocity =
+      contact::free_angular_velocity<double>(momentum, moments, right);
   const Matrix3<double> slope = (after - before) / (2 * h);
   // h²/6 of the third derivative, at most (|L|/I)³ = 132 each, and u/h of rounding.
-  CHECK((slope - contact::cross_matrix<double>(spin) * right).norm() < 1e-7);
+  CHECK((slope - contact::cross_matrix<double>(angular_velocity) * right).norm() < 1e-7);
 }
 
 TEST_CASE("Euler's matrix grows and the quaternion lags as documented") {
   const double w = 3;
   const double h = 1.0 / 64;
   Matrix3<double> m = Matrix3<double>::Identity();
-  contact::Rotor<double> q;
+  contact::Quaternion<double> q;
   for (int i = 0; i < 64; ++i) {
     m = contact::matrix_step<double>(m, {0, 0, w}, h);
     q = contact::quaternion_step<double>(q, {0, 0, w}, h);

@@ -28,15 +28,15 @@ Contact contact_of(const Body& body, const Vector& point) {
   const Real y = Real(point.y()) - body.centre.y();
   const Real m = 1 / Real(body.mass);
   const Real i = 1 / Real(body.inertia);
-  return {body.velocity.x() - body.spin * y, body.velocity.y() + body.spin * x, m + y * y * i,
-          -x * y * i, m + x * x * i};
+  return {body.velocity.x() - body.angular_velocity * y,
+          body.velocity.y() + body.angular_velocity * x, m + y * y * i, -x * y * i, m + x * x * i};
 }
 
 Motion pushed(const Body& body, const Vector& point, Real t, Real n) {
   const Real x = Real(point.x()) - body.centre.x();
   const Real y = Real(point.y()) - body.centre.y();
   return {{double(body.velocity.x() + t / body.mass), double(body.velocity.y() + n / body.mass)},
-          double(body.spin + (x * n - y * t) / body.inertia)};
+          double(body.angular_velocity + (x * n - y * t) / body.inertia)};
 }
 
 /// The impulses of the impact, tangential and normal.
@@ -97,8 +97,8 @@ Motion by_law(const Body& body, const Vector& point, Real e, Real mu, Law law,
 void check(const Body& body, const Vector& point, double e, double friction) {
   const Contact c = contact_of(body, point);
   const bool sinks = c.sink < 0;
-  const Motion right =
-      sinks ? by_law(body, point, e, friction, Law::stronge) : Motion{body.velocity, body.spin};
+  const Motion right = sinks ? by_law(body, point, e, friction, Law::stronge)
+                             : Motion{body.velocity, body.angular_velocity};
   // At most four segments of some ten roundings. A rounding has the magnitude of the velocities,
   // and grows by at most the ratio of the largest inverse effective mass to the smallest that
   // occurs, det/k_tt = (1/m)(1/m + |r|²/I)/k_tt, or k_nn reduced by Coulomb friction.
@@ -107,7 +107,7 @@ void check(const Body& body, const Vector& point, double e, double friction) {
   const Real least = std::min(det / c.tt, std::max(pressed, Real(0x1p-6)));
   const Real worst = (c.nn + c.tt) / least * (1 + friction);
   const double speed =
-      body.velocity.norm() + std::abs(body.spin) * (1 + (point - body.centre).norm());
+      body.velocity.norm() + std::abs(body.angular_velocity) * (1 + (point - body.centre).norm());
   const auto room =
       double(64 * 0x1p-53L * worst * worst * speed * (1 + 1 / Real((point - body.centre).norm())));
   ask("What is the motion of the body after the impact with the floor?")
@@ -117,7 +117,8 @@ void check(const Body& body, const Vector& point, double e, double friction) {
       .given("friction", friction)
       .suspect_if("separating-pushed",
                   [&](const Motion& got) {
-                    return !sinks && std::isfinite(got.spin) && got.velocity != body.velocity;
+                    return !sinks && std::isfinite(got.angular_velocity) &&
+                           got.velocity != body.velocity;
                   })
       .suspect("newtons-restitution", [&] { return by_law(body, point, e, friction, Law::newton); })
       .suspect("poissons-restitution",

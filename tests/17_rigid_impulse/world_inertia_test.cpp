@@ -124,9 +124,9 @@ TEST_CASE("a quarter turn exchanges two moments") {
 }
 
 TEST_CASE("a plank at an oblique rotation") {
-  Matrix askew;
-  askew << 0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1;
-  check_world(diagonal(1, 8, 8.5), askew);
+  Matrix oblique;
+  oblique << 0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1;
+  check_world(diagonal(1, 8, 8.5), oblique);
   Matrix three;
   three << 2, -1, 2, 2, 2, -1, -1, 2, 2;
   check_world(diagonal(1, 8, 8.5), three / 3);

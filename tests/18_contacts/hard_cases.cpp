@@ -57,7 +57,7 @@ Problem<S> problem(const Case& c) {
     }
     body.position = vector(b, i + 2);
     body.velocity = vector(b, i + 5);
-    body.spin = contact::Vector3<S>(S(0), convert<S>(b[i + 8]), S(0));
+    body.angular_velocity = contact::Vector3<S>(S(0), convert<S>(b[i + 8]), S(0));
     p.bodies.push_back(body);
   }
   const std::vector<double> k = c.numbers("contacts");
@@ -71,11 +71,12 @@ Problem<S> problem(const Case& c) {
 bool right(const Case& c, const std::vector<RigidBody<double>>& got, const Json& answer) {
   double most = 0;
   for (const auto& body : problem<double>(c).bodies) {
-    most = std::max({most, body.velocity.cwiseAbs().maxCoeff(), body.spin.cwiseAbs().maxCoeff()});
+    most = std::max(
+        {most, body.velocity.cwiseAbs().maxCoeff(), body.angular_velocity.cwiseAbs().maxCoeff()});
   }
   std::size_t at = 0;
   for (const auto& body : got) {
-    for (const V& v : {body.velocity, body.spin}) {
+    for (const V& v : {body.velocity, body.angular_velocity}) {
       for (int i = 0; i < 3; ++i) {
         const double wanted = unhex(answer.at("motion").at(at++));
         if (!(std::abs(v(i) - wanted) <= std::ldexp(most, -30))) return false;
@@ -92,9 +93,9 @@ std::vector<RigidBody<double>> one_by_one(Problem<double> p, int rounds) {
       auto& a = p.bodies[static_cast<std::size_t>(c.a)];
       auto& b = p.bodies[static_cast<std::size_t>(c.b)];
       const double v = contact::contact_velocity(p.bodies, c);
-      const double k = contact::response<double>(a, b, c.point, c.normal, c.normal);
-      if (!(v < c.least_velocity) || k == 0) continue;
-      const V impulse = c.normal * ((c.least_velocity - v) / k);
+      const double k = contact::inverse_effective_mass<double>(a, b, c.point, c.normal, c.normal);
+      if (!(v < c.min_velocity) || k == 0) continue;
+      const V impulse = c.normal * ((c.min_velocity - v) / k);
       a = contact::after_impulse<double>(a, impulse, c.point);
       b = contact::after_impulse<double>(b, V(-impulse), c.point);
     }
@@ -106,10 +107,10 @@ std::vector<RigidBody<double>> one_by_one(Problem<double> p, int rounds) {
 std::vector<RigidBody<double>> glued(const Problem<double>& p) {
   std::vector<double> wanted;
   for (const auto& c : p.contacts) {
-    wanted.push_back(c.least_velocity - contact::contact_velocity(p.bodies, c));
+    wanted.push_back(c.min_velocity - contact::contact_velocity(p.bodies, c));
   }
-  const auto x =
-      contact::detail::solve_linear(contact::response_matrix(p.bodies, p.contacts), wanted);
+  const auto x = contact::detail::solve_linear(
+      contact::inverse_effective_mass_matrix(p.bodies, p.contacts), wanted);
   return x ? contact::after_normal_impulses(p.bodies, p.contacts, *x) : p.bodies;
 }
 
@@ -120,7 +121,7 @@ void add_impulses(hard_cases::Runner& runner) {
     Json motion = Json::array();
     if (x) {
       for (const auto& body : contact::after_normal_impulses(p.bodies, p.contacts, *x)) {
-        for (const Vector& v : {body.velocity, body.spin}) {
+        for (const Vector& v : {body.velocity, body.angular_velocity}) {
           for (int i = 0; i < 3; ++i) motion.push_back(hard_cases::hex(oracle::nearest(v(i))));
         }
       }

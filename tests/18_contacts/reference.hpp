@@ -85,11 +85,12 @@ inline Problem<double> down(const Problem<Rational>& p) {
   Problem<double> d;
   for (const Exactly& b : p.bodies) {
     d.bodies.push_back({down(b.mass), down(b.inertia), down(b.inverse_mass),
-                        down(b.inverse_inertia), down(b.position), down(b.velocity), down(b.spin)});
+                        down(b.inverse_inertia), down(b.position), down(b.velocity),
+                        down(b.angular_velocity)});
   }
   for (const auto& c : p.contacts) {
     d.contacts.push_back(
-        {c.a, c.b, down(c.point), down(c.normal), down(c.friction), down(c.least_velocity)});
+        {c.a, c.b, down(c.point), down(c.normal), down(c.friction), down(c.min_velocity)});
   }
   return d;
 }
@@ -101,11 +102,11 @@ inline Problem<Rational> exactly(const Problem<double>& d) {
     stored.bodies.push_back({oracle::exact(b.mass), shape_oracle::exact(b.inertia),
                              oracle::exact(b.inverse_mass), shape_oracle::exact(b.inverse_inertia),
                              oracle::exact(b.position), oracle::exact(b.velocity),
-                             oracle::exact(b.spin)});
+                             oracle::exact(b.angular_velocity)});
   }
   for (const auto& c : d.contacts) {
     stored.contacts.push_back({c.a, c.b, oracle::exact(c.point), oracle::exact(c.normal),
-                               oracle::exact(c.friction), oracle::exact(c.least_velocity)});
+                               oracle::exact(c.friction), oracle::exact(c.min_velocity)});
   }
   return stored;
 }

@@ -63,7 +63,7 @@ TEST_CASE("the direct solution, in fractions: complementarity, momentum, minimum
     const auto also = contact::after_normal_impulses(turned.bodies, turned.contacts, *again);
     for (std::size_t k = 0; k < after.size(); ++k) {
       CHECK(also[k].velocity == after[k].velocity);
-      CHECK(also[k].spin == after[k].spin);
+      CHECK(also[k].angular_velocity == after[k].angular_velocity);
     }
   }
   CHECK(pushes > tried(100));
@@ -74,7 +74,7 @@ TEST_CASE("simultaneous restitution conserves or loses energy, in fractions") {
   for (int i = 0; i < tried(100); ++i) {
     auto p = problem(random, 4, random.integer(1, 5));
     const Rational e = Rational(random.integer(0, 4)) / 4;
-    for (auto& c : p.contacts) c.least_velocity = -e * contact::contact_velocity(p.bodies, c);
+    for (auto& c : p.contacts) c.min_velocity = -e * contact::contact_velocity(p.bodies, c);
     const auto impulses = contact::complementary_impulses(p.bodies, p.contacts);
     REQUIRE(impulses.has_value());
     const auto after = contact::after_normal_impulses(p.bodies, p.contacts, *impulses);
@@ -99,7 +99,7 @@ TEST_CASE("a table on four legs, and problems without a solution") {
   CHECK(sum == 4);
   const auto after = contact::after_normal_impulses(bodies, legs, *impulses);
   CHECK(after[1].velocity == Vector(0, 0, 0));
-  CHECK(after[1].spin == Vector(0, 0, 0));
+  CHECK(after[1].angular_velocity == Vector(0, 0, 0));
   bodies[1] = contact::immovable<Rational>({0, 0, 1}, {0, 0, -1}, {0, 0, 0});
   CHECK_FALSE(contact::complementary_impulses(bodies, legs).has_value());
   const std::vector<BodyContact<Rational>> many(13, legs[0]);

@@ -45,7 +45,7 @@ TEST_CASE("without friction the iterations converge to the direct solution") {
     CHECK(got.report.last_change <= 1e-13);
     for (std::size_t k = 0; k < right.size(); ++k) {
       CHECK(oracle::error(got.bodies[k].velocity, right[k].velocity) <= 2e-9);
-      CHECK(oracle::error(got.bodies[k].spin, right[k].spin) <= 2e-9);
+      CHECK(oracle::error(got.bodies[k].angular_velocity, right[k].angular_velocity) <= 2e-9);
     }
   }
 }
@@ -57,14 +57,14 @@ TEST_CASE("after any number of iterations: no pull, friction in its cone, moment
     double friction = 0;
     for (auto& c : p.contacts) {
       c.friction = random.uniform(0, 1.5);
-      c.least_velocity = random.uniform(-0.5, 2);
+      c.min_velocity = random.uniform(-0.5, 2);
       friction = std::max(friction, c.friction);
     }
     const std::array<int, 4> counts{1, 2, 7, 300};
-    const int sweeps = counts[static_cast<std::size_t>(i % 4)];
+    const int iterations = counts[static_cast<std::size_t>(i % 4)];
     const double relaxation = i % 3 == 0 ? 1.8 : 1.0;
-    const auto got = contact::solve_contacts<double>(p.bodies, p.contacts, {},
-                                                     {sweeps, 0.0, relaxation, random.chance(0.5)});
+    const auto got = contact::solve_contacts<double>(
+        p.bodies, p.contacts, {}, {iterations, 0.0, relaxation, random.chance(0.5)});
     double pushed = 0;
     for (std::size_t k = 0; k < p.contacts.size(); ++k) {
       const auto& x = got.impulses[k];
@@ -78,7 +78,7 @@ TEST_CASE("after any number of iterations: no pull, friction in its cone, moment
     // product of the tensor and its stored inverse has an error of 1e2 u.
     double scale = pushed * 16;
     for (const Body& b : p.bodies) {
-      scale += b.mass * b.velocity.norm() * 16 + (b.inertia * b.spin).norm();
+      scale += b.mass * b.velocity.norm() * 16 + (b.inertia * b.angular_velocity).norm();
     }
     const double room = 400 * u * double(p.contacts.size() + 1) * scale;
     bool movable = true;
@@ -99,7 +99,7 @@ TEST_CASE("contacts add no energy, with friction and restitution") {
     const double e = i % 2 == 0 ? 0.0 : random.uniform(0, 1);
     for (auto& c : p.contacts) {
       c.friction = random.uniform(0, 1.5);
-      c.least_velocity = std::max(0.0, -e * contact::contact_velocity(p.bodies, c));
+      c.min_velocity = std::max(0.0, -e * contact::contact_velocity(p.bodies, c));
     }
     const auto got = contact::solve_contacts<double>(p.bodies, p.contacts, {},
                                                      {20000, 1e-12, 1.0, random.chance(0.5)});
@@ -116,11 +116,11 @@ TEST_CASE("without restitution no number of iterations adds energy") {
     auto p = down(problem(random, random.integer(2, 5), random.integer(1, 8)));
     for (auto& c : p.contacts) {
       c.friction = random.uniform(0, 1.5);
-      c.least_velocity = 0;
+      c.min_velocity = 0;
     }
-    for (const int sweeps : {1, 2, 3, 10}) {
-      const auto got =
-          contact::solve_contacts<double>(p.bodies, p.contacts, {}, {sweeps, 0.0, 1.0, i % 2 == 0});
+    for (const int iterations : {1, 2, 3, 10}) {
+      const auto got = contact::solve_contacts<double>(p.bodies, p.contacts, {},
+                                                       {iterations, 0.0, 1.0, i % 2 == 0});
       CHECK(energy(got.bodies) <= energy(p.bodies) * (1 + 1e-12));
     }
   }
@@ -144,7 +144,7 @@ Problem<double> mirrored(Random& random) {
     for (const double y : {-half.y(), half.y()})
       p.contacts.push_back({1, 0, V(x, y, 0), V(0, 0, 1), friction, 0});
   for (auto& c : p.contacts)
-    c.least_velocity = std::max(0.0, -e * contact::contact_velocity(p.bodies, c));
+    c.min_velocity = std::max(0.0, -e * contact::contact_velocity(p.bodies, c));
   for (std::size_t k = 3; k > 0; --k)
     std::swap(p.contacts[k], p.contacts[static_cast<std::size_t>(random.integer(0, int(k)))]);
   return p;
@@ -161,8 +161,8 @@ TEST_CASE("with Jacobi a symmetric box stays symmetric, in any order of contacts
     const Body& box = got.bodies[1];
     CHECK(got.report.last_change <= 1e-13);
     CHECK(std::abs(box.velocity.y()) <= 1e-12);
-    CHECK(std::abs(box.spin.x()) <= 1e-12);
-    CHECK(std::abs(box.spin.z()) <= 1e-12);
+    CHECK(std::abs(box.angular_velocity.x()) <= 1e-12);
+    CHECK(std::abs(box.angular_velocity.z()) <= 1e-12);
   }
 }
 
@@ -186,10 +186,11 @@ TEST_CASE("one contact without friction is the collision of rigid bodies") {
     const auto right = contact::collide<double>(a, b, {c.point, c.normal}, e);
     const double velocity = contact::contact_velocity(p.bodies, c);
     if (velocity >= 0) continue;
-    p.contacts[0].least_velocity = -e * velocity;
+    p.contacts[0].min_velocity = -e * velocity;
     const auto got = contact::solve_contacts(p.bodies, p.contacts);
     CHECK((got.bodies[static_cast<std::size_t>(c.a)].velocity - right.a.velocity).norm() <= 1e-12);
-    CHECK((got.bodies[static_cast<std::size_t>(c.b)].spin - right.b.spin).norm() <= 1e-12);
+    CHECK((got.bodies[static_cast<std::size_t>(c.b)].angular_velocity - right.b.angular_velocity)
+              .norm() <= 1e-12);
   }
 }
 
@@ -211,7 +212,7 @@ TEST_CASE(
     contact.b = 0;
     contact.point = V(0.5, y, 0);
     contact.normal = V(1, 0, 0);
-    contact.least_velocity = 1000;
+    contact.min_velocity = 1000;
     contacts.push_back(contact);
   }
   const auto solved = contact::solve_contacts<double>(bodies, contacts);

@@ -63,7 +63,7 @@ TEST_CASE("a box on a slope rests or slides, depending on the angle") {
     std::vector<contact::ShapedBody<double>> bodies{contact::ground<double>({up, 0})};
     bodies.push_back(contact::solid_box<double>(2, V(2, 2, 1), V(up * 0.5)));
     // Half of the slope's angle: its cosine is 3/√10.
-    bodies[1].orientation = contact::normalised(contact::Rotor<double>{3, V(0, -1, 0)});
+    bodies[1].orientation = contact::normalised(contact::Quaternion<double>{3, V(0, -1, 0)});
     bodies[1].motion = contact::rigid_body_from_axes<double>(
         2, bodies[1].moments, contact::matrix_of(bodies[1].orientation), V(up * 0.5), V(0, 0, 0),
         V(0, 0, 0));
@@ -73,7 +73,7 @@ TEST_CASE("a box on a slope rests or slides, depending on the angle") {
     for (int step = 0; step < 60; ++step) contact::step_contacts(bodies, memory);
     const double speed = friction == 0.8 ? 0.0 : 9.80665 * (0.6 - 0.5 * 0.8);
     CHECK((bodies[1].motion.velocity - V(-0.8, 0, -0.6) * speed).norm() < 6e-6);
-    CHECK(bodies[1].motion.spin.norm() < 6e-6);
+    CHECK(bodies[1].motion.angular_velocity.norm() < 6e-6);
   }
 }
 
@@ -101,7 +101,8 @@ TEST_CASE("equal starts give equal bits, and a ball rolls, bounces and comes to 
   }
   CHECK(std::abs(one[1].motion.position.z() - 1) < 1e-3);
   // Rolling without slip: v = ω × r.
-  const V contact_speed = one[3].motion.velocity + one[3].motion.spin.cross(V(0, 0, -0.5));
+  const V contact_speed =
+      one[3].motion.velocity + one[3].motion.angular_velocity.cross(V(0, 0, -0.5));
   CHECK(contact_speed.norm() < 1e-6);
   CHECK(std::abs(one[3].motion.position.z() - 0.5) < 1e-3);
 }

@@ -111,8 +111,8 @@ void add_fall(hard_cases::Runner& runner) {
           .position;
     };
   };
-  method("explicit Euler", by(Integrator::position_first));
-  method("symplectic Euler", by(Integrator::velocity_first));
+  method("explicit Euler", by(Integrator::explicit_euler));
+  method("symplectic Euler", by(Integrator::semi_implicit_euler));
   method("Verlet", by(Integrator::velocity_verlet));
   method("Runge–Kutta", by(Integrator::runge_kutta_4));
   method("book", [](const Case& c) {
@@ -153,8 +153,8 @@ void add_spring(hard_cases::Runner& runner) {
           .position;
     };
   };
-  method("explicit Euler", by(Integrator::position_first));
-  method("symplectic Euler", by(Integrator::velocity_first));
+  method("explicit Euler", by(Integrator::explicit_euler));
+  method("symplectic Euler", by(Integrator::semi_implicit_euler));
   method("Verlet", by(Integrator::velocity_verlet));
   method("Runge–Kutta", by(Integrator::runge_kutta_4));
   method("book", [](const Case& c) {

@@ -122,7 +122,7 @@ TEST_CASE("in a wedge of angle θ there are at most ⌈π/θ⌉ impacts without 
 namespace {
 
 /// The largest number of impacts in a wedge of 20 degrees, over 5,000 directions that lead into it.
-int most_impacts_at_twenty_degrees(double restitution, int allowed) {
+int max_impacts_at_twenty_degrees(double restitution, int allowed) {
   const double wedge = std::numbers::pi / 9;
   const std::vector<Plane<double>> walls{{{0, 0, 1}, 0},
                                          {{std::sin(wedge), 0, -std::cos(wedge)}, 0}};
@@ -141,10 +141,10 @@ int most_impacts_at_twenty_degrees(double restitution, int allowed) {
 }  // namespace
 
 TEST_CASE("with losses a wedge of angle θ can have more than ⌈π/θ⌉ impacts") {
-  CHECK(most_impacts_at_twenty_degrees(1, 1000) == 9);
-  CHECK(most_impacts_at_twenty_degrees(0.5, 1000) == 39);
+  CHECK(max_impacts_at_twenty_degrees(1, 1000) == 9);
+  CHECK(max_impacts_at_twenty_degrees(0.5, 1000) == 39);
   // Infinitely many: as many as are allowed.
-  CHECK(most_impacts_at_twenty_degrees(0.1, 1000) == 1000);
+  CHECK(max_impacts_at_twenty_degrees(0.1, 1000) == 1000);
 }
 
 TEST_CASE("simultaneous impacts are all handled, in the order of the list") {

@@ -30,7 +30,7 @@ TEST_CASE("brackets are free at one end and blocked at the other, down to neighb
     const auto bracket = contact::bisected(is_free, *slice, width);
     REQUIRE(bracket.free < wall);
     REQUIRE(bracket.blocked >= wall);
-    REQUIRE(bracket.looks == asked);
+    REQUIRE(bracket.tests == asked);
     if (width > 0) {
       REQUIRE(bracket.blocked - bracket.free <= width);
     } else {

@@ -33,8 +33,8 @@ void check(const Body& body, const Vector& acceleration, double step) {
         .suspect("half-a-t-squared", [&] { return moved(body, acceleration, step, 0.5); })
         .suspect("step-left-out", [&] { return moved(body, acceleration, 1, first ? 0 : 1); })
         .answer([&] {
-          return first ? exercise::position_first(body, acceleration, step)
-                       : exercise::velocity_first(body, acceleration, step);
+          return first ? exercise::explicit_euler(body, acceleration, step)
+                       : exercise::semi_implicit_euler(body, acceleration, step);
         })
         .close_to(moved(body, acceleration, step, first ? 0 : 1), within(room));
   }

@@ -14,7 +14,7 @@ using exercise::Ball;
 using exercise::Run;
 
 /// Its mistakes.
-enum class Way { heights_by_k, one_hop, no_zeno, finite_anyway, to_the_end, seconds, half };
+enum class Way { heights_by_k, one_bounce, no_zeno, finite_anyway, to_the_end, seconds, half };
 
 Run followed(const Ball& ball, double duration, double tolerance, int budget, Way way) {
   const Run steps{false, 0, 0, 0};
@@ -32,7 +32,7 @@ Run followed(const Ball& ball, double duration, double tolerance, int budget, Wa
     height *= shrink;
     if ((way == Way::seconds ? flight : height) <= tolerance) {
       run.error = height;
-      run.early = flight / (way == Way::one_hop ? 1 : 1 - ball.k);
+      run.early = flight / (way == Way::one_bounce ? 1 : 1 - ball.k);
       return run;
     }
     flight *= ball.k;
@@ -56,7 +56,7 @@ void check(const Ball& ball, double duration, double tolerance, int budget, cons
       .suspect("end-of-scene-ignored", like(Way::to_the_end))
       .suspect("height-times-k", like(Way::heights_by_k))
       .suspect("seconds-against-metres", like(Way::seconds))
-      .suspect("series-cut-after-one", like(Way::one_hop))
+      .suspect("series-cut-after-one", like(Way::one_bounce))
       .suspect("half-flights", like(Way::half))
       .suspect("first-impact-not-counted",
                [&right] {

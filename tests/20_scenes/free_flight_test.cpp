@@ -117,7 +117,7 @@ TEST_CASE("in float the error of every vertex of a rotating body is less than th
   for (int i = 0; i < generators::tried(200); ++i) {
     Scene scene = plan_scenes::empty(1, 0.5, 3, 1e-2);
     const double half = random.uniform(0.1, 2);
-    plan_scenes::box(scene, {half, half, half}, 1, any_vector(random, 10)).spin =
+    plan_scenes::box(scene, {half, half, half}, 1, any_vector(random, 10)).angular_velocity =
         any_vector(random, 20);
     const auto plan = contact::plan_scene(scene);
     const contact::Decision& precision = decision_on(plan, Effect::double_precision);
@@ -147,7 +147,7 @@ TEST_CASE("a constant angular velocity rotates as in steps of any length") {
     Scene scene = plan_scenes::empty(1, 0.5, 2, 1e-9);
     contact::SceneBody& cube =
         plan_scenes::box(scene, {0.5, 0.5, 0.5}, 1, Point::Zero(), any_vector(random, 2));
-    cube.spin = any_vector(random, 10);
+    cube.angular_velocity = any_vector(random, 10);
     REQUIRE(flies(scene));
     auto run = run_of(scene);
     PlanOptions options;
@@ -160,16 +160,17 @@ TEST_CASE("a constant angular velocity rotates as in steps of any length") {
               .cwiseAbs()
               .maxCoeff() <= 1e-12);
     CHECK((run->position(0) - steps->position(0)).norm() <= 1e-12);
-    CHECK(run->spin(0) == scene.bodies[0].spin);
+    CHECK(run->angular_velocity(0) == scene.bodies[0].angular_velocity);
   }
 }
 
 TEST_CASE("it stores the numbers that the plan needs, and no others") {
   const auto bytes = [](double tolerance, const Point& velocity, const Point& gravity,
-                        const Point& spin, const PlanOptions& options = {}) {
+                        const Point& angular_velocity, const PlanOptions& options = {}) {
     Scene scene = plan_scenes::empty(1, 0.5, 1, tolerance);
     scene.gravity = gravity;
-    plan_scenes::box(scene, {0.5, 0.5, 0.5}, 1, {1, 2, 3}, velocity).spin = spin;
+    plan_scenes::box(scene, {0.5, 0.5, 0.5}, 1, {1, 2, 3}, velocity).angular_velocity =
+        angular_velocity;
     const auto run = run_of(scene, options);
     run->advance(1);
     const Point right = Point(1, 2, 3) + velocity + gravity / 2;
@@ -211,7 +212,7 @@ TEST_CASE("bodies that may meet, or change their angular velocity, do not fly by
     CHECK_FALSE(flies(scene));
   }
   SECTION("an uneven body that spins about no axis of its own") {
-    scene.bodies[0].spin = {1, 1, 1};
+    scene.bodies[0].angular_velocity = {1, 1, 1};
     CHECK_FALSE(flies(scene));
   }
   SECTION("somebody asks for steps") {
@@ -225,13 +226,14 @@ TEST_CASE("float is not enough where only the rotation has too large an error") 
   Scene scene = plan_scenes::empty(1, 0, 100, 1e-3);
   contact::SceneBody& cube = plan_scenes::box(scene, {5, 5, 5}, 1, Point::Zero(), Point::Zero());
   REQUIRE_FALSE(plan_scenes::is_on(scene, Effect::double_precision));
-  cube.spin = {0, 0, 10};
+  cube.angular_velocity = {0, 0, 10};
   CHECK(plan_scenes::is_on(scene, Effect::double_precision));
 }
 
 TEST_CASE("float is not enough where a gyroscopic term changes an angular velocity") {
   Scene scene = plan_scenes::empty(1, 0, 1, 1e-2);
-  plan_scenes::box(scene, {0.5, 0.25, 0.125}, 1, Point::Zero(), Point::Zero()).spin = {1, 1, 1};
+  plan_scenes::box(scene, {0.5, 0.25, 0.125}, 1, Point::Zero(), Point::Zero()).angular_velocity = {
+      1, 1, 1};
   REQUIRE(plan_scenes::is_on(scene, Effect::gyroscopic_term));
   CHECK(plan_scenes::is_on(scene, Effect::double_precision));
   CHECK_FALSE(plan_scenes::is_on(scene, Effect::event_driven));

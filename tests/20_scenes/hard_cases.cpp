@@ -37,8 +37,8 @@ void add_pairs(hard_cases::Runner& runner) {
   runner.question("pair", [](const Case& c) {
     const oracle::Vector d = oracle::exact(c.vector("d"));
     const oracle::Vector w = oracle::exact(c.vector("w"));
-    const Rational reach = oracle::exact(c.number("reach"));
-    const oracle::Quadratic q{w.dot(w), 2 * d.dot(w), d.dot(d) - reach * reach};
+    const Rational radius_sum = oracle::exact(c.number("radius_sum"));
+    const oracle::Quadratic q{w.dot(w), 2 * d.dot(w), d.dot(d) - radius_sum * radius_sum};
     if (q.b >= 0 || (q.c > 0 && q.discriminant() < 0))
       return Json{{"class", "a"}, {"after", "never"}};
     if (q.c <= 0) return Json{{"class", "a"}, {"after", hard_cases::hex(0.0)}};
@@ -46,32 +46,33 @@ void add_pairs(hard_cases::Runner& runner) {
   });
   const auto method = [&runner](const char* name, auto time) {
     runner.method("pair", name, [time](const Case& c, const Json& answer) {
-      return same_time(time(c.vector("d"), c.vector("w"), c.number("reach")), answer);
+      return same_time(time(c.vector("d"), c.vector("w"), c.number("radius_sum")), answer);
     });
   };
   using V = Vector3<double>;
-  method("textbook root", [](const V& d, const V& w, double reach) {
+  method("textbook root", [](const V& d, const V& w, double radius_sum) {
     const double a = w.dot(w);
     const double b = 2 * d.dot(w);
-    const double disc = b * b - 4 * a * (d.dot(d) - reach * reach);
+    const double disc = b * b - 4 * a * (d.dot(d) - radius_sum * radius_sum);
     const double t = (-b - std::sqrt(disc)) / (2 * a);
     return disc >= 0 && t >= 0 ? t : contact::never;
   });
-  method("steps of a hundredth", [](const V& d, const V& w, double reach) {
+  method("steps of a hundredth", [](const V& d, const V& w, double radius_sum) {
     for (int i = 0; i <= 1000; ++i)
-      if (V(d + w * (i * 0.01)).norm() <= reach) return i * 0.01;
+      if (V(d + w * (i * 0.01)).norm() <= radius_sum) return i * 0.01;
     return contact::never;
   });
-  method("without the cross product", [](const V& d, const V& w, double reach) {
+  method("without the cross product", [](const V& d, const V& w, double radius_sum) {
     const double b = d.dot(w);
-    const double gap = d.dot(d) - reach * reach;
+    const double gap = d.dot(d) - radius_sum * radius_sum;
     if (!(b < 0)) return contact::never;
     if (gap <= 0) return 0.0;
     const double disc = b * b - w.dot(w) * gap;
     return disc < 0 ? contact::never : gap / (std::sqrt(disc) - b);
   });
-  method("book",
-         [](const V& d, const V& w, double reach) { return contact::meeting<3>(d, w, reach); });
+  method("book", [](const V& d, const V& w, double radius_sum) {
+    return contact::meeting<3>(d, w, radius_sum);
+  });
 }
 
 void add_walls(hard_cases::Runner& runner) {

@@ -124,7 +124,7 @@ TEST_CASE(
     const Vector3<double> a{0, 0, random.uniform(-12, 12)};
     const double reach = random.uniform(0.1, 2);
     if (d.norm() <= reach) continue;
-    const double got = contact::bent_meeting<3>(d, w, a, reach, false);
+    const double got = contact::accelerated_meeting<3>(d, w, a, reach, false);
     // In fractions: |d + w t + a t²/2|² − R².
     const auto f = [&](const Rational& t) {
       const oracle::Vector x =
@@ -143,7 +143,7 @@ TEST_CASE(
   }
   CHECK(met > tried(3000) / 30);
   // Thrown vertically upwards beside it, and back onto it: closed form 2 v / g.
-  const double back = contact::bent_meeting<3>({0, 0, 1}, {0, 0, 5}, {0, 0, -10}, 1, true);
+  const double back = contact::accelerated_meeting<3>({0, 0, 1}, {0, 0, 5}, {0, 0, -10}, 1, true);
   CHECK(std::abs(back - 1) <= 4 * u);
 }
 

@@ -205,7 +205,7 @@ TEST_CASE("a bouncing ball with e < 1 follows the closed form and then rests") {
       REQUIRE(run.counts().rest_error <= 9.81 * setup.cutoff * setup.cutoff / 8);
     }
     REQUIRE(run.advance(1000) == HardSphereEnd::reached);
-    CHECK(run.lies_on(0) == 0);
+    CHECK(run.rests_on(0) == 0);
     CHECK(run.velocity(0) == Vector3<double>(1, 0, 0));
     CHECK(run.position(0).z() == 0.5);
   }
@@ -219,15 +219,15 @@ TEST_CASE("a resting ball is hit, flies, and rests again") {
   setup.balls = {ball({0, 0, 0.5}, {0, 0, 0}), ball({-3, 0, 0.75}, {4, 0, 2})};
   HardSpheres<everything> run(setup);
   REQUIRE(run.advance(0.1) == HardSphereEnd::reached);
-  CHECK(run.lies_on(0) == 0);
-  CHECK(run.lies_on(1) == -1);
+  CHECK(run.rests_on(0) == 0);
+  CHECK(run.rests_on(1) == -1);
   Log log;
   REQUIRE(run.advance(20, no_limit, &log) == HardSphereEnd::reached);
   bool met = false;
   for (const auto& hit : log.hits) met = met || std::max(hit.ball, hit.partner) == 1;
   CHECK(met);
-  CHECK(run.lies_on(0) == 0);
-  CHECK(run.lies_on(1) == 0);
+  CHECK(run.rests_on(0) == 0);
+  CHECK(run.rests_on(1) == 0);
   CHECK(run.velocity(0).z() == 0);
   CHECK(largest_overlap(run, setup) <= 1e-12);
 }
@@ -328,8 +328,8 @@ TEST_CASE("an invalid setup is rejected with its fault") {
     }
     return "";
   };
-  const auto has = [](const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
+  const auto has = [](const std::string& text, const std::string& substep) {
+    return text.find(substep) != std::string::npos;
   };
   CHECK(refusal([](HardSphereSetup&) {}).empty());
   CHECK(has(refusal([](auto& s) { s.balls[1].mass = -1; }), "balls[1].mass = -1"));

@@ -17,14 +17,16 @@ struct Terms {
   double second = 1;     ///< share of B's path
   double direction = 1;  ///< −1: B's speed is subtracted
   double half = 0.5;     ///< of a h²
-  double spin = 1;
+  double angular_velocity = 1;
   bool strict = false;
 };
 
 double bounded(const Mover& a, const Mover& b, double h, const Terms& terms) {
   const double speeds = std::abs(a.speed + terms.direction * terms.second * b.speed);
   const double gained = terms.half * (a.acceleration + terms.second * b.acceleration);
-  const double turned = terms.spin * (a.spin * a.reach + terms.second * b.spin * b.reach);
+  const double turned =
+      terms.angular_velocity * (a.angular_velocity * a.bounding_radius +
+                                terms.second * b.angular_velocity * b.bounding_radius);
   return speeds * h + gained * h * h + turned * h;
 }
 
@@ -94,9 +96,9 @@ TEST_CASE("random pairs agree") {
   const auto mover = [&random] {
     const double speed = random.uniform(0.5, 20);
     const double acceleration = random.uniform(5, 100);
-    const double reach = random.uniform(0.1, 2);
-    const double spin = random.uniform(0.5, 15);
-    return Mover{speed, acceleration, reach, spin};
+    const double bounding_radius = random.uniform(0.1, 2);
+    const double angular_velocity = random.uniform(0.5, 15);
+    return Mover{speed, acceleration, bounding_radius, angular_velocity};
   };
   for (int asked = 0; asked < 300; ++asked) {
     const Mover a = mover();

@@ -91,17 +91,18 @@ TEST_CASE("a crowd's bound is as bad as the worst of its pairs, whichever it is"
             REQUIRE(pair.stiffness >= *made.stiffness);
             REQUIRE(pair.damping >= made.damping);
           } else {
-            REQUIRE(pair.restitution_least <= made.restitution);
-            REQUIRE(pair.restitution_most >= made.restitution);
+            REQUIRE(pair.min_restitution <= made.restitution);
+            REQUIRE(pair.max_restitution >= made.restitution);
           }
           const double core = contact::inner_radius(one.shape) + contact::inner_radius(other.shape);
           REQUIRE(pair.core <= core);
           const bool round = contact::is_ball(one) && (contact::is_ball(other) || pair.half_space);
           REQUIRE((!pair.round || round));
-          const double w = bounds.bodies[a].turning + (other.moves ? bounds.bodies[b].turning : 0);
+          const double w = bounds.bodies[a].surface_inverse_mass +
+                           (other.moves ? bounds.bodies[b].surface_inverse_mass : 0);
           REQUIRE(pair.closing >= std::sqrt(kinetic * w) * (1 - 1e-9));
-          const double slowness = 1 / one.mass + (other.moves ? 1 / other.mass : 0);
-          REQUIRE(pair.slowness >= slowness);
+          const double inverse_mass = 1 / one.mass + (other.moves ? 1 / other.mass : 0);
+          REQUIRE(pair.inverse_mass >= inverse_mass);
         }
       }
       CHECK(pair.soft == soft);
@@ -120,7 +121,7 @@ TEST_CASE("a crowd's decisions follow from the worst of its pairs") {
   CHECK(plan_scenes::is_on(scene, Effect::several_contacts));
   CHECK_FALSE(plan_scenes::is_on(scene, Effect::event_driven));
   // ω of the stiffest pair, two of 10⁴ N/m in a row: the soft ball and a hard one.
-  CHECK(contact::plan_scene(scene, stepped(1)).spring_part <=
+  CHECK(contact::plan_scene(scene, stepped(1)).spring_substep <=
         1 / (128 * std::sqrt(1e4 * (0.5 + 0.5))) * (1 + 1e-12));
   // Without gravity, elastic, smooth: one compliant body is enough to go in steps, and so is one
   // that is inelastic.

@@ -40,7 +40,7 @@ TEST_CASE("thickness and bounding radius of a shape, whichever side is longest")
     CHECK(inner_radius(contact::BoxShape{half}) == 1);
     CHECK(exact(outer_radius(contact::BoxShape{half})) * outer_radius(contact::BoxShape{half}) >=
           14);
-    CHECK(contact::spin_arm(contact::BoxShape{half}) >= 3.74);
+    CHECK(contact::rotation_radius(contact::BoxShape{half}) >= 3.74);
   }
   CHECK(inner_radius(contact::CapsuleShape{0.5, 2}) == 0.5);
   CHECK(outer_radius(contact::CapsuleShape{0.5, 2}) >= 2.5);
@@ -136,9 +136,9 @@ TEST_CASE("the moments of inertia of a body rotated in its own axes") {
     inertia(0, 2) = inertia(2, 0) = b;
     inertia(1, 1) = a + random.integer(-b, b);
     const contact::MomentRange range = contact::moment_range(inertia);
-    REQUIRE(range.least <= a - b);
-    REQUIRE(range.most >= a + b);
-    REQUIRE(range.most <= (a + b) * (1 + 1e-12));
+    REQUIRE(range.min <= a - b);
+    REQUIRE(range.max >= a + b);
+    REQUIRE(range.max <= (a + b) * (1 + 1e-12));
   }
 }
 
@@ -172,7 +172,8 @@ TEST_CASE("tunnelling: the end of a rod is faster than its centre, and a plate i
   // ¼ m and 0.05 m together are 0.6 m. At the speed of its energy all of it would move 0.47 m.
   const double h = 0.2;
   Scene rod = empty(0.5, 0, 1, 1e9);
-  plan_scenes::add(rod, contact::CapsuleShape{0.05, 1}, 1, Point::Zero()).spin = {4, 0, 0};
+  plan_scenes::add(rod, contact::CapsuleShape{0.05, 1}, 1, Point::Zero()).angular_velocity = {4, 0,
+                                                                                              0};
   ball(rod, 0.25, 1e6, {0, -std::sin(0.4) * 0.9, std::cos(0.4) * 0.9});
   CHECK_FALSE(contact::holds(
       decision(rod, Effect::continuous_detection, stepped(h)).tried.at(1).conditions.at(0)));
@@ -258,9 +259,9 @@ TEST_CASE("a body falls to a floor as far as its thickness allows, on a slope wi
   weak.gravity = {0, 0, -0x1p-11};
   CHECK(exact(contact::plan_scene(weak).speed) * contact::plan_scene(weak).speed >= 1);
   // The size of oblique gravity includes all of its components.
-  Scene askew = free_ball(0, 10, 1e-6);
-  askew.gravity = {3, 4, -12};
-  CHECK(contact::plan_scene(askew).speed >= 13 * 10);
+  Scene asymmetric = free_ball(0, 10, 1e-6);
+  asymmetric.gravity = {3, 4, -12};
+  CHECK(contact::plan_scene(asymmetric).speed >= 13 * 10);
   // A ball that starts within its floor still has all of its speed.
   Scene deep = dropped(0, -1e-6, 100, 0);
   deep.bodies[1].velocity = {0.1, 0, 0};
@@ -275,14 +276,15 @@ TEST_CASE("a body falls to a floor as far as its thickness allows, on a slope wi
 
 TEST_CASE("rotation is energy: of the largest moment of inertia, and with any friction") {
   Scene scene = empty(1, 0, 1, 1e-6);
-  box(scene, {1, 2, 3}, 1, Point::Zero()).spin = {2, 0, 0};  // about x the moment is 13/3
+  box(scene, {1, 2, 3}, 1, Point::Zero()).angular_velocity = {2, 0,
+                                                              0};  // about x the moment is 13/3
   ball(scene, 0.5, 1, {5, 0, 0}, {-2, 0, 0});
   const double twice = 13.0 / 3 * 4 + 4;
   CHECK(contact::plan_scene(scene).speed >= std::sqrt(twice) * (1 - 1e-9));
   Scene rolling = empty(0, 0x1p-40, 3, 1e-6);
   rolling.gravity = {0, 0, -8};
   wall(rolling, Point::UnitZ(), 0);
-  ball(rolling, 0.5, 1, {0, 0, 0.5}).spin = {0, 100, 0};
+  ball(rolling, 0.5, 1, {0, 0, 0.5}).angular_velocity = {0, 100, 0};
   ball(rolling, 0.5, 1, {5, 0, 0.5});
   CHECK(contact::plan_scene(rolling).pairs == 3);
 }

@@ -39,9 +39,9 @@ class PlainRun {
   }
 
   /// Runs to the end of the scene, or to so many impacts. Samples every body on the way.
-  void run(int most_hits) {
+  void run(int max_hits) {
     double now = 0;
-    for (int hits = 0; hits < most_hits; ++hits) {
+    for (int hits = 0; hits < max_hits; ++hits) {
       double soonest = scene_.duration - now;
       std::size_t first = x.size();
       std::size_t second = x.size();

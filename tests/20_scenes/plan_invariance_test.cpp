@@ -47,7 +47,7 @@ Scene crowded_scene(Random& random) {
     } else {
       const double other = random.uniform(0.1, 1);
       auto& box = plan_scenes::box(scene, {size, other, size}, mass, position, velocity);
-      if (!flat) box.spin = random_point(random, 2);
+      if (!flat) box.angular_velocity = random_point(random, 2);
     }
   }
   return scene;
@@ -120,7 +120,7 @@ TEST_CASE("a plan does not depend on the units, to the last bit for powers of tw
     for (auto& body : scaled.bodies) {
       body.position *= length;
       body.velocity *= length / time;
-      body.spin /= time;
+      body.angular_velocity /= time;
       body.mass *= mass;
       body.inertia *= mass * length * length;
       if (auto* ball = std::get_if<contact::BallShape>(&body.shape)) ball->radius *= length;

@@ -85,7 +85,7 @@ TEST_CASE("gravity: a table is level and supports exactly, in all digits") {
 TEST_CASE("rotation: an angular velocity about any axis, and of the smallest size") {
   for (int axis = 0; axis < 3; ++axis) {
     Scene scene = empty(1, 0, 5, 1e-6);
-    box(scene, {1, 2, 3}, 1, Point::Zero()).spin = smallest * Point::Unit(axis);
+    box(scene, {1, 2, 3}, 1, Point::Zero()).angular_velocity = smallest * Point::Unit(axis);
     at_edge(scene, Effect::rotation, 0, 1);
   }
 }
@@ -93,14 +93,14 @@ TEST_CASE("rotation: an angular velocity about any axis, and of the smallest siz
 TEST_CASE(
     "the third dimension: angular velocities of either sign, hulls, and any pair of several") {
   Scene flat = empty(1, 0.5, 2, 1e-6);
-  box(flat, {1, 2, 3}, 1, Point::Zero(), {1, 0.25, 0}).spin = {0, 0, 2};
+  box(flat, {1, 2, 3}, 1, Point::Zero(), {1, 0.25, 0}).angular_velocity = {0, 0, 2};
   ball(flat, 0.5, 1, {5, 0, 0});
   ball(flat, 0.5, 1, {5, 2, 0});
   off(flat, Effect::third_dimension);
   for (const double sign : {1.0, -1.0}) {
     for (int axis = 0; axis < 2; ++axis) {
       Scene spinning = flat;
-      spinning.bodies[0].spin(axis) = sign * smallest;
+      spinning.bodies[0].angular_velocity(axis) = sign * smallest;
       at_edge(spinning, Effect::third_dimension, 0, 2);
     }
     // Each of the balls meets all others; the last pair of all is level or not.
@@ -144,9 +144,9 @@ TEST_CASE("the gyroscopic term: every body counts, and all of the bound") {
   // Whichever is last.
   for (const bool first : {true, false}) {
     Scene scene = empty(1, 0, 2, 1e-3);
-    if (first) box(scene, {1, 2, 3}, 1, Point::Zero()).spin = {1, 2, 3};
-    box(scene, {1, 1, 1}, 1, {50, 0, 0}).spin = {1, 2, 3};
-    if (!first) box(scene, {1, 2, 3}, 1, Point::Zero()).spin = {1, 2, 3};
+    if (first) box(scene, {1, 2, 3}, 1, Point::Zero()).angular_velocity = {1, 2, 3};
+    box(scene, {1, 1, 1}, 1, {50, 0, 0}).angular_velocity = {1, 2, 3};
+    if (!first) box(scene, {1, 2, 3}, 1, Point::Zero()).angular_velocity = {1, 2, 3};
     at_edge(scene, Effect::gyroscopic_term, 2, 1);
     CHECK_FALSE(
         contact::holds(decision(scene, Effect::gyroscopic_term).tried.at(0).conditions.at(0)));
@@ -155,7 +155,7 @@ TEST_CASE("the gyroscopic term: every body counts, and all of the bound") {
   // size and the mass.
   for (const double size : {1.0, 0.125}) {
     Scene scene = empty(1, 0, 2, 1e-3);
-    box(scene, size * Point(1, 2, 3), 4, Point::Zero()).spin = {1, 2, 3};
+    box(scene, size * Point(1, 2, 3), 4, Point::Zero()).angular_velocity = {1, 2, 3};
     const double bound = decision(scene, Effect::gyroscopic_term).tried.at(2).conditions.at(1).left;
     const double right = size * std::sqrt(14.0) * 0.5 * 1.6 * 2.6 * 14 * 4;
     CHECK(std::abs(bound / right - 1) < 1e-12);
@@ -170,7 +170,7 @@ TEST_CASE("the tolerance is kept to the last bit where errors use all of it") {
     Scene scene = empty(1, 0, random.uniform(0.1, 1), 1);
     scene.gravity = {0, 0, -random.uniform(1e-4, 1e-3)};
     const Point axis = random.uniform(1e-3, 2e-3) * Point(1, 2, 3);
-    box(scene, {1, 2, 3}, 1, {3, 2, 1}, {1, 0, 0}).spin = axis;
+    box(scene, {1, 2, 3}, 1, {3, 2, 1}, {1, 0, 0}).angular_velocity = axis;
     const double all = contact::plan_scene(scene).error;
     const auto keeps = [&](double tolerance) {
       scene.tolerance.position = tolerance;

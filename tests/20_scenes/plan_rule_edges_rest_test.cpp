@@ -195,7 +195,7 @@ TEST_CASE("sleep: not at a speed that a short scene would show") {
     Scene scene = dropped(0, 0.01, duration, 1e-4);
     scene.materials[0].friction = 0.25;
     const Plan plan = contact::plan_scene(scene, stepped(0.01));
-    const double share = contact::sleeping_share(contact::plan_question(scene));
+    const double share = contact::sleeping_share(contact::plan_input(scene));
     CHECK(share == 0.5e-4);
     REQUIRE(plan.sleep_speed > 0);
     CHECK(exact(plan.sleep_speed) * exact(duration) <= exact(share) * (1 + Rational(1, 1000000)));
@@ -224,7 +224,7 @@ TEST_CASE("springs, bounces and sleep together keep the tolerance") {
 
 TEST_CASE("without gravity no bounce is left out, though bodies may be pressed together") {
   Scene scene = empty(0.5, 0, 2, 1e-3);
-  box(scene, {2, 0.1, 0.1}, 1e6, Point::Zero()).spin = {0, 0, 1};
+  box(scene, {2, 0.1, 0.1}, 1e6, Point::Zero()).angular_velocity = {0, 0, 1};
   ball(scene, 0.1, 1, {0.5, 0.25, 0});
   wall(scene, Point::UnitX(), -50);
   const Plan plan = contact::plan_scene(scene, stepped(0.01));
@@ -243,7 +243,7 @@ TEST_CASE("bounces are left out at the cutoff's height in a run that goes on in 
   const Plan plan = contact::plan_scene(dropped(0.5, 2, 10, 1e-6));
   const Decision& events = contact::decision_on(plan, Effect::event_driven);
   REQUIRE(events.on);
-  const double hop = 8 * plan.cutoff * plan.cutoff / 8;
-  CHECK(std::abs(events.error / hop - 1) <= 1e-12);
-  CHECK(std::abs(plan.rest_height / hop - 1) <= 1e-12);
+  const double bounce = 8 * plan.cutoff * plan.cutoff / 8;
+  CHECK(std::abs(events.error / bounce - 1) <= 1e-12);
+  CHECK(std::abs(plan.rest_height / bounce - 1) <= 1e-12);
 }

@@ -51,7 +51,7 @@ TEST_CASE("float: only numbers whose squares it holds, and all of its digits") {
   ball(endless, 0.5, 1, Point::Zero());
   at_edge(endless, Effect::double_precision, 0, 3);
   Scene whirling = empty(1, 0, 1e-22, 1e-3);
-  box(whirling, {1, 1, 1}, 1, Point::Zero()).spin = {0, 0, 1e19};
+  box(whirling, {1, 1, 1}, 1, Point::Zero()).angular_velocity = {0, 0, 1e19};
   at_edge(whirling, Effect::double_precision, 0, 3);
   Scene tiny = empty(1, 0, 1, 0x1p-81);
   ball(tiny, 0.5, 1, Point::Zero(), {1e-38, 0, 0});
@@ -64,14 +64,14 @@ TEST_CASE("float: only numbers whose squares it holds, and all of its digits") {
   Scene deep = free_ball(2e7, 1, 0.3);
   at_edge(deep, Effect::double_precision, 0, 1);
   Scene wide = empty(1, 0, 1, 0.3);
-  box(wide, Point::Constant(1e7), 1, Point::Zero()).spin = {0, 0, 1e-3};
+  box(wide, Point::Constant(1e7), 1, Point::Zero()).angular_velocity = {0, 0, 1e-3};
   ball(wide, 0.5, 1, {0, 0, 4e7});
   at_edge(wide, Effect::double_precision, 0, 1);
   Scene often = empty(1, 0, 1, 1e-3);
-  box(often, {1, 1, 1}, 1, Point::Zero()).spin = {0, 0, 1e5};
+  box(often, {1, 1, 1}, 1, Point::Zero()).angular_velocity = {0, 0, 1e5};
   ball(often, 0.5, 1, {0, 0, 4});
   at_edge(often, Effect::double_precision, 0, 1);
-  box(often, {1, 1, 1}, 1, {0, 0, 8}).spin = {0, 0, 1e-3};
+  box(often, {1, 1, 1}, 1, {0, 0, 8}).angular_velocity = {0, 0, 1e-3};
   at_edge(often, Effect::double_precision, 0, 1);
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("float: the errors of a flight and a rotation are below the bound, but
   Random random(45);
   constexpr double u = 0x1p-24;
   double most = 0;
-  double most_turned = 0;
+  double max_turned = 0;
   for (int trial = 0; trial < tried(4000); ++trial) {
     const double x = random.uniform(-1, 1);
     const double v = random.uniform(1, 2);
@@ -88,18 +88,19 @@ TEST_CASE("float: the errors of a flight and a rotation are below the bound, but
     const double size = std::abs(x) + v * t;
     most = std::max(most, std::abs(static_cast<double>(as_float) - (x + v * t)) / (u * size));
     const double fast = random.uniform(1, 20);
-    const Point spin = fast * Point(random.uniform(), 0.5, 0.25).normalized();
-    const contact::Vector3<float> half_turned = (spin.cast<float>() * static_cast<float>(t));
+    const Point angular_velocity = fast * Point(random.uniform(), 0.5, 0.25).normalized();
+    const contact::Vector3<float> half_turned =
+        (angular_velocity.cast<float>() * static_cast<float>(t));
     const auto turned = contact::matrix_of(contact::exponential<float>(half_turned));
-    const auto right = contact::matrix_of(contact::exponential<double>(spin * t));
+    const auto right = contact::matrix_of(contact::exponential<double>(angular_velocity * t));
     const Point corner = Point(1, 1, 1).normalized();
     const Point aside = (turned * corner.cast<float>()).cast<double>() - right * corner;
-    most_turned = std::max(most_turned, aside.norm() / (u * (1 + fast * t)));
+    max_turned = std::max(max_turned, aside.norm() / (u * (1 + fast * t)));
   }
-  CAPTURE(most, most_turned);
+  CAPTURE(most, max_turned);
   CHECK(most <= 16);
   CHECK(most > 2);
-  CHECK(most_turned <= 32);
+  CHECK(max_turned <= 32);
   // The rule's bounds on both: 16 and 32 of these.
   Scene moved = free_ball(0, 1.5, 1);
   moved.bodies[0].velocity = {3, 0, 0};
@@ -129,7 +130,7 @@ TEST_CASE("the horizon: a die on a floor, and balls that a spring throws up") {
   Scene die = dropped(1, 1, 30);
   die.bodies[1].shape = contact::BoxShape{{0.2, 0.25, 0.3}};
   die.bodies[1].inertia = contact::solid_inertia(die.bodies[1].shape, 1);
-  die.bodies[1].spin = {1, 2, 3};
+  die.bodies[1].angular_velocity = {1, 2, 3};
   at_edge(die, Effect::horizon, 0, 1);
   Scene column = dropped(0, 1, 30);
   ball(column, 0.5, 2, {0, 0, 3});
@@ -211,17 +212,17 @@ TEST_CASE("the horizon: the fastest body decides, by its speed or by the energy 
 
 TEST_CASE("the horizon: a rotating body may touch as early as its vertices arrive") {
   // A rod that rotates at 1 rad/s, 2.02 m long to each side, its centre one metre above a floor.
-  const auto first = [](double spin, bool both) {
+  const auto first = [](double angular_velocity, bool both) {
     Scene scene = empty(1, 0, 1000, 1e-6);
-    plan_scenes::add(scene, contact::CapsuleShape{0.25, 2}, 1, {0, 0, 1}, {0, 0, -0.125}).spin = {
-        spin, 0, 0};
+    plan_scenes::add(scene, contact::CapsuleShape{0.25, 2}, 1, {0, 0, 1}, {0, 0, -0.125})
+        .angular_velocity = {angular_velocity, 0, 0};
     if (both) {
-      plan_scenes::add(scene, contact::CapsuleShape{0.25, 2}, 1, {0, 6, 1}, {0, -1, 0}).spin = {
-          spin, 0, 0};
+      plan_scenes::add(scene, contact::CapsuleShape{0.25, 2}, 1, {0, 6, 1}, {0, -1, 0})
+          .angular_velocity = {angular_velocity, 0, 0};
     } else {
       wall(scene, Point::UnitZ(), -9);
     }
-    return contact::detail::first_touch(contact::plan_question(scene));
+    return contact::detail::first_touch(contact::plan_input(scene));
   };
   // Surfaces move at 2.25 m/s and more.
   for (const bool both : {false, true}) {
@@ -236,7 +237,7 @@ TEST_CASE("the horizon: a rotating body may touch as early as its vertices arriv
   over.gravity = {0, 0, -10};
   ball(over, 0.5, 0, Point::Zero());
   ball(over, 0.5, 1, {0, 0, 6});
-  CHECK(contact::detail::first_touch(contact::plan_question(over)) <= 1 + 1e-9);
+  CHECK(contact::detail::first_touch(contact::plan_input(over)) <= 1 + 1e-9);
 }
 
 TEST_CASE("the horizon: between two slopes an error grows e times in a third of the time v/g") {

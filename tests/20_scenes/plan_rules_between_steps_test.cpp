@@ -107,7 +107,8 @@ TEST_CASE("tunnelling: acceleration counts") {
 TEST_CASE("tunnelling: rotation counts") {
   const double h = 0.25;
   Scene scene = empty(0.5, 0, 1, 1e9);
-  plan_scenes::add(scene, contact::CapsuleShape{0.05, 1}, 1, Point::Zero()).spin = {4, 0, 0};
+  plan_scenes::add(scene, contact::CapsuleShape{0.05, 1}, 1, Point::Zero()).angular_velocity = {
+      4, 0, 0};
   ball(scene, 0.05, 1e6, {0, -0.479425538604203, 0.8775825618903728});  // at the angle ½ rad
   const Decision decision = plan_scenes::decision(scene, Effect::continuous_detection, stepped(h));
   CHECK(decision.on);

@@ -128,7 +128,7 @@ TEST_CASE("resting: until the last bounce of a ball, by its closed form") {
 
 TEST_CASE("resting: without gravity a rotating rod presses on a body that it pushes along") {
   Scene scene = empty(0, 0, 2, 1e-6);
-  box(scene, {2, 0.1, 0.1}, 1e6, Point::Zero()).spin = {0, 0, 1};
+  box(scene, {2, 0.1, 0.1}, 1e6, Point::Zero()).angular_velocity = {0, 0, 1};
   ball(scene, 0.1, 1, {0.5, 0.25, 0});
   at_edge(scene, Effect::resting, 0, 1);
   // It is hit at ½ m/s and leaves the rod's end at more than 2 m/s: pressed all the time.
@@ -136,7 +136,7 @@ TEST_CASE("resting: without gravity a rotating rod presses on a body that it pus
   run->advance(2);
   CHECK(run->velocity(1).norm() > 2);
   // A body that cannot rotate does not press.
-  scene.bodies[0].spin = Point::Zero();
+  scene.bodies[0].angular_velocity = Point::Zero();
   scene.bodies[1].position = {0, 0.25, 0};
   scene.bodies[1].velocity.y() = -1;
   off(scene, Effect::resting);
@@ -208,29 +208,29 @@ TEST_CASE("substeps of springs: from the tolerance, unless there is friction or 
   const contact::Plan plan = contact::plan_scene(soft(1e-3));
   const Decision& springs = contact::decision_on(plan, Effect::penalty_contact);
   // Half of the tolerance: v T (ω p)² (1/24 + (1 + ω T/π)/8).
-  const double part = plan.spring_part;
+  const double substep = plan.spring_substep;
   const double contacts = 1 + swing * 2 / 3.141592653589793;
   const double speed = contact::scene_bounds(soft(1e-3)).pairs[0].closing;
-  const double off = speed * 2 * std::pow(swing * part, 2) * (1.0 / 24 + contacts / 8);
+  const double off = speed * 2 * std::pow(swing * substep, 2) * (1.0 / 24 + contacts / 8);
   CHECK(std::abs(off / 0.5e-3 - 1) <= 1e-9);
   CHECK(std::abs(springs.error / off - 1) <= 1e-9);
   CHECK(springs.because.back().right == 1e-3);
   CHECK(notice_of(plan).find("by an estimate that keeps the tolerance") != std::string::npos);
   // A hundredth of the error for a tenth of the length. (A late hit dips by the tolerance, and is a
   // little faster for that.)
-  CHECK(std::abs(contact::plan_scene(soft(1e-5)).spring_part / part - 0.1) <= 1e-3);
+  CHECK(std::abs(contact::plan_scene(soft(1e-5)).spring_substep / substep - 0.1) <= 1e-3);
   // As long as they are for energy's sake.
   const auto is_longest = [&](double length) {
     return std::abs(length * 128 * swing - 1) <= 1e-12;
   };
-  CHECK(is_longest(contact::plan_scene(soft(10)).spring_part));
+  CHECK(is_longest(contact::plan_scene(soft(10)).spring_substep));
   CHECK(contact::plan_scene(soft(10)).error < 1);
 
   // More than a thousand a step, no position error allowed, a damper, friction: no estimate.
   const auto unclaimed = [&](const Scene& scene, const std::string& why) {
     const contact::Plan other = contact::plan_scene(scene);
     const Decision& decision = contact::decision_on(other, Effect::penalty_contact);
-    CHECK(is_longest(other.spring_part));
+    CHECK(is_longest(other.spring_substep));
     CHECK(decision.error == 0);
     CHECK_FALSE(contact::holds(decision.because.back()));
     CHECK_FALSE(contact::decision_on(other, Effect::step_size).proven);
@@ -250,7 +250,7 @@ TEST_CASE("substeps of springs: from the tolerance, unless there is friction or 
     scene.materials[0].stiffness = 2000;
     scene.materials[0].damping = 2;
     contact::Plan made = contact::plan_scene(scene);
-    made.spring_part /= shorter;
+    made.spring_substep /= shorter;
     const auto run = contact::scenes::make_run(scene, made);
     run->advance(1.2);
     return run->position(1).z();
@@ -278,7 +278,7 @@ TEST_CASE("rotation is energy where there is friction") {
   Scene scene = empty(0, 0.5, 3, 1e-6);
   scene.gravity = {0, 0, -8};
   wall(scene, Point::UnitZ(), 0);
-  ball(scene, 0.5, 1, {0, 0, 0.5}).spin = {0, 100, 0};
+  ball(scene, 0.5, 1, {0, 0, 0.5}).angular_velocity = {0, 100, 0};
   ball(scene, 0.5, 1, {5, 0, 0.5});
   const contact::Plan plan = contact::plan_scene(scene);
   CHECK(plan.pairs == 3);

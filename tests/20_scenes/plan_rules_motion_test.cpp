@@ -114,9 +114,9 @@ TEST_CASE("rotation: one ulp of friction turns a ball, and a corner turns a box"
   CHECK(std::abs(low.y()) > 0.1);
 
   Scene tumbling = empty(1, 0, 5, 1e-6);
-  box(tumbling, {1, 2, 3}, 1, Point::Zero()).spin = {0, 0, least};
+  box(tumbling, {1, 2, 3}, 1, Point::Zero()).angular_velocity = {0, 0, least};
   at_edge(tumbling, Effect::rotation, 0, 1);
-  tumbling.bodies[0].spin = Point::Zero();
+  tumbling.bodies[0].angular_velocity = Point::Zero();
   off(tumbling, Effect::rotation);
 
   // Flat on the floor two mirrors exclude rotation.
@@ -129,10 +129,10 @@ TEST_CASE("rotation: one ulp of friction turns a ball, and a corner turns a box"
 }
 
 TEST_CASE("the gyroscopic term: a box that is no cube tumbles, and within bounds does not") {
-  const auto spinning = [](const Point& half, const Point& spin, double duration,
+  const auto spinning = [](const Point& half, const Point& angular_velocity, double duration,
                            double tolerance) {
     Scene scene = empty(1, 0, duration, tolerance);
-    box(scene, half, 1, Point::Zero()).spin = spin;
+    box(scene, half, 1, Point::Zero()).angular_velocity = angular_velocity;
     return scene;
   };
   off(spinning({1, 1, 1}, {1, 2, 3}, 100, 1e-9), Effect::gyroscopic_term);
@@ -147,11 +147,11 @@ TEST_CASE("the gyroscopic term: a box that is no cube tumbles, and within bounds
   const Scene tumbling = spinning({1, 2, 3}, {1, 2, 3}, 2, 1e-3);
   at_edge(tumbling, Effect::gyroscopic_term, 2, 1);
   const auto& body = tumbling.bodies[0];
-  const Point momentum = body.inertia * body.spin;
-  contact::Rotor<double> turned;
+  const Point momentum = body.inertia * body.angular_velocity;
+  contact::Quaternion<double> turned;
   for (int k = 0; k < 2000; ++k)
     turned = contact::midpoint_step<double>(turned, momentum, body.inertia.diagonal(), 1e-3);
-  const auto steady = contact::exponential<double>(body.spin * 2);
+  const auto steady = contact::exponential<double>(body.angular_velocity * 2);
   const Point corner(1, 2, 3);
   const Point aside = contact::matrix_of(turned) * corner - contact::matrix_of(steady) * corner;
   const double off_by = std::sqrt(aside.dot(aside));
@@ -165,7 +165,7 @@ TEST_CASE("the gyroscopic term: a box that is no cube tumbles, and within bounds
 
 TEST_CASE("the third dimension: one ulp of velocity, of spin or of position leaves the plane") {
   Scene flat = empty(1, 0.5, 2, 1e-6);
-  box(flat, {1, 2, 3}, 1, Point::Zero(), {1, 0.25, 0}).spin = {0, 0, 2};
+  box(flat, {1, 2, 3}, 1, Point::Zero(), {1, 0.25, 0}).angular_velocity = {0, 0, 2};
   ball(flat, 0.5, 1, {5, 0, 0});
   off(flat, Effect::third_dimension);
   CHECK(plan_scenes::is_on(flat, Effect::second_dimension));
@@ -177,12 +177,12 @@ TEST_CASE("the third dimension: one ulp of velocity, of spin or of position leav
   moving.bodies[1].velocity.z() = -least;
   at_edge(moving, Effect::third_dimension, 0, 1);
   Scene spinning = flat;
-  spinning.bodies[0].spin.x() = least;
+  spinning.bodies[0].angular_velocity.x() = least;
   at_edge(spinning, Effect::third_dimension, 0, 2);
-  Scene askew = flat;
-  askew.bodies[0].orientation = contact::exponential<double>({1e-9, 0, 0});
-  at_edge(askew, Effect::third_dimension, 0, 3);
-  CHECK(contact::matrix_of(askew.bodies[0].orientation)(2, 1) != 0);
+  Scene asymmetric = flat;
+  asymmetric.bodies[0].orientation = contact::exponential<double>({1e-9, 0, 0});
+  at_edge(asymmetric, Effect::third_dimension, 0, 3);
+  CHECK(contact::matrix_of(asymmetric.bodies[0].orientation)(2, 1) != 0);
   Scene above = flat;
   above.bodies[1].position.z() = least;
   at_edge(above, Effect::third_dimension, 0, 4);
@@ -240,7 +240,7 @@ TEST_CASE("the third dimension: a box that does not span the plane is met at an 
 
 TEST_CASE("the gyroscopic term: its bound is for what touches nothing") {
   Scene scene = empty(1, 0, 2, 1e3);
-  box(scene, {1, 2, 3}, 1, Point::Zero()).spin = {1, 2, 3};
+  box(scene, {1, 2, 3}, 1, Point::Zero()).angular_velocity = {1, 2, 3};
   off(scene, Effect::gyroscopic_term);
   wall(scene, Point::UnitX(), -3);
   at_edge(scene, Effect::gyroscopic_term, 2, 0);

@@ -44,7 +44,7 @@ TEST_CASE("the broad phase is a question of cost: few bodies do without, many do
   off(spread(4), Effect::broad_phase);
   at_edge(spread(200), Effect::broad_phase, 0, 0);
   // From event to event the run tests all pairs as long as the plan says so.
-  const auto most = static_cast<int>(contact::cost::most_asked_by_all);
+  const auto most = static_cast<int>(contact::cost::max_balls_without_cells);
   off(spread(most), Effect::broad_phase);
   at_edge(spread(most + 1), Effect::broad_phase, 0, 0);
   for (const int n : {most, most + 1}) {
@@ -99,7 +99,7 @@ TEST_CASE("the horizon: off only where nothing spreads") {
   plan_scenes::wall(wedge, {-0.6, 0, 0.8}, 0);
   CHECK(plan_scenes::is_on(wedge, Effect::horizon));
   Scene die = floor;
-  plan_scenes::box(die, {0.2, 0.25, 0.3}, 1, {5, 0, 1}).spin = {1, 2, 3};
+  plan_scenes::box(die, {0.2, 0.25, 0.3}, 1, {5, 0, 1}).angular_velocity = {1, 2, 3};
   const contact::Plan plan = contact::plan_scene(die);
   CHECK(contact::decision_on(plan, Effect::horizon).on);
   CHECK_FALSE(contact::decision_on(plan, Effect::horizon).value);
@@ -214,10 +214,11 @@ TEST_CASE("from event to event: only if the events are bounded") {
   const Scene zeno = dropped(0.5, 2, 10, 0);
   at_edge(zeno, Effect::event_driven, 1, 5);
   CHECK(std::isinf(contact::bounce_at<double>(bounces, 10).bounces));
-  const Decision hops = plan_scenes::decision(dropped(0.5, 2, 10, 1e-6), Effect::event_driven);
-  CHECK(hops.on);
-  CHECK(hops.error > 0);
-  CHECK(hops.error <= 1e-6);
+  const Decision short_bounces =
+      plan_scenes::decision(dropped(0.5, 2, 10, 1e-6), Effect::event_driven);
+  CHECK(short_bounces.on);
+  CHECK(short_bounces.error > 0);
+  CHECK(short_bounces.error <= 1e-6);
 
   Scene rough = dropped(1, 2, 60);
   rough.bodies[1].velocity.x() = 1;
@@ -287,6 +288,6 @@ TEST_CASE("from event to event: only motions that have a formula between events"
   at_edge(corners, Effect::event_driven, 0, 0);
   // A box that tumbles and meets nothing.
   Scene tumbling = empty(1, 0, 2, 1e-6);
-  box(tumbling, {1, 2, 3}, 1, Point::Zero()).spin = {1, 2, 3};
+  box(tumbling, {1, 2, 3}, 1, Point::Zero()).angular_velocity = {1, 2, 3};
   at_edge(tumbling, Effect::event_driven, 0, 4);
 }

@@ -34,7 +34,7 @@ namespace {
 Scene tumbling_fall(double tolerance) {
   Scene scene = empty(1, 0, 0.5, tolerance);
   scene.gravity = {0, 0, -0x1p-10};
-  box(scene, {1, 2, 3}, 1, {3, 2, 1}, {1, 0, 0}).spin = {0.00125, 0.0025, 0.00375};
+  box(scene, {1, 2, 3}, 1, {3, 2, 1}, {1, 0, 0}).angular_velocity = {0.00125, 0.0025, 0.00375};
   return scene;
 }
 
@@ -141,14 +141,14 @@ TEST_CASE(
   };
   const double endless = std::numeric_limits<double>::infinity();
   const Scene alone = dropped(0.5, 2, 10, 1e-4);
-  const double hop = error(alone);
-  CHECK(hop > 0);
-  CHECK(hop <= 0.125e-4 * (1 + 1e-12));
+  const double bounce = error(alone);
+  CHECK(bounce > 0);
+  CHECK(bounce <= 0.125e-4 * (1 + 1e-12));
   // A wall perpendicular to the floor, however the ball hits it, changes nothing along the floor's
   // normal.
   Scene walled = alone;
   wall(walled, Point::UnitX(), -5);
-  CHECK(error(walled) == hop);
+  CHECK(error(walled) == bounce);
   CHECK(sleeping(walled) == 0.5e-4);
   // Obliquely it does, from below as from above; so does a rough one, and a second ball.
   for (const Point& slant : {Point(0.6, 0, 0.8), Point(0.6, 0, -0.8)}) {

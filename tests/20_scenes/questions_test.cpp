@@ -16,8 +16,8 @@
 namespace passing {
 #include "figures/passing.cpp"
 }
-namespace parting {
-#include "figures/parting.cpp"
+namespace divergence {
+#include "figures/divergence.cpp"
 }
 
 using contact::Effect;
@@ -99,7 +99,7 @@ KEY("closing-at-most") { return contact::scene_bounds(two_balls()).pairs.at(0).c
 
 KEY("bullet-step") {
   const Scene scene = book_scene("bullet_and_wall");
-  const contact::PlanQuestion q = contact::plan_question(scene);
+  const contact::PlanInput q = contact::plan_input(scene);
   return 1e6 * largest(0, 1, [&q](double h) {
            return contact::holds(contact::tunnelling_conditions(q, h).front());
          });
@@ -241,13 +241,13 @@ KEY("tight-step") {
 
 KEY("part-quickly") {
   const auto with_aim = [](double x, double y) {
-    parting::Input in;
+    divergence::Input in;
     in.from = {0.5, 1.6};
     in.to = {x, y};
     in.digits = 15;
     in.post = 0.3;
     in.shown = 40;
-    return parting::compute(in).quick;
+    return divergence::compute(in).quick;
   };
   double winning = 0;
   for (int k = 0; k < 40 && winning == 0; ++k) winning = with_aim(0.6 + 0.08 * k, 2.2);

@@ -96,8 +96,8 @@ std::vector<Place> places() {
         {"bodies[1].position" + end, [k](Scene& s) -> double& { return s.bodies[1].position(k); }});
     list.push_back(
         {"bodies[1].velocity" + end, [k](Scene& s) -> double& { return s.bodies[1].velocity(k); }});
-    list.push_back(
-        {"bodies[1].spin" + end, [k](Scene& s) -> double& { return s.bodies[1].spin(k); }});
+    list.push_back({"bodies[1].angular_velocity" + end,
+                    [k](Scene& s) -> double& { return s.bodies[1].angular_velocity(k); }});
     list.push_back({"bodies[0].shape.normal" + end, [k](Scene& s) -> double& {
                       return std::get<HalfSpaceShape>(s.bodies[0].shape).normal(k);
                     }});
@@ -153,8 +153,8 @@ TEST_CASE("Faults that a file cannot have are checked too") {
   scene.bodies[5].mass = 1;
   only(scene, "bodies[5].mass", "does not move");
   scene = sound();
-  scene.bodies[5].spin.x() = 1;
-  only(scene, "bodies[5].spin", "does not move");
+  scene.bodies[5].angular_velocity.x() = 1;
+  only(scene, "bodies[5].angular_velocity", "does not move");
   scene = sound();
   scene.bodies[1].material = 2;
   only(scene, "bodies[1].material", "one of the materials");

@@ -11,7 +11,7 @@
 #include "scene_texts.hpp"
 #include "support/generators.hpp"
 
-using contact::Rotor;
+using contact::Quaternion;
 using contact::Scene;
 using contact::SceneBody;
 using contact::Vector3;
@@ -26,7 +26,7 @@ using scene_texts::vector_of_any;
 namespace {
 
 /// The specimen with a ball's orientation in other words.
-Rotor<double> orientation_of(const nlohmann::json& said) {
+Quaternion<double> orientation_of(const nlohmann::json& said) {
   nlohmann::json scene = nlohmann::json::parse(text_in(root / "tests/20_scenes/specimen.json"));
   scene["bodies"][1]["orientation"] = said;
   return scene_from_text(scene.dump(), "scene.json").bodies[1].orientation;
@@ -40,7 +40,7 @@ TEST_CASE("Axis and angle: multiples of 90 degrees exactly, others as sine and c
   const std::array<std::array<double, 2>, 9> turns{
       {{0, 1}, {90, r}, {180, 0}, {270, -r}, {360, -1}, {-90, r}, {-180, 0}, {720, 1}, {-540, 0}}};
   for (const auto& [degrees, cosine] : turns) {
-    const Rotor<double> q = orientation_of({{"axis", {0, 0, 5}}, {"degrees", degrees}});
+    const Quaternion<double> q = orientation_of({{"axis", {0, 0, 5}}, {"degrees", degrees}});
     INFO(degrees);
     CHECK(std::abs(q.w - cosine) <= 2 * unit_roundoff);
     if (cosine == 0) CHECK(std::abs(q.v.z()) == 1);
@@ -53,8 +53,8 @@ TEST_CASE("Axis and angle: multiples of 90 degrees exactly, others as sine and c
     const double angle = random.uniform(-600, 600);
     const Vector3<double> axis = vector_of_any(random);
     const nlohmann::json list{axis.x(), axis.y(), axis.z()};
-    const Rotor<double> q = orientation_of({{"axis", list}, {"radians", angle}});
-    const Rotor<double> d =
+    const Quaternion<double> q = orientation_of({{"axis", list}, {"radians", angle}});
+    const Quaternion<double> d =
         orientation_of({{"axis", list}, {"degrees", angle * 180 / 3.141592653589793}});
     const Vector3<double> wanted = axis / axis.norm() * std::sin(angle / 2);
     // The angle is known to u of itself, half of it counts, and a few more roundings follow.

@@ -111,7 +111,7 @@ Scene any_scene(Random& random) {
       body.mass = std::abs(random.magnitude(-90, 90));
       body.inertia = contact::solid_inertia(body.shape, body.mass);
       body.velocity = vector_of_any(random);
-      body.spin = vector_of_any(random);
+      body.angular_velocity = vector_of_any(random);
     }
     scene.bodies.push_back(body);
   }
@@ -171,7 +171,8 @@ TEST_CASE("Where nothing is lost, a scene expects its initial energy") {
       double size = 0;
       for (const SceneBody& body : scene.bodies) {
         if (!body.moves) continue;
-        const Vector3<double> turned = contact::matrix_of(body.orientation).transpose() * body.spin;
+        const Vector3<double> turned =
+            contact::matrix_of(body.orientation).transpose() * body.angular_velocity;
         const double kinetic =
             body.mass * body.velocity.squaredNorm() / 2 + turned.dot(body.inertia * turned) / 2;
         const double height = -body.mass * scene.gravity.dot(body.position);

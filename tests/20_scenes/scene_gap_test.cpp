@@ -13,7 +13,7 @@ using contact::BoxShape;
 using contact::CapsuleShape;
 using contact::HalfSpaceShape;
 using contact::HullShape;
-using contact::Rotor;
+using contact::Quaternion;
 using contact::SceneBody;
 using contact::Vector3;
 using generators::Random;
@@ -168,7 +168,7 @@ TEST_CASE("The hull of a box's corners has the distances of the box") {
     const auto somewhere = [&](const contact::SceneShape& shape) {
       SceneBody body = body_of("body", shape, {0, 0, 0}, false);
       for (int k = 0; k < 3; ++k) body.position(k) = random.uniform(-1.5, 1.5);
-      Rotor<double>& turned = body.orientation;
+      Quaternion<double>& turned = body.orientation;
       turned.w = random.uniform(-1.0, 1.0);
       for (int k = 0; k < 3; ++k) turned.v(k) = random.uniform(-1.0, 1.0);
       const double length = std::sqrt(turned.w * turned.w + turned.v.squaredNorm());

@@ -79,7 +79,7 @@ inline bool same(const SceneBody& a, const SceneBody& b) {
          a.moves == b.moves && same(a.mass, b.mass) && same(a.inertia, b.inertia) &&
          same(a.position, b.position) && same(a.orientation.w, b.orientation.w) &&
          same(a.orientation.v, b.orientation.v) && same(a.velocity, b.velocity) &&
-         same(a.spin, b.spin);
+         same(a.angular_velocity, b.angular_velocity);
 }
 
 inline bool same(const SceneMaterial& a, const SceneMaterial& b) {

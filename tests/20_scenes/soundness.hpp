@@ -22,7 +22,7 @@ using generators::tried;
 using plan_scenes::Point;
 
 // A run in these tests is over when so many moves of bodies are.
-inline constexpr double most_moves = tried(4000);
+inline constexpr double max_moves = tried(4000);
 
 inline std::vector<Scene> scenes_of_the_book() {
   std::vector<Scene> scenes;
@@ -38,14 +38,15 @@ inline double comparable_time(const Scene& scene, const Plan& plan) {
   double end = scene.duration;
   const auto& horizon = contact::decision_on(plan, Effect::horizon);
   if (horizon.value) end = std::min(end, *horizon.value);
-  const double moves = horizon.on && !horizon.value ? most_moves / 8 : most_moves;
+  const double moves = horizon.on && !horizon.value ? max_moves / 8 : max_moves;
   const auto movers = static_cast<double>(std::count_if(
       scene.bodies.begin(), scene.bodies.end(), [](const auto& body) { return body.moves; }));
   const double step = plan.step > 0 ? plan.step : 1.0 / 60;
   return std::min(end, moves / movers * step);
 }
 
-inline bool same_lie(const contact::Rotor<double>& one, const contact::Rotor<double>& other) {
+inline bool same_lie(const contact::Quaternion<double>& one,
+                     const contact::Quaternion<double>& other) {
   return one.w == other.w && one.v == other.v;
 }
 
@@ -61,7 +62,8 @@ inline double farthest_apart(const Scene& scene, SceneRun& one, SceneRun& other,
       const double apart = (one.position(i) - other.position(i)).norm();
       farthest = std::max(farthest, apart);
       const bool ball = std::holds_alternative<contact::BallShape>(scene.bodies[i].shape);
-      if (one.velocity(i) != other.velocity(i) || one.spin(i) != other.spin(i) ||
+      if (one.velocity(i) != other.velocity(i) ||
+          one.angular_velocity(i) != other.angular_velocity(i) ||
           (!ball && !same_lie(one.orientation(i), other.orientation(i))))
         farthest = std::max(farthest, std::numeric_limits<double>::denorm_min());
     }

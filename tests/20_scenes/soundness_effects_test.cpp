@@ -23,7 +23,7 @@ using plan_scenes::Point;
 using soundness::all_physics;
 using soundness::comparable_time;
 using soundness::farthest_apart;
-using soundness::most_moves;
+using soundness::max_moves;
 using soundness::scenes_of_the_book;
 
 namespace {
@@ -66,7 +66,7 @@ double met_time(const Scene& scene, const Plan& plan, double most, double end, b
   const auto run = contact::scenes::make_run(scene, plan);
   const auto movers = static_cast<double>(std::count_if(
       scene.bodies.begin(), scene.bodies.end(), [](const auto& body) { return body.moves; }));
-  const double last = std::min(most, 40 * most_moves / movers * plan.step);
+  const double last = std::min(most, 40 * max_moves / movers * plan.step);
   const auto touched = [&] { return run->counts().contacts > 0 || run->counts().hits > 0; };
   double time = 0;
   while (time < last && !touched()) run->advance(time = std::min(last, time + plan.step));
@@ -156,7 +156,8 @@ Scene random_bodies(Random& random) {
       plan_scenes::add(scene, contact::CapsuleShape{half.x(), half.y()}, mass, at(1), velocity);
     else
       plan_scenes::box(scene, half, mass, at(half.z()), velocity);
-    if (!lies && random.chance(0.3)) scene.bodies.back().spin = Point(0, 0, random.uniform(-5, 5));
+    if (!lies && random.chance(0.3))
+      scene.bodies.back().angular_velocity = Point(0, 0, random.uniform(-5, 5));
   }
   return scene;
 }
@@ -242,7 +243,7 @@ Scene random_tumbling(Random& random, double tolerance) {
     auto& body = plan_scenes::box(scene, {a, b, 1}, 1, {far + 10 * i, far, -far}, {1, 0, 0});
     const double x = random.uniform(-1, 1);
     const double y = random.uniform(-1, 1);
-    body.spin = fast * Point(x, y, 0.5);
+    body.angular_velocity = fast * Point(x, y, 0.5);
   }
   return scene;
 }

@@ -161,7 +161,7 @@ Scene that_spreads(Random& random) {
 TEST_CASE("before the horizon a run that starts an ulp away is within the tolerance") {
   Random random(77);
   int asked = 0;
-  int parted_later = 0;
+  int diverged_later = 0;
   for (int i = 0; i < tried(400); ++i) {
     const Scene scene = that_spreads(random);
     const Plan plan = contact::plan_scene(scene);
@@ -182,8 +182,8 @@ TEST_CASE("before the horizon a run that starts an ulp away is within the tolera
       CHECK(apart_at(std::min(*horizon, 20.0) * eighth / 8) <= *scene.tolerance.position);
     ++asked;
     if (plan.step > 0 || *horizon > 5) continue;
-    if (apart_at(20 * *horizon) > *scene.tolerance.position) ++parted_later;
+    if (apart_at(20 * *horizon) > *scene.tolerance.position) ++diverged_later;
   }
   CHECK(asked > tried(300));
-  CHECK(parted_later > tried(8));  // the horizon is no safer than it has to be
+  CHECK(diverged_later > tried(8));  // the horizon is no safer than it has to be
 }

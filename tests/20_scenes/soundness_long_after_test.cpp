@@ -338,7 +338,8 @@ TEST_CASE(
       const double y = random.uniform(-size, size);
       return Point(x, y, random.uniform(-size, size));
     };
-    plan_scenes::box(scene, {0.4, 0.3, 0.2}, 1, Point::Constant(0.6), any(2)).spin = any(3);
+    plan_scenes::box(scene, {0.4, 0.3, 0.2}, 1, Point::Constant(0.6), any(2)).angular_velocity =
+        any(3);
     plan_scenes::ball(scene, 0.35, 1, Point::Constant(1.5), any(2));
     const auto gas = contact::scenes::make_run(scene, contact::plan_scene(scene));
     const double first = gas->energy();

@@ -209,7 +209,7 @@ TEST_CASE("bodies that fall together hit each other however slowly, and the run 
   squeezed->advance(5);
   const contact::SceneRunCounts counts = squeezed->counts();
   CHECK(counts.hits > 10);
-  CHECK(counts.parts < 20 * counts.steps);
+  CHECK(counts.substeps < 20 * counts.steps);
   squeezed->advance(10);
   CHECK(squeezed->counts().hits == counts.hits);
   CHECK(total_momentum(caught, *squeezed).head<2>().norm() <= 1e-9);
@@ -227,7 +227,7 @@ TEST_CASE("balls that roll on a floor hit each other however slowly") {
     Scene scene = with_gravity(e, 0.2, 2, 1e-2);
     plan_scenes::wall(scene, Point::UnitZ(), 0);
     auto& cue = plan_scenes::ball(scene, 0.1, 1, {0, 0, 0.1}, {v, 0, 0});
-    cue.spin = Point(0, v / 0.1, 0);
+    cue.angular_velocity = Point(0, v / 0.1, 0);
     plan_scenes::ball(scene, 0.1, 1, {0.2 + v * 0.5, 0, 0.1});
     auto run = run_of(scene);
     Hits hits;

@@ -46,7 +46,7 @@ TEST_CASE("the same scene gives the same bits, wherever the run is stopped on th
     other->advance(1);
     CHECK(bits_of(scene, *one) == bits_of(scene, *other));
     CHECK(one->counts().hits == other->counts().hits);
-    CHECK(one->counts().sweeps == other->counts().sweeps);
+    CHECK(one->counts().iterations == other->counts().iterations);
   }
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("state that no effect needs is not stored, and an effect that is off h
   plan_scenes::ball(smooth, 0.5, 1, {0.2, 0, 4});
   auto run = run_of(smooth, stepped(0.01));
   const std::size_t least = 4 * sizeof(double);  // in a plane
-  const std::size_t turning = least + sizeof(double) + sizeof(contact::Rotor<double>);
+  const std::size_t turning = least + sizeof(double) + sizeof(contact::Quaternion<double>);
   const std::size_t resting = sizeof(double) + sizeof(std::int32_t);
   for (const char* name : {"rotation", "springs", "broad phase"})
     CHECK_FALSE(has_stage(*run, name));
@@ -79,11 +79,11 @@ TEST_CASE("state that no effect needs is not stored, and an effect that is off h
   PlanOptions bare = stepped(0.01);
   bare.overrides.without = {Effect::sleeping, Effect::gravity, Effect::resting,
                             Effect::continuous_detection, Effect::restitution};
-  auto least_run = run_of(smooth, bare);
-  CHECK(least_run->bytes_per_body() == least);
+  auto min_run = run_of(smooth, bare);
+  CHECK(min_run->bytes_per_body() == least);
   for (const char* name :
        {"sleep", "waking", "gravity", "contact forces", "time of impact", "bounces"})
-    CHECK_FALSE(has_stage(*least_run, name));
+    CHECK_FALSE(has_stage(*min_run, name));
   bare.overrides.with = {Effect::rotation};
   CHECK(run_of(smooth, bare)->bytes_per_body() == turning);
   bare.overrides.without.erase(bare.overrides.without.begin());
@@ -137,7 +137,7 @@ TEST_CASE(
       const Point at = (1.25 * i) * along + (0.5 + 0.75 * (i % 2)) * up;
       plan_scenes::ball(scene, 0.5, 1, at - 4 * along);
       scene.bodies.back().velocity = (3 - i) * along + 0.5 * up;
-      scene.bodies.back().spin = (2.0 * i - 3) * across;
+      scene.bodies.back().angular_velocity = (2.0 * i - 3) * across;
     }
     PlanOptions options = stepped(0.01);
     auto few = run_of(scene, options);
@@ -159,14 +159,14 @@ TEST_CASE(
     "a smooth ball that moves in a plane or on a line keeps an angular velocity about any axis") {
   Scene scene = with_gravity(1, 0, 1, 1e-6);
   plan_scenes::wall(scene, Point::UnitZ(), 0);
-  plan_scenes::ball(scene, 0.5, 1, {0, 0, 2}).spin = {3, 4, 12};
+  plan_scenes::ball(scene, 0.5, 1, {0, 0, 2}).angular_velocity = {3, 4, 12};
   PlanOptions options = stepped(0.1);
   options.overrides.with = {Effect::rotation};
   for (const double speed : {0.0, 1.0}) {  // on a line, in a plane
     scene.bodies[1].velocity = {speed, 0, 0};
     auto run = run_of(scene, options);
     run->advance(1);
-    CHECK(run->spin(1) == scene.bodies[1].spin);
+    CHECK(run->angular_velocity(1) == scene.bodies[1].angular_velocity);
   }
 }
 
@@ -181,10 +181,10 @@ TEST_CASE("the gyroscopic term includes angular velocities where rotation is off
   CHECK(has_stage(*run, "rotation"));
   // One number for its position and one for its velocity, and two for angular velocities that two
   // mirrors exclude.
-  CHECK(run->bytes_per_body() == 4 * sizeof(double) + sizeof(contact::Rotor<double>));
+  CHECK(run->bytes_per_body() == 4 * sizeof(double) + sizeof(contact::Quaternion<double>));
   run->advance(1);
   CHECK((run->position(1) - Point(0, 0, 0.3)).norm() <= 1e-9);
-  CHECK(run->spin(1).norm() <= 1e-9);
+  CHECK(run->angular_velocity(1).norm() <= 1e-9);
 }
 
 TEST_CASE("an effect that is proven inactive gives the same bits when it is forced on") {

@@ -60,7 +60,7 @@ Scene lattice_of(int count, const Point& gravity, const Add& add) {
     const Point cell(k % side, k / side % side, k / side / side);
     contact::SceneBody& body = add(scene, (cell + Point::Constant(0.5)) * 1.4);
     body.velocity = any_direction(random) * 2;
-    body.spin = any_direction(random);
+    body.angular_velocity = any_direction(random);
   }
   return scene;
 }
@@ -217,8 +217,10 @@ TEST_CASE("thin plates that a hit rotates fast do not rotate through each other"
   for (const std::size_t others : {0, 63}) {
     CAPTURE(others);
     Scene scene = plan_scenes::empty(0, 0.3, 0.05, 1e-3);
-    plan_scenes::box(scene, {0.002, 0.3, 0.2}, 1, {-0.5, 0, 0}, {100, 0, 0}).spin = {0, 0.9, 0.6};
-    plan_scenes::box(scene, {0.002, 0.3, 0.2}, 1, {0.5, 0, 0}, {-100, 0, 0}).spin = {0, -0.6, 0.4};
+    plan_scenes::box(scene, {0.002, 0.3, 0.2}, 1, {-0.5, 0, 0}, {100, 0, 0}).angular_velocity = {
+        0, 0.9, 0.6};
+    plan_scenes::box(scene, {0.002, 0.3, 0.2}, 1, {0.5, 0, 0}, {-100, 0, 0}).angular_velocity = {
+        0, -0.6, 0.4};
     for (std::size_t k = 0; k < others; ++k)
       plan_scenes::ball(scene, 0.1, 1, {100, static_cast<double>(k), 0});
     const auto run = run_of(scene);
@@ -247,7 +249,7 @@ TEST_CASE("plates meet at their edges, though their angular velocities change wi
       auto& plate = plan_scenes::box(scene, {0.25, 0.25, half}, 1, Point(side, 0, 0) + aside,
                                      Point(-4 * side, 0, 0));
       plate.orientation = contact::exponential<double>(any_direction(random) * 3.0);
-      plate.spin = any_direction(random) * 50;
+      plate.angular_velocity = any_direction(random) * 50;
     }
     const auto run = run_of(scene);
     const double energy = run->energy();

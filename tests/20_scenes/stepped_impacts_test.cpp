@@ -43,7 +43,7 @@ TEST_CASE("hits of an unfinished step are reported at the end, with their time")
   run->advance(0.475, std::numeric_limits<std::uint64_t>::max(), &hits);
   CHECK(hits.times.empty());
   CHECK(run->counts().hits == 1);
-  run->tell_unfinished(hits);
+  run->report_unfinished(hits);
   REQUIRE(hits.times.size() == 1);
   CHECK(std::abs(hits.times[0] - std::sqrt(0.2)) <= 1e-12);
 }
@@ -103,7 +103,7 @@ TEST_CASE("a ball between two walls hits as often as its speed says, however lon
       plan_scenes::wall(scene, Point(1, 0, 0), -0.101);
       plan_scenes::wall(scene, Point(-1, 0, 0), -0.101);
       plan_scenes::ball(scene, 0.1, 1, Point::Zero(), Point(10, 0, 0));
-      scene.bodies.back().spin = Point(0, 0, friction > 0 ? 1 : 0);
+      scene.bodies.back().angular_velocity = Point(0, 0, friction > 0 ? 1 : 0);
       const auto run = run_of(scene, stepped(step));
       const double first = run->energy();
       run->advance(0.29995);  // 2.9995 m of motion: between two hits
@@ -162,7 +162,7 @@ TEST_CASE("a step with more impacts than are taken one by one ends, and is count
   const auto run = run_of(scene, stepped(1.0 / 60));
   const double energy = run->energy();
   run->advance(1.0 / 60);
-  CHECK(run->counts().most_impacts == 64);
+  CHECK(run->counts().max_impacts == 64);
   CHECK(run->counts().crowded_steps == 1);
   CHECK(run->counts().hits >= 64);
   CHECK(std::abs(run->energy() - energy) <= 1e-12 * energy);
@@ -180,7 +180,7 @@ TEST_CASE("long boxes in a narrow room conserve energy, however often they hit i
     Random random(31);
     for (int k = 0; k < count; ++k) {
       const Point at(0.35 + 0.65 * (k % 2), 0.35 + 0.65 * (k / 2 % 2), 0.35 + 0.65 * (k / 4));
-      plan_scenes::box(scene, {0.3, 0.1, 0.1}, 1, at, any_direction(random) * 15).spin =
+      plan_scenes::box(scene, {0.3, 0.1, 0.1}, 1, at, any_direction(random) * 15).angular_velocity =
           any_direction(random) * 10;
     }
     const auto run = run_of(scene);
@@ -198,7 +198,7 @@ TEST_CASE("a box that rotates in a plane stays in it to the last bit, whatever i
     plan_scenes::wall(scene, way, -0.56);
     plan_scenes::wall(scene, -way, -0.56);
   }
-  plan_scenes::box(scene, {0.5, 0.2, 0.3}, 1, {0, 0, 4}, {40, 15, 0}).spin = {0, 0, 30};
+  plan_scenes::box(scene, {0.5, 0.2, 0.3}, 1, {0, 0, 4}, {40, 15, 0}).angular_velocity = {0, 0, 30};
   PlanOptions in_space;
   in_space.overrides.with = {Effect::third_dimension};
   const auto flat = run_of(scene);
@@ -209,7 +209,7 @@ TEST_CASE("a box that rotates in a plane stays in it to the last bit, whatever i
   CHECK(flat->counts().crowded_steps > 0);
   CHECK(all->position(4).z() == 4);
   CHECK(all->velocity(4).z() == 0);
-  CHECK(all->spin(4).head<2>() == Eigen::Vector2d::Zero());
+  CHECK(all->angular_velocity(4).head<2>() == Eigen::Vector2d::Zero());
   CHECK(all->orientation(4).v.head<2>() == Eigen::Vector2d::Zero());
   CHECK(bits_of(scene, *flat) == bits_of(scene, *all));
 }
@@ -219,7 +219,7 @@ TEST_CASE("a capsule perpendicular to the plane bounces off a box's edge and kee
   Scene scene = plan_scenes::empty(1, 0, 1, 1e-3);
   auto& turned = plan_scenes::box(scene, {0.3, 0.3, 0.2}, 2, {0, 0, 0});
   turned.orientation = contact::exponential<double>(Point(0, 0, 0.7));
-  turned.spin = {0, 0, 1};
+  turned.angular_velocity = {0, 0, 1};
   plan_scenes::add(scene, contact::CapsuleShape{0.1, 0.12}, 1, {-2, 0.1, 0}, {5, 0, 0});
   REQUIRE_FALSE(plan_scenes::is_on(scene, Effect::third_dimension));
   const auto run = run_of(scene);

@@ -108,15 +108,15 @@ TEST_CASE("without contacts an angular velocity is constant, or the angular mome
   for (int i = 0; i < generators::tried(24); ++i) {
     Scene scene = with_gravity(0.5, 0.5, 2, 1e-6);
     auto& body = plan_scenes::box(scene, {0.1, 0.2, 0.3}, 2, {0, 0, 100});
-    body.spin = any_direction(random) * random.uniform(0.5, 5);
-    const Point momentum = body.inertia * body.spin;
-    const double energy = body.spin.dot(momentum) / 2;
+    body.angular_velocity = any_direction(random) * random.uniform(0.5, 5);
+    const Point momentum = body.inertia * body.angular_velocity;
+    const double energy = body.angular_velocity.dot(momentum) / 2;
     auto run = run_of(scene);
     CHECK(has_stage(*run, "rotation"));
     CHECK_FALSE(has_stage(*run, "contacts"));
     run->advance(2);
     const auto turn = contact::matrix_of(run->orientation(0));
-    const Point seen = turn.transpose() * run->spin(0);
+    const Point seen = turn.transpose() * run->angular_velocity(0);
     const Point own = body.inertia * seen;
     const Point later = turn * own;
     // The angular momentum is conserved by construction, up to rounding. The error of the energy is
@@ -128,10 +128,10 @@ TEST_CASE("without contacts an angular velocity is constant, or the angular mome
   }
   Scene scene = plan_scenes::empty(0, 0, 1, 1e-6);
   auto& box = plan_scenes::box(scene, {0.1, 0.2, 0.3}, 2, {0, 0, 0});
-  box.spin = {0, 0, 3};
+  box.angular_velocity = {0, 0, 3};
   auto run = run_of(scene);
   run->advance(1);
-  CHECK((run->spin(0) - box.spin).norm() <= 1e-14);
+  CHECK((run->angular_velocity(0) - box.angular_velocity).norm() <= 1e-14);
 }
 
 TEST_CASE("collisions conserve momentum, and create no energy") {
@@ -233,7 +233,7 @@ TEST_CASE("springs push in substeps as short as the tolerance requires") {
     contact::Plan plan = contact::plan_scene(scene);
     const contact::Decision& springs = contact::decision_on(plan, Effect::penalty_contact);
     REQUIRE(springs.on);
-    CAPTURE(i, mass, stiffness, height, scene.duration, plan.spring_part, springs.error);
+    CAPTURE(i, mass, stiffness, height, scene.duration, plan.spring_substep, springs.error);
     if (!(springs.error > 0)) continue;  // more than a thousand substeps a step
     CHECK(springs.error <= *scene.tolerance.position);
     const auto jump = contact::trampoline(mass, stiffness, 10.0, height);
@@ -249,9 +249,9 @@ TEST_CASE("springs push in substeps as short as the tolerance requires") {
     };
     CHECK(farthest() <= springs.error);
     const double longest = 1 / (128 * std::sqrt(stiffness / mass));
-    if (plan.spring_part < 0.9 * longest) ++shorter;
+    if (plan.spring_substep < 0.9 * longest) ++shorter;
     // As the stiffest spring alone would have it.
-    plan.spring_part = 0;
+    plan.spring_substep = 0;
     if (farthest() > *scene.tolerance.position) ++needed;
   }
   CAPTURE(shorter, needed);

@@ -214,7 +214,7 @@ TEST_CASE("a body that falls along a wall falls as if nothing divided its steps"
         plan_scenes::add(scene, contact::CapsuleShape{0.05, 0.2}, 1, {0, 0.0505, 3}, {0, -0.2, 0});
     capsule.orientation = contact::exponential<double>(Point(0, 0, angle)) *
                           contact::exponential<double>(Point(0, std::acos(-1.0) / 2, 0));
-    capsule.spin = {0, 0, -1};
+    capsule.angular_velocity = {0, 0, -1};
     for (int k = 0; k < balls; ++k)
       plan_scenes::ball(scene, 0.05, 1, {2.0 + k, 1, 0.055 + 0.005 * k}, {0, 0, -5});
     const auto run = run_of(scene);
@@ -243,7 +243,7 @@ TEST_CASE("a plate that leaves another with a vertex beyond its edge does not fa
   Scene scene = with_gravity(0, 0.5, 0.1, 1e-4);
   plan_scenes::box(scene, {0.5, 0.5, 0.0005}, 0, {0, 0, -0.0005});
   auto& plate = plan_scenes::box(scene, {0.25, 0.25, 0.0005}, 1, {0.4, 0, 0.0005}, {0, 0, 0.001});
-  plate.spin = {0, 0.006, 0};
+  plate.angular_velocity = {0, 0.006, 0};
   const auto run = run_of(scene);
   run->advance(0.1);
   CHECK(std::abs(run->position(1).z() - 0.0005) < 1e-5);

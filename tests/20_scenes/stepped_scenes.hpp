@@ -50,7 +50,8 @@ inline Scene with_gravity(double restitution, double friction, double duration, 
 inline std::vector<std::uint64_t> bits_of(const Scene& scene, const SceneRun& run) {
   std::vector<std::uint64_t> bits;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    for (const Point& v : {run.position(i), run.velocity(i), run.spin(i), run.orientation(i).v})
+    for (const Point& v :
+         {run.position(i), run.velocity(i), run.angular_velocity(i), run.orientation(i).v})
       for (int k = 0; k < 3; ++k) bits.push_back(std::bit_cast<std::uint64_t>(v(k)));
     bits.push_back(std::bit_cast<std::uint64_t>(run.orientation(i).w));
   }
@@ -98,7 +99,7 @@ inline Scene crash(Random& random, double restitution, double friction) {
     contact::SceneBody& body = scene.bodies.back();
     const Point aside = any_direction(random);
     body.velocity = -2 * corner + 0.3 * aside;
-    body.spin = 3 * any_direction(random);
+    body.angular_velocity = 3 * any_direction(random);
   }
   return scene;
 }

@@ -197,11 +197,11 @@ def test_each_effect_is_measured_the_other_way_round(contact: Run) -> None:
 def test_a_horizon_is_measured_by_a_run_that_begins_an_ulp_away(contact: Run) -> None:
     spheres = decisions(contact, "elastic_spheres", "--measure")["horizon"]
     parted = spheres["measured"]
-    assert parted["parted"]
+    assert parted["diverged"]
     assert parted["apart"] > parted["allowed"] == 0.5  # there is no tolerance: a radius
     assert spheres["value"] < parted["time"] < 5 / 3
     calm = decisions(contact, "sliding_block", "--measure")["horizon"]["measured"]
-    assert not calm["parted"]
+    assert not calm["diverged"]
     assert 0 < calm["apart"] <= calm["allowed"]
     assert calm["time"] == 1
 

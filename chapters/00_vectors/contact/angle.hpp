@@ -28,8 +28,8 @@ Vector3<S> near_one(const Vector3<S>& v, int& power) {
 /// |u × v| and u · v, both times the same positive number.
 template <std::floating_point S>
 struct BothProducts {
-  S across;  ///< proportional to the sine of the angle
-  S along;   ///< proportional to its cosine
+  S cross_norm;  ///< proportional to the sine of the angle
+  S dot;         ///< proportional to its cosine
 };
 
 /// Both products of two vectors that are not 0, without overflow.
@@ -40,7 +40,7 @@ BothProducts<S> both_products(const Vector3<S>& u, const Vector3<S>& v) {
   const Vector3<S> b = angle_detail::near_one(v, power);
   // The cross product of nearly parallel vectors may be so short that its squares underflow.
   const Vector3<S> c = angle_detail::near_one(cross_accurately(a, b), power);
-  return {std::ldexp(std::sqrt(c.dot(c)), power), dot_in_order(a, b)};
+  return {std::ldexp(std::sqrt(c.dot(c)), power), dot_recursive(a, b)};
 }
 
 /// The angle between two vectors, from 0 to π, in radians; nothing if one of them is 0.
@@ -61,7 +61,7 @@ std::optional<S> angle_between(const Vector3<S>& u, const Vector3<S>& v) {
   const Vector3<S> zero = Vector3<S>::Zero();
   if (u == zero || v == zero) return std::nullopt;
   const BothProducts<S> both = both_products(u, v);
-  return std::atan2(both.across, both.along);
+  return std::atan2(both.cross_norm, both.dot);
 }
 // [/angle-between]
 

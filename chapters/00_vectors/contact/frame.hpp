@@ -28,7 +28,7 @@ struct CoordinateFrame {
 /// @param p m, in the frame
 /// @return m, in the world; off by at most γ(4) times (|origin| + Σ|axes||p|) for each coordinate
 template <Ring S>
-Vector3<S> place_in_world(const CoordinateFrame<S>& frame, const Vector3<S>& p) {
+Vector3<S> position_in_world(const CoordinateFrame<S>& frame, const Vector3<S>& p) {
   return frame.origin + frame.axes * p;
 }
 
@@ -37,7 +37,7 @@ Vector3<S> place_in_world(const CoordinateFrame<S>& frame, const Vector3<S>& p) 
 /// @return m, in the frame; off by at most γ(4) Σ|axes|(|p| + |origin|) for each coordinate, and
 /// much less if p is near the origin of the frame
 template <Ring S>
-Vector3<S> place_in_frame(const CoordinateFrame<S>& frame, const Vector3<S>& p) {
+Vector3<S> position_in_frame(const CoordinateFrame<S>& frame, const Vector3<S>& p) {
   return frame.axes.transpose() * Vector3<S>(p - frame.origin);
 }
 

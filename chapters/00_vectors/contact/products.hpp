@@ -25,7 +25,7 @@ namespace contact {
 ///
 /// Source: Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd edition, section 3.1.
 template <Ring S, int N>
-S dot_in_order(const Eigen::Matrix<S, N, 1>& u, const Eigen::Matrix<S, N, 1>& v) {
+S dot_recursive(const Eigen::Matrix<S, N, 1>& u, const Eigen::Matrix<S, N, 1>& v) {
   S sum(0);
   for (Eigen::Index i = 0; i < u.size(); ++i) sum = sum + u[i] * v[i];
   return sum;
@@ -146,7 +146,7 @@ S difference_of_products_exactly(S a, S b, S c, S d) {
 /// parallel. A product that overflows makes ∞ or NaN. Exact if S is exact.
 // [cross-in-order]
 template <Ring S>
-Vector3<S> cross_in_order(const Vector3<S>& u, const Vector3<S>& v) {
+Vector3<S> cross_plain(const Vector3<S>& u, const Vector3<S>& v) {
   return {u.y() * v.z() - u.z() * v.y(), u.z() * v.x() - u.x() * v.z(),
           u.x() * v.y() - u.y() * v.x()};
 }
@@ -190,7 +190,7 @@ Vector3<S> cross_exactly(const Vector3<S>& u, const Vector3<S>& v) {
 /// and the sign of the rounded result is not reliable. Exact if S is exact.
 // [line-side]
 template <Ring S>
-S line_side_expanded(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& p) {
+S orientation_expanded(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& p) {
   return (a.x() * b.y() - a.y() * b.x()) + (b.x() * p.y() - b.y() * p.x()) +
          (p.x() * a.y() - p.y() * a.x());
 }
@@ -200,7 +200,7 @@ S line_side_expanded(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>&
 /// Limits: the differences of near points have little or no error. The result, a difference of two
 /// products, is off by at most γ(5) times the sum of their magnitudes. Exact if S is exact.
 template <Ring S>
-S line_side_by_differences(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& p) {
+S orientation_by_differences(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& p) {
   return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
 }
 // [/line-side]
@@ -208,12 +208,12 @@ S line_side_by_differences(const Vector2<S>& a, const Vector2<S>& b, const Vecto
 /// The orientation predicate: +1 if p is to the left of the line from a to b, −1 to its right, 0 on
 /// it (or if a = b). Exact for all finite input.
 template <std::floating_point S>
-int line_side_exactly(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& p) {
+int orientation_exactly(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& p) {
   static_assert(std::numeric_limits<S>::digits <= 53, "Exact holds floats and doubles");
   const auto exact = [](const Vector2<S>& v) {
     return Vector2<Exact>(Exact(double(v.x())), Exact(double(v.y())));
   };
-  return line_side_by_differences(exact(a), exact(b), exact(p)).sign();
+  return orientation_by_differences(exact(a), exact(b), exact(p)).sign();
 }
 
 }  // namespace contact

@@ -11,7 +11,8 @@ int main() {
     const Point a = place + Point(0, 0);
     const Point b = place + Point(1, 1);
     const Point p = place + Point(0.5, 0.5009765625);  // a little to the left
-    std::printf("%9g m %17.10g %20.10g %7d\n", far, contact::line_side_expanded(a, b, p),
-                contact::line_side_by_differences(a, b, p), contact::line_side_exactly(a, b, p));
+    std::printf("%9g m %17.10g %20.10g %7d\n", far, contact::orientation_expanded(a, b, p),
+                contact::orientation_by_differences(a, b, p),
+                contact::orientation_exactly(a, b, p));
   }
 }

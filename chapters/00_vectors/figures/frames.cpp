@@ -39,9 +39,9 @@ Output compute(const Input& in) {
 
   out.x_axis = wagon.axes.col(0).head<2>();
   out.y_axis = wagon.axes.col(1).head<2>();
-  out.as_place = contact::place_in_frame(wagon, flat(in.point)).head<2>();
+  out.as_place = contact::position_in_frame(wagon, flat(in.point)).head<2>();
   out.as_direction = contact::direction_in_frame(wagon, flat(in.point)).head<2>();
-  out.corner = contact::place_in_world(wagon, Vector3<double>(out.as_place.x(), 0, 0)).head<2>();
+  out.corner = contact::position_in_world(wagon, Vector3<double>(out.as_place.x(), 0, 0)).head<2>();
   out.ahead_and_left =
       (out.as_place - contact::Vector2<double>(2, 1)).cwiseAbs().maxCoeff() <= 0.1 &&
               std::abs(out.y_axis.x()) >= 0.25

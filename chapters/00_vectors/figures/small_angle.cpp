@@ -35,7 +35,7 @@ namespace {
 // accurate to the last digits.
 template <class S>
 S angle_by_cosine(const contact::Vector3<S>& u, const contact::Vector3<S>& v) {
-  const S cosine = contact::dot_in_order(u, v) / (u.norm() * v.norm());
+  const S cosine = contact::dot_recursive(u, v) / (u.norm() * v.norm());
   const double c = std::clamp(double(cosine), -1.0, 1.0);
   return S(contact::portable_angle(std::sqrt((1 - c) * (1 + c)), c));
 }
@@ -43,7 +43,7 @@ S angle_by_cosine(const contact::Vector3<S>& u, const contact::Vector3<S>& v) {
 template <class S>
 S angle_by_both(const contact::Vector3<S>& u, const contact::Vector3<S>& v) {
   const auto both = contact::both_products(u, v);
-  return S(contact::portable_angle(double(both.across), double(both.along)));
+  return S(contact::portable_angle(double(both.cross_norm), double(both.dot)));
 }
 
 /// The angle of the stored vectors; its tangent is rounded once.

@@ -106,8 +106,8 @@ export default defineFigure<Input, Output>({
 
     scene.ball(centre, radius, { role: "ball", fill: 0.22 });
     const up: Vec3 = [0, 0, 1];
-    const shadow: Vec3 = [centre[0], centre[1], GROUND];
-    scene.disc(shadow, up, radius, { role: "muted", fill: 0.12, outline: false });
+    const projection: Vec3 = [centre[0], centre[1], GROUND];
+    scene.disc(projection, up, radius, { role: "muted", fill: 0.12, outline: false });
     scene.drop(centre, GROUND);
     scene.ball(output.end_centre, radius, {
       role: output.end_depth > 0 ? "miss" : "muted",

@@ -22,10 +22,10 @@ struct Output {
   double value;                         // interpolated, °C
   contact::Vector3<double> part_areas;  // signed: opposite a, b and c
   double area;
-  double dropped;                         // the dimension in which |normal| is largest: 0, 1 or 2
-  contact::Vector3<double> shadow_areas;  // of the triangle along x, y and z, not negative
+  double dropped;  // the dimension in which |normal| is largest: 0, 1 or 2
+  contact::Vector3<double> projection_areas;  // of the triangle along x, y and z, not negative
   std::array<contact::Vector3<double>, 4>
-      shadow;            // of a, b, c and the foot, where the dropped coordinate is 0
+      projection;        // of a, b, c and the foot, where the dropped coordinate is 0
   double beta_on_slide;  // the lecture's β, with its sign
   double inside_on_slide;
   double balanced;  // goal of a question: all three weights within 0.02 of a third
@@ -57,9 +57,9 @@ Output compute(const Input& in) {
 
   const int k = contact::largest_dimension(out.normal);
   out.dropped = k;
-  out.shadow_areas = out.normal.cwiseAbs() / 2;
-  out.shadow = {in.a, in.b, in.c, out.foot};
-  for (auto& corner : out.shadow) corner[k] = 0;
+  out.projection_areas = out.normal.cwiseAbs() / 2;
+  out.projection = {in.a, in.b, in.c, out.foot};
+  for (auto& corner : out.projection) corner[k] = 0;
 
   const auto x = contact::drop_dimension<double>(out.foot - in.a, k);
   const auto e1 = contact::drop_dimension(ab, k);
@@ -74,4 +74,4 @@ Output compute(const Input& in) {
 
 FIGURE(Input, FIELDS(a, b, c, point, values), Output,
        FIELDS(problem, normal, foot, weights, inside, value, part_areas, area, dropped,
-              shadow_areas, shadow, beta_on_slide, inside_on_slide, balanced))
+              projection_areas, projection, beta_on_slide, inside_on_slide, balanced))

@@ -19,8 +19,8 @@ interface Output {
   part_areas: Vec3;
   area: number;
   dropped: number;
-  shadow_areas: Vec3;
-  shadow: readonly number[];
+  projection_areas: Vec3;
+  projection: readonly number[];
   beta_on_slide: number;
   inside_on_slide: number;
 }
@@ -73,18 +73,23 @@ export default defineFigure<Input, Output>({
       return;
     }
     const { foot } = output;
-    const shadow = [0, 1, 2, 3].map((i) => vectorAt(output.shadow, i));
-    const [shadowA, shadowB, shadowC, shadowFoot] = shadow as [Vec3, Vec3, Vec3, Vec3];
-    scene.face([shadowA, shadowB, shadowC], { role: "muted", fill: 0.1 });
-    for (const corner of [shadowA, shadowB, shadowC])
-      scene.line(shadowFoot, corner, { role: "muted", width: 0.8, through: true });
+    const projection = [0, 1, 2, 3].map((i) => vectorAt(output.projection, i));
+    const [projectionA, projectionB, projectionC, projectionFoot] = projection as [
+      Vec3,
+      Vec3,
+      Vec3,
+      Vec3,
+    ];
+    scene.face([projectionA, projectionB, projectionC], { role: "muted", fill: 0.1 });
+    for (const corner of [projectionA, projectionB, projectionC])
+      scene.line(projectionFoot, corner, { role: "muted", width: 0.8, through: true });
     for (const [at, end] of [
-      [a, shadowA],
-      [b, shadowB],
-      [c, shadowC],
+      [a, projectionA],
+      [b, projectionB],
+      [c, projectionC],
     ] as const)
       scene.line(at, end, { role: "ghost", width: 1, dashed: true, through: true });
-    scene.dot(shadowFoot, "muted", 3);
+    scene.dot(projectionFoot, "muted", 3);
 
     const parts = [
       [b, c, "a", 0],
@@ -120,7 +125,7 @@ export default defineFigure<Input, Output>({
     {
       name: "A_x, A_y, A_z",
       meaning: "of its projections",
-      value: output.shadow_areas,
+      value: output.projection_areas,
       unit: "m²",
       role: "muted",
     },

@@ -22,13 +22,13 @@ namespace contact {
 ///   one. With a rounded one the horizon may fail to be one ring: then `stuck` is set, and nothing
 ///   more is added.
 template <SideTest Sides>
-class GrowingHull {
+class IncrementalHull {
  public:
   /// One triangle. Neighbour i shares the edge from vertex i to vertex i + 1.
   struct Triangle {
-    std::array<int, 3> corner;     ///< points, counter-clockwise from outside
+    std::array<int, 3> vertex;     ///< points, counter-clockwise from outside
     std::array<int, 3> neighbour;  ///< triangles
-    int first_waiting = -1;        ///< head of its conflict list
+    int first_conflict = -1;       ///< head of its conflict list
     std::uint32_t marked = 0;      ///< number of the last search that visited it
     int walked_by = -1;            ///< the last point whose walk tested it
     bool alive = true;             ///< false once it is removed
@@ -36,18 +36,18 @@ class GrowingHull {
   };
 
   /// Starts with a tetrahedron: point 3 is behind 0, 1, 2.
-  GrowingHull(const Sides& sides, const std::array<int, 4>& s, int point_count)
+  IncrementalHull(const Sides& sides, const std::array<int, 4>& s, int point_count)
       : sides_(sides),
-        next_waiting_(static_cast<std::size_t>(point_count), -1),
-        sees_(static_cast<std::size_t>(point_count), -1),
-        stands_for_(static_cast<std::size_t>(point_count), -1) {
+        next_conflict_(static_cast<std::size_t>(point_count), -1),
+        conflict_face_(static_cast<std::size_t>(point_count), -1),
+        representative_(static_cast<std::size_t>(point_count), -1) {
     const auto [a, b, c, d] = s;
     triangles_.reserve(4 * static_cast<std::size_t>(point_count) + 16);
     make(a, b, c, {2, 3, 1});
     make(a, c, d, {0, 3, 2});
     make(a, d, b, {1, 3, 0});
     make(b, d, c, {2, 1, 0});
-    for (const int corner : s) stands_for_[static_cast<std::size_t>(corner)] = corner;
+    for (const int vertex : s) representative_[static_cast<std::size_t>(vertex)] = vertex;
   }
 
   /// All triangles; those that are not alive have been removed.
@@ -55,26 +55,26 @@ class GrowingHull {
   /// Whether the horizon failed to be one ring.
   bool stuck() const { return stuck_; }
   /// The triangle in whose conflict list point p is, or −1 if it is in none.
-  int sees(int p) const { return sees_[static_cast<std::size_t>(p)]; }
+  int conflict_face(int p) const { return conflict_face_[static_cast<std::size_t>(p)]; }
 
   /// On which side of a triangle point p is.
   int side(const Triangle& t, int p) const {
-    return sides_.side(t.plane, t.corner[0], t.corner[1], t.corner[2], p);
+    return sides_.side(t.plane, t.vertex[0], t.vertex[1], t.vertex[2], p);
   }
 
   /// Puts point p into the conflict list of the first of these triangles that it sees.
   /// @return whether it sees one
   template <class Triangles>
-  bool wait(int p, const Triangles& candidates) {
+  bool add_conflict(int p, const Triangles& candidates) {
     for (const int t : candidates) {
       Triangle& triangle = triangles_[static_cast<std::size_t>(t)];
       if (side(triangle, p) <= 0) continue;
-      sees_[static_cast<std::size_t>(p)] = t;
-      next_waiting_[static_cast<std::size_t>(p)] = triangle.first_waiting;
-      triangle.first_waiting = p;
+      conflict_face_[static_cast<std::size_t>(p)] = t;
+      next_conflict_[static_cast<std::size_t>(p)] = triangle.first_conflict;
+      triangle.first_conflict = p;
       return true;
     }
-    sees_[static_cast<std::size_t>(p)] = -1;
+    conflict_face_[static_cast<std::size_t>(p)] = -1;
     return false;
   }
 
@@ -97,15 +97,15 @@ class GrowingHull {
       triangle.neighbour[2] = made_[(i + size - 1) % size];
     }
     // [/add-triangles]
-    sees_[static_cast<std::size_t>(p)] = -1;
-    stands_for_[static_cast<std::size_t>(p)] = p;
+    conflict_face_[static_cast<std::size_t>(p)] = -1;
+    representative_[static_cast<std::size_t>(p)] = p;
     // A few new triangles are tested in turn, which is faster than walking.
     const bool few = size <= few_triangles;
     for (const int gone : removed_) {
-      int q = triangles_[static_cast<std::size_t>(gone)].first_waiting;
+      int q = triangles_[static_cast<std::size_t>(gone)].first_conflict;
       while (q >= 0) {
-        const int next = next_waiting_[static_cast<std::size_t>(q)];
-        if (q != p && !(few ? wait(q, made_) : wait_beyond(q, gone))) dropped(p, q);
+        const int next = next_conflict_[static_cast<std::size_t>(q)];
+        if (q != p && !(few ? add_conflict(q, made_) : add_conflict_beyond(q, gone))) dropped(p, q);
         q = next;
       }
     }
@@ -123,7 +123,7 @@ class GrowingHull {
   /// an edge only if it saw one of the two old ones there.
   /// @return whether there is one
   // [walk]
-  bool wait_beyond(int q, int gone) {
+  bool add_conflict_beyond(int q, int gone) {
     walk_.assign(1, gone);
     triangles_[static_cast<std::size_t>(gone)].walked_by = q;
     while (!walk_.empty()) {
@@ -133,8 +133,8 @@ class GrowingHull {
         const int beyond = here.neighbour[i];
         Triangle& other = triangles_[static_cast<std::size_t>(beyond)];
         if (other.alive) {  // a horizon edge: its other triangle is now a new one
-          const int back = edge_to(other, here.corner[(i + 1) % 3]);
-          if (wait(q, std::array{other.neighbour[static_cast<std::size_t>(back)]})) {
+          const int back = edge_to(other, here.vertex[(i + 1) % 3]);
+          if (add_conflict(q, std::array{other.neighbour[static_cast<std::size_t>(back)]})) {
             walk_.clear();
             return true;
           }
@@ -144,12 +144,12 @@ class GrowingHull {
         }
       }
     }
-    sees_[static_cast<std::size_t>(q)] = -1;
+    conflict_face_[static_cast<std::size_t>(q)] = -1;
     return false;
   }
   // [/walk]
 
-  /// Up to this many new triangles are tested in turn; with more, `wait_beyond` walks.
+  /// Up to this many new triangles are tested in turn; with more, `add_conflict_beyond` walks.
   static constexpr std::size_t few_triangles = 16;
 
   /// The triangles that the last call of `add` removed.
@@ -158,7 +158,9 @@ class GrowingHull {
   const std::vector<int>& made() const { return made_; }
 
   /// Reports point p as `index`.
-  void stand_for(int p, int index) { stands_for_[static_cast<std::size_t>(p)] = index; }
+  void set_representative(int p, int index) {
+    representative_[static_cast<std::size_t>(p)] = index;
+  }
 
   // [finish]
   /// The hull: coplanar neighbours are joined into one face, and points on an edge or in the
@@ -171,12 +173,12 @@ class GrowingHull {
     const auto flat_across = [this](const Triangle& t, int i) {
       const Triangle& other =
           triangles_[static_cast<std::size_t>(t.neighbour[static_cast<std::size_t>(i)])];
-      const int back = edge_to(other, t.corner[static_cast<std::size_t>((i + 1) % 3)]);
-      return side(t, other.corner[static_cast<std::size_t>((back + 2) % 3)]) == 0;
+      const int back = edge_to(other, t.vertex[static_cast<std::size_t>((i + 1) % 3)]);
+      return side(t, other.vertex[static_cast<std::size_t>((back + 2) % 3)]) == 0;
     };
     // Bit i: the neighbour across edge i is coplanar.
     std::vector<std::uint8_t> flat(triangles_.size(), 0);
-    std::vector<int> ways(stands_for_.size(), 0);  // boundary edges that start at a point
+    std::vector<int> ways(representative_.size(), 0);  // boundary edges that start at a point
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       const Triangle& triangle = triangles_[t];
       if (!triangle.alive) continue;
@@ -185,7 +187,7 @@ class GrowingHull {
         bool is_flat = false;
         if (static_cast<std::size_t>(other) < t) {  // tested already, as the neighbour's edge
           const Triangle& there = triangles_[static_cast<std::size_t>(other)];
-          const int back = edge_to(there, triangle.corner[static_cast<std::size_t>((i + 1) % 3)]);
+          const int back = edge_to(there, triangle.vertex[static_cast<std::size_t>((i + 1) % 3)]);
           is_flat = (flat[static_cast<std::size_t>(other)] >> back & 1) != 0;
         } else {
           is_flat = flat_across(triangle, i);
@@ -193,7 +195,7 @@ class GrowingHull {
         if (is_flat) {
           flat[t] = static_cast<std::uint8_t>(flat[t] | 1 << i);
         } else {
-          ++ways[static_cast<std::size_t>(triangle.corner[static_cast<std::size_t>(i)])];
+          ++ways[static_cast<std::size_t>(triangle.vertex[static_cast<std::size_t>(i)])];
         }
       }
     }
@@ -209,9 +211,9 @@ class GrowingHull {
         int edge = i;
         do {
           done[at] = static_cast<std::uint8_t>(done[at] | 1 << edge);
-          const int corner = triangles_[at].corner[static_cast<std::size_t>(edge)];
+          const int vertex = triangles_[at].vertex[static_cast<std::size_t>(edge)];
           // If only two boundary edges start at a point, it lies on an edge of the hull.
-          if (ways[static_cast<std::size_t>(corner)] > 2) polygon.push_back(name(corner));
+          if (ways[static_cast<std::size_t>(vertex)] > 2) polygon.push_back(name(vertex));
           edge = (edge + 1) % 3;
           // After rounded decisions the triangles at a vertex may form no ring.
           std::size_t turns = 0;
@@ -220,7 +222,7 @@ class GrowingHull {
               hull.closed = false;
               return hull;
             }
-            const int shared = triangles_[at].corner[static_cast<std::size_t>(edge)];
+            const int shared = triangles_[at].vertex[static_cast<std::size_t>(edge)];
             at = static_cast<std::size_t>(triangles_[at].neighbour[static_cast<std::size_t>(edge)]);
             edge = edge_to(triangles_[at], shared);
           }
@@ -238,7 +240,7 @@ class GrowingHull {
   // [/finish]
 
   /// The index that is reported for point p.
-  int standing_for(int p) const { return stands_for_[static_cast<std::size_t>(p)]; }
+  int representative(int p) const { return representative_[static_cast<std::size_t>(p)]; }
 
  private:
   /// A horizon edge, directed as in the removed triangle, and the kept triangle beyond it.
@@ -251,7 +253,7 @@ class GrowingHull {
 
   const Sides& sides_;
   std::vector<Triangle> triangles_;
-  std::vector<int> free_, next_waiting_, sees_, stands_for_;
+  std::vector<int> free_, next_conflict_, conflict_face_, representative_;
   std::vector<Edge> horizon_;
   std::vector<int> removed_, made_, walk_;
   std::vector<Step> steps_;
@@ -283,8 +285,8 @@ class GrowingHull {
   }
 
   /// The edge of a triangle that starts at this vertex.
-  static int edge_to(const Triangle& triangle, int corner) {
-    return triangle.corner[0] == corner ? 0 : triangle.corner[1] == corner ? 1 : 2;
+  static int edge_to(const Triangle& triangle, int vertex) {
+    return triangle.vertex[0] == vertex ? 0 : triangle.vertex[1] == vertex ? 1 : 2;
   }
 
   // [horizon]
@@ -315,7 +317,7 @@ class GrowingHull {
       const int beyond = triangle.neighbour[edge];
       Triangle& other = triangles_[static_cast<std::size_t>(beyond)];
       if (other.marked == search_) continue;
-      const int to = triangle.corner[(edge + 1) % 3];
+      const int to = triangle.vertex[(edge + 1) % 3];
       const int back = edge_to(other, to);
       if (other.marked != search_ + 1) {
         if (side(other, p) > 0) {
@@ -324,7 +326,7 @@ class GrowingHull {
         }
         other.marked = search_ + 1;
       }
-      horizon_.push_back({triangle.corner[edge], to, beyond, back});
+      horizon_.push_back({triangle.vertex[edge], to, beyond, back});
     }
     // This cannot happen with exact decisions.
     if (horizon_.size() < 3) stuck_ = true;
@@ -373,7 +375,7 @@ Hull convex_hull_with(const std::vector<Vector3<double>>& points, Arguments... a
   if (simplex.dimension < 3) return flat_hull(points, first_simplex(points));
   const Sides sides(shuffled, arguments...);
   const int n = static_cast<int>(points.size());
-  GrowingHull<Sides> hull(sides, simplex.points, n);
+  IncrementalHull<Sides> hull(sides, simplex.points, n);
 
   // Of equal points the one with the least index is reported.
   std::vector<int> name = order;
@@ -384,11 +386,11 @@ Hull convex_hull_with(const std::vector<Vector3<double>>& points, Arguments... a
     told = std::min(told, order[static_cast<std::size_t>(q)]);
   };
   for (int p = 0; p < n; ++p) {
-    if (hull.wait(p, std::array{0, 1, 2, 3})) continue;
-    for (const int corner : simplex.points) dropped(corner, p);
+    if (hull.add_conflict(p, std::array{0, 1, 2, 3})) continue;
+    for (const int vertex : simplex.points) dropped(vertex, p);
   }
   for (int p = 0; p < n && !hull.stuck(); ++p) {
-    if (hull.sees(p) >= 0) hull.add(p, hull.sees(p), dropped);
+    if (hull.conflict_face(p) >= 0) hull.add(p, hull.conflict_face(p), dropped);
   }
   return hull.finish([&name](int p) { return name[static_cast<std::size_t>(p)]; });
 }

@@ -193,7 +193,7 @@ Hull gift_wrap_with(const std::vector<Vector3<double>>& points, Arguments... arg
   // [/wrap-turn]
   const auto off_line = [&](int a, int b) {
     int c = 0;
-    while (c < n && on_one_line(at(a), at(b), at(c))) ++c;
+    while (c < n && are_collinear(at(a), at(b), at(c))) ++c;
     return c;
   };
 
@@ -216,14 +216,14 @@ Hull gift_wrap_with(const std::vector<Vector3<double>>& points, Arguments... arg
       second = i;
       continue;
     }
-    const int side = side_of_line(flat(top), flat(second), flat(i));
+    const int side = orient_2d(flat(top), flat(second), flat(i));
     // Of collinear points any will do.
     if (side > 0) second = i;
   }
   std::vector<int> on_plane;
   for (int i = 0; i < n; ++i) {
     const auto flat = [&](int k) { return side_view[static_cast<std::size_t>(k)]; };
-    if (side_of_line(flat(top), flat(second), flat(i)) == 0) on_plane.push_back(i);
+    if (orient_2d(flat(top), flat(second), flat(i)) == 0) on_plane.push_back(i);
   }
   // If all points of that plane are collinear, the two ends are an edge; otherwise the polygon has
   // edges.
@@ -231,8 +231,8 @@ Hull gift_wrap_with(const std::vector<Vector3<double>>& points, Arguments... arg
   for (const int i : on_plane) in_plane.push_back(at(i));
   const Hull start = flat_hull(in_plane, first_simplex(in_plane));
   const auto named = [&](int i) { return on_plane[static_cast<std::size_t>(i)]; };
-  const int a = named(start.dimension == 2 ? start.corners[0] : start.vertices[0]);
-  const int b = named(start.dimension == 2 ? start.corners[1] : start.vertices[1]);
+  const int a = named(start.dimension == 2 ? start.face_vertices[0] : start.vertices[0]);
+  const int b = named(start.dimension == 2 ? start.face_vertices[1] : start.vertices[1]);
   const int c = turn_forward(a, b, off_line(a, b));
   // [/wrap-start]
 

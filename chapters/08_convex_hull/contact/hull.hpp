@@ -31,31 +31,34 @@ namespace contact {
 /// A face is a convex polygon; coplanar triangles are joined into one face. Its vertices run
 /// counter-clockwise as seen from outside. No vertex lies on an edge or in the interior of a face.
 /// Of equal points the first one represents all. For 2 and 3 dimensions Euler's formula holds:
-/// vertices − edges + faces = 2, where the number of edges is half the length of `corners`.
+/// vertices − edges + faces = 2, where the number of edges is half the length of `face_vertices`.
 struct Hull {
-  int dimension = -1;         ///< of the affine hull of the points, from -1 to 3
-  std::vector<int> vertices;  ///< in increasing order
-  std::vector<int> corners;   ///< the vertices of all faces, one face after the other
-  std::vector<int> starts;    ///< where each face begins in `corners`, then where the last one ends
+  int dimension = -1;              ///< of the affine hull of the points, from -1 to 3
+  std::vector<int> vertices;       ///< in increasing order
+  std::vector<int> face_vertices;  ///< the vertices of all faces, one face after the other
+  std::vector<int>
+      face_starts;  ///< where each face begins in `face_vertices`, then where the last one ends
   /// False if a method with rounded decisions got stuck: then the faces do not close.
   bool closed = true;
 
   /// The number of faces.
-  int face_count() const { return starts.empty() ? 0 : static_cast<int>(starts.size()) - 1; }
+  int face_count() const {
+    return face_starts.empty() ? 0 : static_cast<int>(face_starts.size()) - 1;
+  }
   /// The number of edges.
-  int edge_count() const { return static_cast<int>(corners.size() / 2); }
+  int edge_count() const { return static_cast<int>(face_vertices.size() / 2); }
   /// The vertices of face i, counter-clockwise from outside.
   std::span<const int> face(int i) const {
     const auto at = static_cast<std::size_t>(i);
-    return std::span<const int>(corners).subspan(
-        static_cast<std::size_t>(starts[at]),
-        static_cast<std::size_t>(starts[at + 1] - starts[at]));
+    return std::span<const int>(face_vertices)
+        .subspan(static_cast<std::size_t>(face_starts[at]),
+                 static_cast<std::size_t>(face_starts[at + 1] - face_starts[at]));
   }
   /// Appends a face.
   void add_face(std::span<const int> polygon) {
-    if (starts.empty()) starts.push_back(0);
-    corners.insert(corners.end(), polygon.begin(), polygon.end());
-    starts.push_back(static_cast<int>(corners.size()));
+    if (face_starts.empty()) face_starts.push_back(0);
+    face_vertices.insert(face_vertices.end(), polygon.begin(), polygon.end());
+    face_starts.push_back(static_cast<int>(face_vertices.size()));
   }
 };
 // [/hull]
@@ -74,7 +77,7 @@ inline std::vector<std::array<int, 3>> triangles(const Hull& hull) {
 
 /// Fills `vertices` from the faces.
 inline void collect_vertices(Hull& hull) {
-  hull.vertices = hull.corners;
+  hull.vertices = hull.face_vertices;
   std::sort(hull.vertices.begin(), hull.vertices.end());
   hull.vertices.erase(std::unique(hull.vertices.begin(), hull.vertices.end()), hull.vertices.end());
 }
@@ -126,15 +129,15 @@ inline Simplex first_simplex(const std::vector<Vector3<double>>& points) {
   if (b < 0) return simplex;
   simplex.dimension = 1;
   c = choose([&](int i) { return (at(b) - at(a)).cross(at(i) - at(a)).squaredNorm(); },
-             [&](int i) { return !on_one_line(at(a), at(b), at(i)); });
+             [&](int i) { return !are_collinear(at(a), at(b), at(i)); });
   if (c < 0) return simplex;
   simplex.dimension = 2;
   const Vector3<double> normal = (at(b) - at(a)).cross(at(c) - at(a));
   d = choose([&](int i) { return std::abs(normal.dot(at(i) - at(a))); },
-             [&](int i) { return side_of_plane(at(a), at(b), at(c), at(i)) != 0; });
+             [&](int i) { return orient_3d(at(a), at(b), at(c), at(i)) != 0; });
   if (d < 0) return simplex;
   simplex.dimension = 3;
-  if (side_of_plane(at(a), at(b), at(c), at(d)) > 0) std::swap(b, c);
+  if (orient_3d(at(a), at(b), at(c), at(d)) > 0) std::swap(b, c);
   return simplex;
 }
 
@@ -150,8 +153,8 @@ inline std::vector<int> hull_in_plane(const std::vector<Vector3<double>>& points
   flat.reserve(chosen.size());
   for (const int i : chosen) flat.push_back(drop_dimension<double>(at(i), view.dropped));
   std::vector<int> polygon = convex_hull_2d(flat);
-  for (int& corner : polygon) corner = chosen[static_cast<std::size_t>(corner)];
-  if (view.turn < 0) std::reverse(polygon.begin(), polygon.end());
+  for (int& vertex : polygon) vertex = chosen[static_cast<std::size_t>(vertex)];
+  if (view.orientation < 0) std::reverse(polygon.begin(), polygon.end());
   return polygon;
 }
 
@@ -249,7 +252,7 @@ class ExactSides {
     const double value = p[0] * plane.normal[0] + p[1] * plane.normal[1] + p[2] * plane.normal[2];
     if (value > plane.bound) return 1;
     if (value < -plane.bound) return -1;
-    return side_of_plane(at(a), at(b), at(c), at(d));
+    return orient_3d(at(a), at(b), at(c), at(d));
   }
 
  private:
@@ -271,7 +274,7 @@ class UnfilteredSides {
   Plane plane(int, int, int) const { return {}; }
   /// As that of `ExactSides`.
   int side(const Plane&, int a, int b, int c, int d) const {
-    return side_of_plane_exactly(points_[a], points_[b], points_[c], points_[d]);
+    return orient_3d_exactly(points_[a], points_[b], points_[c], points_[d]);
   }
 
  private:

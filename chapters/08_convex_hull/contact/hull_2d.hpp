@@ -17,13 +17,14 @@ namespace contact {
 /// The vertices of the hull of the points, by index, counter-clockwise from the one with the least
 /// x (and of those the least y), by Andrew's monotone chain.
 ///
-/// The orientation predicate is a parameter: `turn(i, j, k)` is positive if the path over the
-/// points i, j, k turns left, and 0 if it is straight. Points at which it is straight are no
+/// The orientation predicate is a parameter: `orientation(i, j, k)` is positive if the path over
+/// the points i, j, k turns left, and 0 if it is straight. Points at which it is straight are no
 /// vertices.
 ///
 /// @param points m; of equal points the first one represents all
-template <Ring S, class Turn>
-std::vector<int> monotone_chain(const std::vector<Vector2<S>>& points, const Turn& turn) {
+template <Ring S, class Orientation>
+std::vector<int> monotone_chain(const std::vector<Vector2<S>>& points,
+                                const Orientation& orientation) {
   const auto at = [&points](int i) -> const Vector2<S>& {
     return points[static_cast<std::size_t>(i)];
   };
@@ -39,10 +40,11 @@ std::vector<int> monotone_chain(const std::vector<Vector2<S>>& points, const Tur
   if (order.size() < 3) return order;
 
   std::vector<int> chain;
-  const auto walk = [&chain, &turn](auto first, auto last) {
+  const auto walk = [&chain, &orientation](auto first, auto last) {
     const std::size_t start = chain.size();
     for (auto i = first; i != last; ++i) {
-      while (chain.size() >= start + 2 && !(turn(chain[chain.size() - 2], chain.back(), *i) > 0)) {
+      while (chain.size() >= start + 2 &&
+             !(orientation(chain[chain.size() - 2], chain.back(), *i) > 0)) {
         chain.pop_back();
       }
       chain.push_back(*i);
@@ -83,7 +85,7 @@ inline std::vector<int> convex_hull_2d(const std::vector<Vector2<double>>& point
     const auto at = [&points](int index) -> const Vector2<double>& {
       return points[static_cast<std::size_t>(index)];
     };
-    return side_of_line(at(i), at(j), at(k));
+    return orient_2d(at(i), at(j), at(k));
   });
 }
 // [/convex-hull-2d]
@@ -96,7 +98,7 @@ std::vector<int> convex_hull_2d_rounded(const std::vector<Vector2<S>>& points, S
     const auto at = [&points](int index) -> const Vector2<S>& {
       return points[static_cast<std::size_t>(index)];
     };
-    const S area = turn<S>(at(i), at(j), at(k));
+    const S area = orientation<S>(at(i), at(j), at(k));
     return area > epsilon ? 1 : (area < -epsilon ? -1 : 0);
   });
 }

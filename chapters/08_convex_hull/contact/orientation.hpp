@@ -21,14 +21,14 @@ namespace contact {
 /// Limits: rounded, the sign may be wrong if the three points are nearly collinear. With S = Exact
 /// it is exact.
 template <Ring S>
-S turn(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& c) {
+S orientation(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& c) {
   return cross2<S>(b - a, c - a);
 }
 
 /// Six times the signed volume of the tetrahedron a, b, c, d, as the scalar rounds it: positive if
 /// d is in front of the triangle a, b, c, where its vertices run counter-clockwise.
 ///
-/// Limits: as `turn`.
+/// Limits: as `orientation`.
 // [rounded-3d]
 template <Ring S>
 S signed_volume(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c,
@@ -47,15 +47,15 @@ inline int sign_of(double x) { return x > 0 ? 1 : (x < 0 ? -1 : 0); }
 /// without zeros. Its sign is that of the last one.
 template <std::size_t Capacity>
 struct Expansion {
-  std::array<double, Capacity> part{};  ///< the doubles
-  std::size_t size = 0;                 ///< how many there are
+  std::array<double, Capacity> component{};  ///< the doubles
+  std::size_t size = 0;                      ///< how many there are
 
   /// Appends one that is larger than all there are, unless it is zero.
   void push(double x) {
-    if (x != 0) part[size++] = x;
+    if (x != 0) component[size++] = x;
   }
   /// −1, 0 or +1.
-  int sign() const { return size == 0 ? 0 : sign_of(part[size - 1]); }
+  int sign() const { return size == 0 ? 0 : sign_of(component[size - 1]); }
 };
 
 /// Adds one number (Shewchuk's GROW-EXPANSION, with the zeros left out).
@@ -63,9 +63,9 @@ template <std::size_t Capacity>
 void grow(Expansion<Capacity>& e, double x) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < e.size; ++i) {
-    const WithError<double> sum = two_sum(x, e.part[i]);
+    const WithError<double> sum = two_sum(x, e.component[i]);
     x = sum.value;
-    if (sum.error != 0) e.part[kept++] = sum.error;
+    if (sum.error != 0) e.component[kept++] = sum.error;
   }
   e.size = kept;
   e.push(x);
@@ -87,19 +87,19 @@ inline bool moderate(double x) {
 
 }  // namespace orientation_detail
 
-/// The same sign as `side_of_line`, in exact arithmetic from the start: slow. It shows what the
+/// The same sign as `orient_2d`, in exact arithmetic from the start: slow. It shows what the
 /// filter saves.
-inline int side_of_line_exactly(const Vector2<double>& a, const Vector2<double>& b,
-                                const Vector2<double>& c) {
+inline int orient_2d_exactly(const Vector2<double>& a, const Vector2<double>& b,
+                             const Vector2<double>& c) {
   const auto exact = [](const Vector2<double>& v) {
     return Vector2<Exact>(Exact(v.x()), Exact(v.y()));
   };
-  return turn<Exact>(exact(a), exact(b), exact(c)).sign();
+  return orientation<Exact>(exact(a), exact(b), exact(c)).sign();
 }
 
-/// The same sign as `side_of_plane`, in exact arithmetic from the start.
-inline int side_of_plane_exactly(const Vector3<double>& a, const Vector3<double>& b,
-                                 const Vector3<double>& c, const Vector3<double>& d) {
+/// The same sign as `orient_3d`, in exact arithmetic from the start.
+inline int orient_3d_exactly(const Vector3<double>& a, const Vector3<double>& b,
+                             const Vector3<double>& c, const Vector3<double>& d) {
   const auto exact = [](const Vector3<double>& v) {
     return Vector3<Exact>(Exact(v.x()), Exact(v.y()), Exact(v.z()));
   };
@@ -107,7 +107,7 @@ inline int side_of_plane_exactly(const Vector3<double>& a, const Vector3<double>
 }
 
 // [filter-bound]
-/// `turn` in double with its error bound.
+/// `orientation` in double with its error bound.
 ///
 /// The bound: each product has two rounded differences and its own rounding, and the difference of
 /// the products is rounded once. These are four roundings a term, so |value − exact| ≤
@@ -115,8 +115,8 @@ inline int side_of_plane_exactly(const Vector3<double>& a, const Vector3<double>
 /// their sum is rounded: 5u covers 4u/(1 − 4u)/(1 − γ₃)·(1 + u)². Underflow adds at most 2^-1074
 /// for each product, far less than the constant 2^-1000. Overflow makes the bound infinite or NaN,
 /// and then no sign is certain.
-inline Bounded bounded_turn(const Vector2<double>& a, const Vector2<double>& b,
-                            const Vector2<double>& c) {
+inline Bounded bounded_orientation(const Vector2<double>& a, const Vector2<double>& b,
+                                   const Vector2<double>& c) {
   constexpr double five_u = 2.5 * std::numeric_limits<double>::epsilon();
   const double left = (b.x() - a.x()) * (c.y() - a.y());
   const double right = (b.y() - a.y()) * (c.x() - a.x());
@@ -133,12 +133,11 @@ inline Bounded bounded_turn(const Vector2<double>& a, const Vector2<double>& b,
 /// @param a,b,c m, any scale; coordinates must be finite
 ///
 /// Source: Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
-/// Predicates, 1997, with the bound derived at `bounded_turn`.
+/// Predicates, 1997, with the bound derived at `bounded_orientation`.
 // [filter-2d]
-inline int side_of_line(const Vector2<double>& a, const Vector2<double>& b,
-                        const Vector2<double>& c) {
-  const int certain = bounded_turn(a, b, c).certain_sign();
-  return certain != 0 ? certain : side_of_line_exactly(a, b, c);
+inline int orient_2d(const Vector2<double>& a, const Vector2<double>& b, const Vector2<double>& c) {
+  const int certain = bounded_orientation(a, b, c).certain_sign();
+  return certain != 0 ? certain : orient_2d_exactly(a, b, c);
 }
 // [/filter-2d]
 
@@ -148,8 +147,8 @@ inline int side_of_line(const Vector2<double>& a, const Vector2<double>& b,
 /// determinant is summed as a floating-point expansion: two_product makes each product of two
 /// numbers an exact pair, and each product of three at most four components, so there are at most
 /// 24. Otherwise, or at extreme scales, the exact type decides.
-inline int side_of_plane_in_doubt(const Vector3<double>& a, const Vector3<double>& b,
-                                  const Vector3<double>& c, const Vector3<double>& d) {
+inline int orient_3d_in_doubt(const Vector3<double>& a, const Vector3<double>& b,
+                              const Vector3<double>& c, const Vector3<double>& d) {
   using namespace orientation_detail;
   Vector3<double> p(0, 0, 0), q(0, 0, 0), r(0, 0, 0);
   bool plain = true;
@@ -158,12 +157,12 @@ inline int side_of_plane_in_doubt(const Vector3<double>& a, const Vector3<double
             exact_difference(c[i], a[i], r[i]) && moderate(p[i]) && moderate(q[i]) &&
             moderate(r[i]);
   }
-  if (!plain) return side_of_plane_exactly(a, b, c, d);
+  if (!plain) return orient_3d_exactly(a, b, c, d);
   Expansion<24> sum;
   const auto add = [&sum](double x, double y, double z) {
     const WithError<double> yz = two_product(y, z);
-    for (const double part : {yz.error, yz.value}) {
-      const WithError<double> product = two_product(x, part);
+    for (const double component : {yz.error, yz.value}) {
+      const WithError<double> product = two_product(x, component);
       grow(sum, product.error);
       grow(sum, product.value);
     }
@@ -187,19 +186,19 @@ inline int side_of_plane_in_doubt(const Vector3<double>& a, const Vector3<double
 ///
 /// Source: the filter is `bounded_volume` of the chapter on triangles; Shewchuk 1997 for
 /// expansions.
-inline int side_of_plane(const Vector3<double>& a, const Vector3<double>& b,
-                         const Vector3<double>& c, const Vector3<double>& d) {
+inline int orient_3d(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c,
+                     const Vector3<double>& d) {
   const int certain = bounded_volume(d - a, b - a, c - a).certain_sign();
-  return certain != 0 ? certain : side_of_plane_in_doubt(a, b, c, d);
+  return certain != 0 ? certain : orient_3d_in_doubt(a, b, c, d);
 }
 // [/filter-3d]
 
 /// Whether three points are exactly collinear (or two of them are equal).
-inline bool on_one_line(const Vector3<double>& a, const Vector3<double>& b,
-                        const Vector3<double>& c) {
+inline bool are_collinear(const Vector3<double>& a, const Vector3<double>& b,
+                          const Vector3<double>& c) {
   for (int k = 0; k < 3; ++k) {
-    if (side_of_line(drop_dimension<double>(a, k), drop_dimension<double>(b, k),
-                     drop_dimension<double>(c, k)) != 0) {
+    if (orient_2d(drop_dimension<double>(a, k), drop_dimension<double>(b, k),
+                  drop_dimension<double>(c, k)) != 0) {
       return false;
     }
   }
@@ -209,15 +208,15 @@ inline bool on_one_line(const Vector3<double>& a, const Vector3<double>& b,
 /// A coordinate that can be dropped so that the projection of the plane a, b, c stays injective,
 /// and the orientation of the projected triangle; {0, 0} if the points are collinear.
 struct FlatView {
-  int dropped = 0;  ///< 0, 1 or 2
-  int turn = 0;     ///< +1 if a, b, c turn left in the projection, −1 if right
+  int dropped = 0;      ///< 0, 1 or 2
+  int orientation = 0;  ///< +1 if a, b, c turn left in the projection, −1 if right
 };
 /// Finds that coordinate, exactly.
 inline FlatView flat_view(const Vector3<double>& a, const Vector3<double>& b,
                           const Vector3<double>& c) {
   for (int k = 0; k < 3; ++k) {
-    const int side = side_of_line(drop_dimension<double>(a, k), drop_dimension<double>(b, k),
-                                  drop_dimension<double>(c, k));
+    const int side = orient_2d(drop_dimension<double>(a, k), drop_dimension<double>(b, k),
+                               drop_dimension<double>(c, k));
     if (side != 0) return {k, side};
   }
   return {};

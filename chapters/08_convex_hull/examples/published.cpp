@@ -33,8 +33,8 @@ void box2d_296(const char* type) {
       {static_cast<S>(-0.994554818), static_cast<S>(0.165337861)}};
   std::vector<contact::Vector2<double>> points;
   for (const auto& p : stored) points.push_back(p.template cast<double>());
-  const double turn = contact::turn(points[3], points[4], points[0]);
-  std::printf("Box2D 296, as %s: cross product %.1e, %zu vertices\n", type, turn,
+  const double orientation = contact::orientation(points[3], points[4], points[0]);
+  std::printf("Box2D 296, as %s: cross product %.1e, %zu vertices\n", type, orientation,
               contact::convex_hull_2d(points).size());
 }
 

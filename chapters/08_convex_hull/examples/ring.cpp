@@ -39,13 +39,13 @@ int main() {
         std::swap(points[i - 1], points[random.below(i)]);
       const CountingSides sides(points);
       CountingSides::asked = 0;
-      contact::GrowingHull<CountingSides> hull(sides, contact::first_simplex(points).points, n);
-      for (int p = 0; p < n; ++p) hull.wait(p, std::array{0, 1, 2, 3});
+      contact::IncrementalHull<CountingSides> hull(sides, contact::first_simplex(points).points, n);
+      for (int p = 0; p < n; ++p) hull.add_conflict(p, std::array{0, 1, 2, 3});
       std::vector<int> before(points.size());
       for (int p = 0; p < n; ++p) {
-        if (hull.sees(p) < 0) continue;
-        for (int q = 0; q < n; ++q) before[static_cast<std::size_t>(q)] = hull.sees(q);
-        hull.add(p, hull.sees(p), [](int, int) {});
+        if (hull.conflict_face(p) < 0) continue;
+        for (int q = 0; q < n; ++q) before[static_cast<std::size_t>(q)] = hull.conflict_face(q);
+        hull.add(p, hull.conflict_face(p), [](int, int) {});
         // What the moved points would have tested if they tried the new triangles in turn.
         const std::int64_t so_far = CountingSides::asked;
         std::vector<bool> gone(hull.all().size(), false);

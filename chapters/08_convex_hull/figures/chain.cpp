@@ -28,9 +28,9 @@ struct Output {
   double length;                        // of the chain after `step` tests
   std::array<double, 2 * count> chain;  // its indices, then -1
   std::array<double, 3> asked;          // the three points of the last test, or -1
-  double turn;                          // its sign
-  double all_corners;                   // goal of a question: every point is a vertex
-  double true_corners;                  // of the exact hull
+  double orientation;                   // its sign
+  double all_vertices;                  // goal of a question: every point is a vertex
+  double true_vertices;                 // of the exact hull
   std::array<double, count> true_hull;  // their indices, then -1
   double found;                         // vertices of the exact hull that the method has
   std::array<double, count> lost;       // 1 for those that it lacks
@@ -62,13 +62,13 @@ struct Chain {
   std::vector<int> answers;
 };
 
-template <class Turn>
-Chain chain_by(const std::vector<Point>& read, const Turn& turn) {
+template <class Orientation>
+Chain chain_by(const std::vector<Point>& read, const Orientation& orientation) {
   Chain chain{read, {}, {}, {}};
   chain.corners = contact::monotone_chain(read, [&](int i, int j, int k) {
     const auto at = [&read](int index) { return read[static_cast<std::size_t>(index)]; };
     chain.questions.push_back({i, j, k});
-    chain.answers.push_back(turn(at(i), at(j), at(k)));
+    chain.answers.push_back(orientation(at(i), at(j), at(k)));
     return chain.answers.back();
   });
   return chain;
@@ -80,7 +80,7 @@ Chain rounded_chain(const std::vector<Point>& points, double epsilon) {
   std::vector<Point> read;
   for (const Point& p : points) read.push_back(p.cast<S>().template cast<double>());
   return chain_by(read, [epsilon](const Point& a, const Point& b, const Point& c) {
-    const double area = contact::turn<S>(a.cast<S>(), b.cast<S>(), c.cast<S>());
+    const double area = contact::orientation<S>(a.cast<S>(), b.cast<S>(), c.cast<S>());
     return area > epsilon ? 1 : (area < -epsilon ? -1 : 0);
   });
 }
@@ -111,7 +111,7 @@ Chain chain_by_angles(const std::vector<Point>& points) {
     while (hull.size() >= 2) {
       const int i = hull[hull.size() - 2], j = hull.back();
       chain.questions.push_back({i, j, k});
-      chain.answers.push_back(contact::side_of_line(at(i), at(j), at(k)));
+      chain.answers.push_back(contact::orient_2d(at(i), at(j), at(k)));
       if (chain.answers.back() > 0) break;
       hull.pop_back();
     }
@@ -151,13 +151,13 @@ Output compute(const Input& in) {
                       : in.method == 2 ? rounded_chain<double>(points, 0)
                       : in.method == 3 ? rounded_chain<double>(points, 1e-6)
                       : in.method == 4 ? chain_by_angles(points)
-                                       : chain_by(points, contact::side_of_line);
+                                       : chain_by(points, contact::orient_2d);
   const std::vector<int>& hull = asked.corners;
   const auto& questions = asked.questions;
   out.steps = static_cast<double>(questions.size());
   out.corners = static_cast<double>(hull.size());
   for (std::size_t i = 0; i < hull.size() && i < out.hull.size(); ++i) out.hull[i] = hull[i];
-  out.true_corners = static_cast<double>(exact.size());
+  out.true_vertices = static_cast<double>(exact.size());
   for (std::size_t i = 0; i < exact.size(); ++i) {
     out.true_hull[i] = exact[i];
     const bool has = std::find(hull.begin(), hull.end(), exact[i]) != hull.end();
@@ -167,7 +167,7 @@ Output compute(const Input& in) {
     const auto at = [&](std::size_t k) {
       return points[static_cast<std::size_t>(questions[q][k])];
     };
-    out.wrong_turns += contact::side_of_line(at(0), at(1), at(2)) != asked.answers[q];
+    out.wrong_turns += contact::orient_2d(at(0), at(1), at(2)) != asked.answers[q];
   }
 
   // The chain after `step` tests consists of the points tested and not removed: replay the tests.
@@ -190,11 +190,12 @@ Output compute(const Input& in) {
       if (chain.empty() || chain.back() != i) chain.push_back(i);
       chain.push_back(j);
     }
-    const int turn = asked.answers[q];
-    if (turn <= 0) chain.pop_back();
-    if (turn > 0 || q + 1 == questions.size() || questions[q + 1][2] != k) chain.push_back(k);
+    const int orientation = asked.answers[q];
+    if (orientation <= 0) chain.pop_back();
+    if (orientation > 0 || q + 1 == questions.size() || questions[q + 1][2] != k)
+      chain.push_back(k);
     out.asked = {double(i), double(j), double(k)};
-    out.turn = turn;
+    out.orientation = orientation;
   }
   if (!chain.empty() && !lower.empty() && lower.back() == chain.front()) lower.pop_back();
   chain.insert(chain.begin(), lower.begin(), lower.end());
@@ -205,10 +206,10 @@ Output compute(const Input& in) {
   out.length = static_cast<double>(std::min<std::size_t>(chain.size(), out.chain.size()));
   for (std::size_t i = 0; i < chain.size() && i < out.chain.size(); ++i) out.chain[i] = chain[i];
 
-  out.all_corners = exact.size() == count ? 1 : 0;
+  out.all_vertices = exact.size() == count ? 1 : 0;
   return out;
 }
 
 FIGURE(Input, FIELDS(p0, p1, p2, p3, p4, p5, p6, p7, step, method, flat), Output,
-       FIELDS(problem, steps, corners, hull, length, chain, asked, turn, all_corners, true_corners,
-              true_hull, found, lost, wrong_turns, place))
+       FIELDS(problem, steps, corners, hull, length, chain, asked, orientation, all_vertices,
+              true_vertices, true_hull, found, lost, wrong_turns, place))

@@ -24,8 +24,8 @@ interface Output {
   length: number;
   chain: readonly number[];
   asked: readonly number[];
-  turn: number;
-  true_corners: number;
+  orientation: number;
+  true_vertices: number;
   true_hull: readonly number[];
   found: number;
   lost: readonly number[];
@@ -102,8 +102,8 @@ export default defineFigure<Input, Output>({
     const at = (i: number | undefined): Vec2 => points[i ?? 0] ?? [0, 0];
     const hull = output.hull.slice(0, output.corners).map(at);
     if (hull.length > 2) scene.face(hull, { role: "surface", fill: 0.08, outline: false });
-    if (output.found < output.true_corners || output.wrong_turns > 0) {
-      const right = output.true_hull.slice(0, output.true_corners).map(at);
+    if (output.found < output.true_vertices || output.wrong_turns > 0) {
+      const right = output.true_hull.slice(0, output.true_vertices).map(at);
       scene.path([...right, ...right.slice(0, 1)], { role: "normal", width: 1.5, dashed: true });
       for (const [i, p] of points.entries()) {
         if (!output.lost[i]) continue;
@@ -115,19 +115,22 @@ export default defineFigure<Input, Output>({
     if (chain.length > 1) scene.path(chain, { role: "surface", width: 3 });
     const [i = -1, j = -1, k = -1] = output.asked;
     if (i >= 0 && input.step < output.steps) {
-      const role = output.turn > 0 ? "hit" : "miss";
+      const role = output.orientation > 0 ? "hit" : "miss";
       scene.path([at(i), at(j), at(k)], { role, width: 2, dashed: true, arrow: true });
-      scene.dot(at(j), role, 6, output.turn <= 0);
-      scene.label(at(j), output.turn > 0 ? "left: stays" : "removed", { role, offset: [10, 18] });
+      scene.dot(at(j), role, 6, output.orientation <= 0);
+      scene.label(at(j), output.orientation > 0 ? "left: stays" : "removed", {
+        role,
+        offset: [10, 18],
+      });
     }
   },
   values: (input, output) => [
     {
       name: "found",
       meaning: "of the vertices of the hull, which is dashed",
-      value: `${output.found} of ${output.true_corners}${output.corners > output.found ? `, ${output.corners - output.found} more` : ""}`,
+      value: `${output.found} of ${output.true_vertices}${output.corners > output.found ? `, ${output.corners - output.found} more` : ""}`,
       role:
-        output.found < output.true_corners || output.corners > output.found ? "miss" : "surface",
+        output.found < output.true_vertices || output.corners > output.found ? "miss" : "surface",
     },
     {
       name: "wrong",
@@ -141,19 +144,19 @@ export default defineFigure<Input, Output>({
       value: `${Math.min(input.step, output.steps)} of ${output.steps}`,
     },
     {
-      name: "turn",
+      name: "orientation",
       meaning: "of the last three",
       value:
         output.asked[0] === -1
           ? "–"
-          : output.turn > 0
+          : output.orientation > 0
             ? "left"
-            : output.turn < 0
+            : output.orientation < 0
               ? "right"
               : "none",
-      role: output.turn > 0 ? "hit" : "miss",
+      role: output.orientation > 0 ? "hit" : "miss",
     },
   ],
   describe: (input, output) =>
-    `The hull of the eight points has ${output.true_corners} vertices, of which ${output.found} are found. ${Math.min(input.step, output.steps)} of ${output.steps} orientation tests have been made.`,
+    `The hull of the eight points has ${output.true_vertices} vertices, of which ${output.found} are found. ${Math.min(input.step, output.steps)} of ${output.steps} orientation tests have been made.`,
 });

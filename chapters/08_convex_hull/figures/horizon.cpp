@@ -20,18 +20,18 @@ struct Output {
   double problem;
   std::array<Point, count> points;
   double faces;                         // triangles of the hull before
-  std::array<double, 3 * most> corner;  // three indices a triangle
+  std::array<double, 3 * most> vertex;  // three indices a triangle
   std::array<double, most> seen;        // 1 if p is in front
   double seen_count;
   double horizon_count;
   std::array<double, 2 * most> horizon;  // ends of its edges
-  double corners_before, corners_after, faces_after;
+  double vertices_before, vertices_after, faces_after;
   double sees_many;  // goal of a question: p sees eight triangles or more
 };
 
 Output compute(const Input& in) {
   Output out{};
-  out.corner.fill(-1);
+  out.vertex.fill(-1);
   out.horizon.fill(-1);
   if (in.p.cwiseAbs().maxCoeff() > 1e100) {
     out.problem = contact::figure::too_large;
@@ -54,11 +54,11 @@ Output compute(const Input& in) {
   std::map<std::pair<int, int>, int> edges;
   for (std::size_t t = 0; t < triangles.size() && t < most; ++t) {
     const auto [a, b, c] = triangles[t];
-    out.corner[3 * t] = a;
-    out.corner[3 * t + 1] = b;
-    out.corner[3 * t + 2] = c;
+    out.vertex[3 * t] = a;
+    out.vertex[3 * t + 1] = b;
+    out.vertex[3 * t + 2] = c;
     ++out.faces;
-    if (contact::side_of_plane(at(a), at(b), at(c), in.p) <= 0) continue;
+    if (contact::orient_3d(at(a), at(b), at(c), in.p) <= 0) continue;
     out.seen[t] = 1;
     ++out.seen_count;
     for (const auto& edge : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}}) {
@@ -73,15 +73,15 @@ Output compute(const Input& in) {
     out.horizon[place + 1] = edge.second;
     ++out.horizon_count;
   }
-  out.corners_before = static_cast<double>(hull.vertices.size());
+  out.vertices_before = static_cast<double>(hull.vertices.size());
   points.push_back(in.p);
   const contact::Hull after = contact::convex_hull(points);
-  out.corners_after = static_cast<double>(after.vertices.size());
+  out.vertices_after = static_cast<double>(after.vertices.size());
   out.faces_after = after.face_count();
   out.sees_many = out.seen_count >= 8 ? 1 : 0;
   return out;
 }
 
 FIGURE(Input, FIELDS(p, turned), Output,
-       FIELDS(problem, points, faces, corner, seen, seen_count, horizon_count, horizon,
-              corners_before, corners_after, faces_after, sees_many))
+       FIELDS(problem, points, faces, vertex, seen, seen_count, horizon_count, horizon,
+              vertices_before, vertices_after, faces_after, sees_many))

@@ -11,13 +11,13 @@ interface Input {
 interface Output {
   points: readonly number[];
   faces: number;
-  corner: readonly number[];
+  vertex: readonly number[];
   seen: readonly number[];
   seen_count: number;
   horizon_count: number;
   horizon: readonly number[];
-  corners_before: number;
-  corners_after: number;
+  vertices_before: number;
+  vertices_after: number;
   faces_after: number;
 }
 
@@ -57,7 +57,7 @@ export default defineFigure<Input, Output>({
       const seen = output.seen[t] === 1;
       if (seen && input.turned) continue;
       scene.face(
-        [0, 1, 2].map((k) => at(output.corner[3 * t + k])),
+        [0, 1, 2].map((k) => at(output.vertex[3 * t + k])),
         { role: seen ? "miss" : "surface", fill: seen ? 0.25 : 0.16, outline: true, hides: true },
       );
     }
@@ -77,11 +77,11 @@ export default defineFigure<Input, Output>({
       value: output.horizon_count,
       role: "normal",
     },
-    { name: "vertices", meaning: "with p", value: output.corners_after },
+    { name: "vertices", meaning: "with p", value: output.vertices_after },
     { name: "faces", meaning: "with p", value: output.faces_after, role: "hit" },
   ],
   describe: (_input, output) =>
     output.seen_count === 0
       ? "p sees no triangle: it is inside the hull, or on it, and changes nothing."
-      : `p sees ${output.seen_count} of ${output.faces} triangles, with a horizon of ${output.horizon_count} edges. With p the hull has ${output.corners_after} vertices and ${output.faces_after} faces.`,
+      : `p sees ${output.seen_count} of ${output.faces} triangles, with a horizon of ${output.horizon_count} edges. With p the hull has ${output.vertices_after} vertices and ${output.faces_after} faces.`,
 });

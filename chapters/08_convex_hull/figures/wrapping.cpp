@@ -30,7 +30,7 @@ struct Output {
   double triangles;                       // made by the method
   double closed;                          // 1 if they close
   double right;                           // 1 if they are the hull
-  std::array<double, 3 * most> corner;    // three indices a triangle
+  std::array<double, 3 * most> vertex;    // three indices a triangle
   std::array<double, most> in_front;      // how many points are exactly in front of it
   double open_edges;                      // edges that belong to one triangle only
   std::array<double, 2 * 3 * most> open;  // their ends
@@ -67,7 +67,7 @@ double drawn_up(const Point& p, double power) {
 Output compute(const Input& in) {
   Output out{};
   std::vector<Point> points{in.a, in.b, in.c, in.d, in.e, in.f, in.g, in.h};
-  out.corner.fill(-1);
+  out.vertex.fill(-1);
   out.open.fill(-1);
   for (const Point& p : points) {
     if (p.cwiseAbs().maxCoeff() > 1e100) out.problem = contact::figure::too_large;
@@ -117,9 +117,9 @@ Output compute(const Input& in) {
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   out.triangles = static_cast<double>(triangles.size());
   out.closed = closed ? 1 : 0;
-  for (const int corner : exact.vertices) {
-    const bool has = std::binary_search(corners.begin(), corners.end(), corner);
-    (has ? out.found : out.lost[static_cast<std::size_t>(corner)]) += 1;
+  for (const int vertex : exact.vertices) {
+    const bool has = std::binary_search(corners.begin(), corners.end(), vertex);
+    (has ? out.found : out.lost[static_cast<std::size_t>(vertex)]) += 1;
   }
 
   const auto at = [&points](int i) { return points[static_cast<std::size_t>(i)]; };
@@ -127,11 +127,11 @@ Output compute(const Input& in) {
   std::map<std::pair<int, int>, int> edges;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto [i, j, k] = triangles[t];
-    out.corner[3 * t] = i;
-    out.corner[3 * t + 1] = j;
-    out.corner[3 * t + 2] = k;
+    out.vertex[3 * t] = i;
+    out.vertex[3 * t + 1] = j;
+    out.vertex[3 * t + 2] = k;
     for (int p = 0; p < count; ++p) {
-      if (contact::side_of_plane(at(i), at(j), at(k), at(p)) <= 0) continue;
+      if (contact::orient_3d(at(i), at(j), at(k), at(p)) <= 0) continue;
       outside[static_cast<std::size_t>(p)] = true;
       ++out.in_front[t];
     }
@@ -157,5 +157,5 @@ Output compute(const Input& in) {
 }
 
 FIGURE(Input, FIELDS(a, b, c, d, e, f, g, h, method, epsilon, shown, flat), Output,
-       FIELDS(problem, dimension, corners, faces, triangles, closed, right, corner, in_front,
+       FIELDS(problem, dimension, corners, faces, triangles, closed, right, vertex, in_front,
               open_edges, open, outside, found, lost, place))

@@ -25,7 +25,7 @@ interface Output {
   triangles: number;
   closed: number;
   right: number;
-  corner: readonly number[];
+  vertex: readonly number[];
   in_front: readonly number[];
   open_edges: number;
   open: readonly number[];
@@ -128,7 +128,7 @@ export default defineFigure<Input, Output>({
     const at = (i: number | undefined): Vec3 => points[i ?? 0] ?? [0, 0, 0];
     const shown = Math.min(input.shown, output.triangles);
     for (let t = 0; t < shown; t++) {
-      const corners = [0, 1, 2].map((k) => at(output.corner[3 * t + k]));
+      const corners = [0, 1, 2].map((k) => at(output.vertex[3 * t + k]));
       const wrong = (output.in_front[t] ?? 0) > 0;
       scene.face(corners, {
         role: wrong ? "miss" : "surface",

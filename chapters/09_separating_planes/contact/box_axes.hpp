@@ -48,13 +48,13 @@ S magnitude(const S& x) {
 
 /// The support of a box along n, from its centre, times |n|: Σ hᵢ |n · aᵢ|.
 template <Ring S>
-S box_reach(const OrientedBox<S>& box, const Vector3<S>& n) {
-  S reach(0);
+S projected_radius(const OrientedBox<S>& box, const Vector3<S>& n) {
+  S half_extent(0);
   for (int i = 0; i < 3; ++i) {
-    reach =
-        reach + S(box.half_lengths(i)) * detail::magnitude<S>(n.dot(Vector3<S>(box.axes.col(i))));
+    half_extent = half_extent +
+                  S(box.half_lengths(i)) * detail::magnitude<S>(n.dot(Vector3<S>(box.axes.col(i))));
   }
-  return reach;
+  return half_extent;
 }
 
 // [axis-gap]
@@ -64,7 +64,7 @@ S box_reach(const OrientedBox<S>& box, const Vector3<S>& n) {
 template <Ring S>
 S gap_along(const OrientedBox<S>& a, const OrientedBox<S>& b, const Vector3<S>& n) {
   const Vector3<S> between = a.centre - b.centre;
-  return detail::magnitude<S>(n.dot(between)) - box_reach(a, n) - box_reach(b, n);
+  return detail::magnitude<S>(n.dot(between)) - projected_radius(a, n) - projected_radius(b, n);
 }
 // [/axis-gap]
 
@@ -87,9 +87,9 @@ inline int sign_of_gap(const OrientedBox<double>& a, const OrientedBox<double>& 
   const Vector3<double> products(std::abs(u.y() * v.z()) + std::abs(u.z() * v.y()),
                                  std::abs(u.z() * v.x()) + std::abs(u.x() * v.z()),
                                  std::abs(u.x() * v.y()) + std::abs(u.y() * v.x()));
-  const Vector3<double> reach_a = a.axes.cwiseAbs() * a.half_lengths.cwiseAbs();
-  const Vector3<double> reach_b = b.axes.cwiseAbs() * b.half_lengths.cwiseAbs();
-  const Vector3<double> all = (a.centre - b.centre).cwiseAbs() + reach_a + reach_b;
+  const Vector3<double> half_extent_a = a.axes.cwiseAbs() * a.half_lengths.cwiseAbs();
+  const Vector3<double> half_extent_b = b.axes.cwiseAbs() * b.half_lengths.cwiseAbs();
+  const Vector3<double> all = (a.centre - b.centre).cwiseAbs() + half_extent_a + half_extent_b;
   const double size = products.dot(all);
   const double gap = gap_along<double>(a, b, box_axis(a, b, k));
   const double bound = tolerance::gamma<double>(32) * size + 0x1p-1060 * (1 + all.sum());

@@ -59,7 +59,7 @@ void require_extent(const char* argument, const S& x, bool positive) {
   }
 }
 template <std::floating_point S>
-void require_place(const char* argument, const Vector3<S>& x) {
+void require_position(const char* argument, const Vector3<S>& x) {
   require_finite(argument, x);
   if (x.cwiseAbs().maxCoeff() > furthest_coordinate<S>) {
     throw_invalid_argument(argument, vector_text(x), "is out of range");
@@ -73,7 +73,7 @@ void require_place(const char* argument, const Vector3<S>& x) {
 /// @throws std::invalid_argument naming the argument and its value
 template <std::floating_point S>
 Sphere<S> sphere_from_radius(const Vector3<S>& centre, const S& radius) {
-  detail::require_place("centre", centre);
+  detail::require_position("centre", centre);
   detail::require_extent("radius", radius, false);
   return {centre, radius};
 }
@@ -84,8 +84,8 @@ Sphere<S> sphere_from_radius(const Vector3<S>& centre, const S& radius) {
 /// @throws std::invalid_argument naming the argument and its value
 template <std::floating_point S>
 Capsule<S> capsule_from_segment(const Vector3<S>& start, const Vector3<S>& end, const S& radius) {
-  detail::require_place("start", start);
-  detail::require_place("end", end);
+  detail::require_position("start", start);
+  detail::require_position("end", end);
   detail::require_extent("radius", radius, false);
   return {{start, end}, radius};
 }
@@ -97,7 +97,7 @@ Capsule<S> capsule_from_segment(const Vector3<S>& start, const Vector3<S>& end, 
 template <std::floating_point S>
 OrientedBox<S> oriented_box_from_axes(const Vector3<S>& centre, const Matrix3<S>& axes,
                                       const Vector3<S>& half_lengths) {
-  detail::require_place("centre", centre);
+  detail::require_position("centre", centre);
   for (int i = 0; i < 3; ++i) detail::require_extent("half_lengths", half_lengths(i), true);
   const Matrix3<S> off = axes.transpose() * axes - Matrix3<S>::Identity();
   const S room = S(32) * std::numeric_limits<S>::epsilon();
@@ -133,11 +133,11 @@ template <Ring S>
 Vector3<S> box_corner(const OrientedBox<S>& box, int k) {
   Vector3<S> corner = box.centre;
   for (int i = 0; i < 3; ++i) {
-    const Vector3<S> reach = Vector3<S>(box.axes.col(i)) * S(box.half_lengths(i));
+    const Vector3<S> half_extent = Vector3<S>(box.axes.col(i)) * S(box.half_lengths(i));
     if (((k >> i) & 1) != 0) {
-      corner = corner + reach;
+      corner = corner + half_extent;
     } else {
-      corner = corner - reach;
+      corner = corner - half_extent;
     }
   }
   return corner;

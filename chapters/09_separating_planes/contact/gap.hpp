@@ -43,7 +43,7 @@ namespace detail {
 /// A unit vector perpendicular to d, always the same for the same d: perpendicular to the
 /// coordinate axis along which d is smallest. For d = 0, the z axis.
 template <std::floating_point S>
-Vector3<S> across(const Vector3<S>& d) {
+Vector3<S> perpendicular_to(const Vector3<S>& d) {
   if (d == Vector3<S>::Zero()) return Vector3<S>::UnitZ();
   int least = 0;
   for (int i = 1; i < 3; ++i) {
@@ -66,7 +66,7 @@ Gap<S> gap_of_cores(const Vector3<S>& on_a, const S& radius_a, const Vector3<S>&
 /// Below this length the difference of two closest points is a rounding residual, and its direction
 /// has no meaning.
 template <std::floating_point S>
-S no_direction_below(const Vector3<S>& p, const Vector3<S>& q) {
+S direction_threshold(const Vector3<S>& p, const Vector3<S>& q) {
   return S(32) * std::numeric_limits<S>::epsilon() *
          std::max(p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff());
 }
@@ -104,7 +104,7 @@ Gap<S> gap(const Capsule<S>& a, const Capsule<S>& b) {
   const S distance = detail::length<S>(between);
   const Vector3<S> d = a.core.end - a.core.start;
   const Vector3<S> e = b.core.end - b.core.start;
-  if (distance > detail::no_direction_below<S>(near.on_a, near.on_b)) {
+  if (distance > detail::direction_threshold<S>(near.on_a, near.on_b)) {
     return detail::gap_of_cores<S>(near.on_a, a.radius, near.on_b, b.radius, distance,
                                    normalised<S>(between));
   }
@@ -113,7 +113,7 @@ Gap<S> gap(const Capsule<S>& a, const Capsule<S>& b) {
   if (detail::length<S>(normal) > parallel) {
     normal = normalised<S>(normal);
   } else {
-    normal = detail::across<S>(d == Vector3<S>::Zero() ? e : d);
+    normal = detail::perpendicular_to<S>(d == Vector3<S>::Zero() ? e : d);
   }
   if (normal.dot(between) < S(0)) normal = -normal;
   return detail::gap_of_cores<S>(near.on_a, a.radius, near.on_b, b.radius, S(0), normal);
@@ -174,10 +174,10 @@ namespace detail {
 
 /// An axis and the gap of A and B along it.
 template <std::floating_point S>
-struct AxisRoom {
-  S room = -std::numeric_limits<S>::infinity();  ///< m
-  Vector3<S> normal = Vector3<S>::Zero();        ///< unit vector, from B to A
-  int axis = -1;                                 ///< which candidate it was
+struct AxisSeparation {
+  S separation = -std::numeric_limits<S>::infinity();  ///< m
+  Vector3<S> normal = Vector3<S>::Zero();              ///< unit vector, from B to A
+  int axis = -1;                                       ///< which candidate it was
 };
 
 /// a × b, also for parallel or almost parallel vectors of similar length. Then the difference b ∓ a
@@ -205,8 +205,8 @@ namespace detail {
 /// The axis of largest gap between a segment and a box: of the three face normals of the box and
 /// the three cross products of the segment and an edge.
 template <std::floating_point S>
-AxisRoom<S> widest_room(const Segment<S>& a, const OrientedBox<S>& b) {
-  AxisRoom<S> best;
+AxisSeparation<S> max_separation(const Segment<S>& a, const OrientedBox<S>& b) {
+  AxisSeparation<S> best;
   const Vector3<S> start = a.start - b.centre;
   const Vector3<S> end = a.end - b.centre;
   const Vector3<S> d = a.end - a.start;
@@ -218,14 +218,14 @@ AxisRoom<S> widest_room(const Segment<S>& a, const OrientedBox<S>& b) {
       if (along == Vector3<S>::Zero() || !has_direction<S>(n)) continue;
       n = normalised<S>(n);
     }
-    const S reach = box_reach(b, n);
+    const S half_extent = projected_radius(b, n);
     const S from = n.dot(start);
     const S to = n.dot(end);
     // In both directions of the axis.
-    const S ahead = std::min(from, to) - reach;
-    const S behind = -std::max(from, to) - reach;
-    if (ahead > best.room) best = {ahead, n, k};
-    if (behind > best.room) best = {behind, -n, k};
+    const S ahead = std::min(from, to) - half_extent;
+    const S behind = -std::max(from, to) - half_extent;
+    if (ahead > best.separation) best = {ahead, n, k};
+    if (behind > best.separation) best = {behind, -n, k};
   }
   return best;
 }
@@ -240,12 +240,12 @@ AxisRoom<S> widest_room(const Segment<S>& a, const OrientedBox<S>& b) {
 template <std::floating_point S>
 Gap<S> gap(const Capsule<S>& a, const OrientedBox<S>& b) {
   if (a.core.start == a.core.end) return gap(Sphere<S>{a.core.start, a.radius}, b);
-  const detail::AxisRoom<S> widest = detail::widest_room<S>(a.core, b);
+  const detail::AxisSeparation<S> widest = detail::max_separation<S>(a.core, b);
   const ClosestPoints<S> near = closest_points<S>(a.core, b);
   const Vector3<S> between = near.on_a - near.on_b;
   const S distance = detail::length<S>(between);
   const Vector3<S> far = b.axes.cwiseAbs() * b.half_lengths + b.centre.cwiseAbs();
-  if (distance > detail::no_direction_below<S>(near.on_a, far)) {
+  if (distance > detail::direction_threshold<S>(near.on_a, far)) {
     return detail::gap_of_cores<S>(near.on_a, a.radius, near.on_b, S(0), distance,
                                    normalised<S>(between));
   }
@@ -267,8 +267,8 @@ Gap<S> gap(const Capsule<S>& a, const OrientedBox<S>& b) {
     const Vector2<S> at = detail::crossing_fractions(a.core, edge);
     deepest = at.x() >= S(0) ? detail::point_at<S>(a.core, at.x()) : near.on_a;
   }
-  return detail::gap_of_cores<S>(deepest, a.radius, Vector3<S>(deepest - n * widest.room), S(0),
-                                 widest.room, n);
+  return detail::gap_of_cores<S>(deepest, a.radius, Vector3<S>(deepest - n * widest.separation),
+                                 S(0), widest.separation, n);
 }
 /// A box and a capsule.
 template <std::floating_point S>
@@ -284,9 +284,9 @@ namespace detail {
 /// of them has a direction. Of equal ones the first is taken, and an edge–edge axis must exceed the
 /// face normals by 64 u of the sizes: faces give better contacts, and rounding must not decide.
 template <std::floating_point S>
-AxisRoom<S> widest_room(const OrientedBox<S>& a, const OrientedBox<S>& b, int first = 0,
-                        int last = box_axis_count - 1) {
-  AxisRoom<S> best;
+AxisSeparation<S> max_separation(const OrientedBox<S>& a, const OrientedBox<S>& b, int first = 0,
+                                 int last = box_axis_count - 1) {
+  AxisSeparation<S> best;
   const Vector3<S> between = a.centre - b.centre;
   const S size = a.half_lengths.sum() + b.half_lengths.sum() + between.cwiseAbs().sum();
   const S preference = S(32) * std::numeric_limits<S>::epsilon() * size;
@@ -300,11 +300,11 @@ AxisRoom<S> widest_room(const OrientedBox<S>& a, const OrientedBox<S>& b, int fi
       n = normalised<S>(n);
     }
     const S along = n.dot(between);
-    const S room = std::abs(along) - box_reach(a, n) - box_reach(b, n);
-    const S needed = k < 6 && k != 3 ? best.room : S(best.room + preference);
-    if (best.axis < 0 || room > needed) {
+    const S separation = std::abs(along) - projected_radius(a, n) - projected_radius(b, n);
+    const S needed = k < 6 && k != 3 ? best.separation : S(best.separation + preference);
+    if (best.axis < 0 || separation > needed) {
       if (along < S(0)) n = -n;
-      best = {room, n, k};
+      best = {separation, n, k};
     }
   }
   return best;
@@ -322,16 +322,16 @@ AxisRoom<S> widest_room(const OrientedBox<S>& a, const OrientedBox<S>& b, int fi
 /// @return error of the distance: a few u of the coordinates and sizes
 template <std::floating_point S>
 Gap<S> gap(const OrientedBox<S>& a, const OrientedBox<S>& b) {
-  const detail::AxisRoom<S> widest = detail::widest_room<S>(a, b);
+  const detail::AxisSeparation<S> widest = detail::max_separation<S>(a, b);
   const Vector3<S>& n = widest.normal;
   const Vector3<S> far_a = a.axes.cwiseAbs() * a.half_lengths + a.centre.cwiseAbs();
   const Vector3<S> far_b = b.axes.cwiseAbs() * b.half_lengths + b.centre.cwiseAbs();
-  if (widest.room > detail::no_direction_below<S>(far_a, far_b)) {
+  if (widest.separation > detail::direction_threshold<S>(far_a, far_b)) {
     const ClosestPoints<S> near = closest_points<S>(a, b);
     const Vector3<S> between = near.on_a - near.on_b;
     // A direction computed from two points loses its digits if the boxes almost touch.
-    const bool along = detail::length<S>(Vector3<S>(between - n * widest.room)) <=
-                       S(4) * detail::no_direction_below<S>(far_a, far_b);
+    const bool along = detail::length<S>(Vector3<S>(between - n * widest.separation)) <=
+                       S(4) * detail::direction_threshold<S>(far_a, far_b);
     return detail::gap_of_cores<S>(near.on_a, S(0), near.on_b, S(0), detail::length<S>(between),
                                    along ? n : normalised<S>(between));
   }
@@ -341,19 +341,19 @@ Gap<S> gap(const OrientedBox<S>& a, const OrientedBox<S>& b) {
     const Vector3<S> deepest = face_of_a
                                    ? detail::deepest_over_face<S>(a, widest.axis, outward, b)
                                    : detail::deepest_over_face<S>(b, widest.axis - 3, outward, a);
-    const Vector3<S> shift = n * widest.room;
-    if (face_of_a) return {widest.room, n, Vector3<S>(deepest + shift), deepest};
-    return {widest.room, n, deepest, Vector3<S>(deepest - shift)};
+    const Vector3<S> shift = n * widest.separation;
+    if (face_of_a) return {widest.separation, n, Vector3<S>(deepest + shift), deepest};
+    return {widest.separation, n, deepest, Vector3<S>(deepest - shift)};
   }
   const Segment<S> edge_a = detail::support_edge<S>(a, (widest.axis - 6) / 3, Vector3<S>(-n));
   const Segment<S> edge_b = detail::support_edge<S>(b, (widest.axis - 6) % 3, n);
   const Vector2<S> at = detail::crossing_fractions(edge_a, edge_b);
   if (at.x() >= S(0)) {
-    return {widest.room, n, detail::point_at<S>(edge_a, at.x()),
+    return {widest.separation, n, detail::point_at<S>(edge_a, at.x()),
             detail::point_at<S>(edge_b, at.y())};
   }
   const ClosestPoints<S> near = closest_points<S>(edge_a, edge_b);
-  return {widest.room, n, near.on_a, near.on_b};
+  return {widest.separation, n, near.on_a, near.on_b};
 }
 // [/gap-boxes]
 

@@ -72,7 +72,7 @@ inline Extent extent_along(const Sphere<double>& s, const Vector3<double>& n) {
 }
 inline Extent extent_along(const OrientedBox<double>& box, const Vector3<double>& n) {
   const double middle = n.dot(box.centre);
-  const double reach = box_reach(box, n);
+  const double reach = projected_radius(box, n);
   const Vector3<double> far =
       box.centre.cwiseAbs() + Vector3<double>(box.axes.cwiseAbs() * box.half_lengths);
   return {middle - reach, middle + reach, n.cwiseAbs().dot(far)};

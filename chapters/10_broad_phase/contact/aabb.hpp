@@ -181,7 +181,7 @@ Aabb<S> aabb_of_swept_box(const Aabb<S>& box, const Vector3<S>& displacement, S 
 /// @throws std::invalid_argument if an argument does not satisfy these conditions, or the result
 /// overflows
 template <std::floating_point S>
-Aabb<S> aabb_of_turned_box(const CoordinateFrame<S>& frame, const Vector3<S>& half_lengths) {
+Aabb<S> aabb_of_rotated_box(const CoordinateFrame<S>& frame, const Vector3<S>& half_lengths) {
   require_finite("frame.origin", frame.origin);
   require_finite("half_lengths", half_lengths);
   for (int k = 0; k < 3; ++k) {
@@ -191,14 +191,14 @@ Aabb<S> aabb_of_turned_box(const CoordinateFrame<S>& frame, const Vector3<S>& ha
   }
   Aabb<S> box;
   for (int k = 0; k < 3; ++k) {
-    S reach(0);
-    for (int j = 0; j < 3; ++j) reach += std::abs(frame.axes(k, j)) * half_lengths(j);
-    reach += tolerance::gamma<S>(8) * reach + S(2) * tolerance::underflow_unit<S>;
-    if (!std::isfinite(reach)) {
+    S half_extent(0);
+    for (int j = 0; j < 3; ++j) half_extent += std::abs(frame.axes(k, j)) * half_lengths(j);
+    half_extent += tolerance::gamma<S>(8) * half_extent + S(2) * tolerance::underflow_unit<S>;
+    if (!std::isfinite(half_extent)) {
       throw_invalid_argument("half_lengths", vector_text(half_lengths), "its box overflows");
     }
-    box.low(k) = sum_down(frame.origin(k), -reach);
-    box.high(k) = sum_up(frame.origin(k), reach);
+    box.low(k) = sum_down(frame.origin(k), -half_extent);
+    box.high(k) = sum_up(frame.origin(k), half_extent);
   }
   return detail::require_in_range("frame.origin", frame.origin, box);
 }

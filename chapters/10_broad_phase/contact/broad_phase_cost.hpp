@@ -111,11 +111,11 @@ inline double expected_touching_pairs(const BoxProfile& profile) {
 /// 2^20 edges from the grid's origin, none below it
 /// @param grid whose edge is a power of two, made by grid_for()
 template <std::floating_point S>
-std::uint64_t most_grid_tests(std::span<const Aabb<S>> boxes, const PairGrid<S>& grid) {
+std::uint64_t max_grid_tests(std::span<const Aabb<S>> boxes, const PairGrid<S>& grid) {
   std::vector<Aabb<S>> longer(boxes.begin(), boxes.end());
   std::uint64_t large = 0;
   for (Aabb<S>& box : longer) {
-    if (detail::cells_of(box, grid).cells() > most_cells_of_a_box) ++large;
+    if (detail::cells_of(box, grid).cells() > max_cells_of_a_box) ++large;
     for (int k = 0; k < 3; ++k) box.high(k) += grid.cell_edge * S(9) / S(8);
   }
   std::uint64_t fewest = pair_count(boxes.size());
@@ -211,7 +211,7 @@ BroadPhaseCost broad_phase_cost(std::span<const Aabb<S>> boxes) {
   // The best axis is found by sorting both ends on three axes.
   cost.sweep = double(overlaps_on_axis(boxes, best_sweep_axis(boxes))) + 3.5 * n * depth;
   const double entries =
-      std::min(expected_grid_entries(profile, edge), n * double(most_cells_of_a_box));
+      std::min(expected_grid_entries(profile, edge), n * double(max_cells_of_a_box));
   cost.grid = sampled_pairs(boxes, static_cast<S>(edge)) +
               entries * (1 + sorting_depth(static_cast<std::uint64_t>(entries)) / 2);
   cost.tree = 3 * n * depth + 2 * sampled_pairs(boxes, S(0));

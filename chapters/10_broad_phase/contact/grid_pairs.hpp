@@ -29,7 +29,7 @@ struct PairGrid {
 inline constexpr std::uint32_t last_grid_cell = (1u << 21) - 1;
 
 /// A box that covers more cells than this is not entered in cells, but compared with every box.
-inline constexpr std::uint64_t most_cells_of_a_box = 64;
+inline constexpr std::uint64_t max_cells_of_a_box = 64;
 
 /// The index of the cell along an axis that contains the coordinate x.
 ///
@@ -134,7 +134,7 @@ PairGrid<S> grid_for(std::span<const Aabb<S>> boxes) {
 ///
 /// Boxes that touch have a point in common, and the cell of that point is in the range of both. A
 /// pair that shares several cells is tested only in the first of them, so at most once. The few
-/// boxes that cover more than `most_cells_of_a_box` cells are compared with all.
+/// boxes that cover more than `max_cells_of_a_box` cells are compared with all.
 /// @param boxes n of them, at most 2^32 − 1
 /// @param grid made by grid_for(), or any other with a finite edge greater than 0: the pairs are
 /// the same, the cost is not
@@ -151,7 +151,7 @@ PairSearch grid_pairs(std::span<const Aabb<S>> boxes, const PairGrid<S>& grid) {
   for (std::uint32_t i = 0; i < n; ++i) {
     ranges.push_back(detail::cells_of(boxes[i], grid));
     const auto& [low, high] = ranges.back();
-    if (ranges.back().cells() > most_cells_of_a_box) {
+    if (ranges.back().cells() > max_cells_of_a_box) {
       large.push_back(i);
       continue;
     }

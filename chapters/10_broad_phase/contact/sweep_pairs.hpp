@@ -167,7 +167,7 @@ PairSearch IncrementalSweep<S>::update(std::span<const Aabb<S>> boxes) {
   } else {
     for (auto& start : starts_) start.low = boxes[start.box].low(axis_);
   }
-  const std::uint64_t most_moves = 4 * std::uint64_t{n} * std::bit_width(n);
+  const std::uint64_t max_moves = 4 * std::uint64_t{n} * std::bit_width(n);
   for (std::size_t k = 1; k < starts_.size() && !resorted_; ++k) {
     const detail::SweepStart<S> moving = starts_[k];
     std::size_t place = k;
@@ -176,7 +176,7 @@ PairSearch IncrementalSweep<S>::update(std::span<const Aabb<S>> boxes) {
       ++search.other_steps;
     }
     starts_[place] = moving;
-    resorted_ = search.other_steps > most_moves;
+    resorted_ = search.other_steps > max_moves;
   }
   if (resorted_) detail::sort_starts(starts_);
   detail::sweep_sorted<S>(boxes, starts_, axis_, search);

@@ -30,22 +30,22 @@ namespace detail {
 /// The distance of a sphere from a plane under gravity: gap + rate t + bend t²/2.
 template <Ring T>
 struct FallTerms {
-  T gap;   ///< n · c − k − r, m
-  T rate;  ///< n · v, m/s
-  T bend;  ///< n · g, m/s²
-  T depth() const { return rate * rate - (bend * gap + bend * gap); }
+  T gap;           ///< n · c − k − r, m
+  T rate;          ///< n · v, m/s
+  T acceleration;  ///< n · g, m/s²
+  T depth() const { return rate * rate - (acceleration * gap + acceleration * gap); }
 };
 
 /// The root of larger magnitude, |rate| + √depth over |bend|, where nothing cancels.
 template <std::floating_point S>
-S sum_over_bend(const FallTerms<Exact>& f, const Exact& depth) {
+S sum_over_acceleration(const FallTerms<Exact>& f, const Exact& depth) {
   const Exact rate = abs(f.rate);
-  const Exact bend = abs(f.bend);
+  const Exact acceleration = abs(f.acceleration);
   if (rate * rate <= depth) {  // √depth is the larger term
     const S share = quotient<S>(rate * rate, depth);
-    return std::sqrt(quotient<S>(depth, bend * bend)) * (S(1) + std::sqrt(share));
+    return std::sqrt(quotient<S>(depth, acceleration * acceleration)) * (S(1) + std::sqrt(share));
   }
-  return quotient<S>(rate, bend) * (S(1) + std::sqrt(quotient<S>(depth, rate * rate)));
+  return quotient<S>(rate, acceleration) * (S(1) + std::sqrt(quotient<S>(depth, rate * rate)));
 }
 
 /// The other root: 2 gap / (|rate| + √depth).
@@ -65,14 +65,14 @@ template <std::floating_point S>
 std::optional<S> fall_time(const FallTerms<Exact>& f) {
   const int gap = f.gap.sign();
   const int rate = f.rate.sign();
-  const int bend = f.bend.sign();
-  if (gap <= 0 && (rate < 0 || (rate == 0 && bend < 0))) return S(0);
+  const int acceleration = f.acceleration.sign();
+  if (gap <= 0 && (rate < 0 || (rate == 0 && acceleration < 0))) return S(0);
   const Exact depth = f.depth();
-  if (bend < 0) {
+  if (acceleration < 0) {
     // The sphere falls back in the end. If it rises without separating, the time is that of its
     // highest point.
-    if (depth.sign() < 0) return quotient<S>(f.rate, -f.bend);
-    return rate >= 0 ? sum_over_bend<S>(f, depth) : gap_over_sum<S>(f, depth);
+    if (depth.sign() < 0) return quotient<S>(f.rate, -f.acceleration);
+    return rate >= 0 ? sum_over_acceleration<S>(f, depth) : gap_over_sum<S>(f, depth);
   }
   if (gap <= 0 || rate >= 0 || depth.sign() < 0) return std::nullopt;
   return gap_over_sum<S>(f, depth);

@@ -78,14 +78,14 @@ struct BoxImpact {
 /// division. If the speed is 0, the projections overlap always or never.
 template <Ring T>
 struct AxisTimes {
-  T distance;  ///< axis · d
-  T speed;     ///< axis · w
-  T reach;     ///< half the sum of both extents, times the length of the axis
+  T distance;    ///< axis · d
+  T speed;       ///< axis · w
+  T radius_sum;  ///< half the sum of both extents, times the length of the axis
 
   /// Numerator of the time at which the overlap begins; |speed| is the denominator.
-  T begins() const { return (speed < T(0) ? distance : T(-distance)) - reach; }
+  T begins() const { return (speed < T(0) ? distance : T(-distance)) - radius_sum; }
   /// Numerator of the time at which it ends.
-  T ends() const { return (speed < T(0) ? distance : T(-distance)) + reach; }
+  T ends() const { return (speed < T(0) ? distance : T(-distance)) + radius_sum; }
 };
 
 /// The fifteen axes of two boxes with the half edges u and v: three face normals of each, and nine
@@ -116,10 +116,10 @@ struct SweptPair {
 
   AxisTimes<T> times(const Vector3<T>& axis) const {
     const auto magnitude = [](const T& x) { return x < T(0) ? T(-x) : x; };
-    T reach(0);
+    T radius_sum(0);
     for (std::size_t k = 0; k < 3; ++k)
-      reach = reach + magnitude(axis.dot(u[k])) + magnitude(axis.dot(v[k]));
-    return {axis.dot(d), axis.dot(w), reach};
+      radius_sum = radius_sum + magnitude(axis.dot(u[k])) + magnitude(axis.dot(v[k]));
+    return {axis.dot(d), axis.dot(w), radius_sum};
   }
 };
 
@@ -205,9 +205,9 @@ inline RoundedSweep rounded_sweep(const SweptPair<double>& pair) {
     const double speed = std::abs(times.speed);
     const double nearest = std::abs(times.distance) - speed;
     const double farthest = std::abs(times.distance) + speed;
-    const double doubt = 2 * (off + off_speed) + slack * (farthest + times.reach);
-    if (nearest > times.reach + doubt) return {RoundedSweep::Answer::miss, 0, 0, k, true};
-    if (farthest < times.reach - doubt) continue;  // overlap on this axis at all times
+    const double doubt = 2 * (off + off_speed) + slack * (farthest + times.radius_sum);
+    if (nearest > times.radius_sum + doubt) return {RoundedSweep::Answer::miss, 0, 0, k, true};
+    if (farthest < times.radius_sum - doubt) continue;  // overlap on this axis at all times
     if (!(speed > 4 * off_speed)) {
       unsure = true;  // another axis may still prove that they are separated
       continue;
@@ -268,7 +268,7 @@ inline std::optional<ExactSweep> exact_sweep(const SweptPair<Exact>& pair) {
     const AxisTimes<Exact> times = pair.times(axes[k]);
     const Exact speed = abs(times.speed);
     if (speed.sign() == 0) {
-      if (times.reach < abs(times.distance)) return std::nullopt;
+      if (times.radius_sum < abs(times.distance)) return std::nullopt;
       continue;
     }
     const SweepTime first{times.begins(), speed};
@@ -353,14 +353,14 @@ std::optional<S> aabb_sweep(const Aabb<S>& a, const Vector3<S>& displacement_a, 
     // The displacement for which the low face of b is at the high face of a, and the reverse.
     const Exact forth = exact(a.low(k)) - exact(b.high(k));
     const Exact back = exact(a.high(k)) - exact(b.low(k));
-    const Exact way = exact(displacement_b(k)) - exact(displacement_a(k));
-    if (way.sign() == 0) {
+    const Exact displacement = exact(displacement_b(k)) - exact(displacement_a(k));
+    if (displacement.sign() == 0) {
       if (forth.sign() > 0 || back.sign() < 0) return std::nullopt;
       continue;
     }
-    const bool up = way.sign() > 0;
-    const detail::SweepTime first{up ? forth : -back, abs(way)};
-    const detail::SweepTime last{up ? back : -forth, abs(way)};
+    const bool up = displacement.sign() > 0;
+    const detail::SweepTime first{up ? forth : -back, abs(displacement)};
+    const detail::SweepTime last{up ? back : -forth, abs(displacement)};
     if (begin.before(first)) begin = first;
     if (last.before(end)) end = last;
     if (end.before(begin)) return std::nullopt;

@@ -49,17 +49,17 @@ struct ConservativeAdvance {
 /// @param duration of the step, s, finite and not negative
 /// @param tolerance m, greater than 0: an impact is where the lower bound is no greater. It must
 /// exceed the rounding error of `distance`
-/// @param most_advances at least 1
+/// @param max_advances at least 1
 /// @return t is never after the impact, up to the rounding of its sum: each advance is shortened by
 /// 4 u of itself, and t is rounded down. In exact arithmetic an advance covers at least tolerance /
-/// μ, so with most_advances > μ duration / tolerance the result is never gave_up
+/// μ, so with max_advances > μ duration / tolerance the result is never gave_up
 /// @throws std::invalid_argument if a number does not satisfy these conditions
 ///
 /// Source: Mirtich, *Impulse-based Dynamic Simulation of Rigid Body Systems*, PhD thesis,
 /// University of California, Berkeley (1996), section 2.3.
 template <std::floating_point S, std::invocable<S> Distance>
 ConservativeAdvance<S> conservative_advancement(const Distance& distance, S approach, S duration,
-                                                S tolerance, int most_advances) {
+                                                S tolerance, int max_advances) {
   require_finite("approach", approach);
   require_finite("duration", duration);
   require_finite("tolerance", tolerance);
@@ -69,7 +69,7 @@ ConservativeAdvance<S> conservative_advancement(const Distance& distance, S appr
     throw_invalid_argument("tolerance", number_text(tolerance), "must exceed 0");
   }
   ConservativeAdvance<S> advance;
-  while (advance.advances < most_advances) {
+  while (advance.advances < max_advances) {
     advance.distance = distance(advance.t);
     ++advance.advances;
     if (advance.distance <= tolerance) {
@@ -91,21 +91,22 @@ ConservativeAdvance<S> conservative_advancement(const Distance& distance, S appr
 
 /// A box that moves with constant velocity and angular velocity about its centre during a step.
 template <std::floating_point S>
-struct TurningBox {
+struct RotatingBox {
   Vector3<S> half_lengths = Vector3<S>::Zero();  ///< m, each greater than 0
   Vector3<S> position = Vector3<S>::Zero();      ///< of its centre at the start, m
-  Rotor<S> orientation;                          ///< at the start; from the box's axes to the world
+  Quaternion<S> orientation;                     ///< at the start; from the box's axes to the world
   Vector3<S> velocity = Vector3<S>::Zero();      ///< m/s, constant during the step
-  Vector3<S> spin = Vector3<S>::Zero();          ///< in the world, rad/s, constant during the step
+  Vector3<S> angular_velocity =
+      Vector3<S>::Zero();  ///< in the world, rad/s, constant during the step
 };
 
 /// Position and orientation of the box at a time.
 /// @param t s
 template <std::floating_point S>
-CoordinateFrame<S> frame_at(const TurningBox<S>& box, S t) {
+CoordinateFrame<S> frame_at(const RotatingBox<S>& box, S t) {
   CoordinateFrame<S> frame;
   frame.origin = box.position + box.velocity * t;
-  frame.axes = matrix_of(normalised(exponential_step<S>(box.orientation, box.spin, t)));
+  frame.axes = matrix_of(normalised(exponential_step<S>(box.orientation, box.angular_velocity, t)));
   return frame;
 }
 
@@ -114,15 +115,16 @@ CoordinateFrame<S> frame_at(const TurningBox<S>& box, S t) {
 /// v_b| + |ω_a| r_a + |ω_b| r_b, where r is half the diagonal of a box. Rounded upwards.
 /// @return m/s
 template <std::floating_point S>
-S approach_bound(const TurningBox<S>& a, const TurningBox<S>& b) {
+S approach_bound(const RotatingBox<S>& a, const RotatingBox<S>& b) {
   const auto length = [](const Vector3<S>& v) {
     const S largest = v.cwiseAbs().maxCoeff();
     if (!(largest > S(0))) return S(0);
     const Vector3<S> share = v / largest;
     return largest * std::sqrt(share.dot(share));
   };
-  const S bound = length(a.velocity - b.velocity) + length(a.spin) * length(a.half_lengths) +
-                  length(b.spin) * length(b.half_lengths);
+  const S bound = length(a.velocity - b.velocity) +
+                  length(a.angular_velocity) * length(a.half_lengths) +
+                  length(b.angular_velocity) * length(b.half_lengths);
   return bound + (tolerance::gamma<S>(32) * bound + S(32) * tolerance::underflow_unit<S>);
 }
 // [/approach-bound]
@@ -145,12 +147,12 @@ S axis_distance(const CoordinateFrame<S>& a, const Vector3<S>& half_a, const Coo
   const auto try_axis = [&](const Vector3<S>& axis) {
     const S square = axis.dot(axis);
     if (!(square > S(0x1p-20))) return;
-    S reach(0);
+    S radius_sum(0);
     for (int k = 0; k < 3; ++k) {
-      reach += std::abs(axis.dot(a.axes.col(k))) * half_a(k);
-      reach += std::abs(axis.dot(b.axes.col(k))) * half_b(k);
+      radius_sum += std::abs(axis.dot(a.axes.col(k))) * half_a(k);
+      radius_sum += std::abs(axis.dot(b.axes.col(k))) * half_b(k);
     }
-    widest = std::max(widest, (std::abs(axis.dot(d)) - reach) / std::sqrt(square));
+    widest = std::max(widest, (std::abs(axis.dot(d)) - radius_sum) / std::sqrt(square));
   };
   for (int k = 0; k < 3; ++k) {
     try_axis(a.axes.col(k));
@@ -167,17 +169,17 @@ S axis_distance(const CoordinateFrame<S>& a, const Vector3<S>& half_a, const Coo
 /// @param a, b with orthonormal axes and positive half lengths
 /// @param duration of the step, s
 /// @param tolerance m, well above 2^-45 of the boxes' sizes and distance
-/// @param most_advances at least 1
+/// @param max_advances at least 1
 /// @return see ConservativeAdvance. If two edges stay parallel to 2^-10 while their axis is the
 /// only one that separates the boxes, the impact may be reported too early, never too late
 template <std::floating_point S>
-ConservativeAdvance<S> turning_boxes_impact(const TurningBox<S>& a, const TurningBox<S>& b,
-                                            S duration, S tolerance, int most_advances) {
+ConservativeAdvance<S> rotating_boxes_impact(const RotatingBox<S>& a, const RotatingBox<S>& b,
+                                             S duration, S tolerance, int max_advances) {
   const auto distance = [&](S t) {
     return axis_distance<S>(frame_at(a, t), a.half_lengths, frame_at(b, t), b.half_lengths);
   };
   return conservative_advancement<S>(distance, approach_bound(a, b), duration, tolerance,
-                                     most_advances);
+                                     max_advances);
 }
 // [/turning-boxes-impact]
 
@@ -190,10 +192,10 @@ ConservativeAdvance<S> turning_boxes_impact(const TurningBox<S>& a, const Turnin
 /// @param plane with a unit normal; the half-space behind it is solid
 /// @param duration of the step, s
 /// @param tolerance m
-/// @param most_advances at least 1
+/// @param max_advances at least 1
 template <std::floating_point S>
-ConservativeAdvance<S> turning_box_plane_impact(const TurningBox<S>& box, const Plane<S>& plane,
-                                                S duration, S tolerance, int most_advances) {
+ConservativeAdvance<S> rotating_box_plane_impact(const RotatingBox<S>& box, const Plane<S>& plane,
+                                                 S duration, S tolerance, int max_advances) {
   const auto distance = [&](S t) {
     const CoordinateFrame<S> frame = frame_at(box, t);
     S gap = signed_distance(plane, frame.origin);
@@ -201,9 +203,9 @@ ConservativeAdvance<S> turning_box_plane_impact(const TurningBox<S>& box, const 
       gap -= std::abs(plane.normal.dot(frame.axes.col(k))) * box.half_lengths(k);
     return gap;
   };
-  TurningBox<S> at_rest;  // the plane
+  RotatingBox<S> at_rest;  // the plane
   return conservative_advancement<S>(distance, approach_bound(box, at_rest), duration, tolerance,
-                                     most_advances);
+                                     max_advances);
 }
 // [/turning-box-plane]
 

@@ -42,10 +42,11 @@ struct EntryTerms {
 /// The depth is R² w·w − |d × w|², by Lagrange's identity: the form of the definition cancels much
 /// more.
 template <Ring T>
-EntryTerms<T> entry_terms(const Vector3<T>& d, const Vector3<T>& w, const T& reach) {
+EntryTerms<T> entry_terms(const Vector3<T>& d, const Vector3<T>& w, const T& radius_sum) {
   const T square = w.dot(w);
   const Vector3<T> across = d.cross(w);
-  return {square, -d.dot(w), d.dot(d) - reach * reach, reach * reach * square - across.dot(across)};
+  return {square, -d.dot(w), d.dot(d) - radius_sum * radius_sum,
+          radius_sum * radius_sum * square - across.dot(across)};
 }
 // [/entry-terms]
 

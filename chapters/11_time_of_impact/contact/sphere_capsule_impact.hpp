@@ -31,16 +31,16 @@ struct CapsuleQuestion {
   Vector3<Exact> m;
   Vector3<Exact> w;
   Vector3<Exact> e;
-  Exact reach;
+  Exact radius_sum;
 
   bool meets_at_start() const {
     const Exact along = m.dot(e);
     const Exact length = e.dot(e);
-    if (along.sign() <= 0) return (m.dot(m) - reach * reach).sign() <= 0;
+    if (along.sign() <= 0) return (m.dot(m) - radius_sum * radius_sum).sign() <= 0;
     const Vector3<Exact> from_end = m - e;
-    if (length <= along) return (from_end.dot(from_end) - reach * reach).sign() <= 0;
+    if (length <= along) return (from_end.dot(from_end) - radius_sum * radius_sum).sign() <= 0;
     const Vector3<Exact> across = m.cross(e);
-    return (across.dot(across) - reach * reach * length).sign() <= 0;
+    return (across.dot(across) - radius_sum * radius_sum * length).sign() <= 0;
   }
 
   /// The terms of the infinite cylinder: those of the motion perpendicular to the axis, times |e|².
@@ -49,7 +49,7 @@ struct CapsuleQuestion {
     const Vector3<Exact> moved = w.cross(e);
     const Exact square = moved.dot(moved);
     const Exact approach = -across.dot(moved);
-    const Exact gap = across.dot(across) - reach * reach * e.dot(e);
+    const Exact gap = across.dot(across) - radius_sum * radius_sum * e.dot(e);
     return {square, approach, gap, approach * approach - square * gap};
   }
 
@@ -98,7 +98,7 @@ std::optional<S> sphere_capsule_impact(const Sphere<S>& sphere, const Vector3<S>
   }
   std::optional<S> first;
   for (const Vector3<Exact>& from : {question.m, Vector3<Exact>(question.m - question.e)}) {
-    const EntryTerms<Exact> ball = entry_terms<Exact>(from, question.w, question.reach);
+    const EntryTerms<Exact> ball = entry_terms<Exact>(from, question.w, question.radius_sum);
     if (!ball.enters_by(last)) continue;
     const S t = std::min(S(1), entry_time<S>(ball));
     if (!first || t < *first) first = t;

@@ -28,22 +28,25 @@ namespace detail {
 /// is less than 112 + 96 + 8 u.
 /// + 96 + 8 u.
 template <std::floating_point S>
-std::optional<EntryTerms<S>> sure_entry_terms(const Vector3<S>& d, const Vector3<S>& w, S reach) {
-  const EntryTerms<S> t = entry_terms<S>(d, w, reach);
+std::optional<EntryTerms<S>> sure_entry_terms(const Vector3<S>& d, const Vector3<S>& w,
+                                              S radius_sum) {
+  const EntryTerms<S> t = entry_terms<S>(d, w, radius_sum);
   const auto crosses = [&](int i, int j) {
     const S size = std::abs(d(i) * w(j)) + std::abs(d(j) * w(i));
     return size * size;
   };
-  const S squares = d.dot(d) + reach * reach;
+  const S squares = d.dot(d) + radius_sum * radius_sum;
   const S products = d.cwiseAbs().dot(w.cwiseAbs());
-  const S fourth = reach * reach * t.square + crosses(1, 2) + crosses(2, 0) + crosses(0, 1);
+  const S fourth =
+      radius_sum * radius_sum * t.square + crosses(1, 2) + crosses(2, 0) + crosses(0, 1);
   const S small =
       std::ldexp(S(1), std::numeric_limits<S>::min_exponent + 3 * std::numeric_limits<S>::digits);
   const auto sure = [small](const S& x, const S& size) {
     return std::isfinite(size) && size >= small && S(16) * std::abs(x) >= size;
   };
   // A square that underflows is lost, even if it is multiplied by a large factor.
-  const bool squares_kept = t.square >= small && (reach == S(0) || reach * reach >= small);
+  const bool squares_kept =
+      t.square >= small && (radius_sum == S(0) || radius_sum * radius_sum >= small);
   if (squares_kept && sure(t.gap, squares) && sure(t.approach, products) && sure(t.depth, fourth))
     return t;
   return std::nullopt;

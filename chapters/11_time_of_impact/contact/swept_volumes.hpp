@@ -15,16 +15,16 @@ namespace contact {
 
 namespace detail {
 
-/// Whether the segments from 0 to u and from d to d + v have points at most `reach` apart.
+/// Whether the segments from 0 to u and from d to d + v have points at most `radius_sum` apart.
 ///
 /// The squared distance of two of their points is a convex quadratic over a square of parameters.
 /// Its minimum is on the boundary of the square, where an end of one segment is closest to the
 /// other, or inside, at the common perpendicular of both lines.
 inline bool segments_within(const Vector3<Exact>& d, const Vector3<Exact>& u,
-                            const Vector3<Exact>& v, const Exact& reach) {
+                            const Vector3<Exact>& v, const Exact& radius_sum) {
   const Vector3<Exact> none = Vector3<Exact>::Zero();
   const auto end_meets = [&](const Vector3<Exact>& end, const Vector3<Exact>& segment) {
-    return CapsuleQuestion{end, none, segment, reach}.meets_at_start();
+    return CapsuleQuestion{end, none, segment, radius_sum}.meets_at_start();
   };
   if (end_meets(d, u) || end_meets(d + v, u)) return true;
   if (end_meets(-d, v) || end_meets(u - d, v)) return true;
@@ -35,7 +35,7 @@ inline bool segments_within(const Vector3<Exact>& d, const Vector3<Exact>& u,
   const Exact on_v = d.cross(u).dot(across);
   if (on_u.sign() < 0 || determinant < on_u || on_v.sign() < 0 || determinant < on_v) return false;
   const Exact apart = d.dot(across);
-  return (apart * apart - reach * reach * determinant).sign() <= 0;
+  return (apart * apart - radius_sum * radius_sum * determinant).sign() <= 0;
 }
 
 }  // namespace detail

@@ -34,25 +34,25 @@ void require_not_negative(const char* argument, S x) {
 /// Bounds on the motion and size of a body during a step.
 template <std::floating_point S>
 struct Mover {
-  S inner_radius = S(0);  ///< of a ball about its centre inside the body, m
-  S outer_radius = S(0);  ///< of a ball about its centre that contains the body, m
-  S spin = S(0);          ///< upper bound of |ω|, rad/s
+  S inner_radius = S(0);      ///< of a ball about its centre inside the body, m
+  S outer_radius = S(0);      ///< of a ball about its centre that contains the body, m
+  S angular_velocity = S(0);  ///< upper bound of |ω|, rad/s
 };
 
 /// Checks the bounds of a body.
 /// @param inner_radius, outer_radius m, finite, 0 ≤ inner ≤ outer
-/// @param spin upper bound of |ω|, rad/s, finite, not negative
+/// @param angular_velocity upper bound of |ω|, rad/s, finite, not negative
 /// @throws std::invalid_argument if an argument does not satisfy these conditions
 template <std::floating_point S>
-Mover<S> mover(S inner_radius, S outer_radius, S spin) {
+Mover<S> mover(S inner_radius, S outer_radius, S angular_velocity) {
   detail::require_not_negative("inner_radius", inner_radius);
   detail::require_not_negative("outer_radius", outer_radius);
-  detail::require_not_negative("spin", spin);
+  detail::require_not_negative("angular_velocity", angular_velocity);
   if (outer_radius < inner_radius) {
     throw_invalid_argument("outer_radius", number_text(outer_radius),
                            "must not be less than inner_radius");
   }
-  return {inner_radius, outer_radius, spin};
+  return {inner_radius, outer_radius, angular_velocity};
 }
 
 // [step-displacement]
@@ -83,8 +83,8 @@ S centre_displacement(S speed, S acceleration, S step) {
 /// @return m, rounded upwards
 template <std::floating_point S>
 S relative_displacement(const Mover<S>& a, const Mover<S>& b, S centres, S step) {
-  const S reach = a.outer_radius + b.outer_radius + centres;
-  return detail::a_little_more(centres + (a.spin + b.spin) * step * reach);
+  const S extent = a.outer_radius + b.outer_radius + centres;
+  return detail::a_little_more(centres + (a.angular_velocity + b.angular_velocity) * step * extent);
 }
 // [/step-displacement]
 
@@ -149,22 +149,23 @@ struct MissedChord {
 /// than ρ − √(ρ² − D²/4), and where it enters, the normal component of the velocity is less than
 /// the fraction D / (2 ρ) of the speed. For a small D the difference cancels, so the sagitta is
 /// written (D²/4) / (ρ + √(ρ² − D²/4)).
-/// @param reach ρ, m, finite and greater than 0: for balls the sum of the radii
+/// @param radius_sum ρ, m, finite and greater than 0: for balls the sum of the radii
 /// @param displacement D, m, in a step
 /// @return upper bounds; for D ≥ 2 ρ, up to rounding, every graze can be missed: 2 ρ, ρ and 1
 /// @throws std::invalid_argument if an argument does not satisfy these conditions
 template <std::floating_point S>
-MissedChord<S> missed_chord(S reach, S displacement) {
+MissedChord<S> missed_chord(S radius_sum, S displacement) {
   detail::require_not_negative("displacement", displacement);
-  require_finite("reach", reach);
-  if (!(reach > S(0))) throw_invalid_argument("reach", number_text(reach), "must exceed 0");
+  require_finite("radius_sum", radius_sum);
+  if (!(radius_sum > S(0)))
+    throw_invalid_argument("radius_sum", number_text(radius_sum), "must exceed 0");
   // Rounded upwards first: the depth increases with the ratio, and 1 − ratio is then exact or
   // nearly exact.
-  const S ratio = detail::a_little_more(displacement / reach / S(2));
-  if (!(ratio < S(1))) return {S(2) * reach, reach, S(1)};
+  const S ratio = detail::a_little_more(displacement / radius_sum / S(2));
+  if (!(ratio < S(1))) return {S(2) * radius_sum, radius_sum, S(1)};
   const S rest = std::sqrt((S(1) - ratio) * (S(1) + ratio));
-  const S depth = detail::a_little_more(reach * (ratio * ratio / (S(1) + rest)));
-  return {displacement, depth < reach ? depth : reach, ratio};
+  const S depth = detail::a_little_more(radius_sum * (ratio * ratio / (S(1) + rest)));
+  return {displacement, depth < radius_sum ? depth : radius_sum, ratio};
 }
 // [/missed-chord]
 
@@ -174,17 +175,17 @@ MissedChord<S> missed_chord(S reach, S displacement) {
 /// If the forces have a potential that is at least U, and nothing adds energy, the kinetic energy
 /// is at most E − U.
 /// @param energy E, kinetic plus potential, J, finite
-/// @param least_potential U, J, finite
+/// @param min_potential U, J, finite
 /// @param mass m, kg, finite and greater than 0
 /// @return m/s; 0 if E ≤ U
 /// @throws std::invalid_argument if an argument does not satisfy these conditions
 template <std::floating_point S>
-S energy_speed(S energy, S least_potential, S mass) {
+S energy_speed(S energy, S min_potential, S mass) {
   require_finite("energy", energy);
-  require_finite("least_potential", least_potential);
+  require_finite("min_potential", min_potential);
   require_finite("mass", mass);
   if (!(mass > S(0))) throw_invalid_argument("mass", number_text(mass), "must exceed 0");
-  const S kinetic = sum_up(energy, -least_potential);
+  const S kinetic = sum_up(energy, -min_potential);
   if (!(kinetic > S(0))) return S(0);
   return detail::a_little_more(std::sqrt(detail::a_little_more(kinetic / mass * S(2))));
 }

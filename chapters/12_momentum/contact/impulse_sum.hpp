@@ -22,7 +22,7 @@ namespace detail {
 inline constexpr std::size_t pairwise_block = 8;
 
 template <Ring S>
-S in_order(const S* terms, std::size_t count) {
+S recursive_sum(const S* terms, std::size_t count) {
   S sum(0);
   for (std::size_t i = 0; i < count; ++i) sum = sum + terms[i];
   return sum;
@@ -30,7 +30,7 @@ S in_order(const S* terms, std::size_t count) {
 
 template <Ring S>
 S pairwise(const S* terms, std::size_t count) {
-  if (count <= pairwise_block) return in_order(terms, count);
+  if (count <= pairwise_block) return recursive_sum(terms, count);
   const std::size_t half = count / 2;
   return pairwise(terms, half) + pairwise(terms + half, count - half);
 }
@@ -95,11 +95,11 @@ S without_overflow(const std::vector<S>& terms, Sum sum) {
 /// @return N·s; 0 for no terms; ±∞ only if the true sum is about as large as that
 /// @see Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd edition, section 4.2
 template <Ring S>
-S total_in_order(const std::vector<S>& terms) {
+S total_recursive(const std::vector<S>& terms) {
   if constexpr (std::floating_point<S>) {
-    return detail::without_overflow(terms, detail::in_order<S>);
+    return detail::without_overflow(terms, detail::recursive_sum<S>);
   } else {
-    return detail::in_order(terms.data(), terms.size());
+    return detail::recursive_sum(terms.data(), terms.size());
   }
 }
 // [/in-order]
@@ -156,7 +156,8 @@ S total_kahan(const std::vector<S>& terms) {
 template <std::floating_point S>
 S total_exactly(const std::vector<S>& terms) {
   static_assert(std::numeric_limits<S>::digits <= 53, "Exact holds floats and doubles");
-  if (!detail::every_term_is_finite(terms)) return detail::in_order(terms.data(), terms.size());
+  if (!detail::every_term_is_finite(terms))
+    return detail::recursive_sum(terms.data(), terms.size());
   Exact sum;
   for (const S& x : terms) sum += Exact(double(x));
   return rounded<S>(sum);

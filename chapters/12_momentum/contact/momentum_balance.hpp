@@ -11,18 +11,18 @@
 namespace contact {
 
 /// How the velocities after an elastic collision on a line are computed.
-enum class Booking {
+enum class MomentumUpdate {
   formulas,  ///< each new velocity from its own formula
   impulses,  ///< one impulse, added to one body and subtracted from the other
   grid       ///< the same with momenta and impulses that are whole multiples of a unit
 };
 
-/// A body on a line. Make it with booked_body().
+/// A body on a line. Make it with momentum_body().
 template <std::floating_point S>
-struct BookedBody {
+struct MomentumBody {
   S mass = S(1);      ///< kg, greater than 0
   S velocity = S(0);  ///< m/s
-  S momentum = S(0);  ///< N·s, a multiple of the unit; only Booking::grid updates it
+  S momentum = S(0);  ///< N·s, a multiple of the unit; only MomentumUpdate::grid updates it
 };
 
 // [on-grid]
@@ -43,7 +43,7 @@ S on_grid(S x, S unit) {
 /// @param momentum N·s
 /// @param unit N·s, a power of two
 template <std::floating_point S>
-BookedBody<S> booked_body(S mass, S momentum, S unit) {
+MomentumBody<S> momentum_body(S mass, S momentum, S unit) {
   const S kept = on_grid(momentum, unit);
   return {mass, kept / mass, kept};
 }
@@ -52,14 +52,14 @@ BookedBody<S> booked_body(S mass, S momentum, S unit) {
 /// An elastic collision of two bodies on a line: their velocities are reflected about that of the
 /// common centre of mass, whether they approach or not.
 ///
-/// With Booking::formulas and Booking::impulses rounding changes the total momentum, by some u of
-/// m|v| and of the impulse (u the unit roundoff). With Booking::grid it does not change, as long as
-/// each momentum and impulse stays below 2^p units.
-/// @param unit N·s, for Booking::grid alone: a power of two
+/// With MomentumUpdate::formulas and MomentumUpdate::impulses rounding changes the total momentum,
+/// by some u of m|v| and of the impulse (u the unit roundoff). With MomentumUpdate::grid it does
+/// not change, as long as each momentum and impulse stays below 2^p units.
+/// @param unit N·s, for MomentumUpdate::grid alone: a power of two
 /// @see *Interaction and Normals*, slide "Conservation of Momentum and Newton's Third Law"
 template <std::floating_point S>
-void collide_booked(BookedBody<S>& a, BookedBody<S>& b, Booking booking, S unit) {
-  if (booking == Booking::formulas) {
+void collide_with_update(MomentumBody<S>& a, MomentumBody<S>& b, MomentumUpdate update, S unit) {
+  if (update == MomentumUpdate::formulas) {
     const S before_a = a.velocity;
     const S together = a.mass + b.mass;
     a.velocity = ((a.mass - b.mass) * a.velocity + S(2) * b.mass * b.velocity) / together;
@@ -67,7 +67,7 @@ void collide_booked(BookedBody<S>& a, BookedBody<S>& b, Booking booking, S unit)
     return;
   }
   S impulse = S(2) * (a.velocity - b.velocity) * (a.mass * b.mass / (a.mass + b.mass));
-  if (booking == Booking::impulses) {
+  if (update == MomentumUpdate::impulses) {
     a.velocity = velocity_after(a.mass, a.velocity, S(-impulse));
     b.velocity = velocity_after(b.mass, b.velocity, impulse);
     return;
@@ -80,14 +80,14 @@ void collide_booked(BookedBody<S>& a, BookedBody<S>& b, Booking booking, S unit)
 }
 // [/collide]
 
-/// The total momentum without rounding: of m v, or with Booking::grid of the stored momenta. All
-/// numbers must be finite.
+/// The total momentum without rounding: of m v, or with MomentumUpdate::grid of the stored momenta.
+/// All numbers must be finite.
 template <std::floating_point S>
-Exact booked_momentum(const std::vector<BookedBody<S>>& bodies, Booking booking) {
+Exact stored_momentum(const std::vector<MomentumBody<S>>& bodies, MomentumUpdate update) {
   Exact sum;
-  for (const BookedBody<S>& body : bodies) {
-    sum += booking == Booking::grid ? Exact(double(body.momentum))
-                                    : Exact(double(body.mass)) * Exact(double(body.velocity));
+  for (const MomentumBody<S>& body : bodies) {
+    sum += update == MomentumUpdate::grid ? Exact(double(body.momentum))
+                                          : Exact(double(body.mass)) * Exact(double(body.velocity));
   }
   return sum;
 }

@@ -127,11 +127,11 @@ S logarithm_rest_over(const S& x) {
 /// A body after a steady stream of matter has joined it, or left it, for a while.
 template <std::floating_point S>
 struct AfterStream {
-  S mass = S(0);                                ///< kg
-  Vector3<S> velocity = Vector3<S>::Zero();     ///< m/s
-  Vector3<S> way = Vector3<S>::Zero();          ///< displacement, m
-  Vector3<S> carried_off = Vector3<S>::Zero();  ///< momentum of the matter that has left, minus
-                                                ///< that of the matter that has joined, kg·m/s
+  S mass = S(0);                                 ///< kg
+  Vector3<S> velocity = Vector3<S>::Zero();      ///< m/s
+  Vector3<S> displacement = Vector3<S>::Zero();  ///< displacement, m
+  Vector3<S> carried_off = Vector3<S>::Zero();   ///< momentum of the matter that has left, minus
+                                                 ///< that of the matter that has joined, kg·m/s
 };
 
 /// The motion while matter leaves or joins at a steady rate and with a steady velocity *relative to
@@ -158,12 +158,13 @@ std::optional<AfterStream<S>> after_stream_from_body(const S& mass, const Vector
   const S left = mass + change;
   if (!(left > S(0))) return std::nullopt;
   const S x = -change / left;  // m₀ / m = 1 + x
-  const Vector3<S> push = force + relative * mass_rate;
+  const Vector3<S> net_force = force + relative * mass_rate;
   AfterStream<S> after;
   after.mass = left;
-  after.velocity = velocity + push * (time / left * detail::logarithm_over(x));
-  after.way = velocity * time + push * (time / left * time * detail::logarithm_rest_over(x));
-  after.carried_off = (after.way + relative * time) * -mass_rate;
+  after.velocity = velocity + net_force * (time / left * detail::logarithm_over(x));
+  after.displacement =
+      velocity * time + net_force * (time / left * time * detail::logarithm_rest_over(x));
+  after.carried_off = (after.displacement + relative * time) * -mass_rate;
   return after;
 }
 
@@ -188,12 +189,13 @@ std::optional<AfterStream<S>> after_stream_over_ground(const S& mass, const Vect
   const S change = mass_rate * time;
   const S left = mass + change;
   if (!(left > S(0))) return std::nullopt;
-  const Vector3<S> push = force + (matter_velocity - velocity) * mass_rate;
+  const Vector3<S> net_force = force + (matter_velocity - velocity) * mass_rate;
   AfterStream<S> after;
   after.mass = left;
-  after.velocity = velocity + push * (time / left);
-  after.way =
-      velocity * time + push * (time / mass * time * detail::logarithm_rest_over(S(change / mass)));
+  after.velocity = velocity + net_force * (time / left);
+  after.displacement =
+      velocity * time +
+      net_force * (time / mass * time * detail::logarithm_rest_over(S(change / mass)));
   after.carried_off = matter_velocity * -change;
   return after;
 }

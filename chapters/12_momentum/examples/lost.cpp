@@ -16,7 +16,7 @@ void show(const char* type, const std::vector<S>& impulses) {
     return std::abs(off) / size;
   };
   std::printf("%-6s recursive %.0e, pairwise %.0e, compensated %.0e, exact %.0e\n", type,
-              error(contact::total_in_order(impulses)), error(contact::total_pairwise(impulses)),
+              error(contact::total_recursive(impulses)), error(contact::total_pairwise(impulses)),
               error(contact::total_compensated(impulses)), error(contact::total_exactly(impulses)));
 }
 

@@ -30,7 +30,7 @@ struct Output {
 
 namespace {
 
-using contact::Booking;
+using contact::MomentumUpdate;
 
 constexpr double masses[count] = {1, 1.3, 1.9, 2.7};
 constexpr double fastest = 100;  // m/s; then no momentum reaches 2^10 N·s
@@ -48,10 +48,10 @@ void run(const Input& in, Output& out) {
   const S unit = sizeof(S) == sizeof(float) ? S(0x1p-14) : S(0x1p-40);  // N·s
   const double u = double(std::numeric_limits<S>::epsilon()) / 2;
   const double velocity[count] = {in.v0, in.v1, in.v2, in.v3};
-  std::vector<contact::BookedBody<S>> first;
+  std::vector<contact::MomentumBody<S>> first;
   for (std::size_t i = 0; i < count; ++i) {
     const S mass = S(masses[i]);
-    first.push_back(contact::booked_body(mass, S(velocity[i]) * mass, unit));
+    first.push_back(contact::momentum_body(mass, S(velocity[i]) * mass, unit));
     out.mass[i] = double(mass);
     out.before += double(first[i].momentum);
     out.size += std::abs(double(first[i].momentum));
@@ -60,11 +60,11 @@ void run(const Input& in, Output& out) {
   const auto read_at = static_cast<std::size_t>(out.read_at);
   std::size_t way = 0;
   for (auto* curve : {&out.formulas, &out.impulses, &out.grid}) {
-    const auto booking = static_cast<Booking>(way);
+    const auto update = static_cast<MomentumUpdate>(way);
     auto bodies = first;
-    const contact::Exact before = contact::booked_momentum(bodies, booking);
+    const contact::Exact before = contact::stored_momentum(bodies, update);
     const auto drift = [&] {
-      return rounded<double>(contact::booked_momentum(bodies, booking) - before);
+      return rounded<double>(contact::stored_momentum(bodies, update) - before);
     };
     const auto in_units = [&](double off) { return out.size > 0 ? off / (u * out.size) : 0; };
     std::uint64_t state = 12 + static_cast<std::uint64_t>(in.order);
@@ -82,7 +82,7 @@ void run(const Input& in, Output& out) {
       const std::uint64_t bits = next(state);
       const std::size_t a = bits % count;
       const std::size_t b = (a + 1 + (bits >> 32) % (count - 1)) % count;
-      contact::collide_booked(bodies[a], bodies[b], booking, unit);
+      contact::collide_with_update(bodies[a], bodies[b], update, unit);
     }
     ++way;
   }

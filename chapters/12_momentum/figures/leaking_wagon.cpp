@@ -55,7 +55,7 @@ struct Stream {
     auto after = *contact::after_stream_over_ground<double>(at_first, {velocity, 0, 0},
                                                             {force, 0, 0}, {0, 0, 0}, mass_rate, t);
     // Matter that leaves has the wagon's velocity plus u.
-    if (!rains) after.carried_off.x() = -mass_rate * (after.way.x() + apart * t);
+    if (!rains) after.carried_off.x() = -mass_rate * (after.displacement.x() + apart * t);
     return after;
   }
 };
@@ -91,8 +91,8 @@ Output compute(const Input& in) {
   out.velocity_now = now.velocity.x();
   out.relative = rains ? -out.velocity_now : in.apart;
   out.alone_now = alone.velocity.x();
-  out.place = now.way.x();
-  out.place_alone = alone.way.x();
+  out.place = now.displacement.x();
+  out.place_alone = alone.displacement.x();
   out.thrust = out.relative * stream.mass_rate;
   out.p_given = at_first * in.velocity + in.force * in.time;
   out.p_all = all(now);

@@ -126,7 +126,7 @@ struct LineCollision {
 namespace detail {
 
 template <Ring S>
-bool can_be_turned(const LineBody<S>& body) {
+bool can_be_reversed(const LineBody<S>& body) {
   if constexpr (std::floating_point<S>) {
     return std::isfinite(body.mass);
   } else {
@@ -136,7 +136,7 @@ bool can_be_turned(const LineBody<S>& body) {
 
 template <Ring S>
 bool collides(const LineBody<S>& first, const LineBody<S>& second) {
-  return approaching(first, second) && (can_be_turned(first) || can_be_turned(second));
+  return approaching(first, second) && (can_be_reversed(first) || can_be_reversed(second));
 }
 
 // [rebound]
@@ -324,8 +324,8 @@ LineCollision<S> collide_exactly(const LineBody<S>& first, const LineBody<S>& se
   static_assert(std::numeric_limits<S>::digits <= 53, "Exact holds floats and doubles");
   assert(e >= S(0) && e <= S(1));
   if (!detail::collides(first, second)) return {false, first.velocity, second.velocity};
-  const bool wall_1 = !detail::can_be_turned(first);
-  const bool wall_2 = !detail::can_be_turned(second);
+  const bool wall_1 = !detail::can_be_reversed(first);
+  const bool wall_2 = !detail::can_be_reversed(second);
   // With a wall the other mass is negligible.
   const Exact m1(wall_1 ? 1.0 : wall_2 ? 0.0 : double(first.mass));
   const Exact m2(wall_2 ? 1.0 : wall_1 ? 0.0 : double(second.mass));

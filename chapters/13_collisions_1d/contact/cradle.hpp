@@ -87,7 +87,7 @@ RowOutcome<S> collide_row(std::vector<LineBody<S>> row, const S& e, PairOrder or
 /// @param limit on the number of iterations
 /// @return velocities, and the number of collisions of pairs
 template <Scalar S>
-RowOutcome<S> collide_all_at_once(std::vector<LineBody<S>> row, const S& e, int limit) {
+RowOutcome<S> collide_simultaneously(std::vector<LineBody<S>> row, const S& e, int limit) {
   RowOutcome<S> outcome;
   for (int round = 0; !outcome.settled && round <= limit; ++round) {
     const std::vector<LineBody<S>> before = row;
@@ -146,7 +146,7 @@ RowOutcome<S> row_on_springs(const std::vector<LineBody<S>>& row, ContactSpring 
   const S dt = S(4) * S(n) / S(steps);
   std::vector<S> x(n, S(0));
   std::vector<S> a(n, S(0));
-  const auto push = [&] {
+  const auto apply_forces = [&] {
     bool pressed = false;
     std::fill(a.begin(), a.end(), S(0));
     for (std::size_t i = 0; i + 1 < n; ++i) {
@@ -160,13 +160,13 @@ RowOutcome<S> row_on_springs(const std::vector<LineBody<S>>& row, ContactSpring 
     return pressed;
   };
   for (S& velocity : v) velocity /= fastest;
-  push();
+  apply_forces();
   for (int step = 0; step < 20 * steps && !outcome.settled; ++step) {
     for (std::size_t i = 0; i < n; ++i) {
       v[i] += a[i] * dt / S(2);
       x[i] += v[i] * dt;
     }
-    const bool pressed = push();
+    const bool pressed = apply_forces();
     for (std::size_t i = 0; i < n; ++i) v[i] += a[i] * dt / S(2);
     outcome.settled = !pressed;
     for (std::size_t i = 0; i + 1 < n; ++i) outcome.settled &= !(v[i] > v[i + 1]);

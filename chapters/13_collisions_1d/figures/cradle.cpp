@@ -50,7 +50,7 @@ Output compute(const Input& in) {
     outcome = contact::row_on_springs(
         row, in.method == 3 ? contact::ContactSpring::linear : contact::ContactSpring::hertz, 1000);
   } else if (in.method == 5) {
-    outcome = contact::collide_all_at_once(row, in.e, limit);
+    outcome = contact::collide_simultaneously(row, in.e, limit);
   }
   const auto& other = in.method == 2 ? left : right;
   double energy = 0;

@@ -122,15 +122,15 @@ void happen(const Table<S>& table, std::vector<Disc<S>>& discs, const TableEvent
 /// An event-driven simulation: find the next event, move on to its time, apply its impulse, repeat.
 /// @param discs initial state; final state when it returns
 /// @param duration s
-/// @param most maximum number of events
+/// @param max_events maximum number of events
 /// @param seen called as seen(event, discs) after each event, with its time from the start
-/// @return the time simulated: less than duration only after `most` events
+/// @return the time simulated: less than duration only after `max_events` events
 // [play]
 template <std::floating_point S, class Seen>
-S play(const Table<S>& table, std::vector<Disc<S>>& discs, const S& duration, int most,
+S play(const Table<S>& table, std::vector<Disc<S>>& discs, const S& duration, int max_events,
        const Seen& seen) {
   S now(0);
-  for (int happened = 0; happened < most; ++happened) {
+  for (int happened = 0; happened < max_events; ++happened) {
     const auto next = next_event(table, discs);
     if (!next || now + next->time > duration) {
       move_on(discs, S(duration - now));
@@ -160,8 +160,8 @@ void play_in_steps(const Table<S>& table, std::vector<Disc<S>>& discs, const S& 
     for (std::size_t i = 0; i < discs.size(); ++i) {
       for (std::size_t j = i + 1; j < discs.size(); ++j) {
         const Vector2<S> d = discs[i].centre - discs[j].centre;
-        const S reach = discs[i].radius + discs[j].radius;
-        if (d.dot(d) <= reach * reach) {
+        const S radius_sum = discs[i].radius + discs[j].radius;
+        if (d.dot(d) <= radius_sum * radius_sum) {
           happen(table, discs, {S(0), static_cast<int>(i), static_cast<int>(j)});
         }
       }

@@ -133,8 +133,8 @@ bool approaching(const Disc<S>& a, const Disc<S>& b) {
 /// A velocity as the sum of two perpendicular components.
 template <std::floating_point S>
 struct Components {
-  S normal = S(0);                         ///< n · v, the normal component, m/s
-  Vector2<S> across = Vector2<S>::Zero();  ///< v − (n · v) n, the tangential component, m/s
+  S normal = S(0);                             ///< n · v, the normal component, m/s
+  Vector2<S> tangential = Vector2<S>::Zero();  ///< v − (n · v) n, the tangential component, m/s
 };
 
 /// A velocity split into its component along an axis and the perpendicular rest.

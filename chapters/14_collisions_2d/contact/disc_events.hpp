@@ -26,10 +26,10 @@ struct TouchTerms {
 };
 
 template <Ring T>
-TouchTerms<T> touch_terms(const Vector2<T>& d, const Vector2<T>& w, const T& reach) {
+TouchTerms<T> touch_terms(const Vector2<T>& d, const Vector2<T>& w, const T& radius_sum) {
   const T cross = d.x() * w.y() - d.y() * w.x();
-  return {d.x() * d.x() + d.y() * d.y() - reach * reach, -(d.x() * w.x() + d.y() * w.y()),
-          reach * reach * (w.x() * w.x() + w.y() * w.y()) - cross * cross};
+  return {d.x() * d.x() + d.y() * d.y() - radius_sum * radius_sum, -(d.x() * w.x() + d.y() * w.y()),
+          radius_sum * radius_sum * (w.x() * w.x() + w.y() * w.y()) - cross * cross};
 }
 
 // [touch-filter]
@@ -40,21 +40,22 @@ template <std::floating_point S>
 std::optional<TouchTerms<S>> sure_touch_terms(const Disc<S>& a, const Disc<S>& b) {
   const Vector2<S> d = a.centre - b.centre;
   const Vector2<S> w = a.velocity - b.velocity;
-  const S reach = a.radius + b.radius;
-  const TouchTerms<S> t = touch_terms<S>(d, w, reach);
-  const S squares = d.x() * d.x() + d.y() * d.y() + reach * reach;
+  const S radius_sum = a.radius + b.radius;
+  const TouchTerms<S> t = touch_terms<S>(d, w, radius_sum);
+  const S squares = d.x() * d.x() + d.y() * d.y() + radius_sum * radius_sum;
   const S products = std::abs(d.x() * w.x()) + std::abs(d.y() * w.y());
   const S crosses = std::abs(d.x() * w.y()) + std::abs(d.y() * w.x());
-  const S reach_squared = reach * reach;
+  const S radius_sum_squared = radius_sum * radius_sum;
   const S speed_squared = w.x() * w.x() + w.y() * w.y();
-  const S fourth = reach_squared * speed_squared + crosses * crosses;
+  const S fourth = radius_sum_squared * speed_squared + crosses * crosses;
   const S small =
       std::ldexp(S(1), std::numeric_limits<S>::min_exponent + 3 * std::numeric_limits<S>::digits);
   const auto sure = [small](const S& x, const S& size) {
     return std::isfinite(size) && size >= small && S(16) * std::abs(x) >= size;
   };
   // A square that underflows may be a factor of a product that does not.
-  if (!(speed_squared >= small) || !(reach_squared >= small || reach == S(0))) return std::nullopt;
+  if (!(speed_squared >= small) || !(radius_sum_squared >= small || radius_sum == S(0)))
+    return std::nullopt;
   if (sure(t.gap, squares) && sure(t.approach, products) && sure(t.depth, fourth)) return t;
   return std::nullopt;
 }

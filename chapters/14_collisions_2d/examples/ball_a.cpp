@@ -16,7 +16,8 @@ int main() {
   const auto after = contact::collide_discs(a, b, 1.0);
   // [/collide]
   const auto parts = contact::components(a.velocity, towards_b);
-  std::printf("A before: %.2f ft/s normal, %.2f tangential\n", parts.normal, parts.across.norm());
+  std::printf("A before: %.2f ft/s normal, %.2f tangential\n", parts.normal,
+              parts.tangential.norm());
   std::printf("A after:  %.2f ft/s, B after: %.2f ft/s\n", after.velocity_a.norm(),
               after.velocity_b.norm());
   std::printf("in SI: A %.3f m/s, B %.3f m/s\n", after.velocity_a.norm() * 0.3048,

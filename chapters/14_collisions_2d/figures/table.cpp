@@ -3,8 +3,8 @@
 #include <contact/billiard_table.hpp>
 #include <contact/figure.hpp>
 
-constexpr int most_events = 13;
-constexpr int places = most_events + 2;
+constexpr int max_events = 13;
+constexpr int places = max_events + 2;
 constexpr int samples = 61;
 
 // Positions off the table are moved to its edge.
@@ -89,7 +89,7 @@ Output compute(const Input& in) {
       b_at_cushion = now[1].centre;
     }
   };
-  const double played = contact::play(table, discs, table_duration, most_events, seen);
+  const double played = contact::play(table, discs, table_duration, max_events, seen);
   out.touches = first_touch >= 0 ? 1 : 0;
   out.first_touch = std::max(0.0, first_touch);
   out.shown = in.show != 0 || first_touch < 0 ? played : first_touch;

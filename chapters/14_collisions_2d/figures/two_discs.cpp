@@ -19,7 +19,7 @@ struct Output {
   contact::Vector2<double> touch;  // contact point
   contact::Vector2<double> axis;   // from B to A
   double normal_a, normal_b;       // normal components, m/s
-  contact::Vector2<double> along_a, across_a, along_b, across_b;
+  contact::Vector2<double> along_a, tangential_a, along_b, tangential_b;
   double approach;  // 1 if they approach
   contact::Vector2<double> after_a, after_b;
   contact::Vector2<double> impulse_a;                                          // on A, N·s
@@ -63,8 +63,8 @@ Output compute(const Input& in) {
   out.normal_b = parts_b.normal;
   out.along_a = out.axis * parts_a.normal;
   out.along_b = out.axis * parts_b.normal;
-  out.across_a = parts_a.across;
-  out.across_b = parts_b.across;
+  out.tangential_a = parts_a.tangential;
+  out.tangential_b = parts_b.tangential;
   out.approach = contact::approaching(a, b) ? 1 : 0;
 
   const auto book = contact::collide_discs(a, b, in.restitution);
@@ -118,6 +118,6 @@ Output compute(const Input& in) {
 
 FIGURE(Input, FIELDS(centre_a, centre_b, velocity_a, velocity_b, mass_a, mass_b, restitution, way),
        Output,
-       FIELDS(problem, radius, touch, axis, normal_a, normal_b, along_a, across_a, along_b,
-              across_b, approach, after_a, after_b, impulse_a, p_a, p_b, p_before, p_a_after,
+       FIELDS(problem, radius, touch, axis, normal_a, normal_b, along_a, tangential_a, along_b,
+              tangential_b, approach, after_a, after_b, impulse_a, p_a, p_b, p_before, p_a_after,
               p_b_after, p_after, energy_before, energy_after, product_after, wrong, a_stops))

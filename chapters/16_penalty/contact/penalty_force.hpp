@@ -30,20 +30,21 @@ struct PenaltyForce {
 };
 
 // [half-space-force]
-/// The penalty force of a half-space on a ball: contact_push() along the plane's normal, with the
+/// The penalty force of a half-space on a ball: contact_force() along the plane's normal, with the
 /// penetration r − (n · c − k).
 /// @param plane with a unit normal, which points out of the half-space
 /// @return no force without contact; the error of the penetration is at most 8 u (r + |n · c| +
 /// |k|)
 template <Ring S>
 PenaltyForce<S> half_space_force(const PenaltyBall<S>& ball, const Plane<S>& plane,
-                                 const SpringDamper<S>& spring, LetGo rule = LetGo::at_zero_force) {
+                                 const SpringDamper<S>& spring,
+                                 ContactRelease rule = ContactRelease::at_zero_force) {
   const S distance = plane.normal.dot(ball.sphere.centre) - plane.offset;
   const S penetration = ball.sphere.radius - distance;
   if (penetration < S(0)) return {};
   const S approach = -plane.normal.dot(ball.velocity);
-  const S push = contact_push(spring, penetration, approach, rule);
-  return {true, penetration, plane.normal * push};
+  const S force = contact_force(spring, penetration, approach, rule);
+  return {true, penetration, plane.normal * force};
 }
 // [/half-space-force]
 
@@ -56,11 +57,11 @@ template <Ring S>
 int overlap_sign(const Sphere<S>& first, const Sphere<S>& second) {
   if constexpr (std::floating_point<S>) {
     const Vector3<S> apart = first.centre - second.centre;
-    const S reach = first.radius + second.radius;
+    const S radius_sum = first.radius + second.radius;
     const S square = apart.dot(apart);
-    const S value = reach * reach - square;
+    const S value = radius_sum * radius_sum - square;
     // Each term is rounded at most five times; each square that underflows loses η.
-    const S bound = S(16) * tolerance::unit_roundoff<S> * (reach * reach + square) +
+    const S bound = S(16) * tolerance::unit_roundoff<S> * (radius_sum * radius_sum + square) +
                     S(8) * tolerance::underflow_unit<S>;
     if (value > bound) return 1;
     if (value < -bound) return -1;
@@ -73,8 +74,8 @@ int overlap_sign(const Sphere<S>& first, const Sphere<S>& second) {
     return exact.sign();
   } else {
     const Vector3<S> apart = first.centre - second.centre;
-    const S reach = first.radius + second.radius;
-    const S value = reach * reach - apart.dot(apart);
+    const S radius_sum = first.radius + second.radius;
+    const S value = radius_sum * radius_sum - apart.dot(apart);
     return value > S(0) ? 1 : (value < S(0) ? -1 : 0);
   }
 }
@@ -91,18 +92,19 @@ int overlap_sign(const Sphere<S>& first, const Sphere<S>& second) {
 /// rounding of the difference of the centres, and it is not negative
 template <std::floating_point S>
 PenaltyForce<S> ball_ball_force(const PenaltyBall<S>& first, const PenaltyBall<S>& second,
-                                const SpringDamper<S>& spring, LetGo rule = LetGo::at_zero_force) {
+                                const SpringDamper<S>& spring,
+                                ContactRelease rule = ContactRelease::at_zero_force) {
   if (overlap_sign(first.sphere, second.sphere) < 0) return {};
   const Vector3<S> apart = first.sphere.centre - second.sphere.centre;
-  const S reach = first.sphere.radius + second.sphere.radius;
+  const S radius_sum = first.sphere.radius + second.sphere.radius;
   const S scale = apart.cwiseAbs().maxCoeff();
-  if (!(scale > S(0))) return {true, reach, Vector3<S>::Zero()};
+  if (!(scale > S(0))) return {true, radius_sum, Vector3<S>::Zero()};
   const Vector3<S> shrunk = apart / scale;
   const S length = std::sqrt(shrunk.dot(shrunk));
   const Vector3<S> normal = shrunk / length;
-  const S penetration = std::max(S(0), S(reach - scale * length));
+  const S penetration = std::max(S(0), S(radius_sum - scale * length));
   const S approach = -normal.dot(Vector3<S>(first.velocity - second.velocity));
-  return {true, penetration, normal * contact_push(spring, penetration, approach, rule)};
+  return {true, penetration, normal * contact_force(spring, penetration, approach, rule)};
 }
 // [/ball-ball-force]
 

@@ -67,17 +67,17 @@ PenaltyState<S> spring_step(PenaltyScheme scheme, const PenaltyState<S>& now,
 // [penalty-step]
 /// One step of a body at a contact: spring and damper act if it touches or overlaps at the start of
 /// the step.
-/// @param rule with LetGo::at_zero_force, a step in which the contact would pull in total is taken
-/// without the contact
+/// @param rule with ContactRelease::at_zero_force, a step in which the contact would pull in total
+/// is taken without the contact
 /// @param h s, greater than 0; mass and load as for spring_step()
 template <Scalar S>
 PenaltyState<S> penalty_step(PenaltyScheme scheme, const PenaltyState<S>& now,
                              const SpringDamper<S>& spring, const S& mass, const S& h,
-                             const S& load, LetGo rule = LetGo::at_zero_force) {
+                             const S& load, ContactRelease rule = ContactRelease::at_zero_force) {
   const PenaltyState<S> without = detail::free_step(scheme, now, h, load);
   if (now.penetration < S(0)) return without;
   const PenaltyState<S> with = spring_step(scheme, now, spring, mass, h, load);
-  if (rule == LetGo::at_zero_force && with.approach > without.approach) return without;
+  if (rule == ContactRelease::at_zero_force && with.approach > without.approach) return without;
   return with;
 }
 // [/penalty-step]
@@ -170,8 +170,8 @@ S step_limit(PenaltyScheme scheme, const SpringDamper<S>& spring, const S& mass)
 /// Bounds on the change of the kinetic energy by an impact in steps.
 template <Scalar S>
 struct EnergyFactor {
-  S least = S(1);  ///< lower bound of the energy after over the energy before
-  S most = S(1);   ///< upper bound
+  S min = S(1);  ///< lower bound of the energy after over the energy before
+  S max = S(1);  ///< upper bound
 };
 
 // [energy-factor]

@@ -42,7 +42,7 @@ SpringDamper<S> spring_damper(const S& stiffness, const S& damping) {
 // [let-go]
 /// When a contact ends. The damper resists separation as well as approach, so near the end the sum
 /// of spring and damping force would be a pull.
-enum class LetGo {
+enum class ContactRelease {
   /// When the force would become a pull. The remaining overlap opens without a force.
   at_zero_force,
   /// When the surfaces no longer overlap. Until then the contact may pull, like glue.
@@ -57,15 +57,15 @@ enum class LetGo {
 /// force jumps at the first touch.
 /// @param penetration d, m; negative: a gap
 /// @param approach ḋ, rate of change of the penetration, m/s; negative: the surfaces separate
-/// @param rule with LetGo::at_zero_force the result is never negative
+/// @param rule with ContactRelease::at_zero_force the result is never negative
 /// @return N, positive if it pushes the surfaces apart; error at most 3 u (k |d| + c |ḋ|)
 /// @see *Interaction and Normals*, slide "Collision response – penalty method"
 template <Ring S>
-S contact_push(const SpringDamper<S>& spring, const S& penetration, const S& approach,
-               LetGo rule = LetGo::at_zero_force) {
+S contact_force(const SpringDamper<S>& spring, const S& penetration, const S& approach,
+                ContactRelease rule = ContactRelease::at_zero_force) {
   if (penetration < S(0)) return S(0);
   const S force = spring.stiffness * penetration + spring.damping * approach;
-  return force < S(0) && rule == LetGo::at_zero_force ? S(0) : force;
+  return force < S(0) && rule == ContactRelease::at_zero_force ? S(0) : force;
 }
 // [/contact-push]
 
@@ -137,7 +137,7 @@ S damping_ratio(const SpringDamper<S>& spring, const S& mass) {
 /// @param mass kg, greater than 0
 /// @return rad/s; relative error at most 3 u
 template <std::floating_point S>
-S natural_rate(const SpringDamper<S>& spring, const S& mass) {
+S natural_frequency(const SpringDamper<S>& spring, const S& mass) {
   return std::sqrt(spring.stiffness) / std::sqrt(mass);
 }
 // [/damping-regime]

@@ -48,7 +48,7 @@ namespace detail {
 
 inline constexpr double log_two_high = 6.93147180369123816490e-01;  // 33 bits
 inline constexpr double log_two_low = 1.90821492927058770002e-10;   // the rest
-inline constexpr double half_turn = 3.141592653589793;
+inline constexpr double pi = 3.141592653589793;
 
 /// exp(−y) for y ≥ 0, by + − × ÷ only; relative error at most 4 u while it is a normal number.
 inline double decay(double y) {
@@ -89,23 +89,23 @@ inline double sine_of_cosine(double ratio) { return std::sqrt((1 - ratio) * (1 +
 /// it is a normal number, plus the rounding to S; at zero penetration the factor 90 grows to 6 / (1
 /// − ζ) near ζ = 1
 template <std::floating_point S>
-S restitution_of_damping(const S& ratio, LetGo rule) {
+S restitution_of_damping(const S& ratio, ContactRelease rule) {
   const auto z = static_cast<double>(ratio);
-  if (rule == LetGo::at_zero_force) return S(detail::decay(2 * z * arc_over_sine(z)));
+  if (rule == ContactRelease::at_zero_force) return S(detail::decay(2 * z * arc_over_sine(z)));
   if (!(z < 1)) return S(0);
-  return S(detail::decay(detail::half_turn * z / detail::sine_of_cosine(z)));
+  return S(detail::decay(detail::pi * z / detail::sine_of_cosine(z)));
 }
 // [/restitution-of-damping]
 
 /// The results of an impact on a spring and a damper.
 template <std::floating_point S>
 struct SpringImpact {
-  S restitution = S(0);     ///< speed of separation over speed of approach, 0 to 1
-  S duration = S(0);        ///< from the first touch to the end of the contact, s; ∞ if none
-  S greatest_depth = S(0);  ///< greatest penetration, m
-  S time_of_depth = S(0);   ///< time of the greatest penetration, s after the first touch
-  S greatest_force = S(0);  ///< N
-  S left_overlap = S(0);    ///< penetration at the end of the contact, m; 0 at zero penetration
+  S restitution = S(0);    ///< speed of separation over speed of approach, 0 to 1
+  S duration = S(0);       ///< from the first touch to the end of the contact, s; ∞ if none
+  S max_depth = S(0);      ///< greatest penetration, m
+  S time_of_depth = S(0);  ///< time of the greatest penetration, s after the first touch
+  S max_force = S(0);      ///< N
+  S left_overlap = S(0);   ///< penetration at the end of the contact, m; 0 at zero penetration
 };
 
 // [spring-impact]
@@ -124,18 +124,18 @@ struct SpringImpact {
 /// of e, plus the rounding to S, if k, m and c² are from 1e-120 to 1e120 (in double)
 template <std::floating_point S>
 SpringImpact<S> spring_impact(const SpringDamper<S>& spring, const S& mass, const S& speed,
-                              LetGo rule = LetGo::at_zero_force) {
+                              ContactRelease rule = ContactRelease::at_zero_force) {
   const SpringDamper<double> wide{static_cast<double>(spring.stiffness),
                                   static_cast<double>(spring.damping)};
   const double z = damping_ratio(wide, static_cast<double>(mass));
-  const double rate = natural_rate(wide, static_cast<double>(mass));
+  const double rate = natural_frequency(wide, static_cast<double>(mass));
   const auto v = static_cast<double>(speed);
   const double q = arc_over_sine(z);
   SpringImpact<S> impact;
   impact.restitution = S(restitution_of_damping(z, rule));
   impact.time_of_depth = S(q / rate);
-  impact.greatest_depth = S(v / rate * detail::decay(z * q));
-  if (rule == LetGo::at_zero_force) {
+  impact.max_depth = S(v / rate * detail::decay(z * q));
+  if (rule == ContactRelease::at_zero_force) {
     impact.duration = S(2 * q / rate);
     impact.left_overlap = S(v / rate * (2 * z * detail::decay(2 * z * q)));
   } else if (damping_regime(spring, mass) != DampingRegime::underdamped) {
@@ -144,17 +144,17 @@ SpringImpact<S> spring_impact(const SpringDamper<S>& spring, const S& mass, cons
   } else if (spring.damping > S(0)) {
     // 4 k m − c² is exact before the root: computed from the rounded ζ, 1 − ζ would have no digits.
     const double root = std::sqrt(rounded<double>(-detail::damping_discriminant(spring, mass)));
-    impact.duration = S(2 * detail::half_turn * static_cast<double>(mass) / root);
-    impact.restitution = S(detail::decay(detail::half_turn * wide.damping / root));
+    impact.duration = S(2 * detail::pi * static_cast<double>(mass) / root);
+    impact.restitution = S(detail::decay(detail::pi * wide.damping / root));
   } else {
-    impact.duration = S(detail::half_turn / rate);
+    impact.duration = S(detail::pi / rate);
   }
   const double momentum = static_cast<double>(mass) * v;
   if (z < 0.5) {
-    const double later = std::max(0.0, 3 * q - detail::half_turn / detail::sine_of_cosine(z));
-    impact.greatest_force = S(momentum * rate * detail::decay(z * later));
+    const double later = std::max(0.0, 3 * q - detail::pi / detail::sine_of_cosine(z));
+    impact.max_force = S(momentum * rate * detail::decay(z * later));
   } else {
-    impact.greatest_force = S(wide.damping * v);
+    impact.max_force = S(wide.damping * v);
   }
   return impact;
 }
@@ -169,13 +169,13 @@ SpringImpact<S> spring_impact(const SpringDamper<S>& spring, const S& mass, cons
 /// @return dimensionless; relative error at most 200 (1 + L) u of double, plus the rounding to S
 /// @throws std::invalid_argument if there is no such damping ratio
 template <std::floating_point S>
-S damping_ratio_for(const S& restitution, LetGo rule) {
+S damping_ratio_for(const S& restitution, ContactRelease rule) {
   require_restitution("restitution", restitution);
   const auto e = static_cast<double>(restitution);
-  if (rule == LetGo::at_zero_penetration) {
+  if (rule == ContactRelease::at_zero_penetration) {
     if (e == 0) return S(1);
     const double l = detail::log_of_inverse(e);
-    return S(l / std::sqrt(detail::half_turn * detail::half_turn + l * l));
+    return S(l / std::sqrt(detail::pi * detail::pi + l * l));
   }
   if (e == 0) {
     throw_invalid_argument("restitution", number_text(restitution),
@@ -204,7 +204,7 @@ S damping_ratio_for(const S& restitution, LetGo rule) {
 /// @throws std::invalid_argument if a number is out of its range or not finite
 template <std::floating_point S>
 SpringDamper<S> spring_for_restitution(const S& stiffness, const S& mass, const S& restitution,
-                                       LetGo rule = LetGo::at_zero_force) {
+                                       ContactRelease rule = ContactRelease::at_zero_force) {
   require_mass("mass", mass);
   const SpringDamper<S> undamped = spring_damper(stiffness, S(0));
   const S ratio = damping_ratio_for(restitution, rule);

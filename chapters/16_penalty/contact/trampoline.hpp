@@ -43,11 +43,11 @@ Trampoline<S> trampoline(const S& mass, const S& stiffness, const S& gravity, co
 /// The results of a jump, which repeats without loss.
 template <std::floating_point S>
 struct TrampolineJump {
-  S sag = S(0);             ///< deflection of the mat with the jumper at rest on it, m g / k, m
-  S greatest_depth = S(0);  ///< of the mat, m
-  S greatest_force = S(0);  ///< of the mat, N
-  S contact_time = S(0);    ///< on the mat, s
-  S air_time = S(0);        ///< from mat to mat, s
+  S sag = S(0);           ///< deflection of the mat with the jumper at rest on it, m g / k, m
+  S max_depth = S(0);     ///< of the mat, m
+  S max_force = S(0);     ///< of the mat, N
+  S contact_time = S(0);  ///< on the mat, s
+  S air_time = S(0);      ///< from mat to mat, s
 };
 
 // [trampoline]
@@ -66,12 +66,12 @@ TrampolineJump<S> trampoline_jump(const Trampoline<S>& t) {
   TrampolineJump<S> result;
   result.sag = t.mass * t.gravity / t.stiffness;
   const S whole = result.sag + S(2) * t.height;
-  result.greatest_depth = result.sag + std::sqrt(result.sag) * std::sqrt(whole);
-  result.greatest_force = t.stiffness * result.greatest_depth;
+  result.max_depth = result.sag + std::sqrt(result.sag) * std::sqrt(whole);
+  result.max_force = t.stiffness * result.max_depth;
   const S cosine = std::sqrt(result.sag / whole);
   const S sine = std::sqrt(S(2) * t.height / whole);
-  const S turned = S(detail::half_turn) - sine * arc_over_sine(cosine);
-  result.contact_time = S(2) * turned / natural_rate(spring, t.mass);
+  const S turned = S(detail::pi) - sine * arc_over_sine(cosine);
+  result.contact_time = S(2) * turned / natural_frequency(spring, t.mass);
   result.air_time = S(2) * std::sqrt(S(2) * t.height / t.gravity);
   return result;
 }

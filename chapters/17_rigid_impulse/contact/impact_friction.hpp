@@ -41,9 +41,10 @@ template <Scalar S>
 PlanarContact<S> planar_contact(const RigidBody<S>& a, const RigidBody<S>& b,
                                 const ContactPoint<S>& at, const Vector3<S>& tangent) {
   const Vector3<S> u = velocity_at(a, at.point) - velocity_at(b, at.point);
-  return {u.dot(tangent), normal_velocity(a, b, at), response<S>(a, b, at.point, tangent, tangent),
-          response<S>(a, b, at.point, tangent, at.normal),
-          response<S>(a, b, at.point, at.normal, at.normal)};
+  return {u.dot(tangent), normal_velocity(a, b, at),
+          inverse_effective_mass<S>(a, b, at.point, tangent, tangent),
+          inverse_effective_mass<S>(a, b, at.point, tangent, at.normal),
+          inverse_effective_mass<S>(a, b, at.point, at.normal, at.normal)};
 }
 // [/planar-contact]
 

@@ -94,8 +94,8 @@ Matrix3<S> cylinder_inertia(const S& mass, const S& radius, const S& height) {
   detail::require_size("radius", radius);
   detail::require_size("height", height);
   const S r2 = radius * radius;
-  const S across = mass * (S(3) * r2 + height * height) / S(12);
-  return detail::diagonal<S>(across, across, mass * r2 / S(2));
+  const S transverse = mass * (S(3) * r2 + height * height) / S(12);
+  return detail::diagonal<S>(transverse, transverse, mass * r2 / S(2));
 }
 
 /// The inertia tensor of a solid capsule about its centre, with its axis along z: a cylinder and
@@ -122,9 +122,9 @@ Matrix3<S> capsule_inertia(const S& mass, const S& radius, const S& height) {
   const S middle = mass * (S(3) * height / whole);
   const S caps = mass * (S(4) * radius / whole);
   const S along = middle * r2 / S(2) + caps * (S(2) * r2 / S(5));
-  const S across = middle * (S(3) * r2 + h2) / S(12) +
-                   caps * (S(2) * r2 / S(5) + h2 / S(4) + S(3) * height * radius / S(8));
-  return detail::diagonal<S>(across, across, along);
+  const S transverse = middle * (S(3) * r2 + h2) / S(12) +
+                       caps * (S(2) * r2 / S(5) + h2 / S(4) + S(3) * height * radius / S(8));
+  return detail::diagonal<S>(transverse, transverse, along);
 }
 // [/simple-shapes]
 
@@ -187,7 +187,7 @@ Matrix3<S> rotated(const Matrix3<S>& inertia, const Matrix3<S>& rotation) {
 /// moved to the common centre of mass. A hole is a part with negative mass and negated tensor.
 /// @return nothing if the masses add up to 0 (or there are no parts)
 template <Scalar S>
-std::optional<MassProperties<S>> together(const std::vector<MassProperties<S>>& parts) {
+std::optional<MassProperties<S>> combine(const std::vector<MassProperties<S>>& parts) {
   MassProperties<S> whole;
   Vector3<S> moment = Vector3<S>::Zero();
   for (const MassProperties<S>& part : parts) {
@@ -205,7 +205,7 @@ std::optional<MassProperties<S>> together(const std::vector<MassProperties<S>>& 
 // [/together]
 
 /// The three vertices of a triangle of a mesh, as indices into its list of vertices.
-using Corners = std::array<std::size_t, 3>;
+using VertexIndices = std::array<std::size_t, 3>;
 
 namespace detail {
 
@@ -220,9 +220,9 @@ struct Moments {
 
 template <Scalar S>
 Moments<S> moments_about(const Vector3<S>& from, const std::vector<Vector3<S>>& vertices,
-                         const std::vector<Corners>& triangles) {
+                         const std::vector<VertexIndices>& triangles) {
   Moments<S> sum;
-  for (const Corners& corners : triangles) {
+  for (const VertexIndices& corners : triangles) {
     const Vector3<S> a = vertices[corners[0]] - from;
     const Vector3<S> b = vertices[corners[1]] - from;
     const Vector3<S> c = vertices[corners[2]] - from;
@@ -261,10 +261,10 @@ Moments<S> moments_about(const Vector3<S>& from, const std::vector<Vector3<S>>& 
 template <Scalar S>
 std::optional<MassProperties<S>> mesh_mass(const S& density,
                                            const std::vector<Vector3<S>>& vertices,
-                                           const std::vector<Corners>& triangles) {
+                                           const std::vector<VertexIndices>& triangles) {
   detail::require_size("density", density);
   for (const Vector3<S>& vertex : vertices) require_finite("vertices", vertex);
-  for (const Corners& corners : triangles) {
+  for (const VertexIndices& corners : triangles) {
     for (const std::size_t corner : corners) {
       if (corner >= vertices.size()) {
         throw_invalid_argument("triangles", std::to_string(corner), "is not in the list");

@@ -17,13 +17,13 @@ namespace contact {
 /// energy.
 template <Ring S>
 struct RigidBody {
-  S mass = S(0);                                    ///< kg
-  Matrix3<S> inertia = Matrix3<S>::Zero();          ///< about the centre of mass, kg·m²
-  S inverse_mass = S(0);                            ///< 1/kg; 0 for an immovable body
-  Matrix3<S> inverse_inertia = Matrix3<S>::Zero();  ///< 1/(kg·m²); 0 for an immovable body
-  Vector3<S> position = Vector3<S>::Zero();         ///< of the centre of mass, m
-  Vector3<S> velocity = Vector3<S>::Zero();         ///< of the centre of mass, m/s
-  Vector3<S> spin = Vector3<S>::Zero();             ///< angular velocity ω, rad/s
+  S mass = S(0);                                     ///< kg
+  Matrix3<S> inertia = Matrix3<S>::Zero();           ///< about the centre of mass, kg·m²
+  S inverse_mass = S(0);                             ///< 1/kg; 0 for an immovable body
+  Matrix3<S> inverse_inertia = Matrix3<S>::Zero();   ///< 1/(kg·m²); 0 for an immovable body
+  Vector3<S> position = Vector3<S>::Zero();          ///< of the centre of mass, m
+  Vector3<S> velocity = Vector3<S>::Zero();          ///< of the centre of mass, m/s
+  Vector3<S> angular_velocity = Vector3<S>::Zero();  ///< angular velocity ω, rad/s
 };
 // [/rigid-body]
 
@@ -31,10 +31,10 @@ namespace detail {
 
 template <Ring S>
 void require_motion(const Vector3<S>& position, const Vector3<S>& velocity,
-                    const Vector3<S>& spin) {
+                    const Vector3<S>& angular_velocity) {
   require_finite("position", position);
   require_finite("velocity", velocity);
-  require_finite("spin", spin);
+  require_finite("angular_velocity", angular_velocity);
 }
 
 template <Scalar S>
@@ -74,20 +74,20 @@ std::optional<Matrix3<S>> inverse_of_symmetric(const Matrix3<S>& m) {
 /// @param mass kg, finite and greater than 0
 /// @param inertia about the centre of mass, world axes, symmetric and positive definite, kg·m²
 /// @param position, velocity of the centre of mass, m and m/s
-/// @param spin angular velocity, rad/s
+/// @param angular_velocity angular velocity, rad/s
 /// @throws std::invalid_argument naming the argument and its value
 /// @note Inverting the full tensor of a needle loses as many digits as the ratio of its moments
 /// has. If you have the principal moments, use rigid_body_from_axes().
 template <Scalar S>
 RigidBody<S> rigid_body(const S& mass, const Matrix3<S>& inertia, const Vector3<S>& position,
-                        const Vector3<S>& velocity, const Vector3<S>& spin) {
+                        const Vector3<S>& velocity, const Vector3<S>& angular_velocity) {
   const S inverse_mass = detail::inverse_of("mass", mass);
-  detail::require_motion(position, velocity, spin);
+  detail::require_motion(position, velocity, angular_velocity);
   if (!all_finite(inertia)) throw_invalid_argument("inertia", "?", "every entry must be finite");
   if (inertia != inertia.transpose()) throw_invalid_argument("inertia", "?", "must be symmetric");
   const auto inverse = inverse_of_symmetric(inertia);
   if (!inverse) throw_invalid_argument("inertia", "?", "must be positive definite");
-  return {mass, inertia, inverse_mass, *inverse, position, velocity, spin};
+  return {mass, inertia, inverse_mass, *inverse, position, velocity, angular_velocity};
 }
 
 /// A movable body from its principal moments and the rotation from its principal axes to the axes
@@ -99,11 +99,11 @@ RigidBody<S> rigid_body(const S& mass, const Matrix3<S>& inertia, const Vector3<
 template <Scalar S>
 RigidBody<S> rigid_body_from_axes(const S& mass, const Vector3<S>& moments,
                                   const Matrix3<S>& rotation, const Vector3<S>& position,
-                                  const Vector3<S>& velocity, const Vector3<S>& spin) {
+                                  const Vector3<S>& velocity, const Vector3<S>& angular_velocity) {
   const S inverse_mass = detail::inverse_of("mass", mass);
   Vector3<S> inverse;
   for (int k = 0; k < 3; ++k) inverse(k) = detail::inverse_of("moments", S(moments(k)));
-  detail::require_motion(position, velocity, spin);
+  detail::require_motion(position, velocity, angular_velocity);
   if (!all_finite(rotation)) throw_invalid_argument("rotation", "?", "must be finite");
   return {mass,
           rotated<S>(detail::diagonal<S>(moments.x(), moments.y(), moments.z()), rotation),
@@ -111,19 +111,19 @@ RigidBody<S> rigid_body_from_axes(const S& mass, const Vector3<S>& moments,
           rotated<S>(detail::diagonal<S>(inverse.x(), inverse.y(), inverse.z()), rotation),
           position,
           velocity,
-          spin};
+          angular_velocity};
 }
 
 /// An immovable body: the ground, or a flywheel that keeps its velocity and angular velocity.
 /// @throws std::invalid_argument if a coordinate is not finite
 template <Ring S>
 RigidBody<S> immovable(const Vector3<S>& position, const Vector3<S>& velocity,
-                       const Vector3<S>& spin) {
-  detail::require_motion(position, velocity, spin);
+                       const Vector3<S>& angular_velocity) {
+  detail::require_motion(position, velocity, angular_velocity);
   RigidBody<S> body;
   body.position = position;
   body.velocity = velocity;
-  body.spin = spin;
+  body.angular_velocity = angular_velocity;
   return body;
 }
 
@@ -136,7 +136,7 @@ RigidBody<S> immovable(const Vector3<S>& position, const Vector3<S>& velocity,
 template <Ring S>
 Vector3<S> velocity_at(const RigidBody<S>& body, const Vector3<S>& p) {
   const Vector3<S> r = p - body.position;
-  return body.velocity + Vector3<S>(body.spin.cross(r));
+  return body.velocity + Vector3<S>(body.angular_velocity.cross(r));
 }
 // [/velocity-at]
 
@@ -148,15 +148,16 @@ template <Ring S>
 Vector3<S> angular_momentum(const RigidBody<S>& body, const Vector3<S>& o) {
   const Vector3<S> p = body.velocity * body.mass;
   const Vector3<S> r = body.position - o;
-  return Vector3<S>(r.cross(p)) + Vector3<S>(body.inertia * body.spin);
+  return Vector3<S>(r.cross(p)) + Vector3<S>(body.inertia * body.angular_velocity);
 }
 
 /// The kinetic energy of a body: ½ m v² + ½ ω · I ω.
 /// @return J; 0 for an immovable body
 template <Scalar S>
 S kinetic_energy(const RigidBody<S>& body) {
-  const Vector3<S> spin_momentum = body.inertia * body.spin;
-  return (body.mass * body.velocity.dot(body.velocity) + body.spin.dot(spin_momentum)) / S(2);
+  const Vector3<S> spin_momentum = body.inertia * body.angular_velocity;
+  return (body.mass * body.velocity.dot(body.velocity) + body.angular_velocity.dot(spin_momentum)) /
+         S(2);
 }
 // [/momenta]
 
@@ -168,9 +169,10 @@ S kinetic_energy(const RigidBody<S>& body) {
 template <Ring S>
 RigidBody<S> after_impulse(RigidBody<S> body, const Vector3<S>& impulse, const Vector3<S>& p) {
   const Vector3<S> r = p - body.position;
-  const Vector3<S> twist = r.cross(impulse);
+  const Vector3<S> angular_impulse = r.cross(impulse);
   body.velocity = body.velocity + impulse * body.inverse_mass;
-  body.spin = body.spin + Vector3<S>(body.inverse_inertia * twist);
+  body.angular_velocity =
+      body.angular_velocity + Vector3<S>(body.inverse_inertia * angular_impulse);
   return body;
 }
 // [/apply-impulse]

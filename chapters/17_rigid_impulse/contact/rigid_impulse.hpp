@@ -28,22 +28,23 @@ namespace detail {
 
 /// n · (v + ω × (p − x)) without rounding.
 template <std::floating_point S>
-Exact exact_normal_part(const RigidBody<S>& body, const ContactPoint<S>& at) {
+Exact exact_normal_component(const RigidBody<S>& body, const ContactPoint<S>& at) {
   const auto exact = [](const S& x) { return Exact(double(x)); };
-  const auto arm = [&](int k) { return exact(at.point(k)) - exact(body.position(k)); };
+  const auto lever_arm = [&](int k) { return exact(at.point(k)) - exact(body.position(k)); };
   Exact sum;
   for (int k = 0; k < 3; ++k) {
     const int y = (k + 1) % 3;
     const int z = (k + 2) % 3;
     sum += exact(at.normal(k)) *
-           (exact(body.velocity(k)) + exact(body.spin(y)) * arm(z) - exact(body.spin(z)) * arm(y));
+           (exact(body.velocity(k)) + exact(body.angular_velocity(y)) * lever_arm(z) -
+            exact(body.angular_velocity(z)) * lever_arm(y));
   }
   return sum;
 }
 
 template <std::floating_point S>
 S exact_normal_velocity(const RigidBody<S>& a, const RigidBody<S>& b, const ContactPoint<S>& at) {
-  const Exact sum = exact_normal_part(a, at) - exact_normal_part(b, at);
+  const Exact sum = exact_normal_component(a, at) - exact_normal_component(b, at);
   const S value = rounded<S>(sum);
   // What is not zero keeps its sign, even if the nearest number is 0.
   if (value == S(0)) return S(sum.sign()) * std::numeric_limits<S>::denorm_min();
@@ -55,7 +56,7 @@ template <std::floating_point S>
 S size_of_normal_velocity(const RigidBody<S>& a, const RigidBody<S>& b, const ContactPoint<S>& at) {
   const auto part = [&](const RigidBody<S>& body) {
     const Vector3<S> r = (at.point - body.position).cwiseAbs();
-    const Vector3<S> w = body.spin.cwiseAbs();
+    const Vector3<S> w = body.angular_velocity.cwiseAbs();
     const Vector3<S> turn(w.y() * r.z() + w.z() * r.y(), w.z() * r.x() + w.x() * r.z(),
                           w.x() * r.y() + w.y() * r.x());
     return S(at.normal.cwiseAbs().dot(body.velocity.cwiseAbs() + turn));
@@ -111,8 +112,8 @@ Closing closing_case(const RigidBody<S>& a, const RigidBody<S>& b, const Contact
 /// collision impulse. It is never negative for in = out, and 0 only between immovable bodies.
 /// @return 1/kg
 template <Ring S>
-S response(const RigidBody<S>& a, const RigidBody<S>& b, const Vector3<S>& point,
-           const Vector3<S>& out, const Vector3<S>& in) {
+S inverse_effective_mass(const RigidBody<S>& a, const RigidBody<S>& b, const Vector3<S>& point,
+                         const Vector3<S>& out, const Vector3<S>& in) {
   const auto turning = [&](const RigidBody<S>& body) {
     const Vector3<S> r = point - body.position;
     const Vector3<S> turned = body.inverse_inertia * Vector3<S>(r.cross(in));
@@ -152,7 +153,7 @@ template <Scalar S>
 S collision_impulse(const RigidBody<S>& a, const RigidBody<S>& b, const ContactPoint<S>& at,
                     const S& e) {
   const S v = normal_velocity(a, b, at);
-  const S k = response<S>(a, b, at.point, at.normal, at.normal);
+  const S k = inverse_effective_mass<S>(a, b, at.point, at.normal, at.normal);
   if (!(v < S(0)) || k == S(0)) return S(0);
   return -((S(1) + e) * v) / k;
 }
@@ -195,7 +196,7 @@ Collided<S> collide(const RigidBody<S>& a, const RigidBody<S>& b, const ContactP
   // [/collide]
   if constexpr (std::floating_point<S>) {
     const auto size = [&] { return detail::size_of_normal_velocity(after.a, after.b, at); };
-    const S k = response<S>(a, b, at.point, at.normal, at.normal);
+    const S k = inverse_effective_mass<S>(a, b, at.point, at.normal, at.normal);
     S more = std::max(tolerance::unit_roundoff<S> * size() / k, tolerance::underflow_unit<S>);
     // Doubled 24 times, it is a few 1e-9 of the velocities: more than rounding can hide.
     for (int tries = 0; tries < 24; ++tries) {

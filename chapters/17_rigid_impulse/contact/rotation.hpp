@@ -71,12 +71,12 @@ Matrix3<S> cross_matrix(const Vector3<S>& w) {
 ///
 /// @warning Every column is displaced along its tangent, so each step makes the columns
 /// perpendicular to ω longer by the factor √(1 + |ω|² h²). Soon the matrix is no rotation.
-/// @param spin ω, in the axes of the world, rad/s
+/// @param angular_velocity ω, in the axes of the world, rad/s
 /// @param h s
 template <Ring S>
-Matrix3<S> matrix_step(const Matrix3<S>& rotation, const Vector3<S>& spin, const S& h) {
-  const Matrix3<S> push = cross_matrix<S>(spin) * rotation;
-  return rotation + push * h;
+Matrix3<S> matrix_step(const Matrix3<S>& rotation, const Vector3<S>& angular_velocity, const S& h) {
+  const Matrix3<S> change = cross_matrix<S>(angular_velocity) * rotation;
+  return rotation + change * h;
 }
 
 /// The rotation whose first column is parallel to that of `m`, and whose second lies in the plane
@@ -95,27 +95,27 @@ Matrix3<S> orthonormalised(const Matrix3<S>& m) {
 
 /// A rotation as a quaternion of length 1: w, and the vector part x, y, z.
 template <Ring S>
-struct Rotor {
+struct Quaternion {
   S w = S(1);                         ///< cosine of half the angle
   Vector3<S> v = Vector3<S>::Zero();  ///< sine of half the angle, along the axis
 };
 
 /// The product of two quaternions: first b's rotation, then a's.
 template <Ring S>
-Rotor<S> operator*(const Rotor<S>& a, const Rotor<S>& b) {
+Quaternion<S> operator*(const Quaternion<S>& a, const Quaternion<S>& b) {
   return {a.w * b.w - a.v.dot(b.v), Vector3<S>(b.v * a.w + a.v * b.w) + Vector3<S>(a.v.cross(b.v))};
 }
 
 /// A quaternion divided by its length.
 template <std::floating_point S>
-Rotor<S> normalised(const Rotor<S>& q) {
+Quaternion<S> normalised(const Quaternion<S>& q) {
   const S length = std::sqrt(q.w * q.w + q.v.dot(q.v));
   return {q.w / length, Vector3<S>(q.v / length)};
 }
 
 /// The rotation matrix of a unit quaternion.
 template <Ring S>
-Matrix3<S> matrix_of(const Rotor<S>& q) {
+Matrix3<S> matrix_of(const Quaternion<S>& q) {
   const S two(2);
   const S x = q.v.x();
   const S y = q.v.y();
@@ -133,12 +133,13 @@ Matrix3<S> matrix_of(const Rotor<S>& q) {
 ///
 /// It stays a rotation. But each step turns by 2 arctan(½ |ω| h) instead of |ω| h, and so lags
 /// behind by about |ω|³ h³/12.
-/// @param spin ω, in the axes of the world, rad/s
+/// @param angular_velocity ω, in the axes of the world, rad/s
 /// @param h s
 template <std::floating_point S>
-Rotor<S> quaternion_step(const Rotor<S>& q, const Vector3<S>& spin, const S& h) {
-  const Rotor<S> push = Rotor<S>{S(0), spin * (h / S(2))} * q;
-  return normalised<S>({q.w + push.w, q.v + push.v});
+Quaternion<S> quaternion_step(const Quaternion<S>& q, const Vector3<S>& angular_velocity,
+                              const S& h) {
+  const Quaternion<S> change = Quaternion<S>{S(0), angular_velocity * (h / S(2))} * q;
+  return normalised<S>({q.w + change.w, q.v + change.v});
 }
 // [/quaternion-step]
 
@@ -148,7 +149,7 @@ Rotor<S> quaternion_step(const Rotor<S>& q, const Vector3<S>& spin, const S& h) 
 /// @param a rotation vector, rad, finite
 /// @return of length 1 up to a few u; the identity for a = 0
 template <std::floating_point S>
-Rotor<S> exponential(const Vector3<S>& a) {
+Quaternion<S> exponential(const Vector3<S>& a) {
   const S largest = a.cwiseAbs().maxCoeff();
   if (largest == S(0)) return {};
   const Vector3<S> share = a / largest;  // so that no square over- or underflows
@@ -160,8 +161,9 @@ Rotor<S> exponential(const Vector3<S>& a) {
 /// A quaternion after a time h at the angular velocity ω, by the exponential map: exact for any h
 /// if ω is constant.
 template <std::floating_point S>
-Rotor<S> exponential_step(const Rotor<S>& q, const Vector3<S>& spin, const S& h) {
-  return exponential<S>(spin * h) * q;
+Quaternion<S> exponential_step(const Quaternion<S>& q, const Vector3<S>& angular_velocity,
+                               const S& h) {
+  return exponential<S>(angular_velocity * h) * q;
 }
 // [/exponential]
 
@@ -172,21 +174,22 @@ Rotor<S> exponential_step(const Rotor<S>& q, const Vector3<S>& spin, const S& h)
 /// @param moments about the principal axes, kg·m², each greater than 0
 /// @param rotation its columns are the principal axes in world coordinates
 template <Scalar S>
-Vector3<S> free_spin(const Vector3<S>& momentum, const Vector3<S>& moments,
-                     const Matrix3<S>& rotation) {
+Vector3<S> free_angular_velocity(const Vector3<S>& momentum, const Vector3<S>& moments,
+                                 const Matrix3<S>& rotation) {
   const Vector3<S> seen = rotation.transpose() * momentum;
-  const Vector3<S> spin(seen.x() / moments.x(), seen.y() / moments.y(), seen.z() / moments.z());
-  return rotation * spin;
+  const Vector3<S> angular_velocity(seen.x() / moments.x(), seen.y() / moments.y(),
+                                    seen.z() / moments.z());
+  return rotation * angular_velocity;
 }
 
 /// A step of a body without torque, with the angular velocity at the midpoint of the step, which a
 /// half step with that of its beginning finds. A second-order method: its error falls as h².
 template <std::floating_point S>
-Rotor<S> midpoint_step(const Rotor<S>& q, const Vector3<S>& momentum, const Vector3<S>& moments,
-                       const S& h) {
-  const Vector3<S> first = free_spin<S>(momentum, moments, matrix_of(q));
-  const Rotor<S> middle = exponential_step<S>(q, first, h / S(2));
-  return exponential_step<S>(q, free_spin<S>(momentum, moments, matrix_of(middle)), h);
+Quaternion<S> midpoint_step(const Quaternion<S>& q, const Vector3<S>& momentum,
+                            const Vector3<S>& moments, const S& h) {
+  const Vector3<S> first = free_angular_velocity<S>(momentum, moments, matrix_of(q));
+  const Quaternion<S> middle = exponential_step<S>(q, first, h / S(2));
+  return exponential_step<S>(q, free_angular_velocity<S>(momentum, moments, matrix_of(middle)), h);
 }
 // [/free-spin]
 
@@ -198,14 +201,14 @@ Rotor<S> midpoint_step(const Rotor<S>& q, const Vector3<S>& momentum, const Vect
 /// space.
 /// @param q initial orientation, from body to world; the axis of symmetry is the body's z
 /// @param momentum L, in the axes of the world, kg·m²/s
-/// @param across, along I₁ and I₃, kg·m², greater than 0
+/// @param transverse, along I₁ and I₃, kg·m², greater than 0
 /// @param t s
 template <std::floating_point S>
-Rotor<S> free_top(const Rotor<S>& q, const Vector3<S>& momentum, const S& across, const S& along,
-                  const S& t) {
+Quaternion<S> free_top(const Quaternion<S>& q, const Vector3<S>& momentum, const S& transverse,
+                       const S& axial, const S& t) {
   const S seen = matrix_of(q).col(2).dot(momentum);
-  const S rest = seen * (S(1) / along - S(1) / across);
-  return exponential<S>(momentum * (t / across)) * q * exponential<S>({S(0), S(0), rest * t});
+  const S rest = seen * (S(1) / axial - S(1) / transverse);
+  return exponential<S>(momentum * (t / transverse)) * q * exponential<S>({S(0), S(0), rest * t});
 }
 // [/symmetric-top]
 

@@ -28,13 +28,13 @@ int main() {
                                                contact::box_inertia<double>(1, {1, 0.04, 0.04})};
   const contact::MassProperties<double> head{2, V(0.5, 0, 0),
                                              contact::box_inertia<double>(2, {0.1, 0.3, 0.1})};
-  const auto hammer = *contact::together<double>({handle, head});
+  const auto hammer = *contact::combine<double>({handle, head});
   std::printf("hammer: %g kg, centre of mass at %.4f m, %.4f kg m^2 about z\n", hammer.mass,
               hammer.centre.x(), hammer.inertia(2, 2));
 
   // A tetrahedron as a mesh, at the origin and a thousand kilometres away.
   const std::vector<V> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  const std::vector<contact::Corners> faces{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  const std::vector<contact::VertexIndices> faces{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
   const auto near = *contact::mesh_mass<double>(6, corners, faces);
   std::vector<V> moved;
   for (const V& corner : corners) moved.push_back(corner + V(1e6, 1e6, 1e6));

@@ -15,11 +15,11 @@ void print(const char* law, const contact::PlanarContact<double>& c,
 int main() {
   const double s = std::sqrt(0.5);
   const V none(0, 0, 0);
-  const V spin(0, 0, -1);
+  const V angular_velocity(0, 0, -1);
   const V r(s, -s, 0);  // from the middle to the lower right end
-  const auto rod =
-      contact::rigid_body<double>(1, contact::detail::diagonal<double>(1.0 / 3, 1.0 / 3, 1.0 / 3),
-                                  V(-r), V(-0.6, -1, 0) - V(spin.cross(r)), spin);
+  const auto rod = contact::rigid_body<double>(
+      1, contact::detail::diagonal<double>(1.0 / 3, 1.0 / 3, 1.0 / 3), V(-r),
+      V(-0.6, -1, 0) - V(angular_velocity.cross(r)), angular_velocity);
   const auto floor = contact::immovable<double>(none, none, none);
   const auto c = contact::planar_contact<double>(rod, floor, {none, {0, 1, 0}}, {1, 0, 0});
   std::printf("inverse effective mass: k_tt = %.2f, k_tn = %.2f, k_nn = %.2f 1/kg\n", c.k_tt,

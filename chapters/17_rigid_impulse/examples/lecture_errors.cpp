@@ -7,8 +7,8 @@ using V = contact::Vector3<double>;
 
 int main() {
   const V none(0, 0, 0);
-  const double across = contact::rod_inertia<double>(3, 2);
-  const auto inertia = contact::detail::diagonal<double>(across, across, across);
+  const double transverse = contact::rod_inertia<double>(3, 2);
+  const auto inertia = contact::detail::diagonal<double>(transverse, transverse, transverse);
   const auto rod = contact::rigid_body<double>(3, inertia, none, none, none);
   const auto ball = contact::rigid_body<double>(1, contact::sphere_inertia<double>(1, 0.1),
                                                 {0, -0.1, 0}, {0, 4, 0}, none);

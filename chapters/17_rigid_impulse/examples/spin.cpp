@@ -11,14 +11,16 @@ double off(const M& got, const M& right) {
   return 2 * std::asin(std::fmin((got - right).norm() / std::sqrt(8.0), 1.0));
 }
 
-void spin(const char* name, const V& moments, const V& momentum) {
+void angular_velocity(const char* name, const V& moments, const V& momentum) {
   const double h = 1.0 / 64;
   M plain = M::Identity();
   M tidy = M::Identity();
-  contact::Rotor<double> q;
-  contact::Rotor<double> x;
-  contact::Rotor<double> mid;
-  const auto turn = [&](const M& r) { return contact::free_spin<double>(momentum, moments, r); };
+  contact::Quaternion<double> q;
+  contact::Quaternion<double> x;
+  contact::Quaternion<double> mid;
+  const auto turn = [&](const M& r) {
+    return contact::free_angular_velocity<double>(momentum, moments, r);
+  };
   for (int step = 1; step <= 6400; ++step) {
     // The angular velocity is computed from an orthonormalised copy, or it would grow with the
     // matrix.
@@ -40,6 +42,6 @@ void spin(const char* name, const V& moments, const V& momentum) {
 int main() {
   std::printf("64 steps a second   errors in radians\n");
   std::printf("       time   length    matrix  quaternion  exponential  midpoint\n");
-  spin("ball", V(1, 1, 1), V(0, 0, 3));
-  spin("top ", V(1, 1, 0.5), V(1.8, 0, 1.2));
+  angular_velocity("ball", V(1, 1, 1), V(0, 0, 3));
+  angular_velocity("top ", V(1, 1, 0.5), V(1.8, 0, 1.2));
 }

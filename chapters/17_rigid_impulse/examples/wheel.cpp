@@ -23,7 +23,7 @@ int main() {
        {std::pair{"hub", V(0, 0, 0.5)}, std::pair{"top", V(0, 0, 1)},
         std::pair{"front", V(0.5, 0, 0.5)}, std::pair{"road", V(0, 0, 0)}}) {
     const V v = contact::velocity_at(wheel, p);
-    const V reversed = wheel.velocity + V(V(p - centre).cross(wheel.spin));
+    const V reversed = wheel.velocity + V(V(p - centre).cross(wheel.angular_velocity));
     std::printf("%-6s (%g, %g, %g) m/s    with r x w: (%g, %g, %g)\n", what, v.x(), v.y(), v.z(),
                 reversed.x(), reversed.y(), reversed.z());
   }
@@ -32,10 +32,11 @@ int main() {
   const auto road = contact::immovable<double>({0, 0, -1}, {0, 0, 0}, {0, 0, 0});
   const contact::ContactPoint<double> end{{1, 0, 0}, {0, 0, 1}};
   std::printf("plank: middle rises at 1 m/s, right end 1 m away touches the ground\n");
-  for (const double spin : {0.5, 1.0, 2.0}) {
-    const auto plank = contact::rigid_body<double>(
-        6, contact::box_inertia<double>(6, {2, 0.2, 0.1}), {0, 0, 0}, {0, 0, 1}, {0, spin, 0});
-    std::printf("  spin %g rad/s: v_n = %4.1f m/s, %s\n", spin,
+  for (const double angular_velocity : {0.5, 1.0, 2.0}) {
+    const auto plank =
+        contact::rigid_body<double>(6, contact::box_inertia<double>(6, {2, 0.2, 0.1}), {0, 0, 0},
+                                    {0, 0, 1}, {0, angular_velocity, 0});
+    std::printf("  spin %g rad/s: v_n = %4.1f m/s, %s\n", angular_velocity,
                 contact::normal_velocity(plank, road, end),
                 name(contact::closing_case(plank, road, end)));
   }

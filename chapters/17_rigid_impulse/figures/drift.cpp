@@ -3,8 +3,8 @@
 #include <contact/rotation.hpp>
 
 struct Input {
-  double steps;  // for each second
-  double spin;   // rad/s
+  double steps;             // for each second
+  double angular_velocity;  // rad/s
   double shape;  // moment about the axis of symmetry over that about a perpendicular axis
   double at;     // the time that is read off, s
 };
@@ -33,7 +33,7 @@ double between(const Matrix& got, const Matrix& right) {
 Output compute(const Input& in) {
   Output out{};
   if (!(in.steps > 0) || !(in.shape > 0)) out.problem = contact::figure::not_positive;
-  if (in.steps > 2000 || std::abs(in.spin) > 1e6 || in.shape > 1e6) {
+  if (in.steps > 2000 || std::abs(in.angular_velocity) > 1e6 || in.shape > 1e6) {
     out.problem = contact::figure::too_large;
   }
   if (out.problem == 0 && (in.steps < 4 || in.shape < 1e-3)) {
@@ -44,16 +44,16 @@ Output compute(const Input& in) {
   using V = contact::Vector3<double>;
   const V moments(1, 1, in.shape);
   // The angular velocity is oblique to the axis of symmetry, 3 : 4.
-  const V momentum(0.6 * in.spin, 0, 0.8 * in.spin * in.shape);
-  const contact::Rotor<double> start;
+  const V momentum(0.6 * in.angular_velocity, 0, 0.8 * in.angular_velocity * in.shape);
+  const contact::Quaternion<double> start;
   Matrix m = Matrix::Identity();
-  contact::Rotor<double> q;
-  contact::Rotor<double> x;
-  contact::Rotor<double> mid;
+  contact::Quaternion<double> q;
+  contact::Quaternion<double> x;
+  contact::Quaternion<double> mid;
   const auto a_sample = std::floor(in.steps / 4);
   const double h = seconds / (samples - 1) / a_sample;
-  const auto spin_of = [&](const Matrix& r) {
-    return contact::free_spin<double>(momentum, moments, r);
+  const auto angular_velocity_of = [&](const Matrix& r) {
+    return contact::free_angular_velocity<double>(momentum, moments, r);
   };
   const auto read_at = static_cast<std::size_t>(
       std::nearbyint(std::fmin(std::fmax(in.at, 0), seconds) / seconds * (samples - 1)));
@@ -70,11 +70,11 @@ Output compute(const Input& in) {
     out.midpoint[k] = error[3];
     if (k == read_at) out.read = error;
     for (double step = 0; step < a_sample; ++step) {
-      m = contact::matrix_step<double>(m, spin_of(m), h);
+      m = contact::matrix_step<double>(m, angular_velocity_of(m), h);
       // A matrix that has overflowed is left as it is.
       if (!(m.cwiseAbs().maxCoeff() < 1e30)) m = Matrix::Constant(1e30);
-      q = contact::quaternion_step<double>(q, spin_of(contact::matrix_of(q)), h);
-      x = contact::exponential_step<double>(x, spin_of(contact::matrix_of(x)), h);
+      q = contact::quaternion_step<double>(q, angular_velocity_of(contact::matrix_of(q)), h);
+      x = contact::exponential_step<double>(x, angular_velocity_of(contact::matrix_of(x)), h);
       mid = contact::midpoint_step<double>(mid, momentum, moments, h);
     }
   }
@@ -82,5 +82,5 @@ Output compute(const Input& in) {
   return out;
 }
 
-FIGURE(Input, FIELDS(steps, spin, shape, at), Output,
+FIGURE(Input, FIELDS(steps, angular_velocity, shape, at), Output,
        FIELDS(problem, matrix, quaternion, exponential, midpoint, read, length))

@@ -4,7 +4,7 @@ import { defineFigure, pretty, type Role, type Vec2 } from "@contact/figure";
 
 interface Input {
   steps: number;
-  spin: number;
+  angular_velocity: number;
   shape: number;
   at: number;
 }
@@ -35,7 +35,7 @@ export default defineFigure<Input, Output>({
   title: "Drift of an orientation",
   view: { kind: "2d", x: [-1.2, 10.9], y: [-0.9, 6.5] },
   aspect: 1.35,
-  initial: { steps: 60, spin: 3, shape: 0.5, at: 5 },
+  initial: { steps: 60, angular_velocity: 3, shape: 0.5, at: 5 },
   handles: [
     {
       kind: "slide",
@@ -50,7 +50,15 @@ export default defineFigure<Input, Output>({
   ],
   controls: [
     { kind: "slider", field: "steps", label: "steps a second", min: 8, max: 480, step: 4 },
-    { kind: "slider", field: "spin", label: "ω", min: 0, max: 30, step: 0.5, unit: "rad/s" },
+    {
+      kind: "slider",
+      field: "angular_velocity",
+      label: "ω",
+      min: 0,
+      max: 30,
+      step: 0.5,
+      unit: "rad/s",
+    },
     { kind: "slider", field: "shape", label: "I₃/I₁", min: 0.05, max: 2, step: 0.05 },
     { kind: "slider", field: "at", label: "t", min: 0, max: 10, step: 0.25, unit: "s" },
   ],

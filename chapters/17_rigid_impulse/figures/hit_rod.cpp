@@ -19,7 +19,7 @@ struct Output {
   double problem;
   double impulse;                       // N s
   double without_turning;               // the same for a rod that cannot rotate
-  double velocity, spin;                // of the rod afterwards, m/s and rad/s
+  double velocity, angular_velocity;    // of the rod afterwards, m/s and rad/s
   double ball_velocity;                 // afterwards
   std::array<double, 5> along;          // velocities of points from the left end to the right
   double grip;                          // velocity of the left end
@@ -67,7 +67,7 @@ Output compute(const Input& in) {
   const double closing = contact::normal_velocity(rod, ball, hit);
   out.ratio = meets && closing < 0 ? contact::normal_velocity(after.a, after.b, hit) / -closing : 0;
   out.velocity = after.a.velocity.y();
-  out.spin = after.a.spin.z();
+  out.angular_velocity = after.a.angular_velocity.z();
   out.ball_velocity = after.b.velocity.y();
   for (int k = 0; k < 5; ++k) {
     out.along[static_cast<std::size_t>(k)] =
@@ -79,7 +79,7 @@ Output compute(const Input& in) {
   const double kept = contact::kinetic_energy(after.a) + contact::kinetic_energy(after.b);
   out.lost = before > 0 ? 1 - kept / before : 0;
   const bool hit_yet = in.time > 0;
-  const auto turn = contact::sine_cosine(hit_yet ? out.spin * in.time : 0.0);
+  const auto turn = contact::sine_cosine(hit_yet ? out.angular_velocity * in.time : 0.0);
   out.middle = {0, hit_yet ? out.velocity * in.time : 0.0};
   out.right = out.middle + in.half * Eigen::Vector2d(turn.cosine, turn.sine);
   out.left = out.middle - in.half * Eigen::Vector2d(turn.cosine, turn.sine);
@@ -89,5 +89,5 @@ Output compute(const Input& in) {
 }
 
 FIGURE(Input, FIELDS(at, rod, ball, speed, e, time, half, way), Output,
-       FIELDS(problem, impulse, without_turning, velocity, spin, ball_velocity, along, grip, still,
-              lost, ratio, middle, left, right, ball_place, grip_stands))
+       FIELDS(problem, impulse, without_turning, velocity, angular_velocity, ball_velocity, along,
+              grip, still, lost, ratio, middle, left, right, ball_place, grip_stands))

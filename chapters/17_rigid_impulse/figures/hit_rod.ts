@@ -18,7 +18,7 @@ interface Output {
   impulse: number;
   without_turning: number;
   velocity: number;
-  spin: number;
+  angular_velocity: number;
   ball_velocity: number;
   along: readonly number[];
   grip: number;
@@ -124,7 +124,7 @@ export default defineFigure<Input, Output>({
       role: "muted",
     },
     { name: "v", meaning: "of the rod’s middle", value: output.velocity, unit: "m/s", role: "b" },
-    { name: "ω", meaning: "of the rod", value: output.spin, unit: "rad/s", role: "b" },
+    { name: "ω", meaning: "of the rod", value: output.angular_velocity, unit: "rad/s", role: "b" },
     { name: "v_grip", meaning: "of the left end", value: output.grip, unit: "m/s", role: "a" },
     {
       name: "v_ball",

@@ -7,10 +7,10 @@ using Plane = Eigen::Vector2d;
 using Vector = contact::Vector3<double>;
 
 struct Input {
-  Plane top;        // upper end of the rod; the lower one is at the origin, on the floor, m
-  Plane tip;        // velocity of the lower end, m/s
-  double spin;      // rad/s
-  double friction;  // μ
+  Plane top;                // upper end of the rod; the lower one is at the origin, on the floor, m
+  Plane tip;                // velocity of the lower end, m/s
+  double angular_velocity;  // rad/s
+  double friction;          // μ
   double e;
   double law;  // 0 Newton, 1 Poisson, 2 Stronge, 3 joint, 4 clamped
 };
@@ -22,7 +22,7 @@ struct Output {
   std::array<double, 4> along, up;  // the path of the impulse; its last point repeated
   Plane tip_after;                  // velocity of the lower end afterwards
   Plane velocity_after;             // of the centre of mass
-  double spin_after;
+  double angular_velocity_after;
   double asked, got;             // e, and −u_n'/u_n
   std::array<double, 5> energy;  // after over before, for each law; 0: no answer
   std::array<double, 5> end_along, end_up;
@@ -39,7 +39,7 @@ Output compute(const Input& in) {
     out.problem = contact::figure::not_positive;
   }
   for (const double x :
-       {in.top.x(), in.top.y(), in.tip.x(), in.tip.y(), in.spin, in.friction, in.e}) {
+       {in.top.x(), in.top.y(), in.tip.x(), in.tip.y(), in.angular_velocity, in.friction, in.e}) {
     if (std::abs(x) > 1e30) out.problem = contact::figure::too_large;
   }
   if (out.problem == 0 && length < 1e-3) out.problem = contact::figure::too_small;
@@ -47,13 +47,14 @@ Output compute(const Input& in) {
 
   out.centre = in.top / 2;
   const double inertia = contact::rod_inertia<double>(1, length);
-  const Vector spin(0, 0, in.spin);
+  const Vector angular_velocity(0, 0, in.angular_velocity);
   const Vector r(-out.centre.x(), -out.centre.y(), 0);  // from the centre to the floor
-  const Vector v = Vector(in.tip.x(), in.tip.y(), 0) - Vector(spin.cross(r));
+  const Vector v = Vector(in.tip.x(), in.tip.y(), 0) - Vector(angular_velocity.cross(r));
   out.velocity = {v.x(), v.y()};
   const Vector zero(0, 0, 0);
-  const auto rod = contact::rigid_body<double>(
-      1, contact::detail::diagonal<double>(inertia, inertia, inertia), Vector(-r), v, spin);
+  const auto rod =
+      contact::rigid_body<double>(1, contact::detail::diagonal<double>(inertia, inertia, inertia),
+                                  Vector(-r), v, angular_velocity);
   const auto floor = contact::immovable<double>(zero, zero, zero);
   const auto c = contact::planar_contact<double>(rod, floor, {zero, {0, 1, 0}}, {1, 0, 0});
   out.k_tt = c.k_tt;
@@ -91,7 +92,7 @@ Output compute(const Input& in) {
   const Vector tip = contact::velocity_at(after, zero);
   out.tip_after = {tip.x(), tip.y()};
   out.velocity_after = {after.velocity.x(), after.velocity.y()};
-  out.spin_after = after.spin.z();
+  out.angular_velocity_after = after.angular_velocity.z();
   out.asked = in.e;
   out.got = c.normal < 0 ? -tip.y() / c.normal : 0;
   // u_t + k_tt p_t + k_tn p_n = 0 and u_n + k_tn p_t + k_nn p_n = 0, from p_n = 0 to 3 and along.
@@ -105,7 +106,7 @@ Output compute(const Input& in) {
   return out;
 }
 
-FIGURE(Input, FIELDS(top, tip, spin, friction, e, law), Output,
+FIGURE(Input, FIELDS(top, tip, angular_velocity, friction, e, law), Output,
        FIELDS(problem, centre, velocity, k_tt, k_tn, k_nn, along, up, tip_after, velocity_after,
-              spin_after, asked, got, energy, end_along, end_up, stop_from, stop_to, turn_from,
-              turn_to, stops, turns, gains))
+              angular_velocity_after, asked, got, energy, end_along, end_up, stop_from, stop_to,
+              turn_from, turn_to, stops, turns, gains))

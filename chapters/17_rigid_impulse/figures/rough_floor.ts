@@ -6,7 +6,7 @@ import { defineFigure, pretty, type Role, type Vec2 } from "@contact/figure";
 interface Input {
   top: Vec2;
   tip: Vec2;
-  spin: number;
+  angular_velocity: number;
   friction: number;
   e: number;
   law: number;
@@ -18,7 +18,7 @@ interface Output {
   along: readonly number[];
   up: readonly number[];
   tip_after: Vec2;
-  spin_after: number;
+  angular_velocity_after: number;
   asked: number;
   got: number;
   energy: readonly number[];
@@ -84,7 +84,7 @@ export default defineFigure<Input, Output>({
   initial: {
     top: [-1.41, 1.41],
     tip: [-0.6, -1],
-    spin: -1,
+    angular_velocity: -1,
     friction: 0.5,
     e: 1,
     law: 0,
@@ -121,7 +121,15 @@ export default defineFigure<Input, Output>({
     },
     { kind: "slider", field: "friction", label: "μ", min: 0, max: 2, step: 0.05 },
     { kind: "slider", field: "e", label: "e", min: 0, max: 1, step: 0.05 },
-    { kind: "slider", field: "spin", label: "ω", min: -4, max: 4, step: 0.1, unit: "rad/s" },
+    {
+      kind: "slider",
+      field: "angular_velocity",
+      label: "ω",
+      min: -4,
+      max: 4,
+      step: 0.1,
+      unit: "rad/s",
+    },
   ],
   draw(scene, input, output) {
     scene.line([-2.8, 0], [2.8, 0], { role: "muted", width: 2 });

@@ -74,7 +74,7 @@ inline constexpr S coulomb_rounding = S(0x1p14) * std::numeric_limits<S>::epsilo
 /// friction is inside its cone; and the friction of a sliding contact is on the boundary of the
 /// cone, opposite to the slip.
 template <std::floating_point S>
-S coulomb_error(const ImpulseRows<S>& problem, const Numbers<S>& y) {
+S complementarity_residual(const ImpulseRows<S>& problem, const Numbers<S>& y) {
   const Numbers<S> velocity = problem.matrix * y + problem.constant;
   const Numbers<S> sizes = problem.matrix.cwiseAbs() * y.cwiseAbs() + problem.constant.cwiseAbs();
   const S pushes = coulomb_rounding<S> *
@@ -104,7 +104,7 @@ S coulomb_error(const ImpulseRows<S>& problem, const Numbers<S>& y) {
 
 template <std::floating_point S>
 bool obeys_coulomb(const ImpulseRows<S>& problem, const Numbers<S>& y) {
-  return coulomb_error<S>(problem, y) <= S(1);
+  return complementarity_residual<S>(problem, y) <= S(1);
 }
 // [/coulomb-error]
 
@@ -112,10 +112,10 @@ bool obeys_coulomb(const ImpulseRows<S>& problem, const Numbers<S>& y) {
 /// The residual of Coulomb's law at one contact, which is 0 where the law holds, and its
 /// derivatives with respect to impulse and velocity.
 template <std::floating_point S>
-struct CoulombLaw {
-  Vector3<S> wrong = Vector3<S>::Zero();
-  Matrix3<S> by_impulse = Matrix3<S>::Zero();
-  Matrix3<S> by_velocity = Matrix3<S>::Zero();
+struct CoulombResidual {
+  Vector3<S> value = Vector3<S>::Zero();
+  Matrix3<S> d_impulse = Matrix3<S>::Zero();
+  Matrix3<S> d_velocity = Matrix3<S>::Zero();
 };
 
 /// The Alart–Curnier function (1991) of Coulomb's law at one contact.
@@ -127,55 +127,56 @@ struct CoulombLaw {
 /// @param cone the largest friction for a normal impulse of 1
 /// @param x, w impulse and velocity: normal and two tangents
 template <std::floating_point S>
-CoulombLaw<S> coulomb_law(const S& cone, const Vector3<S>& x, const Vector3<S>& w) {
-  CoulombLaw<S> law;
+CoulombResidual<S> coulomb_residual(const S& cone, const Vector3<S>& x, const Vector3<S>& w) {
+  CoulombResidual<S> law;
   const bool pushes = x(0) - w(0) > S(0);
-  law.wrong(0) = pushes ? w(0) : x(0);
-  (pushes ? law.by_velocity : law.by_impulse)(0, 0) = S(1);
+  law.value(0) = pushes ? w(0) : x(0);
+  (pushes ? law.d_velocity : law.d_impulse)(0, 0) = S(1);
   const S allowed = pushes ? cone * (x(0) - w(0)) : S(0);
-  const Vector3<S> way(S(0), x(1) - w(1), x(2) - w(2));
-  const S length = std::sqrt(way(1) * way(1) + way(2) * way(2));
+  const Vector3<S> trial(S(0), x(1) - w(1), x(2) - w(2));
+  const S length = std::sqrt(trial(1) * trial(1) + trial(2) * trial(2));
   if (!(length > allowed)) {
     for (Eigen::Index k = 1; k < 3; ++k) {
-      law.wrong(k) = w(k);
-      law.by_velocity(k, k) = S(1);
+      law.value(k) = w(k);
+      law.d_velocity(k, k) = S(1);
     }
     return law;
   }
-  const Vector3<S> rim = way / length;
+  const Vector3<S> rim = trial / length;
   for (Eigen::Index k = 1; k < 3; ++k) {
-    law.wrong(k) = x(k) - allowed * rim(k);
+    law.value(k) = x(k) - allowed * rim(k);
     for (Eigen::Index m = 1; m < 3; ++m) {
-      law.by_velocity(k, m) = ((k == m ? S(1) : S(0)) - rim(k) * rim(m)) * (allowed / length);
-      law.by_impulse(k, m) = (k == m ? S(1) : S(0)) - law.by_velocity(k, m);
+      law.d_velocity(k, m) = ((k == m ? S(1) : S(0)) - rim(k) * rim(m)) * (allowed / length);
+      law.d_impulse(k, m) = (k == m ? S(1) : S(0)) - law.d_velocity(k, m);
     }
     if (!pushes) continue;
-    law.by_impulse(k, 0) = -cone * rim(k);
-    law.by_velocity(k, 0) = cone * rim(k);
+    law.d_impulse(k, 0) = -cone * rim(k);
+    law.d_velocity(k, 0) = cone * rim(k);
   }
   return law;
 }
 // [/coulomb-law]
 
 template <std::floating_point S>
-std::vector<CoulombLaw<S>> coulomb_laws(const ImpulseRows<S>& problem, const Numbers<S>& y) {
+std::vector<CoulombResidual<S>> coulomb_residuals(const ImpulseRows<S>& problem,
+                                                  const Numbers<S>& y) {
   const Numbers<S> velocity = problem.matrix * y + problem.constant;
-  std::vector<CoulombLaw<S>> laws;
+  std::vector<CoulombResidual<S>> laws;
   for (std::size_t i = 0; i < problem.first.size(); ++i)
-    laws.push_back(coulomb_law<S>(problem.cone[i], numbers_of<S>(problem, i, y),
-                                  numbers_of<S>(problem, i, velocity)));
+    laws.push_back(coulomb_residual<S>(problem.cone[i], numbers_of<S>(problem, i, y),
+                                       numbers_of<S>(problem, i, velocity)));
   return laws;
 }
 
 template <std::floating_point S>
-S square_of_wrong(const std::vector<CoulombLaw<S>>& laws) {
+S squared_residual(const std::vector<CoulombResidual<S>>& laws) {
   S sum(0);
-  for (const CoulombLaw<S>& law : laws) sum += law.wrong.dot(law.wrong);
+  for (const CoulombResidual<S>& law : laws) sum += law.value.dot(law.value);
   return sum;
 }
 
-/// The largest number of halvings in the line search of rub_by_newton().
-inline constexpr int most_halvings = 7;
+/// The largest number of halvings in the line search of solve_friction_newton().
+inline constexpr int max_halvings = 7;
 
 // [newton]
 /// Solves for impulses y that satisfy Coulomb's law at all contacts, by a semismooth Newton method
@@ -184,26 +185,26 @@ inline constexpr int most_halvings = 7;
 /// Normal impulse, friction and its direction are solved together, so mass ratios do not slow it
 /// down. A step is halved until the residual decreases. If no fraction decreases it, the best
 /// fraction is taken, because the residual may have to increase across a kink.
-/// @param most largest number of steps
-/// @return the coulomb_error() of y, which is the best iterate
+/// @param max_steps largest number of steps
+/// @return the complementarity_residual() of y, which is the best iterate
 template <std::floating_point S>
-S rub_by_newton(const ImpulseRows<S>& problem, int most, Numbers<S>& y) {
+S solve_friction_newton(const ImpulseRows<S>& problem, int max_steps, Numbers<S>& y) {
   const Eigen::SparseMatrix<S> firm = firm_matrix<S>(problem);
   Numbers<S> here = y;
-  auto laws = coulomb_laws<S>(problem, here);
-  S least = coulomb_error<S>(problem, here);
+  auto laws = coulomb_residuals<S>(problem, here);
+  S least = complementarity_residual<S>(problem, here);
   int stays = 0;
-  for (int step = 0; step < most && least > S(0x1p-10); ++step) {
-    std::vector<Matrix3<S>> by_impulse;
-    std::vector<Matrix3<S>> by_velocity;
-    Numbers<S> wrong(y.size());
+  for (int step = 0; step < max_steps && least > S(0x1p-10); ++step) {
+    std::vector<Matrix3<S>> d_impulse;
+    std::vector<Matrix3<S>> d_velocity;
+    Numbers<S> value(y.size());
     for (std::size_t i = 0; i < laws.size(); ++i) {
-      by_impulse.push_back(laws[i].by_impulse);
-      by_velocity.push_back(laws[i].by_velocity);
-      set_numbers<S>(problem, i, laws[i].wrong, wrong);
+      d_impulse.push_back(laws[i].d_impulse);
+      d_velocity.push_back(laws[i].d_velocity);
+      set_numbers<S>(problem, i, laws[i].value, value);
     }
-    const Eigen::SparseMatrix<S> of_velocity = blocks<S>(problem, by_velocity);
-    const Eigen::SparseMatrix<S> of_impulse = blocks<S>(problem, by_impulse);
+    const Eigen::SparseMatrix<S> of_velocity = blocks<S>(problem, d_velocity);
+    const Eigen::SparseMatrix<S> of_impulse = blocks<S>(problem, d_impulse);
     Eigen::SparseMatrix<S> slope = of_velocity * firm;
     slope += of_impulse;
     slope.makeCompressed();
@@ -212,18 +213,18 @@ S rub_by_newton(const ImpulseRows<S>& problem, int most, Numbers<S>& y) {
     Numbers<S> change = Numbers<S>::Zero(y.size());
     for (int round = 0; round < 3; ++round) {  // iterative refinement, for the changed diagonal
       const Numbers<S> moved = problem.matrix * change;
-      const Numbers<S> left = wrong + of_velocity * moved + of_impulse * change;
+      const Numbers<S> left = value + of_velocity * moved + of_impulse * change;
       change -= eliminated.solve(left);
     }
     if (!change.allFinite()) break;
-    const S before = square_of_wrong(laws);
+    const S before = squared_residual(laws);
     const Numbers<S> from = here;
     S best = std::numeric_limits<S>::infinity();
     S part(1);
-    for (int half = 0; half <= most_halvings; ++half, part /= S(2)) {
+    for (int half = 0; half <= max_halvings; ++half, part /= S(2)) {
       const Numbers<S> there = from + change * part;
-      auto then = coulomb_laws<S>(problem, there);
-      const S after = square_of_wrong(then);
+      auto then = coulomb_residuals<S>(problem, there);
+      const S after = squared_residual(then);
       if (after < best) {
         best = after;
         here = there;
@@ -231,7 +232,7 @@ S rub_by_newton(const ImpulseRows<S>& problem, int most, Numbers<S>& y) {
       }
       if (after < before) break;
     }
-    const S error = coulomb_error<S>(problem, here);
+    const S error = complementarity_residual<S>(problem, here);
     if (!(error < least / S(2)) && least <= S(1) && ++stays == 2) break;
     if (!(error < least)) continue;
     least = error;
@@ -258,7 +259,7 @@ Vector3<S> cone_quotient(const Vector3<S>& a, const Vector3<S>& b) {
 
 /// The largest t ≤ 1 for which x + t d is in the cone, for x inside the cone.
 template <std::floating_point S>
-S way_in_cone(const Vector3<S>& x, const Vector3<S>& d) {
+S max_step_in_cone(const Vector3<S>& x, const Vector3<S>& d) {
   const auto product = [](const Vector3<S>& a, const Vector3<S>& b) {
     return a(0) * b(0) - a(1) * b(1) - a(2) * b(2);
   };
@@ -266,13 +267,13 @@ S way_in_cone(const Vector3<S>& x, const Vector3<S>& d) {
   const S square = product(d, d);
   const S mixed = product(x, d);
   const S here = product(x, x);
-  S way = d(0) < S(0) ? std::min(S(1), -x(0) / d(0)) : S(1);
+  S step_length = d(0) < S(0) ? std::min(S(1), -x(0) / d(0)) : S(1);
   const S root = mixed * mixed - square * here;
-  if (!(root >= S(0))) return way;
+  if (!(root >= S(0))) return step_length;
   const S sum = -(mixed + (mixed > S(0) ? std::sqrt(root) : -std::sqrt(root)));
   for (const S& t : {here / sum, sum / square})
-    if (t > S(0)) way = std::min(way, t);
-  return way;
+    if (t > S(0)) step_length = std::min(step_length, t);
+  return step_length;
 }
 
 /// The Nesterov–Todd scaling (1998): the symmetric W with W z = W⁻¹ x, for x and z inside the cone.
@@ -302,8 +303,8 @@ ConeScaling<S> cone_scaling(const Vector3<S>& x, const Vector3<S>& z) {
 }
 // [/second-order-cone]
 
-/// The number of steps of rub_in_cones().
-inline constexpr int most_cone_steps = 40;
+/// The number of steps of solve_friction_cones().
+inline constexpr int max_cone_steps = 40;
 
 // [interior-point]
 /// Solves for impulses y with friction inside its cones, by an interior-point method.
@@ -318,7 +319,7 @@ inline constexpr int most_cone_steps = 40;
 /// Impulses that are not unique, as for a table on four legs, come out evenly distributed.
 /// @param follow whether the opening is updated with the slip
 template <std::floating_point S>
-void rub_in_cones(const ImpulseRows<S>& problem, bool follow, Numbers<S>& y) {
+void solve_friction_cones(const ImpulseRows<S>& problem, bool follow, Numbers<S>& y) {
   const std::size_t contacts = problem.first.size();
   const Eigen::Index count = y.size();
   // In x, which is y with normal impulses multiplied by μ, each cone has slope 1.
@@ -338,21 +339,21 @@ void rub_in_cones(const ImpulseRows<S>& problem, bool follow, Numbers<S>& y) {
   Numbers<S> x = middle * std::max(largest, -constant.dot(middle) / middle.dot(matrix * middle));
   Numbers<S> z = middle * largest;
   S least = std::numeric_limits<S>::infinity();
-  for (int step = 0; step < most_cone_steps; ++step) {
+  for (int step = 0; step < max_cone_steps; ++step) {
     const Numbers<S> impulses = scale.cwiseProduct(x);
-    const S error = follow ? coulomb_error<S>(problem, impulses) : x.dot(z);
+    const S error = follow ? complementarity_residual<S>(problem, impulses) : x.dot(z);
     if (error < least) {
       least = error;
       y = impulses;
     }
-    Numbers<S> wrong = matrix * x + constant - z;
+    Numbers<S> value = matrix * x + constant - z;
     std::vector<ConeScaling<S>> scaling;
     std::vector<Matrix3<S>> squares;
     std::vector<Vector3<S>> both;  // W z = W⁻¹ x
     for (std::size_t i = 0; i < contacts; ++i) {
       const Vector3<S> zi = numbers_of<S>(problem, i, z);
-      const Vector3<S> w = numbers_of<S>(problem, i, z) + numbers_of<S>(problem, i, wrong);
-      if (follow) wrong(problem.first[i]) += std::sqrt(w(1) * w(1) + w(2) * w(2));
+      const Vector3<S> w = numbers_of<S>(problem, i, z) + numbers_of<S>(problem, i, value);
+      if (follow) value(problem.first[i]) += std::sqrt(w(1) * w(1) + w(2) * w(2));
       scaling.push_back(cone_scaling<S>(numbers_of<S>(problem, i, x), zi));
       squares.push_back(scaling[i].inverse * scaling[i].inverse);
       both.push_back(scaling[i].direct * zi);
@@ -367,20 +368,20 @@ void rub_in_cones(const ImpulseRows<S>& problem, bool follow, Numbers<S>& y) {
       for (std::size_t i = 0; i < contacts; ++i)
         set_numbers<S>(problem, i, scaling[i].inverse * cone_quotient<S>(both[i], wanted(i)),
                        right);
-      right -= wrong;
+      right -= value;
       dx = eliminated.solve(right);
       dx += eliminated.solve(Numbers<S>(right - whole * dx));
-      dz = matrix * dx + wrong;
+      dz = matrix * dx + value;
     };
     const auto longest = [&] {
-      S way(1);
+      S step_length(1);
       for (std::size_t i = 0; i < contacts; ++i) {
-        way = std::min(way,
-                       way_in_cone<S>(numbers_of<S>(problem, i, x), numbers_of<S>(problem, i, dx)));
-        way = std::min(way,
-                       way_in_cone<S>(numbers_of<S>(problem, i, z), numbers_of<S>(problem, i, dz)));
+        step_length = std::min(step_length, max_step_in_cone<S>(numbers_of<S>(problem, i, x),
+                                                                numbers_of<S>(problem, i, dx)));
+        step_length = std::min(step_length, max_step_in_cone<S>(numbers_of<S>(problem, i, z),
+                                                                numbers_of<S>(problem, i, dz)));
       }
-      return way;
+      return step_length;
     };
     solve([&](std::size_t i) { return Vector3<S>(-cone_product<S>(both[i], both[i])); });
     const S ahead = longest();
@@ -395,27 +396,27 @@ void rub_in_cones(const ImpulseRows<S>& problem, bool follow, Numbers<S>& y) {
       wanted.back()(0) += centre;
     }
     solve([&](std::size_t i) { return wanted[i]; });
-    const S way = S(0.99) * longest();
-    if (!(way > S(0x1p-20)) || !dx.allFinite() || !dz.allFinite()) return;
-    x += dx * way;
-    z += dz * way;
+    const S step_length = S(0.99) * longest();
+    if (!(step_length > S(0x1p-20)) || !dx.allFinite() || !dz.allFinite()) return;
+    x += dx * step_length;
+    z += dz * step_length;
   }
 }
 // [/interior-point]
 
 // [coulomb]
 /// Solves for impulses y that satisfy Coulomb's law: by Newton's method from the initial y, or, if
-/// that does not come close, from the result of rub_in_cones().
+/// that does not come close, from the result of solve_friction_cones().
 /// @return whether the law is satisfied up to rounding
 template <std::floating_point S>
-bool rub_by_coulomb(const ImpulseRows<S>& problem, Numbers<S>& y) {
+bool solve_friction(const ImpulseRows<S>& problem, Numbers<S>& y) {
   const S close(0x1p-5);
-  S least = rub_by_newton<S>(problem, 10, y);
+  S least = solve_friction_newton<S>(problem, 10, y);
   if (least <= close) return true;
   Numbers<S> other = y;
-  rub_in_cones<S>(problem, true, other);
+  solve_friction_cones<S>(problem, true, other);
   for (int again = 0; again < 2 && least > close; ++again) {
-    const S error = rub_by_newton<S>(problem, 24, other);
+    const S error = solve_friction_newton<S>(problem, 24, other);
     if (!(error < least)) continue;
     least = error;
     y = other;

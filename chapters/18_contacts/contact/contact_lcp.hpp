@@ -27,7 +27,7 @@ struct BodyContact {
   S friction = S(0);                       ///< Coulomb's μ, not negative
   /// Lower bound of the normal velocity afterwards, m/s: −e times that before for an impact, 0 for
   /// rest, −distance/h for a gap that may close within a step h.
-  S least_velocity = S(0);
+  S min_velocity = S(0);
 };
 // [/body-contact]
 
@@ -38,8 +38,8 @@ inline std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// n · (change of the velocity of `body` at p) for a unit impulse along m at q on the body.
 template <Ring S>
-S body_response(const RigidBody<S>& body, const Vector3<S>& p, const Vector3<S>& n,
-                const Vector3<S>& q, const Vector3<S>& m) {
+S body_inverse_effective_mass(const RigidBody<S>& body, const Vector3<S>& p, const Vector3<S>& n,
+                              const Vector3<S>& q, const Vector3<S>& m) {
   const Vector3<S> r = p - body.position;
   const Vector3<S> s = q - body.position;
   const Vector3<S> turned = body.inverse_inertia * Vector3<S>(s.cross(m));
@@ -54,8 +54,8 @@ S body_response(const RigidBody<S>& body, const Vector3<S>& p, const Vector3<S>&
 /// x · A x is twice a kinetic energy. Its diagonal holds the inverse effective masses.
 /// @return 1/kg
 template <Ring S>
-std::vector<std::vector<S>> response_matrix(const std::vector<RigidBody<S>>& bodies,
-                                            const std::vector<BodyContact<S>>& contacts) {
+std::vector<std::vector<S>> inverse_effective_mass_matrix(
+    const std::vector<RigidBody<S>>& bodies, const std::vector<BodyContact<S>>& contacts) {
   std::vector<std::vector<S>> matrix(contacts.size(), std::vector<S>(contacts.size(), S(0)));
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     for (std::size_t k = 0; k < contacts.size(); ++k) {
@@ -63,8 +63,8 @@ std::vector<std::vector<S>> response_matrix(const std::vector<RigidBody<S>>& bod
       const BodyContact<S>& other = contacts[k];
       const auto add = [&](int body, int mine, int theirs, int sign) {
         if (mine != theirs) return;
-        const S part = detail::body_response<S>(bodies[detail::index(body)], one.point, one.normal,
-                                                other.point, other.normal);
+        const S part = detail::body_inverse_effective_mass<S>(
+            bodies[detail::index(body)], one.point, one.normal, other.point, other.normal);
         matrix[i][k] = sign > 0 ? S(matrix[i][k] + part) : S(matrix[i][k] - part);
       };
       add(one.a, one.a, other.a, 1);
@@ -118,7 +118,7 @@ std::optional<std::vector<S>> solve_linear(std::vector<std::vector<S>> m, std::v
 }  // namespace detail
 
 /// The largest number of contacts for complementary_impulses(): 2^12 sets are tried.
-inline constexpr std::size_t most_exact_contacts = 12;
+inline constexpr std::size_t max_exact_contacts = 12;
 
 // [lcp]
 /// The linear complementarity problem (LCP): x ≥ 0 and A x + b ≥ 0, and for each i one of the two
@@ -132,14 +132,14 @@ inline constexpr std::size_t most_exact_contacts = 12;
 /// @param constant b, of the same length
 /// @return the solution of the first set, in the order of binary numbers; nothing if there is none,
 /// which for exact S means that no x ≥ 0 has A x + b ≥ 0
-/// @throws std::invalid_argument for more than most_exact_contacts rows
+/// @throws std::invalid_argument for more than max_exact_contacts rows
 /// @note Exact if S is exact. It is meant for fractions: in a floating-point type a singular set
 /// may pass for a regular one
 template <Scalar S>
 std::optional<std::vector<S>> solve_complementarity(const std::vector<std::vector<S>>& matrix,
                                                     const std::vector<S>& constant) {
   const std::size_t n = constant.size();
-  if (n > most_exact_contacts) {
+  if (n > max_exact_contacts) {
     throw_invalid_argument("constant", std::to_string(n) + " rows", "at most 12 can be tried");
   }
   for (std::uint32_t set = 0; set < (std::uint32_t{1} << n); ++set) {
@@ -202,15 +202,15 @@ std::vector<RigidBody<S>> after_normal_impulses(std::vector<RigidBody<S>> bodies
 /// solutions; the impulses need not be unique, as for a table on four legs.
 /// @return N·s, one for each contact; nothing if there is no solution, as for two immovable bodies
 /// that approach each other
-/// @throws std::invalid_argument for more than most_exact_contacts contacts
+/// @throws std::invalid_argument for more than max_exact_contacts contacts
 template <Scalar S>
 std::optional<std::vector<S>> complementary_impulses(const std::vector<RigidBody<S>>& bodies,
                                                      const std::vector<BodyContact<S>>& contacts) {
   std::vector<S> constant;
   for (const BodyContact<S>& c : contacts) {
-    constant.push_back(contact_velocity(bodies, c) - c.least_velocity);
+    constant.push_back(contact_velocity(bodies, c) - c.min_velocity);
   }
-  return solve_complementarity<S>(response_matrix(bodies, contacts), constant);
+  return solve_complementarity<S>(inverse_effective_mass_matrix(bodies, contacts), constant);
 }
 // [/direct]
 

@@ -87,7 +87,7 @@ ContactManifold<S> contact_manifold(const Sphere<S>& a, const HalfSpace<S>& b, c
 /// The sine of the angle below which a capsule counts as parallel to another body: 1/64. It decides
 /// only whether there are one or two points; each point has its own distance.
 template <std::floating_point S>
-inline constexpr S lying_sine = S(0x1p-6);
+inline constexpr S parallel_sine = S(0x1p-6);
 
 /// Two capsules: one point, or two if they are parallel. Then the points are the ends of the
 /// overlap of their cores.
@@ -98,8 +98,8 @@ ContactManifold<S> contact_manifold(const Capsule<S>& a, const Capsule<S>& b, co
   const Vector3<S> e = b.core.end - b.core.start;
   const S whole = d.dot(d);
   const S sine = detail::length<S>(d.cross(e));
-  if (!(sine <= lying_sine<S> * detail::length<S>(d) * detail::length<S>(e)) || !(whole > S(0)) ||
-      !(e.dot(e) > S(0))) {
+  if (!(sine <= parallel_sine<S> * detail::length<S>(d) * detail::length<S>(e)) ||
+      !(whole > S(0)) || !(e.dot(e) > S(0))) {
     return detail::single_point(near, margin);
   }
   const S one = d.dot(Vector3<S>(b.core.start - a.core.start)) / whole;
@@ -146,14 +146,14 @@ ContactManifold<S> contact_manifold(const Capsule<S>& a, const OrientedBox<S>& b
     }
   }
   const S facing = n.dot(Vector3<S>(b.axes.col(axis)));
-  const bool on_face = std::abs(facing) >= S(1) - lying_sine<S> * lying_sine<S>;
-  const bool lies = std::abs(n.dot(d)) <= lying_sine<S> * detail::length<S>(d);
+  const bool on_face = std::abs(facing) >= S(1) - parallel_sine<S> * parallel_sine<S>;
+  const bool lies = std::abs(n.dot(d)) <= parallel_sine<S> * detail::length<S>(d);
   if (d == Vector3<S>::Zero() || !on_face || !lies) return detail::single_point(near, margin);
   const Vector3<S> first = detail::lowest_over_face<S>(a.core, b, axis);
   const Vector3<S> last =
       detail::lowest_over_face<S>(Segment<S>{a.core.end, a.core.start}, b, axis);
   ContactManifold<S> manifold{n, {}};
-  const S top = n.dot(b.centre) + box_reach(b, n);
+  const S top = n.dot(b.centre) + projected_radius(b, n);
   for (const Vector3<S>& p : {first, last}) {
     detail::add_manifold_point<S>(manifold, Vector3<S>(p - n * a.radius),
                                   S(n.dot(p) - top - a.radius), margin);
@@ -206,13 +206,13 @@ inline constexpr S face_preference = S(0x1p-10);
 template <std::floating_point S>
 ContactManifold<S> contact_manifold(const OrientedBox<S>& a, const OrientedBox<S>& b,
                                     const S& margin) {
-  const detail::AxisRoom<S> face = detail::widest_room<S>(a, b, 0, 5);
-  if (face.room > margin) return {face.normal, {}};
-  const detail::AxisRoom<S> edges = detail::widest_room<S>(a, b, 6, box_axis_count - 1);
-  if (edges.axis >= 0 && edges.room > margin) return {edges.normal, {}};
+  const detail::AxisSeparation<S> face = detail::max_separation<S>(a, b, 0, 5);
+  if (face.separation > margin) return {face.normal, {}};
+  const detail::AxisSeparation<S> edges = detail::max_separation<S>(a, b, 6, box_axis_count - 1);
+  if (edges.axis >= 0 && edges.separation > margin) return {edges.normal, {}};
   const S slack =
       face_preference<S> * std::min(a.half_lengths.minCoeff(), b.half_lengths.minCoeff());
-  if (edges.axis >= 0 && edges.room > face.room + slack) {
+  if (edges.axis >= 0 && edges.separation > face.separation + slack) {
     return detail::single_point(gap(a, b), margin);
   }
   const bool of_a = face.axis < 3;

@@ -22,10 +22,10 @@
 namespace contact {
 
 /// The largest number of couplings (pairs of impulses on the same body) for which
-/// finished_impulses() is tried without friction.
-inline constexpr std::size_t most_couplings = 400000;
+/// active_set_impulses() is tried without friction.
+inline constexpr std::size_t max_couplings = 400000;
 /// The same with friction, which takes many attempts.
-inline constexpr std::size_t most_rubbing_couplings = 60000;
+inline constexpr std::size_t max_friction_couplings = 60000;
 
 namespace detail {
 
@@ -62,9 +62,9 @@ std::optional<ImpulseRows<S>> impulse_rows(const std::vector<RigidBody<S>>& bodi
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const BodyContact<S>& contact = contacts[i];
     const PreparedContact<S> p = prepared<S>(bodies, contact);
-    if (!(p.normal_response > S(0))) return std::nullopt;  // two immovable bodies
-    const S unit = S(1) / std::sqrt(p.normal_response);
-    const S across = S(1) / std::sqrt(p.tangent_response);
+    if (!(p.inverse_normal_mass > S(0))) return std::nullopt;  // two immovable bodies
+    const S unit = S(1) / std::sqrt(p.inverse_normal_mass);
+    const S across = S(1) / std::sqrt(p.inverse_tangent_mass);
     made.first.push_back(static_cast<int>(made.rows.size()));
     made.cone.push_back(contact.friction * unit / across);
     for (std::size_t k = 0; k < (contact.friction > S(0) ? 3 : 1); ++k) {
@@ -76,8 +76,8 @@ std::optional<ImpulseRows<S>> impulse_rows(const std::vector<RigidBody<S>>& bodi
   }
   std::size_t couplings = 0;
   for (const auto& list : of) couplings += list.size() * list.size();
-  const bool rubs = made.rows.size() > contacts.size();
-  if (couplings > (rubs ? most_rubbing_couplings : most_couplings)) return std::nullopt;
+  const bool has_friction = made.rows.size() > contacts.size();
+  if (couplings > (has_friction ? max_friction_couplings : max_couplings)) return std::nullopt;
   std::vector<Eigen::Triplet<S>> entries;
   entries.reserve(couplings);
   for (std::size_t body = 0; body < bodies.size(); ++body) {
@@ -85,9 +85,10 @@ std::optional<ImpulseRows<S>> impulse_rows(const std::vector<RigidBody<S>>& bodi
       for (const auto& [column, other_towards] : of[body]) {
         const ImpulseRow<S>& one = made.rows[index(row)];
         const ImpulseRow<S>& two = made.rows[index(column)];
-        const S part = body_response<S>(bodies[body], contacts[one.contact].point, one.direction,
-                                        contacts[two.contact].point, two.direction) *
-                       one.unit * two.unit;
+        const S part =
+            body_inverse_effective_mass<S>(bodies[body], contacts[one.contact].point, one.direction,
+                                           contacts[two.contact].point, two.direction) *
+            one.unit * two.unit;
         entries.emplace_back(row, column, towards == other_towards ? part : -part);
       }
     }
@@ -100,7 +101,7 @@ std::optional<ImpulseRows<S>> impulse_rows(const std::vector<RigidBody<S>>& bodi
     const ImpulseRow<S>& row = made.rows[static_cast<std::size_t>(r)];
     const BodyContact<S>& contact = contacts[row.contact];
     const S now = row.direction.dot(relative_velocity(bodies, contact));
-    made.constant(r) = row.unit * (row.normal ? now - contact.least_velocity : now);
+    made.constant(r) = row.unit * (row.normal ? now - contact.min_velocity : now);
   }
   return made;
 }

@@ -31,8 +31,8 @@ struct ContactImpulse {
 
 /// Settings of the solver: when the iterations end, and how they are made.
 template <Ring S>
-struct SweepLimits {
-  int sweeps = 10000;      ///< maximum number of iterations, at least 1
+struct SolverSettings {
+  int iterations = 10000;  ///< maximum number of iterations, at least 1
   S tolerance = S(1e-12);  ///< ends when an iteration changes no contact velocity by more, m/s
   /// Over-relaxation: the change of an impulse as a multiple of the exact change for its contact,
   /// greater than 0, below 2. A factor above 1 saves iterations without friction. With friction the
@@ -40,13 +40,13 @@ struct SweepLimits {
   S relaxation = S(1);
   /// Jacobi instead of Gauss–Seidel: all contacts of an iteration use the same velocities. Slower,
   /// but independent of the order of the contacts, so a symmetric scene stays symmetric.
-  bool at_once = false;
+  bool jacobi = false;
 };
 
 /// How the iterations ended.
 template <Ring S>
-struct SweepReport {
-  int sweeps = 0;        ///< number of iterations
+struct SolverReport {
+  int iterations = 0;    ///< number of iterations
   S last_change = S(0);  ///< largest change of a contact velocity in the last iteration, m/s
   bool blended = false;  ///< restitution was reduced, so that the energy does not grow
   S rounding = S(0);     ///< bound on the error of velocities from rounded impulses, m/s
@@ -59,10 +59,11 @@ template <std::floating_point S>
 struct PreparedContact {
   BodyContact<S> contact;
   std::array<Vector3<S>, 3> direction;  // normal and two tangents
-  std::array<Vector3<S>, 3> turn_a;  // change of A's angular velocity for a unit impulse along each
-  std::array<Vector3<S>, 3> turn_b;
-  S normal_response = S(0);   // inverse of the effective mass along the normal, 1/kg
-  S tangent_response = S(0);  // an upper bound of it over all tangents, 1/kg
+  std::array<Vector3<S>, 3>
+      angular_a;  // change of A's angular velocity for a unit impulse along each
+  std::array<Vector3<S>, 3> angular_b;
+  S inverse_normal_mass = S(0);   // inverse of the effective mass along the normal, 1/kg
+  S inverse_tangent_mass = S(0);  // an upper bound of it over all tangents, 1/kg
 };
 
 template <std::floating_point S>
@@ -72,34 +73,35 @@ PreparedContact<S> prepared(const std::vector<RigidBody<S>>& bodies,
   const RigidBody<S>& b = bodies[index(contact.b)];
   PreparedContact<S> p{contact, {}, {}, {}, S(0), S(0)};
   p.direction[0] = contact.normal;
-  p.direction[1] = across<S>(contact.normal);
+  p.direction[1] = perpendicular_to<S>(contact.normal);
   p.direction[2] = contact.normal.cross(p.direction[1]);
   for (std::size_t k = 0; k < 3; ++k) {
-    const Vector3<S> arm_a = contact.point - a.position;
-    const Vector3<S> arm_b = contact.point - b.position;
-    p.turn_a[k] = a.inverse_inertia * Vector3<S>(arm_a.cross(p.direction[k]));
-    p.turn_b[k] = b.inverse_inertia * Vector3<S>(arm_b.cross(p.direction[k]));
+    const Vector3<S> lever_arm_a = contact.point - a.position;
+    const Vector3<S> lever_arm_b = contact.point - b.position;
+    p.angular_a[k] = a.inverse_inertia * Vector3<S>(lever_arm_a.cross(p.direction[k]));
+    p.angular_b[k] = b.inverse_inertia * Vector3<S>(lever_arm_b.cross(p.direction[k]));
   }
-  p.normal_response = response<S>(a, b, contact.point, p.direction[0], p.direction[0]);
-  const S one = response<S>(a, b, contact.point, p.direction[1], p.direction[1]);
-  const S mixed = response<S>(a, b, contact.point, p.direction[1], p.direction[2]);
-  const S two = response<S>(a, b, contact.point, p.direction[2], p.direction[2]);
+  p.inverse_normal_mass =
+      inverse_effective_mass<S>(a, b, contact.point, p.direction[0], p.direction[0]);
+  const S one = inverse_effective_mass<S>(a, b, contact.point, p.direction[1], p.direction[1]);
+  const S mixed = inverse_effective_mass<S>(a, b, contact.point, p.direction[1], p.direction[2]);
+  const S two = inverse_effective_mass<S>(a, b, contact.point, p.direction[2], p.direction[2]);
   // The larger eigenvalue of the 2 × 2 matrix.
-  p.tangent_response =
+  p.inverse_tangent_mass =
       (one + two + std::sqrt((one - two) * (one - two) + S(4) * mixed * mixed)) / S(2);
   return p;
 }
 
 /// Applies an impulse along direction k of a contact.
 template <std::floating_point S>
-void push(std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& p, std::size_t k,
-          const S& impulse) {
+void apply_impulse(std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& p, std::size_t k,
+                   const S& impulse) {
   RigidBody<S>& a = bodies[index(p.contact.a)];
   RigidBody<S>& b = bodies[index(p.contact.b)];
   a.velocity += p.direction[k] * (impulse * a.inverse_mass);
-  a.spin += p.turn_a[k] * impulse;
+  a.angular_velocity += p.angular_a[k] * impulse;
   b.velocity -= p.direction[k] * (impulse * b.inverse_mass);
-  b.spin -= p.turn_b[k] * impulse;
+  b.angular_velocity -= p.angular_b[k] * impulse;
 }
 
 template <std::floating_point S>
@@ -111,7 +113,7 @@ Vector3<S> relative_velocity(const std::vector<RigidBody<S>>& bodies,
 
 /// Components of an impulse: normal, first tangent, second tangent.
 template <std::floating_point S>
-using Parts = std::array<S, 3>;
+using ImpulseComponents = std::array<S, 3>;
 
 // [sweep]
 /// Updates the impulses of one contact. Returns the largest change of a velocity.
@@ -123,47 +125,48 @@ using Parts = std::array<S, 3>;
 /// while the accumulated impulse stays at 0 or more. If it has become smaller, the friction is
 /// projected again.
 template <std::floating_point S>
-S relax(std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& p, Parts<S>& x,
+S relax(std::vector<RigidBody<S>>& bodies, const PreparedContact<S>& p, ImpulseComponents<S>& x,
         const S& relaxation) {
   S largest(0);
-  const auto rub = [&](const S& one, const S& two) {
+  const auto update_friction = [&](const S& one, const S& two) {
     const S most = p.contact.friction * x[0];
     const S length = std::sqrt(one * one + two * two);
     const S share = length > most ? most / length : S(1);
-    const Parts<S> next{x[0], one * share, two * share};
+    const ImpulseComponents<S> next{x[0], one * share, two * share};
     for (std::size_t k = 1; k < 3; ++k) {
       const S change = next[k] - x[k];
       if (change == S(0)) continue;
-      push(bodies, p, k, change);
-      largest = std::max(largest, std::abs(change) * p.tangent_response);
+      apply_impulse(bodies, p, k, change);
+      largest = std::max(largest, std::abs(change) * p.inverse_tangent_mass);
     }
     x = next;
   };
-  if (p.contact.friction > S(0) && p.tangent_response > S(0)) {
+  if (p.contact.friction > S(0) && p.inverse_tangent_mass > S(0)) {
     const Vector3<S> slip = relative_velocity(bodies, p.contact);
-    rub(x[1] - relaxation * slip.dot(p.direction[1]) / p.tangent_response,
-        x[2] - relaxation * slip.dot(p.direction[2]) / p.tangent_response);
+    update_friction(x[1] - relaxation * slip.dot(p.direction[1]) / p.inverse_tangent_mass,
+                    x[2] - relaxation * slip.dot(p.direction[2]) / p.inverse_tangent_mass);
   }
   const S velocity = p.direction[0].dot(relative_velocity(bodies, p.contact));
-  const S next =
-      std::max(S(0), x[0] + relaxation * (p.contact.least_velocity - velocity) / p.normal_response);
+  const S next = std::max(
+      S(0), x[0] + relaxation * (p.contact.min_velocity - velocity) / p.inverse_normal_mass);
   const S change = next - x[0];
   if (change == S(0)) return largest;
-  push(bodies, p, 0, change);
+  apply_impulse(bodies, p, 0, change);
   x[0] = next;
-  largest = std::max(largest, std::abs(change) * p.normal_response);
-  if (change < S(0)) rub(x[1], x[2]);
+  largest = std::max(largest, std::abs(change) * p.inverse_normal_mass);
+  if (change < S(0)) update_friction(x[1], x[2]);
   return largest;
 }
 
 /// One iteration over all contacts, in the order of the list (Gauss–Seidel). Returns the largest
 /// change of a velocity.
 template <std::floating_point S>
-S sweep(std::vector<RigidBody<S>>& bodies, const std::vector<PreparedContact<S>>& contacts,
-        std::vector<Parts<S>>& impulses, const S& relaxation) {
+S gauss_seidel_iteration(std::vector<RigidBody<S>>& bodies,
+                         const std::vector<PreparedContact<S>>& contacts,
+                         std::vector<ImpulseComponents<S>>& impulses, const S& relaxation) {
   S largest(0);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (!(contacts[i].normal_response > S(0))) continue;  // two immovable bodies
+    if (!(contacts[i].inverse_normal_mass > S(0))) continue;  // two immovable bodies
     largest = std::max(largest, relax(bodies, contacts[i], impulses[i], relaxation));
   }
   return largest;
@@ -177,18 +180,20 @@ S sweep(std::vector<RigidBody<S>>& bodies, const std::vector<PreparedContact<S>>
 /// admissible.
 /// @param partners for each contact, the larger number of contacts of its two bodies
 template <std::floating_point S>
-S sweep_at_once(std::vector<RigidBody<S>>& bodies, const std::vector<PreparedContact<S>>& contacts,
-                std::vector<Parts<S>>& impulses, const std::vector<int>& partners) {
+S jacobi_iteration(std::vector<RigidBody<S>>& bodies,
+                   const std::vector<PreparedContact<S>>& contacts,
+                   std::vector<ImpulseComponents<S>>& impulses, const std::vector<int>& partners) {
   S largest(0);
-  std::vector<Parts<S>> changes(contacts.size(), Parts<S>{S(0), S(0), S(0)});
+  std::vector<ImpulseComponents<S>> changes(contacts.size(),
+                                            ImpulseComponents<S>{S(0), S(0), S(0)});
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const PreparedContact<S>& p = contacts[i];
-    if (!(p.normal_response > S(0))) continue;
+    if (!(p.inverse_normal_mass > S(0))) continue;
     RigidBody<S>& a = bodies[index(p.contact.a)];
     RigidBody<S>& b = bodies[index(p.contact.b)];
     const RigidBody<S> a_before = a;
     const RigidBody<S> b_before = b;
-    Parts<S> x = impulses[i];
+    ImpulseComponents<S> x = impulses[i];
     largest = std::max(largest, relax(bodies, p, x, S(1)));
     a = a_before;
     b = b_before;
@@ -197,7 +202,7 @@ S sweep_at_once(std::vector<RigidBody<S>>& bodies, const std::vector<PreparedCon
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       impulses[i][k] += changes[i][k];
-      push(bodies, contacts[i], k, changes[i][k]);
+      apply_impulse(bodies, contacts[i], k, changes[i][k]);
     }
   }
   return largest;
@@ -222,37 +227,39 @@ std::vector<int> busiest(const std::vector<RigidBody<S>>& bodies,
 
 /// Over-relaxation ends if this many iterations bring no smaller change than the same number before
 /// them.
-inline constexpr int sweeps_to_settle = 1024;
+inline constexpr int settling_iterations = 1024;
 
 template <std::floating_point S>
-SweepReport<S> sweep_until(std::vector<RigidBody<S>> bodies,
-                           const std::vector<PreparedContact<S>>& contacts,
-                           std::vector<Parts<S>>& impulses, const SweepLimits<S>& limits) {
+SolverReport<S> iterate_until(std::vector<RigidBody<S>> bodies,
+                              const std::vector<PreparedContact<S>>& contacts,
+                              std::vector<ImpulseComponents<S>>& impulses,
+                              const SolverSettings<S>& limits) {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) push(bodies, contacts[i], k, impulses[i][k]);
+    for (std::size_t k = 0; k < 3; ++k) apply_impulse(bodies, contacts[i], k, impulses[i][k]);
   }
-  SweepReport<S> report;
+  SolverReport<S> report;
   S relaxation = limits.relaxation;
   S least = std::numeric_limits<S>::infinity();  // smallest change in these iterations
-  S least_before = least;
-  const std::vector<int> partners = limits.at_once ? busiest(bodies, contacts) : std::vector<int>();
+  S min_before = least;
+  const std::vector<int> partners = limits.jacobi ? busiest(bodies, contacts) : std::vector<int>();
   do {
-    report.last_change = limits.at_once ? sweep_at_once(bodies, contacts, impulses, partners)
-                                        : sweep(bodies, contacts, impulses, relaxation);
-    ++report.sweeps;
+    report.last_change = limits.jacobi
+                             ? jacobi_iteration(bodies, contacts, impulses, partners)
+                             : gauss_seidel_iteration(bodies, contacts, impulses, relaxation);
+    ++report.iterations;
     least = std::min(least, report.last_change);
-    if (report.sweeps % sweeps_to_settle != 0) continue;
-    if (!(least < least_before)) relaxation = std::min(relaxation, S(1));
-    least_before = least;
+    if (report.iterations % settling_iterations != 0) continue;
+    if (!(least < min_before)) relaxation = std::min(relaxation, S(1));
+    min_before = least;
     least = std::numeric_limits<S>::infinity();
-  } while (report.sweeps < limits.sweeps && report.last_change > limits.tolerance);
+  } while (report.iterations < limits.iterations && report.last_change > limits.tolerance);
   return report;
 }
 
 template <std::floating_point S>
-std::vector<RigidBody<S>> after_parts(std::vector<RigidBody<S>> bodies,
-                                      const std::vector<PreparedContact<S>>& contacts,
-                                      const std::vector<Parts<S>>& impulses) {
+std::vector<RigidBody<S>> after_impulses(std::vector<RigidBody<S>> bodies,
+                                         const std::vector<PreparedContact<S>>& contacts,
+                                         const std::vector<ImpulseComponents<S>>& impulses) {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const PreparedContact<S>& p = contacts[i];
     const Vector3<S> impulse = p.direction[0] * impulses[i][0] + p.direction[1] * impulses[i][1] +
@@ -271,7 +278,7 @@ std::vector<RigidBody<S>> after_parts(std::vector<RigidBody<S>> bodies,
 template <std::floating_point S>
 S energy_made(const std::vector<RigidBody<S>>& before, const std::vector<RigidBody<S>>& after,
               const std::vector<PreparedContact<S>>& contacts,
-              const std::vector<Parts<S>>& impulses) {
+              const std::vector<ImpulseComponents<S>>& impulses) {
   S made(0);
   S size(0);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -298,7 +305,7 @@ template <Ring S>
 struct SolvedContacts {
   std::vector<RigidBody<S>> bodies;         ///< in the order of the input
   std::vector<ContactImpulse<S>> impulses;  ///< one a contact
-  SweepReport<S> report;                    ///< of the iterations
+  SolverReport<S> report;                   ///< of the iterations
 };
 
 namespace detail {
@@ -317,7 +324,7 @@ std::vector<PreparedContact<S>> prepared_contacts(const std::vector<RigidBody<S>
     }
     require_finite("point", c.point);
     require_finite("normal", c.normal);
-    require_finite("least_velocity", c.least_velocity);
+    require_finite("min_velocity", c.min_velocity);
     if (!(c.friction >= S(0)) || !is_finite(c.friction)) {
       throw_invalid_argument("friction", number_text(c.friction), "must not be negative");
     }
@@ -329,9 +336,10 @@ std::vector<PreparedContact<S>> prepared_contacts(const std::vector<RigidBody<S>
 /// Projects impulses onto the admissible ones: no pull, friction inside its cone. An empty list
 /// gives zeros.
 template <std::floating_point S>
-std::vector<Parts<S>> allowed_parts(const std::vector<PreparedContact<S>>& prepared,
-                                    const std::vector<ContactImpulse<S>>& start) {
-  std::vector<Parts<S>> impulses(prepared.size(), Parts<S>{S(0), S(0), S(0)});
+std::vector<ImpulseComponents<S>> clamped_impulses(const std::vector<PreparedContact<S>>& prepared,
+                                                   const std::vector<ContactImpulse<S>>& start) {
+  std::vector<ImpulseComponents<S>> impulses(prepared.size(),
+                                             ImpulseComponents<S>{S(0), S(0), S(0)});
   for (std::size_t i = 0; i < start.size(); ++i) {
     const S normal = std::max(S(0), start[i].normal);
     const S one = start[i].tangential.dot(prepared[i].direction[1]);
@@ -348,9 +356,9 @@ std::vector<Parts<S>> allowed_parts(const std::vector<PreparedContact<S>>& prepa
 /// changes of the velocity of a light one cancel, but their rounding errors do not: for doubles
 /// 2⁻⁴⁴ of the sum of their absolute values.
 template <std::floating_point S>
-S rounding_of_parts(const std::vector<RigidBody<S>>& bodies,
-                    const std::vector<PreparedContact<S>>& contacts,
-                    const std::vector<Parts<S>>& impulses) {
+S impulse_rounding(const std::vector<RigidBody<S>>& bodies,
+                   const std::vector<PreparedContact<S>>& contacts,
+                   const std::vector<ImpulseComponents<S>>& impulses) {
   std::vector<S> changes(bodies.size(), S(0));
   S most(0);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -358,11 +366,12 @@ S rounding_of_parts(const std::vector<RigidBody<S>>& bodies,
     for (const bool first : {true, false}) {
       const std::size_t place = index(first ? p.contact.a : p.contact.b);
       const RigidBody<S>& body = bodies[place];
-      const Vector3<S> arm = p.contact.point - body.position;
+      const Vector3<S> lever_arm = p.contact.point - body.position;
       for (std::size_t k = 0; k < 3; ++k) {
-        const Vector3<S>& turn = first ? p.turn_a[k] : p.turn_b[k];
-        changes[place] += std::abs(impulses[i][k]) *
-                          (body.inverse_mass + std::sqrt(S(turn.dot(turn)) * S(arm.dot(arm))));
+        const Vector3<S>& turn = first ? p.angular_a[k] : p.angular_b[k];
+        changes[place] +=
+            std::abs(impulses[i][k]) *
+            (body.inverse_mass + std::sqrt(S(turn.dot(turn)) * S(lever_arm.dot(lever_arm))));
       }
       most = std::max(most, changes[place]);
     }
@@ -375,22 +384,23 @@ S rounding_of_parts(const std::vector<RigidBody<S>>& bodies,
 template <std::floating_point S, class Stop>
 SolvedContacts<S> solved_by(const std::vector<RigidBody<S>>& bodies,
                             const std::vector<PreparedContact<S>>& prepared,
-                            std::vector<Parts<S>> impulses, const Stop& stop) {
+                            std::vector<ImpulseComponents<S>> impulses, const Stop& stop) {
   SolvedContacts<S> solved;
-  solved.bodies = after_parts(bodies, prepared, impulses);
+  solved.bodies = after_impulses(bodies, prepared, impulses);
   bool still = true;
   bool bounces = false;
   for (const RigidBody<S>& body : bodies) {
-    const bool moves = body.velocity != Vector3<S>::Zero() || body.spin != Vector3<S>::Zero();
+    const bool moves =
+        body.velocity != Vector3<S>::Zero() || body.angular_velocity != Vector3<S>::Zero();
     if (body.inverse_mass == S(0) && moves) still = false;
   }
-  for (const PreparedContact<S>& p : prepared) bounces = bounces || p.contact.least_velocity > S(0);
+  for (const PreparedContact<S>& p : prepared) bounces = bounces || p.contact.min_velocity > S(0);
   if (still && bounces && energy_made(bodies, solved.bodies, prepared, impulses) > S(0)) {
     // On the segment from the impulses without restitution to those with it the energy is a
     // parabola that opens upwards. Bisection finds where it returns to the energy before.
-    const std::vector<Parts<S>> stopped = stop();
+    const std::vector<ImpulseComponents<S>> stopped = stop();
     const auto blend = [&](const S& share) {
-      std::vector<Parts<S>> mixed = stopped;
+      std::vector<ImpulseComponents<S>> mixed = stopped;
       for (std::size_t i = 0; i < mixed.size(); ++i) {
         for (std::size_t k = 0; k < 3; ++k) mixed[i][k] += share * (impulses[i][k] - stopped[i][k]);
       }
@@ -400,15 +410,15 @@ SolvedContacts<S> solved_by(const std::vector<RigidBody<S>>& bodies,
     S high(1);
     for (int i = 0; i < 60; ++i) {
       const S middle = (low + high) / S(2);
-      const std::vector<Parts<S>> mixed = blend(middle);
-      const auto then = after_parts(bodies, prepared, mixed);
+      const std::vector<ImpulseComponents<S>> mixed = blend(middle);
+      const auto then = after_impulses(bodies, prepared, mixed);
       (energy_made(bodies, then, prepared, mixed) > S(0) ? high : low) = middle;
     }
     impulses = blend(low);
-    solved.bodies = after_parts(bodies, prepared, impulses);
+    solved.bodies = after_impulses(bodies, prepared, impulses);
     solved.report.blended = true;
   }
-  solved.report.rounding = rounding_of_parts(bodies, prepared, impulses);
+  solved.report.rounding = impulse_rounding(bodies, prepared, impulses);
   for (std::size_t i = 0; i < prepared.size(); ++i) {
     solved.impulses.push_back(
         {impulses[i][0], Vector3<S>(prepared[i].direction[1] * impulses[i][1] +
@@ -420,7 +430,7 @@ SolvedContacts<S> solved_by(const std::vector<RigidBody<S>>& bodies,
 /// The same contacts without restitution.
 template <std::floating_point S>
 std::vector<PreparedContact<S>> softened(std::vector<PreparedContact<S>> prepared) {
-  for (auto& p : prepared) p.contact.least_velocity = std::min(p.contact.least_velocity, S(0));
+  for (auto& p : prepared) p.contact.min_velocity = std::min(p.contact.min_velocity, S(0));
   return prepared;
 }
 
@@ -450,21 +460,21 @@ template <std::floating_point S>
 SolvedContacts<S> solve_contacts(const std::vector<RigidBody<S>>& bodies,
                                  const std::vector<BodyContact<S>>& contacts,
                                  const std::vector<ContactImpulse<S>>& start = {},
-                                 const SweepLimits<S>& limits = {}) {
+                                 const SolverSettings<S>& limits = {}) {
   if (!start.empty() && start.size() != contacts.size()) {
     throw_invalid_argument("start", std::to_string(start.size()) + " impulses",
                            "must be one a contact");
   }
   const auto prepared = detail::prepared_contacts(bodies, contacts);
-  std::vector<detail::Parts<S>> impulses = detail::allowed_parts(prepared, start);
-  const SweepReport<S> report = detail::sweep_until(bodies, prepared, impulses, limits);
+  std::vector<detail::ImpulseComponents<S>> impulses = detail::clamped_impulses(prepared, start);
+  const SolverReport<S> report = detail::iterate_until(bodies, prepared, impulses, limits);
   const auto stop = [&] {
-    std::vector<detail::Parts<S>> stopped = detail::allowed_parts<S>(prepared, {});
-    detail::sweep_until(bodies, detail::softened(prepared), stopped, limits);
+    std::vector<detail::ImpulseComponents<S>> stopped = detail::clamped_impulses<S>(prepared, {});
+    detail::iterate_until(bodies, detail::softened(prepared), stopped, limits);
     return stopped;
   };
   SolvedContacts<S> solved = detail::solved_by<S>(bodies, prepared, std::move(impulses), stop);
-  solved.report.sweeps = report.sweeps;
+  solved.report.iterations = report.iterations;
   solved.report.last_change = report.last_change;
   return solved;
 }

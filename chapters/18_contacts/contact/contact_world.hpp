@@ -28,9 +28,9 @@ using BodyShape = std::variant<Sphere<S>, Capsule<S>, OrientedBox<S>, HalfSpace<
 /// A rigid body with a shape.
 template <Ring S>
 struct ShapedBody {
-  BodyShape<S> shape;    ///< in the body's axes, m
-  RigidBody<S> motion;   ///< in the world; its tensors follow the orientation
-  Rotor<S> orientation;  ///< from body to world
+  BodyShape<S> shape;         ///< in the body's axes, m
+  RigidBody<S> motion;        ///< in the world; its tensors follow the orientation
+  Quaternion<S> orientation;  ///< from body to world
   /// Moments of inertia about the body's axes, which are its principal axes, kg·m²; not read for an
   /// immovable body.
   Vector3<S> moments = Vector3<S>::Zero();
@@ -80,26 +80,28 @@ ShapedBody<S> ground(const Plane<S>& boundary) {
 // [in-world]
 /// A sphere, transformed from body to world.
 template <std::floating_point S>
-Sphere<S> placed(const Sphere<S>& shape, const Vector3<S>& position, const Matrix3<S>& rotation) {
+Sphere<S> transformed(const Sphere<S>& shape, const Vector3<S>& position,
+                      const Matrix3<S>& rotation) {
   return {Vector3<S>(position + rotation * shape.centre), shape.radius};
 }
 /// A capsule, transformed from body to world.
 template <std::floating_point S>
-Capsule<S> placed(const Capsule<S>& shape, const Vector3<S>& position, const Matrix3<S>& rotation) {
+Capsule<S> transformed(const Capsule<S>& shape, const Vector3<S>& position,
+                       const Matrix3<S>& rotation) {
   return {{Vector3<S>(position + rotation * shape.core.start),
            Vector3<S>(position + rotation * shape.core.end)},
           shape.radius};
 }
 /// A box, transformed from body to world.
 template <std::floating_point S>
-OrientedBox<S> placed(const OrientedBox<S>& shape, const Vector3<S>& position,
-                      const Matrix3<S>& rotation) {
+OrientedBox<S> transformed(const OrientedBox<S>& shape, const Vector3<S>& position,
+                           const Matrix3<S>& rotation) {
   return {Vector3<S>(position + rotation * shape.centre), Matrix3<S>(rotation * shape.axes),
           shape.half_lengths};
 }
 /// A half-space is in the world already.
 template <std::floating_point S>
-HalfSpace<S> placed(const HalfSpace<S>& shape, const Vector3<S>&, const Matrix3<S>&) {
+HalfSpace<S> transformed(const HalfSpace<S>& shape, const Vector3<S>&, const Matrix3<S>&) {
   return shape;
 }
 // [/in-world]
@@ -111,7 +113,7 @@ struct StepSettings {
   S step = S(1) / S(60);                        ///< h, s, greater than 0
   S margin = S(0.02);     ///< surfaces at most this far apart are in contact, m
   S rest_speed = S(0.5);  ///< slower impacts do not bounce, m/s
-  SweepLimits<S> sweeps{20000, S(1e-11), S(1.8)};  ///< of the solver
+  SolverSettings<S> solver{20000, S(1e-11), S(1.8)};  ///< of the solver
 };
 
 /// The contacts of a step and their impulses, for the warm start of the next step.
@@ -136,7 +138,7 @@ std::vector<BodyContact<S>> find_contacts(const std::vector<ShapedBody<S>>& bodi
     const Matrix3<S> rotation = matrix_of(body.orientation);
     shapes.push_back(std::visit(
         [&](const auto& shape) {
-          return BodyShape<S>(placed(shape, body.motion.position, rotation));
+          return BodyShape<S>(transformed(shape, body.motion.position, rotation));
         },
         body.shape));
   }
@@ -167,7 +169,7 @@ std::vector<BodyContact<S>> find_contacts(const std::vector<ShapedBody<S>>& bodi
         const S e = std::max(bodies[i].restitution, bodies[k].restitution);
         const S room = -std::max(p.distance, S(0)) / settings.step;
         const bool hits = velocity < room && velocity < -settings.rest_speed && e > S(0);
-        contact.least_velocity = hits ? -(e * velocity) : room;
+        contact.min_velocity = hits ? -(e * velocity) : room;
         contacts.push_back(contact);
       }
     }
@@ -211,8 +213,8 @@ std::vector<ContactImpulse<S>> remembered(const std::vector<BodyContact<S>>& con
 /// @param memory of the previous step, replaced by that of this step; empty for the first step
 /// @return how the solver ended
 template <std::floating_point S>
-SweepReport<S> step_contacts(std::vector<ShapedBody<S>>& bodies, StepMemory<S>& memory,
-                             const StepSettings<S>& settings = {}) {
+SolverReport<S> step_contacts(std::vector<ShapedBody<S>>& bodies, StepMemory<S>& memory,
+                              const StepSettings<S>& settings = {}) {
   std::vector<RigidBody<S>> motions;
   for (ShapedBody<S>& body : bodies) {
     if (body.motion.inverse_mass > S(0)) {
@@ -222,20 +224,21 @@ SweepReport<S> step_contacts(std::vector<ShapedBody<S>>& bodies, StepMemory<S>& 
   }
   const std::vector<BodyContact<S>> contacts = find_contacts(bodies, settings);
   const auto start = detail::remembered(contacts, memory, settings.margin);
-  const SolvedContacts<S> solved = solve_contacts(motions, contacts, start, settings.sweeps);
+  const SolvedContacts<S> solved = solve_contacts(motions, contacts, start, settings.solver);
   memory = {contacts, solved.impulses};
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     ShapedBody<S>& body = bodies[i];
     body.motion = solved.bodies[i];
     body.motion.position += body.motion.velocity * settings.step;
-    const Vector3<S> spin = body.motion.spin;
-    if (body.motion.inverse_mass == S(0) || spin == Vector3<S>::Zero()) continue;
-    const Vector3<S> momentum = body.motion.inertia * spin;
-    body.orientation = normalised(exponential_step(body.orientation, spin, settings.step));
+    const Vector3<S> angular_velocity = body.motion.angular_velocity;
+    if (body.motion.inverse_mass == S(0) || angular_velocity == Vector3<S>::Zero()) continue;
+    const Vector3<S> momentum = body.motion.inertia * angular_velocity;
+    body.orientation =
+        normalised(exponential_step(body.orientation, angular_velocity, settings.step));
     body.motion =
         rigid_body_from_axes<S>(body.motion.mass, body.moments, matrix_of(body.orientation),
-                                body.motion.position, body.motion.velocity, spin);
-    body.motion.spin = body.motion.inverse_inertia * momentum;
+                                body.motion.position, body.motion.velocity, angular_velocity);
+    body.motion.angular_velocity = body.motion.inverse_inertia * momentum;
   }
   return solved.report;
 }

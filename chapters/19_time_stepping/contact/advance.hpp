@@ -21,27 +21,27 @@ namespace contact {
 /// arguments.
 template <Scalar S>
 struct ImpactRules {
-  S restitution = S(1);   ///< of ball and walls, 0 to 1
-  S rest_speed = S(0);    ///< a ball that leaves a wall no faster and is pulled back rests, m/s
-  int most_impacts = 64;  ///< in one step
+  S restitution = S(1);  ///< of ball and walls, 0 to 1
+  S rest_speed = S(0);   ///< a ball that leaves a wall no faster and is pulled back rests, m/s
+  int max_impacts = 64;  ///< in one step
 };
 
 /// Rules for the impacts of a step.
 /// @param restitution 0 to 1
 /// @param rest_speed m/s, 0 or more
-/// @param most_impacts in one step, 0 or more; with 0 an advance stops at the first wall
+/// @param max_impacts in one step, 0 or more; with 0 an advance stops at the first wall
 /// @throws std::invalid_argument if a number is out of its range or not finite
 template <Scalar S>
-ImpactRules<S> impact_rules(const S& restitution, const S& rest_speed, int most_impacts) {
+ImpactRules<S> impact_rules(const S& restitution, const S& rest_speed, int max_impacts) {
   require_restitution("restitution", restitution);
   require_finite("rest_speed", rest_speed);
   if (rest_speed < S(0)) {
     throw_invalid_argument("rest_speed", number_text(rest_speed), "must not be negative");
   }
-  if (most_impacts < 0) {
-    throw_invalid_argument("most_impacts", std::to_string(most_impacts), "must not be negative");
+  if (max_impacts < 0) {
+    throw_invalid_argument("max_impacts", std::to_string(max_impacts), "must not be negative");
   }
-  return {restitution, rest_speed, most_impacts};
+  return {restitution, rest_speed, max_impacts};
 }
 
 /// Why an advance ended.
@@ -104,7 +104,7 @@ Advance<S> advance_by(const MotionState<Vector3<S>>& start, const Vector3<S>& ac
     now.time_left = now.time_left - next.time;
     now.wall = next.wall;
     if (approaches(now.state.velocity, normal)) {
-      if (now.impacts == rules.most_impacts) {
+      if (now.impacts == rules.max_impacts) {
         now.end = AdvanceEnd::out_of_impacts;
         return now;
       }
@@ -128,7 +128,7 @@ Advance<S> advance_by(const MotionState<Vector3<S>>& start, const Vector3<S>& ac
 // [advance-straight]
 /// Moves a ball without forces for one step, with all its impacts; exact if S is exact.
 ///
-/// With the velocity after velocity_first_step(), this is the lecture's loop.
+/// With the velocity after semi_implicit_euler_step(), this is the lecture's loop.
 /// @param start centre and velocity
 /// @param radius m, 0 or more
 /// @param step s, 0 or more

@@ -61,7 +61,7 @@ class EventQueue {
   /// Makes all queued events of a body stale: call it when the body's motion changes.
   void invalidate(int body) {
     ++stamps_[static_cast<std::size_t>(body)];
-    if (++changes_ > heap_.size() / 2 + stamps_.size()) sweep();
+    if (++changes_ > heap_.size() / 2 + stamps_.size()) remove_stale();
   }
 
   /// Removes and returns the next valid event; nothing if there is none.
@@ -106,7 +106,7 @@ class EventQueue {
            (event.second < 0 || entry.second_stamp == stamp(event.second));
   }
 
-  void sweep() {
+  void remove_stale() {
     std::erase_if(heap_, [this](const Entry& entry) { return !counts(entry); });
     std::make_heap(heap_.begin(), heap_.end(), later);
     changes_ = 0;

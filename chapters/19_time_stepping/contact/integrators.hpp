@@ -22,11 +22,11 @@ struct MotionState {
 
 /// Which step is taken.
 enum class Integrator {
-  position_first,   ///< explicit Euler: the position with the old velocity, then the velocity
-  velocity_first,   ///< symplectic Euler: the velocity, then the position with the new velocity
-  velocity_verlet,  ///< half a velocity update, a whole position update, half a velocity update
-  position_verlet,  ///< half a position update, a whole velocity update, half a position update
-  runge_kutta_4     ///< four force evaluations
+  explicit_euler,       ///< explicit Euler: the position with the old velocity, then the velocity
+  semi_implicit_euler,  ///< symplectic Euler: the velocity, then the position with the new velocity
+  velocity_verlet,      ///< half a velocity update, a whole position update, half a velocity update
+  position_verlet,      ///< half a position update, a whole velocity update, half a position update
+  runge_kutta_4         ///< four force evaluations
 };
 
 /// Explicit Euler (forward Euler): x' = x + h v, v' = v + h a(x), with velocity and acceleration of
@@ -37,7 +37,7 @@ enum class Integrator {
 /// @param law the acceleration at a position, m/s²
 // [explicit-euler]
 template <class V, Scalar S, class Law>
-MotionState<V> position_first_step(const MotionState<V>& now, const S& h, const Law& law) {
+MotionState<V> explicit_euler_step(const MotionState<V>& now, const S& h, const Law& law) {
   const V position = now.position + now.velocity * h;
   const V velocity = now.velocity + law(now.position) * h;
   return {position, velocity};
@@ -53,7 +53,7 @@ MotionState<V> position_first_step(const MotionState<V>& now, const S& h, const 
 /// @see *Fundamentals of Computer Animation*, slide "Moving Under Gravity"
 // [symplectic-euler]
 template <class V, Scalar S, class Law>
-MotionState<V> velocity_first_step(const MotionState<V>& now, const S& h, const Law& law) {
+MotionState<V> semi_implicit_euler_step(const MotionState<V>& now, const S& h, const Law& law) {
   const V velocity = now.velocity + law(now.position) * h;
   const V position = now.position + velocity * h;
   return {position, velocity};
@@ -128,10 +128,10 @@ template <class V, Scalar S, class Law>
 MotionState<V> motion_step(Integrator integrator, const MotionState<V>& now, const S& h,
                            const Law& law) {
   switch (integrator) {
-    case Integrator::position_first:
-      return position_first_step(now, h, law);
-    case Integrator::velocity_first:
-      return velocity_first_step(now, h, law);
+    case Integrator::explicit_euler:
+      return explicit_euler_step(now, h, law);
+    case Integrator::semi_implicit_euler:
+      return semi_implicit_euler_step(now, h, law);
     case Integrator::velocity_verlet:
       return velocity_verlet_step(now, h, law);
     case Integrator::position_verlet:

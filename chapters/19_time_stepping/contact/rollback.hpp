@@ -21,7 +21,7 @@ template <Scalar S>
 struct RollbackBracket {
   S free = S(0);     ///< s from the start of the step: no overlap then
   S blocked = S(0);  ///< s from the start of the step, later: an overlap then
-  int looks = 0;     ///< how many overlap tests were made
+  int tests = 0;     ///< how many overlap tests were made
 };
 
 // [slices]
@@ -64,7 +64,7 @@ RollbackBracket<S> bisected(const IsFree& is_free, RollbackBracket<S> bracket, c
     const S middle = bracket.free + (bracket.blocked - bracket.free) / S(2);
     if (!(bracket.free < middle && middle < bracket.blocked)) break;
     (is_free(middle) ? bracket.free : bracket.blocked) = middle;
-    ++bracket.looks;
+    ++bracket.tests;
   }
   return bracket;
 }

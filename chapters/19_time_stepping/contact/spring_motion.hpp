@@ -51,7 +51,7 @@ S spring_energy(const LinearSpring<S>& spring, const MotionState<S>& state) {
 ///
 /// The error falls with h. Every step divides the energy by 1 + (ω h)² and the amplitude by its
 /// root: the step is stable for every h, and it damps a spring that has no damper. It is the
-/// adjoint of explicit Euler: position_first_step() with −h undoes it.
+/// adjoint of explicit Euler: explicit_euler_step() with −h undoes it.
 /// @param h length of the step, s, 0 or more
 // [implicit-euler]
 template <Scalar S>

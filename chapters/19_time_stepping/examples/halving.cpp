@@ -15,7 +15,7 @@ int main() {
       return std::hypot(end.position - truth.position, end.velocity - truth.velocity);
     };
     std::printf("%4d   %.1e         %.1e           %.1e    %.1e\n", steps,
-                off(Integrator::position_first), off(Integrator::velocity_first),
+                off(Integrator::explicit_euler), off(Integrator::semi_implicit_euler),
                 off(Integrator::velocity_verlet), off(Integrator::runge_kutta_4));
   }
 }

@@ -12,8 +12,8 @@ int main() {
   State symplectic = start;
   std::printf("time  explicit Euler  symplectic Euler  exact\n");
   for (int frame = 1; frame <= 6; ++frame) {
-    forward = contact::position_first_step(forward, 2.0, law);
-    symplectic = contact::velocity_first_step(symplectic, 2.0, law);
+    forward = contact::explicit_euler_step(forward, 2.0, law);
+    symplectic = contact::semi_implicit_euler_step(symplectic, 2.0, law);
     const State exact = contact::ballistic_motion(start, gravity, 2.0 * frame);
     std::printf("%2d s  %5.1f m         %5.1f m           %5.1f m\n", 2 * frame, forward.position,
                 symplectic.position, exact.position);

@@ -12,13 +12,13 @@ int main() {
   for (const int slices : {3, 30, 300}) {
     const auto found = *contact::last_free_slice(is_free, 0.6, slices);
     std::printf("%4d slices        free until %.9f s, %.1e s too early, %3d tests\n", slices,
-                found.free, impact - found.free, found.looks);
+                found.free, impact - found.free, found.tests);
   }
   for (const double width : {1e-2, 1e-4, 1e-8, 0.0}) {
     auto found = *contact::last_free_slice(is_free, 0.6, 1);
     found = contact::bisected(is_free, found, width);
     std::printf("halved to %5.0e s  free until %.9f s, %.1e s too early, %3d tests\n", width,
-                found.free, impact - found.free, found.looks);
+                found.free, impact - found.free, found.tests);
   }
   // A ball at 30 m/s and a pole of 5 cm in its path, in a step of 1/60 s.
   const auto past_pole = [](double t) { return 30 * t < 0.2 || 30 * t > 0.25; };

@@ -17,8 +17,8 @@ int main() {
     }
     std::printf("\n");
   };
-  show("explicit Euler", Integrator::position_first);
-  show("symplectic Euler", Integrator::velocity_first);
+  show("explicit Euler", Integrator::explicit_euler);
+  show("symplectic Euler", Integrator::semi_implicit_euler);
   show("Verlet", Integrator::velocity_verlet);
   show("Runge-Kutta", Integrator::runge_kutta_4);
   std::printf("%-18s", "implicit Euler");

@@ -13,13 +13,13 @@ struct Input {
 
 constexpr int most = 60;
 constexpr int points = most + 2;
-constexpr int looks = 129;
+constexpr int samples = 129;
 constexpr double seconds = 6;
 
 struct Output {
   double problem;
   std::array<double, points> time, inner_at, outer_at;  // at each collision, m
-  std::array<double, looks> look_time, look_inner, look_outer;
+  std::array<double, samples> sample_time, sample_inner, sample_outer;
   double hits;          // collisions in 6 s, or as many as are computed
   double stepped_hits;  // collisions by the program in steps
   double last_time;     // of the last collision computed, s
@@ -68,19 +68,19 @@ Output compute(const Input& in) {
 
   auto stepped = start;
   const int steps = static_cast<int>(seconds / in.step);
-  const int thin = std::max(1, (steps + looks - 2) / (looks - 1));
-  std::size_t look = 0;
+  const int thin = std::max(1, (steps + samples - 2) / (samples - 1));
+  std::size_t sample = 0;
   for (int i = 0; i <= steps; ++i) {
     if (i > 0) stepped = contact::two_balls_in_steps(stepped, in.step, 1);
-    if (i % thin != 0 || look == looks) continue;
-    out.look_time[look] = i * in.step;
-    out.look_inner[look] = stepped.wall_gap;
-    out.look_outer[look++] = stepped.wall_gap + stepped.ball_gap;
+    if (i % thin != 0 || sample == samples) continue;
+    out.sample_time[sample] = i * in.step;
+    out.sample_inner[sample] = stepped.wall_gap;
+    out.sample_outer[sample++] = stepped.wall_gap + stepped.ball_gap;
   }
-  for (; look < looks; ++look) {
-    out.look_time[look] = out.look_time[look - 1];
-    out.look_inner[look] = out.look_inner[look - 1];
-    out.look_outer[look] = out.look_outer[look - 1];
+  for (; sample < samples; ++sample) {
+    out.sample_time[sample] = out.sample_time[sample - 1];
+    out.sample_inner[sample] = out.sample_inner[sample - 1];
+    out.sample_outer[sample] = out.sample_outer[sample - 1];
   }
   out.stepped_hits = static_cast<double>(stepped.hits);
   out.endless = contact::collapses(1.0, in.ratio, in.e) ? 1 : 0;
@@ -90,5 +90,5 @@ Output compute(const Input& in) {
 }
 
 FIGURE(Input, FIELDS(inner, outer, ratio, e, step), Output,
-       FIELDS(problem, time, inner_at, outer_at, look_time, look_inner, look_outer, hits,
+       FIELDS(problem, time, inner_at, outer_at, sample_time, sample_inner, sample_outer, hits,
               stepped_hits, last_time, endless, border, stubborn))

@@ -14,9 +14,9 @@ interface Output {
   time: readonly number[];
   inner_at: readonly number[];
   outer_at: readonly number[];
-  look_time: readonly number[];
-  look_inner: readonly number[];
-  look_outer: readonly number[];
+  sample_time: readonly number[];
+  sample_inner: readonly number[];
+  sample_outer: readonly number[];
   hits: number;
   stepped_hits: number;
   last_time: number;
@@ -79,9 +79,9 @@ export default defineFigure<Input, Output>({
       output.time.map((t, i): Vec2 => [t, low(places[i] ?? 0)]);
     scene.path(line(output.inner_at), { role: "a", width: 2.2 });
     scene.path(line(output.outer_at), { role: "b", width: 2.2 });
-    for (const [i, t] of output.look_time.entries()) {
-      scene.dot([t, low(output.look_inner[i] ?? 0)], "a", 1.8);
-      scene.dot([t, low(output.look_outer[i] ?? 0)], "b", 1.8);
+    for (const [i, t] of output.sample_time.entries()) {
+      scene.dot([t, low(output.sample_inner[i] ?? 0)], "a", 1.8);
+      scene.dot([t, low(output.sample_outer[i] ?? 0)], "b", 1.8);
     }
     if (output.last_time < LAST) {
       scene.line([output.last_time, -0.2], [output.last_time, 1.2], {

@@ -15,16 +15,16 @@ struct Input {
   double gravity;  // m/s², downwards
 };
 
-constexpr int most_shown = 16;
+constexpr int max_shown = 16;
 constexpr int pieces = 12;
-constexpr int points = (most_shown + 1) * pieces + 1;
+constexpr int points = (max_shown + 1) * pieces + 1;
 constexpr double radius = 0.15;
 constexpr double width = 5;  // of the floor, m
 
 struct Output {
   double problem;
-  std::array<double, points> x, y;              // the centre's path
-  std::array<double, most_shown> hit_x, hit_y;  // the centre at each impact
+  std::array<double, points> x, y;             // the centre's path
+  std::array<double, max_shown> hit_x, hit_y;  // the centre at each impact
   double impacts;
   double end;        // 0 used up, 1 rests, 2 out of impacts
   double time_left;  // s
@@ -38,7 +38,7 @@ Output compute(const Input& in) {
   const double size = std::max({in.from.cwiseAbs().maxCoeff(), in.to.cwiseAbs().maxCoeff(),
                                 in.lean.cwiseAbs().maxCoeff(), in.gravity});
   if (!(in.step > 0) || !(in.lean.y() > 0)) out.problem = contact::figure::not_positive;
-  if (size > 1e6 || in.step > 1e3 || in.k > 1 || in.most > most_shown) {
+  if (size > 1e6 || in.step > 1e3 || in.k > 1 || in.most > max_shown) {
     out.problem = contact::figure::too_large;
   }
   if (out.problem == 0 && (in.k < 0 || in.most < 1 || in.gravity < 0 || in.lean.norm() < 1e-6)) {
@@ -72,7 +72,7 @@ Output compute(const Input& in) {
   const auto end = after(in.step, most);
   const double moved = in.step - end.time_left;
   // Times and positions of the impacts: with a limit of i impacts the advance stops at the next.
-  std::array<double, most_shown + 2> times{};
+  std::array<double, max_shown + 2> times{};
   for (int i = 0; i < end.impacts; ++i) {
     const auto there = after(in.step, i);
     const auto n = static_cast<std::size_t>(i);
@@ -90,7 +90,7 @@ Output compute(const Input& in) {
     const double until = times[static_cast<std::size_t>(flight) + 1];
     for (int i = 1; i <= pieces; ++i) {
       const double t = begin + (until - begin) * i / pieces;
-      const V place = after(t, most_shown + 1).state.position;
+      const V place = after(t, max_shown + 1).state.position;
       out.x[at] = place.x();
       out.y[at++] = place.y();
     }
@@ -99,7 +99,7 @@ Output compute(const Input& in) {
     out.x[at] = out.x[at - 1];
     out.y[at] = out.y[at - 1];
   }
-  for (auto i = static_cast<std::size_t>(end.impacts); i < most_shown; ++i) {
+  for (auto i = static_cast<std::size_t>(end.impacts); i < max_shown; ++i) {
     out.hit_x[i] = end.state.position.x();
     out.hit_y[i] = end.state.position.y();
   }

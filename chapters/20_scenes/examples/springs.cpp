@@ -20,6 +20,7 @@ int main() {
     const auto run = contact::scenes::make_run(scene, plan);
     run->advance(again);
     std::printf("tolerance %.0e m: substeps of %.1e s, error estimated %.1e m, found %.1e m\n",
-                tolerance, plan.spring_part, springs.error, std::abs(run->position(1).z() - 0.25));
+                tolerance, plan.spring_substep, springs.error,
+                std::abs(run->position(1).z() - 0.25));
   }
 }

@@ -7,8 +7,8 @@
 
 namespace {
 
-contact::Scene before_a_wall(const contact::SceneShape& shape, double speed, double spin,
-                             double g) {
+contact::Scene before_a_wall(const contact::SceneShape& shape, double speed,
+                             double angular_velocity, double g) {
   contact::Scene scene;
   scene.materials.resize(1);
   scene.materials[0].restitution = 1;
@@ -24,7 +24,7 @@ contact::Scene before_a_wall(const contact::SceneShape& shape, double speed, dou
   }
   body.position = {-1, 0, 0};
   body.velocity = {speed, 0, 0};
-  body.spin = {0, 0, spin};
+  body.angular_velocity = {0, 0, angular_velocity};
   contact::SceneBody wall;
   wall.name = "wall";
   wall.shape = contact::BoxShape{{0.005, 1, 1}};
@@ -36,7 +36,7 @@ contact::Scene before_a_wall(const contact::SceneShape& shape, double speed, dou
 }
 
 void show(const char* what, const contact::Scene& scene) {
-  const contact::PlanQuestion q = contact::plan_question(scene);
+  const contact::PlanInput q = contact::plan_input(scene);
   const contact::PairBound& pair = q.pairs.front();
   const double longest = 2 * pair.core / pair.closing;
   const contact::Inequality frame = contact::tunnelling_conditions(q, 1.0 / 60).front();

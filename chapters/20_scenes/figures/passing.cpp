@@ -6,16 +6,16 @@
 #include <contact/rotation.hpp>
 
 struct Input {
-  double height;   // of the body's centre over the plate's middle, m
-  double speed;    // downwards, m/s
-  double spin;     // rad/s
-  double step;     // s
-  double thick;    // the plate, m
-  double gravity;  // downwards, m/s²
-  double shape;    // 0: a ball, 1: a rod
+  double height;            // of the body's centre over the plate's middle, m
+  double speed;             // downwards, m/s
+  double angular_velocity;  // rad/s
+  double step;              // s
+  double thick;             // the plate, m
+  double gravity;           // downwards, m/s²
+  double shape;             // 0: a ball, 1: a rod
 };
 
-constexpr int looks = 121;
+constexpr int samples = 121;
 constexpr double seconds = 0.5;
 constexpr double radius = 0.1;    // of the ball, and half of the rod's thickness, m
 constexpr double half = 0.5;      // half of the rod's, m
@@ -23,10 +23,10 @@ constexpr double lowest = -1.25;  // the picture's end, m
 
 struct Output {
   double problem;
-  std::array<double, looks> y, sine, cosine;  // the body at each test
-  double count;                               // tests in the picture
-  double seen;                                // the first test that detects the plate; −1: none
-  double passes;                              // 1 if it comes out below and no test has detected it
+  std::array<double, samples> y, sine, cosine;  // the body at each test
+  double count;                                 // tests in the picture
+  double seen;                                  // the first test that detects the plate; −1: none
+  double passes;   // 1 if it comes out below and no test has detected it
   double closing;  // surface points never approach faster, by energy, m/s
   double plain;    // v + ω r + g t, m/s
   double moved;    // in a step, m
@@ -43,7 +43,7 @@ contact::SceneBody body_of(const Input& in) {
   body.mass = 1;
   body.position = {0, in.height, 0};
   body.velocity = {0, -in.speed, 0};
-  body.spin = {0, 0, in.spin};
+  body.angular_velocity = {0, 0, in.angular_velocity};
   if (in.shape == 0) {
     body.shape = contact::BallShape{radius};
     body.inertia = contact::Vector3<double>::Constant(0.4 * radius * radius).asDiagonal();
@@ -60,11 +60,11 @@ contact::SceneBody body_of(const Input& in) {
 Output compute(const Input& in) {
   Output out{};
   if (!(in.step > 0) || !(in.thick > 0)) out.problem = contact::figure::not_positive;
-  if (std::max({std::abs(in.height), std::abs(in.speed), std::abs(in.spin), in.step, in.thick,
-                std::abs(in.gravity)}) > 1e6) {
+  if (std::max({std::abs(in.height), std::abs(in.speed), std::abs(in.angular_velocity), in.step,
+                in.thick, std::abs(in.gravity)}) > 1e6) {
     out.problem = contact::figure::too_large;
   }
-  if (out.problem == 0 && (in.step < seconds / (looks - 1) || in.speed < 0 || in.gravity < 0 ||
+  if (out.problem == 0 && (in.step < seconds / (samples - 1) || in.speed < 0 || in.gravity < 0 ||
                            in.thick < 1e-6 || in.height < half + radius + in.thick)) {
     out.problem = contact::figure::too_small;
   }
@@ -84,8 +84,8 @@ Output compute(const Input& in) {
     out.closing = bounds.pairs.front().closing;
     out.room = 2 * bounds.pairs.front().core;
   }
-  const double arm = in.shape == 0 ? 0.0 : std::sqrt(half * half + radius * radius);
-  out.plain = in.speed + std::abs(in.spin) * arm + in.gravity * seconds;
+  const double lever_arm = in.shape == 0 ? 0.0 : std::sqrt(half * half + radius * radius);
+  out.plain = in.speed + std::abs(in.angular_velocity) * lever_arm + in.gravity * seconds;
   out.moved = out.closing * in.step;
   out.longest = out.closing > 0 ? out.room / out.closing : seconds;
   out.proven = out.moved < out.room || bounds.pairs.empty() ? 1 : 0;
@@ -94,10 +94,10 @@ Output compute(const Input& in) {
   out.seen = -1;
   std::size_t n = 0;
   bool below = false;
-  for (; n < looks && !below; ++n) {
+  for (; n < samples && !below; ++n) {
     const double t = static_cast<double>(n) * in.step;
     if (t > seconds) break;
-    const auto turn = contact::sine_cosine(in.spin * t);
+    const auto turn = contact::sine_cosine(in.angular_velocity * t);
     out.y[n] = in.height - in.speed * t - in.gravity * t * t / 2;
     out.sine[n] = turn.sine;
     out.cosine[n] = turn.cosine;
@@ -110,7 +110,7 @@ Output compute(const Input& in) {
     below = out.y[n] < lowest;
   }
   out.count = static_cast<double>(n);
-  for (std::size_t k = n; k < looks; ++k) {
+  for (std::size_t k = n; k < samples; ++k) {
     out.y[k] = out.y[n - 1];
     out.sine[k] = out.sine[n - 1];
     out.cosine[k] = out.cosine[n - 1];
@@ -118,6 +118,6 @@ Output compute(const Input& in) {
   return out;
 }
 
-FIGURE(Input, FIELDS(height, speed, spin, step, thick, gravity, shape), Output,
+FIGURE(Input, FIELDS(height, speed, angular_velocity, step, thick, gravity, shape), Output,
        FIELDS(problem, y, sine, cosine, count, seen, passes, closing, plain, moved, room, longest,
               proven, tight))

@@ -5,7 +5,7 @@ import { defineFigure, pretty, type Vec2 } from "@contact/figure";
 interface Input {
   height: number;
   speed: number;
-  spin: number;
+  angular_velocity: number;
   step: number;
   thick: number;
   gravity: number;
@@ -40,7 +40,15 @@ export default defineFigure<Input, Output>({
   title: "Between two steps",
   view: { kind: "2d", x: [-1.9, 1.9], y: [-1.5, 2.3] },
   aspect: 1.2,
-  initial: { height: 1.6, speed: 20, spin: 0, step: 0.025, thick: 0.1, gravity: 0, shape: 0 },
+  initial: {
+    height: 1.6,
+    speed: 20,
+    angular_velocity: 0,
+    step: 0.025,
+    thick: 0.1,
+    gravity: 0,
+    shape: 0,
+  },
   handles: [
     {
       kind: "slide",
@@ -55,7 +63,15 @@ export default defineFigure<Input, Output>({
   ],
   controls: [
     { kind: "slider", field: "speed", label: "v", min: 0, max: 60, step: 0.5, unit: "m/s" },
-    { kind: "slider", field: "spin", label: "ω", min: -60, max: 60, step: 1, unit: "rad/s" },
+    {
+      kind: "slider",
+      field: "angular_velocity",
+      label: "ω",
+      min: -60,
+      max: 60,
+      step: 1,
+      unit: "rad/s",
+    },
     { kind: "slider", field: "step", label: "h", min: 0.0045, max: 0.1, step: 0.0005, unit: "s" },
     { kind: "slider", field: "thick", label: "plate", min: 0.01, max: 0.5, step: 0.01, unit: "m" },
     {

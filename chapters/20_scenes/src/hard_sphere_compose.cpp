@@ -45,7 +45,7 @@ CONTACT_SCENES_INLINE HardSphereComposition compose_hard_spheres(const HardSpher
                (ball.moves && ball.mass != setup.balls.front().mass);
   }
   for (const double e : setup.restitution) on.restitution = on.restitution || e != 1;
-  on.grid = setup.balls.size() > cost::most_asked_by_all;
+  on.grid = setup.balls.size() > cost::max_balls_without_cells;
   return made;
 }
 // [/compose]

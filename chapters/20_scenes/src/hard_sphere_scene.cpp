@@ -127,7 +127,7 @@ CONTACT_SCENES_INLINE std::vector<SceneStage> HardSphereSceneRun::stages() const
 
 CONTACT_SCENES_INLINE SceneRunEnd HardSphereSceneRun::advance(double until, std::uint64_t budget,
                                                               SceneObserver* observer) {
-  Teller teller(*this, observer);
+  HitForwarder teller(*this, observer);
   switch (run_->advance(until, budget, observer == nullptr ? nullptr : &teller)) {
     case HardSphereEnd::reached:
       return SceneRunEnd::reached;
@@ -161,13 +161,13 @@ CONTACT_SCENES_INLINE SceneCheckpoint HardSphereSceneRun::checkpoint() const {
   to.kind = "event-driven";
   to.now = from.now;
   to.counts = counts();
-  to.integers = {static_cast<std::int64_t>(from.at_once),
+  to.integers = {static_cast<std::int64_t>(from.simultaneous),
                  static_cast<std::int64_t>(from.counts.stale)};
   for (const HardSphereCheckpoint::Ball& ball : from.balls) {
     for (int k = 0; k < 3; ++k) to.numbers.push_back(ball.position(k));
     for (int k = 0; k < 3; ++k) to.numbers.push_back(ball.velocity(k));
     to.numbers.push_back(ball.time);
-    to.integers.insert(to.integers.end(), {ball.last, ball.lies_on, ball.short_flights});
+    to.integers.insert(to.integers.end(), {ball.last, ball.rests_on, ball.short_flights});
   }
   return to;
 }
@@ -181,7 +181,7 @@ CONTACT_SCENES_INLINE void HardSphereSceneRun::restore(const SceneCheckpoint& fr
   }
   HardSphereCheckpoint to;
   to.now = from.now;
-  to.at_once = static_cast<std::uint64_t>(from.integers[0]);
+  to.simultaneous = static_cast<std::uint64_t>(from.integers[0]);
   to.counts.stale = static_cast<std::uint64_t>(from.integers[1]);
   to.counts.hits = from.counts.hits;
   to.counts.crossings = from.counts.crossings;
@@ -197,7 +197,7 @@ CONTACT_SCENES_INLINE void HardSphereSceneRun::restore(const SceneCheckpoint& fr
     }
     ball.time = from.numbers[7 * i + 6];
     ball.last = static_cast<std::int32_t>(from.integers[3 * i + 2]);
-    ball.lies_on = static_cast<std::int32_t>(from.integers[3 * i + 3]);
+    ball.rests_on = static_cast<std::int32_t>(from.integers[3 * i + 3]);
     ball.short_flights = static_cast<std::int32_t>(from.integers[3 * i + 4]);
     to.balls.push_back(ball);
   }

@@ -40,7 +40,7 @@ CONTACT_SCENES_INLINE double mechanical_quantity(const Scene& scene, const Scene
   const Vector3<double> x = run.position(i);
   const Vector3<double> v = run.velocity(i);
   const Matrix3<double> turn = matrix_of(run.orientation(i));
-  const Vector3<double> seen = turn.transpose() * run.spin(i);
+  const Vector3<double> seen = turn.transpose() * run.angular_velocity(i);
   const Vector3<double> own = body.inertia * seen;
   const int axis = quantity.back() - 'x';
   if (quantity == "energy")
@@ -51,7 +51,7 @@ CONTACT_SCENES_INLINE double mechanical_quantity(const Scene& scene, const Scene
 }
 
 /// The smallest signed distance of a body to any other, negative where they overlap.
-CONTACT_SCENES_INLINE double least_gap(const Scene& scene, const SceneRun& run, std::size_t i) {
+CONTACT_SCENES_INLINE double min_gap(const Scene& scene, const SceneRun& run, std::size_t i) {
   const auto shape = [&](std::size_t k) {
     return shape_in_world(stepped_body(scene.bodies[k], k), run.position(k), run.orientation(k));
   };
@@ -85,7 +85,7 @@ CONTACT_SCENES_INLINE double scene_quantity(const Scene& scene, const SceneRun& 
     const SceneBody& body = scene.bodies[i];
     if (wanted.body.empty() ? !body.moves : body.name != wanted.body) continue;
     if (gap) {
-      result = std::min(result, detail::least_gap(scene, run, i));
+      result = std::min(result, detail::min_gap(scene, run, i));
     } else if (sum) {
       if (body.moves) result += detail::mechanical_quantity(scene, run, i, quantity);
     } else {
@@ -93,7 +93,7 @@ CONTACT_SCENES_INLINE double scene_quantity(const Scene& scene, const SceneRun& 
       const int axis = quantity.back() - 'x';
       if (quantity.starts_with("position")) return run.position(i)(axis);
       if (quantity.starts_with("velocity")) return run.velocity(i)(axis);
-      return run.spin(i)(axis);
+      return run.angular_velocity(i)(axis);
     }
   }
   return gap || sum ? result : std::numeric_limits<double>::quiet_NaN();
@@ -145,7 +145,7 @@ CONTACT_SCENES_INLINE SceneRunEnd FallbackRun::advance(double until, std::uint64
       from.bodies[i].position = events_->position(i);
       from.bodies[i].velocity = events_->velocity(i);
     }
-    go_over({events_->now(), why}, std::move(from));
+    switch_to_steps({events_->now(), why}, std::move(from));
   }
   Later later(fallback_->time, observer);
   return steps_->advance(until - fallback_->time, budget, observer == nullptr ? nullptr : &later);
@@ -156,13 +156,13 @@ CONTACT_SCENES_INLINE SceneRunCounts FallbackRun::counts() const {
   SceneRunCounts counts = before_;
   const SceneRunCounts more = steps_->counts();
   counts.steps = more.steps;
-  counts.parts = more.parts;
+  counts.substeps = more.substeps;
   counts.crowded_steps = more.crowded_steps;
-  counts.most_impacts = more.most_impacts;
+  counts.max_impacts = more.max_impacts;
   counts.hits += more.hits;
   counts.pairs = more.pairs;
   counts.contacts = more.contacts;
-  counts.sweeps = more.sweeps;
+  counts.iterations = more.iterations;
   counts.rests += more.rests;
   counts.largest_overlap = std::max(counts.largest_overlap, more.largest_overlap);
   return counts;
@@ -210,7 +210,7 @@ CONTACT_SCENES_INLINE void FallbackRun::restore(const SceneCheckpoint& from) {
   before.rests = static_cast<std::uint64_t>(from.numbers[at++]);
   before.largest_overlap = from.numbers[at++];
   before.rest_error = from.numbers[at++];
-  go_over(*from.fallback, std::move(scene));
+  switch_to_steps(*from.fallback, std::move(scene));
   before_ = before;
   SceneCheckpoint rest = from;
   rest.kind = "stepped";
@@ -219,7 +219,7 @@ CONTACT_SCENES_INLINE void FallbackRun::restore(const SceneCheckpoint& from) {
   steps_->restore(rest);
 }
 
-CONTACT_SCENES_INLINE void FallbackRun::go_over(SceneFallback fallback, Scene from) {
+CONTACT_SCENES_INLINE void FallbackRun::switch_to_steps(SceneFallback fallback, Scene from) {
   before_ = events_->counts();
   fallback_ = std::move(fallback);
   from_ = std::move(from);

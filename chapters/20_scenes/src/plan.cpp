@@ -72,41 +72,41 @@ CONTACT_SCENES_INLINE double accepted_error(const Plan& plan) {
     if (has_no_bound(plan, decision)) return infinite;
     if (decision.on == decision.planned) errors.push_back(decision.error);
   }
-  const double sum = sum_in_order(std::move(errors));
+  const double sum = sorted_sum(std::move(errors));
   return std::isfinite(sum) ? std::min(sum, plan.tolerance) : infinite;
 }
 
 /// A crowd's hits are processed only a few times a step, although detection is continuous: the
 /// resulting displacement is an error of the step.
 /// @param taken whether the same error is accepted already, by leaving out detection
-CONTACT_SCENES_INLINE void charge_crowd(PlanQuestion& q, bool taken, Decision& step) {
-  if (q.events || q.pairs.empty() || q.bounds.movers <= most_one_by_one) return;
+CONTACT_SCENES_INLINE void charge_crowd(PlanInput& q, bool taken, Decision& step) {
+  if (q.events || q.pairs.empty() || q.bounds.movers <= max_one_by_one) return;
   step.proven = false;
   step.because.push_back({"bodies that move", static_cast<double>(q.bounds.movers),
-                          Relation::at_most, static_cast<double>(most_one_by_one),
+                          Relation::at_most, static_cast<double>(max_one_by_one),
                           "impacts taken one by one", ""});
   const double late = rounded_up(worst_bounces(q).late * q.step);
-  step.error = taken || late <= q.left ? late : infinite;
+  step.error = taken || late <= q.tolerance_left ? late : infinite;
   step.error_is = "hits of a crowd, up to a step late";
-  if (!taken) take_from_what_is_left(q, step);
+  if (!taken) spend_tolerance(q, step);
 }
 
 /// When steps process impacts, one clause.
-CONTACT_SCENES_INLINE std::string how_impacts_are_taken(const PlanQuestion& q, const Plan& plan) {
-  if (q.bounds.movers > most_one_by_one) {
-    return "more than " + std::to_string(most_one_by_one) +
-           " bodies move, so impacts are taken at least " + std::to_string(crowd_parts) +
+CONTACT_SCENES_INLINE std::string how_impacts_are_taken(const PlanInput& q, const Plan& plan) {
+  if (q.bounds.movers > max_one_by_one) {
+    return "more than " + std::to_string(max_one_by_one) +
+           " bodies move, so impacts are taken at least " + std::to_string(crowd_substeps) +
            " times a step, all at once.";
   }
   bool edges = false;
   for (const SceneBody& body : q.scene->bodies)
-    edges = edges || (body.moves && spin_arm(body.shape) > 0);
+    edges = edges || (body.moves && rotation_radius(body.shape) > 0);
   edges = edges && decision_on(plan, Effect::rotation).on;
   return "impacts are found between steps, up to " +
-         std::to_string(most_impacts(q.bounds.movers, edges)) + " in each.";
+         std::to_string(max_impacts(q.bounds.movers, edges)) + " in each.";
 }
 
-CONTACT_SCENES_INLINE void add_notices(const PlanQuestion& q, Plan& plan) {
+CONTACT_SCENES_INLINE void add_notices(const PlanInput& q, Plan& plan) {
   const Decision& horizon = decision_on(plan, Effect::horizon);
   if (horizon.value && *horizon.value < q.scene->duration) {
     plan.notices.push_back("The tolerance holds up to about t = " + short_number(*horizon.value) +
@@ -120,9 +120,10 @@ CONTACT_SCENES_INLINE void add_notices(const PlanQuestion& q, Plan& plan) {
     plan.notices.push_back("Not proven that a step of " + short_number(q.step) +
                            " s keeps the tolerance; " + how_impacts_are_taken(q, plan));
   }
-  if (plan.spring_part > 0) {
-    const double off = springs_off(q, plan.spring_part);
-    std::string notice = "Springs push in substeps of " + short_number(plan.spring_part) + " s: ";
+  if (plan.spring_substep > 0) {
+    const double off = springs_off(q, plan.spring_substep);
+    std::string notice =
+        "Springs push in substeps of " + short_number(plan.spring_substep) + " s: ";
     if (!std::isfinite(off)) {
       notice += "no error is estimated for compliant contacts with friction or damping.";
     } else if (decision_on(plan, Effect::penalty_contact).error > 0) {
@@ -176,7 +177,7 @@ CONTACT_SCENES_INLINE Plan plan_scene(const Scene& scene, const PlanOptions& opt
                                "is a value; it is not switched on or off");
     }
   }
-  PlanQuestion q = plan_question(scene);
+  PlanInput q = plan_input(scene);
   Plan plan;
   plan.tolerance = q.tolerance;
   plan.decisions.resize(all_effects.size());
@@ -185,14 +186,14 @@ CONTACT_SCENES_INLINE Plan plan_scene(const Scene& scene, const PlanOptions& opt
   };
   const auto decide_on = [&](Decision decision) {
     const Effect effect = decision.effect;
-    take_from_what_is_left(q, decision);
+    spend_tolerance(q, decision);
     decided(effect) = std::move(decision);
     if (effect != Effect::event_driven)
       detail::override_decision(decided(effect), options.overrides);
   };
 
   decide_on(plan_gyroscopic_term(q));
-  q.even_spins = !decided(Effect::gyroscopic_term).planned;
+  q.constant_rotation = !decided(Effect::gyroscopic_term).planned;
   Decision event_driven = plan_event_driven(q);
   const bool steps_asked = options.step.has_value();
   if (steps_asked) {
@@ -207,7 +208,7 @@ CONTACT_SCENES_INLINE Plan plan_scene(const Scene& scene, const PlanOptions& opt
     event_driven.error_is = "none";
   }
   // Of its proofs, only that of bounces that are left out has an error.
-  if (event_driven.error > 0) plan.cutoff = contact_time_cutoff(q.left, q.bounds.gravity);
+  if (event_driven.error > 0) plan.cutoff = contact_time_cutoff(q.tolerance_left, q.bounds.gravity);
   decide_on(std::move(event_driven));
   if (!q.events) q.step = steps_asked ? *options.step : step_from_tolerance(q);
   decide_on(plan_step_size(q, options));
@@ -215,12 +216,12 @@ CONTACT_SCENES_INLINE Plan plan_scene(const Scene& scene, const PlanOptions& opt
   const Decision& looking = decided(Effect::continuous_detection);
   if (looking.on) detail::charge_crowd(q, !looking.planned, decided(Effect::step_size));
   decide_on(plan_gravity(q));
-  plan.spring_part = longest_spring_part(q);
+  plan.spring_substep = longest_spring_substep(q);
   decide_on(plan_penalty_contact(q));
   // Half the cutoff up, half of it down: a run in steps treats the same bounces alike.
   plan.rest_height = q.bounds.gravity * plan.cutoff * plan.cutoff / 8;
   Decision resting = plan_resting(q);
-  if (!q.events && resting.planned) plan.rest_height = hops_left_out(q);
+  if (!q.events && resting.planned) plan.rest_height = max_skipped_bounce(q);
   decide_on(std::move(resting));
   Decision sleeping = plan_sleeping(q);
   plan.sleep_speed = sleep_speed(q, sleeping);

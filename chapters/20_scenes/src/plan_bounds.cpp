@@ -19,7 +19,7 @@ namespace detail {
 
 /// Whether no contact of the scene can exert a torque: then rotation and translation exchange no
 /// energy.
-CONTACT_SCENES_INLINE bool spins_are_locked(const Scene& scene) {
+CONTACT_SCENES_INLINE bool rotation_is_decoupled(const Scene& scene) {
   for (const SceneBody& body : scene.bodies) {
     if (body.moves && !is_ball(body)) return false;
   }
@@ -66,16 +66,17 @@ CONTACT_SCENES_INLINE EnergyShare energy_of(const Scene& scene,
   for (const std::size_t i : members) {
     const SceneBody& body = scene.bodies[i];
     double twice = body.mass * body.velocity.dot(body.velocity);
-    if (!locked) twice += moment_range(body.inertia).most * body.spin.dot(body.spin);
+    if (!locked)
+      twice += moment_range(body.inertia).max * body.angular_velocity.dot(body.angular_velocity);
     kinetic.push_back(twice);
     masses.push_back(body.mass);
     falls.push_back(twice_fall(scene, body, gravity));
   }
   const double n = 32 + static_cast<double>(members.size());
   EnergyShare share;
-  share.twice_kinetic = rounded_up(sum_in_order(std::move(kinetic)), n);
-  share.mass = rounded_up(sum_in_order(std::move(masses)), n);
-  share.twice_floor = rounded_up(share.twice_kinetic + sum_in_order(std::move(falls)), n);
+  share.twice_kinetic = rounded_up(sorted_sum(std::move(kinetic)), n);
+  share.mass = rounded_up(sorted_sum(std::move(masses)), n);
+  share.twice_floor = rounded_up(share.twice_kinetic + sorted_sum(std::move(falls)), n);
   if (!scene.tolerance.event_order)
     share.twice_dip = rounded_up(2 * share.mass * gravity * scene.tolerance.position.value_or(0));
   return share;
@@ -147,12 +148,14 @@ CONTACT_SCENES_INLINE BodyBound body_bound(const SceneBody& body) {
   bound.moves = body.moves;
   bound.inner = inner_radius(body.shape);
   bound.outer = outer_radius(body.shape);
-  bound.arm = spin_arm(body.shape);
+  bound.rotation_radius = rotation_radius(body.shape);
   if (!body.moves) return bound;
-  bound.slowness = rounded_up(1 / body.mass);
-  const double least = moment_range(body.inertia).least;
-  bound.turning = bound.slowness;
-  if (bound.arm > 0) bound.turning = rounded_up(bound.slowness + bound.arm * bound.arm / least);
+  bound.inverse_mass = rounded_up(1 / body.mass);
+  const double least = moment_range(body.inertia).min;
+  bound.surface_inverse_mass = bound.inverse_mass;
+  if (bound.rotation_radius > 0)
+    bound.surface_inverse_mass =
+        rounded_up(bound.inverse_mass + bound.rotation_radius * bound.rotation_radius / least);
   return bound;
 }
 
@@ -161,8 +164,8 @@ CONTACT_SCENES_INLINE void spread_energy(const Scene& scene, SceneBounds& bounds
   for (BodyBound& body : bounds.bodies) {
     if (!body.moves) continue;
     const EnergyShare& share = bounds.groups[body.group];
-    body.speed = speed_at_most(share, body.slowness, bounds.gravity, scene.duration);
-    body.travel = travel_at_most(share, body.slowness, bounds.gravity, scene.duration);
+    body.speed = speed_at_most(share, body.inverse_mass, bounds.gravity, scene.duration);
+    body.travel = travel_at_most(share, body.inverse_mass, bounds.gravity, scene.duration);
   }
 }
 
@@ -194,8 +197,8 @@ CONTACT_SCENES_INLINE void add_materials(const Scene& scene, std::size_t a, std:
     return;
   }
   pair.hard = true;
-  pair.restitution_least = std::min(pair.restitution_least, material.restitution);
-  pair.restitution_most = std::max(pair.restitution_most, material.restitution);
+  pair.min_restitution = std::min(pair.min_restitution, material.restitution);
+  pair.max_restitution = std::max(pair.max_restitution, material.restitution);
 }
 
 /// Whether a ball and a half-space perpendicular to an axis do not touch, or separate: exactly.
@@ -239,8 +242,9 @@ CONTACT_SCENES_INLINE PairBound pair_bound(const Scene& scene, const SceneBounds
         std::holds_alternative<CapsuleShape>(body.shape))
       pair.graze = pair.core;
   }
-  pair.slowness = first.slowness + second.slowness;
-  pair.closing = speed_at_most(bounds.groups[first.group], first.turning + second.turning,
+  pair.inverse_mass = first.inverse_mass + second.inverse_mass;
+  pair.closing = speed_at_most(bounds.groups[first.group],
+                               first.surface_inverse_mass + second.surface_inverse_mass,
                                bounds.gravity, scene.duration);
   return pair;
 }
@@ -291,9 +295,9 @@ CONTACT_SCENES_INLINE void crowd_pairs(const Scene& scene, SceneBounds& bounds) 
   all.crowd = all.both_move = all.round = true;
   all.hard = false;
   all.core = infinite;
-  double least_inner = infinite;
-  double most_turning = 0;
-  double most_slowness = 0;
+  double min_inner = infinite;
+  double max_surface_inverse_mass = 0;
+  double max_inverse_mass = 0;
   std::vector<std::size_t> materials;
   std::size_t first = scene.bodies.size();
   std::size_t group = 0;
@@ -303,9 +307,9 @@ CONTACT_SCENES_INLINE void crowd_pairs(const Scene& scene, SceneBounds& bounds) 
     const BodyBound& body = bounds.bodies[i];
     group = body.group;
     all.round = all.round && is_ball(scene.bodies[i]);
-    least_inner = std::min(least_inner, body.inner);
-    most_turning = std::max(most_turning, body.turning);
-    most_slowness = std::max(most_slowness, body.slowness);
+    min_inner = std::min(min_inner, body.inner);
+    max_surface_inverse_mass = std::max(max_surface_inverse_mass, body.surface_inverse_mass);
+    max_inverse_mass = std::max(max_inverse_mass, body.inverse_mass);
     materials.push_back(scene.bodies[i].material);
   }
   std::sort(materials.begin(), materials.end());
@@ -317,11 +321,11 @@ CONTACT_SCENES_INLINE void crowd_pairs(const Scene& scene, SceneBounds& bounds) 
   for (const std::size_t a : materials) {
     for (const std::size_t b : materials) add_materials(scene, a, b, all);
   }
-  all.core = rounded_down(2 * least_inner);
+  all.core = rounded_down(2 * min_inner);
   all.graze = all.round ? all.core : 0.0;
-  all.slowness = 2 * most_slowness;
+  all.inverse_mass = 2 * max_inverse_mass;
   const EnergyShare& share = bounds.groups[group];
-  all.closing = speed_at_most(share, 2 * most_turning, bounds.gravity, scene.duration);
+  all.closing = speed_at_most(share, 2 * max_surface_inverse_mass, bounds.gravity, scene.duration);
   all.apart = crowd_begins_apart(scene);
   bounds.pairs.push_back(all);
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
@@ -335,10 +339,10 @@ CONTACT_SCENES_INLINE void crowd_pairs(const Scene& scene, SceneBounds& bounds) 
     pair.half_space = is_half_space(other);
     pair.round = all.round && (pair.half_space || is_ball(other));
     for (const std::size_t a : materials) add_materials(scene, a, other.material, pair);
-    pair.core = rounded_down(least_inner + bounds.bodies[k].inner);
-    if (all.round && !pair.half_space) pair.graze = least_inner;
-    pair.slowness = most_slowness;
-    pair.closing = speed_at_most(share, most_turning, bounds.gravity, scene.duration);
+    pair.core = rounded_down(min_inner + bounds.bodies[k].inner);
+    if (all.round && !pair.half_space) pair.graze = min_inner;
+    pair.inverse_mass = max_inverse_mass;
+    pair.closing = speed_at_most(share, max_surface_inverse_mass, bounds.gravity, scene.duration);
     pair.apart = true;
     for (std::size_t i = 0; i < scene.bodies.size() && pair.apart; ++i) {
       if (scene.bodies[i].moves) pair.apart = begins_apart(scene.bodies[i], other);
@@ -422,7 +426,7 @@ CONTACT_SCENES_INLINE SceneBounds scene_bounds(const Scene& scene) {
     bounds.bodies.push_back(detail::body_bound(body));
     if (body.moves) ++bounds.movers;
   }
-  const bool locked = detail::spins_are_locked(scene);
+  const bool locked = detail::rotation_is_decoupled(scene);
   bounds.crowded = bounds.movers > crowd_size;
   if (bounds.crowded) {
     detail::BodySets sets(scene.bodies.size());

@@ -17,24 +17,24 @@
 namespace contact {
 
 // [friction-rule]
-CONTACT_SCENES_INLINE Decision plan_friction(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE Decision plan_friction(const PlanInput& q) {
   std::vector<Proof> proofs{
       {"A friction impulse is at most μ times the normal impulse; with μ = 0 it is 0.",
-       {{"largest friction between bodies that may meet", most_friction(q.pairs), Relation::equal,
-         0, "smooth", ""}}}};
+       {{"largest friction between bodies that may meet", max_friction(q.pairs), Relation::equal, 0,
+         "smooth", ""}}}};
   if (const auto line = proven_line(q)) proofs.push_back(*line);
   return decide(Effect::friction, std::move(proofs),
                 "Not proven that no body slides along another.");
 }
 // [/friction-rule]
 
-CONTACT_SCENES_INLINE Decision plan_restitution(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE Decision plan_restitution(const PlanInput& q) {
   double most = 0;
   double hard = 0;
   for (const PairBound& pair : q.pairs) {
     if (!pair.hard) continue;
     hard += pair.count;
-    most = std::max(most, pair.restitution_most);
+    most = std::max(most, pair.max_restitution);
   }
   return decide(Effect::restitution,
                 {{hard == 0 ? "Without hard contacts nothing bounces."
@@ -46,10 +46,10 @@ CONTACT_SCENES_INLINE Decision plan_restitution(const PlanQuestion& q) {
 
 namespace detail {
 
-CONTACT_SCENES_INLINE double fastest_spring(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE double fastest_spring(const PlanInput& q) {
   double most = 0;
   for (const PairBound& pair : q.pairs) {
-    if (pair.soft) most = std::max(most, pair.stiffness * pair.slowness);
+    if (pair.soft) most = std::max(most, pair.stiffness * pair.inverse_mass);
   }
   return std::sqrt(most);
 }
@@ -57,7 +57,7 @@ CONTACT_SCENES_INLINE double fastest_spring(const PlanQuestion& q) {
 }  // namespace detail
 
 // [spring-rule]
-CONTACT_SCENES_INLINE double springs_off(const PlanQuestion& q, double part) {
+CONTACT_SCENES_INLINE double springs_off(const PlanInput& q, double substep) {
   constexpr double half_turn = 3.141592653589793;
   const double t = q.scene->duration;
   const double swing = detail::fastest_spring(q);
@@ -68,21 +68,21 @@ CONTACT_SCENES_INLINE double springs_off(const PlanQuestion& q, double part) {
     fastest = std::max(fastest, pair.closing);
   }
   const double contacts = 1 + swing * t / half_turn;
-  const double share = swing * part * (swing * part);
+  const double share = swing * substep * (swing * substep);
   return detail::rounded_up(fastest * t * share * (1.0 / 24 + contacts / 8));
 }
 
-CONTACT_SCENES_INLINE double longest_spring_part(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE double longest_spring_substep(const PlanInput& q) {
   const double swing = detail::fastest_spring(q);
   if (q.events || !(swing > 0)) return 0;
   const double longest = std::min(q.step, 1 / (128 * swing));
   const double off = springs_off(q, longest);
-  if (!(q.left > 0) || !(off > chosen_share(q))) return longest;
-  const double part = detail::rounded_down(longest * std::sqrt(chosen_share(q) / off), 256);
-  return part < q.step / 1024 ? longest : part;
+  if (!(q.tolerance_left > 0) || !(off > budget_share(q))) return longest;
+  const double substep = detail::rounded_down(longest * std::sqrt(budget_share(q) / off), 256);
+  return substep < q.step / 1024 ? longest : substep;
 }
 
-CONTACT_SCENES_INLINE Decision plan_penalty_contact(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE Decision plan_penalty_contact(const PlanInput& q) {
   double soft = 0;
   for (const PairBound& pair : q.pairs) soft += pair.soft ? pair.count : 0;
   Decision decision =
@@ -90,13 +90,13 @@ CONTACT_SCENES_INLINE Decision plan_penalty_contact(const PlanQuestion& q) {
              {{"A spring that nothing touches exerts no force.",
                {{"pairs that may meet and are compliant", soft, Relation::equal, 0, "none", ""}}}},
              "Some contacts are compliant, like springs.");
-  const double part = longest_spring_part(q);
-  if (!decision.on || !(part > 0)) return decision;
-  decision.because.push_back({"substep while a spring pushes", part, Relation::at_most,
+  const double substep = longest_spring_substep(q);
+  if (!decision.on || !(substep > 0)) return decision;
+  decision.because.push_back({"substep while a spring pushes", substep, Relation::at_most,
                               1 / (128 * detail::fastest_spring(q)),
                               "1/128 of a radian of the stiffest spring", "s"});
-  const double off = springs_off(q, part);
-  decision.because.push_back(fits_what_is_left(q, "error of leapfrog at the end, estimated", off));
+  const double off = springs_off(q, substep);
+  decision.because.push_back(fits_tolerance(q, "error of leapfrog at the end, estimated", off));
   if (!holds(decision.because.back())) return decision;
   decision.error = off;
   decision.error_is = "error of leapfrog at springs, estimated; no bound for many bodies";
@@ -104,7 +104,7 @@ CONTACT_SCENES_INLINE Decision plan_penalty_contact(const PlanQuestion& q) {
 }
 // [/spring-rule]
 
-CONTACT_SCENES_INLINE double most_partners(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE double max_partners(const PlanInput& q) {
   std::vector<double> partners(q.scene->bodies.size(), 0.0);
   double most = 0;
   for (const PairBound& pair : q.pairs) {
@@ -116,23 +116,23 @@ CONTACT_SCENES_INLINE double most_partners(const PlanQuestion& q) {
 }
 
 // [several-contacts-rule]
-CONTACT_SCENES_INLINE Decision plan_several_contacts(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE Decision plan_several_contacts(const PlanInput& q) {
   return decide(Effect::several_contacts,
                 {{"A ball touches another body at one point; with one partner it has one contact.",
-                  {{"most bodies that one moving body may touch", most_partners(q),
+                  {{"most bodies that one moving body may touch", max_partners(q),
                     Relation::at_most, 1, "one contact", ""},
                    {"moving bodies other than balls that may touch something",
-                    rough_shapes_that_touch(q), Relation::equal, 0, "none", ""}}}},
+                    touching_non_balls(q), Relation::equal, 0, "none", ""}}}},
                 "Not proven that no body has two contacts at a time.");
 }
 // [/several-contacts-rule]
 
 // [bounce-range]
-CONTACT_SCENES_INLINE BounceRange bounce_range(const PlanQuestion& q, const PairBound& pair) {
+CONTACT_SCENES_INLINE BounceRange bounce_range(const PlanInput& q, const PairBound& pair) {
   using detail::infinite;
   using detail::rounded_down;
   using detail::rounded_up;
-  constexpr double most_counted = 1e6;
+  constexpr double max_counted = 1e6;
   const BounceRange unknown{0, infinite, infinite};
   const Scene& scene = *q.scene;
   const SceneBody& body = scene.bodies[pair.a];
@@ -141,7 +141,7 @@ CONTACT_SCENES_INLINE BounceRange bounce_range(const PlanQuestion& q, const Pair
   if (wall == nullptr || ball == nullptr || pair.soft || !pair.apart) return unknown;
   const double doubt = 16 * detail::plan_u * q.bounds.gravity;
   const double g = -wall->normal.dot(scene.gravity) + doubt;
-  const double e = pair.restitution_most;
+  const double e = pair.max_restitution;
   if (g <= 2 * doubt) {  // no force pulls it back
     if (q.bounds.gravity > 0 && g > 0 && detail::level_axis(wall->normal) < 0) return unknown;
     return {infinite, 1, rounded_up((1 + e) * (1 + pair.friction) * pair.closing)};
@@ -156,7 +156,7 @@ CONTACT_SCENES_INLINE BounceRange bounce_range(const PlanQuestion& q, const Pair
   const double w = rounded_down(std::sqrt(away * away + 2 * g * height), 256);
   const double most =
       speed_at_most(q.bounds.groups[q.bounds.bodies[pair.a].group],
-                    q.bounds.bodies[pair.a].slowness, q.bounds.gravity, scene.duration);
+                    q.bounds.bodies[pair.a].inverse_mass, q.bounds.gravity, scene.duration);
   const double first = away > 0 ? (away + w) / g : (w - away > 0 ? 2 * height / (w - away) : 0.0);
   BounceRange range;
   const double flight = rounded_down(2 * e * w / g, 256);
@@ -166,7 +166,7 @@ CONTACT_SCENES_INLINE BounceRange bounce_range(const PlanQuestion& q, const Pair
   double length = flight;
   double share = 1;
   for (; time <= scene.duration; time += length, length *= e, share *= e) {
-    if (++range.hits > most_counted || !(range.rest > scene.duration)) {
+    if (++range.hits > max_counted || !(range.rest > scene.duration)) {
       range.hits = infinite;
       break;
     }
@@ -174,22 +174,22 @@ CONTACT_SCENES_INLINE BounceRange bounce_range(const PlanQuestion& q, const Pair
   }
   // A ball that leaves late leaves from too deep: gravity takes more of its speed than it should,
   // unless it takes all of it.
-  if (pair.restitution_least < 1 || range.hits == infinite) range.late = infinite;
+  if (pair.min_restitution < 1 || range.hits == infinite) range.late = infinite;
   range.late = rounded_up(range.late);
   return range;
 }
 // [/bounce-range]
 
-CONTACT_SCENES_INLINE BounceRange worst_bounces(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE BounceRange worst_bounces(const PlanInput& q) {
   BounceRange worst;
-  if (most_partners(q) > 1) return {0, detail::infinite, detail::infinite};
+  if (max_partners(q) > 1) return {0, detail::infinite, detail::infinite};
   for (const PairBound& pair : q.pairs) {
     BounceRange range;
     if (pair.half_space) {
       range = bounce_range(q, pair);
     } else if (pair.both_move && pair.round && !pair.soft) {
       // Both are accelerated equally: they meet once, on a straight relative path.
-      range = {detail::infinite, 1, detail::rounded_up((1 + pair.restitution_most) * pair.closing)};
+      range = {detail::infinite, 1, detail::rounded_up((1 + pair.max_restitution) * pair.closing)};
     } else {
       range = {0, detail::infinite, detail::infinite};
     }
@@ -201,7 +201,7 @@ CONTACT_SCENES_INLINE BounceRange worst_bounces(const PlanQuestion& q) {
 }
 
 // [resting-rule]
-CONTACT_SCENES_INLINE std::vector<Proof> resting_proofs(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE std::vector<Proof> resting_proofs(const PlanInput& q) {
   double hard = 0;
   double lossy = 0;
   double uneven = 0;
@@ -209,7 +209,7 @@ CONTACT_SCENES_INLINE std::vector<Proof> resting_proofs(const PlanQuestion& q) {
   for (const PairBound& pair : q.pairs) {
     if (!pair.hard) continue;
     hard += pair.count;
-    lossy = std::max(lossy, 1 - pair.restitution_least);
+    lossy = std::max(lossy, 1 - pair.min_restitution);
     uneven += pair.round ? 0 : pair.count;
     touching += pair.apart ? 0 : 1;
   }
@@ -217,7 +217,7 @@ CONTACT_SCENES_INLINE std::vector<Proof> resting_proofs(const PlanQuestion& q) {
   return {{"No force presses bodies together, so a lasting contact carries no force.",
            {{"gravity that no table cancels", gravity_felt(q), Relation::equal, 0, "none", "m/s²"},
             {"moving bodies other than balls that may rotate and touch something",
-             proven_line(q) ? 0.0 : rough_shapes_that_touch(q), Relation::equal, 0, "none", ""}}},
+             proven_line(q) ? 0.0 : touching_non_balls(q), Relation::equal, 0, "none", ""}}},
           {"Bodies that never touch, or only through springs, never rest on a hard contact.",
            {{"hard contacts that may occur", hard, Relation::equal, 0, "none", ""}}},
           {"Elastic balls leave with the normal speed with which they came. It is 0 only in a "
@@ -233,39 +233,42 @@ CONTACT_SCENES_INLINE std::vector<Proof> resting_proofs(const PlanQuestion& q) {
              "earliest time at which a ball can rest", "s"}}}};
 }
 
-CONTACT_SCENES_INLINE double hops_left_out(const PlanQuestion& q) {
-  if (all_fall_alike(q)) return 0;
+CONTACT_SCENES_INLINE double max_skipped_bounce(const PlanInput& q) {
+  if (all_fall_equally(q)) return 0;
   double size = 0;
   for (const SceneBody& body : q.scene->bodies)
     size = std::max(size, body.moves ? detail::coordinate_size(body.position) : 0.0);
-  return q.left > 0 ? chosen_share(q) : detail::plan_u * size;
+  return q.tolerance_left > 0 ? budget_share(q) : detail::plan_u * size;
 }
 
 namespace detail {
 
 /// The highest bounce that a pair leaves out in steps, m: e times the speed of the slowest bounce.
-/// @param height from hops_left_out(), m
-CONTACT_SCENES_INLINE double pair_hop(const PlanQuestion& q, const PairBound& pair, double height) {
+/// @param height from max_skipped_bounce(), m
+CONTACT_SCENES_INLINE double pair_skipped_bounce(const PlanInput& q, const PairBound& pair,
+                                                 double height) {
   if (!pair.hard) return 0;
-  const double e = pair.restitution_most;
+  const double e = pair.max_restitution;
   const double in_a_step = pair_pressing(q, pair) * q.step * q.step / 8;
   return rounded_up(e * e * std::min(in_a_step, height));
 }
 
 }  // namespace detail
 
-CONTACT_SCENES_INLINE Decision plan_resting(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE Decision plan_resting(const PlanInput& q) {
   Decision decision =
       decide(Effect::resting, resting_proofs(q), "Not proven that nothing comes to rest.");
-  if (!decision.on || q.events || !(q.left > 0)) return decision;
-  const double height = hops_left_out(q);
-  double hop = 0;
-  for (const PairBound& pair : q.pairs) hop = std::max(hop, detail::pair_hop(q, pair, height));
-  if (!(hop > 0)) return decision;
-  decision.because.push_back(fits_what_is_left(q, "height of a bounce that steps leave out", hop));
-  if (rests_alone(q,
-                  [&](const PairBound& pair) { return detail::pair_hop(q, pair, height) > 0; })) {
-    decision.error = hop;
+  if (!decision.on || q.events || !(q.tolerance_left > 0)) return decision;
+  const double height = max_skipped_bounce(q);
+  double bounce = 0;
+  for (const PairBound& pair : q.pairs)
+    bounce = std::max(bounce, detail::pair_skipped_bounce(q, pair, height));
+  if (!(bounce > 0)) return decision;
+  decision.because.push_back(fits_tolerance(q, "height of a bounce that steps leave out", bounce));
+  if (rests_alone(q, [&](const PairBound& pair) {
+        return detail::pair_skipped_bounce(q, pair, height) > 0;
+      })) {
+    decision.error = bounce;
     decision.error_is = "height of the bounces that steps leave out";
   } else {
     decision.error = detail::infinite;
@@ -277,7 +280,7 @@ CONTACT_SCENES_INLINE Decision plan_resting(const PlanQuestion& q) {
 }
 // [/resting-rule]
 
-CONTACT_SCENES_INLINE Decision plan_sleeping(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE Decision plan_sleeping(const PlanInput& q) {
   std::vector<Proof> proofs;
   for (Proof& proof : resting_proofs(q)) {
     if (!is_proven(proof)) continue;
@@ -291,8 +294,8 @@ CONTACT_SCENES_INLINE Decision plan_sleeping(const PlanQuestion& q) {
              "Bodies may come to rest; a body in equilibrium at speed 0 stays exactly there.");
   const double share = sleeping_share(q);
   if (!decision.on || q.events || !(share > 0)) return decision;
-  if (gravity_felt(q) > 0 && all_fall_alike(q)) return decision;
-  decision.because.push_back(fits_what_is_left(
+  if (gravity_felt(q) > 0 && all_fall_equally(q)) return decision;
+  decision.because.push_back(fits_tolerance(
       q, "distance that a sleeping body would creep at its speed or acceleration", share));
   if (rests_alone(q, [&](const PairBound& pair) {
         const bool glides = pair.half_space && pair.round && !pair.soft && pair.friction == 0;
@@ -346,8 +349,7 @@ CONTACT_SCENES_INLINE std::string pair_name(const Scene& scene, const PairBound&
 /// for dips into a floor that are shorter than the error: EnergyShare::twice_dip is the energy
 /// gained in them.
 /// @param h s
-CONTACT_SCENES_INLINE std::vector<Inequality> tunnelling_conditions(const PlanQuestion& q,
-                                                                    double h) {
+CONTACT_SCENES_INLINE std::vector<Inequality> tunnelling_conditions(const PlanInput& q, double h) {
   using detail::rounded_up;
   const Scene& scene = *q.scene;
   std::vector<Inequality> conditions;
@@ -360,7 +362,7 @@ CONTACT_SCENES_INLINE std::vector<Inequality> tunnelling_conditions(const PlanQu
     edged += pair.half_space ? (pair.round ? 0 : pair.count) : (pair.graze > 0 ? 0 : pair.count);
     if (pair.half_space) continue;
     const double moved = rounded_up(pair.closing * h);
-    const double thrown = (1 + pair.restitution_most) * scene.duration * pair.closing;
+    const double thrown = (1 + pair.max_restitution) * scene.duration * pair.closing;
     if (pair.graze > 0 && pair.friction == 0) {
       const double turned = std::asin(std::min(1.0, rounded_up(moved / pair.graze)));
       grazing = std::max(grazing, rounded_up(thrown * turned));
@@ -384,8 +386,8 @@ CONTACT_SCENES_INLINE std::vector<Inequality> tunnelling_conditions(const PlanQu
   }
   const double late = q.pairs.empty() ? 0.0 : rounded_up(worst_bounces(q).late * h);
   conditions.push_back(
-      fits_what_is_left(q, "error at the end by hits that are late, or oblique and missed",
-                        rounded_up(late + grazing)));
+      fits_tolerance(q, "error at the end by hits that are late, or oblique and missed",
+                     rounded_up(late + grazing)));
   conditions.push_back(
       {"pairs with vertices or edges that may meet, whose missed grazes have no bound", edged,
        Relation::equal, 0, "none", ""});
@@ -395,7 +397,7 @@ CONTACT_SCENES_INLINE std::vector<Inequality> tunnelling_conditions(const PlanQu
 /// Continuous detection is off if nothing can pass through anything between two steps, and late and
 /// missed hits stay within the tolerance. In an event-driven run it is on: an event is an impact at
 /// its time.
-CONTACT_SCENES_INLINE Decision plan_continuous_detection(const PlanQuestion& q, double h) {
+CONTACT_SCENES_INLINE Decision plan_continuous_detection(const PlanInput& q, double h) {
   const double pairs = pairs_that_may_meet(q.bounds);
   Proof free{"Nothing touches anything, whatever the step.", {nothing_meets(q)}};
   if (q.events && pairs > 0) {
@@ -446,7 +448,7 @@ CONTACT_SCENES_INLINE Room room_of(const Scene& scene) {
   }
   if (diameters.empty()) return room;
   const auto n = static_cast<double>(diameters.size());
-  room.mean = sum_in_order(std::move(diameters)) / n;
+  room.mean = sorted_sum(std::move(diameters)) / n;
   for (int k = 0; k < 3; ++k) {
     const bool walled = std::isfinite(floor(k)) && std::isfinite(ceiling(k));
     room.walled[static_cast<std::size_t>(k)] = walled;

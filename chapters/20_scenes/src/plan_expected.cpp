@@ -32,12 +32,12 @@ CONTACT_SCENES_INLINE bool both_have_corners(const SceneBody& a, const SceneBody
 }
 
 CONTACT_SCENES_INLINE double gap_cost(const SceneBody& a, const SceneBody& b) {
-  if (is_ball(a) || is_ball(b)) return cost::round_gap;
-  return is_half_space(b) ? cost::floor_gap : cost::corner_gap;
+  if (is_ball(a) || is_ball(b)) return cost::sphere_gap;
+  return is_half_space(b) ? cost::half_space_gap : cost::corner_gap;
 }
 
 CONTACT_SCENES_INLINE double impact_cost(const SceneBody& a, const SceneBody& b) {
-  return both_have_corners(a, b) ? cost::corner_impact : cost::round_impact;
+  return both_have_corners(a, b) ? cost::corner_impact : cost::sphere_impact;
 }
 
 /// The number of contact points of two bodies that lie on each other.
@@ -70,7 +70,7 @@ struct Meeting {
 
 /// Along the line of their centres, or a half-space's normal. They stay in contact if e = 0 when
 /// they meet, and where gravity presses after 2 e w/(g (1 − e)).
-CONTACT_SCENES_INLINE Meeting meeting_of(const PlanQuestion& q, const PairBound& pair) {
+CONTACT_SCENES_INLINE Meeting meeting_of(const PlanInput& q, const PairBound& pair) {
   const SceneBody& a = q.scene->bodies[pair.a];
   const SceneBody& b = q.scene->bodies[pair.b];
   Meeting meeting;
@@ -100,7 +100,7 @@ CONTACT_SCENES_INLINE Meeting meeting_of(const PlanQuestion& q, const PairBound&
     if (!(meeting.speed + towards > 0)) return meeting;
     meeting.time = 2 * gap / (meeting.speed + towards);
   }
-  const double e = pair.restitution_most;
+  const double e = pair.max_restitution;
   if (e == 0 || meeting.speed == 0)
     meeting.together = meeting.time;
   else if (pull > 0 && e < 1)
@@ -109,7 +109,7 @@ CONTACT_SCENES_INLINE Meeting meeting_of(const PlanQuestion& q, const PairBound&
 }
 
 /// Which bodies lie on something at the start, pressed by gravity: they do not fall.
-CONTACT_SCENES_INLINE std::vector<bool> lying_bodies(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE std::vector<bool> lying_bodies(const PlanInput& q) {
   std::vector<bool> lies(q.scene->bodies.size(), false);
   for (const PairBound& pair : q.pairs) {
     const Meeting meeting = meeting_of(q, pair);
@@ -121,22 +121,23 @@ CONTACT_SCENES_INLINE std::vector<bool> lying_bodies(const PlanQuestion& q) {
 }
 
 /// Whether every moving body lies on something at the start, at rest.
-CONTACT_SCENES_INLINE bool begins_at_rest(const PlanQuestion& q, const std::vector<bool>& lies) {
+CONTACT_SCENES_INLINE bool begins_at_rest(const PlanInput& q, const std::vector<bool>& lies) {
   for (std::size_t i = 0; i < lies.size(); ++i) {
     const SceneBody& body = q.scene->bodies[i];
-    if (body.moves && (!lies[i] || !body.velocity.isZero(0) || !body.spin.isZero(0))) return false;
+    if (body.moves && (!lies[i] || !body.velocity.isZero(0) || !body.angular_velocity.isZero(0)))
+      return false;
   }
   return true;
 }
 
 /// Mean square of the initial speeds, plus that of falling through half of the room; m²/s².
-CONTACT_SCENES_INLINE double mean_square_speed(const PlanQuestion& q, const Room& room) {
+CONTACT_SCENES_INLINE double mean_square_speed(const PlanInput& q, const Room& room) {
   std::vector<double> squares;
   for (const SceneBody& body : q.scene->bodies)
     if (body.moves) squares.push_back(body.velocity.dot(body.velocity));
   if (squares.empty()) return 0;
   const double n = static_cast<double>(squares.size());
-  const double square = sum_in_order(std::move(squares)) / n;
+  const double square = sorted_sum(std::move(squares)) / n;
   double fall = 0;
   for (int k = 0; k < 3; ++k)
     fall += gravity_felt(q) > 0 && room.walled[static_cast<std::size_t>(k)]
@@ -147,7 +148,7 @@ CONTACT_SCENES_INLINE double mean_square_speed(const PlanQuestion& q, const Room
 }
 
 /// Whether walls confine the moving bodies along every axis along which any moves.
-CONTACT_SCENES_INLINE bool is_enclosed(const PlanQuestion& q, const Room& room) {
+CONTACT_SCENES_INLINE bool is_enclosed(const PlanInput& q, const Room& room) {
   for (int k = 0; k < 3; ++k) {
     bool moves = gravity_felt(q) > 0 && q.scene->gravity(k) != 0;
     for (const SceneBody& body : q.scene->bodies)
@@ -159,7 +160,7 @@ CONTACT_SCENES_INLINE bool is_enclosed(const PlanQuestion& q, const Room& room) 
 
 /// Hits of a gas: each ball has √2 π D² n/V χ v of them in a second with others, with Enskog's χ
 /// for their own volume, and with the walls of an axis its speed along it over the free width.
-CONTACT_SCENES_INLINE void expect_gas(const PlanQuestion& q, const Room& room, ExpectedRun& run) {
+CONTACT_SCENES_INLINE void expect_gas(const PlanInput& q, const Room& room, ExpectedRun& run) {
   const double t = q.scene->duration;
   const double speed = std::sqrt(mean_square_speed(q, room));
   const double volume = room.size.x() * room.size.y() * room.size.z();
@@ -186,7 +187,7 @@ CONTACT_SCENES_INLINE void expect_gas(const PlanQuestion& q, const Room& room, E
 
 /// The share of the time in which a crowd lies in a heap: after it has fallen until it fills six
 /// tenths of its volume.
-CONTACT_SCENES_INLINE double share_in_heap(const PlanQuestion& q, const Room& room) {
+CONTACT_SCENES_INLINE double share_in_heap(const PlanInput& q, const Room& room) {
   const double volume = room.size.x() * room.size.y() * room.size.z();
   const double n = static_cast<double>(q.bounds.movers);
   const double filled = n * room.mean * room.mean * room.mean * 0.5235987755982988 / volume;
@@ -197,7 +198,7 @@ CONTACT_SCENES_INLINE double share_in_heap(const PlanQuestion& q, const Room& ro
 }
 
 /// Hits, and lasting contacts, of pairs that are considered one by one.
-CONTACT_SCENES_INLINE void expect_pairs(const PlanQuestion& q, const std::vector<bool>& lies,
+CONTACT_SCENES_INLINE void expect_pairs(const PlanInput& q, const std::vector<bool>& lies,
                                         bool enclosed, ExpectedRun& run) {
   const double t = q.scene->duration;
   std::vector<double> hits;
@@ -216,11 +217,11 @@ CONTACT_SCENES_INLINE void expect_pairs(const PlanQuestion& q, const std::vector
       // A bounce takes 2 w/g, and each is shorter than the previous one.
       double count = 1;
       const double g = b.moves ? 0.0 : meeting.pressed ? q.bounds.gravity : 0.0;
-      double hop = g > 0 ? 2 * pair.restitution_most * meeting.speed / g : 0.0;
-      for (double at = meeting.time + hop; g > 0 && at < t && count < 40; at += hop) {
+      double bounce = g > 0 ? 2 * pair.max_restitution * meeting.speed / g : 0.0;
+      for (double at = meeting.time + bounce; g > 0 && at < t && count < 40; at += bounce) {
         count += 1;
-        hop *= pair.restitution_most;
-        if (!(hop > 0)) break;
+        bounce *= pair.max_restitution;
+        if (!(bounce > 0)) break;
       }
       if (!enclosed) (pair.half_space ? wall_hits : hits).push_back(count);
     }
@@ -228,41 +229,42 @@ CONTACT_SCENES_INLINE void expect_pairs(const PlanQuestion& q, const std::vector
     if (!(share > 0)) continue;
     touching.push_back(share);
     gaps.push_back(share * gap_cost(a, b));
-    if (meeting.pressed || (pair.restitution_most == 0 && meeting.speed > 0))
+    if (meeting.pressed || (pair.max_restitution == 0 && meeting.speed > 0))
       contacts.push_back(share * points_of_pair(a, b));
     if (!meeting.pressed) unpressed.push_back(share);
   }
-  run.wall_hits += sum_in_order(std::move(wall_hits));
-  run.hits += sum_in_order(std::move(hits)) + (enclosed ? 0.0 : run.wall_hits);
-  run.touching = sum_in_order(std::move(touching));
-  run.contacts = sum_in_order(std::move(contacts));
-  run.gaps = sum_in_order(std::move(gaps));
-  run.unpressed = sum_in_order(std::move(unpressed));
+  run.wall_hits += sorted_sum(std::move(wall_hits));
+  run.hits += sorted_sum(std::move(hits)) + (enclosed ? 0.0 : run.wall_hits);
+  run.touching = sorted_sum(std::move(touching));
+  run.contacts = sorted_sum(std::move(contacts));
+  run.gaps = sorted_sum(std::move(gaps));
+  run.unpressed = sorted_sum(std::move(unpressed));
 }
 
 /// Substeps of rotation with the gyroscopic term, as its stage takes them: at least one for each
 /// rotating body with unequal moments, more for a fast one.
-CONTACT_SCENES_INLINE double gyroscopic_looks(const PlanQuestion& q, double parts) {
-  std::vector<double> looks;
+CONTACT_SCENES_INLINE double expected_gyroscopic_substeps(const PlanInput& q, double substeps) {
+  std::vector<double> gyroscopic_substeps;
   for (std::size_t i = 0; i < q.scene->bodies.size(); ++i) {
     const SceneBody& body = q.scene->bodies[i];
     if (!body.moves) continue;
     const MomentRange moments = moment_range(body.inertia);
-    if (!(moments.most > moments.least)) continue;
-    if (body.spin.isZero(0) && !q.bounds.bodies[i].disturbed) continue;
+    if (!(moments.max > moments.min)) continue;
+    if (body.angular_velocity.isZero(0) && !q.bounds.bodies[i].disturbed) continue;
     const PrincipalAxes<double> principal = principal_axes<double>(body.inertia);
     const Vector3<double> seen =
-        (matrix_of(body.orientation) * principal.rotation).transpose() * body.spin;
-    const double ratio = moments.most / moments.least;
+        (matrix_of(body.orientation) * principal.rotation).transpose() * body.angular_velocity;
+    const double ratio = moments.max / moments.min;
     const double fastest = std::sqrt(contact::largest_free_square(principal.moments, seen) * ratio);
-    looks.push_back(std::max(parts, fastest * q.scene->duration / gyroscopic_angle));
+    gyroscopic_substeps.push_back(
+        std::max(substeps, fastest * q.scene->duration / gyroscopic_angle));
   }
-  return sum_in_order(std::move(looks));
+  return sorted_sum(std::move(gyroscopic_substeps));
 }
 
 }  // namespace detail
 
-CONTACT_SCENES_INLINE ExpectedRun expected_run(const PlanQuestion& q, double h, double spring_part,
+CONTACT_SCENES_INLINE ExpectedRun expected_run(const PlanInput& q, double h, double spring_substep,
                                                bool sleeps) {
   const Scene& scene = *q.scene;
   const double t = scene.duration;
@@ -270,10 +272,10 @@ CONTACT_SCENES_INLINE ExpectedRun expected_run(const PlanQuestion& q, double h, 
   run.movers = static_cast<double>(q.bounds.movers);
   for (const SceneBody& body : scene.bodies) (is_half_space(body) ? run.walls : run.bounded) += 1;
   run.steps = std::ceil(t / h * (1 - 0x1p-40));
-  const bool crowd = q.bounds.movers > most_one_by_one;
-  run.parts = run.steps;
+  const bool crowd = q.bounds.movers > max_one_by_one;
+  run.substeps = run.steps;
   if (pairs_that_may_meet(q.bounds) == 0) {
-    run.looks = detail::gyroscopic_looks(q, run.parts);
+    run.gyroscopic_substeps = detail::expected_gyroscopic_substeps(q, run.substeps);
     return run;
   }
   const detail::Room room = detail::room_of(scene);
@@ -289,29 +291,29 @@ CONTACT_SCENES_INLINE ExpectedRun expected_run(const PlanQuestion& q, double h, 
     run.hits = 3 * run.movers;
     run.touching = run.contacts = 3 * run.movers * detail::share_in_heap(q, room);
     const bool round = q.pairs.front().round;
-    run.gaps = run.touching * (round ? cost::round_gap : cost::corner_gap);
+    run.gaps = run.touching * (round ? cost::sphere_gap : cost::corner_gap);
     if (!round) run.contacts *= 4;
   }
   run.search = pair_search_cost(detail::first_boxes(scene, h));
   for (const PairBound& pair : q.pairs)
     run.impact =
         std::max(run.impact, detail::impact_cost(scene.bodies[pair.a], scene.bodies[pair.b]));
-  if (crowd) run.parts = run.steps * crowd_parts;
+  if (crowd) run.substeps = run.steps * crowd_substeps;
   // An impact divides twice: a substep ends where it is found, and one of length zero solves it.
   else
-    run.parts += std::min(2 * run.hits, 2.0 * run.steps * most_impacts(q.bounds.movers, false));
+    run.substeps += std::min(2 * run.hits, 2.0 * run.steps * max_impacts(q.bounds.movers, false));
   const double swing = detail::fastest_spring(q);
-  if (spring_part > 0 && swing > 0) {
+  if (spring_substep > 0 && swing > 0) {
     double closing = 0;
     for (const PairBound& pair : q.pairs) closing = std::max(closing, pair.soft ? pair.closing : 0);
     const double half = 3.141592653589793 / swing;
     const double flight = gravity_felt(q) > 0 ? 2 * closing / q.bounds.gravity : t;
-    run.spring_parts = t / (half + flight) * half / spring_part;
-    run.parts += run.spring_parts;
+    run.spring_substeps = t / (half + flight) * half / spring_substep;
+    run.substeps += run.spring_substeps;
   }
   if (sleeps && !lies.empty() && detail::begins_at_rest(q, lies))
     run.awake = std::min(1.0, (sleep_after + 2 * h) / t);
-  run.looks = detail::gyroscopic_looks(q, run.parts * run.awake);
+  run.gyroscopic_substeps = detail::expected_gyroscopic_substeps(q, run.substeps * run.awake);
   return run;
 }
 

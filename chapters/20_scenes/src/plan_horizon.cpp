@@ -38,7 +38,7 @@ struct FreePath {
 
 /// The speed of the fast bodies: the largest initial speed, or the root mean square of the lightest
 /// of a group when each of its n bodies has 1/n of the energy. Gravity adds to it.
-CONTACT_SCENES_INLINE double pace_of_the_fast(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE double fast_speed(const PlanInput& q) {
   struct Share {
     double count = 0;
     double lightest = infinite;
@@ -65,14 +65,14 @@ CONTACT_SCENES_INLINE double pace_of_the_fast(const PlanQuestion& q) {
 }
 
 /// The mean free path of a gas, V/(√2 π D² N), but no longer than the room is wide.
-CONTACT_SCENES_INLINE FreePath free_path(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE FreePath free_path(const PlanInput& q) {
   FreePath path;
   const Room room = room_of(*q.scene);
   double balls = 0;
   double least = infinite;
   for (const SceneBody& body : q.scene->bodies)
     if (body.moves) least = std::min(least, outer_radius(body.shape));
-  path.speed = pace_of_the_fast(q);
+  path.speed = fast_speed(q);
   path.radius = infinite;
   for (const PairBound& pair : q.pairs) {
     if (pair.half_space) continue;
@@ -91,7 +91,7 @@ CONTACT_SCENES_INLINE FreePath free_path(const PlanQuestion& q) {
 
 /// The smallest cage of a moving body: the distance to the fourth nearest fixed body, half-spaces
 /// included. Fewer than four leave it a way out.
-CONTACT_SCENES_INLINE double narrowest_cage(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE double narrowest_cage(const PlanInput& q) {
   std::map<std::size_t, std::vector<double>> gaps;  // of each body that moves
   for (const PairBound& pair : q.pairs) {
     if (pair.both_move) continue;
@@ -119,7 +119,7 @@ CONTACT_SCENES_INLINE double middle_width(std::vector<double>& numbers) {
 
 /// How far a body flies from hit to hit where the bodies are densest at the start: in a gas that
 /// fills only the box around most of the moving bodies, and no farther than the width of its cage.
-CONTACT_SCENES_INLINE double crowded_path(const PlanQuestion& q, const FreePath& even) {
+CONTACT_SCENES_INLINE double crowded_path(const PlanInput& q, const FreePath& even) {
   std::array<std::vector<double>, 3> places;
   for (const SceneBody& body : q.scene->bodies)
     for (std::size_t k = 0; k < 3; ++k)
@@ -145,7 +145,7 @@ CONTACT_SCENES_INLINE double crowded_path(const PlanQuestion& q, const FreePath&
 /// Sources: van Zon, van Beijeren and Dellago, *Largest Lyapunov exponent for many particle systems
 /// at low densities*, Physical Review Letters 80 (1998); for n Brunet and Derrida, *Shift in the
 /// velocity of a front due to a cutoff*, Physical Review E 56 (1997).
-CONTACT_SCENES_INLINE double leading_growth(double n) {
+CONTACT_SCENES_INLINE double max_error_growth(double n) {
   constexpr double half_of_pi_squared = 4.934802200544679;
   const double digits = std::log(std::max(n, 2.0));
   return std::max(std::min(n / 2, 2.0),
@@ -161,7 +161,7 @@ CONTACT_SCENES_INLINE double horizon_in_the_open(const FreePath& path, double pa
 
 /// The number of half-spaces oblique to gravity, if there are others beside them: between two such
 /// walls a ball that bounces under gravity does not come back to its position.
-CONTACT_SCENES_INLINE double slanting_walls(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE double oblique_walls(const PlanInput& q) {
   if (!(gravity_felt(q) > 0)) return 0;
   std::vector<std::size_t> walls;
   for (const PairBound& pair : q.pairs)
@@ -179,18 +179,18 @@ CONTACT_SCENES_INLINE double slanting_walls(const PlanQuestion& q) {
 }
 
 /// The number of pairs with friction where a body may meet more than one other.
-CONTACT_SCENES_INLINE double rubbing_among_several(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE double frictional_pairs_among_several(const PlanInput& q) {
   double rubbing = 0;
   for (const PairBound& pair : q.pairs) rubbing += pair.friction > 0 ? pair.count : 0;
-  return most_partners(q) > 1 ? rubbing : 0;
+  return max_partners(q) > 1 ? rubbing : 0;
 }
 
 /// The proofs that small differences grow no faster than time, if they hold.
-CONTACT_SCENES_INLINE std::vector<Proof> nothing_spreads(const PlanQuestion& q, bool turning) {
+CONTACT_SCENES_INLINE std::vector<Proof> nothing_spreads(const PlanInput& q, bool turning) {
   double lenses = 0;
   for (const PairBound& pair : q.pairs) lenses += pair.half_space ? 0 : pair.count;
   const Inequality corners{"moving bodies other than balls that rotate and may touch something",
-                           turning ? rough_shapes_that_touch(q) : 0.0,
+                           turning ? touching_non_balls(q) : 0.0,
                            Relation::equal,
                            0,
                            "none",
@@ -200,16 +200,16 @@ CONTACT_SCENES_INLINE std::vector<Proof> nothing_spreads(const PlanQuestion& q, 
        {{"pairs that may meet and of which none is a half-space", lenses, Relation::equal, 0,
          "none", ""},
         corners,
-        {"half-spaces neither horizontal nor vertical, beside others", slanting_walls(q),
+        {"half-spaces neither horizontal nor vertical, beside others", oblique_walls(q),
          Relation::equal, 0, "none", ""},
-        {"pairs with friction, where a body may meet several", rubbing_among_several(q),
+        {"pairs with friction, where a body may meet several", frictional_pairs_among_several(q),
          Relation::equal, 0, "none", ""}}}};
   if (auto line = proven_line(q)) {
     line->why = "On a line no hit spreads paths; rounding errors only add up.";
     line->conditions.push_back(corners);
     double rebound = 0;
     for (const PairBound& pair : q.pairs)
-      rebound = std::max(rebound, pair.soft ? 1.0 : pair.restitution_most);
+      rebound = std::max(rebound, pair.soft ? 1.0 : pair.max_restitution);
     const bool columns = gravity_felt(q) > 0 && rebound > 0;
     line->conditions.push_back({"moving bodies that fall and bounce on the line",
                                 columns ? static_cast<double>(q.bounds.movers) : 0.0,
@@ -220,7 +220,7 @@ CONTACT_SCENES_INLINE std::vector<Proof> nothing_spreads(const PlanQuestion& q, 
 }
 
 /// The speed of a fall from the initial position to the farthest wall below, m/s.
-CONTACT_SCENES_INLINE double falling_speed(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE double falling_speed(const PlanInput& q) {
   double drop = 0;
   double speed = 0;
   for (const SceneBody& body : q.scene->bodies)
@@ -234,7 +234,7 @@ CONTACT_SCENES_INLINE double falling_speed(const PlanQuestion& q) {
 }
 
 /// How often an error grows by a factor e, 1/s: by hits on balls, and by falling.
-CONTACT_SCENES_INLINE double spreading(const PlanQuestion& q, const FreePath& path) {
+CONTACT_SCENES_INLINE double spreading(const PlanInput& q, const FreePath& path) {
   double pace = 0;
   if (std::isfinite(path.radius)) {
     bool gas = false;
@@ -248,7 +248,7 @@ CONTACT_SCENES_INLINE double spreading(const PlanQuestion& q, const FreePath& pa
     const double widening = 4 * way / path.radius;
     const double a_way = widening < 1e-6 ? 4 / path.radius : std::log(1 + widening) / way;
     // A single ball may have more oblique hits than the average: half as much again.
-    const double leading = gas ? leading_growth(static_cast<double>(q.bounds.movers)) : 1;
+    const double leading = gas ? max_error_growth(static_cast<double>(q.bounds.movers)) : 1;
     pace = std::max(leading, posts ? 1.5 : 1) * a_way * path.speed;
   }
   if (!(gravity_felt(q) > 0)) return pace;
@@ -258,12 +258,12 @@ CONTACT_SCENES_INLINE double spreading(const PlanQuestion& q, const FreePath& pa
 /// The earliest time at which a pair may touch, if nothing else does before; empty: never. For two
 /// balls it is exact. Any other distance decreases no faster than both surfaces move, plus gravity
 /// if one of the two is fixed.
-CONTACT_SCENES_INLINE std::optional<double> earliest_touch(const PlanQuestion& q,
+CONTACT_SCENES_INLINE std::optional<double> earliest_touch(const PlanInput& q,
                                                            const PairBound& pair, double gap) {
   const SceneBody& a = q.scene->bodies[pair.a];
   const SceneBody& b = q.scene->bodies[pair.b];
   const auto swing = [](const SceneBody& body) {
-    return body.moves ? body.spin.norm() * spin_arm(body.shape) : 0;
+    return body.moves ? body.angular_velocity.norm() * rotation_radius(body.shape) : 0;
   };
   const bool falls = gravity_felt(q) > 0;
   const auto* ball = std::get_if<BallShape>(&a.shape);
@@ -282,7 +282,7 @@ CONTACT_SCENES_INLINE std::optional<double> earliest_touch(const PlanQuestion& q
   return closing_time<double>(std::max(gap, 0.0), rate - swing(a) - swing(b), pull);
 }
 
-CONTACT_SCENES_INLINE double first_touch(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE double first_touch(const PlanInput& q) {
   if (q.bounds.crowded) return 0;
   double first = q.scene->duration;
   for (const PairBound& pair : q.pairs) {
@@ -307,11 +307,11 @@ CONTACT_SCENES_INLINE double first_touch(const PlanQuestion& q) {
 /// up. For rotating bodies with vertices no estimate is known. All of this begins with the first
 /// hit.
 /// @param turning whether the plan has rotation
-CONTACT_SCENES_INLINE Decision plan_horizon(const PlanQuestion& q, bool turning) {
+CONTACT_SCENES_INLINE Decision plan_horizon(const PlanInput& q, bool turning) {
   Decision decision = decide(Effect::horizon, detail::nothing_spreads(q, turning),
                              "Estimated: an ulp grows by 1 + 4 λ/R from hit to hit.");
   if (!decision.on) return decision;
-  if (turning && rough_shapes_that_touch(q) > 0) {
+  if (turning && touching_non_balls(q) > 0) {
     decision.why = "Not known: a rotating body with vertices may diverge from its twin at any hit.";
     return decision;
   }

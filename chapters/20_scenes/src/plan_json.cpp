@@ -60,7 +60,7 @@ CONTACT_SCENES_INLINE nlohmann::json json_of(const MeasuredEffect& measured) {
     return {{"time", horizon->time},
             {"apart", horizon->apart},
             {"allowed", horizon->allowed},
-            {"parted", horizon->parted()}};
+            {"diverged", horizon->diverged()}};
   }
   nlohmann::json json{{"same_stages", measured.same_stages},
                       {"planned_bytes", measured.planned_bytes},

@@ -24,29 +24,29 @@ namespace contact {
 /// Errors add up: errors of a and then b make at most a + b. So the tolerance is a bound on their
 /// sum, and a rule may take only what the earlier ones have left.
 /// @param error of the effect in question, m
-CONTACT_SCENES_INLINE Inequality fits_what_is_left(const PlanQuestion& q, std::string error_is,
-                                                   double error) {
+CONTACT_SCENES_INLINE Inequality fits_tolerance(const PlanInput& q, std::string error_is,
+                                                double error) {
   return {std::move(error_is),
           error,
           Relation::at_most,
-          q.left,
-          q.left == q.tolerance ? "tolerance of a position" : "rest of the error budget",
+          q.tolerance_left,
+          q.tolerance_left == q.tolerance ? "tolerance of a position" : "rest of the error budget",
           "m"};
 }
 
 /// Subtracts the error that a decision accepts, rounded down: so the exact sum of all accepted
 /// errors is at most the tolerance. An error without a bound subtracts nothing: no share would
 /// suffice.
-CONTACT_SCENES_INLINE void take_from_what_is_left(PlanQuestion& q, const Decision& decision) {
+CONTACT_SCENES_INLINE void spend_tolerance(PlanInput& q, const Decision& decision) {
   if (decision.error > 0 && std::isfinite(decision.error))
-    q.left = std::max(0.0, detail::rounded_down(q.left - decision.error));
+    q.tolerance_left = std::max(0.0, detail::rounded_down(q.tolerance_left - decision.error));
 }
 // [/error-budget]
 
 /// The error that a rule takes if it may choose: half of the rest, so that others get a share.
-CONTACT_SCENES_INLINE double chosen_share(const PlanQuestion& q) { return q.left / 2; }
+CONTACT_SCENES_INLINE double budget_share(const PlanInput& q) { return q.tolerance_left / 2; }
 
-CONTACT_SCENES_INLINE Inequality nothing_meets(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE Inequality nothing_meets(const PlanInput& q) {
   return {"pairs of bodies that may meet",
           pairs_that_may_meet(q.bounds),
           Relation::equal,
@@ -56,17 +56,17 @@ CONTACT_SCENES_INLINE Inequality nothing_meets(const PlanQuestion& q) {
 }
 
 // [rotation-rule]
-CONTACT_SCENES_INLINE Proof smooth_balls(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE Proof smooth_balls(const PlanInput& q) {
   double spinning = 0;
   for (const SceneBody& body : q.scene->bodies)
-    spinning += body.moves && !is_ball(body) && !body.spin.isZero(0) ? 1 : 0;
+    spinning += body.moves && !is_ball(body) && !body.angular_velocity.isZero(0) ? 1 : 0;
   return {
       "The contact force on a smooth ball acts through its centre, without torque; a body that "
       "touches nothing and does not rotate keeps its orientation.",
-      {{"moving bodies other than balls that may touch something", rough_shapes_that_touch(q),
+      {{"moving bodies other than balls that may touch something", touching_non_balls(q),
         Relation::equal, 0, "none", ""},
        {"moving bodies other than balls that rotate", spinning, Relation::equal, 0, "none", ""},
-       {"largest friction between bodies that may meet", most_friction(q.pairs), Relation::equal, 0,
+       {"largest friction between bodies that may meet", max_friction(q.pairs), Relation::equal, 0,
         "smooth", ""}}};
 }
 // [/rotation-rule]
@@ -95,8 +95,7 @@ CONTACT_SCENES_INLINE double mirrors_apart(const SceneBody& a, const SceneBody& 
   return apart;
 }
 
-CONTACT_SCENES_INLINE double mirrors_apart_in(const PlanQuestion& q, const PairBound& pair,
-                                              int axis) {
+CONTACT_SCENES_INLINE double mirrors_apart_in(const PlanInput& q, const PairBound& pair, int axis) {
   const Scene& scene = *q.scene;
   if (!pair.crowd) return mirrors_apart(scene.bodies[pair.a], scene.bodies[pair.b], axis);
   double most = 0;
@@ -115,43 +114,44 @@ CONTACT_SCENES_INLINE double mirrors_apart_in(const PlanQuestion& q, const PairB
 /// angular velocity one perpendicular to it. All comparisons are exact: one ulp of velocity, and
 /// there is motion out of the plane.
 /// @param axis 0, 1 or 2: x, y or z
-CONTACT_SCENES_INLINE std::vector<Inequality> mirror_conditions(const PlanQuestion& q, int axis) {
+CONTACT_SCENES_INLINE std::vector<Inequality> mirror_conditions(const PlanInput& q, int axis) {
   const Scene& scene = *q.scene;
   const bool smooth = is_proven(smooth_balls(q));
   double velocity = 0;
-  double spin = 0;
-  double askew = 0;
+  double angular_velocity = 0;
+  double asymmetric = 0;
   double apart = 0;
   for (const SceneBody& body : scene.bodies) {
     if (!body.moves) continue;
     velocity = std::max(velocity, std::abs(body.velocity(axis)));
-    askew += detail::is_mirrored(body, axis) ? 0 : 1;
+    asymmetric += detail::is_mirrored(body, axis) ? 0 : 1;
     for (int k = 0; k < 3 && !smooth; ++k) {
-      if (k != axis) spin = std::max(spin, std::abs(body.spin(k)));
+      if (k != axis)
+        angular_velocity = std::max(angular_velocity, std::abs(body.angular_velocity(k)));
     }
   }
   for (const PairBound& pair : q.pairs) {
-    if (!pair.both_move && !detail::is_mirrored(scene.bodies[pair.b], axis)) askew += 1;
+    if (!pair.both_move && !detail::is_mirrored(scene.bodies[pair.b], axis)) asymmetric += 1;
     apart = std::max(apart, detail::mirrors_apart_in(q, pair, axis));
   }
   // [mirror]
   const std::string name = axis_name(axis);
   const double pull = q.table == axis ? 0.0 : std::abs(scene.gravity(axis));
-  return {
-      {q.table == axis ? "gravity along " + name + " that the table does not cancel"
-                       : "gravity along " + name,
-       pull, Relation::equal, 0, "none", "m/s²"},
-      {"fastest motion along " + name + " at the beginning", velocity, Relation::equal, 0, "none",
-       "m/s"},
-      {"largest angular velocity about another axis than " + name, spin, Relation::equal, 0, "none",
-       "rad/s"},
-      {"bodies not their own mirror image across " + name, askew, Relation::equal, 0, "none", ""},
-      {"farthest that centres of bodies that may meet differ along " + name, apart, Relation::equal,
-       0, "one common plane", "m"}};
+  return {{q.table == axis ? "gravity along " + name + " that the table does not cancel"
+                           : "gravity along " + name,
+           pull, Relation::equal, 0, "none", "m/s²"},
+          {"fastest motion along " + name + " at the beginning", velocity, Relation::equal, 0,
+           "none", "m/s"},
+          {"largest angular velocity about another axis than " + name, angular_velocity,
+           Relation::equal, 0, "none", "rad/s"},
+          {"bodies not their own mirror image across " + name, asymmetric, Relation::equal, 0,
+           "none", ""},
+          {"farthest that centres of bodies that may meet differ along " + name, apart,
+           Relation::equal, 0, "one common plane", "m"}};
   // [/mirror]
 }
 
-CONTACT_SCENES_INLINE Proof line_motion(const PlanQuestion& q, int along) {
+CONTACT_SCENES_INLINE Proof line_motion(const PlanInput& q, int along) {
   const int first = (along + 1) % 3;
   const int second = (along + 2) % 3;
   Proof proof{"The scene is its own mirror image across " + axis_name(first) + " and across " +
@@ -163,7 +163,7 @@ CONTACT_SCENES_INLINE Proof line_motion(const PlanQuestion& q, int along) {
   return proof;
 }
 
-CONTACT_SCENES_INLINE std::optional<Proof> proven_line(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE std::optional<Proof> proven_line(const PlanInput& q) {
   for (int along = 2; along >= 0; --along) {
     Proof proof = line_motion(q, along);
     if (is_proven(proof)) return proof;
@@ -172,7 +172,7 @@ CONTACT_SCENES_INLINE std::optional<Proof> proven_line(const PlanQuestion& q) {
 }
 
 // [table]
-CONTACT_SCENES_INLINE std::vector<Inequality> table_conditions(const PlanQuestion& q, int axis) {
+CONTACT_SCENES_INLINE std::vector<Inequality> table_conditions(const PlanInput& q, int axis) {
   const Scene& scene = *q.scene;
   double off_table = 0;
   double soft = 0;
@@ -198,7 +198,7 @@ CONTACT_SCENES_INLINE std::vector<Inequality> table_conditions(const PlanQuestio
   return {{"moving bodies other than balls that lie exactly on a level floor", off_table,
            Relation::equal, 0, "none", ""},
           {"balls that sink into their floor", soft, Relation::equal, 0, "none", ""},
-          {"largest friction between bodies that may meet", most_friction(q.bounds.pairs),
+          {"largest friction between bodies that may meet", max_friction(q.bounds.pairs),
            Relation::equal, 0, "smooth", ""}};
 }
 
@@ -220,14 +220,14 @@ CONTACT_SCENES_INLINE std::vector<PairBound> pairs_off_table(const Scene& scene,
 
 }  // namespace detail
 
-CONTACT_SCENES_INLINE PlanQuestion plan_question(const Scene& scene) {
-  PlanQuestion q;
+CONTACT_SCENES_INLINE PlanInput plan_input(const Scene& scene) {
+  PlanInput q;
   q.scene = &scene;
   q.bounds = scene_bounds(scene);
   q.pairs = q.bounds.pairs;
   // If the order of events is required, no position error is allowed: it may swap two events.
   if (!scene.tolerance.event_order) q.tolerance = scene.tolerance.position.value_or(0);
-  q.left = q.tolerance;
+  q.tolerance_left = q.tolerance;
   const int axis = detail::only_axis(scene.gravity);
   if (axis < 0 || q.bounds.movers == 0 || !is_proven({"", table_conditions(q, axis)})) return q;
   q.table = axis;
@@ -243,7 +243,7 @@ CONTACT_SCENES_INLINE PlanQuestion plan_question(const Scene& scene) {
 /// anything and free fall over the whole duration is within the rest of the error budget: ½ g T² is
 /// then exactly the error. That also holds in a run without a gyroscopic term, or in float: no
 /// contacts are tested, so rotation and rounding do not change the missing fall.
-CONTACT_SCENES_INLINE Decision plan_gravity(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE Decision plan_gravity(const PlanInput& q) {
   const Scene& scene = *q.scene;
   // [gravity-rule]
   std::vector<Proof> proofs{
@@ -254,7 +254,7 @@ CONTACT_SCENES_INLINE Decision plan_gravity(const PlanQuestion& q) {
   const int axis = detail::only_axis(scene.gravity);
   if (axis >= 0) {
     Proof table{"A level table without friction balances gravity.", table_conditions(q, axis)};
-    PlanQuestion on_table = q;
+    PlanInput on_table = q;
     on_table.table = axis;
     on_table.pairs = detail::pairs_off_table(scene, q.bounds.pairs, axis);
     for (Inequality& condition : mirror_conditions(on_table, axis))
@@ -264,7 +264,7 @@ CONTACT_SCENES_INLINE Decision plan_gravity(const PlanQuestion& q) {
   const double fall = detail::rounded_up(q.bounds.gravity * scene.duration * scene.duration / 2);
   proofs.push_back(
       {"The error of a body that touches nothing is the fall that is left out, ½ g T².",
-       {nothing_meets(q), fits_what_is_left(q, "fall in the whole duration, ½ g T²", fall)},
+       {nothing_meets(q), fits_tolerance(q, "fall in the whole duration, ½ g T²", fall)},
        fall,
        "½ g T², the fall that is left out"});
   return decide(Effect::gravity, std::move(proofs), "Gravity changes velocities.");
@@ -272,18 +272,19 @@ CONTACT_SCENES_INLINE Decision plan_gravity(const PlanQuestion& q) {
 }
 
 // [gyroscopic-rule]
-CONTACT_SCENES_INLINE Decision plan_gyroscopic_term(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE Decision plan_gyroscopic_term(const PlanInput& q) {
   const Scene& scene = *q.scene;
   double uneven = 0;
   double aside = 0;
   for (const SceneBody& body : scene.bodies) {
     if (!body.moves) continue;
     const MomentRange moments = moment_range(body.inertia);
-    uneven = std::max(uneven, moments.most - moments.least);
-    const double spin = moments.most / moments.least * body.spin.dot(body.spin);
-    const double alpha = (moments.most - moments.least) / moments.least * spin;
-    aside = std::max(aside, detail::rounded_up(spin_arm(body.shape) * alpha * scene.duration *
-                                               scene.duration / 2));
+    uneven = std::max(uneven, moments.max - moments.min);
+    const double angular_velocity =
+        moments.max / moments.min * body.angular_velocity.dot(body.angular_velocity);
+    const double alpha = (moments.max - moments.min) / moments.min * angular_velocity;
+    aside = std::max(aside, detail::rounded_up(rotation_radius(body.shape) * alpha *
+                                               scene.duration * scene.duration / 2));
   }
   Proof still = smooth_balls(q);
   still.why = "Nothing rotates, or only as a ball does.";
@@ -303,7 +304,7 @@ CONTACT_SCENES_INLINE Decision plan_gyroscopic_term(const PlanQuestion& q) {
       {"The orientation of a body that touches nothing is wrong by at most ½ α T², α = |ω|² "
        "(I₃/I₁) (I₃ − I₁)/I₁.",
        {nothing_meets(q),
-        fits_what_is_left(q, "largest displacement of a body's point by that, R ½ α T²", aside)},
+        fits_tolerance(q, "largest displacement of a body's point by that, R ½ α T²", aside)},
        aside,
        "R ½ α T², by which a body's points are displaced"});
   return decide(Effect::gyroscopic_term, std::move(proofs),

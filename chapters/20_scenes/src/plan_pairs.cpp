@@ -27,7 +27,7 @@ CONTACT_SCENES_INLINE PairSearchCost pair_search_cost(std::span<const Aabb<doubl
   if (boxes.empty()) return of;
   const double edge = grid_for(boxes).cell_edge;
   const double entries = std::min(expected_grid_entries(profile, edge),
-                                  static_cast<double>(profile.count * most_cells_of_a_box));
+                                  static_cast<double>(profile.count * max_cells_of_a_box));
   const double depth = sorting_depth(static_cast<std::uint64_t>(entries));
   // Of pairs closer than an edge, about half share a cell.
   of.cells += cost::grid_sorting * entries * (1 + depth / 2);
@@ -65,7 +65,7 @@ CONTACT_SCENES_INLINE std::vector<Aabb<double>> first_boxes(const Scene& scene, 
 /// bounding boxes of the bodies' paths, or of sorting them into cells and comparing neighbours. In
 /// an event-driven run a ball is tested twice after each hit, and cells cost a crossing now and
 /// then: few balls test all others.
-CONTACT_SCENES_INLINE Decision plan_broad_phase(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE Decision plan_broad_phase(const PlanInput& q) {
   // [broad-phase-rule]
   const std::string why =
       "A broad phase changes no result; it is left out where it costs more than it saves.";
@@ -73,7 +73,7 @@ CONTACT_SCENES_INLINE Decision plan_broad_phase(const PlanQuestion& q) {
   if (q.events) {
     double balls = 0;
     for (const SceneBody& body : q.scene->bodies) balls += is_half_space(body) ? 0 : 1;
-    few.conditions = {{"balls", balls, Relation::at_most, double{cost::most_asked_by_all},
+    few.conditions = {{"balls", balls, Relation::at_most, double{cost::max_balls_without_cells},
                        "that test all others at less cost", ""}};
   } else {
     const PairSearchCost search = pair_search_cost(detail::first_boxes(*q.scene, q.step));

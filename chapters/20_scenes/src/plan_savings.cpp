@@ -64,33 +64,33 @@ CONTACT_SCENES_INLINE double asked_after_hits(const ExpectedRun& run) {
 CONTACT_SCENES_INLINE Saving events_cost(const ExpectedRun& run) {
   Tally sum;
   sum.add(cost::hit, "impact", run.hits);
-  sum.add(cost::asked, "ball or wall tested after a hit", asked_after_hits(run));
+  sum.add(cost::prediction, "ball or wall tested after a hit", asked_after_hits(run));
   if (run.cells) sum.add(cost::crossing, "crossing from cell to cell", run.crossings);
   return sum.saving();
 }
 
 /// The cost of a run in steps: of each substep, and what is in it.
-CONTACT_SCENES_INLINE Saving steps_cost(const PlanQuestion& q, const ExpectedRun& run, bool turns,
-                                        bool looks) {
-  const double moved = run.parts * run.movers;
+CONTACT_SCENES_INLINE Saving steps_cost(const PlanInput& q, const ExpectedRun& run, bool turns,
+                                        bool gyroscopic_substeps) {
+  const double moved = run.substeps * run.movers;
   Tally sum;
   if (pairs_that_may_meet(q.bounds) == 0) {
     sum.add(cost::placed, "step", run.steps);
   } else {
-    sum.add(cost::part, "substep", run.parts);
-    sum.add(cost::swept_box, "body's box", run.bounded * run.parts);
-    sum.add(std::min(run.search.all, run.search.cells), "search for pairs", run.parts);
+    sum.add(cost::substep, "substep", run.substeps);
+    sum.add(cost::swept_box, "body's box", run.bounded * run.substeps);
+    sum.add(std::min(run.search.all, run.search.cells), "search for pairs", run.substeps);
   }
   sum.add(cost::motion, "body moved", moved);
   if (gravity_felt(q) > 0) sum.add(cost::gravity, "body that falls", moved);
-  if (looks)
-    sum.add(cost::gyroscopic_look, "substep of a rotation", run.looks);
+  if (gyroscopic_substeps)
+    sum.add(cost::gyroscopic_substep, "substep of a rotation", run.gyroscopic_substeps);
   else if (turns)
-    sum.add(cost::turn, "body rotated", moved);
-  sum.add(cost::contact, "contact and substep", run.contacts * run.parts * run.awake);
+    sum.add(cost::rotation, "body rotated", moved);
+  sum.add(cost::contact, "contact and substep", run.contacts * run.substeps * run.awake);
   if (run.touching > 0)
-    sum.add(run.gaps / run.touching, "pair that touches", run.touching * run.parts * run.awake);
-  sum.add(cost::contact + 2 * (cost::round_gap + cost::round_impact), "impact", run.hits);
+    sum.add(run.gaps / run.touching, "pair that touches", run.touching * run.substeps * run.awake);
+  sum.add(cost::contact + 2 * (cost::sphere_gap + cost::sphere_impact), "impact", run.hits);
   return sum.saving();
 }
 
@@ -98,22 +98,24 @@ inline constexpr std::string_view brought_along =
     "nothing: the gyroscopic term, which is on, includes it";
 
 /// The cost of effects where nothing may meet.
-CONTACT_SCENES_INLINE Saving flight_saving(const PlanQuestion& q, const ExpectedRun& run,
-                                           Effect effect, bool turns, bool looks) {
-  const double moved = run.parts * run.movers;
+CONTACT_SCENES_INLINE Saving flight_saving(const PlanInput& q, const ExpectedRun& run,
+                                           Effect effect, bool turns, bool gyroscopic_substeps) {
+  const double moved = run.substeps * run.movers;
   const std::string formula = "nothing: a position is a formula, computed on request";
   switch (effect) {
     case Effect::gravity:
       return q.events ? Saving{0, formula}
-                      : Tally().add(cost::gravity, "body and step", moved + run.parts).saving();
+                      : Tally().add(cost::gravity, "body and step", moved + run.substeps).saving();
     case Effect::rotation:
-      if (!q.events && looks) return {0, std::string(brought_along)};
+      if (!q.events && gyroscopic_substeps) return {0, std::string(brought_along)};
       return q.events ? Saving{0, formula}
-                      : Tally().add(cost::turn, "body and step", moved).saving();
+                      : Tally().add(cost::rotation, "body and step", moved).saving();
     case Effect::gyroscopic_term: {
       if (!turns) return {0, "nothing, where nothing rotates"};
       if (!q.events)
-        return Tally().add(cost::gyroscopic_look, "substep of a rotation", run.looks).saving();
+        return Tally()
+            .add(cost::gyroscopic_substep, "substep of a rotation", run.gyroscopic_substeps)
+            .saving();
       const Saving steps = steps_cost(q, run, true, true);
       return {steps.instructions, "no formula has it, and steps take " + steps.is};
     }
@@ -128,39 +130,39 @@ CONTACT_SCENES_INLINE Saving flight_saving(const PlanQuestion& q, const Expected
 }
 
 /// Whether the scene is one of hard, smooth balls, so that it can be event-driven.
-CONTACT_SCENES_INLINE bool has_events_alone(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE bool has_events_alone(const PlanInput& q) {
   const std::vector<Inequality> conditions = event_conditions(q);
   return std::all_of(conditions.begin(), conditions.end(), holds);
 }
 
-CONTACT_SCENES_INLINE Saving events_in_place_of_steps(const PlanQuestion& q, ExpectedRun run,
+CONTACT_SCENES_INLINE Saving events_in_place_of_steps(const PlanInput& q, ExpectedRun run,
                                                       bool turns) {
-  run.cells = run.bounded > double{cost::most_asked_by_all};
+  run.cells = run.bounded > double{cost::max_balls_without_cells};
   const Saving steps = steps_cost(q, run, turns, false);
   const Saving events = events_cost(run);
   return {events.instructions - steps.instructions, events.is + "; in place of " + steps.is};
 }
 
 /// The cost of effects from event to event.
-CONTACT_SCENES_INLINE Saving event_saving(const PlanQuestion& q, const ExpectedRun& run,
+CONTACT_SCENES_INLINE Saving event_saving(const PlanInput& q, const ExpectedRun& run,
                                           const Plan& plan, Effect effect) {
   const auto share = [&](double of_asked, double of_crossings) {
     Tally sum;
     sum.add(cost::hit * of_asked, "impact", run.hits);
-    sum.add(cost::asked * of_asked, "ball or wall tested after a hit", asked_after_hits(run));
+    sum.add(cost::prediction * of_asked, "ball or wall tested after a hit", asked_after_hits(run));
     if (run.cells)
       sum.add(cost::crossing * of_crossings, "crossing from cell to cell", run.crossings);
     return sum.saving();
   };
   switch (effect) {
     case Effect::gravity:
-      return share(cost::asked_in_gravity, cost::crossing_in_gravity);
+      return share(cost::prediction_in_gravity, cost::crossing_in_gravity);
     case Effect::third_dimension:
     case Effect::second_dimension: {
       const bool two =
           effect == Effect::third_dimension && !decision_on(plan, Effect::second_dimension).planned;
       const double axes = two ? 2 : 1;
-      return share(axes * cost::asked_in_coordinate, axes * cost::asked_in_coordinate);
+      return share(axes * cost::prediction_in_coordinate, axes * cost::prediction_in_coordinate);
     }
     case Effect::broad_phase: {
       ExpectedRun other = run;
@@ -184,63 +186,63 @@ CONTACT_SCENES_INLINE Saving event_saving(const PlanQuestion& q, const ExpectedR
 }
 
 /// The cost of effects in steps where bodies may meet.
-CONTACT_SCENES_INLINE Saving step_saving(const PlanQuestion& q, const ExpectedRun& run,
+CONTACT_SCENES_INLINE Saving step_saving(const PlanInput& q, const ExpectedRun& run,
                                          const Plan& plan, Effect effect) {
   const auto planned = [&](Effect one) { return decision_on(plan, one).planned; };
-  const double moved = run.parts * run.movers * run.awake;
-  const double points = run.contacts * run.parts * run.awake;
-  const double pairs = run.touching * run.parts * run.awake;
+  const double moved = run.substeps * run.movers * run.awake;
+  const double points = run.contacts * run.substeps * run.awake;
+  const double pairs = run.touching * run.substeps * run.awake;
   Tally sum;
   switch (effect) {
     case Effect::gravity:
-      sum.add(cost::gravity, "body and substep", moved + run.parts);
+      sum.add(cost::gravity, "body and substep", moved + run.substeps);
       if (planned(effect)) sum.add(cost::pressed, "contact and substep", points);
       return sum.saving();
     case Effect::rotation:
       if (planned(Effect::gyroscopic_term)) return {0, std::string(brought_along)};
       if (!planned(effect))
-        return sum.add(cost::turn_at_rest, "body and substep", moved)
-            .add(cost::idle_turned_contact, "contact and substep", points)
+        return sum.add(cost::rotation_at_rest, "body and substep", moved)
+            .add(cost::idle_rotating_contact, "contact and substep", points)
             .saving();
-      return sum.add(cost::turn, "body and substep", moved)
-          .add(cost::turned_contact, "contact and substep", points)
+      return sum.add(cost::rotation, "body and substep", moved)
+          .add(cost::rotating_contact, "contact and substep", points)
           .saving();
     case Effect::gyroscopic_term:
       if (!planned(Effect::rotation)) {
-        sum.add(cost::turn_at_rest, "body and substep", moved);
-        return sum.add(cost::idle_turned_contact, "contact and substep", points).saving();
+        sum.add(cost::rotation_at_rest, "body and substep", moved);
+        return sum.add(cost::idle_rotating_contact, "contact and substep", points).saving();
       }
-      return sum.add(cost::gyroscopic_look, "substep of a rotation", run.looks)
-          .add(cost::gyroscopic_round, "body and substep", moved)
+      return sum.add(cost::gyroscopic_substep, "substep of a rotation", run.gyroscopic_substeps)
+          .add(cost::gyroscopic_check, "body and substep", moved)
           .saving();
     case Effect::friction:
-      if (most_friction(q.pairs) == 0)
+      if (max_friction(q.pairs) == 0)
         return {0, "nothing: a coefficient of 0 is a number, and no stage"};
       return sum.add(cost::friction, "contact and substep", points)
           .add(cost::friction, "impact", run.hits)
           .saving("nothing: no contact is known to last");
     case Effect::restitution:
-      sum.add(cost::bounce_stages, "part", run.parts);
-      if (q.bounds.movers > most_one_by_one) sum.add(cost::contact, "impact", run.hits);
+      sum.add(cost::bounce_stages, "substep", run.substeps);
+      if (q.bounds.movers > max_one_by_one) sum.add(cost::contact, "impact", run.hits);
       return sum.saving();
     case Effect::continuous_detection:
-      sum.add(cost::looking, "part", run.parts)
-          .add(cost::wide_gap, "pair that touches", pairs + run.spring_parts);
-      if (q.bounds.movers > most_one_by_one) return sum.saving();
+      sum.add(cost::impact_search, "substep", run.substeps)
+          .add(cost::wide_gap, "pair that touches", pairs + run.spring_substeps);
+      if (q.bounds.movers > max_one_by_one) return sum.saving();
       sum.add(2 * run.impact, "impact", run.hits)
-          .add(run.impact, "substep and pair that nothing presses", run.unpressed * run.parts);
-      return planned(Effect::rotation) && rough_shapes_that_touch(q) > 0
+          .add(run.impact, "substep and pair that nothing presses", run.unpressed * run.substeps);
+      return planned(Effect::rotation) && touching_non_balls(q) > 0
                  ? sum.saving().and_more(
                        "more where vertices rotate near other bodies, which is not known before")
                  : sum.saving();
     case Effect::broad_phase:
       return sum
           .add(run.search.cells - run.search.all, "substep, in cells instead of all pairs",
-               run.parts)
+               run.substeps)
           .saving();
     case Effect::several_contacts:
       if (!(points > 0)) return {0, "nothing: no contact is known to last"};
-      return sum.add(cost::finish, "contact and substep", points)
+      return sum.add(cost::exact_solve, "contact and substep", points)
           .saving()
           .and_more(
               "the exact solve of residuals costs more or saves iterations, which is not known "
@@ -248,10 +250,11 @@ CONTACT_SCENES_INLINE Saving step_saving(const PlanQuestion& q, const ExpectedRu
     case Effect::resting:
       return {0, "nothing: what stops an approach is there without it"};
     case Effect::sleeping: {
-      sum.add(cost::sleep_stage, "substep", run.parts).add(cost::sleep, "body and substep", moved);
+      sum.add(cost::sleep_stage, "substep", run.substeps)
+          .add(cost::sleep, "body and substep", moved);
       Saving saving = sum.saving();
       if (run.awake < 1) {
-        const double asleep = run.parts * (1 - run.awake);
+        const double asleep = run.substeps * (1 - run.awake);
         const double saved =
             asleep * (run.contacts * cost::contact + run.gaps + run.movers * cost::motion);
         saving.instructions -= saved;
@@ -260,11 +263,11 @@ CONTACT_SCENES_INLINE Saving step_saving(const PlanQuestion& q, const ExpectedRu
       return saving;
     }
     case Effect::penalty_contact:
-      sum.add(cost::spring_stage, "part", run.parts);
+      sum.add(cost::spring_stage, "substep", run.substeps);
       return sum
-          .add(cost::spring + cost::part + cost::round_gap + cost::motion * run.movers +
+          .add(cost::spring + cost::substep + cost::sphere_gap + cost::motion * run.movers +
                    cost::swept_box * run.bounded,
-               "substep in which a spring pushes", run.spring_parts)
+               "substep in which a spring pushes", run.spring_substeps)
           .saving();
     case Effect::third_dimension:
     case Effect::second_dimension: {
@@ -274,7 +277,7 @@ CONTACT_SCENES_INLINE Saving step_saving(const PlanQuestion& q, const ExpectedRu
       // A rotating body has two more coordinates of angular velocity.
       const double axes = (two ? 2 : 1) + (planned(Effect::rotation) ? 2 : 0);
       return sum.add(axes * cost::coordinate, "body and substep", moved)
-          .add(axes * cost::contact_coordinate, "contact and substep", points + run.spring_parts)
+          .add(axes * cost::contact_coordinate, "contact and substep", points + run.spring_substeps)
           .saving();
     }
     case Effect::event_driven:
@@ -288,13 +291,13 @@ CONTACT_SCENES_INLINE Saving step_saving(const PlanQuestion& q, const ExpectedRu
 
 }  // namespace detail
 
-CONTACT_SCENES_INLINE void estimate_savings(const PlanQuestion& q, double h, Plan& plan) {
+CONTACT_SCENES_INLINE void estimate_savings(const PlanInput& q, double h, Plan& plan) {
   const bool turns = decision_on(plan, Effect::rotation).planned;
-  const bool looks = decision_on(plan, Effect::gyroscopic_term).planned;
+  const bool gyroscopic_substeps = decision_on(plan, Effect::gyroscopic_term).planned;
   const bool free = pairs_that_may_meet(q.bounds) == 0;
   const bool events = q.events && (free || detail::has_events_alone(q));
   ExpectedRun run =
-      expected_run(q, h, plan.spring_part, decision_on(plan, Effect::sleeping).planned);
+      expected_run(q, h, plan.spring_substep, decision_on(plan, Effect::sleeping).planned);
   run.cells = events && decision_on(plan, Effect::broad_phase).planned;
   for (Decision& decision : plan.decisions) {
     const Effect effect = decision.effect;
@@ -306,7 +309,7 @@ CONTACT_SCENES_INLINE void estimate_savings(const PlanQuestion& q, double h, Pla
                         : "nothing: no run but a free flight is in float"};
     else if (free && (events || !axis))
       saving = axis ? Saving{0, "nothing but memory"}
-                    : detail::flight_saving(q, run, effect, turns, looks);
+                    : detail::flight_saving(q, run, effect, turns, gyroscopic_substeps);
     else
       saving = events ? detail::event_saving(q, run, plan, effect)
                       : detail::step_saving(q, run, plan, effect);

@@ -63,8 +63,9 @@ CONTACT_SCENES_INLINE void add_lines(std::string& text, const std::string& lines
 
 CONTACT_SCENES_INLINE std::string horizon_text(const MeasuredHorizon& measured) {
   return "Measured: a run that begins an ulp away is off by " + plan_number(measured.apart) +
-         " m at " + plan_number(measured.time) + " s, " + (measured.parted() ? "more" : "no more") +
-         " than the " + plan_number(measured.allowed) + " m allowed.";
+         " m at " + plan_number(measured.time) + " s, " +
+         (measured.diverged() ? "more" : "no more") + " than the " + plan_number(measured.allowed) +
+         " m allowed.";
 }
 
 }  // namespace detail

@@ -16,45 +16,45 @@
 
 namespace contact {
 
-CONTACT_SCENES_INLINE Inequality nothing_turns_unevenly(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE Inequality rotation_is_constant(const PlanInput& q) {
   return {"kinds of rotation that a gyroscopic term may change",
-          q.even_spins ? 0.0 : 1.0,
+          q.constant_rotation ? 0.0 : 1.0,
           Relation::equal,
           0,
           "none",
           ""};
 }
 
-CONTACT_SCENES_INLINE std::vector<Inequality> event_conditions(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE std::vector<Inequality> event_conditions(const PlanInput& q) {
   double still = 0;
   double soft = 0;
   for (const PairBound& pair : q.pairs) {
     soft += pair.soft ? pair.count : 0;
     still += !pair.both_move && !pair.half_space && !is_ball(q.scene->bodies[pair.b]) ? 1 : 0;
   }
-  return {{"moving bodies other than balls that may touch something", rough_shapes_that_touch(q),
+  return {{"moving bodies other than balls that may touch something", touching_non_balls(q),
            Relation::equal, 0, "none", ""},
           {"fixed bodies that may be touched, other than half-spaces and balls", still,
            Relation::equal, 0, "none", ""},
           {"pairs that may meet and are compliant", soft, Relation::equal, 0, "none", ""},
           {"largest friction between bodies that may meet",
-           proven_line(q) ? 0.0 : most_friction(q.pairs), Relation::equal, 0, "smooth", ""},
-          nothing_turns_unevenly(q)};
+           proven_line(q) ? 0.0 : max_friction(q.pairs), Relation::equal, 0, "smooth", ""},
+          rotation_is_constant(q)};
 }
 
 // [event-rule]
-CONTACT_SCENES_INLINE Decision plan_event_driven(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE Decision plan_event_driven(const PlanInput& q) {
   const std::vector<Inequality> common = event_conditions(q);
   const auto with = [&](std::string why, const std::vector<Inequality>& more) {
     Proof proof{std::move(why), common};
     proof.conditions.insert(proof.conditions.end(), more.begin(), more.end());
     return proof;
   };
-  const bool lonely = most_partners(q) <= 1;
+  const bool lonely = max_partners(q) <= 1;
   double lossy = 0;
   double touching = 0;
   for (const PairBound& pair : q.pairs) {
-    lossy = std::max(lossy, pair.hard ? 1 - pair.restitution_least : 0.0);
+    lossy = std::max(lossy, pair.hard ? 1 - pair.min_restitution : 0.0);
     touching += pair.apart || lonely ? 0 : 1;
   }
   const Inequality elastic{"largest loss of speed, 1 − e, between bodies that may meet",
@@ -93,21 +93,22 @@ CONTACT_SCENES_INLINE Decision plan_event_driven(const PlanQuestion& q) {
   // A bounce that is left out: each ball on one hard half-space, pressed on by gravity.
   double other = 0;
   for (const PairBound& pair : q.pairs) other += pair.half_space && !pair.soft ? 0 : pair.count;
-  const double cutoff = gravity_felt(q) > 0 ? contact_time_cutoff(q.left, q.bounds.gravity) : 0;
-  const double hop = detail::rounded_up(q.bounds.gravity * cutoff * cutoff / 8);
-  Proof hops = with("A ball on one half-space is followed until its bounces are shorter than " +
-                        number_text(static_cast<double>(static_cast<float>(cutoff))) +
-                        " s; after that it rests.",
-                    {{"most bodies that one moving body may touch", most_partners(q),
-                      Relation::at_most, 1, "one half-space", ""},
-                     {"pairs that may meet other than a ball and a hard half-space", other,
-                      Relation::equal, 0, "none", ""},
-                     {"a bounce of no height", 0, Relation::less, hop,
-                      "height of a bounce that is left out", "m"},
-                     fits_what_is_left(q, "height of a bounce that is left out, g t²/8", hop)});
-  hops.error = hop;
-  hops.error_is = "height of the bounces that are left out, g t²/8";
-  proofs.push_back(std::move(hops));
+  const double cutoff =
+      gravity_felt(q) > 0 ? contact_time_cutoff(q.tolerance_left, q.bounds.gravity) : 0;
+  const double bounce = detail::rounded_up(q.bounds.gravity * cutoff * cutoff / 8);
+  Proof short_bounces = with(
+      "A ball on one half-space is followed until its bounces are shorter than " +
+          number_text(static_cast<double>(static_cast<float>(cutoff))) + " s; after that it rests.",
+      {{"most bodies that one moving body may touch", max_partners(q), Relation::at_most, 1,
+        "one half-space", ""},
+       {"pairs that may meet other than a ball and a hard half-space", other, Relation::equal, 0,
+        "none", ""},
+       {"a bounce of no height", 0, Relation::less, bounce, "height of a bounce that is left out",
+        "m"},
+       fits_tolerance(q, "height of a bounce that is left out, g t²/8", bounce)});
+  short_bounces.error = bounce;
+  short_bounces.error_is = "height of the bounces that are left out, g t²/8";
+  proofs.push_back(std::move(short_bounces));
 
   Decision decision = decide(Effect::event_driven, std::move(proofs),
                              "Not proven that the number of events is bounded: step by step.");
@@ -118,14 +119,14 @@ CONTACT_SCENES_INLINE Decision plan_event_driven(const PlanQuestion& q) {
 // [/event-rule]
 
 // [step-rule]
-CONTACT_SCENES_INLINE double step_from_tolerance(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE double step_from_tolerance(const PlanInput& q) {
   double h = detail::frame_step(*q.scene);
   if (pairs_that_may_meet(q.bounds) == 0) return h;
   const double spring = detail::fastest_spring(q);
   if (spring > 0) h = std::min(h, 1 / (10 * spring));
   const BounceRange bounces = worst_bounces(q);
-  if (!(q.left > 0) || !std::isfinite(bounces.late) || bounces.late == 0) return h;
-  double shorter = std::min(h, detail::rounded_down(q.left / bounces.late, 256));
+  if (!(q.tolerance_left > 0) || !std::isfinite(bounces.late) || bounces.late == 0) return h;
+  double shorter = std::min(h, detail::rounded_down(q.tolerance_left / bounces.late, 256));
   for (int k = 0; k < 40; ++k, shorter /= 2) {
     bool all = true;
     if (shorter < h / 1024) break;
@@ -136,7 +137,7 @@ CONTACT_SCENES_INLINE double step_from_tolerance(const PlanQuestion& q) {
   return h;
 }
 
-CONTACT_SCENES_INLINE Decision plan_step_size(const PlanQuestion& q, const PlanOptions& options) {
+CONTACT_SCENES_INLINE Decision plan_step_size(const PlanInput& q, const PlanOptions& options) {
   Decision decision;
   decision.effect = Effect::step_size;
   if (q.events) {
@@ -166,7 +167,7 @@ CONTACT_SCENES_INLINE Decision plan_step_size(const PlanQuestion& q, const PlanO
     decision.proven = decision.proven && holds(condition);
   if (q.pairs.empty()) {
     decision.proven = true;
-    decision.why = q.even_spins
+    decision.why = q.constant_rotation
                        ? "Nothing touches anything and flights are exact, so any step does."
                        : "Nothing touches anything and flights are exact, so any step does; it is "
                          "divided into as many substeps as the rotation needs.";
@@ -180,32 +181,33 @@ CONTACT_SCENES_INLINE Decision plan_step_size(const PlanQuestion& q, const PlanO
 // [/step-rule]
 
 // [precision-rule]
-CONTACT_SCENES_INLINE Decision plan_double_precision(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE Decision plan_double_precision(const PlanInput& q) {
   const Scene& scene = *q.scene;
   const double t = scene.duration;
   double size = 0;
   double turning = 0;
   // Numbers whose squares overflow in float, and a tolerance below the squares that underflow.
   const auto beyond = [](double x) { return x > 0x1p60 ? 1.0 : 0.0; };
-  double unfit = beyond(t) + beyond(q.bounds.gravity) + (q.left < 0x1p-80 ? 1 : 0);
+  double unfit = beyond(t) + beyond(q.bounds.gravity) + (q.tolerance_left < 0x1p-80 ? 1 : 0);
   for (const SceneBody& body : scene.bodies) {
     if (!body.moves) continue;
-    unfit += beyond(body.spin.norm());
+    unfit += beyond(body.angular_velocity.norm());
     for (int k = 0; k < 3; ++k) {
       // The input is rounded too, so each factor is wrong by u before anything is computed.
       size = std::max(size, std::abs(body.position(k)) + std::abs(body.velocity(k)) * t +
                                 std::abs(scene.gravity(k)) * t * t / 2);
     }
-    if (!body.spin.isZero(0))
-      turning = std::max(turning, spin_arm(body.shape) * (1 + body.spin.norm() * t));
+    if (!body.angular_velocity.isZero(0))
+      turning =
+          std::max(turning, rotation_radius(body.shape) * (1 + body.angular_velocity.norm() * t));
   }
   const double rounding =
       detail::rounded_up(tolerance::unit_roundoff<float> * (16 * size + 32 * turning));
   return decide(Effect::double_precision,
                 {{"The only error of a free flight in float is rounding.",
                   {nothing_meets(q),
-                   fits_what_is_left(q, "rounding error of a flight in float", rounding),
-                   nothing_turns_unevenly(q),
+                   fits_tolerance(q, "rounding error of a flight in float", rounding),
+                   rotation_is_constant(q),
                    {"numbers whose squares overflow or underflow in float", unfit, Relation::equal,
                     0, "none", ""}},
                   rounding,

@@ -47,7 +47,7 @@ struct Repeat {
   double jitter = 0;
   double speed = 0;
   std::uint64_t seed = 0;
-  std::size_t limit = scene_most_bodies;
+  std::size_t limit = max_scene_bodies;
 
   [[nodiscard]] std::size_t total() const {
     return std::min(limit, count[0] * count[1] * count[2]);
@@ -115,7 +115,7 @@ class BodyFieldReader : protected FieldReader {
     return shape;
   }
 
-  Rotor<double> orientation(const JsonNode& from, const std::string& body_path) {
+  Quaternion<double> orientation(const JsonNode& from, const std::string& body_path) {
     const JsonNode* node = from.find("orientation");
     const std::string path = body_path + ".orientation";
     if (!node) return {};
@@ -146,7 +146,7 @@ class BodyFieldReader : protected FieldReader {
     }
     if (is_wrong(path + ".axis")) return {};
     const double largest = axis.cwiseAbs().maxCoeff();
-    if (!(scene_least <= largest && largest <= scene_most)) {
+    if (!(min_scene_value <= largest && largest <= max_scene_value)) {
       unfit(path + ".axis", *node->find("axis"),
             "must be a direction: not zero, its largest coordinate from 1e-30 to 1e+30");
       return {};
@@ -173,7 +173,7 @@ class BodyFieldReader : protected FieldReader {
   double range(const JsonNode& from, const std::string& path, const std::string& key,
                const std::string& unit) {
     const double value = number_if_there(from, path, key, unit).value_or(0);
-    if (0 <= value && value <= scene_most) return value;
+    if (0 <= value && value <= max_scene_value) return value;
     fault(below(path, key), shortest_text(value), "must be from 0 to 1e+30 " + unit);
     return 0;
   }
@@ -190,24 +190,24 @@ class BodyFieldReader : protected FieldReader {
       double product = 1;
       for (std::size_t k = 0; values && k < 3; ++k) {
         const double value = (*values)[k];
-        const auto most = static_cast<double>(scene_most_bodies);
+        const auto most = static_cast<double>(max_scene_bodies);
         if (!(1 <= value && value <= most && value == std::floor(value))) {
           unfit(at(path + ".count", k), count->items[k],
-                "must be a whole number from 1 to " + std::to_string(scene_most_bodies));
+                "must be a whole number from 1 to " + std::to_string(max_scene_bodies));
         } else {
           repeat.count[k] = static_cast<std::size_t>(value);
           product *= value;
         }
       }
-      if (product > static_cast<double>(scene_most_bodies)) {
+      if (product > static_cast<double>(max_scene_bodies)) {
         unfit(path + ".count", *count,
-              "must not make more than " + std::to_string(scene_most_bodies) + " bodies");
+              "must not make more than " + std::to_string(max_scene_bodies) + " bodies");
         repeat.count = {1, 1, 1};
       }
     }
     repeat.spacing = vector(*node, path, "spacing", true);
     for (int k = 0; k < 3; ++k) {
-      if (!(std::abs(repeat.spacing(k)) <= scene_most)) {
+      if (!(std::abs(repeat.spacing(k)) <= max_scene_value)) {
         fault(at(path + ".spacing", static_cast<std::size_t>(k)), shortest_text(repeat.spacing(k)),
               "must be from -1e+30 to 1e+30 m");
         repeat.spacing(k) = 0;
@@ -223,7 +223,7 @@ class BodyFieldReader : protected FieldReader {
     }
     if (node->find("limit"))
       repeat.limit = static_cast<std::size_t>(
-          whole(*node, path, "limit", 1, static_cast<double>(scene_most_bodies)).value_or(1));
+          whole(*node, path, "limit", 1, static_cast<double>(max_scene_bodies)).value_or(1));
     return repeat;
   }
 
@@ -242,32 +242,33 @@ class BodyFieldReader : protected FieldReader {
     wrong_.insert(path + ".mass");  // reported for the density, if at all
     const auto value = number(node, path, "density", "kg/m^3");
     if (!value) return;
-    if (!(scene_least <= *value && *value <= scene_most)) {
+    if (!(min_scene_value <= *value && *value <= max_scene_value)) {
       fault(path + ".density", shortest_text(*value),
             "must be greater than 0, from 1e-30 to 1e+30 kg/m^3");
       return;
     }
     if (!shaped || !sized(body.shape)) return;
     body.mass = *value * solid_volume(body.shape);
-    if (!(scene_least <= body.mass && body.mass <= scene_most))
+    if (!(min_scene_value <= body.mass && body.mass <= max_scene_value))
       fault(path + ".density", shortest_text(*value),
             "must give a mass from 1e-30 to 1e+30 kg, and gives " + shortest_text(body.mass));
   }
 
   /// Whether volume and inertia of a shape can be computed.
   static bool sized(const SceneShape& shape) {
-    const auto good = [](double x) { return scene_least <= x && x <= scene_most; };
+    const auto good = [](double x) { return min_scene_value <= x && x <= max_scene_value; };
     if (const auto* ball = std::get_if<BallShape>(&shape)) return good(ball->radius);
     if (const auto* box = std::get_if<BoxShape>(&shape))
       return good(box->half_lengths.x()) && good(box->half_lengths.y()) &&
              good(box->half_lengths.z());
     if (const auto* capsule = std::get_if<CapsuleShape>(&shape))
       return good(capsule->radius) && 0 <= capsule->half_length &&
-             capsule->half_length <= scene_most;
+             capsule->half_length <= max_scene_value;
     if (const auto* hull = std::get_if<HullShape>(&shape))
-      return std::all_of(
-                 hull->points.begin(), hull->points.end(),
-                 [](const auto& point) { return point.cwiseAbs().maxCoeff() <= scene_most; }) &&
+      return std::all_of(hull->points.begin(), hull->points.end(),
+                         [](const auto& point) {
+                           return point.cwiseAbs().maxCoeff() <= max_scene_value;
+                         }) &&
              solid_volume(shape) > 0;
     return false;
   }

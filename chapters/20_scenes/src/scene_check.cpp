@@ -64,23 +64,24 @@ class SceneChecker {
   static std::string bound(double x) { return shortest_text(x); }
 
   bool number(const std::string& path, double x, std::string_view unit) {
-    if (std::abs(x) <= scene_most) return true;
+    if (std::abs(x) <= max_scene_value) return true;
     fault(path, shortest_text(x),
-          "must be from " + bound(-scene_most) + " to " + bound(scene_most) + " " +
+          "must be from " + bound(-max_scene_value) + " to " + bound(max_scene_value) + " " +
               std::string(unit));
     return false;
   }
   bool positive(const std::string& path, double x, std::string_view unit) {
-    if (scene_least <= x && x <= scene_most) return true;
+    if (min_scene_value <= x && x <= max_scene_value) return true;
     fault(path, shortest_text(x),
-          "must be greater than 0, from " + bound(scene_least) + " to " + bound(scene_most) + " " +
-              std::string(unit));
+          "must be greater than 0, from " + bound(min_scene_value) + " to " +
+              bound(max_scene_value) + " " + std::string(unit));
     return false;
   }
   bool not_negative(const std::string& path, double x, std::string_view unit) {
-    if (0 <= x && x <= scene_most) return true;
+    if (0 <= x && x <= max_scene_value) return true;
     fault(path, shortest_text(x),
-          "must be from 0 to " + bound(scene_most) + (unit.empty() ? "" : " ") + std::string(unit));
+          "must be from 0 to " + bound(max_scene_value) + (unit.empty() ? "" : " ") +
+              std::string(unit));
     return false;
   }
   bool vector(const std::string& path, const Vector3<double>& v, std::string_view unit) {
@@ -186,9 +187,9 @@ class SceneChecker {
 
   void bodies() {
     if (scene_.bodies.empty()) fault("bodies", "[]", "must hold at least one");
-    if (scene_.bodies.size() > scene_most_bodies)
+    if (scene_.bodies.size() > max_scene_bodies)
       fault("bodies", std::to_string(scene_.bodies.size()) + " bodies",
-            "must hold at most " + std::to_string(scene_most_bodies));
+            "must hold at most " + std::to_string(max_scene_bodies));
     std::map<std::string, std::size_t> seen;
     for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
       const std::string path = at("bodies", i);
@@ -216,7 +217,7 @@ class SceneChecker {
       placed = false;
     }
     vector(path + ".velocity", body.velocity, "m/s");
-    vector(path + ".spin", body.spin, "rad/s");
+    vector(path + ".angular_velocity", body.angular_velocity, "rad/s");
     if (std::holds_alternative<HalfSpaceShape>(body.shape)) {
       const char* why = "must be absent: a half-space is placed by its normal and offset";
       if (placed) zero(path + ".position", body.position, why);
@@ -250,7 +251,7 @@ class SceneChecker {
     if (body.inertia != Matrix3<double>::Zero())
       fault(path + ".inertia", "tr " + shortest_text(body.inertia.trace()), why);
     zero(path + ".velocity", body.velocity, why);
-    zero(path + ".spin", body.spin, why);
+    zero(path + ".angular_velocity", body.angular_velocity, why);
   }
 
   void tolerance() {
@@ -261,7 +262,7 @@ class SceneChecker {
   }
 
   void expectations() {
-    const bool timed = scene_least <= scene_.duration && scene_.duration <= scene_most;
+    const bool timed = min_scene_value <= scene_.duration && scene_.duration <= max_scene_value;
     for (std::size_t i = 0; i < scene_.expect.size(); ++i) {
       const SceneExpectation& wanted = scene_.expect[i];
       const std::string path = at("expect", i);
@@ -332,8 +333,8 @@ class SceneChecker {
         const std::size_t k = order[at_k];
         if (begin(k) > x.x() + radius[i]) break;
         const Vector3<double> away = (scene_.bodies[k].position - x).cwiseAbs();
-        const double reach = radius[i] + radius[k];
-        if (away.y() <= reach && away.z() <= reach)
+        const double radius_sum = radius[i] + radius[k];
+        if (away.y() <= radius_sum && away.z() <= radius_sum)
           near.push_back({std::min(i, k), std::max(i, k)});
       }
     }

@@ -83,7 +83,7 @@ class Reader : private BodyFieldReader {
   void body(const JsonNode& node, const std::string& path, std::size_t entry) {
     if (!object(node, path,
                 {"name", "shape", "material", "moves", "mass", "density", "position", "orientation",
-                 "velocity", "spin", "repeat"}))
+                 "velocity", "angular_velocity", "repeat"}))
       return;
     SceneBody body;
     body.name = text(node, path, "name");
@@ -95,9 +95,10 @@ class Reader : private BodyFieldReader {
     std::optional<Repeat> repeated;
     if (ground) {
       if (body.moves) fault(path + ".moves", "true", "must be false: a half-space never moves");
-      absent(node, path,
-             {"position", "orientation", "mass", "density", "velocity", "spin", "repeat"},
-             "a half-space is placed by its normal and offset, and never moves");
+      absent(
+          node, path,
+          {"position", "orientation", "mass", "density", "velocity", "angular_velocity", "repeat"},
+          "a half-space is placed by its normal and offset, and never moves");
       body.moves = false;
     } else {
       body.position = vector(node, path, "position", true);
@@ -106,11 +107,13 @@ class Reader : private BodyFieldReader {
       if (body.moves) {
         mass(node, path, body, read.has_value());
         body.velocity = vector(node, path, "velocity", false);
-        body.spin = vector(node, path, "spin", false);
-        if (read && sized(body.shape) && scene_least <= body.mass && body.mass <= scene_most)
+        body.angular_velocity = vector(node, path, "angular_velocity", false);
+        if (read && sized(body.shape) && min_scene_value <= body.mass &&
+            body.mass <= max_scene_value)
           body.inertia = solid_inertia(body.shape, body.mass);
       } else {
-        absent(node, path, {"mass", "density", "velocity", "spin"}, "the body does not move");
+        absent(node, path, {"mass", "density", "velocity", "angular_velocity"},
+               "the body does not move");
         if (repeated && repeated->speed != 0) {
           fault(path + ".repeat.speed", shortest_text(repeated->speed),
                 "must be 0 or absent: the body does not move");
@@ -146,9 +149,9 @@ class Reader : private BodyFieldReader {
     }
     repeated_.insert(entry);
     const std::size_t total = repeated->total();
-    if (scene_.bodies.size() + total > scene_most_bodies) {
+    if (scene_.bodies.size() + total > max_scene_bodies) {
       fault(at("bodies", entry) + ".repeat.count", std::to_string(total) + " bodies",
-            "must not make the scene larger than " + std::to_string(scene_most_bodies) + " bodies");
+            "must not make the scene larger than " + std::to_string(max_scene_bodies) + " bodies");
       return;
     }
     SceneRandom random(repeated->seed);
@@ -209,10 +212,10 @@ class Reader : private BodyFieldReader {
 
   // What check_scene() finds, in the file's terms.
 
-  static bool within(const std::string& part, const std::string& whole) {
-    return part.compare(0, whole.size(), whole) == 0 &&
-           (part.size() == whole.size() || part[whole.size()] == '.' || part[whole.size()] == '[' ||
-            whole.empty());
+  static bool within(const std::string& substep, const std::string& whole) {
+    return substep.compare(0, whole.size(), whole) == 0 &&
+           (substep.size() == whole.size() || substep[whole.size()] == '.' ||
+            substep[whole.size()] == '[' || whole.empty());
   }
 
   void check() {

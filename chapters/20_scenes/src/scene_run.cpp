@@ -18,9 +18,9 @@ CONTACT_SCENES_INLINE double energy_of_run(const Scene& scene, const SceneRun& r
     if (!body.moves) continue;
     const Vector3<double> v = run.velocity(i);
     const Matrix3<double> turn = matrix_of(run.orientation(i));
-    const Vector3<double> spin = turn.transpose() * run.spin(i);
-    const Vector3<double> momentum = body.inertia * spin;
-    sum += body.mass * v.dot(v) / 2 + spin.dot(momentum) / 2 -
+    const Vector3<double> angular_velocity = turn.transpose() * run.angular_velocity(i);
+    const Vector3<double> momentum = body.inertia * angular_velocity;
+    sum += body.mass * v.dot(v) / 2 + angular_velocity.dot(momentum) / 2 -
            body.mass * scene.gravity.dot(run.position(i));
   }
   return sum;

@@ -25,7 +25,7 @@ CONTACT_SCENES_INLINE std::optional<MassProperties<double>> hull_matter(
     const std::vector<Vector3<double>>& points) {
   const Hull hull = convex_hull(points);
   if (hull.dimension < 3) return std::nullopt;
-  std::vector<Corners> faces;
+  std::vector<VertexIndices> faces;
   for (const auto& [a, b, c] : triangles(hull)) {
     faces.push_back(
         {static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});
@@ -123,9 +123,10 @@ CONTACT_SCENES_INLINE SceneSolid scene_solid(const SceneBody& body) {
   if (const auto* box = std::get_if<BoxShape>(&body.shape))
     return OrientedBox<double>{body.position, axes, box->half_lengths};
   const auto& capsule = std::get<CapsuleShape>(body.shape);
-  const Vector3<double> arm = axes.col(2) * capsule.half_length;
+  const Vector3<double> lever_arm = axes.col(2) * capsule.half_length;
   return Capsule<double>{
-      {Vector3<double>(body.position - arm), Vector3<double>(body.position + arm)}, capsule.radius};
+      {Vector3<double>(body.position - lever_arm), Vector3<double>(body.position + lever_arm)},
+      capsule.radius};
 }
 
 /// A body as the points whose hull is its core, and the distance of its surface from the core.
@@ -141,8 +142,8 @@ CONTACT_SCENES_INLINE SceneCore scene_core(const SceneBody& body) {
   if (const auto* hull = std::get_if<HullShape>(&body.shape)) {
     const Matrix3<double> axes = matrix_of(body.orientation);
     for (const int vertex : convex_hull(hull->points).vertices) {
-      const Vector3<double> arm = axes * hull->points[static_cast<std::size_t>(vertex)];
-      core.points.emplace_back(body.position + arm);
+      const Vector3<double> lever_arm = axes * hull->points[static_cast<std::size_t>(vertex)];
+      core.points.emplace_back(body.position + lever_arm);
     }
     return core;
   }

@@ -56,11 +56,11 @@ CONTACT_SCENES_INLINE Json body_json(const Scene& scene, const SceneBody& body) 
     json["moves"] = false;
   }
   json["position"] = list(body.position);
-  const Rotor<double>& q = body.orientation;
+  const Quaternion<double>& q = body.orientation;
   json["orientation"]["quaternion"] = Json::array({q.w, q.v.x(), q.v.y(), q.v.z()});
   if (body.moves) {
     json["velocity"] = list(body.velocity);
-    json["spin"] = list(body.spin);
+    json["angular_velocity"] = list(body.angular_velocity);
   }
   return json;
 }

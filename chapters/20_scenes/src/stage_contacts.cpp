@@ -23,9 +23,10 @@
 
 namespace contact {
 
-CONTACT_SCENES_INLINE HullCorners placed(const HullCorners& shape, const Vector3<double>& position,
-                                         const Matrix3<double>& rotation) {
-  HullCorners moved;
+CONTACT_SCENES_INLINE HullVertices transformed(const HullVertices& shape,
+                                               const Vector3<double>& position,
+                                               const Matrix3<double>& rotation) {
+  HullVertices moved;
   moved.points.reserve(shape.points.size());
   for (const Vector3<double>& point : shape.points)
     moved.points.push_back(position + rotation * point);
@@ -41,7 +42,7 @@ CONTACT_SCENES_INLINE Gap<double> gap_of_shapes(const StepShape& a, const StepSh
           Gap<double> none;
           none.distance = std::numeric_limits<double>::infinity();
           return none;
-        } else if constexpr (std::same_as<A, HullCorners>) {
+        } else if constexpr (std::same_as<A, HullVertices>) {
           return gap<double>(one.points, 0.0, other);
         } else {
           return gap(one, other);
@@ -60,7 +61,7 @@ CONTACT_SCENES_INLINE ContactManifold<double> manifold_of_shapes(const StepShape
         ContactManifold<double> manifold;
         if constexpr (!has_narrow_phase<A, B>) {
           return manifold;
-        } else if constexpr (std::same_as<A, HullCorners>) {
+        } else if constexpr (std::same_as<A, HullVertices>) {
           manifold.normal = other.boundary.normal;
           for (const Vector3<double>& point : one.points) {
             const double distance = signed_distance(other.boundary, point);
@@ -77,26 +78,26 @@ CONTACT_SCENES_INLINE ContactManifold<double> manifold_of_shapes(const StepShape
 }
 
 CONTACT_SCENES_INLINE Vector3<double> point_velocity(const SteppedSetup& setup,
-                                                     const SteppedState& state, std::size_t place,
+                                                     const SteppedState& state, std::size_t slot,
                                                      const Vector3<double>& point) {
-  const Vector3<double> v = velocity_of(setup, state, place);
-  if (!turned_by_contacts(setup, place)) return v;
-  const Vector3<double> arm = point - position_of(setup, state, place);
-  return v + Vector3<double>(state.spin[place].cross(arm));
+  const Vector3<double> v = velocity_of(setup, state, slot);
+  if (!rotated_by_contacts(setup, slot)) return v;
+  const Vector3<double> lever_arm = point - position_of(setup, state, slot);
+  return v + Vector3<double>(state.angular_velocity[slot].cross(lever_arm));
 }
 
 namespace detail {
 
 CONTACT_SCENES_INLINE void place_shapes(const SteppedSetup& setup, const SteppedState& state,
-                                        StepPart& part) {
-  part.shapes.resize(setup.bodies.size());
+                                        Substep& substep) {
+  substep.shapes.resize(setup.bodies.size());
   std::vector<bool> done(setup.bodies.size(), false);
-  for (const NearPair& pair : part.pairs) {
+  for (const NearPair& pair : substep.pairs) {
     for (const std::size_t i : {pair.a, pair.b}) {
       if (done[i]) continue;
       done[i] = true;
-      part.shapes[i] = shape_in_world(setup.bodies[i], position_of(setup, state, i),
-                                      orientation_of(setup, state, i));
+      substep.shapes[i] = shape_in_world(setup.bodies[i], position_of(setup, state, i),
+                                         orientation_of(setup, state, i));
     }
   }
 }
@@ -106,7 +107,8 @@ CONTACT_SCENES_INLINE ContactManifold<double> manifold_with_gap(const StepShape&
                                                                 const StepShape& b,
                                                                 const Gap<double>& gap,
                                                                 const NearPair& pair) {
-  ContactManifold<double> manifold = manifold_of_shapes(a, b, std::max(pair.near, pair.reach));
+  ContactManifold<double> manifold =
+      manifold_of_shapes(a, b, std::max(pair.near, pair.closing_distance));
   for (const auto& point : manifold.points)
     if (point.distance <= std::max(gap.distance, 0.0) + pair.touch) return manifold;
   manifold.normal = gap.normal;
@@ -117,19 +119,20 @@ CONTACT_SCENES_INLINE ContactManifold<double> manifold_with_gap(const StepShape&
 /// A distance that rounding cannot distinguish from touching.
 CONTACT_SCENES_INLINE double touching_distance(const SteppedSetup& setup, const SteppedState& state,
                                                const NearPair& pair) {
-  double size =
-      position_of(setup, state, pair.a).cwiseAbs().maxCoeff() + setup.bodies[pair.a].reach;
+  double size = position_of(setup, state, pair.a).cwiseAbs().maxCoeff() +
+                setup.bodies[pair.a].bounding_radius;
   if (pair.b < setup.bounded)
-    size += position_of(setup, state, pair.b).cwiseAbs().maxCoeff() + setup.bodies[pair.b].reach;
+    size += position_of(setup, state, pair.b).cwiseAbs().maxCoeff() +
+            setup.bodies[pair.b].bounding_radius;
   return 0x1p-40 * size;
 }
 
 /// The angle by which a body of a pair may rotate so that its points move at most a quarter of half
 /// the thickness of the thinner one.
 CONTACT_SCENES_INLINE double turn_of_core(const SteppedSetup& setup, const NearPair& pair,
-                                          std::size_t place) {
+                                          std::size_t slot) {
   const double core = std::min(setup.bodies[pair.a].core, setup.bodies[pair.b].core);
-  return core / 4 / setup.bodies[place].spin_arm;
+  return core / 4 / setup.bodies[slot].rotation_radius;
 }
 
 /// For each mover, a bound on the error of its velocity that the contact forces of the last substep
@@ -141,13 +144,15 @@ CONTACT_SCENES_INLINE std::vector<double> rounding_of_forces(const SteppedSetup&
   if (!state.touched.empty()) rounding.resize(setup.movers, 0);
   for (std::size_t i = 0; i < state.touched.size(); ++i) {
     for (const int body : {state.touched[i].a, state.touched[i].b}) {
-      const auto place = static_cast<std::size_t>(body);
-      if (place >= setup.movers) continue;
-      const SteppedBody& solid = setup.bodies[place];
-      double response = 1 / solid.mass;
-      if (turned_by_contacts(setup, place))
-        response += solid.spin_arm * solid.spin_arm / solid.moments.minCoeff();
-      rounding[place] += rounding_of_impulses * state.pushed[i].normal * setup.step * response;
+      const auto slot = static_cast<std::size_t>(body);
+      if (slot >= setup.movers) continue;
+      const SteppedBody& solid = setup.bodies[slot];
+      double inverse_effective_mass = 1 / solid.mass;
+      if (rotated_by_contacts(setup, slot))
+        inverse_effective_mass +=
+            solid.rotation_radius * solid.rotation_radius / solid.moments.minCoeff();
+      rounding[slot] += rounding_of_impulses * state.last_impulses[i].normal * setup.step *
+                        inverse_effective_mass;
     }
   }
   return rounding;
@@ -155,13 +160,14 @@ CONTACT_SCENES_INLINE std::vector<double> rounding_of_forces(const SteppedSetup&
 
 }  // namespace detail
 
-CONTACT_SCENES_INLINE double longest_turn(const SteppedSetup& setup, const StepPart& part) {
-  double longest = part.planned;
-  for (const NearPair& pair : part.pairs) {
+CONTACT_SCENES_INLINE double longest_rotation(const SteppedSetup& setup, const Substep& substep) {
+  double longest = substep.planned;
+  for (const NearPair& pair : substep.pairs) {
     if (pair.material.stiffness || pair.manifold.points.empty()) continue;
     for (const std::size_t i : {pair.a, pair.b}) {
-      if (i >= part.end_spin.size() || !(setup.bodies[i].spin_arm > 0)) continue;
-      const double turns = size_of(part.end_spin[i]);
+      if (i >= substep.end_angular_velocity.size() || !(setup.bodies[i].rotation_radius > 0))
+        continue;
+      const double turns = size_of(substep.end_angular_velocity[i]);
       const double most = detail::turn_of_core(setup, pair, i);
       if (turns * longest > most) longest = most / turns;
     }
@@ -171,12 +177,12 @@ CONTACT_SCENES_INLINE double longest_turn(const SteppedSetup& setup, const StepP
 
 // [contacts-stage]
 CONTACT_SCENES_INLINE void find_touching_pairs(const SteppedSetup& setup, SteppedState& state,
-                                               StepPart& part) {
-  detail::place_shapes(setup, state, part);
+                                               Substep& substep) {
+  detail::place_shapes(setup, state, substep);
   const std::vector<double> rounding = detail::rounding_of_forces(setup, state);
-  for (NearPair& pair : part.pairs) {
-    const StepShape& a = part.shapes[pair.a];
-    const StepShape& b = part.shapes[pair.b];
+  for (NearPair& pair : substep.pairs) {
+    const StepShape& a = substep.shapes[pair.a];
+    const StepShape& b = substep.shapes[pair.b];
     pair.touch = detail::touching_distance(setup, state, pair);
     double wrong = 0;
     for (const std::size_t i : {pair.a, pair.b})
@@ -185,10 +191,11 @@ CONTACT_SCENES_INLINE void find_touching_pairs(const SteppedSetup& setup, Steppe
     pair.near = pair.touch + wrong * setup.step;
     // Without continuous detection only the distance that gravity closes in a step: so resting
     // bodies stay in contact.
-    pair.reach = setup.continuous ? detail::pair_reach(setup, state, part, pair)
-                                  : size_of(setup.scene.gravity) * part.left * part.left;
-    if (part.at_once) {
-      pair.manifold = manifold_of_shapes(a, b, std::max(pair.touch, pair.reach));
+    pair.closing_distance = setup.continuous
+                                ? detail::pair_closing_distance(setup, state, substep, pair)
+                                : size_of(setup.scene.gravity) * substep.left * substep.left;
+    if (substep.simultaneous) {
+      pair.manifold = manifold_of_shapes(a, b, std::max(pair.touch, pair.closing_distance));
       pair.distance = std::numeric_limits<double>::infinity();
       for (const auto& point : pair.manifold.points)
         pair.distance = std::min(pair.distance, point.distance);
@@ -204,14 +211,14 @@ CONTACT_SCENES_INLINE void find_touching_pairs(const SteppedSetup& setup, Steppe
     pair.leaving = true;
     for (const auto& point : pair.manifold.points) {
       if (point.distance <= pair.near &&
-          !(parting_speed(setup, state, pair, point.point) > pair.slow))
+          !(separation_speed(setup, state, pair, point.point) > pair.slow))
         pair.leaving = false;
     }
     for (const std::size_t i : {pair.a, pair.b}) {
-      const double turns = size_of(spin_of(state, i));
-      if (i >= setup.movers || !(setup.bodies[i].spin_arm > 0)) continue;
+      const double turns = size_of(angular_velocity_of(state, i));
+      if (i >= setup.movers || !(setup.bodies[i].rotation_radius > 0)) continue;
       const double most = std::min(0x1p-4, detail::turn_of_core(setup, pair, i));
-      if (turns * part.length > most) part.planned = part.length = most / turns;
+      if (turns * substep.length > most) substep.planned = substep.length = most / turns;
     }
   }
 }

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <contact/contact_finish.hpp>
+#include <contact/contact_active_set.hpp>
 #include <contact/contact_manifold.hpp>
 #include <contact/contact_solver.hpp>
 #include <contact/contact_world.hpp>
@@ -40,7 +40,8 @@ CONTACT_SCENES_INLINE std::vector<ContactImpulse<double>> warm_start(
       const Vector3<double> between = then->point - contacts[i].point;
       if (!(between.dot(between) < nearest)) continue;
       nearest = between.dot(between);
-      const auto& force = state.pushed[static_cast<std::size_t>(then - state.touched.begin())];
+      const auto& force =
+          state.last_impulses[static_cast<std::size_t>(then - state.touched.begin())];
       start[i] = {force.normal * length, Vector3<double>(force.tangential * length)};
     }
   }
@@ -67,17 +68,18 @@ CONTACT_SCENES_INLINE double restitution_of(const SteppedSetup& setup,
 }
 
 CONTACT_SCENES_INLINE Closing closing_of(const SteppedSetup& setup, const SteppedState& state,
-                                         const StepPart& part, const NearPair& pair,
+                                         const Substep& substep, const NearPair& pair,
                                          const Vector3<double>& point) {
-  const auto change = [&](std::size_t place) {
-    if (place >= setup.movers) return Vector3<double>(Vector3<double>::Zero());
-    Vector3<double> of_point = part.end_velocity[place] - state.velocity[place];
-    if (!turned_by_contacts(setup, place)) return of_point;
-    const Vector3<double> arm = point - position_of(setup, state, place);
-    of_point += Vector3<double>(part.end_spin[place] - state.spin[place]).cross(arm);
+  const auto change = [&](std::size_t slot) {
+    if (slot >= setup.movers) return Vector3<double>(Vector3<double>::Zero());
+    Vector3<double> of_point = substep.end_velocity[slot] - state.velocity[slot];
+    if (!rotated_by_contacts(setup, slot)) return of_point;
+    const Vector3<double> lever_arm = point - position_of(setup, state, slot);
+    of_point += Vector3<double>(substep.end_angular_velocity[slot] - state.angular_velocity[slot])
+                    .cross(lever_arm);
     return of_point;
   };
-  const double now = -parting_speed(setup, state, pair, point);
+  const double now = -separation_speed(setup, state, pair, point);
   const Vector3<double> changes = change(pair.b) - change(pair.a);
   return {now, now + pair.manifold.normal.dot(changes)};
 }
@@ -85,13 +87,14 @@ CONTACT_SCENES_INLINE Closing closing_of(const SteppedSetup& setup, const Steppe
 /// A body that is pushed at the start pushes at the start what it touches, and so on: with the mean
 /// of two velocities that would react too late.
 CONTACT_SCENES_INLINE void push_on(const SteppedSetup& setup, const SteppedState& state,
-                                   StepPart& part, const std::vector<BodyContact<double>>& contacts,
+                                   Substep& substep,
+                                   const std::vector<BodyContact<double>>& contacts,
                                    const std::vector<ContactImpulse<double>>& impulses) {
   std::vector<BodyContact<double>> pushing;
   for (std::size_t i = 0; i < contacts.size(); ++i)
     if (impulses[i].normal > 0) pushing.push_back(contacts[i]);
   const auto moves = [&](int body) { return index(body) < setup.movers; };
-  const auto at_start = [&](int body) { return moves(body) && part.at_start[index(body)]; };
+  const auto at_start = [&](int body) { return moves(body) && substep.at_start[index(body)]; };
   for (const std::vector<std::size_t>& island : islands(setup, state, pushing)) {
     const bool some = std::any_of(island.begin(), island.end(), [&](std::size_t i) {
       return at_start(pushing[i].a) || at_start(pushing[i].b);
@@ -99,35 +102,35 @@ CONTACT_SCENES_INLINE void push_on(const SteppedSetup& setup, const SteppedState
     if (!some) continue;
     for (const std::size_t i : island)
       for (const int body : {pushing[i].a, pushing[i].b})
-        if (moves(body)) part.at_start[index(body)] = true;
+        if (moves(body)) substep.at_start[index(body)] = true;
   }
 }
 
 /// Bodies that contacts push at the start still fall with constant acceleration where no contact
 /// holds them: perpendicular to the normals of all contacts. Friction holds in all directions.
 CONTACT_SCENES_INLINE void change_evenly(const SteppedSetup& setup, const SteppedState& state,
-                                         StepPart& part,
+                                         Substep& substep,
                                          const std::vector<BodyContact<double>>& contacts,
                                          const std::vector<ContactImpulse<double>>& impulses) {
   std::vector<std::vector<Vector3<double>>> held(setup.movers);  // orthonormal
-  std::vector<bool> rubs(setup.movers, false);
+  std::vector<bool> has_friction(setup.movers, false);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (!(impulses[i].normal > 0)) continue;
     for (const int body : {contacts[i].a, contacts[i].b}) {
-      const std::size_t place = index(body);
-      if (place >= setup.movers || !part.at_start[place]) continue;
-      rubs[place] = rubs[place] || impulses[i].tangential != Vector3<double>::Zero();
+      const std::size_t slot = index(body);
+      if (slot >= setup.movers || !substep.at_start[slot]) continue;
+      has_friction[slot] = has_friction[slot] || impulses[i].tangential != Vector3<double>::Zero();
       Vector3<double> rest = contacts[i].normal;
-      for (const Vector3<double>& n : held[place]) rest -= n * n.dot(rest);
+      for (const Vector3<double>& n : held[slot]) rest -= n * n.dot(rest);
       const double size = size_of(rest);
-      if (size > 0x1p-20) held[place].push_back(rest / size);
+      if (size > 0x1p-20) held[slot].push_back(rest / size);
     }
   }
-  part.even.assign(setup.movers, Vector3<double>::Zero());
+  substep.even.assign(setup.movers, Vector3<double>::Zero());
   for (std::size_t i = 0; i < setup.movers; ++i) {
-    if (!part.at_start[i] || rubs[i]) continue;
-    part.even[i] = part.free_velocity[i] - state.velocity[i];
-    for (const Vector3<double>& n : held[i]) part.even[i] -= n * n.dot(part.even[i]);
+    if (!substep.at_start[i] || has_friction[i]) continue;
+    substep.even[i] = substep.free_velocity[i] - state.velocity[i];
+    for (const Vector3<double>& n : held[i]) substep.even[i] -= n * n.dot(substep.even[i]);
   }
 }
 
@@ -135,89 +138,90 @@ CONTACT_SCENES_INLINE void change_evenly(const SteppedSetup& setup, const Steppe
 
 // [forces-stage]
 CONTACT_SCENES_INLINE void solve_forces(const SteppedSetup& setup, SteppedState& state,
-                                        StepPart& part) {
-  part.free_velocity = part.end_velocity;
-  if (part.at_once) part.free_spin = part.end_spin;
+                                        Substep& substep) {
+  substep.free_velocity = substep.end_velocity;
+  if (substep.simultaneous) substep.free_angular_velocity = substep.end_angular_velocity;
   std::vector<BodyContact<double>> contacts;
   std::vector<double> gaps;
   std::vector<detail::Closing> closing;
-  for (const NearPair& pair : part.pairs) {
-    if (pair.material.stiffness || (pair.leaving && !part.at_once)) continue;
+  for (const NearPair& pair : substep.pairs) {
+    if (pair.material.stiffness || (pair.leaving && !substep.simultaneous)) continue;
     // At a distance of only some roundings, a body that rests or slides beside it moves half that
     // distance with the mean of its velocities, which is not too late.
     const auto rounds = [&](const ManifoldPoint<double>& point, double gap) {
-      const double way = -parting_speed(setup, state, pair, point.point) * part.planned;
-      return !part.at_once && gap <= 16 * pair.near && way <= gap + 2 * pair.near;
+      const double way = -separation_speed(setup, state, pair, point.point) * substep.planned;
+      return !substep.simultaneous && gap <= 16 * pair.near && way <= gap + 2 * pair.near;
     };
     for (const auto& point : pair.manifold.points) {
       const double gap = std::max(point.distance, 0.0);
       const bool touches = point.distance <= pair.touch;
-      contacts.push_back(detail::contact_at(pair, point, touches ? 0.0 : -(gap / part.planned)));
+      contacts.push_back(detail::contact_at(pair, point, touches ? 0.0 : -(gap / substep.planned)));
       gaps.push_back(touches || rounds(point, gap) ? 0.0 : gap);
-      if (part.at_once)
-        closing.push_back(detail::closing_of(setup, state, part, pair, point.point));
+      if (substep.simultaneous)
+        closing.push_back(detail::closing_of(setup, state, substep, pair, point.point));
     }
   }
   if (contacts.empty()) {
     state.touched.clear();
-    state.pushed.clear();
+    state.last_impulses.clear();
     return;
   }
-  const auto make = [&](std::size_t place) {
-    const bool mover = place < setup.movers;
-    const bool turns = place < part.end_spin.size();
+  const auto make = [&](std::size_t slot) {
+    const bool mover = slot < setup.movers;
+    const bool turns = slot < substep.end_angular_velocity.size();
     return detail::solver_body(
-        setup, state, place,
-        mover ? part.end_velocity[place] : Vector3<double>(Vector3<double>::Zero()),
-        turns ? part.end_spin[place] : Vector3<double>(Vector3<double>::Zero()));
+        setup, state, slot,
+        mover ? substep.end_velocity[slot] : Vector3<double>(Vector3<double>::Zero()),
+        turns ? substep.end_angular_velocity[slot] : Vector3<double>(Vector3<double>::Zero()));
   };
-  const auto give = [&](std::size_t place, const RigidBody<double>& body) {
-    part.end_velocity.set(place, body.velocity);
-    if (turned_by_contacts(setup, place)) part.end_spin.set(place, body.spin);
+  const auto give = [&](std::size_t slot, const RigidBody<double>& body) {
+    substep.end_velocity.set(slot, body.velocity);
+    if (rotated_by_contacts(setup, slot))
+      substep.end_angular_velocity.set(slot, body.angular_velocity);
   };
   double margin = 0;
-  for (const NearPair& pair : part.pairs) margin = std::max(margin, pair.reach);
-  const auto start = detail::warm_start(state, contacts, part.planned, margin);
+  for (const NearPair& pair : substep.pairs) margin = std::max(margin, pair.closing_distance);
+  const auto start = detail::warm_start(state, contacts, substep.planned, margin);
   // As long as no impact has divided this step, resting contacts get more iterations: a stack
   // depends on converged forces.
-  const bool calm = setup.together && setup.one_by_one && part.cuts == 0;
-  const auto impulses = detail::solve_islands(
-      setup, state, contacts, start, part.planned,
-      calm ? detail::SweepsFor::rest : detail::SweepsFor::anything, make, give);
+  const bool calm = setup.together && setup.one_by_one && substep.cuts == 0;
+  const auto impulses =
+      detail::solve_islands(setup, state, contacts, start, substep.planned,
+                            calm ? detail::SolveFor::rest : detail::SolveFor::anything, make, give);
   // The impulse with which a very short substep stops an approach is not a lasting force.
-  const bool lasts = part.planned * 64 >= setup.step;
+  const bool lasts = substep.planned * 64 >= setup.step;
   if (lasts) {
     state.touched.clear();
-    state.pushed.clear();
+    state.last_impulses.clear();
   }
   std::vector<std::size_t> hit_pairs;  // contacts of these
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const ContactImpulse<double>& impulse = impulses[i];
     if (!(impulse.normal > 0)) continue;
-    const double came = part.at_once ? closing[i].after(gaps[i], part.planned) : 0;
+    const double came = substep.simultaneous ? closing[i].after(gaps[i], substep.planned) : 0;
     const bool still = detail::index(contacts[i].b) >= setup.movers;
     const bool hits = came > 0 && came > slowest_bounce(setup, still, contacts[i].normal);
     for (const int body : {contacts[i].a, contacts[i].b}) {
-      const std::size_t place = detail::index(body);
-      if (place >= setup.movers) continue;
-      part.pushed[place] = true;
-      if (gaps[i] > 0 || hits) part.at_start[place] = true;
+      const std::size_t slot = detail::index(body);
+      if (slot >= setup.movers) continue;
+      substep.contacted[slot] = true;
+      if (gaps[i] > 0 || hits) substep.at_start[slot] = true;
     }
     // A hit is not a lasting force.
     if (lasts && !hits) {
       state.touched.push_back(contacts[i]);
-      state.pushed.push_back(
-          {impulse.normal / part.planned, Vector3<double>(impulse.tangential / part.planned)});
+      state.last_impulses.push_back({impulse.normal / substep.planned,
+                                     Vector3<double>(impulse.tangential / substep.planned)});
     }
-    if (!part.at_once) continue;
+    if (!substep.simultaneous) continue;
     const double e = hits ? detail::restitution_of(setup, contacts[i]) : 0;
-    part.bounces.push_back({contacts[i], impulse});
-    part.bounces.back().contact.least_velocity = e * came;
+    substep.bounces.push_back({contacts[i], impulse});
+    substep.bounces.back().contact.min_velocity = e * came;
     if (hits && !(e > 0)) hit_pairs.push_back(i);
   }
-  if (std::find(part.at_start.begin(), part.at_start.end(), true) != part.at_start.end()) {
-    detail::push_on(setup, state, part, contacts, impulses);
-    detail::change_evenly(setup, state, part, contacts, impulses);
+  if (std::find(substep.at_start.begin(), substep.at_start.end(), true) != substep.at_start.end()) {
+    detail::push_on(setup, state, substep, contacts, impulses);
+    detail::change_evenly(setup, state, substep, contacts, impulses);
   }
   // A pair that hits at several points hits once.
   for (std::size_t k = 0; k < hit_pairs.size();) {
@@ -225,7 +229,8 @@ CONTACT_SCENES_INLINE void solve_forces(const SteppedSetup& setup, SteppedState&
     while (next < hit_pairs.size() && contacts[hit_pairs[next]].a == contacts[hit_pairs[k]].a &&
            contacts[hit_pairs[next]].b == contacts[hit_pairs[k]].b)
       ++next;
-    detail::note_hit(setup, state, part, contacts, impulses, hit_pairs[k], hit_pairs[next - 1] + 1);
+    detail::record_hit(setup, state, substep, contacts, impulses, hit_pairs[k],
+                       hit_pairs[next - 1] + 1);
     k = next;
   }
 }

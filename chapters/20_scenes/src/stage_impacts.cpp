@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include <contact/contact_finish.hpp>
+#include <contact/contact_active_set.hpp>
 #include <contact/contact_manifold.hpp>
 #include <contact/contact_solver.hpp>
 #include <contact/contact_world.hpp>
@@ -25,12 +25,12 @@ namespace contact {
 
 // [impacts-stage]
 CONTACT_SCENES_INLINE void solve_impacts(const SteppedSetup& setup, SteppedState& state,
-                                         StepPart& part) {
-  if (part.at_once) return;
+                                         Substep& substep) {
+  if (substep.simultaneous) return;
   std::vector<BodyContact<double>> contacts;
   std::vector<std::pair<std::size_t, std::size_t>> hits;  // first and one past the last contact
   bool approaches = false;
-  for (const NearPair& pair : part.pairs) {
+  for (const NearPair& pair : substep.pairs) {
     if (!pair.touching || pair.material.stiffness) continue;
     const std::size_t first = contacts.size();
     bool hit = false;
@@ -39,7 +39,7 @@ CONTACT_SCENES_INLINE void solve_impacts(const SteppedSetup& setup, SteppedState
         std::max(slowest_bounce(setup, pair.b >= setup.movers, pair.manifold.normal), pair.slow);
     for (const auto& point : pair.manifold.points) {
       if (point.distance > pair.near) continue;
-      const double speed = parting_speed(setup, state, pair, point.point);
+      const double speed = separation_speed(setup, state, pair, point.point);
       const bool fast = speed < -slowest;
       contacts.push_back(
           detail::contact_at(pair, point, fast ? -(pair.material.restitution * speed) : 0.0));
@@ -53,9 +53,9 @@ CONTACT_SCENES_INLINE void solve_impacts(const SteppedSetup& setup, SteppedState
   if (!approaches) return;
   const auto impulses = detail::solve_now(setup, state, contacts);
   for (const auto& [first, last] : hits)
-    detail::note_hit(setup, state, part, contacts, impulses, first, last);
-  part.length = 0;
-  ++part.cuts;
+    detail::record_hit(setup, state, substep, contacts, impulses, first, last);
+  substep.length = 0;
+  ++substep.cuts;
 }
 // [/impacts-stage]
 
@@ -69,16 +69,16 @@ struct BouncingContacts {
 
 CONTACT_SCENES_INLINE BouncingContacts bouncing_contacts(const SteppedSetup& setup,
                                                          const SteppedState& state,
-                                                         const StepPart& part) {
+                                                         const Substep& substep) {
   std::vector<BodyContact<double>> pushed;
-  for (const StepBounce& bounce : part.bounces) pushed.push_back(bounce.contact);
-  const auto bounces = [&](std::size_t i) { return pushed[i].least_velocity > 0; };
+  for (const StepBounce& bounce : substep.bounces) pushed.push_back(bounce.contact);
+  const auto bounces = [&](std::size_t i) { return pushed[i].min_velocity > 0; };
   BouncingContacts found;
   for (const std::vector<std::size_t>& island : islands(setup, state, pushed)) {
     if (std::none_of(island.begin(), island.end(), bounces)) continue;
     for (const std::size_t i : island) {
       found.contacts.push_back(pushed[i]);
-      found.start.push_back(part.bounces[i].stop);
+      found.start.push_back(substep.bounces[i].stop);
     }
   }
   return found;
@@ -88,43 +88,45 @@ CONTACT_SCENES_INLINE BouncingContacts bouncing_contacts(const SteppedSetup& set
 
 // [bounces-stage]
 CONTACT_SCENES_INLINE void solve_bounces(const SteppedSetup& setup, SteppedState& state,
-                                         StepPart& part) {
-  if (part.bounces.empty()) return;
-  const auto all = detail::bouncing_contacts(setup, state, part);
-  const auto make = [&](std::size_t place) {
+                                         Substep& substep) {
+  if (substep.bounces.empty()) return;
+  const auto all = detail::bouncing_contacts(setup, state, substep);
+  const auto make = [&](std::size_t slot) {
     const Vector3<double> zero = Vector3<double>::Zero();
-    return detail::solver_body(setup, state, place,
-                               place < setup.movers ? part.free_velocity[place] : zero,
-                               place < part.free_spin.size() ? part.free_spin[place] : zero);
+    return detail::solver_body(
+        setup, state, slot, slot < setup.movers ? substep.free_velocity[slot] : zero,
+        slot < substep.free_angular_velocity.size() ? substep.free_angular_velocity[slot] : zero);
   };
-  const auto give = [&](std::size_t place, const RigidBody<double>& body) {
-    part.bounced.push_back({place, body.velocity, body.spin, orientation_of(setup, state, place)});
+  const auto give = [&](std::size_t slot, const RigidBody<double>& body) {
+    substep.bounced.push_back(
+        {slot, body.velocity, body.angular_velocity, orientation_of(setup, state, slot)});
   };
-  const auto impulses = detail::solve_islands(setup, state, all.contacts, all.start, part.planned,
-                                              detail::SweepsFor::bounces, make, give);
+  const auto impulses =
+      detail::solve_islands(setup, state, all.contacts, all.start, substep.planned,
+                            detail::SolveFor::bounces, make, give);
   for (std::size_t first = 0, last = 0; first < all.contacts.size(); first = last) {
     bool hit = false;
     for (; last < all.contacts.size() && all.contacts[last].a == all.contacts[first].a &&
            all.contacts[last].b == all.contacts[first].b;
          ++last)
-      hit = hit || all.contacts[last].least_velocity > 0;
-    if (hit) detail::note_hit(setup, state, part, all.contacts, impulses, first, last);
+      hit = hit || all.contacts[last].min_velocity > 0;
+    if (hit) detail::record_hit(setup, state, substep, all.contacts, impulses, first, last);
   }
 }
 // [/bounces-stage]
 
 // [leaving-stage]
-CONTACT_SCENES_INLINE void leave_bounced(const SteppedSetup& setup, SteppedState& state,
-                                         StepPart& part) {
-  for (const BouncedBody& body : part.bounced) {
-    state.velocity.set(body.place, body.velocity);
-    if (!turned_by_contacts(setup, body.place)) continue;
-    Vector3<double> spin = body.spin;
-    if (!setup.bodies[body.place].round) {
-      const Vector3<double> own = matrix_of(body.orientation).transpose() * spin;
-      spin = matrix_of(state.orientation[body.place]) * own;
+CONTACT_SCENES_INLINE void apply_bounces(const SteppedSetup& setup, SteppedState& state,
+                                         Substep& substep) {
+  for (const BouncedBody& body : substep.bounced) {
+    state.velocity.set(body.slot, body.velocity);
+    if (!rotated_by_contacts(setup, body.slot)) continue;
+    Vector3<double> angular_velocity = body.angular_velocity;
+    if (!setup.bodies[body.slot].round) {
+      const Vector3<double> own = matrix_of(body.orientation).transpose() * angular_velocity;
+      angular_velocity = matrix_of(state.orientation[body.slot]) * own;
     }
-    state.spin.set(body.place, spin);
+    state.angular_velocity.set(body.slot, angular_velocity);
   }
 }
 // [/leaving-stage]
@@ -132,19 +134,20 @@ CONTACT_SCENES_INLINE void leave_bounced(const SteppedSetup& setup, SteppedState
 namespace detail {
 
 /// Applies an impulse at a point to the velocities of two bodies at the end of the substep.
-CONTACT_SCENES_INLINE void push_apart(const SteppedSetup& setup, const SteppedState& state,
-                                      StepPart& part, const NearPair& pair,
-                                      const RigidBody<double>& a, const RigidBody<double>& b,
-                                      const Vector3<double>& point,
-                                      const Vector3<double>& impulse) {
-  const auto give = [&](std::size_t place, const RigidBody<double>& body,
+CONTACT_SCENES_INLINE void projected_newton(const SteppedSetup& setup, const SteppedState& state,
+                                            Substep& substep, const NearPair& pair,
+                                            const RigidBody<double>& a, const RigidBody<double>& b,
+                                            const Vector3<double>& point,
+                                            const Vector3<double>& impulse) {
+  const auto give = [&](std::size_t slot, const RigidBody<double>& body,
                         const Vector3<double>& push) {
-    if (place >= setup.movers || sleeps(state, place)) return;
-    part.end_velocity.add(place, push * body.inverse_mass);
-    part.pushed[place] = true;
-    if (!turned_by_contacts(setup, place)) return;
-    const Vector3<double> arm = point - body.position;
-    part.end_spin.add(place, body.inverse_inertia * Vector3<double>(arm.cross(push)));
+    if (slot >= setup.movers || sleeps(state, slot)) return;
+    substep.end_velocity.add(slot, push * body.inverse_mass);
+    substep.contacted[slot] = true;
+    if (!rotated_by_contacts(setup, slot)) return;
+    const Vector3<double> lever_arm = point - body.position;
+    substep.end_angular_velocity.add(slot,
+                                     body.inverse_inertia * Vector3<double>(lever_arm.cross(push)));
   };
   give(pair.a, a, impulse);
   give(pair.b, b, Vector3<double>(-impulse));
@@ -153,19 +156,19 @@ CONTACT_SCENES_INLINE void push_apart(const SteppedSetup& setup, const SteppedSt
 }  // namespace detail
 
 // [springs-stage]
-CONTACT_SCENES_INLINE void push_springs(const SteppedSetup& setup, SteppedState& state,
-                                        StepPart& part) {
+CONTACT_SCENES_INLINE void apply_spring_forces(const SteppedSetup& setup, SteppedState& state,
+                                               Substep& substep) {
   bool near = false;
-  for (const NearPair& pair : part.pairs)
-    near = near || (pair.material.stiffness && pair.distance <= pair.reach);
+  for (const NearPair& pair : substep.pairs)
+    near = near || (pair.material.stiffness && pair.distance <= pair.closing_distance);
   if (!near) return;
-  part.planned = part.length = std::min(part.length, setup.spring_part);
-  const double h = part.length;
-  const auto make = [&](std::size_t place) {
-    return detail::solver_body(setup, state, place, velocity_of(setup, state, place),
-                               spin_of(state, place));
+  substep.planned = substep.length = std::min(substep.length, setup.spring_substep);
+  const double h = substep.length;
+  const auto make = [&](std::size_t slot) {
+    return detail::solver_body(setup, state, slot, velocity_of(setup, state, slot),
+                               angular_velocity_of(state, slot));
   };
-  for (const NearPair& pair : part.pairs) {
+  for (const NearPair& pair : substep.pairs) {
     if (!pair.material.stiffness || pair.manifold.points.empty()) continue;
     const RigidBody<double> a = make(pair.a);
     const RigidBody<double> b = make(pair.b);
@@ -181,19 +184,19 @@ CONTACT_SCENES_INLINE void push_springs(const SteppedSetup& setup, SteppedState&
                                     point_velocity(setup, state, pair.b, point.point);
       const double approach = -n.dot(slide);
       const double depth = approach * (h / 2) - point.distance;
-      const double give = response<double>(a, b, point.point, n, n);
+      const double give = inverse_effective_mass<double>(a, b, point.point, n, n);
       const double push =
-          contact_push(spring, depth, approach + h * pull) / (1 + h * spring.damping * give);
+          contact_force(spring, depth, approach + h * pull) / (1 + h * spring.damping * give);
       if (!(push > 0)) continue;
       Vector3<double> impulse = n * (push * h);
       const Vector3<double> along = slide + n * approach;
       const double speed = size_of(along);
       if (pair.material.friction > 0 && speed > 0) {
         const Vector3<double> way = along / speed;
-        const double stop = speed / response<double>(a, b, point.point, way, way);
+        const double stop = speed / inverse_effective_mass<double>(a, b, point.point, way, way);
         impulse -= way * std::min(stop, pair.material.friction * push * h);
       }
-      detail::push_apart(setup, state, part, pair, a, b, point.point, impulse);
+      detail::projected_newton(setup, state, substep, pair, a, b, point.point, impulse);
       ++state.counts.contacts;
     }
   }

@@ -18,8 +18,8 @@
 namespace contact {
 
 CONTACT_SCENES_INLINE double largest_free_square(const Vector3<double>& moments,
-                                                 const Vector3<double>& spin) {
-  const Vector3<double> square = spin.cwiseProduct(spin);
+                                                 const Vector3<double>& angular_velocity) {
+  const Vector3<double> square = angular_velocity.cwiseProduct(angular_velocity);
   Vector3<double> sorted = moments;
   std::sort(sorted.data(), sorted.data() + 3);
   const double energy = moments.dot(square);  // twice
@@ -36,26 +36,27 @@ CONTACT_SCENES_INLINE double largest_free_square(const Vector3<double>& moments,
 /// and for a sliding block. A substep that an impact cuts short ends with the velocity at that
 /// instant.
 CONTACT_SCENES_INLINE void move_bodies(const SteppedSetup& setup, SteppedState& state,
-                                       StepPart& part) {
-  const double share = part.length / part.planned;
+                                       Substep& substep) {
+  const double share = substep.length / substep.planned;
   for (std::size_t i = 0; i < setup.movers; ++i) {
     if (sleeps(state, i)) continue;
-    const Vector3<double> first = first_velocity(state, part, i);
-    const Vector3<double> end = part.end_velocity[i];
+    const Vector3<double> first = first_velocity(state, substep, i);
+    const Vector3<double> end = substep.end_velocity[i];
     const Vector3<double> change = end - first;
-    state.position.add(i, Vector3<double>(first + change * (share / 2)) * part.length);
+    state.position.add(i, Vector3<double>(first + change * (share / 2)) * substep.length);
     state.velocity.set(i, share < 1 ? Vector3<double>(first + change * share) : end);
   }
 }
 // [/moving-stage]
 
 // [turning-stage]
-CONTACT_SCENES_INLINE void turn_bodies(const SteppedSetup& setup, SteppedState& state,
-                                       StepPart& part) {
+CONTACT_SCENES_INLINE void rotate_bodies(const SteppedSetup& setup, SteppedState& state,
+                                         Substep& substep) {
   for (std::size_t i = 0; i < setup.movers; ++i) {
     if (sleeps(state, i)) continue;
-    state.orientation[i] = detail::turned_evenly(state, part, i, part.length);
-    state.spin.set(i, detail::pushed_spin(state, part, i, part.length));
+    state.orientation[i] = detail::rotated_uniformly(state, substep, i, substep.length);
+    state.angular_velocity.set(i,
+                               detail::contact_angular_velocity(state, substep, i, substep.length));
   }
 }
 // [/turning-stage]
@@ -68,32 +69,34 @@ namespace detail {
 ///
 /// Source: Celledoni, Marthinsen and Owren, *Commutator-free Lie group methods*, Future Generation
 /// Computer Systems 19 (2003).
-CONTACT_SCENES_INLINE Rotor<double> free_turn(const Rotor<double>& q,
-                                              const Vector3<double>& momentum,
-                                              const SteppedBody& body, double h) {
-  const auto spin_at = [&](const Rotor<double>& r) {
-    return free_spin<double>(momentum, body.moments, Matrix3<double>(matrix_of(r) * body.axes));
+CONTACT_SCENES_INLINE Quaternion<double> free_turn(const Quaternion<double>& q,
+                                                   const Vector3<double>& momentum,
+                                                   const SteppedBody& body, double h) {
+  const auto angular_velocity_at = [&](const Quaternion<double>& r) {
+    return free_angular_velocity<double>(momentum, body.moments,
+                                         Matrix3<double>(matrix_of(r) * body.axes));
   };
-  const Vector3<double> k1 = spin_at(q);
-  const Rotor<double> half = exponential<double>(k1 * (h / 2)) * q;
-  const Vector3<double> k2 = spin_at(half);
-  const Vector3<double> k3 = spin_at(exponential<double>(k2 * (h / 2)) * q);
-  const Vector3<double> k4 = spin_at(exponential<double>(k3 * h - k1 * (h / 2)) * half);
+  const Vector3<double> k1 = angular_velocity_at(q);
+  const Quaternion<double> half = exponential<double>(k1 * (h / 2)) * q;
+  const Vector3<double> k2 = angular_velocity_at(half);
+  const Vector3<double> k3 = angular_velocity_at(exponential<double>(k2 * (h / 2)) * q);
+  const Vector3<double> k4 = angular_velocity_at(exponential<double>(k3 * h - k1 * (h / 2)) * half);
   const Vector3<double> both = (k2 + k3) * 2;
   const Vector3<double> first = (k1 * 3 + both - k4) * (h / 12);
   const Vector3<double> second = (k4 * 3 + both - k1) * (h / 12);
   return normalised(exponential<double>(second) * (exponential<double>(first) * q));
 }
 
-CONTACT_SCENES_INLINE Rotor<double> turned_freely(const SteppedSetup& setup,
-                                                  const SteppedState& state, const StepPart& part,
-                                                  std::size_t i, double length) {
+CONTACT_SCENES_INLINE Quaternion<double> rotated_freely(const SteppedSetup& setup,
+                                                        const SteppedState& state,
+                                                        const Substep& substep, std::size_t i,
+                                                        double length) {
   const SteppedBody& body = setup.bodies[i];
-  Rotor<double> q = state.orientation[i];
-  const Vector3<double> mean = mean_spin(state, part, i, length);
+  Quaternion<double> q = state.orientation[i];
+  const Vector3<double> mean = mean_angular_velocity(state, substep, i, length);
   if (body.round || mean == Vector3<double>::Zero())
     return normalised(exponential_step(q, mean, length));
-  const Vector3<double> momentum = momentum_of_spin(body, q, mean);
+  const Vector3<double> momentum = angular_momentum_of(body, q, mean);
   // For a needle, a small change of orientation changes the angular velocity by much: in proportion
   // to the ratio of its moments, and the error of the fourth order grows with that.
   const double ratio = body.moments.maxCoeff() / body.moments.minCoeff();
@@ -107,33 +110,36 @@ CONTACT_SCENES_INLINE Rotor<double> turned_freely(const SteppedSetup& setup,
 
 }  // namespace detail
 
-CONTACT_SCENES_INLINE void turn_with_gyroscopic_term(const SteppedSetup& setup, SteppedState& state,
-                                                     StepPart& part) {
+CONTACT_SCENES_INLINE void rotate_with_gyroscopic_term(const SteppedSetup& setup,
+                                                       SteppedState& state, Substep& substep) {
   for (std::size_t i = 0; i < setup.movers; ++i) {
     if (sleeps(state, i)) continue;
     const SteppedBody& body = setup.bodies[i];
-    Vector3<double> spin = detail::pushed_spin(state, part, i, part.length);
-    const Rotor<double> turned = detail::turned_freely(setup, state, part, i, part.length);
-    if (!body.round && spin != Vector3<double>::Zero()) {
-      const Vector3<double> momentum = detail::momentum_of_spin(body, state.orientation[i], spin);
+    Vector3<double> angular_velocity =
+        detail::contact_angular_velocity(state, substep, i, substep.length);
+    const Quaternion<double> turned =
+        detail::rotated_freely(setup, state, substep, i, substep.length);
+    if (!body.round && angular_velocity != Vector3<double>::Zero()) {
+      const Vector3<double> momentum =
+          detail::angular_momentum_of(body, state.orientation[i], angular_velocity);
       const Matrix3<double> principal = matrix_of(turned) * body.axes;
-      spin = free_spin<double>(momentum, body.moments, principal);
+      angular_velocity = free_angular_velocity<double>(momentum, body.moments, principal);
     }
     state.orientation[i] = turned;
-    state.spin.set(i, spin);
+    state.angular_velocity.set(i, angular_velocity);
   }
 }
 // [/gyroscopic-stage]
 
 // [pushing-out-stage]
-CONTACT_SCENES_INLINE void push_out(const SteppedSetup& setup, SteppedState& state,
-                                    StepPart& part) {
+CONTACT_SCENES_INLINE void correct_positions(const SteppedSetup& setup, SteppedState& state,
+                                             Substep& substep) {
   std::vector<Vector3<double>> moved;  // of each mover, so far
-  const auto lightness = [&](std::size_t place) {
-    return place < setup.movers && !sleeps(state, place) ? 1 / setup.bodies[place].mass : 0.0;
+  const auto lightness = [&](std::size_t slot) {
+    return slot < setup.movers && !sleeps(state, slot) ? 1 / setup.bodies[slot].mass : 0.0;
   };
-  for (int round = 0; round < push_out_rounds; ++round) {
-    for (const NearPair& pair : part.pairs) {
+  for (int round = 0; round < position_iterations; ++round) {
+    for (const NearPair& pair : substep.pairs) {
       const double slack = 0x1p10 * pair.touch;
       if (pair.material.stiffness || !pair.touching || pair.distance >= -slack) continue;
       if (moved.empty()) moved.assign(setup.movers, Vector3<double>::Zero());

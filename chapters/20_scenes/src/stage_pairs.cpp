@@ -44,7 +44,7 @@ CONTACT_SCENES_INLINE Aabb<double> box_of(const OrientedBox<double>& shape,
   CoordinateFrame<double> frame;
   frame.origin = x;
   frame.axes = turn;
-  return aabb_of_turned_box(frame, shape.half_lengths);
+  return aabb_of_rotated_box(frame, shape.half_lengths);
 }
 
 template <class Shape>
@@ -55,35 +55,36 @@ Aabb<double> box_of(const Shape&, const Vector3<double>& x, const Matrix3<double
 }  // namespace detail
 
 // [sweeping-room]
-CONTACT_SCENES_INLINE double room_of_sweep(const SteppedSetup& setup, const SteppedState& state,
-                                           const StepPart& part, std::size_t place) {
-  const double t = part.left;
-  const double turned = size_of(spin_of(state, place)) * setup.bodies[place].spin_arm * t;
+CONTACT_SCENES_INLINE double swept_margin(const SteppedSetup& setup, const SteppedState& state,
+                                          const Substep& substep, std::size_t slot) {
+  const double t = substep.left;
+  const double turned =
+      size_of(angular_velocity_of(state, slot)) * setup.bodies[slot].rotation_radius * t;
   const double size =
-      position_of(setup, state, place).cwiseAbs().maxCoeff() + setup.bodies[place].reach;
-  const double flung = place < part.flung.size() ? part.flung[place] : 0.0;
-  return size_of(setup.scene.gravity) * t * t + turned + flung + 0x1p-30 * size;
+      position_of(setup, state, slot).cwiseAbs().maxCoeff() + setup.bodies[slot].bounding_radius;
+  const double deflection = slot < substep.deflection.size() ? substep.deflection[slot] : 0.0;
+  return size_of(setup.scene.gravity) * t * t + turned + deflection + 0x1p-30 * size;
 }
 
 CONTACT_SCENES_INLINE Aabb<double> swept_box(const SteppedSetup& setup, const SteppedState& state,
-                                             const StepPart& part, std::size_t place) {
-  const Vector3<double> x = position_of(setup, state, place);
-  const Matrix3<double> turn = matrix_of(orientation_of(setup, state, place));
-  const double reach = setup.bodies[place].reach;
+                                             const Substep& substep, std::size_t slot) {
+  const Vector3<double> x = position_of(setup, state, slot);
+  const Matrix3<double> turn = matrix_of(orientation_of(setup, state, slot));
+  const double reach = setup.bodies[slot].bounding_radius;
   const Aabb<double> box =
       std::visit([&](const auto& shape) { return detail::box_of(shape, x, turn, reach); },
-                 setup.bodies[place].shape);
-  if (place >= setup.movers) return box;
-  return aabb_of_swept_box<double>(box, velocity_of(setup, state, place) * part.left,
-                                   room_of_sweep(setup, state, part, place));
+                 setup.bodies[slot].shape);
+  if (slot >= setup.movers) return box;
+  return aabb_of_swept_box<double>(box, velocity_of(setup, state, slot) * substep.left,
+                                   swept_margin(setup, state, substep, slot));
 }
 // [/sweeping-room]
 
 namespace detail {
 
-CONTACT_SCENES_INLINE void note_pairs(const SteppedSetup& setup, const SteppedState& state,
-                                      StepPart& part, std::span<const Aabb<double>> boxes,
-                                      std::vector<BoxPair> found) {
+CONTACT_SCENES_INLINE void record_pairs(const SteppedSetup& setup, const SteppedState& state,
+                                        Substep& substep, std::span<const Aabb<double>> boxes,
+                                        std::vector<BoxPair> found) {
   for (std::size_t k = setup.bounded; k < setup.bodies.size(); ++k) {
     const auto& wall = std::get<HalfSpace<double>>(setup.bodies[k].shape).boundary;
     for (std::size_t i = 0; i < setup.movers; ++i) {
@@ -97,7 +98,7 @@ CONTACT_SCENES_INLINE void note_pairs(const SteppedSetup& setup, const SteppedSt
     }
   }
   std::sort(found.begin(), found.end());
-  part.pairs.clear();
+  substep.pairs.clear();
   for (const BoxPair& pair : found) {
     const bool still = pair.b >= setup.movers || sleeps(state, pair.b);
     if (pair.a >= setup.movers || (sleeps(state, pair.a) && still)) continue;
@@ -106,54 +107,57 @@ CONTACT_SCENES_INLINE void note_pairs(const SteppedSetup& setup, const SteppedSt
     near.b = pair.b;
     near.material = setup.material[setup.bodies[pair.a].material * setup.scene.materials.size() +
                                    setup.bodies[pair.b].material];
-    part.pairs.push_back(near);
+    substep.pairs.push_back(near);
   }
 }
 
-CONTACT_SCENES_INLINE double pair_reach(const SteppedSetup& setup, const SteppedState& state,
-                                        const StepPart& part, const NearPair& pair) {
+CONTACT_SCENES_INLINE double pair_closing_distance(const SteppedSetup& setup,
+                                                   const SteppedState& state,
+                                                   const Substep& substep, const NearPair& pair) {
   const Vector3<double> relative =
       velocity_of(setup, state, pair.a) - velocity_of(setup, state, pair.b);
-  double reach = size_of(relative) * part.left + room_of_sweep(setup, state, part, pair.a);
-  if (pair.b < setup.movers) reach += room_of_sweep(setup, state, part, pair.b);
+  double reach = size_of(relative) * substep.left + swept_margin(setup, state, substep, pair.a);
+  if (pair.b < setup.movers) reach += swept_margin(setup, state, substep, pair.b);
   return reach;
 }
 
 /// Whether the bounding balls of two bodies may come to touch in the rest of the step.
 CONTACT_SCENES_INLINE bool may_reach(const SteppedSetup& setup, const SteppedState& state,
-                                     const StepPart& part, const NearPair& pair) {
-  const double reach = pair_reach(setup, state, part, pair) + setup.bodies[pair.a].reach;
-  const Vector3<double> place = position_of(setup, state, pair.a);
+                                     const Substep& substep, const NearPair& pair) {
+  const double reach =
+      pair_closing_distance(setup, state, substep, pair) + setup.bodies[pair.a].bounding_radius;
+  const Vector3<double> slot = position_of(setup, state, pair.a);
   if (pair.b >= setup.bounded) {
     const auto& wall = std::get<HalfSpace<double>>(setup.bodies[pair.b].shape).boundary;
-    return wall.normal.dot(place) - wall.offset <= reach;
+    return wall.normal.dot(slot) - wall.offset <= reach;
   }
-  const Vector3<double> between = place - position_of(setup, state, pair.b);
-  return size_of(between) <= reach + setup.bodies[pair.b].reach;
+  const Vector3<double> between = slot - position_of(setup, state, pair.b);
+  return size_of(between) <= reach + setup.bodies[pair.b].bounding_radius;
 }
 
 }  // namespace detail
 
 // [flung]
-CONTACT_SCENES_INLINE bool flung_at_others(const SteppedSetup& setup, SteppedState& state,
-                                           StepPart& part, StepStage find) {
+CONTACT_SCENES_INLINE bool deflected_at_others(const SteppedSetup& setup, SteppedState& state,
+                                               Substep& substep, StepStage find) {
   std::vector<bool> farther(setup.movers, false);
   bool any = false;
-  StepPart wider;
+  Substep wider;
   for (std::size_t i = 0; i < setup.movers; ++i) {
-    if (!part.pushed[i]) continue;
-    double change = size_of(part.end_velocity[i] - state.velocity[i]);
-    if (i < part.end_spin.size())
-      change += size_of(part.end_spin[i] - state.spin[i]) * setup.bodies[i].spin_arm;
-    const double way = change * part.planned;
-    if (way <= room_of_sweep(setup, state, part, i) + most_flung(setup)) continue;
-    if (wider.flung.empty()) wider.flung = part.flung;
-    wider.flung.resize(setup.movers, 0.0);
-    wider.flung[i] = 2 * way;
+    if (!substep.contacted[i]) continue;
+    double change = size_of(substep.end_velocity[i] - state.velocity[i]);
+    if (i < substep.end_angular_velocity.size())
+      change += size_of(substep.end_angular_velocity[i] - state.angular_velocity[i]) *
+                setup.bodies[i].rotation_radius;
+    const double way = change * substep.planned;
+    if (way <= swept_margin(setup, state, substep, i) + max_deflection(setup)) continue;
+    if (wider.deflection.empty()) wider.deflection = substep.deflection;
+    wider.deflection.resize(setup.movers, 0.0);
+    wider.deflection[i] = 2 * way;
     farther[i] = any = true;
   }
   if (!any) return false;
-  wider.left = part.left;
+  wider.left = substep.left;
   const std::uint64_t counted = state.counts.pairs;
   find(setup, state, wider);
   state.counts.pairs = counted;
@@ -161,14 +165,14 @@ CONTACT_SCENES_INLINE bool flung_at_others(const SteppedSetup& setup, SteppedSta
   std::size_t k = 0;
   bool found = false;
   for (const NearPair& pair : wider.pairs) {
-    while (k < part.pairs.size() && at(part.pairs[k]) < at(pair)) ++k;
-    const bool known = k < part.pairs.size() && at(part.pairs[k]) == at(pair);
-    if (known && (!part.pairs[k].manifold.points.empty() || part.pairs[k].material.stiffness))
+    while (k < substep.pairs.size() && at(substep.pairs[k]) < at(pair)) ++k;
+    const bool known = k < substep.pairs.size() && at(substep.pairs[k]) == at(pair);
+    if (known && (!substep.pairs[k].manifold.points.empty() || substep.pairs[k].material.stiffness))
       continue;
-    const bool flung = farther[pair.a] || (pair.b < setup.movers && farther[pair.b]);
-    found = found || (flung && detail::may_reach(setup, state, wider, pair));
+    const bool deflection = farther[pair.a] || (pair.b < setup.movers && farther[pair.b]);
+    found = found || (deflection && detail::may_reach(setup, state, wider, pair));
   }
-  if (found) part.flung = wider.flung;
+  if (found) substep.deflection = wider.deflection;
   return found;
 }
 // [/flung]

@@ -28,7 +28,7 @@ CONTACT_SCENES_INLINE std::size_t first_of_group(std::vector<std::size_t>& group
 
 CONTACT_SCENES_INLINE bool is_slow(const SteppedSetup& setup, const SteppedState& state,
                                    std::size_t i) {
-  const double turning = size_of(spin_of(state, i)) * setup.bodies[i].reach;
+  const double turning = size_of(angular_velocity_of(state, i)) * setup.bodies[i].bounding_radius;
   return size_of(state.velocity[i]) + turning <= setup.sleep_speed;
 }
 
@@ -36,11 +36,11 @@ CONTACT_SCENES_INLINE bool is_slow(const SteppedSetup& setup, const SteppedState
 
 // [sleeping-stage]
 CONTACT_SCENES_INLINE void put_to_sleep(const SteppedSetup& setup, SteppedState& state,
-                                        StepPart& part) {
+                                        Substep& substep) {
   std::vector<std::size_t> group(setup.movers);
   std::iota(group.begin(), group.end(), std::size_t{0});
   std::vector<bool> touches(setup.movers, false);
-  for (const NearPair& pair : part.pairs) {
+  for (const NearPair& pair : substep.pairs) {
     if (!pair.touching) continue;
     touches[pair.a] = true;
     if (pair.b >= setup.movers) continue;
@@ -61,7 +61,7 @@ CONTACT_SCENES_INLINE void put_to_sleep(const SteppedSetup& setup, SteppedState&
     if (sleeps(state, i) || !ready[first]) continue;
     state.sleeps_with[i] = static_cast<std::int32_t>(first);
     state.velocity.set(i, Vector3<double>::Zero());
-    if (setup.rotation) state.spin.set(i, Vector3<double>::Zero());
+    if (setup.rotation) state.angular_velocity.set(i, Vector3<double>::Zero());
     ++state.counts.rests;
   }
 }
@@ -69,7 +69,7 @@ CONTACT_SCENES_INLINE void put_to_sleep(const SteppedSetup& setup, SteppedState&
 
 // [waking-stage]
 CONTACT_SCENES_INLINE void wake_bodies(const SteppedSetup& setup, SteppedState& state,
-                                       StepPart& part) {
+                                       Substep& substep) {
   bool woken = false;
   const auto wake = [&](std::size_t sleeper, std::size_t other) {
     if (!sleeps(state, sleeper) || other >= setup.movers || sleeps(state, other)) return;
@@ -82,14 +82,15 @@ CONTACT_SCENES_INLINE void wake_bodies(const SteppedSetup& setup, SteppedState& 
       state.slow_since[i] = 0;
     }
   };
-  for (const NearPair& pair : part.pairs) {
-    if (!pair.touching && !(part.at_once && pair.distance <= pair.reach)) continue;
+  for (const NearPair& pair : substep.pairs) {
+    if (!pair.touching && !(substep.simultaneous && pair.distance <= pair.closing_distance))
+      continue;
     if (pair.b >= setup.movers) continue;
     wake(pair.a, pair.b);
     wake(pair.b, pair.a);
   }
   // Pairs among those that wake were left out: search again, before time goes on.
-  if (woken) part.length = 0;
+  if (woken) substep.length = 0;
 }
 // [/waking-stage]
 

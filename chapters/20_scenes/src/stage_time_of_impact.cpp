@@ -28,13 +28,13 @@ namespace contact {
 namespace detail {
 
 /// The motion of a body in a substep: constant acceleration, and the rotation of its stage.
-struct PartMotion {
+struct SubstepMotion {
   Vector3<double> position = Vector3<double>::Zero();
   Vector3<double> velocity = Vector3<double>::Zero();
   Vector3<double> acceleration = Vector3<double>::Zero();
   bool turns = false;     // false for a ball: it looks the same in every orientation
   double swing = 0;       // largest acceleration of a point of it by rotation, m/s²
-  double unforeseen = 0;  // and by deviation from spin_at(), m/s²
+  double unforeseen = 0;  // and by deviation from angular_velocity_at(), m/s²
 
   Vector3<double> position_at(double t) const {
     return position + (velocity + acceleration * (t / 2)) * t;
@@ -42,23 +42,27 @@ struct PartMotion {
 };
 
 /// Orientation of a mover after a time of the substep, bit for bit as its stage rotates it.
-CONTACT_SCENES_INLINE Rotor<double> orientation_at(const SteppedSetup& setup,
-                                                   const SteppedState& state, const StepPart& part,
-                                                   std::size_t place, double t) {
-  return setup.gyroscopic ? turned_freely(setup, state, part, place, t)
-                          : turned_evenly(state, part, place, t);
+CONTACT_SCENES_INLINE Quaternion<double> orientation_at(const SteppedSetup& setup,
+                                                        const SteppedState& state,
+                                                        const Substep& substep, std::size_t slot,
+                                                        double t) {
+  return setup.gyroscopic ? rotated_freely(setup, state, substep, slot, t)
+                          : rotated_uniformly(state, substep, slot, t);
 }
 
-CONTACT_SCENES_INLINE Vector3<double> spin_at(const SteppedSetup& setup, const SteppedState& state,
-                                              const StepPart& part, std::size_t place, double t,
-                                              const Rotor<double>& orientation) {
-  const Vector3<double> mean = mean_spin(state, part, place, t);
-  if (!setup.gyroscopic || setup.bodies[place].round) return pushed_spin(state, part, place, t);
-  const SteppedBody& body = setup.bodies[place];
-  const Vector3<double> momentum = momentum_of_spin(body, state.orientation[place], mean);
-  const Vector3<double> pushed = pushed_spin(state, part, place, t) - mean;
-  return pushed + free_spin<double>(momentum, body.moments,
-                                    Matrix3<double>(matrix_of(orientation) * body.axes));
+CONTACT_SCENES_INLINE Vector3<double> angular_velocity_at(const SteppedSetup& setup,
+                                                          const SteppedState& state,
+                                                          const Substep& substep, std::size_t slot,
+                                                          double t,
+                                                          const Quaternion<double>& orientation) {
+  const Vector3<double> mean = mean_angular_velocity(state, substep, slot, t);
+  if (!setup.gyroscopic || setup.bodies[slot].round)
+    return contact_angular_velocity(state, substep, slot, t);
+  const SteppedBody& body = setup.bodies[slot];
+  const Vector3<double> momentum = angular_momentum_of(body, state.orientation[slot], mean);
+  const Vector3<double> pushed = contact_angular_velocity(state, substep, slot, t) - mean;
+  return pushed + free_angular_velocity<double>(
+                      momentum, body.moments, Matrix3<double>(matrix_of(orientation) * body.axes));
 }
 
 /// Bounds the acceleration by rotation of a point at the distance r from the centre. A constant
@@ -66,37 +70,38 @@ CONTACT_SCENES_INLINE Vector3<double> spin_at(const SteppedSetup& setup, const S
 /// still change: by Euler's equations no faster than ω²/√3 times the largest |I₂ − I₃|/I₁, and by
 /// its energy ω² grows by at most the ratio of its moments, and by less without torque.
 CONTACT_SCENES_INLINE void bound_swing(const SteppedSetup& setup, const SteppedState& state,
-                                       const StepPart& part, std::size_t place,
-                                       PartMotion& motion) {
-  const SteppedBody& body = setup.bodies[place];
-  const Vector3<double> first = mean_spin(state, part, place, 0);
-  const Vector3<double>& last = part.end_spin[place];
+                                       const Substep& substep, std::size_t slot,
+                                       SubstepMotion& motion) {
+  const SteppedBody& body = setup.bodies[slot];
+  const Vector3<double> first = mean_angular_velocity(state, substep, slot, 0);
+  const Vector3<double>& last = substep.end_angular_velocity[slot];
   double square = std::max(first.dot(first), last.dot(last));
-  double push = size_of(last - first) / part.planned;
+  double push = size_of(last - first) / substep.planned;
   double own = 0;
   if (setup.gyroscopic && !body.round) {
     const Vector3<double>& m = body.moments;
     const double ratio = m.maxCoeff() / m.minCoeff();
-    square = first == last ? largest_free_square(body, orientation_of(setup, state, place), first)
+    square = first == last ? largest_free_square(body, orientation_of(setup, state, slot), first)
                            : square * ratio;
     push *= ratio;
     const Vector3<double> apart(m.y() - m.z(), m.z() - m.x(), m.x() - m.y());
     own = square * apart.cwiseAbs().cwiseQuotient(m).maxCoeff() / std::sqrt(3.0);
   }
   motion.turns = square > 0;
-  motion.unforeseen = push * std::sqrt(square) * part.planned * body.spin_arm;
-  motion.swing = (square + own + push) * body.spin_arm + motion.unforeseen;
+  motion.unforeseen = push * std::sqrt(square) * substep.planned * body.rotation_radius;
+  motion.swing = (square + own + push) * body.rotation_radius + motion.unforeseen;
 }
 
-CONTACT_SCENES_INLINE PartMotion part_motion(const SteppedSetup& setup, const SteppedState& state,
-                                             const StepPart& part, std::size_t place) {
-  PartMotion motion;
-  motion.position = position_of(setup, state, place);
-  if (place >= setup.movers || sleeps(state, place)) return motion;
-  motion.velocity = first_velocity(state, part, place);
-  motion.acceleration = (part.end_velocity[place] - motion.velocity) / part.planned;
-  if (setup.rotation && setup.bodies[place].spin_arm > 0)
-    bound_swing(setup, state, part, place, motion);
+CONTACT_SCENES_INLINE SubstepMotion substep_motion(const SteppedSetup& setup,
+                                                   const SteppedState& state,
+                                                   const Substep& substep, std::size_t slot) {
+  SubstepMotion motion;
+  motion.position = position_of(setup, state, slot);
+  if (slot >= setup.movers || sleeps(state, slot)) return motion;
+  motion.velocity = first_velocity(state, substep, slot);
+  motion.acceleration = (substep.end_velocity[slot] - motion.velocity) / substep.planned;
+  if (setup.rotation && setup.bodies[slot].rotation_radius > 0)
+    bound_swing(setup, state, substep, slot, motion);
   return motion;
 }
 
@@ -120,7 +125,7 @@ CONTACT_SCENES_INLINE ShapeCorners corners_of(const OrientedBox<double>& shape) 
   return corners;
 }
 
-CONTACT_SCENES_INLINE ShapeCorners corners_of(const HullCorners& shape) {
+CONTACT_SCENES_INLINE ShapeCorners corners_of(const HullVertices& shape) {
   return {shape.points, 0};
 }
 
@@ -139,23 +144,23 @@ struct MovedBody {
   StepShape shape;
   Vector3<double> centre = Vector3<double>::Zero();
   Vector3<double> velocity = Vector3<double>::Zero();
-  Vector3<double> spin = Vector3<double>::Zero();
+  Vector3<double> angular_velocity = Vector3<double>::Zero();
   double unforeseen = 0;  // additional speed that one of its points may have, m/s
 };
 
 CONTACT_SCENES_INLINE MovedBody moved_body(const SteppedSetup& setup, const SteppedState& state,
-                                           const StepPart& part, std::size_t place,
-                                           const PartMotion& motion, double t) {
+                                           const Substep& substep, std::size_t slot,
+                                           const SubstepMotion& motion, double t) {
   MovedBody body;
   body.centre = motion.position_at(t);
   body.velocity = motion.velocity + motion.acceleration * t;
   body.unforeseen = motion.unforeseen * t;
-  Rotor<double> orientation = orientation_of(setup, state, place);
+  Quaternion<double> orientation = orientation_of(setup, state, slot);
   if (motion.turns) {
-    orientation = orientation_at(setup, state, part, place, t);
-    body.spin = spin_at(setup, state, part, place, t, orientation);
+    orientation = orientation_at(setup, state, substep, slot, t);
+    body.angular_velocity = angular_velocity_at(setup, state, substep, slot, t, orientation);
   }
-  body.shape = shape_in_world(setup.bodies[place], body.centre, orientation);
+  body.shape = shape_in_world(setup.bodies[slot], body.centre, orientation);
   return body;
 }
 
@@ -166,12 +171,13 @@ CONTACT_SCENES_INLINE CornerRates corner_rates(const MovedBody& body, const Vect
   const ShapeCorners corners =
       std::visit([](const auto& one) { return corners_of(one); }, body.shape);
   const double rate = n.dot(body.velocity) - sign * body.unforeseen;
-  const bool turns = body.spin != Vector3<double>::Zero();
+  const bool turns = body.angular_velocity != Vector3<double>::Zero();
   CornerRates result;
   for (const Vector3<double>& point : corners.points) {
-    const Vector3<double> arm = point - body.centre;
+    const Vector3<double> lever_arm = point - body.centre;
     result.height.push_back(n.dot(point) - sign * corners.radius);
-    result.rate.push_back(turns ? rate + n.dot(Vector3<double>(body.spin.cross(arm))) : rate);
+    result.rate.push_back(
+        turns ? rate + n.dot(Vector3<double>(body.angular_velocity.cross(lever_arm))) : rate);
   }
   return result;
 }
@@ -181,14 +187,14 @@ CONTACT_SCENES_INLINE CornerRates corner_rates(const MovedBody& body, const Vect
 // [time-of-impact]
 CONTACT_SCENES_INLINE std::optional<double> pair_impact(const SteppedSetup& setup,
                                                         const SteppedState& state,
-                                                        const StepPart& part, const NearPair& pair,
-                                                        double before) {
-  const detail::PartMotion a = detail::part_motion(setup, state, part, pair.a);
-  const detail::PartMotion b = detail::part_motion(setup, state, part, pair.b);
+                                                        const Substep& substep,
+                                                        const NearPair& pair, double before) {
+  const detail::SubstepMotion a = detail::substep_motion(setup, state, substep, pair.a);
+  const detail::SubstepMotion b = detail::substep_motion(setup, state, substep, pair.b);
   double t = 0;
   for (int look = 0; look < 64; ++look) {
-    const auto one = detail::moved_body(setup, state, part, pair.a, a, t);
-    const auto other = detail::moved_body(setup, state, part, pair.b, b, t);
+    const auto one = detail::moved_body(setup, state, substep, pair.a, a, t);
+    const auto other = detail::moved_body(setup, state, substep, pair.b, b, t);
     const Gap<double> gap = gap_of_shapes(one.shape, other.shape);
     const bool leaves = look == 0 && pair.leaving;
     if (!leaves && gap.distance <= pair.touch) return t;
@@ -222,17 +228,17 @@ CONTACT_SCENES_INLINE std::optional<double> pair_impact(const SteppedSetup& setu
 
 // [continuous-stage]
 CONTACT_SCENES_INLINE void find_first_impact(const SteppedSetup& setup, SteppedState& state,
-                                             StepPart& part) {
-  if (part.at_once) return;
+                                             Substep& substep) {
+  if (substep.simultaneous) return;
   bool cut = false;
-  for (const NearPair& pair : part.pairs) {
+  for (const NearPair& pair : substep.pairs) {
     if (pair.touching && (!pair.leaving || pair.material.stiffness)) continue;
-    const auto time = pair_impact(setup, state, part, pair, part.length);
+    const auto time = pair_impact(setup, state, substep, pair, substep.length);
     if (!time) continue;
-    part.length = *time;
+    substep.length = *time;
     cut = true;
   }
-  if (cut) ++part.cuts;
+  if (cut) ++substep.cuts;
 }
 // [/continuous-stage]
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <contact/contact_finish.hpp>
+#include <contact/contact_active_set.hpp>
 #include <contact/contact_manifold.hpp>
 #include <contact/contact_solver.hpp>
 #include <contact/gap.hpp>
@@ -24,31 +24,31 @@ namespace contact {
 namespace detail {
 
 CONTACT_SCENES_INLINE RigidBody<double> solver_body(const SteppedSetup& setup,
-                                                    const SteppedState& state, std::size_t place,
+                                                    const SteppedState& state, std::size_t slot,
                                                     const Vector3<double>& velocity,
-                                                    const Vector3<double>& spin) {
-  const SteppedBody& body = setup.bodies[place];
+                                                    const Vector3<double>& angular_velocity) {
+  const SteppedBody& body = setup.bodies[slot];
   RigidBody<double> solid;
-  solid.position = position_of(setup, state, place);
-  if (place >= setup.movers || sleeps(state, place)) return solid;  // fixed
+  solid.position = position_of(setup, state, slot);
+  if (slot >= setup.movers || sleeps(state, slot)) return solid;  // fixed
   solid.mass = body.mass;
   solid.inverse_mass = 1 / body.mass;
   solid.velocity = velocity;
-  if (!turned_by_contacts(setup, place)) return solid;
+  if (!rotated_by_contacts(setup, slot)) return solid;
   const Vector3<double> inverse = body.moments.cwiseInverse();
   const auto& m = body.moments;
-  solid.spin = spin;
+  solid.angular_velocity = angular_velocity;
   solid.inertia = diagonal<double>(m.x(), m.y(), m.z());
   solid.inverse_inertia = diagonal<double>(inverse.x(), inverse.y(), inverse.z());
   if (!body.round) {
-    const Matrix3<double> turn = matrix_of(state.orientation[place]) * body.axes;
+    const Matrix3<double> turn = matrix_of(state.orientation[slot]) * body.axes;
     solid.inertia = rotated<double>(solid.inertia, turn);
     solid.inverse_inertia = rotated<double>(solid.inverse_inertia, turn);
   }
   // An impulse must not change a mirror-symmetric coordinate: an angular velocity that is not kept
   // would take energy with it.
   for (int k = 0; k < 3; ++k) {
-    if (setup.turns[static_cast<std::size_t>(k)]) continue;
+    if (setup.rotates[static_cast<std::size_t>(k)]) continue;
     solid.inverse_inertia.row(k).setZero();
     solid.inverse_inertia.col(k).setZero();
   }
@@ -68,10 +68,10 @@ CONTACT_SCENES_INLINE std::vector<std::vector<std::size_t>> islands(
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     towards[i] = i;
     for (const int body : {contacts[i].a, contacts[i].b}) {
-      const std::size_t place = index(body);
-      if (place >= setup.movers || sleeps(state, place)) continue;
-      if (first[place] == none) first[place] = i;
-      const auto [low, high] = std::minmax({root(first[place]), root(i)});
+      const std::size_t slot = index(body);
+      if (slot >= setup.movers || sleeps(state, slot)) continue;
+      if (first[slot] == none) first[slot] = i;
+      const auto [low, high] = std::minmax({root(first[slot]), root(i)});
       towards[high] = low;
     }
   }
@@ -88,35 +88,36 @@ CONTACT_SCENES_INLINE std::vector<std::vector<std::size_t>> islands(
   return found;
 }
 
-CONTACT_SCENES_INLINE void count_sweeps(SteppedState& state, std::size_t contacts, int sweeps) {
+CONTACT_SCENES_INLINE void count_iterations(SteppedState& state, std::size_t contacts,
+                                            int iterations) {
   state.counts.contacts += contacts;
-  state.counts.sweeps += static_cast<std::uint64_t>(sweeps);
+  state.counts.iterations += static_cast<std::uint64_t>(iterations);
 }
 
 /// Iteration budget of an island: work / contacts, and at least a few. In a crowd the minimum is
 /// smaller, unless a body would penetrate another.
-inline constexpr std::size_t sweep_work = 40000;
+inline constexpr std::size_t iteration_work = 40000;
 
-inline constexpr int least_sweeps = 50;
+inline constexpr int min_iterations = 50;
 
 inline constexpr std::size_t crowd_work = 100000;
 
-inline constexpr int least_crowd_sweeps = 4;
+inline constexpr int min_crowd_iterations = 4;
 
 inline constexpr std::size_t bounce_work = 5000;
 
-inline constexpr int bounce_sweeps = 100;
+inline constexpr int bounce_iterations = 100;
 
-inline constexpr int sweeps_before_finish = 100;
+inline constexpr int iterations_before_exact = 100;
 
 /// Up to this many contacts are solved at once (Jacobi), so that a mirror-symmetric scene stays
 /// symmetric. Larger islands would take too many iterations.
-inline constexpr std::size_t most_at_once = 8;
+inline constexpr std::size_t max_jacobi_contacts = 8;
 
-CONTACT_SCENES_INLINE SweepLimits<double> sweep_limits(
+CONTACT_SCENES_INLINE SolverSettings<double> solver_settings(
     const SteppedSetup& setup, const std::vector<RigidBody<double>>& bodies,
-    const std::vector<BodyContact<double>>& contacts, SweepsFor what) {
-  SweepLimits<double> limits = setup.sweeps;
+    const std::vector<BodyContact<double>>& contacts, SolveFor what) {
+  SolverSettings<double> limits = setup.solver;
   std::vector<int> count(bodies.size(), 0);
   bool alone = true;
   for (const BodyContact<double>& contact : contacts) {
@@ -126,54 +127,54 @@ CONTACT_SCENES_INLINE SweepLimits<double> sweep_limits(
     }
   }
   if (alone) limits.relaxation = 1;
-  limits.at_once = !alone && contacts.size() <= most_at_once;
-  std::size_t work = setup.one_by_one ? sweep_work : crowd_work;
-  const int least = setup.one_by_one ? least_sweeps : least_crowd_sweeps;
-  if (what == SweepsFor::rest) {
+  limits.jacobi = !alone && contacts.size() <= max_jacobi_contacts;
+  std::size_t work = setup.one_by_one ? iteration_work : crowd_work;
+  const int least = setup.one_by_one ? min_iterations : min_crowd_iterations;
+  if (what == SolveFor::rest) {
     if (!alone) limits.relaxation = 1.8;
-    limits.sweeps *= 100;
+    limits.iterations *= 100;
     work *= 100;
-  } else if (what == SweepsFor::bounces) {
-    limits.sweeps = bounce_sweeps;
+  } else if (what == SolveFor::bounces) {
+    limits.iterations = bounce_iterations;
     work = bounce_work;
   }
   const auto many = static_cast<int>(work / (contacts.size() + 1));
-  limits.sweeps = std::min(limits.sweeps, std::max(many, least));
+  limits.iterations = std::min(limits.iterations, std::max(many, least));
   return limits;
 }
 
-CONTACT_SCENES_INLINE SolvedContacts<double> solve_swept(
+CONTACT_SCENES_INLINE SolvedContacts<double> solve_iteratively(
     SteppedState& state, const std::vector<RigidBody<double>>& bodies,
     const std::vector<BodyContact<double>>& contacts,
-    const std::vector<ContactImpulse<double>>& start, const SweepLimits<double>& limits) {
+    const std::vector<ContactImpulse<double>>& start, const SolverSettings<double>& limits) {
   SolvedContacts<double> solved = solve_contacts<double>(bodies, contacts, start, limits);
-  count_sweeps(state, contacts.size(), solved.report.sweeps);
+  count_iterations(state, contacts.size(), solved.report.iterations);
   return solved;
 }
 
 CONTACT_SCENES_INLINE SolvedContacts<double> solve_resting(
     SteppedState& state, const std::vector<RigidBody<double>>& bodies,
     const std::vector<BodyContact<double>>& contacts,
-    const std::vector<ContactImpulse<double>>& start, const SweepLimits<double>& limits) {
-  SweepLimits<double> few = limits;
-  few.sweeps = std::min(limits.sweeps, sweeps_before_finish);
-  auto swept = solve_swept(state, bodies, contacts, start, few);
+    const std::vector<ContactImpulse<double>>& start, const SolverSettings<double>& limits) {
+  SolverSettings<double> few = limits;
+  few.iterations = std::min(limits.iterations, iterations_before_exact);
+  auto swept = solve_iteratively(state, bodies, contacts, start, few);
   if (!(swept.report.last_change > limits.tolerance)) return swept;
-  auto finished = finish_contacts<double>(bodies, contacts, swept.impulses);
+  auto finished = solve_active_set<double>(bodies, contacts, swept.impulses);
   if (finished) {
-    SweepLimits<double> one = limits;
-    one.sweeps = 1;
+    SolverSettings<double> one = limits;
+    one.iterations = 1;
     one.relaxation = 1;
-    const auto look = solve_swept(state, bodies, contacts, finished->impulses, one);
+    const auto look = solve_iteratively(state, bodies, contacts, finished->impulses, one);
     finished->report = look.report;
     if (look.report.last_change <= 8 * std::max(limits.tolerance, look.report.rounding))
       return *finished;
   }
-  SweepLimits<double> many = limits;
-  many.sweeps -= few.sweeps;
-  if (many.sweeps < 1) return finished ? *finished : swept;
-  swept =
-      solve_swept(state, bodies, contacts, finished ? finished->impulses : swept.impulses, many);
+  SolverSettings<double> many = limits;
+  many.iterations -= few.iterations;
+  if (many.iterations < 1) return finished ? *finished : swept;
+  swept = solve_iteratively(state, bodies, contacts, finished ? finished->impulses : swept.impulses,
+                            many);
   if (finished && finished->report.last_change < swept.report.last_change) return *finished;
   return swept;
 }
@@ -185,12 +186,12 @@ inline constexpr double unlike_masses = 64;
 CONTACT_SCENES_INLINE bool unfinished(const SteppedSetup& setup,
                                       const std::vector<RigidBody<double>>& bodies,
                                       const std::vector<BodyContact<double>>& contacts, double left,
-                                      double time, SweepsFor what) {
+                                      double time, SolveFor what) {
   double fastest = 0;
-  bool rubs = false;
+  bool has_friction = false;
   for (const BodyContact<double>& contact : contacts) {
-    fastest = std::max(fastest, contact.least_velocity);
-    rubs = rubs || contact.friction > 0;
+    fastest = std::max(fastest, contact.min_velocity);
+    has_friction = has_friction || contact.friction > 0;
   }
   double least = std::numeric_limits<double>::infinity();
   double most = 0;
@@ -200,23 +201,24 @@ CONTACT_SCENES_INLINE bool unfinished(const SteppedSetup& setup,
     most = std::max(most, body.mass);
   }
   const bool unlike = most >= unlike_masses * least;
-  if (rubs && !unlike) return false;
-  if (left * time > most_left(setup)) return true;
-  if (what == SweepsFor::impacts || (what == SweepsFor::anything && unlike && setup.one_by_one))
-    return left > 8 * setup.sweeps.tolerance;
-  return what == SweepsFor::bounces &&
-         left > (rubs ? fastest / 64 : std::max(8 * setup.sweeps.tolerance, fastest * 0x1p-30));
+  if (has_friction && !unlike) return false;
+  if (left * time > max_residual(setup)) return true;
+  if (what == SolveFor::impacts || (what == SolveFor::anything && unlike && setup.one_by_one))
+    return left > 8 * setup.solver.tolerance;
+  return what == SolveFor::bounces &&
+         left > (has_friction ? fastest / 64
+                              : std::max(8 * setup.solver.tolerance, fastest * 0x1p-30));
 }
 
-CONTACT_SCENES_INLINE void finish_sweeps(const SteppedSetup& setup,
-                                         const std::vector<RigidBody<double>>& bodies,
-                                         std::vector<BodyContact<double>> contacts, double time,
-                                         SolvedContacts<double>& solved) {
-  auto all = finish_contacts<double>(bodies, contacts, solved.impulses);
-  if (!all && solved.report.last_change * time > most_left(setup)) {
-    all = finish_contacts<double>(bodies, contacts, solved.impulses, FrictionLaw::cones);
+CONTACT_SCENES_INLINE void solve_residual(const SteppedSetup& setup,
+                                          const std::vector<RigidBody<double>>& bodies,
+                                          std::vector<BodyContact<double>> contacts, double time,
+                                          SolvedContacts<double>& solved) {
+  auto all = solve_active_set<double>(bodies, contacts, solved.impulses);
+  if (!all && solved.report.last_change * time > max_residual(setup)) {
+    all = solve_active_set<double>(bodies, contacts, solved.impulses, FrictionLaw::cones);
     for (BodyContact<double>& contact : contacts) contact.friction = 0;
-    if (!all) all = finish_contacts<double>(bodies, contacts, solved.impulses);
+    if (!all) all = solve_active_set<double>(bodies, contacts, solved.impulses);
   }
   if (all) solved = std::move(*all);
 }
@@ -224,30 +226,31 @@ CONTACT_SCENES_INLINE void finish_sweeps(const SteppedSetup& setup,
 CONTACT_SCENES_INLINE std::vector<ContactImpulse<double>> solve_now(
     const SteppedSetup& setup, SteppedState& state,
     const std::vector<BodyContact<double>>& contacts) {
-  const auto make = [&](std::size_t place) {
-    return solver_body(setup, state, place, velocity_of(setup, state, place),
-                       spin_of(state, place));
+  const auto make = [&](std::size_t slot) {
+    return solver_body(setup, state, slot, velocity_of(setup, state, slot),
+                       angular_velocity_of(state, slot));
   };
-  const auto give = [&](std::size_t place, const RigidBody<double>& body) {
-    state.velocity.set(place, body.velocity);
-    if (turned_by_contacts(setup, place)) state.spin.set(place, body.spin);
+  const auto give = [&](std::size_t slot, const RigidBody<double>& body) {
+    state.velocity.set(slot, body.velocity);
+    if (rotated_by_contacts(setup, slot)) state.angular_velocity.set(slot, body.angular_velocity);
   };
-  return solve_islands(setup, state, contacts, {}, 0.0, SweepsFor::impacts, make, give);
+  return solve_islands(setup, state, contacts, {}, 0.0, SolveFor::impacts, make, give);
 }
 
-CONTACT_SCENES_INLINE void note_hit(const SteppedSetup& setup, SteppedState& state, StepPart& part,
-                                    const std::vector<BodyContact<double>>& contacts,
-                                    const std::vector<ContactImpulse<double>>& impulses,
-                                    std::size_t first, std::size_t last) {
+CONTACT_SCENES_INLINE void record_hit(const SteppedSetup& setup, SteppedState& state,
+                                      Substep& substep,
+                                      const std::vector<BodyContact<double>>& contacts,
+                                      const std::vector<ContactImpulse<double>>& impulses,
+                                      std::size_t first, std::size_t last) {
   SceneHit hit;
-  hit.time = static_cast<double>(state.step) * setup.step + (part.whole - part.left);
+  hit.time = static_cast<double>(state.step) * setup.step + (substep.whole - substep.left);
   hit.first = setup.bodies[index(contacts[first].a)].body;
   hit.second = setup.bodies[index(contacts[first].b)].body;
   for (std::size_t i = first; i < last; ++i) {
     hit.point += contacts[i].point / static_cast<double>(last - first);
     hit.impulse += contacts[i].normal * impulses[i].normal + impulses[i].tangential;
   }
-  part.hits.push_back(hit);
+  substep.hits.push_back(hit);
   ++state.counts.hits;
 }
 

@@ -56,8 +56,8 @@ class SteppedRun final : public SceneRun {
       throw_invalid_argument("scene", scene.name, *refusal);
     setup_ = detail::stepped_setup(scene, plan);
     line_ = detail::step_pipeline(plan, setup_);
-    state_.position = state_.velocity = KeptVectors(setup_.kept);
-    state_.spin = KeptVectors(setup_.kept_spins);
+    state_.position = state_.velocity = ActiveVectors(setup_.active);
+    state_.angular_velocity = ActiveVectors(setup_.active_rotation);
     for (std::size_t i = 0; i < setup_.movers; ++i) {
       const SceneBody& body = scene.bodies[setup_.bodies[i].body];
       const Vector3<double> zero = Vector3<double>::Zero();  // + 0: no −0 is kept
@@ -65,7 +65,7 @@ class SteppedRun final : public SceneRun {
       state_.velocity.push_back(body.velocity + zero);
       if (!setup_.rotation) continue;
       state_.orientation.push_back(body.orientation);
-      state_.spin.push_back(body.spin + zero);
+      state_.angular_velocity.push_back(body.angular_velocity + zero);
     }
     if (plan.pairs > 0 && detail::is_on(plan, Effect::sleeping)) {
       state_.slow_since.assign(setup_.movers, 0);
@@ -80,7 +80,7 @@ class SteppedRun final : public SceneRun {
   double step() const override { return setup_.step; }
   std::vector<SceneStage> stages() const override {
     std::vector<SceneStage> stages;
-    for (const auto* list : {&line_.part, &line_.after})
+    for (const auto* list : {&line_.substep, &line_.after})
       for (const detail::NamedStage& stage : *list) stages.push_back(stage.is);
     return stages;
   }
@@ -99,7 +99,7 @@ class SteppedRun final : public SceneRun {
       now_ = time_of(state_.step);
       bool go_on = true;
       if (observer != nullptr)
-        for (const SceneHit& hit : part_.hits) go_on = observer->on_hit(hit) && go_on;
+        for (const SceneHit& hit : substep_.hits) go_on = observer->on_hit(hit) && go_on;
       if (!go_on) return SceneRunEnd::stopped;
     }
     if (now_ < until) {
@@ -111,47 +111,51 @@ class SteppedRun final : public SceneRun {
   }
   // [/advance-steps]
 
-  void tell_unfinished(SceneObserver& observer) const override {
+  void report_unfinished(SceneObserver& observer) const override {
     if (!shown_) return;
-    for (const SceneHit& hit : part_.hits) observer.on_hit(hit);
+    for (const SceneHit& hit : substep_.hits) observer.on_hit(hit);
   }
 
   double now() const override { return now_; }
   Vector3<double> position(std::size_t body) const override {
-    return position_of(setup_, seen(), setup_.place[body]);
+    return position_of(setup_, seen(), setup_.slot_of[body]);
   }
-  Rotor<double> orientation(std::size_t body) const override {
-    return orientation_of(setup_, seen(), setup_.place[body]);
+  Quaternion<double> orientation(std::size_t body) const override {
+    return orientation_of(setup_, seen(), setup_.slot_of[body]);
   }
   Vector3<double> velocity(std::size_t body) const override {
-    return velocity_of(setup_, seen(), setup_.place[body]);
+    return velocity_of(setup_, seen(), setup_.slot_of[body]);
   }
-  Vector3<double> spin(std::size_t body) const override {
-    const std::size_t place = setup_.place[body];
-    return setup_.rotation ? spin_of(seen(), place) : setup_.scene.bodies[body].spin;
+  Vector3<double> angular_velocity(std::size_t body) const override {
+    const std::size_t slot = setup_.slot_of[body];
+    return setup_.rotation ? angular_velocity_of(seen(), slot)
+                           : setup_.scene.bodies[body].angular_velocity;
   }
   double energy() const override { return detail::energy_of_run(setup_.scene, *this); }
   SceneRunCounts counts() const override {
     SceneRunCounts counts = seen().counts;
-    if (setup_.one_by_one) counts.most_impacts = static_cast<std::uint64_t>(setup_.most_impacts);
+    if (setup_.one_by_one) counts.max_impacts = static_cast<std::uint64_t>(setup_.max_impacts);
     return counts;
   }
 
   std::size_t bytes() const override {
     const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
     const auto state = [&](const SteppedState& s) {
-      return s.position.bytes() + s.velocity.bytes() + of(s.orientation) + s.spin.bytes() +
-             of(s.slow_since) + of(s.sleeps_with) + of(s.touched) + of(s.pushed);
+      return s.position.bytes() + s.velocity.bytes() + of(s.orientation) +
+             s.angular_velocity.bytes() + of(s.slow_since) + of(s.sleeps_with) + of(s.touched) +
+             of(s.last_impulses);
     };
-    return state(state_) + (shown_ ? state(*shown_) : 0) + of(setup_.bodies) + of(setup_.place) +
-           of(setup_.material) + of(part_.pairs) + of(part_.shapes) + part_.end_velocity.bytes() +
-           part_.end_spin.bytes() + of(part_.hits) + of(part_.bounces) + of(part_.bounced) +
-           part_.free_velocity.bytes() + part_.free_spin.bytes() + of(part_.flung) + of(part_.even);
+    return state(state_) + (shown_ ? state(*shown_) : 0) + of(setup_.bodies) + of(setup_.slot_of) +
+           of(setup_.material) + of(substep_.pairs) + of(substep_.shapes) +
+           substep_.end_velocity.bytes() + substep_.end_angular_velocity.bytes() +
+           of(substep_.hits) + of(substep_.bounces) + of(substep_.bounced) +
+           substep_.free_velocity.bytes() + substep_.free_angular_velocity.bytes() +
+           of(substep_.deflection) + of(substep_.even);
   }
   std::size_t bytes_per_body() const override {
-    std::size_t bytes = 2 * setup_.kept.count * sizeof(double);
+    std::size_t bytes = 2 * setup_.active.count * sizeof(double);
     if (!state_.orientation.empty())
-      bytes += sizeof(Rotor<double>) + setup_.kept_spins.count * sizeof(double);
+      bytes += sizeof(Quaternion<double>) + setup_.active_rotation.count * sizeof(double);
     if (!state_.slow_since.empty()) bytes += sizeof(double) + sizeof(std::int32_t);
     return bytes;
   }
@@ -168,57 +172,58 @@ class SteppedRun final : public SceneRun {
   /// ends a substep; after too many of them the rest is solved at once. A crowd's step has four
   /// substeps of few iterations each: shorter substeps help a heap more than more iterations.
   void step_once(SteppedState& state, double length) {
-    part_.whole = part_.left = length;
-    part_.cuts = 0;
-    part_.hits.clear();
+    substep_.whole = substep_.left = length;
+    substep_.cuts = 0;
+    substep_.hits.clear();
     // An impact divides twice: a substep ends where it is found, and one of length zero solves it.
-    const int most_cuts = 2 * setup_.most_impacts;
+    const int max_cuts = 2 * setup_.max_impacts;
     bool crowded = false;
     double longest = length;
     int anew = 0;  // repetitions in a row
-    while (part_.left > 0) {
-      if (anew == 0) part_.flung.clear();
+    while (substep_.left > 0) {
+      if (anew == 0) substep_.deflection.clear();
       bool again = false;
-      part_.planned = part_.length = part_.left;
-      part_.at_once = !setup_.one_by_one || part_.cuts > most_cuts;
-      const double piece = length / crowd_parts;
-      if (part_.at_once && part_.left > 1.5 * piece) part_.planned = part_.length = piece;
-      part_.planned = part_.length = std::min(part_.length, longest);
+      substep_.planned = substep_.length = substep_.left;
+      substep_.simultaneous = !setup_.one_by_one || substep_.cuts > max_cuts;
+      const double piece = length / crowd_substeps;
+      if (substep_.simultaneous && substep_.left > 1.5 * piece)
+        substep_.planned = substep_.length = piece;
+      substep_.planned = substep_.length = std::min(substep_.length, longest);
       longest = length;
-      crowded = crowded || (setup_.one_by_one && part_.at_once);
-      part_.pairs.clear();
-      part_.bounces.clear();
-      part_.bounced.clear();
-      part_.end_velocity = state.velocity;
-      part_.end_spin = state.spin;
-      part_.at_start.assign(setup_.movers, false);
-      part_.even.clear();
-      part_.pushed.assign(setup_.movers, false);
-      ++state.counts.parts;
-      const std::size_t hits = part_.hits.size();
-      for (const detail::NamedStage& stage : line_.part) {
-        stage.run(setup_, state, part_);
-        if (!(part_.length > 0)) break;
-        if (!part_.at_once || stage.run != solve_forces) continue;
+      crowded = crowded || (setup_.one_by_one && substep_.simultaneous);
+      substep_.pairs.clear();
+      substep_.bounces.clear();
+      substep_.bounced.clear();
+      substep_.end_velocity = state.velocity;
+      substep_.end_angular_velocity = state.angular_velocity;
+      substep_.at_start.assign(setup_.movers, false);
+      substep_.even.clear();
+      substep_.contacted.assign(setup_.movers, false);
+      ++state.counts.substeps;
+      const std::size_t hits = substep_.hits.size();
+      for (const detail::NamedStage& stage : line_.substep) {
+        stage.run(setup_, state, substep_);
+        if (!(substep_.length > 0)) break;
+        if (!substep_.simultaneous || stage.run != solve_forces) continue;
         // A body that was hit may rotate too far in such a substep, or fly at a body that was not
         // near: then it is repeated, shorter or with more pairs.
-        const double turn = std::max(longest_turn(setup_, part_), length * 0x1p-12);
-        const bool turns = turn < part_.planned / 2;
-        const bool flies = setup_.continuous && anew < most_anew &&
-                           flung_at_others(setup_, state, part_, line_.part.front().run);
+        const double turn = std::max(longest_rotation(setup_, substep_), length * 0x1p-12);
+        const bool turns = turn < substep_.planned / 2;
+        const bool flies = setup_.continuous && anew < max_retries &&
+                           deflected_at_others(setup_, state, substep_, line_.substep.front().run);
         if (!turns && !flies) continue;
-        longest = turns ? turn : part_.planned;
+        longest = turns ? turn : substep_.planned;
         again = true;
-        part_.length = 0;
-        state.counts.hits -= part_.hits.size() - hits;
-        part_.hits.resize(hits);
+        substep_.length = 0;
+        state.counts.hits -= substep_.hits.size() - hits;
+        substep_.hits.resize(hits);
         break;
       }
-      part_.left -= part_.length;
+      substep_.left -= substep_.length;
       anew = again ? anew + 1 : 0;
     }
-    part_.planned = part_.length = length;
-    for (const detail::NamedStage& stage : line_.after) stage.run(setup_, state, part_);
+    substep_.planned = substep_.length = length;
+    for (const detail::NamedStage& stage : line_.after) stage.run(setup_, state, substep_);
     ++state.step;
     ++state.counts.steps;
     if (crowded) ++state.counts.crowded_steps;
@@ -229,7 +234,7 @@ class SteppedRun final : public SceneRun {
   detail::StepPipeline line_;
   SteppedState state_;                 // after whole steps
   std::optional<SteppedState> shown_;  // at a time between two of them
-  StepPart part_;
+  Substep substep_;
   double now_ = 0;
 };
 // [/stepped-run]
@@ -248,7 +253,7 @@ CONTACT_SCENES_INLINE SceneCheckpoint SteppedRun::checkpoint() const {
     to.numbers.push_back(q.w);
     add(q.v);
   }
-  for (std::size_t i = 0; i < state_.spin.size(); ++i) add(state_.spin[i]);
+  for (std::size_t i = 0; i < state_.angular_velocity.size(); ++i) add(state_.angular_velocity[i]);
   for (const double t : state_.slow_since) to.numbers.push_back(t);
   to.integers.push_back(static_cast<std::int64_t>(state_.step));
   for (const std::int32_t group : state_.sleeps_with) to.integers.push_back(group);
@@ -256,8 +261,8 @@ CONTACT_SCENES_INLINE SceneCheckpoint SteppedRun::checkpoint() const {
     to.integers.push_back(state_.touched[i].a);
     to.integers.push_back(state_.touched[i].b);
     add(state_.touched[i].point);
-    to.numbers.push_back(state_.pushed[i].normal);
-    add(state_.pushed[i].tangential);
+    to.numbers.push_back(state_.last_impulses[i].normal);
+    add(state_.last_impulses[i].tangential);
   }
   return to;
 }
@@ -285,19 +290,20 @@ CONTACT_SCENES_INLINE void SteppedRun::restore(const SceneCheckpoint& from) {
     q.w = from.numbers[at++];
     q.v = vector();
   }
-  for (std::size_t i = 0; i < state_.spin.size(); ++i) state_.spin.set(i, vector());
+  for (std::size_t i = 0; i < state_.angular_velocity.size(); ++i)
+    state_.angular_velocity.set(i, vector());
   for (double& t : state_.slow_since) t = from.numbers[at++];
   state_.step = static_cast<std::uint64_t>(from.integers[0]);
   for (std::size_t i = 0; i < state_.sleeps_with.size(); ++i)
     state_.sleeps_with[i] = static_cast<std::int32_t>(from.integers[1 + i]);
   state_.touched.assign(contacts, {});
-  state_.pushed.assign(contacts, {});
+  state_.last_impulses.assign(contacts, {});
   for (std::size_t i = 0; i < contacts; ++i) {
     state_.touched[i].a = static_cast<int>(from.integers[whole + 2 * i]);
     state_.touched[i].b = static_cast<int>(from.integers[whole + 2 * i + 1]);
     state_.touched[i].point = vector();
-    state_.pushed[i].normal = from.numbers[at++];
-    state_.pushed[i].tangential = vector();
+    state_.last_impulses[i].normal = from.numbers[at++];
+    state_.last_impulses[i].tangential = vector();
   }
   state_.counts = from.counts;
   shown_.reset();

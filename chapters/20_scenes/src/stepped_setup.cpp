@@ -39,7 +39,7 @@ CONTACT_SCENES_INLINE double step_of(const Scene& scene, const Plan& plan) {
 // [kept-axes]
 /// Along which axes the scene is its own mirror image. Rounding must not break the symmetry: along
 /// such an axis nothing moves, and nothing rotates about another one.
-CONTACT_SCENES_INLINE std::array<bool, 3> proven_mirrors(const PlanQuestion& q) {
+CONTACT_SCENES_INLINE std::array<bool, 3> proven_mirrors(const PlanInput& q) {
   std::array<bool, 3> mirrors{};
   for (int axis = 0; axis < 3; ++axis)
     mirrors[static_cast<std::size_t>(axis)] = is_proven(plane_motion(q, axis));
@@ -48,41 +48,43 @@ CONTACT_SCENES_INLINE std::array<bool, 3> proven_mirrors(const PlanQuestion& q) 
 
 /// The coordinates that change. If a dimension is off, the coordinate along the mirror's axis is
 /// not stored; if it is on although a mirror is proven, it is stored and constant.
-CONTACT_SCENES_INLINE KeptAxes kept_axes(const Plan& plan, const PlanQuestion& q,
-                                         const std::array<bool, 3>& mirrors) {
-  KeptAxes kept;
+CONTACT_SCENES_INLINE ActiveAxes active_axes(const Plan& plan, const PlanInput& q,
+                                             const std::array<bool, 3>& mirrors) {
+  ActiveAxes active;
   const std::size_t least = is_on(plan, Effect::third_dimension)    ? 3
                             : is_on(plan, Effect::second_dimension) ? 2
                                                                     : 1;
   std::array<bool, 3> dropped{};
-  for (std::size_t axis = 3; axis-- > 0 && kept.count > least;) {
+  for (std::size_t axis = 3; axis-- > 0 && active.count > least;) {
     dropped[axis] = mirrors[axis];
-    if (mirrors[axis]) --kept.count;
+    if (mirrors[axis]) --active.count;
   }
-  std::stable_partition(kept.axes.begin(), kept.axes.end(),
+  std::stable_partition(active.axes.begin(), active.axes.end(),
                         [&](int axis) { return !dropped[static_cast<std::size_t>(axis)]; });
-  for (std::size_t k = 0; k < kept.count; ++k)
-    kept.held[k] = mirrors[static_cast<std::size_t>(kept.axes[k])] && kept.axes[k] != q.table;
-  return kept;
+  for (std::size_t k = 0; k < active.count; ++k)
+    active.held[k] = mirrors[static_cast<std::size_t>(active.axes[k])] && active.axes[k] != q.table;
+  return active;
 }
 
 /// The coordinates of angular velocities that change: a body that moves in a plane rotates about
 /// the axis perpendicular to it. A smooth ball may rotate about another, at constant angular
 /// velocity.
-CONTACT_SCENES_INLINE KeptAxes kept_spin_axes(const Scene& scene, const KeptAxes& kept,
-                                              const std::array<bool, 3>& mirrors) {
-  KeptAxes spins;
+CONTACT_SCENES_INLINE ActiveAxes active_rotation_axes(const Scene& scene, const ActiveAxes& active,
+                                                      const std::array<bool, 3>& mirrors) {
+  ActiveAxes spins;
   std::array<bool, 3> forbidden{};
   for (std::size_t k = 0; k < 3; ++k)
     for (std::size_t axis = 0; axis < 3; ++axis)
       forbidden[k] = forbidden[k] || (mirrors[axis] && axis != k);
   for (const SceneBody& body : scene.bodies)
     for (std::size_t k = 0; k < 3; ++k)
-      if (body.moves && forbidden[k] && body.spin(static_cast<int>(k)) != 0) return spins;
-  if (kept.count < 3) {
-    spins.count = 3 - kept.count;
-    std::rotate_copy(kept.axes.begin(), kept.axes.begin() + static_cast<std::ptrdiff_t>(kept.count),
-                     kept.axes.end(), spins.axes.begin());
+      if (body.moves && forbidden[k] && body.angular_velocity(static_cast<int>(k)) != 0)
+        return spins;
+  if (active.count < 3) {
+    spins.count = 3 - active.count;
+    std::rotate_copy(active.axes.begin(),
+                     active.axes.begin() + static_cast<std::ptrdiff_t>(active.count),
+                     active.axes.end(), spins.axes.begin());
   }
   for (std::size_t k = 0; k < spins.count; ++k)
     spins.held[k] = forbidden[static_cast<std::size_t>(spins.axes[k])];
@@ -97,13 +99,13 @@ CONTACT_SCENES_INLINE KeptAxes kept_spin_axes(const Scene& scene, const KeptAxes
 CONTACT_SCENES_INLINE SteppedSetup stepped_setup(const Scene& scene, const Plan& plan) {
   SteppedSetup setup;
   setup.scene = scene;
-  setup.place.resize(scene.bodies.size());
+  setup.slot_of.resize(scene.bodies.size());
   for (const int kind : {0, 1, 2}) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
       const SceneBody& body = scene.bodies[i];
       const bool plane = std::holds_alternative<HalfSpaceShape>(body.shape);
       if ((plane ? 2 : body.moves ? 0 : 1) != kind) continue;
-      setup.place[i] = setup.bodies.size();
+      setup.slot_of[i] = setup.bodies.size();
       setup.bodies.push_back(stepped_body(body, i));
     }
     if (kind == 0) setup.movers = setup.bodies.size();
@@ -113,24 +115,26 @@ CONTACT_SCENES_INLINE SteppedSetup stepped_setup(const Scene& scene, const Plan&
   setup.gyroscopic = is_on(plan, Effect::gyroscopic_term);
   setup.rotation = is_on(plan, Effect::rotation) || setup.gyroscopic;
   setup.continuous = is_on(plan, Effect::continuous_detection);
-  setup.one_by_one = setup.movers <= most_one_by_one || plan.pairs == 0;
-  const PlanQuestion q = plan_question(scene);
+  setup.one_by_one = setup.movers <= max_one_by_one || plan.pairs == 0;
+  const PlanInput q = plan_input(scene);
   const std::array<bool, 3> mirrors = proven_mirrors(q);
   setup.line = proven_line(q).has_value();
   setup.thinnest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < setup.bounded; ++i) {
     setup.thinnest = std::min(setup.thinnest, 2 * setup.bodies[i].core);
-    setup.edges = setup.edges || (i < setup.movers && !setup.line && setup.bodies[i].spin_arm > 0);
+    setup.edges =
+        setup.edges || (i < setup.movers && !setup.line && setup.bodies[i].rotation_radius > 0);
   }
-  setup.most_impacts = most_impacts(setup.movers, setup.rotation && setup.edges);
+  setup.max_impacts = max_impacts(setup.movers, setup.rotation && setup.edges);
   setup.together = is_on(plan, Effect::several_contacts);
   if (!is_on(plan, Effect::gravity)) setup.scene.gravity.setZero();
   setup.step = step_of(scene, plan);
-  setup.kept = kept_axes(plan, q, mirrors);
-  setup.kept_spins = kept_spin_axes(scene, setup.kept, mirrors);
-  setup.turns.fill(false);
-  for (std::size_t k = 0; k < setup.kept_spins.count; ++k)
-    setup.turns[static_cast<std::size_t>(setup.kept_spins.axes[k])] = !setup.kept_spins.held[k];
+  setup.active = active_axes(plan, q, mirrors);
+  setup.active_rotation = active_rotation_axes(scene, setup.active, mirrors);
+  setup.rotates.fill(false);
+  for (std::size_t k = 0; k < setup.active_rotation.count; ++k)
+    setup.rotates[static_cast<std::size_t>(setup.active_rotation.axes[k])] =
+        !setup.active_rotation.held[k];
 
   double lightness = 0;
   for (std::size_t i = 0; i < setup.movers; ++i)
@@ -148,24 +152,25 @@ CONTACT_SCENES_INLINE SteppedSetup stepped_setup(const Scene& scene, const Plan&
       setup.material.push_back(pair);
     }
   }
-  setup.spring_part = setup.step;
+  setup.spring_substep = setup.step;
   if (stiffest > 0)
-    setup.spring_part = std::min(setup.step, 1 / (128 * std::sqrt(stiffest * 2 * lightness)));
+    setup.spring_substep = std::min(setup.step, 1 / (128 * std::sqrt(stiffest * 2 * lightness)));
 
-  if (plan.spring_part > 0) setup.spring_part = std::min(setup.spring_part, plan.spring_part);
+  if (plan.spring_substep > 0)
+    setup.spring_substep = std::min(setup.spring_substep, plan.spring_substep);
   // The plan decides their shares of the tolerance.
   setup.rest_height = plan.rest_height;
   const double g = size_of(setup.scene.gravity);
-  const double hop = std::min(g * setup.step / 2, std::sqrt(2 * g * setup.rest_height));
-  setup.slow_speed = std::max(hop * 0x1p-20, 1e-11);
+  const double bounce = std::min(g * setup.step / 2, std::sqrt(2 * g * setup.rest_height));
+  setup.slow_speed = std::max(bounce * 0x1p-20, 1e-11);
   setup.sleep_speed = plan.sleep_speed;
   // The residual of the iterations is at most a millionth of the speed that would add up to half
   // the tolerance in the whole duration.
   const double far = scene.tolerance.position.value_or(1e-6) / 2;
   const double slow = far / std::max(scene.duration, scene.duration * scene.duration / sleep_after);
   const double left = std::clamp(slow * 1e-6, 1e-13, 1e-9);
-  setup.sweeps =
-      setup.one_by_one ? SweepLimits<double>{400, left, 1.5} : SweepLimits<double>{400, 1e-7, 1.0};
+  setup.solver = setup.one_by_one ? SolverSettings<double>{400, left, 1.5}
+                                  : SolverSettings<double>{400, 1e-7, 1.0};
   return setup;
 }
 // [/stepped-setup]
@@ -182,39 +187,41 @@ CONTACT_SCENES_INLINE StepPipeline step_pipeline(const Plan& plan, const Stepped
   const bool springs = is_on(plan, Effect::penalty_contact);
   const bool sleep = is_on(plan, Effect::sleeping);
   const bool forces = is_on(plan, Effect::resting) || !setup.one_by_one;
-  const std::string sweeps = setup.together ? "all contacts of a body together" : "each on its own";
+  const std::string iterations =
+      setup.together ? "all contacts of a body together" : "each on its own";
   // [pipeline]
   if (meet) {
     if (cells)
-      add(line.part, "broad phase", "cells", sort_into_cells);
+      add(line.substep, "broad phase", "cells", sort_into_cells);
     else
-      add(line.part, "pairs", "each with each", compare_all_pairs);
-    add(line.part, "contacts", "distances and contact points", find_touching_pairs);
-    if (sleep) add(line.part, "waking", "bodies that a fast body touches", wake_bodies);
-    if (setup.one_by_one) add(line.part, "impacts", sweeps, solve_impacts);
-    if (springs) add(line.part, "springs", "leapfrog, dampers implicit", push_springs);
+      add(line.substep, "pairs", "each with each", compare_all_pairs);
+    add(line.substep, "contacts", "distances and contact points", find_touching_pairs);
+    if (sleep) add(line.substep, "waking", "bodies that a fast body touches", wake_bodies);
+    if (setup.one_by_one) add(line.substep, "impacts", iterations, solve_impacts);
+    if (springs) add(line.substep, "springs", "leapfrog, dampers implicit", apply_spring_forces);
   }
-  if (is_on(plan, Effect::gravity)) add(line.part, "gravity", "even", add_gravity);
+  if (is_on(plan, Effect::gravity)) add(line.substep, "gravity", "even", add_gravity);
   if (meet) {
     // Where nothing rests it still stops approaches by rounding.
-    add(line.part, forces ? "contact forces" : "impacts left over",
-        forces ? sweeps : "rounding, and a step with too many to take one by one", solve_forces);
+    add(line.substep, forces ? "contact forces" : "impacts left over",
+        forces ? iterations : "rounding, and a step with too many to take one by one",
+        solve_forces);
     if (setup.continuous && setup.one_by_one)
-      add(line.part, "time of impact", "by conservative advancement", find_first_impact);
+      add(line.substep, "time of impact", "by conservative advancement", find_first_impact);
   }
   // [/pipeline]
   const bool bounce = meet && is_on(plan, Effect::restitution);
-  if (bounce) add(line.part, "bounces", "of impacts that are processed together", solve_bounces);
-  add(line.part, "motion", "exact for constant acceleration", move_bodies);
+  if (bounce) add(line.substep, "bounces", "of impacts that are processed together", solve_bounces);
+  add(line.substep, "motion", "exact for constant acceleration", move_bodies);
   if (setup.gyroscopic)
-    add(line.part, "rotation", "with the gyroscopic term", turn_with_gyroscopic_term);
+    add(line.substep, "rotation", "with the gyroscopic term", rotate_with_gyroscopic_term);
   else if (setup.rotation)
-    add(line.part, "rotation", "constant angular velocities", turn_bodies);
+    add(line.substep, "rotation", "constant angular velocities", rotate_bodies);
   if (meet) {
-    if (bounce) add(line.part, "leaving", "what has bounced", leave_bounced);
+    if (bounce) add(line.substep, "leaving", "what has bounced", apply_bounces);
     // A ball's impacts are found to the last bit in any orientation; an edge's are not.
     if ((setup.rotation && setup.edges) || !setup.one_by_one)
-      add(line.part, "pushing out", "half of each overlap at a time", push_out);
+      add(line.substep, "pushing out", "half of each overlap at a time", correct_positions);
     if (sleep) add(line.after, "sleep", "groups that are slow", put_to_sleep);
   }
   return line;

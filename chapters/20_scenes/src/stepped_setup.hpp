@@ -19,7 +19,7 @@ struct NamedStage {
 
 /// The stages of each substep, in their order, and those after a step.
 struct StepPipeline {
-  std::vector<NamedStage> part;
+  std::vector<NamedStage> substep;
   std::vector<NamedStage> after;
 };
 

@@ -24,7 +24,7 @@ CONTACT_SCENES_INLINE StepShape step_shape(const SceneShape& shape) {
     const Vector3<double> end(0, 0, capsule->half_length);
     return Capsule<double>{{Vector3<double>(-end), end}, capsule->radius};
   }
-  if (const auto* hull = std::get_if<HullShape>(&shape)) return HullCorners{hull->points};
+  if (const auto* hull = std::get_if<HullShape>(&shape)) return HullVertices{hull->points};
   const auto& half_space = std::get<HalfSpaceShape>(shape);
   return HalfSpace<double>{{half_space.normal, half_space.offset}};
 }
@@ -34,8 +34,8 @@ CONTACT_SCENES_INLINE SteppedBody stepped_body(const SceneBody& from, std::size_
   body.body = index;
   body.shape = step_shape(from.shape);
   body.material = from.material;
-  body.reach = outer_radius(from.shape);
-  body.spin_arm = spin_arm(from.shape);
+  body.bounding_radius = outer_radius(from.shape);
+  body.rotation_radius = rotation_radius(from.shape);
   const double inner = inner_radius(from.shape);
   body.core = inner > 0 ? inner : std::numeric_limits<double>::infinity();
   if (!from.moves) return body;

@@ -2,7 +2,7 @@
 
 namespace exercise {
 
-Eigen::Vector2d place_in_wagon(const Wagon& /*wagon*/, const Eigen::Vector2d& /*place*/) {
+Eigen::Vector2d position_in_wagon(const Wagon& /*wagon*/, const Eigen::Vector2d& /*position*/) {
   contact::todo();
 }
 
@@ -10,7 +10,8 @@ Eigen::Vector2d velocity_in_wagon(const Wagon& /*wagon*/, const Eigen::Vector2d&
   contact::todo();
 }
 
-Eigen::Vector2d place_in_world(const Wagon& /*wagon*/, const Eigen::Vector2d& /*place_in_wagon*/) {
+Eigen::Vector2d position_in_world(const Wagon& /*wagon*/,
+                                  const Eigen::Vector2d& /*position_in_wagon*/) {
   contact::todo();
 }
 

@@ -14,13 +14,13 @@ struct Wagon {
 
 /// The coordinates in the wagon's frame of a position in the world, in m: x′ is ahead, y′ to the
 /// left.
-Eigen::Vector2d place_in_wagon(const Wagon& wagon, const Eigen::Vector2d& place);
+Eigen::Vector2d position_in_wagon(const Wagon& wagon, const Eigen::Vector2d& position);
 
 /// The coordinates in the wagon's axes of a velocity in the world, in m/s: x′ is ahead, y′ to the
 /// left. The wagon is at rest.
 Eigen::Vector2d velocity_in_wagon(const Wagon& wagon, const Eigen::Vector2d& velocity);
 
 /// The world coordinates of a position given in the wagon's frame, in m.
-Eigen::Vector2d place_in_world(const Wagon& wagon, const Eigen::Vector2d& place_in_wagon);
+Eigen::Vector2d position_in_world(const Wagon& wagon, const Eigen::Vector2d& position_in_wagon);
 
 }  // namespace exercise

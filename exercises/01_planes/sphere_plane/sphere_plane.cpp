@@ -6,7 +6,7 @@ bool meets(const contact::Sphere<double>& /*sphere*/, const contact::Plane<doubl
   contact::todo();
 }
 
-bool meets_loose(const contact::Sphere<double>& /*sphere*/, const LoosePlane& /*plane*/) {
+bool meets_raw(const contact::Sphere<double>& /*sphere*/, const RawPlane& /*plane*/) {
   contact::todo();
 }
 

@@ -9,7 +9,7 @@
 namespace exercise {
 
 /// A plane normal·x = offset whose normal has any length but zero.
-struct LoosePlane {
+struct RawPlane {
   Eigen::Vector3d normal;
   double offset;
 };
@@ -23,6 +23,6 @@ bool meets(const contact::Sphere<double>& sphere, const contact::Plane<double>& 
 
 /// The same for a plane whose normal need not be a unit vector, without a square root and without a
 /// division: if all numbers are small integers, nothing is rounded and touching is decided exactly.
-bool meets_loose(const contact::Sphere<double>& sphere, const LoosePlane& plane);
+bool meets_raw(const contact::Sphere<double>& sphere, const RawPlane& plane);
 
 }  // namespace exercise

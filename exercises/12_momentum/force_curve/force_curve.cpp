@@ -2,7 +2,8 @@
 
 namespace exercise {
 
-Push push(const std::vector<Sample>& /*samples*/, double /*mass*/, double /*velocity*/) {
+ForceEffect apply_force(const std::vector<Sample>& /*samples*/, double /*mass*/,
+                        double /*velocity*/) {
   contact::todo();
 }
 

@@ -13,7 +13,7 @@ struct Sample {
 };
 
 /// The effect of the force up to the last sample.
-struct Push {
+struct ForceEffect {
   double impulse;         ///< N·s
   double average_force;   ///< the constant force with the same impulse in the same time, N
   double velocity_after;  ///< m/s
@@ -26,6 +26,6 @@ struct Push {
 /// spaced
 /// @param mass of the body, kg, greater than 0
 /// @param velocity at the first sample, m/s
-Push push(const std::vector<Sample>& samples, double mass, double velocity);
+ForceEffect apply_force(const std::vector<Sample>& samples, double mass, double velocity);
 
 }  // namespace exercise

@@ -2,7 +2,7 @@
 
 namespace exercise {
 
-Bill bill(const Body& /*first*/, const Body& /*second*/, double /*restitution*/) {
+EnergyLoss energy_loss(const Body& /*first*/, const Body& /*second*/, double /*restitution*/) {
   contact::todo();
 }
 

@@ -11,7 +11,7 @@ struct Body {
   double velocity;  ///< m/s
 };
 
-struct Bill {
+struct EnergyLoss {
   double lost;      ///< total kinetic energy before minus that after, J
   double fraction;  ///< the loss divided by the total kinetic energy before; 0 if that was 0
 };
@@ -23,6 +23,6 @@ struct Bill {
 /// @param first the body on the left; to the right is positive
 /// @param second the body on the right
 /// @param restitution speed of separation over closing speed, from 0 to 1
-Bill bill(const Body& first, const Body& second, double restitution);
+EnergyLoss energy_loss(const Body& first, const Body& second, double restitution);
 
 }  // namespace exercise

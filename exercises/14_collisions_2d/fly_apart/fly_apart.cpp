@@ -2,8 +2,8 @@
 
 namespace exercise {
 
-Rest send_out(double /*mass*/, const Eigen::Vector2d& /*velocity*/, double /*piece_mass*/,
-              const Eigen::Vector2d& /*piece_velocity*/) {
+Remainder send_out(double /*mass*/, const Eigen::Vector2d& /*velocity*/, double /*piece_mass*/,
+                   const Eigen::Vector2d& /*piece_velocity*/) {
   contact::todo();
 }
 

@@ -7,7 +7,7 @@
 namespace exercise {
 
 /// The remainder of a body that has emitted a piece.
-struct Rest {
+struct Remainder {
   Eigen::Vector2d velocity;  ///< of the remainder, m/s
   double energy_gained;  ///< kinetic energy of both afterwards minus that of the whole before, J
 };
@@ -19,7 +19,7 @@ struct Rest {
 /// @param piece_mass kg, greater than 0 and less than mass
 /// @param piece_velocity of the piece afterwards, m/s
 /// @throws std::invalid_argument unless piece_mass is greater than 0 and less than mass
-Rest send_out(double mass, const Eigen::Vector2d& velocity, double piece_mass,
-              const Eigen::Vector2d& piece_velocity);
+Remainder send_out(double mass, const Eigen::Vector2d& velocity, double piece_mass,
+                   const Eigen::Vector2d& piece_velocity);
 
 }  // namespace exercise

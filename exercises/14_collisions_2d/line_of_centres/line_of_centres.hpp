@@ -14,15 +14,15 @@ std::optional<Eigen::Vector2d> line_of_centres(const Eigen::Vector2d& centre_a,
                                                const Eigen::Vector2d& centre_b);
 
 /// A velocity as the sum of two perpendicular ones.
-struct Parts {
-  Eigen::Vector2d along;   ///< normal component, parallel to the axis, m/s
-  Eigen::Vector2d across;  ///< tangential component, perpendicular to it, m/s
+struct Components {
+  Eigen::Vector2d normal;      ///< normal component, parallel to the axis, m/s
+  Eigen::Vector2d tangential;  ///< tangential component, perpendicular to it, m/s
 };
 
 /// The components of a velocity along an axis and perpendicular to it.
 ///
 /// @param velocity m/s
 /// @param axis a unit vector
-Parts parts(const Eigen::Vector2d& velocity, const Eigen::Vector2d& axis);
+Components components(const Eigen::Vector2d& velocity, const Eigen::Vector2d& axis);
 
 }  // namespace exercise

@@ -8,9 +8,9 @@ namespace exercise {
 
 /// The motion of a rigid body at one moment, in the axes of the world.
 struct Motion {
-  Eigen::Vector3d centre;    ///< of mass, m
-  Eigen::Vector3d velocity;  ///< of the centre of mass, m/s
-  Eigen::Vector3d spin;      ///< angular velocity, rad/s
+  Eigen::Vector3d centre;            ///< of mass, m
+  Eigen::Vector3d velocity;          ///< of the centre of mass, m/s
+  Eigen::Vector3d angular_velocity;  ///< angular velocity, rad/s
 };
 
 /// The three cases of the normal velocity of two bodies in contact.

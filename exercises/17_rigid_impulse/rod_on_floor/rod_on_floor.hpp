@@ -12,13 +12,13 @@ struct Body {
   double inertia;            ///< about the centre of mass, kg·m², greater than 0
   Eigen::Vector2d centre;    ///< of mass, m
   Eigen::Vector2d velocity;  ///< of the centre of mass, m/s
-  double spin;               ///< angular velocity, rad/s, counter-clockwise
+  double angular_velocity;   ///< angular velocity, rad/s, counter-clockwise
 };
 
 /// Its motion afterwards.
 struct Motion {
   Eigen::Vector2d velocity;  ///< of the centre of mass, m/s
-  double spin;               ///< rad/s
+  double angular_velocity;   ///< rad/s
 };
 
 /// The motion after a point of the body has met the floor, with dry friction, by Stronge's law of

@@ -18,12 +18,12 @@ struct Body {
 /// @param body at the start of the step
 /// @param acceleration m/s², constant
 /// @param step s, greater than 0
-Body position_first(const Body& body, const Eigen::Vector3d& acceleration, double step);
+Body explicit_euler(const Body& body, const Eigen::Vector3d& acceleration, double step);
 
 /// One step of symplectic Euler, as in the lecture: first the velocity, and then the position, with
 /// the new velocity.
 ///
 /// @param body, acceleration, step as above
-Body velocity_first(const Body& body, const Eigen::Vector3d& acceleration, double step);
+Body semi_implicit_euler(const Body& body, const Eigen::Vector3d& acceleration, double step);
 
 }  // namespace exercise

@@ -5,7 +5,9 @@ namespace exercise {
 namespace {
 
 /// The longest path of a point of one body in a step, m.
-[[maybe_unused]] double longest_path(const Mover& /*mover*/, double /*step*/) { contact::todo(); }
+[[maybe_unused]] double max_path_length(const Mover& /*mover*/, double /*step*/) {
+  contact::todo();
+}
 
 }  // namespace
 

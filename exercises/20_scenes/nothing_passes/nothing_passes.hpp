@@ -8,10 +8,10 @@ namespace exercise {
 
 /// Bounds on a body's motion in a step. Directions are not known.
 struct Mover {
-  double speed;         ///< at most, of its centre at the beginning of the step, m/s
-  double acceleration;  ///< at most, of its centre during the step, m/s²
-  double reach;         ///< bounding radius: at most, from its centre to its surface, m
-  double spin;          ///< angular speed: at most, during the step, rad/s
+  double speed;             ///< at most, of its centre at the beginning of the step, m/s
+  double acceleration;      ///< at most, of its centre during the step, m/s²
+  double bounding_radius;   ///< bounding radius: at most, from its centre to its surface, m
+  double angular_velocity;  ///< angular speed: at most, during the step, rad/s
 };
 
 /// What is proven for a step.

@@ -2,6 +2,6 @@
 
 namespace exercise {
 
-std::array<bool, 3> still_axes(const Scene& /*scene*/) { contact::todo(); }
+std::array<bool, 3> inactive_axes(const Scene& /*scene*/) { contact::todo(); }
 
 }  // namespace exercise

@@ -28,6 +28,6 @@ struct Scene {
 ///
 /// It returns true only where that holds exactly. It does not depend on which bodies meet: a ball
 /// far from the others, and a wall that no ball reaches, count like all others.
-std::array<bool, 3> still_axes(const Scene& scene);
+std::array<bool, 3> inactive_axes(const Scene& scene);
 
 }  // namespace exercise

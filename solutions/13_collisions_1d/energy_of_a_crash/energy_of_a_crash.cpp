@@ -2,7 +2,7 @@
 
 namespace exercise {
 
-Bill bill(const Body& first, const Body& second, double restitution) {
+EnergyLoss energy_loss(const Body& first, const Body& second, double restitution) {
   if (!(first.velocity > second.velocity)) return {0, 0};
   const double before = 0.5 * (first.mass * first.velocity * first.velocity +
                                second.mass * second.velocity * second.velocity);

@@ -7,10 +7,10 @@ namespace {
 std::optional<double> touch(const Disc& a, const Disc& b) {
   const Eigen::Vector2d d = a.centre - b.centre;
   const Eigen::Vector2d w = a.velocity - b.velocity;
-  const double reach = a.radius + b.radius;
+  const double radius_sum = a.radius + b.radius;
   const double approach = -d.dot(w);
   if (!(approach > 0)) return std::nullopt;
-  const double gap = d.squaredNorm() - reach * reach;
+  const double gap = d.squaredNorm() - radius_sum * radius_sum;
   if (gap <= 0) return 0;
   const double root = approach * approach - w.squaredNorm() * gap;
   if (root < 0) return std::nullopt;

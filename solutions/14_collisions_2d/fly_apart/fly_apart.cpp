@@ -2,8 +2,8 @@
 
 namespace exercise {
 
-Rest send_out(double mass, const Eigen::Vector2d& velocity, double piece_mass,
-              const Eigen::Vector2d& piece_velocity) {
+Remainder send_out(double mass, const Eigen::Vector2d& velocity, double piece_mass,
+                   const Eigen::Vector2d& piece_velocity) {
   if (!(piece_mass > 0 && piece_mass < mass)) {
     throw std::invalid_argument("a piece weighs more than nothing and less than the whole");
   }

@@ -9,10 +9,10 @@ std::optional<Eigen::Vector2d> line_of_centres(const Eigen::Vector2d& centre_a,
   return d / d.norm();
 }
 
-Parts parts(const Eigen::Vector2d& velocity, const Eigen::Vector2d& axis) {
-  const double reach = axis.dot(velocity);
-  const Eigen::Vector2d along = reach * axis;
-  return {along, velocity - along};
+Components components(const Eigen::Vector2d& velocity, const Eigen::Vector2d& axis) {
+  const double normal_speed = axis.dot(velocity);
+  const Eigen::Vector2d normal = normal_speed * axis;
+  return {normal, velocity - normal};
 }
 
 }  // namespace exercise

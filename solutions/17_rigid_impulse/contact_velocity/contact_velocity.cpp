@@ -3,8 +3,8 @@
 namespace exercise {
 
 Eigen::Vector3d velocity_of_point(const Motion& body, const Eigen::Vector3d& point) {
-  const Eigen::Vector3d arm = point - body.centre;
-  return body.velocity + body.spin.cross(arm);
+  const Eigen::Vector3d lever_arm = point - body.centre;
+  return body.velocity + body.angular_velocity.cross(lever_arm);
 }
 
 Closing closing(const Motion& a, const Motion& b, const Eigen::Vector3d& point,

@@ -8,8 +8,8 @@ Motion after_floor(const Body& body, const Eigen::Vector2d& point, double e, dou
   const double k_tt = 1 / body.mass + r.y() * r.y() / body.inertia;
   const double k_tn = -r.x() * r.y() / body.inertia;
   const double k_nn = 1 / body.mass + r.x() * r.x() / body.inertia;
-  double slip = body.velocity.x() - body.spin * r.y();
-  double normal = body.velocity.y() + body.spin * r.x();
+  double slip = body.velocity.x() - body.angular_velocity * r.y();
+  double normal = body.velocity.y() + body.angular_velocity * r.x();
   double along = 0;
   double up = 0;
   double taken = 0;  // work that the normal impulse has absorbed and not given back
@@ -56,7 +56,7 @@ Motion after_floor(const Body& body, const Eigen::Vector2d& point, double e, dou
 
   const Eigen::Vector2d impulse(along, up);
   return {body.velocity + impulse / body.mass,
-          body.spin + (r.x() * up - r.y() * along) / body.inertia};
+          body.angular_velocity + (r.x() * up - r.y() * along) / body.inertia};
 }
 
 }  // namespace exercise

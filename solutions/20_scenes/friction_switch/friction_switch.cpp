@@ -10,7 +10,7 @@ using Vector = Eigen::Vector3d;
 double coefficient(const Block& block) { return std::min(block.friction, block.surface_friction); }
 
 /// Whether it is proven that friction never changes this block's motion.
-bool never_rubs(const Block& block, const Vector& gravity) {
+bool never_slides(const Block& block, const Vector& gravity) {
   if (coefficient(block) == 0) return true;
   return block.normal.cross(block.velocity).isZero(0) && block.normal.cross(gravity).isZero(0);
 }
@@ -20,7 +20,7 @@ bool never_rubs(const Block& block, const Vector& gravity) {
 Stepped step_blocks(const std::vector<Block>& blocks, const Vector& gravity, double step) {
   Stepped result{false, {}};
   for (const Block& block : blocks) {
-    if (!never_rubs(block, gravity)) result.friction = true;
+    if (!never_slides(block, gravity)) result.friction = true;
   }
   for (const Block& block : blocks) {
     Vector v = block.velocity + gravity * step;

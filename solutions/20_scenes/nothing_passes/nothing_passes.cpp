@@ -5,14 +5,16 @@ namespace exercise {
 namespace {
 
 /// The longest path of a point of one body in a step, m.
-double longest_path(const Mover& mover, double step) {
-  return (mover.speed + mover.acceleration * step / 2 + mover.spin * mover.reach) * step;
+double max_path_length(const Mover& mover, double step) {
+  return (mover.speed + mover.acceleration * step / 2 +
+          mover.angular_velocity * mover.bounding_radius) *
+         step;
 }
 
 }  // namespace
 
 Proof prove(const Mover& a, const Mover& b, double step, double thickness) {
-  const double displacement = longest_path(a, step) + longest_path(b, step);
+  const double displacement = max_path_length(a, step) + max_path_length(b, step);
   return {displacement, displacement <= thickness};
 }
 

@@ -7,7 +7,7 @@ namespace exercise {
 // ball along the line of the centres, which lies in the plane: neither has a component along k. So
 // no v_k changes at that moment either, nor in the flight after it. By induction no ball ever
 // leaves the plane.
-std::array<bool, 3> still_axes(const Scene& scene) {
+std::array<bool, 3> inactive_axes(const Scene& scene) {
   std::array<bool, 3> still{};
   for (int k = 0; k < 3; ++k) {
     bool holds = scene.gravity(k) == 0;

@@ -75,13 +75,13 @@ struct HardSphereCheckpoint {
     Vector3<double> velocity = Vector3<double>::Zero();  ///< m/s
     double time = 0;                                     ///< s
     std::int32_t last = -1;                              ///< what it hit last, or −1
-    std::int32_t lies_on = -1;                           ///< wall, or −1
+    std::int32_t rests_on = -1;                          ///< wall, or −1
     std::int32_t short_flights = 0;                      ///< hits in a row within the cutoff
   };
-  double now = 0;             ///< s
-  std::uint64_t at_once = 0;  ///< hits at the present instant
-  HardSphereCounts counts;    ///< so far
-  std::vector<Ball> balls;    ///< in order
+  double now = 0;                  ///< s
+  std::uint64_t simultaneous = 0;  ///< hits at the present instant
+  HardSphereCounts counts;         ///< so far
+  std::vector<Ball> balls;         ///< in order
 };
 
 /// A simulation of hard balls.
@@ -120,7 +120,7 @@ class HardSphereRun {
   /// Velocity of a ball now, m/s.
   virtual Vector3<double> velocity(std::size_t ball) const = 0;
   /// The wall on which a ball lies, or −1.
-  virtual std::int32_t lies_on(std::size_t ball) const = 0;
+  virtual std::int32_t rests_on(std::size_t ball) const = 0;
   /// Kinetic and potential energy (0 at the origin) of all balls, J, by recursive summation.
   virtual double energy() const = 0;
   /// What it has done so far.

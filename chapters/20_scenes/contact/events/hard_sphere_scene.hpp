@@ -62,13 +62,15 @@ class HardSphereSceneRun final : public SceneRun {
   Vector3<double> position(std::size_t body) const override {
     return is_ball_here(body) ? run_->position(ball_of_[body]) : scene_.bodies[body].position;
   }
-  Rotor<double> orientation(std::size_t body) const override {
+  Quaternion<double> orientation(std::size_t body) const override {
     return scene_.bodies[body].orientation;
   }
   Vector3<double> velocity(std::size_t body) const override {
     return is_ball_here(body) ? run_->velocity(ball_of_[body]) : Vector3<double>::Zero();
   }
-  Vector3<double> spin(std::size_t body) const override { return scene_.bodies[body].spin; }
+  Vector3<double> angular_velocity(std::size_t body) const override {
+    return scene_.bodies[body].angular_velocity;
+  }
   double energy() const override { return detail::energy_of_run(scene_, *this); }
 
   SceneRunCounts counts() const override;
@@ -85,9 +87,9 @@ class HardSphereSceneRun final : public SceneRun {
   static constexpr std::size_t no_ball = std::numeric_limits<std::size_t>::max();
 
   /// Reports balls' hits as bodies' hits.
-  class Teller final : public HardSphereObserver {
+  class HitForwarder final : public HardSphereObserver {
    public:
-    Teller(const HardSphereSceneRun& of, SceneObserver* to) : of_(of), to_(to) {}
+    HitForwarder(const HardSphereSceneRun& of, SceneObserver* to) : of_(of), to_(to) {}
     bool on_hit(const HardSphereHit& hit) override {
       return to_->on_hit({hit.time, of_.balls_.ball_body[hit.ball], of_.body_of(hit.partner),
                           of_.touching_point(hit), hit.impulse});

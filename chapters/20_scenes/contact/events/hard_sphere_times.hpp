@@ -120,12 +120,13 @@ struct Encounter {
 
 /// @param d from one centre to the other, m
 /// @param w relative velocity, the rate of d, m/s
-/// @param reach R, the sum of the radii, m
+/// @param radius_sum R, the sum of the radii, m
 template <int Dimension>
 [[gnu::always_inline]] inline Encounter encounter(const Column<Dimension>& d,
-                                                  const Column<Dimension>& w, double reach) {
-  return {detail::dot<Dimension>(d, w), detail::dot<Dimension>(d, d) - reach * reach,
-          reach * reach * detail::dot<Dimension>(w, w) - detail::cross_squared<Dimension>(d, w)};
+                                                  const Column<Dimension>& w, double radius_sum) {
+  return {detail::dot<Dimension>(d, w), detail::dot<Dimension>(d, d) - radius_sum * radius_sum,
+          radius_sum * radius_sum * detail::dot<Dimension>(w, w) -
+              detail::cross_squared<Dimension>(d, w)};
 }
 
 /// How long until two balls touch.
@@ -137,8 +138,8 @@ template <int Dimension>
 /// @note Fourth powers of lengths and of √(length × speed) must neither overflow nor underflow:
 /// sizes from 1e-70 to 1e70.
 template <int Dimension>
-double meeting(const Column<Dimension>& d, const Column<Dimension>& w, double reach) {
-  const Encounter met = encounter<Dimension>(d, w, reach);
+double meeting(const Column<Dimension>& d, const Column<Dimension>& w, double radius_sum) {
+  const Encounter met = encounter<Dimension>(d, w, radius_sum);
   return met.meets() ? met.after() : never;
 }
 // [/meeting]
@@ -190,20 +191,21 @@ Pieces monotone_pieces(const Quartic& p, double end, int degree);
 /// @param d from one centre to the other, m
 /// @param w rate of d, m/s
 /// @param a rate of w, m/s², not 0
-/// @param reach R, the sum of the radii, m
-/// @param parting whether the two have just hit each other, so that they do not approach now,
+/// @param radius_sum R, the sum of the radii, m
+/// @param separating whether the two have just hit each other, so that they do not approach now,
 /// whatever rounding says
 /// @return s, or `never`
 template <int Dimension>
-double bent_meeting(const Column<Dimension>& d, const Column<Dimension>& w,
-                    const Column<Dimension>& a, double reach, bool parting) {
+double accelerated_meeting(const Column<Dimension>& d, const Column<Dimension>& w,
+                           const Column<Dimension>& a, double radius_sum, bool separating) {
   const double pull = a.norm();
   const double speed = w.norm();
   // From here on they are separated by the curvature of the path alone.
-  const double end = 2 * (speed + std::sqrt(speed * speed + 2 * pull * (d.norm() + reach))) / pull;
-  detail::Quartic f{d.dot(d) - reach * reach, 2 * d.dot(w), w.dot(w) + d.dot(a), w.dot(a),
+  const double end =
+      2 * (speed + std::sqrt(speed * speed + 2 * pull * (d.norm() + radius_sum))) / pull;
+  detail::Quartic f{d.dot(d) - radius_sum * radius_sum, 2 * d.dot(w), w.dot(w) + d.dot(a), w.dot(a),
                     a.dot(a) / 4};
-  if (parting) f[1] = std::max(f[1], 0.0);
+  if (separating) f[1] = std::max(f[1], 0.0);
   const detail::Pieces pieces = detail::monotone_pieces(f, end, 4);
   for (std::size_t i = 0; i + 1 < pieces.count; ++i) {
     const double low = pieces.ends[i];
@@ -325,12 +327,12 @@ class HardSphereCells {
 
   static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
-  bool fits(const Point& high, std::size_t most) {
+  bool fits(const Point& high, std::size_t max_cells) {
     double all = 1;
     for (int k = 0; k < Dimension; ++k) {
       const double cells = std::max(1.0, std::ceil((high(k) - origin_(k)) / width_));
       all *= cells;
-      if (!(all <= static_cast<double>(most))) return false;
+      if (!(all <= static_cast<double>(max_cells))) return false;
       count_[at(k)] = static_cast<std::size_t>(cells);
     }
     return true;

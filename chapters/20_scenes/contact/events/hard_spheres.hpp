@@ -32,10 +32,10 @@ namespace detail {
 /// Takes the place of a member that no effect needs. Numbered, since two empty members of one type
 /// have two addresses.
 template <int Number>
-struct NotKept {};
+struct NotStored {};
 
 template <bool Needed, class T, int Number>
-using KeptIf = std::conditional_t<Needed, T, NotKept<Number>>;
+using StoredIf = std::conditional_t<Needed, T, NotStored<Number>>;
 
 }  // namespace detail
 
@@ -48,12 +48,12 @@ struct HardSphereState {
   double time = 0;                                             ///< of its last hit, s
   std::int32_t last = -1;                                      ///< what it hit last, or −1
   /// The wall on which it lies, or −1.
-  [[no_unique_address]] detail::KeptIf<E.gravity, std::int32_t, 0> lies_on;
+  [[no_unique_address]] detail::StoredIf<E.gravity, std::int32_t, 0> rests_on;
   /// Number of its last hits in a row that came sooner than the cutoff.
-  [[no_unique_address]] detail::KeptIf<E.restitution, std::int32_t, 1> short_flights;
-  [[no_unique_address]] detail::KeptIf<E.restitution, std::uint32_t, 2> material;  ///< row
-  [[no_unique_address]] detail::KeptIf<E.sizes, double, 3> radius;                 ///< m
-  [[no_unique_address]] detail::KeptIf<E.sizes, double, 4> mass;                   ///< kg
+  [[no_unique_address]] detail::StoredIf<E.restitution, std::int32_t, 1> short_flights;
+  [[no_unique_address]] detail::StoredIf<E.restitution, std::uint32_t, 2> material;  ///< row
+  [[no_unique_address]] detail::StoredIf<E.sizes, double, 3> radius;                 ///< m
+  [[no_unique_address]] detail::StoredIf<E.sizes, double, 4> mass;                   ///< kg
 };
 // [/state]
 
@@ -106,11 +106,11 @@ class HardSpheres final : public HardSphereRun {
       ball.velocity = kept(was.velocity);
       ball.time = was.time;
       ball.last = was.last;
-      if constexpr (E.gravity) ball.lies_on = was.lies_on;
+      if constexpr (E.gravity) ball.rests_on = was.rests_on;
       if constexpr (E.restitution) ball.short_flights = was.short_flights;
     }
     now_ = from.now;
-    at_once_ = from.at_once;
+    simultaneous_ = from.simultaneous;
     counts_ = from.counts;
     predict_all();
   }
@@ -120,7 +120,7 @@ class HardSpheres final : public HardSphereRun {
   HardSphereCheckpoint checkpoint() const override {
     HardSphereCheckpoint to;
     to.now = now_;
-    to.at_once = at_once_;
+    to.simultaneous = simultaneous_;
     to.counts = counts_;
     for (const State& ball : balls_) {
       HardSphereCheckpoint::Ball is;
@@ -128,7 +128,7 @@ class HardSpheres final : public HardSphereRun {
       is.velocity = spread(ball.velocity);
       is.time = ball.time;
       is.last = ball.last;
-      if constexpr (E.gravity) is.lies_on = ball.lies_on;
+      if constexpr (E.gravity) is.rests_on = ball.rests_on;
       if constexpr (E.restitution) is.short_flights = ball.short_flights;
       to.balls.push_back(is);
     }
@@ -160,7 +160,7 @@ class HardSpheres final : public HardSphereRun {
       // [/run]
       if (budget-- == 0) return HardSphereEnd::out_of_events;
       const bool new_time = time > now_;
-      at_once_ = new_time ? 0 : at_once_ + 1;
+      simultaneous_ = new_time ? 0 : simultaneous_ + 1;
       now_ = std::max(now_, time);
       // Of two balls the one with the lower index is the first, whichever had planned the hit.
       const std::size_t first = is_ball ? std::min(i, other) : i;
@@ -200,8 +200,8 @@ class HardSpheres final : public HardSphereRun {
     return spread(velocity_at(b, now_ - b.time, acceleration(ball)));
   }
 
-  std::int32_t lies_on(std::size_t ball) const override {
-    if constexpr (E.gravity) return balls_[ball].lies_on;
+  std::int32_t rests_on(std::size_t ball) const override {
+    if constexpr (E.gravity) return balls_[ball].rests_on;
     (void)ball;
     return -1;
   }
@@ -226,7 +226,7 @@ class HardSpheres final : public HardSphereRun {
     all += hits_.capacity() * sizeof(std::uint32_t) + restitution_.capacity() * sizeof(double);
     all += candidates_.capacity() * sizeof(Candidate);
     if constexpr (E.grid) all += cells_.bytes();
-    if constexpr (!E.grid) all += everybody_.capacity() * sizeof(std::int32_t);
+    if constexpr (!E.grid) all += all_balls_.capacity() * sizeof(std::int32_t);
     return all;
   }
   std::size_t bytes_per_state() const override { return sizeof(State); }
@@ -277,7 +277,7 @@ class HardSpheres final : public HardSphereRun {
     State ball;
     ball.position = kept(from.position);
     ball.velocity = kept(from.velocity);
-    if constexpr (E.gravity) ball.lies_on = -1;
+    if constexpr (E.gravity) ball.rests_on = -1;
     if constexpr (E.restitution) {
       ball.short_flights = 0;
       ball.material = static_cast<std::uint32_t>(from.material);
@@ -309,7 +309,7 @@ class HardSpheres final : public HardSphereRun {
   Point acceleration(std::size_t i) const {
     if constexpr (E.gravity) {
       if (i >= moving_) return Point::Zero();
-      const std::int32_t wall = balls_[i].lies_on;
+      const std::int32_t wall = balls_[i].rests_on;
       return wall < 0 ? gravity_ : walls_[static_cast<std::size_t>(wall)].slide;
     } else {
       return Point::Zero();
@@ -363,7 +363,7 @@ class HardSpheres final : public HardSphereRun {
   }
 
   /// When two balls meet of which gravity accelerates only one.
-  double bent_meeting_time(std::size_t i, std::size_t k, bool just_hit) const {
+  double accelerated_meeting_time(std::size_t i, std::size_t k, bool just_hit) const {
     const bool first_is_later = balls_[i].time >= balls_[k].time;
     const State& late = balls_[first_is_later ? i : k];
     const State& early = balls_[first_is_later ? k : i];
@@ -372,14 +372,15 @@ class HardSpheres final : public HardSphereRun {
     const double after = late.time - early.time;
     const Point d = late.position - position_at(early, after, of_early);
     const Point w = late.velocity - velocity_at(early, after, of_early);
-    return late.time + bent_meeting<dimension>(d, w, of_late - of_early,
-                                               radius(late) + radius(early), just_hit);
+    return late.time + accelerated_meeting<dimension>(d, w, of_late - of_early,
+                                                      radius(late) + radius(early), just_hit);
   }
 
   /// @param a the one that moves
   /// @param pull its acceleration
-  bool bend_differently(const State& a, const State& b, std::size_t k, const Point& pull) const {
-    if (k < moving_ && a.lies_on == b.lies_on) return false;
+  bool accelerate_differently(const State& a, const State& b, std::size_t k,
+                              const Point& pull) const {
+    if (k < moving_ && a.rests_on == b.rests_on) return false;
     return pull != acceleration(k);
   }
 
@@ -387,7 +388,7 @@ class HardSpheres final : public HardSphereRun {
   [[gnu::always_inline]] Arrival wall_arrival(const State& ball, std::size_t w,
                                               const Point& pull) const {
     if constexpr (E.gravity)
-      if (ball.lies_on == static_cast<std::int32_t>(w)) return {};
+      if (ball.rests_on == static_cast<std::int32_t>(w)) return {};
     const Wall& wall = walls_[w];
     double gap = detail::dot<dimension>(wall.normal, ball.position) - wall.offset - radius(ball);
     double velocity = detail::dot<dimension>(wall.normal, ball.velocity);
@@ -425,8 +426,8 @@ class HardSpheres final : public HardSphereRun {
       const State& met = balls_[k];
       const bool just_hit = (ball.last == other) & (met.last == self);
       if constexpr (E.gravity) {
-        if (bend_differently(ball, met, k, pull)) {
-          offer(i, bent_meeting_time(i, k, just_hit), other);
+        if (accelerate_differently(ball, met, k, pull)) {
+          offer(i, accelerated_meeting_time(i, k, just_hit), other);
           continue;
         }
       }
@@ -454,7 +455,7 @@ class HardSpheres final : public HardSphereRun {
       // First which, then when: so that the memory of one is loaded while another is computed.
       offer_hits(i, cells_.near(i, fetch()));
     } else {
-      offer_hits(i, everybody_);
+      offer_hits(i, all_balls_);
     }
   }
   auto fetch() const {
@@ -472,8 +473,8 @@ class HardSpheres final : public HardSphereRun {
   void predict_all() {
     plans_.assign(moving_, Plan());
     if constexpr (!E.grid) {
-      everybody_.resize(balls_.size());
-      std::iota(everybody_.begin(), everybody_.end(), 0);
+      all_balls_.resize(balls_.size());
+      std::iota(all_balls_.begin(), all_balls_.end(), 0);
     } else {
       make_cells();
       for (std::size_t i = 0; i < balls_.size(); ++i)
@@ -560,10 +561,10 @@ class HardSpheres final : public HardSphereRun {
   Point hit_ball(std::size_t i, std::size_t k, double time) {
     State& a = balls_[i];
     State& b = balls_[k];
-    note_flight(i, time);
+    record_flight(i, time);
     fly(a, time, acceleration(i));
     if (k < moving_) {
-      note_flight(k, time);
+      record_flight(k, time);
       fly(b, time, acceleration(k));
     } else {
       b.time = time;
@@ -571,9 +572,9 @@ class HardSpheres final : public HardSphereRun {
     const Point d = b.position - a.position;
     const Point w = b.velocity - a.velocity;
     const double square = d.dot(d);
-    const double reach = radius(a) + radius(b);
+    const double radius_sum = radius(a) + radius(b);
     counts_.largest_overlap =
-        std::max(counts_.largest_overlap, (reach * reach - square) / (2 * reach));
+        std::max(counts_.largest_overlap, (radius_sum * radius_sum - square) / (2 * radius_sum));
     const double closing = d.dot(w);
     Point change = Point::Zero();
     if (closing < 0) {
@@ -586,8 +587,8 @@ class HardSpheres final : public HardSphereRun {
     }
     a.last = static_cast<std::int32_t>(k);
     b.last = static_cast<std::int32_t>(i);
-    get_up(a);
-    if (k < moving_) get_up(b);
+    leave_rest(a);
+    if (k < moving_) leave_rest(b);
     return change;
   }
 
@@ -598,7 +599,7 @@ class HardSpheres final : public HardSphereRun {
     const Wall& wall = walls_[w];
     const Point pull = acceleration(i);
     const double speed = wall_arrival(ball, w, pull).speed;
-    note_flight(i, time);
+    record_flight(i, time);
     fly(ball, time, pull);
     const double gap = wall.normal.dot(ball.position) - wall.offset - radius(ball);
     counts_.largest_overlap = std::max(counts_.largest_overlap, -gap);
@@ -609,36 +610,36 @@ class HardSpheres final : public HardSphereRun {
     ball.last = wall_id(w);
     if constexpr (E.gravity) {
       const double pressed = -wall.normal.dot(pull);
-      if (pressed > 0 && 2 * leaving <= pressed * shortest_hop(time)) {
+      if (pressed > 0 && 2 * leaving <= pressed * shortest_bounce(time)) {
         ball.velocity = along;
-        ball.lies_on = static_cast<std::int32_t>(w);
+        ball.rests_on = static_cast<std::int32_t>(w);
         ++counts_.rests;
         counts_.rest_error += leaving * leaving / (2 * pressed);
         return ball.velocity - before;
       }
     }
     ball.velocity = along + wall.normal * leaving;
-    get_up(ball);
+    leave_rest(ball);
     return ball.velocity - before;
   }
   // [/hits]
 
   /// A bounce ends at once if it is shorter than the cutoff, or than time can resolve.
-  double shortest_hop(double time) const {
+  double shortest_bounce(double time) const {
     return std::max(cutoff_, 4 * std::numeric_limits<double>::epsilon() * time);
   }
 
   /// A ball that was pushed off its wall, or into it, flies again; one that was pushed tangentially
   /// stays.
-  void get_up(State& ball) {
+  void leave_rest(State& ball) {
     if constexpr (E.gravity) {
-      if (ball.lies_on < 0) return;
-      if (walls_[static_cast<std::size_t>(ball.lies_on)].normal.dot(ball.velocity) != 0)
-        ball.lies_on = -1;
+      if (ball.rests_on < 0) return;
+      if (walls_[static_cast<std::size_t>(ball.rests_on)].normal.dot(ball.velocity) != 0)
+        ball.rests_on = -1;
     }
   }
 
-  void note_flight(std::size_t i, double time) {
+  void record_flight(std::size_t i, double time) {
     if constexpr (E.restitution) {
       State& ball = balls_[i];
       ball.short_flights = time - ball.time < cutoff_ ? ball.short_flights + 1 : 0;
@@ -657,7 +658,7 @@ class HardSpheres final : public HardSphereRun {
   bool endless(std::size_t i) const {
     if constexpr (E.restitution)
       if (balls_[i].short_flights > 1000) return true;
-    return at_once_ > 1000000 + 1000 * moving_;
+    return simultaneous_ > 1000000 + 1000 * moving_;
   }
 
   void require_effects(const HardSphereSetup& setup) const {
@@ -675,23 +676,23 @@ class HardSpheres final : public HardSphereRun {
   }
 
   std::size_t moving_ = 0;
-  double now_ = 0;             // s
-  std::uint64_t at_once_ = 0;  // hits at the present instant
-  double cutoff_ = 0;          // s
-  double radius_ = 0;          // of every ball, if all are equal, m
-  double mass_ = 0;            // the same of masses, kg
+  double now_ = 0;                  // s
+  std::uint64_t simultaneous_ = 0;  // hits at the present instant
+  double cutoff_ = 0;               // s
+  double radius_ = 0;               // of every ball, if all are equal, m
+  double mass_ = 0;                 // the same of masses, kg
   Point gravity_ = Point::Zero();
   Vector3<double> aside_ = Vector3<double>::Zero();  // common position along axes that are not kept
   std::size_t materials_ = 0;
   std::vector<double> restitution_;
   std::vector<State> balls_;
   std::vector<std::uint32_t> hits_;  // of each ball, with partner_hits
-  [[no_unique_address]] detail::KeptIf<!E.grid, std::vector<std::int32_t>, 6> everybody_;
+  [[no_unique_address]] detail::StoredIf<!E.grid, std::vector<std::int32_t>, 6> all_balls_;
   std::vector<Candidate> candidates_;
   std::vector<Wall> walls_;
   std::vector<Plan> plans_;
   EarliestQueue queue_;
-  detail::KeptIf<E.grid, HardSphereCells<dimension>, 5> cells_;
+  detail::StoredIf<E.grid, HardSphereCells<dimension>, 5> cells_;
   HardSphereCounts counts_;
 };
 

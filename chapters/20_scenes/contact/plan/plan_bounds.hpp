@@ -84,7 +84,7 @@ double outer_radius(const SceneShape& shape);
 /// The largest lever arm with which rotation moves a shape's points: 0 for a ball, which looks the
 /// same in every orientation.
 /// @return m, rounded up
-inline double spin_arm(const SceneShape& shape) {
+inline double rotation_radius(const SceneShape& shape) {
   return std::holds_alternative<BallShape>(shape) ? 0.0 : outer_radius(shape);
 }
 
@@ -97,8 +97,8 @@ double distance_at_least(const SceneBody& body, const Vector3<double>& p);
 
 /// The largest and the smallest moment of inertia of a body about any axis through its centre.
 struct MomentRange {
-  double least = 0;  ///< kg·m², rounded down
-  double most = 0;   ///< kg·m², rounded up
+  double min = 0;  ///< kg·m², rounded down
+  double max = 0;  ///< kg·m², rounded up
 };
 
 /// The range of a moving body's moments of inertia. Exactly those of the diagonal if the tensor is
@@ -115,40 +115,40 @@ struct EnergyShare {
 
 /// Bounds on a body before the scene runs.
 struct BodyBound {
-  bool moves = false;      ///< whether it can move
-  bool disturbed = false;  ///< whether it may touch anything
-  std::size_t group = 0;   ///< bodies of one group may exchange energy
-  double inner = 0;        ///< thickness of its core, m
-  double outer = 0;        ///< bounding radius, m
-  double arm = 0;          ///< lever arm of its surface, m
-  double slowness = 0;     ///< 1/m, inverse mass, 1/kg
-  double turning = 0;      ///< lever arm²/I + 1/m, least I: inverse effective mass, 1/kg
-  double speed = 0;        ///< its centre is never faster, m/s
-  double travel = 0;       ///< its centre never moves farther from its start, m
+  bool moves = false;               ///< whether it can move
+  bool disturbed = false;           ///< whether it may touch anything
+  std::size_t group = 0;            ///< bodies of one group may exchange energy
+  double inner = 0;                 ///< thickness of its core, m
+  double outer = 0;                 ///< bounding radius, m
+  double rotation_radius = 0;       ///< lever arm of its surface, m
+  double inverse_mass = 0;          ///< 1/m, inverse mass, 1/kg
+  double surface_inverse_mass = 0;  ///< lever arm²/I + 1/m, least I: inverse effective mass, 1/kg
+  double speed = 0;                 ///< its centre is never faster, m/s
+  double travel = 0;                ///< its centre never moves farther from its start, m
 };
 
 /// Two bodies that may meet, or all pairs of a crowd together: then each number is the worst of
 /// them.
 struct PairBound {
-  std::size_t a = 0;             ///< index of a body that moves
-  std::size_t b = 0;             ///< index of the other
-  double count = 1;              ///< how many pairs this represents
-  bool crowd = false;            ///< whether it represents a crowd's pairs
-  bool both_move = false;        ///< false: b is fixed
-  bool half_space = false;       ///< b is a half-space
-  bool round = false;            ///< a is a ball, and b a ball or a half-space
-  bool hard = true;              ///< some of the pairs are hard contacts
-  bool soft = false;             ///< some are compliant, like springs
-  bool apart = false;            ///< at the start they do not touch, or they separate
-  double friction = 0;           ///< the largest
-  double restitution_least = 1;  ///< of hard contacts
-  double restitution_most = 0;   ///< of hard contacts
-  double stiffness = 0;          ///< the largest, N/m
-  double damping = 0;            ///< the largest of compliant contacts, N·s/m
-  double core = 0;               ///< sum of both cores' thicknesses, m; ∞ for a half-space
-  double graze = 0;              ///< least radius of curvature where they can graze, m; 0: unknown
-  double closing = 0;            ///< surface points never approach each other faster, m/s
-  double slowness = 0;           ///< 1/m + 1/m', inverse reduced mass, 1/kg
+  std::size_t a = 0;           ///< index of a body that moves
+  std::size_t b = 0;           ///< index of the other
+  double count = 1;            ///< how many pairs this represents
+  bool crowd = false;          ///< whether it represents a crowd's pairs
+  bool both_move = false;      ///< false: b is fixed
+  bool half_space = false;     ///< b is a half-space
+  bool round = false;          ///< a is a ball, and b a ball or a half-space
+  bool hard = true;            ///< some of the pairs are hard contacts
+  bool soft = false;           ///< some are compliant, like springs
+  bool apart = false;          ///< at the start they do not touch, or they separate
+  double friction = 0;         ///< the largest
+  double min_restitution = 1;  ///< of hard contacts
+  double max_restitution = 0;  ///< of hard contacts
+  double stiffness = 0;        ///< the largest, N/m
+  double damping = 0;          ///< the largest of compliant contacts, N·s/m
+  double core = 0;             ///< sum of both cores' thicknesses, m; ∞ for a half-space
+  double graze = 0;            ///< least radius of curvature where they can graze, m; 0: unknown
+  double closing = 0;          ///< surface points never approach each other faster, m/s
+  double inverse_mass = 0;     ///< 1/m + 1/m', inverse reduced mass, 1/kg
 };
 
 /// The bounds that the rules use.
@@ -168,7 +168,7 @@ inline constexpr std::size_t crowd_size = 256;
 namespace detail {
 
 /// A sum that does not depend on the order of its terms.
-inline double sum_in_order(std::vector<double> terms) {
+inline double sorted_sum(std::vector<double> terms) {
   std::sort(terms.begin(), terms.end());
   return std::accumulate(terms.begin(), terms.end(), 0.0);
 }

@@ -21,7 +21,7 @@ struct MeasuredHorizon {
   double apart = 0;    ///< largest distance between two positions then, m
   double allowed = 0;  ///< the tolerance, or without one the least radius of moving bodies, m
   /// Whether they have diverged by more than that.
-  [[nodiscard]] bool parted() const { return apart > allowed; }
+  [[nodiscard]] bool diverged() const { return apart > allowed; }
 };
 
 /// The measured cost of one effect: of the run with it switched; for the horizon, of the run beside

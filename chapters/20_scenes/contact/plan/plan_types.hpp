@@ -152,10 +152,10 @@ struct Plan {
   double step = 0;   ///< s; 0: no steps, from event to event
   /// s; shorter bounces of a ball on its floor are left out; 0: none that makes an error
   double cutoff = 0;
-  double rest_height = 0;  ///< bounces no higher than this are left out in steps, m; 0: none is
-  double sleep_speed = 0;  ///< bodies that are slower for a while may sleep in steps, m/s
-  double spring_part = 0;  ///< s; longest substep while a spring may push; 0: none does
-  std::size_t pairs = 0;   ///< of bodies that may meet; a crowd counts all its pairs
+  double rest_height = 0;     ///< bounces no higher than this are left out in steps, m; 0: none is
+  double sleep_speed = 0;     ///< bodies that are slower for a while may sleep in steps, m/s
+  double spring_substep = 0;  ///< s; longest substep while a spring may push; 0: none does
+  std::size_t pairs = 0;      ///< of bodies that may meet; a crowd counts all its pairs
 };
 
 /// The decision on an effect.

@@ -53,8 +53,9 @@ class FreeFlightRun final : public SceneRun {
       flight_of_[i] = flights_.size();
       flights_.push_back({kept(body.position), kept(body.velocity)});
       if (!turning) continue;
-      const Vector3<S> spin = body.spin.cast<S>();
-      turns_.push_back({{S(body.orientation.w), body.orientation.v.cast<S>()}, spin});
+      const Vector3<S> angular_velocity = body.angular_velocity.cast<S>();
+      rotations_.push_back(
+          {{S(body.orientation.w), body.orientation.v.cast<S>()}, angular_velocity});
     }
   }
 
@@ -70,7 +71,7 @@ class FreeFlightRun final : public SceneRun {
         {"flight", std::to_string(Dimension) + (Dimension == 1 ? " coordinate" : " coordinates") +
                        (falls ? ", parabolas" : ", straight lines") + type}};
     if (falls) stages.push_back({"gravity", "exact"});
-    if (!turns_.empty()) stages.push_back({"turning", "with constant angular velocities"});
+    if (!rotations_.empty()) stages.push_back({"turning", "with constant angular velocities"});
     return stages;
   }
 
@@ -95,25 +96,25 @@ class FreeFlightRun final : public SceneRun {
     spread(flights_[flight_of_[body]].velocity + pull_ * static_cast<S>(now_), v);
     return v;
   }
-  Rotor<double> orientation(std::size_t body) const override {
-    if (flight_of_[body] == none || turns_.empty()) return scene_.bodies[body].orientation;
-    const Turn& turn = turns_[flight_of_[body]];
-    const Rotor<S> q =
-        normalised(exponential_step(turn.orientation, turn.spin, static_cast<S>(now_)));
+  Quaternion<double> orientation(std::size_t body) const override {
+    if (flight_of_[body] == none || rotations_.empty()) return scene_.bodies[body].orientation;
+    const Rotation& rotation = rotations_[flight_of_[body]];
+    const Quaternion<S> q = normalised(
+        exponential_step(rotation.orientation, rotation.angular_velocity, static_cast<S>(now_)));
     return {static_cast<double>(q.w), q.v.template cast<double>()};
   }
-  Vector3<double> spin(std::size_t body) const override {
-    if (flight_of_[body] == none || turns_.empty()) return scene_.bodies[body].spin;
-    return turns_[flight_of_[body]].spin.template cast<double>();
+  Vector3<double> angular_velocity(std::size_t body) const override {
+    if (flight_of_[body] == none || rotations_.empty()) return scene_.bodies[body].angular_velocity;
+    return rotations_[flight_of_[body]].angular_velocity.template cast<double>();
   }
   double energy() const override { return detail::energy_of_run(scene_, *this); }
   SceneRunCounts counts() const override { return {}; }
   std::size_t bytes() const override {
-    return flights_.capacity() * sizeof(Flight) + turns_.capacity() * sizeof(Turn) +
+    return flights_.capacity() * sizeof(Flight) + rotations_.capacity() * sizeof(Rotation) +
            flight_of_.capacity() * sizeof(std::size_t);
   }
   std::size_t bytes_per_body() const override {
-    return sizeof(Flight) + (turns_.empty() ? 0 : sizeof(Turn));
+    return sizeof(Flight) + (rotations_.empty() ? 0 : sizeof(Rotation));
   }
 
   /// The time is the whole state.
@@ -139,9 +140,9 @@ class FreeFlightRun final : public SceneRun {
     Point position;  // initial, m
     Point velocity;  // m/s
   };
-  struct Turn {
-    Rotor<S> orientation;  // initial
-    Vector3<S> spin;       // rad/s
+  struct Rotation {
+    Quaternion<S> orientation;    // initial
+    Vector3<S> angular_velocity;  // rad/s
   };
 
   Point kept(const Vector3<double>& v) const {
@@ -160,7 +161,7 @@ class FreeFlightRun final : public SceneRun {
   Point pull_;  // m/s²
   double now_ = 0;
   std::vector<Flight> flights_;
-  std::vector<Turn> turns_;             // empty if nothing rotates
+  std::vector<Rotation> rotations_;     // empty if nothing rotates
   std::vector<std::size_t> flight_of_;  // by body
 };
 // [/free-flight-run]

@@ -53,17 +53,21 @@ class FallbackRun final : public SceneRun {
 
   SceneRunEnd advance(double until, std::uint64_t budget, SceneObserver* observer) override;
 
-  void tell_unfinished(SceneObserver& observer) const override {
+  void report_unfinished(SceneObserver& observer) const override {
     if (!steps_) return;
     Later later(fallback_->time, &observer);
-    steps_->tell_unfinished(later);
+    steps_->report_unfinished(later);
   }
 
   double now() const override { return steps_ ? fallback_->time + steps_->now() : events_->now(); }
   Vector3<double> position(std::size_t body) const override { return seen().position(body); }
-  Rotor<double> orientation(std::size_t body) const override { return seen().orientation(body); }
+  Quaternion<double> orientation(std::size_t body) const override {
+    return seen().orientation(body);
+  }
   Vector3<double> velocity(std::size_t body) const override { return seen().velocity(body); }
-  Vector3<double> spin(std::size_t body) const override { return seen().spin(body); }
+  Vector3<double> angular_velocity(std::size_t body) const override {
+    return seen().angular_velocity(body);
+  }
   double energy() const override { return seen().energy(); }
   SceneRunCounts counts() const override;
   /// The effects of hard balls of which it is composed until it falls back.
@@ -93,7 +97,7 @@ class FallbackRun final : public SceneRun {
 
   const SceneRun& seen() const { return steps_ ? *steps_ : static_cast<const SceneRun&>(*events_); }
 
-  void go_over(SceneFallback fallback, Scene from);
+  void switch_to_steps(SceneFallback fallback, Scene from);
 
   Scene scene_;
   Overrides overrides_;

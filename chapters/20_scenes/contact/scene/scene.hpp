@@ -68,9 +68,10 @@ struct SceneBody {
   /// for a hull.
   Matrix3<double> inertia = Matrix3<double>::Zero();
   Vector3<double> position = Vector3<double>::Zero();  ///< of its origin, m
-  Rotor<double> orientation;                           ///< rotates its axes into the world's
+  Quaternion<double> orientation;                      ///< rotates its axes into the world's
   Vector3<double> velocity = Vector3<double>::Zero();  ///< m/s
-  Vector3<double> spin = Vector3<double>::Zero();      ///< angular velocity in the world, rad/s
+  Vector3<double> angular_velocity =
+      Vector3<double>::Zero();  ///< angular velocity in the world, rad/s
 };
 
 /// How accurate the answer must be: one or both.

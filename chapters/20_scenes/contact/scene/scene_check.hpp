@@ -15,15 +15,15 @@ namespace contact {
 // [scene-limits]
 /// The smallest value of any number of a scene that must be greater than 0, in its SI unit. No
 /// product of such numbers in a simulation underflows to 0.
-inline constexpr double scene_least = 1e-30;
+inline constexpr double min_scene_value = 1e-30;
 /// The largest size of any number of a scene, in its SI unit. No product of such numbers in a
 /// simulation overflows.
-inline constexpr double scene_most = 1e30;
+inline constexpr double max_scene_value = 1e30;
 /// How far the squared length of a unit vector or unit quaternion may be from 1: the error of 13
 /// digits, which is more than rounding makes.
 inline constexpr double scene_unit_slack = 1e-12;
 /// The largest number of bodies of a scene.
-inline constexpr std::size_t scene_most_bodies = 1'000'000;
+inline constexpr std::size_t max_scene_bodies = 1'000'000;
 // [/scene-limits]
 
 /// A fault of a scene.
@@ -69,9 +69,9 @@ inline constexpr std::array<SceneQuantity, 19> scene_quantities{{
     {"velocity.x", QuantityOf::body, "m/s"},
     {"velocity.y", QuantityOf::body, "m/s"},
     {"velocity.z", QuantityOf::body, "m/s"},
-    {"spin.x", QuantityOf::body, "rad/s"},
-    {"spin.y", QuantityOf::body, "rad/s"},
-    {"spin.z", QuantityOf::body, "rad/s"},
+    {"angular_velocity.x", QuantityOf::body, "rad/s"},
+    {"angular_velocity.y", QuantityOf::body, "rad/s"},
+    {"angular_velocity.z", QuantityOf::body, "rad/s"},
     {"speed", QuantityOf::body, "m/s"},
     {"energy", QuantityOf::either, "J"},
     {"momentum.x", QuantityOf::either, "kg m/s"},

@@ -33,15 +33,15 @@ struct SceneStage {
 /// What a run has done so far. Counts that a kind of run does not have stay 0.
 struct SceneRunCounts {
   std::uint64_t steps = 0;          ///< of time
-  std::uint64_t parts = 0;          ///< substeps, into which impacts and springs divide them
+  std::uint64_t substeps = 0;       ///< substeps, into which impacts and springs divide them
   std::uint64_t hits = 0;           ///< impacts: pairs that met faster than the speed of rest
   std::uint64_t pairs = 0;          ///< tested by the narrow phase
   std::uint64_t contacts = 0;       ///< points that were solved, over all substeps
-  std::uint64_t sweeps = 0;         ///< of the solver
+  std::uint64_t iterations = 0;     ///< of the solver
   std::uint64_t crossings = 0;      ///< from event to event: from cell to cell
   std::uint64_t rests = 0;          ///< how often a body came to rest, or fell asleep
   std::uint64_t crowded_steps = 0;  ///< with more impacts than are taken one by one
-  std::uint64_t most_impacts = 0;   ///< of a step, that are taken one by one; 0: not limited
+  std::uint64_t max_impacts = 0;    ///< of a step, that are taken one by one; 0: not limited
   double largest_overlap = 0;       ///< of hard bodies, m
   double rest_error = 0;            ///< largest displacement of paths by coming to rest, m
   std::size_t endless_first = 0;    ///< after endless_hits, or a fallback: index of a body, ...
@@ -118,18 +118,18 @@ class SceneRun {
 
   /// Reports the hits of the present, unfinished step until now, which advance() has not reported.
   /// A run that goes on from here reports them again.
-  virtual void tell_unfinished(SceneObserver& /*observer*/) const {}
+  virtual void report_unfinished(SceneObserver& /*observer*/) const {}
 
   /// The time that was reached, s.
   virtual double now() const = 0;
   /// Position of a body's origin now, m.
   virtual Vector3<double> position(std::size_t body) const = 0;
   /// Orientation of a body now; the initial one if the run keeps no orientations.
-  virtual Rotor<double> orientation(std::size_t body) const = 0;
+  virtual Quaternion<double> orientation(std::size_t body) const = 0;
   /// Velocity of a body now, m/s.
   virtual Vector3<double> velocity(std::size_t body) const = 0;
   /// Angular velocity of a body now, rad/s; the initial one if the run keeps none.
-  virtual Vector3<double> spin(std::size_t body) const = 0;
+  virtual Vector3<double> angular_velocity(std::size_t body) const = 0;
   /// ½ m v² + ½ ω · I ω − m g · x of all moving bodies, J, by recursive summation.
   virtual double energy() const = 0;
   /// What it has done so far.

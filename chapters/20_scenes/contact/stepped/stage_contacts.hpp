@@ -18,16 +18,16 @@
 namespace contact {
 
 /// A hull in its body's pose.
-HullCorners placed(const HullCorners& shape, const Vector3<double>& position,
-                   const Matrix3<double>& rotation);
+HullVertices transformed(const HullVertices& shape, const Vector3<double>& position,
+                         const Matrix3<double>& rotation);
 
 /// Whether there is a narrow phase for two shapes: for all except a hull with anything but a
 /// half-space, and two half-spaces.
 template <class A, class B>
 inline constexpr bool has_narrow_phase =
-    std::same_as<A, HullCorners>
+    std::same_as<A, HullVertices>
         ? std::same_as<B, HalfSpace<double>>
-        : !std::same_as<B, HullCorners> &&
+        : !std::same_as<B, HullVertices> &&
               !(std::same_as<A, HalfSpace<double>> && std::same_as<B, HalfSpace<double>>);
 
 /// The signed distance of two shapes in the world; infinite if there is no narrow phase for them.
@@ -38,26 +38,26 @@ ContactManifold<double> manifold_of_shapes(const StepShape& a, const StepShape& 
 
 /// A body's shape in its present pose.
 inline StepShape shape_in_world(const SteppedBody& body, const Vector3<double>& position,
-                                const Rotor<double>& orientation) {
+                                const Quaternion<double>& orientation) {
   const Matrix3<double> turn = matrix_of(orientation);
-  return std::visit([&](const auto& shape) { return StepShape(placed(shape, position, turn)); },
-                    body.shape);
+  return std::visit(
+      [&](const auto& shape) { return StepShape(transformed(shape, position, turn)); }, body.shape);
 }
 
 /// The velocity of a body's point, m/s.
 Vector3<double> point_velocity(const SteppedSetup& setup, const SteppedState& state,
-                               std::size_t place, const Vector3<double>& point);
+                               std::size_t slot, const Vector3<double>& point);
 
 /// The speed of separation of two bodies at a point, along the normal from b to a, m/s.
-inline double parting_speed(const SteppedSetup& setup, const SteppedState& state,
-                            const NearPair& pair, const Vector3<double>& point) {
+inline double separation_speed(const SteppedSetup& setup, const SteppedState& state,
+                               const NearPair& pair, const Vector3<double>& point) {
   return pair.manifold.normal.dot(Vector3<double>(point_velocity(setup, state, pair.a, point) -
                                                   point_velocity(setup, state, pair.b, point)));
 }
 
 /// The longest substep in which all bodies rotate with their final angular velocities without
 /// rotating through a body that they may touch; s.
-double longest_turn(const SteppedSetup& setup, const StepPart& part);
+double longest_rotation(const SteppedSetup& setup, const Substep& substep);
 
 /// The narrow phase: the distance of each pair, whether it touches, and its contact points.
 ///
@@ -65,7 +65,7 @@ double longest_turn(const SteppedSetup& setup, const StepPart& part);
 /// separates at every contact point is leaving. A body that rotates in contact is tested again
 /// before it has rotated by a sixteenth of a radian, or has penetrated the thinner body by a
 /// quarter of its thickness.
-void find_touching_pairs(const SteppedSetup& setup, SteppedState& state, StepPart& part);
+void find_touching_pairs(const SteppedSetup& setup, SteppedState& state, Substep& substep);
 
 }  // namespace contact
 

@@ -2,7 +2,7 @@
 /// A stage: the lasting forces that hold bodies on each other.
 #pragma once
 
-#include <contact/contact_finish.hpp>
+#include <contact/contact_active_set.hpp>
 #include <contact/stepped/stepped_state.hpp>
 
 namespace contact {
@@ -16,7 +16,7 @@ namespace contact {
 ///
 /// Where all impacts of the step are taken at once, bodies first come to touch. The stage of
 /// bounces makes them bounce then: it gets the velocities that each would have without contacts.
-void solve_forces(const SteppedSetup& setup, SteppedState& state, StepPart& part);
+void solve_forces(const SteppedSetup& setup, SteppedState& state, Substep& substep);
 
 }  // namespace contact
 

@@ -3,7 +3,7 @@
 /// contacts, where springs and dampers push while two surfaces overlap.
 #pragma once
 
-#include <contact/contact_finish.hpp>
+#include <contact/contact_active_set.hpp>
 #include <contact/rigid_impulse.hpp>
 #include <contact/stepped/stepped_state.hpp>
 
@@ -12,7 +12,7 @@ namespace contact {
 /// Impacts of pairs that touch now and approach: each leaves with e times its approach speed, or
 /// with 0 if that is slower than slowest_bounce(). All contacts at this instant are solved
 /// together. Such a substep has length zero: velocities change, and no time passes.
-void solve_impacts(const SteppedSetup& setup, SteppedState& state, StepPart& part);
+void solve_impacts(const SteppedSetup& setup, SteppedState& state, Substep& substep);
 
 /// The bounces of impacts that are taken all at once, by restitution.
 ///
@@ -20,12 +20,12 @@ void solve_impacts(const SteppedSetup& setup, SteppedState& state, StepPart& par
 /// with e times its approach speed; if it were stopped first, bouncing would create energy.
 /// Momentum is conserved up to rounding. Energy is conserved without friction at e = 1, except for
 /// residuals of the iterations.
-void solve_bounces(const SteppedSetup& setup, SteppedState& state, StepPart& part);
+void solve_bounces(const SteppedSetup& setup, SteppedState& state, Substep& substep);
 
 /// Bodies that have bounced are touching by now, and leave. A body that has rotated meanwhile keeps
 /// its angular velocity in its own axes, and so its energy. Its angular momentum is wrong by that
 /// rotation.
-void leave_bounced(const SteppedSetup& setup, SteppedState& state, StepPart& part);
+void apply_bounces(const SteppedSetup& setup, SteppedState& state, Substep& substep);
 
 /// Springs and dampers of the pairs that overlap, in the middle of the substep: leapfrog (velocity
 /// Verlet). A spring alone conserves its energy up to the square of the substep's share of its
@@ -34,7 +34,7 @@ void leave_bounced(const SteppedSetup& setup, SteppedState& state, StepPart& par
 /// The damper acts on the velocity at the end of the substep, so that no damper is too strong (16's
 /// implicit damper). A pair's spring is shared by its contact points. Friction stops sliding within
 /// the substep, within Coulomb's bound.
-void push_springs(const SteppedSetup& setup, SteppedState& state, StepPart& part);
+void apply_spring_forces(const SteppedSetup& setup, SteppedState& state, Substep& substep);
 
 }  // namespace contact
 

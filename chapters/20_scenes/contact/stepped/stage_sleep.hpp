@@ -12,10 +12,10 @@ namespace contact {
 /// A body is slow if it would not move farther than the tolerance during the whole scene, even if
 /// its speed came from an acceleration within that half second that continues. A body that touches
 /// nothing does not sleep.
-void put_to_sleep(const SteppedSetup& setup, SteppedState& state, StepPart& part);
+void put_to_sleep(const SteppedSetup& setup, SteppedState& state, Substep& substep);
 
 /// Wakes sleepers that a fast body touches, and all that fell asleep with them.
-void wake_bodies(const SteppedSetup& setup, SteppedState& state, StepPart& part);
+void wake_bodies(const SteppedSetup& setup, SteppedState& state, Substep& substep);
 
 }  // namespace contact
 

@@ -14,9 +14,10 @@ namespace contact {
 
 namespace detail {
 
-/// Its angular velocity then, except for PartMotion::unforeseen.
-Vector3<double> spin_at(const SteppedSetup& setup, const SteppedState& state, const StepPart& part,
-                        std::size_t place, double t, const Rotor<double>& orientation);
+/// Its angular velocity then, except for SubstepMotion::unforeseen.
+Vector3<double> angular_velocity_at(const SteppedSetup& setup, const SteppedState& state,
+                                    const Substep& substep, std::size_t slot, double t,
+                                    const Quaternion<double>& orientation);
 
 }  // namespace detail
 
@@ -31,11 +32,11 @@ Vector3<double> spin_at(const SteppedSetup& setup, const SteppedState& state, co
 /// @param before s
 /// @return s; never later than the touch, and earlier only after 64 tests
 std::optional<double> pair_impact(const SteppedSetup& setup, const SteppedState& state,
-                                  const StepPart& part, const NearPair& pair, double before);
+                                  const Substep& substep, const NearPair& pair, double before);
 
 /// Ends the substep when the first of the separate pairs comes to touch. Pairs that touch already
 /// are kept apart by their contacts.
-void find_first_impact(const SteppedSetup& setup, SteppedState& state, StepPart& part);
+void find_first_impact(const SteppedSetup& setup, SteppedState& state, Substep& substep);
 
 }  // namespace contact
 

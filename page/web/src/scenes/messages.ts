@@ -90,7 +90,7 @@ export interface Frame {
   readonly energy: number;
   readonly firstEnergy: number;
   readonly steps: number;
-  readonly parts: number;
+  readonly substeps: number;
   readonly hits: number;
   readonly pairs: number;
   readonly contacts: number;

@@ -60,7 +60,7 @@ export class Simulation {
     if (size === 0) return undefined;
     const place = this.#program.call((player) => player.player_numbers());
     const numbers = this.#program.numbers(place, size).slice();
-    const [time, energy, firstEnergy, steps, parts, hits, pairs, contacts, rests] = numbers;
+    const [time, energy, firstEnergy, steps, substeps, hits, pairs, contacts, rests] = numbers;
     const [largestOverlap, bytes, bytesPerBody, eventDriven, apart, farthest] = numbers.subarray(9);
     return {
       side,
@@ -68,7 +68,7 @@ export class Simulation {
       energy: energy!,
       firstEnergy: firstEnergy!,
       steps: steps!,
-      parts: parts!,
+      substeps: substeps!,
       hits: hits!,
       pairs: pairs!,
       contacts: contacts!,

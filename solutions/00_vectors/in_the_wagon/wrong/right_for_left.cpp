@@ -4,8 +4,8 @@
 
 namespace exercise {
 
-Eigen::Vector2d place_in_wagon(const Wagon& wagon, const Eigen::Vector2d& place) {
-  return velocity_in_wagon(wagon, place - wagon.position);
+Eigen::Vector2d position_in_wagon(const Wagon& wagon, const Eigen::Vector2d& position) {
+  return velocity_in_wagon(wagon, position - wagon.position);
 }
 
 Eigen::Vector2d velocity_in_wagon(const Wagon& wagon, const Eigen::Vector2d& velocity) {
@@ -13,9 +13,9 @@ Eigen::Vector2d velocity_in_wagon(const Wagon& wagon, const Eigen::Vector2d& vel
   return {wagon.forward.dot(velocity), side.dot(velocity)};
 }
 
-Eigen::Vector2d place_in_world(const Wagon& wagon, const Eigen::Vector2d& place_in_wagon) {
+Eigen::Vector2d position_in_world(const Wagon& wagon, const Eigen::Vector2d& position_in_wagon) {
   const Eigen::Vector2d side(wagon.forward.y(), -wagon.forward.x());
-  return wagon.position + place_in_wagon.x() * wagon.forward + place_in_wagon.y() * side;
+  return wagon.position + position_in_wagon.x() * wagon.forward + position_in_wagon.y() * side;
 }
 
 }  // namespace exercise

@@ -4,19 +4,19 @@
 
 namespace exercise {
 
-Eigen::Vector2d place_in_wagon(const Wagon& wagon, const Eigen::Vector2d& place) {
+Eigen::Vector2d position_in_wagon(const Wagon& wagon, const Eigen::Vector2d& position) {
   const Eigen::Vector2d left(-wagon.forward.y(), wagon.forward.x());
-  const Eigen::Vector2d there = place - wagon.position;
+  const Eigen::Vector2d there = position - wagon.position;
   return {wagon.forward.dot(there), left.dot(there)};
 }
 
 Eigen::Vector2d velocity_in_wagon(const Wagon& wagon, const Eigen::Vector2d& velocity) {
-  return place_in_wagon(wagon, velocity);
+  return position_in_wagon(wagon, velocity);
 }
 
-Eigen::Vector2d place_in_world(const Wagon& wagon, const Eigen::Vector2d& place_in_wagon) {
+Eigen::Vector2d position_in_world(const Wagon& wagon, const Eigen::Vector2d& position_in_wagon) {
   const Eigen::Vector2d left(-wagon.forward.y(), wagon.forward.x());
-  return wagon.position + place_in_wagon.x() * wagon.forward + place_in_wagon.y() * left;
+  return wagon.position + position_in_wagon.x() * wagon.forward + position_in_wagon.y() * left;
 }
 
 }  // namespace exercise

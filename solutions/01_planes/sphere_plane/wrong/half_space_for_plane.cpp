@@ -9,7 +9,7 @@ bool meets(const contact::Sphere<double>& sphere, const contact::Plane<double>& 
   return distance <= sphere.radius;
 }
 
-bool meets_loose(const contact::Sphere<double>& sphere, const LoosePlane& plane) {
+bool meets_raw(const contact::Sphere<double>& sphere, const RawPlane& plane) {
   const double value = plane.normal.dot(sphere.centre) - plane.offset;
   return value * value <= sphere.radius * sphere.radius * plane.normal.squaredNorm();
 }

@@ -4,7 +4,7 @@
 
 namespace exercise {
 
-Push push(const std::vector<Sample>& samples, double /*mass*/, double velocity) {
+ForceEffect apply_force(const std::vector<Sample>& samples, double /*mass*/, double velocity) {
   double impulse = 0;
   for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
     const double width = samples[i + 1].time - samples[i].time;

@@ -4,7 +4,7 @@
 
 namespace exercise {
 
-Push push(const std::vector<Sample>& samples, double mass, double velocity) {
+ForceEffect apply_force(const std::vector<Sample>& samples, double mass, double velocity) {
   double sum = 0;
   for (const Sample& sample : samples) sum += sample.force;
   const double duration = samples.back().time - samples.front().time;

@@ -4,7 +4,7 @@
 
 namespace exercise {
 
-Push push(const std::vector<Sample>& samples, double mass, double velocity) {
+ForceEffect apply_force(const std::vector<Sample>& samples, double mass, double velocity) {
   double peak = 0;
   for (const Sample& sample : samples) {
     if (std::abs(sample.force) > std::abs(peak)) peak = sample.force;

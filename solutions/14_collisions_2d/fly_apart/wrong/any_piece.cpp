@@ -4,8 +4,8 @@
 
 namespace exercise {
 
-Rest send_out(double mass, const Eigen::Vector2d& velocity, double piece_mass,
-              const Eigen::Vector2d& piece_velocity) {
+Remainder send_out(double mass, const Eigen::Vector2d& velocity, double piece_mass,
+                   const Eigen::Vector2d& piece_velocity) {
   const double rest_mass = mass - piece_mass;
   const Eigen::Vector2d rest = (mass * velocity - piece_mass * piece_velocity) / rest_mass;
   const double before = mass * velocity.squaredNorm() / 2;

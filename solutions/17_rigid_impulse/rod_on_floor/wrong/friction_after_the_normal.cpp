@@ -9,16 +9,16 @@ Motion after_floor(const Body& body, const Eigen::Vector2d& point, double e, dou
   const double k_tt = 1 / body.mass + r.y() * r.y() / body.inertia;
   const double k_tn = -r.x() * r.y() / body.inertia;
   const double k_nn = 1 / body.mass + r.x() * r.x() / body.inertia;
-  const double slip = body.velocity.x() - body.spin * r.y();
-  const double normal = body.velocity.y() + body.spin * r.x();
-  if (!(normal < 0)) return {body.velocity, body.spin};
+  const double slip = body.velocity.x() - body.angular_velocity * r.y();
+  const double normal = body.velocity.y() + body.angular_velocity * r.x();
+  if (!(normal < 0)) return {body.velocity, body.angular_velocity};
 
   const double up = -(1 + e) * normal / k_nn;
   const double stop = -(slip + k_tn * up) / k_tt;
   const double along = std::max(-friction * up, std::min(stop, friction * up));
   const Eigen::Vector2d impulse(along, up);
   return {body.velocity + impulse / body.mass,
-          body.spin + (r.x() * up - r.y() * along) / body.inertia};
+          body.angular_velocity + (r.x() * up - r.y() * along) / body.inertia};
 }
 
 }  // namespace exercise

@@ -4,11 +4,11 @@
 
 namespace exercise {
 
-Body position_first(const Body& body, const Eigen::Vector3d& acceleration, double step) {
+Body explicit_euler(const Body& body, const Eigen::Vector3d& acceleration, double step) {
   return {body.position + body.velocity, body.velocity + acceleration};
 }
 
-Body velocity_first(const Body& body, const Eigen::Vector3d& acceleration, double step) {
+Body semi_implicit_euler(const Body& body, const Eigen::Vector3d& acceleration, double step) {
   const Eigen::Vector3d velocity = body.velocity + acceleration;
   return {body.position + velocity, velocity};
 }

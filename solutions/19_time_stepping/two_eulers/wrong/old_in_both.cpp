@@ -4,11 +4,11 @@
 
 namespace exercise {
 
-Body position_first(const Body& body, const Eigen::Vector3d& acceleration, double step) {
+Body explicit_euler(const Body& body, const Eigen::Vector3d& acceleration, double step) {
   return {body.position + step * body.velocity, body.velocity + step * acceleration};
 }
 
-Body velocity_first(const Body& body, const Eigen::Vector3d& acceleration, double step) {
+Body semi_implicit_euler(const Body& body, const Eigen::Vector3d& acceleration, double step) {
   return {body.position + step * body.velocity, body.velocity + step * acceleration};
 }
 

@@ -4,12 +4,12 @@
 
 namespace exercise {
 
-Body position_first(const Body& body, const Eigen::Vector3d& acceleration, double step) {
+Body explicit_euler(const Body& body, const Eigen::Vector3d& acceleration, double step) {
   const Eigen::Vector3d velocity = body.velocity + step * acceleration;
   return {body.position + step * body.velocity + step * step / 2 * acceleration, velocity};
 }
 
-Body velocity_first(const Body& body, const Eigen::Vector3d& acceleration, double step) {
+Body semi_implicit_euler(const Body& body, const Eigen::Vector3d& acceleration, double step) {
   const Eigen::Vector3d velocity = body.velocity + step * acceleration;
   return {body.position + step * body.velocity + step * step / 2 * acceleration, velocity};
 }

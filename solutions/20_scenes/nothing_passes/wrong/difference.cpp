@@ -7,7 +7,8 @@ namespace exercise {
 Proof prove(const Mover& a, const Mover& b, double step, double thickness) {
   const double speed = std::abs(a.speed - b.speed);
   const double acceleration = a.acceleration + b.acceleration;
-  const double turning = a.spin * a.reach + b.spin * b.reach;
+  const double turning =
+      a.angular_velocity * a.bounding_radius + b.angular_velocity * b.bounding_radius;
   const double displacement = (speed + acceleration * step / 2 + turning) * step;
   return {displacement, displacement <= thickness};
 }

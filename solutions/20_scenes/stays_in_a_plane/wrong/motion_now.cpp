@@ -4,7 +4,7 @@
 
 namespace exercise {
 
-std::array<bool, 3> still_axes(const Scene& scene) {
+std::array<bool, 3> inactive_axes(const Scene& scene) {
   std::array<bool, 3> still{};
   for (int k = 0; k < 3; ++k) {
     bool holds = true;

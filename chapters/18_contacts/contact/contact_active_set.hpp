@@ -1,0 +1,317 @@
+/// @file
+/// Many contacts: an active-set solve that starts where the iterations have ended.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <contact/contact_coulomb.hpp>
+#include <contact/contact_lcp.hpp>
+#include <contact/contact_rows.hpp>
+#include <contact/contact_solver.hpp>
+#include <contact/rigid_body.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+/// With friction, a normal impulse larger than this multiple of the total mass times the fastest
+/// approach is rejected: in a jam the impulses can be arbitrarily large, and rounding decides the
+/// motion.
+inline constexpr double max_leverage = 0x1p10;
+
+/// Impulses whose rounding exceeds this fraction of the fastest approach are rejected.
+inline constexpr double max_rounding = 0x1p-10;
+
+namespace detail {
+
+// [eliminate]
+/// Solves M y + c = 0 in the chosen rows, for y in these rows.
+///
+/// M may be singular there, as for a table on four legs. A small number is added to its diagonal,
+/// and iterative refinement removes the error: of all solutions the result is one near the initial
+/// y.
+/// @return whether the solve succeeded
+template <std::floating_point S>
+bool eliminate(const ImpulseRows<S>& problem, const std::vector<bool>& chosen, Numbers<S>& y) {
+  std::vector<int> number(chosen.size(), -1);
+  int rows = 0;
+  for (std::size_t r = 0; r < chosen.size(); ++r)
+    if (chosen[r]) number[r] = rows++;
+  if (rows == 0) return true;
+  const S little = S(0x1p16) * std::numeric_limits<S>::epsilon();
+  std::vector<Eigen::Triplet<S>> entries;
+  for (int k = 0; k < problem.matrix.outerSize(); ++k) {
+    for (typename Eigen::SparseMatrix<S>::InnerIterator it(problem.matrix, k); it; ++it) {
+      const int row = number[static_cast<std::size_t>(it.row())];
+      const int column = number[static_cast<std::size_t>(it.col())];
+      if (row < 0 || column < 0) continue;
+      entries.emplace_back(row, column, row == column ? it.value() + little : it.value());
+    }
+  }
+  Eigen::SparseMatrix<S> part(rows, rows);
+  part.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<S>> eliminated(part);
+  if (eliminated.info() != Eigen::Success) return false;
+  S last = std::numeric_limits<S>::infinity();
+  for (int round = 0; round < 8; ++round) {
+    const Numbers<S> wrong = problem.matrix * y + problem.constant;
+    Numbers<S> right(rows);
+    for (std::size_t r = 0; r < chosen.size(); ++r)
+      if (chosen[r]) right(number[r]) = -wrong(static_cast<Eigen::Index>(r));
+    const S left = right.cwiseAbs().maxCoeff();
+    if (!(left < last / S(2))) break;
+    last = left;
+    const Numbers<S> change = eliminated.solve(right);
+    for (std::size_t r = 0; r < chosen.size(); ++r)
+      if (chosen[r]) y(static_cast<Eigen::Index>(r)) += change(number[r]);
+  }
+  return y.allFinite();
+}
+// [/eliminate]
+
+// [go-towards]
+/// Line search from y towards a target: the first of the fractions 1, 1/2, 1/4, … that decreases
+/// ½ y·M y + c·y, with negative normal impulses set to 0. Returns whether there is one.
+template <std::floating_point S>
+bool line_search(const ImpulseRows<S>& problem, const Numbers<S>& opening, const Numbers<S>& target,
+                 Numbers<S>& y) {
+  for (S part = S(1); part > S(0x1p-5); part /= S(2)) {
+    Numbers<S> next = y + (target - y) * part;
+    bool pulls = false;
+    for (Eigen::Index r = 0; r < y.size(); ++r) {
+      if (!problem.rows[static_cast<std::size_t>(r)].normal || !(next(r) < S(0))) continue;
+      next(r) = S(0);
+      pulls = true;
+    }
+    const Numbers<S> change = next - y;
+    const S slope = opening.dot(change);
+    if ((pulls || part < S(1)) &&
+        !(slope + change.dot(problem.matrix * change) / S(2) < slope * S(1e-4)))
+      continue;
+    y = next;
+    return true;
+  }
+  return false;
+}
+
+/// Ratio test: moves y towards a target until the first normal impulse becomes 0. Returns whether
+/// none does.
+template <std::floating_point S>
+bool ratio_test(const ImpulseRows<S>& problem, const Numbers<S>& target, Numbers<S>& y) {
+  S part(1);
+  Eigen::Index first = -1;
+  for (Eigen::Index r = 0; r < y.size(); ++r) {
+    if (!problem.rows[static_cast<std::size_t>(r)].normal || !(target(r) < S(0))) continue;
+    const S ratio = y(r) / (y(r) - target(r));
+    if (!(ratio < part)) continue;
+    part = ratio;
+    first = r;
+  }
+  y += (target - y) * part;
+  if (first >= 0) y(first) = S(0);
+  for (Eigen::Index r = 0; r < y.size(); ++r)
+    if (problem.rows[static_cast<std::size_t>(r)].normal) y(r) = std::max(S(0), y(r));
+  return first < 0;
+}
+// [/go-towards]
+
+/// The largest number of active sets that projected_newton() tries.
+inline constexpr int max_guesses = 400;
+
+/// The active set: all normals that push or close; those that push; or these and one that closes.
+enum class ActiveSetGuess { bold, settle, add };
+
+// [projected-newton]
+/// Minimises ½ y·M y + c·y over the free rows, with normal impulses of at least 0: a normal pushes,
+/// or its impulse is 0 and the contact opens.
+///
+/// The inactive set is the normals with impulse 0 that open. The other rows are solved together,
+/// and a line search moves y towards the solution (projected Newton; Bertsekas 1982). If that makes
+/// no progress, the active set is changed one by one: first the normals that push, less those that
+/// a ratio test removes; then one more, the one that closes fastest (Lawson and Hanson 1974). The
+/// function never increases.
+/// @param free the tangents that may change; all normals may
+template <std::floating_point S>
+bool projected_newton(const ImpulseRows<S>& problem, const std::vector<bool>& free, Numbers<S>& y) {
+  const auto count = static_cast<Eigen::Index>(problem.rows.size());
+  const S rounding = S(0x1p8) * std::numeric_limits<S>::epsilon();
+  ActiveSetGuess how = ActiveSetGuess::bold;
+  for (int guess = 0; guess < max_guesses; ++guess) {
+    const Numbers<S> opening = problem.matrix * y + problem.constant;
+    const Numbers<S> size = problem.matrix.cwiseAbs() * y.cwiseAbs() + problem.constant.cwiseAbs();
+    std::vector<bool> chosen = free;
+    bool settled = true;
+    Eigen::Index fastest = -1;  // of the normals that close and do not push
+    for (Eigen::Index r = 0; r < count; ++r) {
+      const auto at = static_cast<std::size_t>(r);
+      const S small = rounding * size(r);
+      if (problem.rows[at].normal) {
+        const bool closes = !(y(r) > S(0)) && opening(r) < -small;
+        chosen[at] = y(r) > S(0) || (closes && how == ActiveSetGuess::bold);
+        if (closes && (fastest < 0 || opening(r) < opening(fastest))) fastest = r;
+      }
+      settled = settled && !(chosen[at] && std::abs(opening(r)) > small);
+    }
+    if (fastest < 0 && (settled || how == ActiveSetGuess::add)) return true;
+    if (how == ActiveSetGuess::add) chosen[static_cast<std::size_t>(fastest)] = true;
+    Numbers<S> target = y;
+    if (!eliminate<S>(problem, chosen, target)) return false;
+    if (how == ActiveSetGuess::bold) {
+      const Numbers<S> before = y;
+      if (!line_search(problem, opening, target, y))
+        how = ActiveSetGuess::settle;
+      else if ((y - before).cwiseAbs().maxCoeff() <= rounding * y.cwiseAbs().maxCoeff())
+        return true;
+    } else if (how == ActiveSetGuess::settle) {
+      if (ratio_test(problem, target, y)) how = ActiveSetGuess::add;
+    } else {
+      if (!(target(fastest) > S(0))) return true;  // rounding
+      ratio_test(problem, target, y);
+      how = ActiveSetGuess::bold;
+    }
+  }
+  return true;
+}
+// [/projected-newton]
+
+}  // namespace detail
+
+// [finish]
+/// The law of friction of the active-set solve.
+enum class FrictionLaw {
+  coulomb,  ///< opposite to the slip: see solve_friction_newton()
+  cones     ///< inside its cone, while sliding contacts open: see solve_friction_cones()
+};
+
+/// The impulses to which the iterations of solve_contacts() would converge, or closer to them.
+///
+/// One iteration carries an impulse from one body to the next, and converges slowly where a light
+/// body is between two heavy ones: with masses 1 : 10⁶ it would take millions of iterations. Here
+/// the set of contacts that push is guessed, and these are solved together by elimination; contacts
+/// with friction that push are assumed to stick. Without friction that is the solution. With
+/// friction it is the solution if sticking needs no more friction than the cones allow, and if all
+/// contacts that push did so at the start.
+///
+/// Otherwise a contact slides. By Coulomb's law its friction is μ times its normal impulse,
+/// opposite to the slip. Newton's method solves for that, starting from the result of the
+/// iterations, or, if it does not converge, from impulses inside the cones. There may be several
+/// solutions, and this is one of them. Not every jam is solved: the tests require four of five
+/// random ones with masses 1 : 10⁶.
+/// @param bodies before the impulses
+/// @param start result of the iterations: the contacts that push are the first active set
+/// @return one for each contact, none of them a pull. Nothing if there are more than
+/// max_couplings, if two immovable bodies touch, or if Coulomb's law could not be satisfied
+template <std::floating_point S>
+std::optional<std::vector<ContactImpulse<S>>> active_set_impulses(
+    const std::vector<RigidBody<S>>& bodies, const std::vector<BodyContact<S>>& contacts,
+    const std::vector<ContactImpulse<S>>& start, FrictionLaw law = FrictionLaw::coulomb) {
+  const auto problem = detail::impulse_rows<S>(bodies, contacts);
+  if (!problem) return std::nullopt;
+  const auto count = static_cast<Eigen::Index>(problem->rows.size());
+  const bool has_friction = problem->rows.size() > contacts.size();
+  detail::Numbers<S> y(count);
+  std::vector<bool> holds(problem->rows.size());
+  for (Eigen::Index r = 0; r < count; ++r) {
+    const detail::ImpulseRow<S>& row = problem->rows[static_cast<std::size_t>(r)];
+    const ContactImpulse<S>& impulse = start[row.contact];
+    y(r) = (row.normal ? impulse.normal : impulse.tangential.dot(row.direction)) / row.unit;
+    holds[static_cast<std::size_t>(r)] = !row.normal && impulse.normal > S(0);
+  }
+  if (law == FrictionLaw::cones) {
+    detail::solve_friction_cones<S>(*problem, false, y);
+  } else {
+    const detail::Numbers<S> swept = y;
+    if (!detail::projected_newton<S>(*problem, holds, y)) return std::nullopt;
+    if (has_friction && !detail::obeys_coulomb<S>(*problem, y)) {
+      y = swept;
+      if (!detail::solve_friction<S>(*problem, y)) return std::nullopt;
+    }
+  }
+  std::vector<ContactImpulse<S>> found(contacts.size());
+  for (Eigen::Index r = 0; r < count; ++r) {
+    const detail::ImpulseRow<S>& row = problem->rows[static_cast<std::size_t>(r)];
+    ContactImpulse<S>& impulse = found[row.contact];
+    if (row.normal)
+      impulse.normal = y(r) * row.unit;
+    else
+      impulse.tangential += row.direction * (y(r) * row.unit);
+  }
+  return found;
+}
+// [/finish]
+
+// [finish-contacts]
+/// The result to which solve_contacts() would converge, or closer to it, from the impulses of its
+/// iterations.
+/// @return the last change is the largest speed at which a contact still closes. Nothing where
+/// active_set_impulses() returns nothing or nothing better: a contact closes faster than after the
+/// iterations, contacts without restitution add energy, or there is a jam (see max_leverage)
+template <std::floating_point S>
+std::optional<SolvedContacts<S>> solve_active_set(const std::vector<RigidBody<S>>& bodies,
+                                                  const std::vector<BodyContact<S>>& contacts,
+                                                  const std::vector<ContactImpulse<S>>& start,
+                                                  FrictionLaw law = FrictionLaw::coulomb) {
+  const auto prepared = detail::prepared_contacts<S>(bodies, contacts);
+  std::vector<BodyContact<S>> soft = contacts;
+  for (BodyContact<S>& c : soft) c.min_velocity = std::min(c.min_velocity, S(0));
+  S fastest(0);
+  for (const BodyContact<S>& c : contacts)
+    fastest = std::max(fastest, std::abs(contact_velocity<S>(bodies, c)));
+  S mass(0);
+  bool has_friction = false;
+  for (const RigidBody<S>& body : bodies) mass += body.inverse_mass > S(0) ? body.mass : S(0);
+  for (const BodyContact<S>& c : contacts) has_friction = has_friction || c.friction > S(0);
+  const auto jams = [&](const detail::ImpulseComponents<S>& impulse) {
+    return has_friction && impulse[0] > S(max_leverage) * fastest * mass;
+  };
+  const auto closing = [&](const std::vector<detail::ImpulseComponents<S>>& impulses,
+                           const std::vector<BodyContact<S>>& wanted) {
+    const auto after = detail::after_impulses<S>(bodies, prepared, impulses);
+    S most(0);
+    for (const BodyContact<S>& c : wanted)
+      most = std::max(most, c.min_velocity - contact_velocity<S>(after, c));
+    return most;
+  };
+  const auto before = detail::clamped_impulses<S>(prepared, start);
+  const auto better = [&](const std::vector<BodyContact<S>>& wanted)
+      -> std::optional<std::vector<detail::ImpulseComponents<S>>> {
+    const auto found = active_set_impulses<S>(bodies, wanted, start, law);
+    if (!found) return std::nullopt;
+    auto impulses_found = detail::clamped_impulses<S>(prepared, *found);
+    if (std::any_of(impulses_found.begin(), impulses_found.end(), jams)) return std::nullopt;
+    const S rounding = std::clamp(detail::impulse_rounding<S>(bodies, prepared, impulses_found),
+                                  std::sqrt(std::numeric_limits<S>::epsilon()) * fastest,
+                                  S(max_rounding) * fastest);
+    if (closing(impulses_found, wanted) > closing(before, wanted) + rounding) return std::nullopt;
+    return impulses_found;
+  };
+  const auto makes_energy = [&](const std::vector<detail::ImpulseComponents<S>>& impulses) {
+    const auto after = detail::after_impulses<S>(bodies, prepared, impulses);
+    return detail::energy_made<S>(bodies, after, prepared, impulses) > S(0);
+  };
+  const auto found = better(contacts);
+  if (!found) return std::nullopt;
+  auto stopped = found;
+  if (makes_energy(*found)) {
+    stopped = better(soft);
+    if (!stopped || makes_energy(*stopped)) return std::nullopt;
+  }
+  auto solved = detail::solved_by<S>(bodies, prepared, *found, [&] { return *stopped; });
+  for (const BodyContact<S>& c : soft) {
+    solved.report.last_change =
+        std::max(solved.report.last_change, c.min_velocity - contact_velocity<S>(solved.bodies, c));
+  }
+  return solved;
+}
+// [/finish-contacts]
+
+}  // namespace contact

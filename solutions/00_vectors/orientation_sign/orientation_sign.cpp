@@ -1,0 +1,12 @@
+#include "orientation_sign.hpp"
+
+namespace exercise {
+
+int orientation_sign(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+  const Eigen::Vector2d first = b - a;
+  const Eigen::Vector2d second = c - b;
+  const double left = first.x() * second.y() - first.y() * second.x();
+  return left > 0 ? 1 : left < 0 ? -1 : 0;
+}
+
+}  // namespace exercise

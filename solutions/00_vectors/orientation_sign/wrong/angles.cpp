@@ -1,0 +1,14 @@
+// misconception: angles-subtracted
+// caught by: in every direction of the path
+#include "orientation_sign.hpp"
+
+namespace exercise {
+
+int orientation_sign(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+  const Eigen::Vector2d first = b - a;
+  const Eigen::Vector2d second = c - b;
+  const double turn = std::atan2(second.y(), second.x()) - std::atan2(first.y(), first.x());
+  return turn > 0 ? 1 : turn < 0 ? -1 : 0;
+}
+
+}  // namespace exercise

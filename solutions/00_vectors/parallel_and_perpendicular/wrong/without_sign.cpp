@@ -1,0 +1,19 @@
+// misconception: speed-along-without-sign
+// caught by: a speed along a direction has a sign
+#include "parallel_and_perpendicular.hpp"
+
+namespace exercise {
+
+double speed_along(const Eigen::Vector3d& velocity, const Eigen::Vector3d& direction) {
+  if (direction.norm() == 0) throw std::invalid_argument("direction: it has no length");
+  return std::abs(velocity.dot(direction)) / direction.norm();
+}
+
+Components split(const Eigen::Vector3d& velocity, const Eigen::Vector3d& direction) {
+  if (direction.norm() == 0) throw std::invalid_argument("direction: it has no length");
+  const Eigen::Vector3d parallel =
+      std::abs(velocity.dot(direction)) / direction.squaredNorm() * direction;
+  return {parallel, velocity - parallel};
+}
+
+}  // namespace exercise

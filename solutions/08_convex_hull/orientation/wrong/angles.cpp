@@ -1,0 +1,17 @@
+// misconception: angles-by-atan2
+// caught by: an area of one counts on a long path
+#include "orientation.hpp"
+
+namespace exercise {
+
+int orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+  const double pi = 3.14159265358979323846;
+  double angle =
+      std::atan2(c.y() - a.y(), c.x() - a.x()) - std::atan2(b.y() - a.y(), b.x() - a.x());
+  if (angle > pi) angle -= 2 * pi;
+  if (angle <= -pi) angle += 2 * pi;
+  if (a == b || a == c || std::abs(angle) == pi) return 0;
+  return angle > 0 ? 1 : (angle < 0 ? -1 : 0);
+}
+
+}  // namespace exercise
