@@ -165,8 +165,8 @@ export async function open(browser, url, { boxes = "open", ...options } = {}) {
 /** Opens every Deeper box of a page. @param {import("playwright-core").Page} page */
 export const openBoxes = (page) =>
   page.evaluate(() => {
-    /** @type {HTMLDetailsElement} */ for (const box of document.querySelectorAll("details.deeper"))
-      (box).open = true;
+    for (const box of document.querySelectorAll("details.deeper"))
+      if (box instanceof HTMLDetailsElement) box.open = true;
   });
 
 /** Loads every figure of a page, as scrolling through it does. @param {import("playwright-core").Page} page */
