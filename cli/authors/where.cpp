@@ -56,6 +56,7 @@ class Files {
   void add(const Chapter& chapter) {
     add("chapter", chapter.folder / "chapter.toml");
     add("lesson", chapter.folder / "lesson.md");
+    add_all("errata of a lecture", chapter.folder / "lectures");
     add_all("reference", chapter.folder / "contact");
     add_all("reference", chapter.folder / "src");
     add_all("figure", chapter.folder / "figures");
