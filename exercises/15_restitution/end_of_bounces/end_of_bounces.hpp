@@ -17,8 +17,8 @@ double rest_time(double drop, double gravity, double k);
 /// The number of impacts by a time before the ball rests. An impact at exactly that time counts.
 ///
 /// @param drop, gravity, k as above
-/// @param time s since the drop, 0 or more and less than rest_time. Times so close to rest_time that
-/// adding a flight no longer changes the sum are not tested.
+/// @param time s since the drop, 0 or more and less than rest_time. Times so close to rest_time
+/// that adding a flight no longer changes the sum are not tested.
 int bounces_by(double drop, double gravity, double k, double time);
 
 }  // namespace exercise
