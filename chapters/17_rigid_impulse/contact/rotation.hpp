@@ -201,7 +201,7 @@ Quaternion<S> midpoint_step(const Quaternion<S>& q, const Vector3<S>& momentum,
 /// space.
 /// @param q initial orientation, from body to world; the axis of symmetry is the body's z
 /// @param momentum L, in the axes of the world, kg·m²/s
-/// @param transverse, along I₁ and I₃, kg·m², greater than 0
+/// @param transverse, axial I₁ and I₃, kg·m², greater than 0
 /// @param t s
 template <std::floating_point S>
 Quaternion<S> free_top(const Quaternion<S>& q, const Vector3<S>& momentum, const S& transverse,
