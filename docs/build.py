@@ -96,6 +96,7 @@ def build(options: argparse.Namespace) -> int:
         "CONTACT_BOOK_BUILD": str(made),
         "CONTACT_BOOK_WEB": str(web),
         "CONTACT_BOOK_COMPLETE": "1" if options.complete else "0",
+        "CONTACT_BOOK_API": "0" if options.skip_api else "1",
     }
     if options.builder == "epub":
         # Whatever is in the folder becomes part of the file.

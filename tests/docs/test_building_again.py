@@ -49,6 +49,19 @@ def test_a_chapter_is_found_by_its_folder_and_gone_with_it(sample: Sample) -> No
     assert "02_more" not in sample.page("index.html")
 
 
+def test_what_a_lesson_names_of_the_code_is_linked_when_its_page_is_there(sample: Sample) -> None:
+    """The lessons are served before Doxygen has run: a name without a page is no fault then."""
+    with (sample.root / "chapters" / "01_lines" / "lesson.md").open("a", encoding="utf-8") as file:
+        file.write("\nThe sign is that of {cpp:func}`contact::side`.\n")
+    first = sample.make("--skip-api")
+    assert first.returncode == 0, first.stderr
+    assert "contact::side()" in sample.page("chapters/01_lines.html")
+    assert "api/01_lines.html#" not in sample.page("chapters/01_lines.html")
+    whole = sample.make()
+    assert whole.returncode == 0, whole.stderr
+    assert "api/01_lines.html#" in sample.page("chapters/01_lines.html")
+
+
 def test_programs_run_only_when_newer_than_what_they_said(sample: Sample) -> None:
     programs = sample.root / "bin"
     programs.mkdir()
