@@ -43,7 +43,7 @@
   });
   document.addEventListener("toggle", reach, true);
 
-  // A linked term shows its definition to whoever points at it, reaches it by key, or taps it.
+  // A linked term shows its definition when it is pointed at, focused or tapped.
   const definitions = new Map();
   for (const node of document.querySelectorAll(".definitions > .definition"))
     for (const name of node.dataset.terms.split(" ")) definitions.set(name, node);

@@ -24,7 +24,7 @@ namespace steps {
 using Vector = contact::Vector3<double>;
 using contact::StepRule;
 
-KEY("slanted-bounce") {
+KEY("oblique-bounce") {
   return contact::after_bounce<double>(Vector(3, 0, -4), Vector(0, 0, 1), 0.5).norm();
 }
 

@@ -144,7 +144,7 @@ KEY("not-proven") {
   return 0;
 }
 
-KEY("shortest-hop") {
+KEY("shortest-bounce") {
   // The cutoff leaves out bounces of half of the tolerance.
   return 1000 * contact::contact_time_cutoff(0.001, 10);
 }
