@@ -69,7 +69,8 @@ class Child : public FarProcess {
 
   std::string why_it_ended() override {
     int status = 0;
-    for (int tries = 0; tries < 100; ++tries) {
+    // A process that is ending closes its connection first, and a busy machine may keep it there.
+    for (int tries = 0; tries < 400; ++tries) {
       const pid_t ended = waitpid(pid_, &status, WNOHANG);
       if (ended == pid_) {
         pid_ = -1;
