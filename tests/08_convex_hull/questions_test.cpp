@@ -6,6 +6,7 @@
 #include <contact/convex_hull.hpp>
 #include <contact/gift_wrapping.hpp>
 #include <contact/hull_2d.hpp>
+#include <functional>
 #include <set>
 
 #define CONTACT_FIGURE_NO_MAIN
@@ -65,9 +66,31 @@ KEY("highest-corner") {
 }
 
 KEY("what-dies") {
-  const std::vector<Solid> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 2, 0}};
+  // A pyramid on its apex; the point is on the line of the diagonal that splits the square.
+  const std::vector<Solid> points{{0, 0, 0}, {2, 0, 0},  {2, 2, 0},
+                                  {0, 2, 0}, {1, 1, -2}, {4, 4, 0}};
+  const int p = 5;
+  const std::vector<std::array<int, 3>> triangles{{0, 1, 2}, {0, 2, 3}, {0, 4, 1},
+                                                  {1, 4, 2}, {2, 4, 3}, {3, 4, 0}};
   const contact::ExactSides sides(points);
-  return sides.side(sides.plane(0, 2, 1), 0, 2, 1, 4) > 0 ? 0 : 1;
+  const auto breaks = [&](const std::function<bool(int side, std::size_t triangle)>& removed) {
+    std::set<std::pair<int, int>> edges;  // of removed triangles
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const auto& [a, b, c] = triangles[i];
+      if (!removed(sides.side(sides.plane(a, b, c), a, b, c, p), i)) continue;
+      edges.insert({{a, b}, {b, c}, {c, a}});
+    }
+    return std::any_of(edges.begin(), edges.end(), [&](const std::pair<int, int>& edge) {
+      const bool horizon = edges.count({edge.second, edge.first}) == 0;
+      const auto at = [&](int i) { return points[static_cast<std::size_t>(i)]; };
+      return horizon && (at(edge.second) - at(edge.first)).cross(at(p) - at(edge.first)).isZero(0);
+    });
+  };
+  const std::array<bool, 3> broken{
+      breaks([](int side, std::size_t) { return side >= 0; }),
+      breaks([](int side, std::size_t) { return side > 0; }),
+      breaks([](int side, std::size_t i) { return side > 0 || (side == 0 && i == 0); })};
+  return broken == std::array<bool, 3>{false, false, true} ? 2 : -1;
 }
 
 KEY("adding-a-point") {
