@@ -50,6 +50,17 @@ TEST_CASE("a suspect that is right here is not recognised") {
       .close_to(2, within(0.25));
 }
 
+TEST_CASE("recognised as several") {
+  ask("What is it?")
+      .suspect("first", [] { return 2.5; })
+      .suspect("another", [] { return 3.5; })
+      .suspect_if("by-its-look", [](const double& y) { return y > 2; })
+      .suspect("first", [] { return 2.75; })
+      .suspect("third", [] { return 2.625; })
+      .answer([] { return 2.625; })
+      .close_to(2, within(0.25));
+}
+
 TEST_CASE("a suspect by its looks") {
   ask("What is it?")
       .suspect_if("not-a-number", [](const double& y) { return y != y; })

@@ -33,7 +33,7 @@ std::string told(const Failure& f) {
   if (!f.got.empty()) text += "  came back: " + f.got + '\n';
   if (!f.right.empty()) text += "  right:     " + f.right + '\n';
   if (!f.allowed.empty()) text += "  allowed:   " + f.allowed + '\n';
-  if (!f.misconception.empty()) text += "  hint:      " + f.misconception + '\n';
+  for (const std::string& id : f.misconceptions) text += "  hint:      " + id + '\n';
   if (!f.reason.empty()) text += "  stopped:   " + f.reason + '\n';
   return text;
 }
@@ -126,12 +126,12 @@ Ending run(const Asked& asked, const std::function<void()>& call) {
 }
 
 void fail(const Asked& asked, std::string got, std::string right, std::string allowed,
-          std::string_view misconception) {
+          std::vector<std::string> misconceptions) {
   Failure f = described(asked);
   f.got = std::move(got);
   f.right = std::move(right);
   f.allowed = std::move(allowed);
-  f.misconception = misconception;
+  f.misconceptions = std::move(misconceptions);
   end_test(std::move(f));
 }
 

@@ -13,6 +13,7 @@
 /// the answer.
 #pragma once
 
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cstdint>
 #include <functional>
@@ -33,8 +34,9 @@ struct Failure {
   std::vector<std::pair<std::string, std::string>> inputs;  ///< name and text, in order
   std::string got;
   std::string right;
-  std::string allowed;        ///< how far from `right` an answer may be; empty if not at all
-  std::string misconception;  ///< id in chapters/misconceptions.toml; empty if none is recognised
+  std::string allowed;  ///< how far from `right` an answer may be; empty if not at all
+  /// Ids in chapters/misconceptions.toml: every mistake that gives this answer, each once.
+  std::vector<std::string> misconceptions;
   /// The code under test threw, crashed, ended or ran out of time, as `reason` says: there is no
   /// answer.
   bool stopped = false;
@@ -110,7 +112,7 @@ struct Ending {
 Ending run(const Asked& asked, const std::function<void()>& call);
 
 [[noreturn]] void fail(const Asked& asked, std::string got, std::string right, std::string allowed,
-                       std::string_view misconception);
+                       std::vector<std::string> misconceptions);
 
 template <class C, class A>
 std::type_identity<std::remove_cvref_t<A>> parameter_of(bool (C::*)(A) const);
@@ -118,7 +120,9 @@ std::type_identity<std::remove_cvref_t<A>> parameter_of(bool (C::*)(A) const);
 }  // namespace detail
 
 /// A misconception and how its answer is known: by what a wrong formula gives here (`wrong`), or by
-/// a look at the answer itself (`looks_like`). Neither is called unless the answer is wrong.
+/// a predicate on the answer (`looks_like`), which must imply what the misconception's hint states.
+/// Neither is called unless the answer is wrong; then all suspects are, so that an answer that
+/// several mistakes give is not put down to one.
 template <class T>
 struct Suspect {
   std::string_view misconception;
@@ -188,15 +192,15 @@ class Answer {
   template <class Right>
   [[noreturn]] void fail(std::string right, std::string text, const Within& allowed,
                          Right&& is_right) {
-    std::string_view misconception;
+    std::vector<std::string> misconceptions;
     for (const auto& suspect : suspects_) {
-      if (answer_ && recognised(suspect, allowed, is_right)) {
-        misconception = suspect.misconception;
-        break;
-      }
+      const bool known = std::find(misconceptions.begin(), misconceptions.end(),
+                                   suspect.misconception) != misconceptions.end();
+      if (answer_ && !known && recognised(suspect, allowed, is_right))
+        misconceptions.emplace_back(suspect.misconception);
     }
     detail::fail(asked_, answer_ ? text_of(*answer_) : ending_.thrown, std::move(right),
-                 std::move(text), misconception);
+                 std::move(text), std::move(misconceptions));
   }
 
   // A wrong formula that happens to be right here explains nothing. One that breaks down is not
@@ -247,7 +251,8 @@ class Question {
   }
 
   /// A misconception that shows in the answer itself: `looks_like(answer)` holds. It is a lambda
-  /// that takes the answer by const reference.
+  /// that takes the answer by const reference, and captures what else it needs: the inputs, the
+  /// right answer. Whatever the hint states about the answer, it tests.
   template <class LooksLike>
   auto suspect_if(std::string_view misconception, LooksLike looks_like) && {
     using R = decltype(detail::parameter_of(&LooksLike::operator()));
