@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <new>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 #include <contact/host.hpp>
@@ -102,6 +103,27 @@ Within within(double tolerance) {
 }
 
 namespace detail {
+namespace {
+
+std::set<std::string>& all_refuted() {
+  static std::set<std::string> keys;
+  return keys;
+}
+
+std::string key_of(const Asked& asked, std::string_view misconception, std::size_t nth) {
+  return std::string{asked.question} + '\n' + std::string{misconception} + '\n' +
+         std::to_string(nth);
+}
+
+}  // namespace
+
+bool refuted(const Asked& asked, std::string_view misconception, std::size_t nth) {
+  return all_refuted().contains(key_of(asked, misconception, nth));
+}
+
+void refute(const Asked& asked, std::string_view misconception, std::size_t nth) {
+  all_refuted().insert(key_of(asked, misconception, nth));
+}
 
 Ending run(const Asked& asked, const std::function<void()>& call) {
   try {

@@ -114,6 +114,11 @@ Ending run(const Asked& asked, const std::function<void()>& call);
 [[noreturn]] void fail(const Asked& asked, std::string got, std::string right, std::string allowed,
                        std::vector<std::string> misconceptions);
 
+/// Wrong formulae that a right answer to this question has ruled out, for the whole run: what the
+/// student's function computes is not what they compute. `nth` counts those of one misconception.
+bool refuted(const Asked& asked, std::string_view misconception, std::size_t nth);
+void refute(const Asked& asked, std::string_view misconception, std::size_t nth);
+
 template <class C, class A>
 std::type_identity<std::remove_cvref_t<A>> parameter_of(bool (C::*)(A) const);
 
@@ -121,8 +126,9 @@ std::type_identity<std::remove_cvref_t<A>> parameter_of(bool (C::*)(A) const);
 
 /// A misconception and how its answer is known: by what a wrong formula gives here (`wrong`), or by
 /// a predicate on the answer (`looks_like`), which must imply what the misconception's hint states.
-/// Neither is called unless the answer is wrong; then all suspects are, so that an answer that
-/// several mistakes give is not put down to one.
+/// If the answer is wrong, all suspects are asked, so that an answer that several mistakes give is
+/// not put down to one. A right answer to a question rules out each formula that is wrong there for
+/// the rest of the run.
 template <class T>
 struct Suspect {
   std::string_view misconception;
@@ -155,8 +161,9 @@ class Answer {
   /// pred(answer) holds; `says` completes the sentence "Right is an answer that ...".
   template <class Predicate>
   void satisfies(std::string_view says, Predicate&& pred) && {
-    if (answer_ && pred(*answer_)) return;
-    fail(std::string{says}, "", Within({0}, ""), [&](const T& wrong) { return pred(wrong); });
+    const auto is_right = [&](const T& wrong) { return pred(wrong); };
+    if (answer_ && is_right(*answer_)) return rule_out(is_right);
+    fail(std::string{says}, "", Within({0}, ""), is_right);
   }
 
   /// The call throws std::invalid_argument.
@@ -172,12 +179,12 @@ class Answer {
   detail::Ending ending_;
 
   void judge(const T& expected, const Within& allowed) {
-    if (answer_ && close(*answer_, expected, allowed)) return;
+    const auto is_right = [&](const T& wrong) { return close(wrong, expected, allowed); };
+    if (answer_ && is_right(*answer_)) return rule_out(is_right);
     bool has_numbers = false;
     const auto number = [&](double, double) { return has_numbers = true; };
     agree(expected, expected, number);
-    fail(text_of(expected), has_numbers ? allowed.text() : "", allowed,
-         [&](const T& wrong) { return close(wrong, expected, allowed); });
+    fail(text_of(expected), has_numbers ? allowed.text() : "", allowed, is_right);
   }
 
   static bool close(const T& x, const T& y, const Within& allowed, bool nan_is_nan = false) {
@@ -193,14 +200,38 @@ class Answer {
   [[noreturn]] void fail(std::string right, std::string text, const Within& allowed,
                          Right&& is_right) {
     std::vector<std::string> misconceptions;
-    for (const auto& suspect : suspects_) {
+    for_each_suspect([&](const Suspect<T>& suspect, std::size_t nth) {
       const bool known = std::find(misconceptions.begin(), misconceptions.end(),
                                    suspect.misconception) != misconceptions.end();
-      if (answer_ && !known && recognised(suspect, allowed, is_right))
+      if (answer_ && !known && !detail::refuted(asked_, suspect.misconception, nth) &&
+          recognised(suspect, allowed, is_right))
         misconceptions.emplace_back(suspect.misconception);
-    }
+    });
     detail::fail(asked_, answer_ ? text_of(*answer_) : ending_.thrown, std::move(right),
                  std::move(text), std::move(misconceptions));
+  }
+
+  template <class Use>
+  void for_each_suspect(Use use) const {
+    for (std::size_t i = 0; i < suspects_.size(); ++i) {
+      std::size_t nth = 0;
+      for (std::size_t j = 0; j < i; ++j)
+        nth += suspects_[j].misconception == suspects_[i].misconception;
+      use(suspects_[i], nth);
+    }
+  }
+
+  // The answer is right: whoever used a formula that is wrong here would have answered otherwise.
+  template <class Right>
+  void rule_out(Right& is_right) const {
+    for_each_suspect([&](const Suspect<T>& suspect, std::size_t nth) {
+      if (suspect.looks_like || detail::refuted(asked_, suspect.misconception, nth)) return;
+      try {
+        if (!is_right(suspect.wrong())) detail::refute(asked_, suspect.misconception, nth);
+      } catch (const std::exception&) {
+        // It has no answer here, which says nothing about the student's.
+      }
+    });
   }
 
   // A wrong formula that happens to be right here explains nothing. One that breaks down is not
@@ -235,7 +266,7 @@ class Question {
     return std::move(*this);
   }
 
-  /// A misconception, and what it would answer here. It is evaluated only when the answer is wrong.
+  /// A misconception, and what it would answer here.
   template <class Wrong>
   auto suspect(std::string_view misconception, Wrong wrong) && {
     using R = std::invoke_result_t<Wrong>;
