@@ -295,7 +295,7 @@ void check_sources(const Exercise& exercise, Problems& problems) {
   require_only(
       exercise.solution.parent_path(),
       [&](const fs::path& entry) {
-        return entry == exercise.solution ||
+        return entry == exercise.solution || entry.filename() == "equivalent.toml" ||
                (entry.filename() == "wrong" && fs::is_directory(entry));
       },
       problems);

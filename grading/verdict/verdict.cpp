@@ -62,6 +62,7 @@ Failure failure_from(const nlohmann::json& json) {
   failure.right = text_at(json, "right");
   failure.allowed = text_at(json, "allowed");
   failure.misconceptions = texts_at(json, "misconceptions");
+  failure.hint = text_at(json, "observed");
   failure.reason = text_at(json, "reason");
   if (const auto inputs = json.find("inputs"); inputs != json.end() && inputs->is_array()) {
     for (const nlohmann::json& input : *inputs) {

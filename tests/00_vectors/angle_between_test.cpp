@@ -25,11 +25,10 @@ double right_angle(const Vector& u, const Vector& v) {
 /// The usual ways to write the cosine, whose roundings differ.
 std::vector<Suspect<double>> by_acos(const Vector& u, const Vector& v) {
   std::vector<Suspect<double>> suspects;
-  for (const double cosine :
-       {u.dot(v) / (u.norm() * v.norm()), u.dot(v) / u.norm() / v.norm(),
-        u.dot(v) / v.norm() / u.norm(), u.normalized().dot(v.normalized()),
-        u.dot(v) / std::sqrt(u.squaredNorm() * v.squaredNorm()),
-        u.dot(v) / std::sqrt(u.dot(u)) / std::sqrt(v.dot(v))}) {
+  for (const double cosine : {u.dot(v) / (u.norm() * v.norm()), u.dot(v) / u.norm() / v.norm(),
+                              u.dot(v) / v.norm() / u.norm(), u.normalized().dot(v.normalized()),
+                              u.dot(v) / std::sqrt(u.squaredNorm() * v.squaredNorm()),
+                              u.dot(v) / std::sqrt(u.dot(u)) / std::sqrt(v.dot(v))}) {
     suspects.emplace_back("angle-by-acos",
                           std::function<double()>([cosine] { return std::acos(cosine); }));
     suspects.emplace_back("angle-by-acos", std::function<double()>([cosine] {

@@ -53,8 +53,7 @@ Corners sorted_by_x(const Points& points, Tie tie) {
 Corners without_copies(const Points& points, const Corners& got) {
   Corners first;
   for (const int i : got) {
-    const auto found =
-        std::find(points.begin(), points.end(), points[static_cast<std::size_t>(i)]);
+    const auto found = std::find(points.begin(), points.end(), points[static_cast<std::size_t>(i)]);
     const int index = static_cast<int>(found - points.begin());
     if (first.empty() || first.back() != index) first.push_back(index);
   }
@@ -132,20 +131,19 @@ void check(const Points& points) {
                            std::all_of(right.begin(), right.end(),
                                        [&](int i) { return at(i).x() <= at(got.back()).x(); });
                   })
-      .suspect_if("ends-kept-twice",
-                  [&](const Corners& got) {
-                    // Each walk with both of its ends.
-                    if (right.size() < 2) return false;
-                    const auto last =
-                        std::max_element(right.begin(), right.end(), [&](int i, int j) {
-                          return at(i).x() < at(j).x() ||
-                                 (at(i).x() == at(j).x() && at(i).y() < at(j).y());
-                        });
-                    Corners twice = right;
-                    twice.insert(twice.begin() + (last - right.begin()), *last);
-                    twice.push_back(right[0]);
-                    return got == twice;
-                  })
+      .suspect_if(
+          "ends-kept-twice",
+          [&](const Corners& got) {
+            // Each walk with both of its ends.
+            if (right.size() < 2) return false;
+            const auto last = std::max_element(right.begin(), right.end(), [&](int i, int j) {
+              return at(i).x() < at(j).x() || (at(i).x() == at(j).x() && at(i).y() < at(j).y());
+            });
+            Corners twice = right;
+            twice.insert(twice.begin() + (last - right.begin()), *last);
+            twice.push_back(right[0]);
+            return got == twice;
+          })
       .suspect_if("collinear-kept",
                   [&](const Corners& got) { return keeps_points_on_edges(points, got, right); })
       .suspect_if("epsilon-orientation",

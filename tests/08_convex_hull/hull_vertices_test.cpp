@@ -40,9 +40,9 @@ bool on_boundary(const Points& points, int i) {
   const auto& p = points[static_cast<std::size_t>(i)];
   for (const Point& a : points) {
     for (const Point& b : points) {
-      if (!whole::on_line(p, a, b) && std::all_of(points.begin(), points.end(), [&](const Point& q) {
-            return whole::side(p, a, b, q) <= 0;
-          }))
+      if (!whole::on_line(p, a, b) &&
+          std::all_of(points.begin(), points.end(),
+                      [&](const Point& q) { return whole::side(p, a, b, q) <= 0; }))
         return true;
     }
   }
@@ -129,9 +129,8 @@ void check(const Points& points) {
                     }
                     std::sort(once.begin(), once.end());
                     once.erase(std::unique(once.begin(), once.end()), once.end());
-                    return once == right && std::any_of(got.begin(), got.end(), [&](int i) {
-                             return !has(right, i);
-                           });
+                    return once == right && std::any_of(got.begin(), got.end(),
+                                                        [&](int i) { return !has(right, i); });
                   })
       .suspect_if("collinear-kept",
                   [&](const Corners& got) {

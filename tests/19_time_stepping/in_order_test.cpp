@@ -49,8 +49,7 @@ Meetings followed(Wire lines, double until, Mistake mistake) {
     for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
       const double closing = lines[i].velocity - lines[i + 1].velocity;
       if ((met[i] && mistake == Mistake::pair_once) || !(closing > 0)) continue;
-      const double time =
-          std::max(clock, (lines[i + 1].position - lines[i].position) / closing);
+      const double time = std::max(clock, (lines[i + 1].position - lines[i].position) / closing);
       if (time < next.time || (mistake == Mistake::larger_index && time <= next.time))
         next = {time, static_cast<int>(i)};
     }
@@ -74,8 +73,7 @@ Meetings with_stale_times(Wire lines, double until) {
     if (left < 0 || i + 1 >= lines.size()) return;
     const double closing = lines[i].velocity - lines[i + 1].velocity;
     if (!(closing > 0)) return;
-    queue.push_back(
-        {std::max(clock, (lines[i + 1].position - lines[i].position) / closing), left});
+    queue.push_back({std::max(clock, (lines[i + 1].position - lines[i].position) / closing), left});
   };
   for (int i = 0; i + 1 < static_cast<int>(lines.size()); ++i) predict(i);
   while (!queue.empty() && list.size() < 1000) {

@@ -71,10 +71,13 @@ TEST_CASE("ruled out by an earlier answer") {
         .answer([answer] { return answer; })
         .equals(x * x);
   };
-  ask_about(2, 4);   // rules out nothing: all are right here
-  ask_about(0, 0);   // rules out that 2 is added
+  ask_about(2, 4);  // rules out nothing: all are right here
+  ask_about(0, 0);  // rules out that 2 is added
   ask_about(2, 4);
-  ask("What is the triple of x?").suspect("doubles", [] { return 2; }).answer([] { return 3; }).equals(3);
+  ask("What is the triple of x?")
+      .suspect("doubles", [] { return 2; })
+      .answer([] { return 3; })
+      .equals(3);
   ask_about(4, 6);  // x + 2, which is ruled out
 }
 

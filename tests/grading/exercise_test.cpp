@@ -82,8 +82,7 @@ TEST_CASE("only a wrong formula that is wrong here is recognised") {
 
 TEST_CASE("a formula that an earlier right answer contradicts is not recognised") {
   CHECK_FALSE(outcome("ruled out by an earlier answer")["failure"].contains("misconceptions"));
-  CHECK(outcome("ruled out for another question only")["failure"]["misconceptions"] ==
-        json{"two"});
+  CHECK(outcome("ruled out for another question only")["failure"]["misconceptions"] == json{"two"});
 }
 
 TEST_CASE("an answer that several mistakes give names all of them, each once") {

@@ -35,6 +35,7 @@ std::string told(const Failure& f) {
   if (!f.right.empty()) text += "  right:     " + f.right + '\n';
   if (!f.allowed.empty()) text += "  allowed:   " + f.allowed + '\n';
   for (const std::string& id : f.misconceptions) text += "  hint:      " + id + '\n';
+  if (!f.observed.empty()) text += "  hint:      " + f.observed + '\n';
   if (!f.reason.empty()) text += "  stopped:   " + f.reason + '\n';
   return text;
 }
@@ -148,11 +149,12 @@ Ending run(const Asked& asked, const std::function<void()>& call) {
 }
 
 void fail(const Asked& asked, std::string got, std::string right, std::string allowed,
-          std::vector<std::string> misconceptions) {
+          std::vector<std::string> misconceptions, std::string observed) {
   Failure f = described(asked);
   f.got = std::move(got);
   f.right = std::move(right);
   f.allowed = std::move(allowed);
+  if (misconceptions.empty()) f.observed = std::move(observed);
   f.misconceptions = std::move(misconceptions);
   end_test(std::move(f));
 }

@@ -25,6 +25,7 @@
 
 #include <contact/value_compare.hpp>
 #include <contact/value_text.hpp>
+#include <support/observed.hpp>
 
 namespace contact::testing {
 
@@ -37,6 +38,9 @@ struct Failure {
   std::string allowed;  ///< how far from `right` an answer may be; empty if not at all
   /// Ids in chapters/misconceptions.toml: every mistake that gives this answer, each once.
   std::vector<std::string> misconceptions;
+  /// What is true of this answer whatever caused it (observed.hpp); empty if a mistake is
+  /// recognised, or there is nothing to say.
+  std::string observed;
   /// The code under test threw, crashed, ended or ran out of time, as `reason` says: there is no
   /// answer.
   bool stopped = false;
@@ -66,6 +70,12 @@ class Within {
   Within(std::vector<double> bounds, std::string text)
       : bounds_(std::move(bounds)), text_(std::move(text)) {}
   double bound(std::size_t i) const { return bounds_.size() == 1 ? bounds_[0] : bounds_.at(i); }
+  /// The same for an answer that may have more numbers than the right one.
+  double strictest(std::size_t i) const {
+    return bounds_.empty()      ? 0
+           : i < bounds_.size() ? bounds_[i]
+                                : *std::min_element(bounds_.begin(), bounds_.end());
+  }
   const std::string& text() const { return text_; }
 
  private:
@@ -112,7 +122,7 @@ struct Ending {
 Ending run(const Asked& asked, const std::function<void()>& call);
 
 [[noreturn]] void fail(const Asked& asked, std::string got, std::string right, std::string allowed,
-                       std::vector<std::string> misconceptions);
+                       std::vector<std::string> misconceptions, std::string observed);
 
 /// Wrong formulae that a right answer to this question has ruled out, for the whole run: what the
 /// student's function computes is not what they compute. `nth` counts those of one misconception.
@@ -163,13 +173,15 @@ class Answer {
   void satisfies(std::string_view says, Predicate&& pred) && {
     const auto is_right = [&](const T& wrong) { return pred(wrong); };
     if (answer_ && is_right(*answer_)) return rule_out(is_right);
-    fail(std::string{says}, "", Within({0}, ""), is_right);
+    fail(std::string{says}, "", Within({0}, ""), is_right, "");
   }
 
   /// The call throws std::invalid_argument.
   void throws_invalid_argument() && {
     if (ending_.invalid_argument) return;
-    fail("throws std::invalid_argument", "", Within({0}, ""), [](const T&) { return false; });
+    fail(
+        "throws std::invalid_argument", "", Within({0}, ""), [](const T&) { return false; },
+        answer_ ? "You return an answer for input that the contract refuses." : "");
   }
 
  private:
@@ -184,7 +196,14 @@ class Answer {
     bool has_numbers = false;
     const auto number = [&](double, double) { return has_numbers = true; };
     agree(expected, expected, number);
-    fail(text_of(expected), has_numbers ? allowed.text() : "", allowed, is_right);
+    std::string seen;
+    if (answer_) {
+      seen = observed(leaves_of(*answer_), leaves_of(expected),
+                      [&](std::size_t i, double a, double b) {
+                        return a == b || std::abs(a - b) <= allowed.strictest(i);
+                      });
+    }
+    fail(text_of(expected), has_numbers ? allowed.text() : "", allowed, is_right, seen);
   }
 
   static bool close(const T& x, const T& y, const Within& allowed, bool nan_is_nan = false) {
@@ -198,7 +217,7 @@ class Answer {
 
   template <class Right>
   [[noreturn]] void fail(std::string right, std::string text, const Within& allowed,
-                         Right&& is_right) {
+                         Right&& is_right, std::string seen) {
     std::vector<std::string> misconceptions;
     for_each_suspect([&](const Suspect<T>& suspect, std::size_t nth) {
       const bool known = std::find(misconceptions.begin(), misconceptions.end(),
@@ -208,7 +227,7 @@ class Answer {
         misconceptions.emplace_back(suspect.misconception);
     });
     detail::fail(asked_, answer_ ? text_of(*answer_) : ending_.thrown, std::move(right),
-                 std::move(text), std::move(misconceptions));
+                 std::move(text), std::move(misconceptions), std::move(seen));
   }
 
   template <class Use>

@@ -8,7 +8,8 @@
 // With CONTACT_TELL_QUESTIONS in the environment also, before each question,
 //   {"event":"question","failure":{"asked","inputs"}}
 //
-// failure: {"asked","inputs":[{"name","text"}],"got","right","allowed"?,"misconceptions"?,"reason"?}.
+// failure:
+// {"asked","inputs":[{"name","text"}],"got","right","allowed"?,"misconceptions"?,"observed"?,"reason"?}.
 // misconceptions: the ids of all mistakes that give this answer.
 // Use `-r contact::out=FILE`; stdout is left to the student. CONTACT_MEMORY_MB limits the memory
 // (not in a page, which has its own limit), CONTACT_SEED changes the random inputs.
@@ -52,6 +53,7 @@ ordered_json described(const Failure& failure) {
   result["right"] = failure.right;
   if (!failure.allowed.empty()) result["allowed"] = failure.allowed;
   if (!failure.misconceptions.empty()) result["misconceptions"] = failure.misconceptions;
+  if (!failure.observed.empty()) result["observed"] = failure.observed;
   if (!failure.reason.empty()) result["reason"] = failure.reason;
   return result;
 }
@@ -114,6 +116,7 @@ class ContactReporter : public Catch::StreamingReporterBase {
                                    .right = "",
                                    .allowed = "",
                                    .misconceptions = {},
+                                   .observed = "",
                                    .stopped = false,
                                    .reason = ""});
     } else if (stats.totals.assertions.skipped > 0) {

@@ -13,7 +13,8 @@ std::array<bool, 3> inactive_axes(const Scene& scene) {
   std::array<bool, 3> still{};
   for (int k = 0; k < 3; ++k) {
     bool holds = scene.gravity(k) == 0;
-    for (const Eigen::Vector3d& normal : scene.normals) holds = holds && (normal(k) == 0 || std::abs(normal(k)) == 1);
+    for (const Eigen::Vector3d& normal : scene.normals)
+      holds = holds && (normal(k) == 0 || std::abs(normal(k)) == 1);
     for (const Ball& ball : scene.balls) {
       holds = holds && ball.velocity(k) == 0 && ball.centre(k) == scene.balls[0].centre(k);
     }
