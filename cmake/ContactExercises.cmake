@@ -72,7 +72,8 @@ endfunction()
 # What every exercise shares.
 function(contact_add_exercise_host)
   set(source "${PROJECT_SOURCE_DIR}")
-  add_library(contact_exercise_host OBJECT "${source}/tests/support/exercise.cpp" "${source}/tests/support/runner.cpp")
+  add_library(contact_exercise_host OBJECT "${source}/tests/support/exercise.cpp"
+    "${source}/tests/support/observed.cpp" "${source}/tests/support/runner.cpp")
   target_include_directories(contact_exercise_host PRIVATE "${source}/tests" "${source}/grading")
   target_link_libraries(contact_exercise_host PRIVATE
     contact_00_vectors Catch2::Catch2 nlohmann_json::nlohmann_json contact_warnings)

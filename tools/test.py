@@ -473,6 +473,38 @@ def dev_check() -> Iterator[Check]:
     asked = having(EXERCISE)
     if asked or not chapters_asked_for():
         yield counted("contact dev check", [PROGRAM, "dev", "check", "--json", *asked], count)
+    yield counted("contact dev mutants", mutants(), count_mutants)
+
+
+def mutants() -> list[str]:
+    there = [file.parent for file in sorted(ROOT.glob("exercises/*/*/exercise.toml"))]
+    names = [f"{folder.parent.name}/{folder.name}" for folder in there]
+    taken = sample(names, MUTANTS_EACH, "exercises whose solutions are mutated", kind="exercises")
+    command = [PROGRAM, "dev", "mutants", "--json", *taken]
+    # What a change touches can be all of them, and the nightly run tries them all.
+    return command if "CONTACT_ALL" in os.environ else [*command, "--limit", MUTANT_SECONDS]
+
+
+def count_mutants(done: Done) -> Tally | None:
+    """Each mutant is a test that passes if it is caught, or known to be equivalent."""
+    try:
+        report = json.loads(done.output[done.output.index("{") :])
+        tally = Tally(explained=True)
+        for one in report["exercises"]:
+            left = [
+                f"{one['exercise']}, line {mutant['line']}: no test catches"
+                f" {mutant['was']} -> {mutant['now']}"
+                for mutant in one["survivors"]
+            ]
+            wrong = [*left, *(f"{one['exercise']}: {problem}" for problem in one["problems"])]
+            tally.passed += one["mutants"] - len(one["survivors"])
+            tally.failed += len(wrong)
+            tally.names += wrong
+            tally.why += wrong
+        tally.skipped += len(report["not_tried"])
+    except (ValueError, KeyError, TypeError):
+        return None
+    return tally
 
 
 def outside() -> Iterator[Check]:

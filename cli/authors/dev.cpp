@@ -17,6 +17,7 @@
 #include "../grade/dev_box.hpp"
 #include "../terminal/terminal.hpp"
 #include "dev_check.hpp"
+#include "dev_mutants.hpp"
 #include "dev_registry.hpp"
 
 namespace fs = std::filesystem;
@@ -212,6 +213,7 @@ void add_dev(Command app, Action& action) {
   check.callback([&action, options] {
     action = [options](Context& context) { return run(context, *options); };
   });
+  add_dev_mutants(command, action);
   add_dev_registry(command, action);
 #ifdef CONTACT_GRADE
   add_dev_box(command, action);

@@ -61,6 +61,31 @@ void check_solution(const Verdict& verdict, std::vector<std::string>& problems) 
     problems.push_back("the compiler warns: " + verdict.warnings.front());
 }
 
+std::string inputs_of(const grading::Failure& failure) {
+  std::string text;
+  for (const auto& [name, value] : failure.inputs)
+    text += (text.empty() ? "" : ", ") + name + " = " + value;
+  return text;
+}
+
+// A wrong answer is told its own mistake and no other, from the first question that it gets wrong.
+// So any two with different mistakes are told apart there.
+void check_recognised(const WrongAnswer& wrong, const TestVerdict& caught,
+                      std::vector<std::string>& problems) {
+  const std::vector<std::string>& seen = caught.failure.misconceptions;
+  const std::string where = "'" + caught.name + "', asked with " + inputs_of(caught.failure) + ", ";
+  if (wrong.misconception == no_misconception) {
+    for (const std::string& id : seen) problems.push_back(where + "recognises " + id + ", untruly");
+    return;
+  }
+  if (std::find(seen.begin(), seen.end(), wrong.misconception) == seen.end())
+    problems.push_back(where + "does not recognise " + wrong.misconception);
+  for (const std::string& id : seen) {
+    if (id != wrong.misconception)
+      problems.push_back(where + "cannot tell " + wrong.misconception + " from " + id);
+  }
+}
+
 void check_wrong(const grading::Book& book, const AnswerJob& job, const Verdict& verdict,
                  std::vector<std::string>& problems) {
   const WrongAnswer wrong = read_wrong_answer(job.file);
@@ -75,12 +100,10 @@ void check_wrong(const grading::Book& book, const AnswerJob& job, const Verdict&
     problems.push_back("it should fail where it does not: " + told(*caught));
     return;
   }
-  if (caught->failure.misconception != wrong.misconception)
-    problems.push_back(
-        "'" + wrong.caught_by + "' fails and recognises " +
-        (caught->failure.misconception.empty() ? "nothing" : caught->failure.misconception) +
-        ", not " + wrong.misconception);
-  if (book.hint_for(wrong.misconception).empty())
+  if (const TestVerdict* first = grading::first_failure(verdict); first->name != wrong.caught_by)
+    problems.push_back("an earlier test catches it: " + told(*first));
+  check_recognised(wrong, *caught, problems);
+  if (wrong.misconception != no_misconception && book.hint_for(wrong.misconception).empty())
     problems.push_back("there is no hint for " + wrong.misconception);
 }
 

@@ -256,6 +256,7 @@ void check_wrong_answers(const Book& book, const Exercise& exercise, Problems& p
   for (const fs::path& file : wrong_answer_files(exercise)) {
     try {
       const WrongAnswer wrong = read_wrong_answer(file);
+      if (wrong.misconception == no_misconception) continue;
       shown_by_an_answer.insert(wrong.misconception);
       if (!contains(exercise.misconceptions, wrong.misconception))
         problems.push_back(shown(file) + ": exercise.toml does not list " + wrong.misconception);
@@ -294,7 +295,7 @@ void check_sources(const Exercise& exercise, Problems& problems) {
   require_only(
       exercise.solution.parent_path(),
       [&](const fs::path& entry) {
-        return entry == exercise.solution ||
+        return entry == exercise.solution || entry.filename() == "equivalent.toml" ||
                (entry.filename() == "wrong" && fs::is_directory(entry));
       },
       problems);

@@ -20,7 +20,11 @@ struct DevResult {
   std::string said = {};  ///< What is worth a line even if all is well; mostly nothing.
 };
 
-/// First lines of a wrong answer: `// misconception: ID` and `// caught by: TEST`.
+/// Instead of an ID in a wrong answer: no known mistake, so none may be recognised.
+inline constexpr const char* no_misconception = "none";
+
+/// First lines of a wrong answer: `// misconception: ID` and `// caught by: TEST`, the first test
+/// that fails.
 struct WrongAnswer {
   std::filesystem::path file;
   std::string misconception;

@@ -136,7 +136,7 @@ struct Totals {
 };
 
 nlohmann::json json_of(const Task& task, const Totals& totals) {
-  nlohmann::json document = {{"format", "contact-check/1"},
+  nlohmann::json document = {{"format", "contact-check/2"},
                              {"points", totals.points},
                              {"max_points", totals.max_points},
                              {"untouched", task.untouched},

@@ -59,6 +59,12 @@ std::string failure_text(const TestVerdict& test, const Style& style) {
   labelled(text, "allowed", failure.allowed, style);
   labelled(text, "stopped", printable(failure.reason), style);
   labelled(text, "hint", failure.hint, style);
+  if (!failure.questions.empty()) {
+    labelled(text, "hint", "Several mistakes give this answer. Is one of them in your code?",
+             style);
+    for (const std::string& question : failure.questions)
+      labelled(text, "", "- " + question, style);
+  }
   if (test.visibility == grading::Visibility::values_withheld)
     labelled(text, "note", "this test does not show its values", style);
   return text;

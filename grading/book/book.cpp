@@ -366,6 +366,11 @@ std::string Book::hint_for(const std::string& misconception) const {
   return found == misconceptions_.end() ? std::string() : found->second.hint;
 }
 
+std::string Book::summary_of(const std::string& misconception) const {
+  const auto found = misconceptions_.find(misconception);
+  return found == misconceptions_.end() ? std::string() : found->second.summary;
+}
+
 std::string read_text(const fs::path& file) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
                                                                &std::fclose);

@@ -148,6 +148,8 @@ class Book {
 
   /// The hint for a misconception; empty if the book has none.
   [[nodiscard]] std::string hint_for(const std::string& misconception) const;
+  /// What goes wrong, in one clause without a full stop; empty if the book does not know it.
+  [[nodiscard]] std::string summary_of(const std::string& misconception) const;
 
  private:
   void read_chapters();

@@ -115,7 +115,7 @@ std::optional<nlohmann::json> earlier_results(const RunFolder& folder) {
   const fs::path file = folder.results() / results_name;
   if (!fs::exists(file)) return {};
   nlohmann::json json = nlohmann::json::parse(read_text(file), nullptr, false);
-  if (!json.is_object() || json.value("format", "") != "contact-grade/1")
+  if (!json.is_object() || json.value("format", "") != "contact-grade/2")
     throw BookError(file.string() +
                     " is not as it was written. Put it away, or grade into a new folder");
   return json;

@@ -6,7 +6,7 @@ namespace contact::grading {
 
 namespace {
 
-constexpr const char* results_format = "contact-grade/1";
+constexpr const char* results_format = "contact-grade/2";
 
 nlohmann::json exercise_json(const Exercise& exercise) {
   nlohmann::json tests = nlohmann::json::array();

@@ -1,6 +1,6 @@
 #pragma once
 
-// RESULTS/results.json, "contact-grade/1": every mark of a run, from which all reports are made. A
+// RESULTS/results.json, "contact-grade/2": every mark of a run, from which all reports are made. A
 // unit that could not be graded has no points (null), and neither has its submission: no sum can
 // take that for a zero.
 

@@ -170,10 +170,10 @@ def class_data(
             _count(row, unit)
             for test in unit.tests:
                 failure = test.failure
-                if failure and failure.misconception:
-                    believed[failure.misconception].add(number)
-                    believed_in[failure.misconception].add(unit.exercise.title)
-                    hints.setdefault(failure.misconception, failure.hint)
+                if failure and failure.known:
+                    believed[failure.known].add(number)
+                    believed_in[failure.known].add(unit.exercise.title)
+                    hints.setdefault(failure.known, failure.hint)
             if unit.outcome == "does_not_compile":
                 words = _mistake(unit)
                 row.mistakes[words] += 1
@@ -260,8 +260,8 @@ def _count(row: ExerciseRow, unit: SeenUnit) -> None:
             counted.passed += 1
         else:
             counted.wrong += 1
-            if test.failure and test.failure.misconception:
-                counted.misconceptions[test.failure.misconception] += 1
+            if test.failure and test.failure.known:
+                counted.misconceptions[test.failure.known] += 1
 
 
 def _mistake(unit: SeenUnit) -> str:

@@ -25,6 +25,7 @@ from reports.words import (
     NOT_GRADED_WORDS,
     REFUSED_NAME,
     UNIT_WORDS,
+    hint_line,
     points_text,
     sum_text,
     test_text,
@@ -122,5 +123,6 @@ def _case(suite: Element, unit: SeenUnit, test: SeenTest, problem: str) -> None:
 def _message(test: SeenTest) -> str:
     if test.failure is None:
         return test.status or ""
-    text = test.failure.reason or test.failure.hint or test.failure.asked or (test.status or "")
+    failure = test.failure
+    text = failure.reason or hint_line(failure) or failure.asked or (test.status or "")
     return text.partition("\n")[0]

@@ -43,9 +43,15 @@ class Failure:
     got: str
     right: str
     allowed: str
-    misconception: str
+    misconceptions: tuple[str, ...]
     hint: str
+    questions: tuple[str, ...]
     reason: str
+
+    @property
+    def known(self) -> str:
+        """The misconception, if only one gives this answer; otherwise it is not known."""
+        return self.misconceptions[0] if len(self.misconceptions) == 1 else ""
 
 
 @dataclass(frozen=True)
@@ -292,8 +298,9 @@ def _failure(entry: dict[str, Any]) -> Failure:
         got=clean(entry.get("got", "")),
         right=clean(entry.get("right", "")),
         allowed=clean(entry.get("allowed", "")),
-        misconception=clean_line(entry.get("misconception", "")),
+        misconceptions=tuple(clean_line(id_) for id_ in entry.get("misconceptions", [])),
         hint=clean(entry.get("hint", "")),
+        questions=tuple(clean_line(text) for text in entry.get("questions", [])),
         reason=clean(entry.get("reason", "")),
     )
 

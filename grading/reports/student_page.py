@@ -10,7 +10,9 @@ from reports.words import (
     HIDDEN_NAME,
     HIDDEN_WORDS,
     LATER_WORDS,
+    SEVERAL_WORDS,
     compile_text,
+    hint_line,
     not_graded_sentence,
     points_text,
     unit_points,
@@ -45,6 +47,7 @@ def student_page(submission: SeenSubmission) -> str:
         hidden_name=HIDDEN_NAME,
         hidden_words=HIDDEN_WORDS,
         later_words=LATER_WORDS,
+        several_words=SEVERAL_WORDS,
         output_withheld=OUTPUT_WITHHELD,
         unit_points=unit_points,
         not_graded=not_graded_sentence(submission),
@@ -78,7 +81,7 @@ def next_steps(submission: SeenSubmission) -> list[Step]:
 def _first_failing(unit: SeenUnit) -> str:
     for test in unit.tests:
         if test.status in ("failed", "stopped") and test.failure:
-            said = test.failure.hint or test.failure.reason or test.failure.asked
+            said = hint_line(test.failure) or test.failure.reason or test.failure.asked
             return f"Not yet: {test.name}. {said[:1].upper()}{said[1:]}"
     for test in unit.tests:
         if test.status == "not_attempted":

@@ -295,14 +295,15 @@ def _told(failure: Failure, status: str, withheld: bool, open_tests: set[str]) -
         got="",
         right="",
         allowed="",
-        misconception=failure.misconception,
+        misconceptions=failure.misconceptions,
         hint=failure.hint,
+        questions=failure.questions,
         reason=_own_words(failure.reason) if failure.reason else "",
     )
 
 
 def _only_reason(reason: str) -> Failure:
-    return Failure("", (), "", "", "", "", "", reason)
+    return Failure("", (), "", "", "", (), "", (), reason)
 
 
 def _why_skipped(reason: str, open_tests: set[str]) -> str:

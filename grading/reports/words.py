@@ -32,6 +32,7 @@ HIDDEN_NAME = "Hidden tests"
 HIDDEN_WORDS = "Tests that are not shown. Only their points in sum are."
 LATER_NAME = "Tests that are shown after the due date"
 LATER_WORDS = "The result is shown after the due date."
+SEVERAL_WORDS = "Several mistakes give this answer. Is one of them in your code?"
 
 
 def points_text(points: float) -> str:
@@ -54,6 +55,13 @@ def unit_state(unit: SeenUnit) -> str:
     return unit.outcome or "failed" if unit.status == "graded" else unit.status
 
 
+def hint_line(failure: Failure) -> str:
+    """The hint in one paragraph. What several mistakes may have caused is asked, not stated."""
+    if failure.questions:
+        return " ".join((SEVERAL_WORDS, *failure.questions))
+    return failure.hint
+
+
 def failure_lines(failure: Failure, withheld: bool) -> list[str]:
     """A failure as plain text, in the order in which a check tells it."""
     lines = []
@@ -70,6 +78,9 @@ def failure_lines(failure: Failure, withheld: bool) -> list[str]:
         lines.append(f"stopped: {failure.reason}")
     if failure.hint:
         lines.append(f"hint:    {failure.hint}")
+    if failure.questions:
+        lines.append(f"hint:    {SEVERAL_WORDS}")
+        lines += [f"  - {question}" for question in failure.questions]
     if withheld:
         lines.append("The values of this test are not shown.")
     return lines

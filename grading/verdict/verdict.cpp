@@ -45,13 +45,24 @@ std::string text_at(const nlohmann::json& json, const char* key) {
   return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
+std::vector<std::string> texts_at(const nlohmann::json& json, const char* key) {
+  std::vector<std::string> texts;
+  const auto found = json.find(key);
+  if (found == json.end() || !found->is_array()) return texts;
+  for (const nlohmann::json& text : *found) {
+    if (text.is_string()) texts.push_back(text.get<std::string>());
+  }
+  return texts;
+}
+
 Failure failure_from(const nlohmann::json& json) {
   Failure failure;
   failure.asked = text_at(json, "asked");
   failure.got = text_at(json, "got");
   failure.right = text_at(json, "right");
   failure.allowed = text_at(json, "allowed");
-  failure.misconception = text_at(json, "misconception");
+  failure.misconceptions = texts_at(json, "misconceptions");
+  failure.hint = text_at(json, "observed");
   failure.reason = text_at(json, "reason");
   if (const auto inputs = json.find("inputs"); inputs != json.end() && inputs->is_array()) {
     for (const nlohmann::json& input : *inputs) {
@@ -98,6 +109,18 @@ void withhold(TestVerdict& test) {
     failure.allowed.clear();
   } else if (test.visibility != Visibility::shown) {
     failure = Failure{};
+  }
+}
+
+// A hint states what went wrong. If several mistakes give the same answer, nobody knows which one
+// this is, so each becomes a question.
+void give_hint(Failure& failure, const Book& book) {
+  if (failure.misconceptions.size() == 1)
+    failure.hint = book.hint_for(failure.misconceptions.front());
+  if (failure.misconceptions.size() < 2) return;
+  for (const std::string& id : failure.misconceptions) {
+    if (const std::string summary = book.summary_of(id); !summary.empty())
+      failure.questions.push_back(summary + "?");
   }
 }
 
@@ -149,8 +172,7 @@ Verdict judge(const Exercise& exercise, const Book& book, const std::vector<Test
     }
     if (test.status == TestStatus::passed) test.points = spec.points;
     if (reader == Reader::student) withhold(test);
-    if (!test.failure.misconception.empty())
-      test.failure.hint = book.hint_for(test.failure.misconception);
+    give_hint(test.failure, book);
     verdict.points += test.points;
     verdict.tests.push_back(std::move(test));
   }
@@ -242,8 +264,9 @@ nlohmann::json to_json(const Failure& failure) {
   put("got", failure.got);
   put("right", failure.right);
   put("allowed", failure.allowed);
-  put("misconception", failure.misconception);
+  if (!failure.misconceptions.empty()) json["misconceptions"] = failure.misconceptions;
   put("hint", failure.hint);
+  if (!failure.questions.empty()) json["questions"] = failure.questions;
   put("reason", failure.reason);
   return json;
 }

@@ -32,8 +32,12 @@ struct Failure {
   std::string right;
   /// How far from `right` an answer may be; empty if not at all.
   std::string allowed;
-  std::string misconception;
+  /// Every known mistake that gives this answer.
+  std::vector<std::string> misconceptions;
+  /// What to do about it, if exactly one mistake gives this answer.
   std::string hint;
+  /// If several do: a question about each. None of them is known to be the student's.
+  std::vector<std::string> questions;
   /// What stopped the test, or what else there is to say.
   std::string reason;
 };

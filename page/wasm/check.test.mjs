@@ -64,7 +64,7 @@ test("every end is reported, and the rest still run", async () => {
     assert.deepEqual({ asked, inputs }, question(name.replace("~", "")));
   }
   const failure = verdicts.find((verdict) => verdict.test === "off by one")?.failure;
-  assert.equal(failure?.misconception, "one-too-many");
+  assert.deepEqual(failure?.misconceptions, ["one-too-many"]);
   assert.equal(failure?.right, "42");
   assert.deepEqual(failure?.inputs, [{ name: "how", text: '"off by one"' }]);
 });

@@ -11,7 +11,7 @@ import {
 } from "@bjorn3/browser_wasi_shim";
 
 /** @typedef {{ asked: string, inputs: { name: string, text: string }[], got?: string, right?: string,
- *              allowed?: string, misconception?: string, reason?: string }} Failure */
+ *              allowed?: string, misconceptions?: string[], reason?: string }} Failure */
 /** @typedef {Pick<Failure, 'asked' | 'inputs'>} Question */
 /** @typedef {'passed' | 'failed' | 'not_attempted' | 'stopped'} Status */
 /** @typedef {{ event: 'start', test: string }

@@ -35,6 +35,20 @@ bool solid(const Points& points) {
   return false;
 }
 
+/// Whether the point lies in a plane that has all points on one side.
+bool on_boundary(const Points& points, int i) {
+  const auto& p = points[static_cast<std::size_t>(i)];
+  for (const Point& a : points) {
+    for (const Point& b : points) {
+      if (!whole::on_line(p, a, b) &&
+          std::all_of(points.begin(), points.end(),
+                      [&](const Point& q) { return whole::side(p, a, b, q) <= 0; }))
+        return true;
+    }
+  }
+  return false;
+}
+
 /// The vertices of faces that have no fourth point in their plane.
 Corners without_ties(const Points& points) {
   Corners corners;
@@ -65,6 +79,16 @@ void check(const Points& points) {
                        [&](int i) { return i >= 0 && i < static_cast<int>(points.size()); });
   };
   const auto at = [&](int i) { return points[static_cast<std::size_t>(i)]; };
+  // All vertices, and besides them only points of the boundary, without copies.
+  const auto all_and_more = [&](const Corners& got) {
+    return valid(got) && solid(points) && got.size() > right.size() &&
+           std::is_sorted(got.begin(), got.end()) &&
+           std::all_of(right.begin(), right.end(), [&](int i) { return has(got, i); }) &&
+           std::all_of(got.begin(), got.end(), [&](int i) {
+             return has(right, i) || (on_boundary(points, i) &&
+                                      std::count(points.begin(), points.end(), at(i)) == 1);
+           });
+  };
   ask("Which points are vertices of the hull?")
       .given("points", points)
       .suspect_if("ties-dropped",
@@ -72,7 +96,8 @@ void check(const Points& points) {
                     return got.size() < right.size() && solid(points) &&
                            got == without_ties(points);
                   })
-      .suspect("flat-input-empty", [] { return Corners{}; })
+      .suspect_if("flat-input-empty",
+                  [&](const Corners& got) { return got.empty() && !solid(points); })
       .suspect("axis-extremes-only",
                [&] {
                  Corners extremes;
@@ -95,30 +120,29 @@ void check(const Points& points) {
                })
       .suspect_if("duplicates-kept",
                   [&](const Corners& got) {
+                    // Right but for later copies of points, which are beside the first or instead.
                     if (!valid(got)) return false;
-                    for (std::size_t i = 0; i < got.size(); ++i) {
-                      for (std::size_t j = 0; j < i; ++j) {
-                        if (at(got[i]) == at(got[j])) return true;
-                      }
+                    Corners once;
+                    for (const int i : got) {
+                      const auto found = std::find(points.begin(), points.end(), at(i));
+                      once.push_back(static_cast<int>(found - points.begin()));
                     }
-                    return false;
+                    std::sort(once.begin(), once.end());
+                    once.erase(std::unique(once.begin(), once.end()), once.end());
+                    return once == right && std::any_of(got.begin(), got.end(),
+                                                        [&](int i) { return !has(right, i); });
                   })
       .suspect_if("collinear-kept",
                   [&](const Corners& got) {
-                    if (!valid(got)) return false;
-                    int extra = 0;
-                    for (const int i : got) {
-                      if (has(right, i)) continue;
-                      ++extra;
-                      if (!on_edge(points, i)) return false;
-                    }
-                    return extra > 0;
+                    return all_and_more(got) && std::all_of(got.begin(), got.end(), [&](int i) {
+                             return has(right, i) || on_edge(points, i);
+                           });
                   })
       .suspect_if("face-points-kept",
                   [&](const Corners& got) {
-                    return valid(got) && got.size() > right.size() &&
-                           std::all_of(right.begin(), right.end(),
-                                       [&](int i) { return has(got, i); });
+                    return all_and_more(got) && std::any_of(got.begin(), got.end(), [&](int i) {
+                             return !has(right, i) && !on_edge(points, i);
+                           });
                   })
       .answer([&] { return exercise::hull_vertices(points); })
       .close_to(right, within(0.0));

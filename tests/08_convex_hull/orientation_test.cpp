@@ -22,6 +22,10 @@ int by_angles(const Point& a, const Point& b, const Point& c) {
   return a == b || a == c || std::abs(angle) == pi ? 0 : sign(angle);
 }
 
+int by_unwrapped_angles(const Point& a, const Point& b, const Point& c) {
+  return sign(std::atan2(c.y() - a.y(), c.x() - a.x()) - std::atan2(b.y() - a.y(), b.x() - a.x()));
+}
+
 int with_epsilon(const Point& a, const Point& b, const Point& c) {
   const Point u = b - a, v = c - a;
   const double area = u.x() * v.y() - u.y() * v.x();
@@ -40,6 +44,7 @@ void check(const Point& a, const Point& b, const Point& c) {
       .given("c", c)
       .suspect("turn-by-slopes", [&] { return by_slopes(a, b, c); })
       .suspect("turn-reversed", [&] { return -right; })
+      .suspect("angles-subtracted", [&] { return by_unwrapped_angles(a, b, c); })
       .suspect("angles-by-atan2", [&] { return by_angles(a, b, c); })
       .suspect("epsilon-orientation", [&] { return with_epsilon(a, b, c); })
       .answer([&] { return exercise::orientation(a, b, c); })

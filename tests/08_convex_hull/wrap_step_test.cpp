@@ -83,6 +83,7 @@ void check(const Points& points, int from, int to) {
       .suspect_if("tie-to-the-last",
                   [&](const int& got) {
                     return got > right && got < static_cast<int>(points.size()) &&
+                           !whole::on_line(t, f, points[static_cast<std::size_t>(got)]) &&
                            whole::side(t, f, points[static_cast<std::size_t>(right)],
                                        points[static_cast<std::size_t>(got)]) == 0;
                   })

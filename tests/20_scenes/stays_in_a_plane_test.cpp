@@ -15,11 +15,11 @@ using Still = std::array<bool, 3>;
 using Vector = Eigen::Vector3d;
 
 /// The right rule, and its mistakes.
-enum class Way { right, forces, walls, centres, epsilon, sums };
+enum class Way { right, forces, walls, centres, epsilon, sums, origin };
 
 bool is_still(const Scene& scene, int k, Way way) {
   const double nothing = way == Way::epsilon ? 1e-6 : 0;
-  const double height = scene.balls[0].centre(k);
+  const double height = way == Way::origin ? 0 : scene.balls[0].centre(k);
   // An image has the opposite component, and a centre is as far below the plane as it was above.
   const auto is_own_image = [nothing](double x) { return std::abs(x - -x) <= nothing; };
   bool own = way == Way::forces || is_own_image(scene.gravity(k));
@@ -51,6 +51,7 @@ void check(const Scene& scene) {
       .suspect("walls-left-out", like(Way::walls))
       .suspect("centres-left-out", like(Way::centres))
       .suspect("forces-left-out", like(Way::forces))
+      .suspect("plane-through-origin", like(Way::origin))
       .answer([&] { return exercise::inactive_axes(scene); })
       .equals(like(Way::right)());
 }

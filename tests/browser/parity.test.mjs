@@ -131,7 +131,7 @@ function told({ status, points, max_points, failure }) {
     got,
     failure?.right ?? "",
     failure?.allowed ?? "",
-    failure?.misconception ?? "",
+    failure?.misconceptions?.join(" ") ?? "",
     failure?.hint ?? "",
     reason,
   ].join("\n");

@@ -27,7 +27,7 @@ def verdict(contact: Run, *words: str, **extra: str) -> dict[str, Any]:
     done = contact("check", "ray_triangle", "--json", *words, **extra)
     assert done.returncode in (0, 1), done.stderr
     document = json.loads(done.stdout)
-    assert document["format"] == "contact-check/1"
+    assert document["format"] == "contact-check/2"
     (result,) = document["results"]
     assert (done.returncode == 0) == (result["verdict"] == "passed")
     return dict(result)
@@ -69,7 +69,7 @@ def test_a_wrong_answer_is_told_whole(contact: Run, answer: Answer) -> None:
         place.start() for place in places if place
     )
     (failed,) = [test for test in verdict(contact)["tests"] if test["status"] == "failed"]
-    assert failed["failure"]["misconception"] == "touching-rejected"
+    assert failed["failure"]["misconceptions"] == ["touching-rejected"]
     assert failed["failure"]["hint"]
 
 

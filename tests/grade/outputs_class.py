@@ -152,7 +152,7 @@ def document(listed: list[Json], submissions: list[Json], level: str = "full") -
         },
     ]
     return {
-        "format": "contact-grade/1",
+        "format": "contact-grade/2",
         "version": "0.4.0",
         "seed": "autumn-lilac-4711",
         "limits": {},

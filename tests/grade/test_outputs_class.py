@@ -57,7 +57,7 @@ def graded(id_: str, *statuses: str, name: str = "", belief: str = "", output: s
         if status in ("failed", "stopped"):
             test["failure"] = {"asked": "Where?", "got": f"answer-of-{id_}"}
             if belief:
-                test["failure"] |= {"misconception": belief, "hint": "Compare with zero itself."}
+                test["failure"] |= {"misconceptions": [belief], "hint": "Compare with zero itself."}
         tests.append(test)
     points = sum(test["points"] for test in tests)
     passed = all(status == "passed" for status in statuses)

@@ -289,7 +289,7 @@ def test_only_what_was_asked_for_is_written(tmp_path: Path, document: Json) -> N
     ("spoil", "words"),
     [
         (lambda whole: whole.pop("machine"), "machine"),
-        (lambda whole: whole.update(format="contact-grade/2"), "contact-grade/1"),
+        (lambda whole: whole.update(format="contact-grade/1"), "contact-grade/2"),
         (lambda whole: whole["submissions"][0].update(points=-1), "submissions/0/points"),
         (lambda whole: whole["submissions"][0].update(points=float("nan")), "NaN"),
         (

@@ -44,7 +44,7 @@ def failing(test: str, status: str) -> Json:
             "got": word(test, "got"),
             "right": word(test, "right"),
             "allowed": word(test, "allowed"),
-            "misconception": "absolute-epsilon",
+            "misconceptions": ["absolute-epsilon"],
             "hint": word(test, "hint"),
             "reason": f"threw an exception: {word(test, 'reason')}",
         },

@@ -50,6 +50,42 @@ TEST_CASE("a suspect that is right here is not recognised") {
       .close_to(2, within(0.25));
 }
 
+TEST_CASE("recognised as several") {
+  ask("What is it?")
+      .suspect("first", [] { return 2.5; })
+      .suspect("another", [] { return 3.5; })
+      .suspect_if("by-its-look", [](const double& y) { return y > 2; })
+      .suspect("first", [] { return 2.75; })
+      .suspect("third", [] { return 2.625; })
+      .answer([] { return 2.625; })
+      .close_to(2, within(0.25));
+}
+
+TEST_CASE("ruled out by an earlier answer") {
+  const auto ask_about = [](int x, int answer) {
+    ask("What is the square of x?")
+        .given("x", x)
+        .suspect("doubles", [x] { return 2 * x; })
+        .suspect("doubles", [x] { return x == 3 ? 7 : 2 * x; })
+        .suspect("adds-two", [x] { return x + 2; })
+        .answer([answer] { return answer; })
+        .equals(x * x);
+  };
+  ask_about(2, 4);  // rules out nothing: all are right here
+  ask_about(0, 0);  // rules out that 2 is added
+  ask_about(2, 4);
+  ask("What is the triple of x?")
+      .suspect("doubles", [] { return 2; })
+      .answer([] { return 3; })
+      .equals(3);
+  ask_about(4, 6);  // x + 2, which is ruled out
+}
+
+TEST_CASE("ruled out for another question only") {
+  ask("One?").suspect("two", [] { return 2; }).answer([] { return 1; }).equals(1);
+  ask("Another one?").suspect("two", [] { return 2; }).answer([] { return 2; }).equals(1);
+}
+
 TEST_CASE("a suspect by its looks") {
   ask("What is it?")
       .suspect_if("not-a-number", [](const double& y) { return y != y; })

@@ -71,13 +71,23 @@ TEST_CASE(
              {"got", "2.5"},
              {"right", "2"},
              {"allowed", "±0.25"},
-             {"misconception", "this-one"}});
+             {"misconceptions", {"this-one"}}});
 }
 
 TEST_CASE("only a wrong formula that is wrong here is recognised") {
   CHECK_FALSE(outcome("a suspect that is right here is not recognised")["failure"].contains(
-      "misconception"));
-  CHECK(outcome("a suspect by its looks")["failure"]["misconception"] == "not-a-number");
+      "misconceptions"));
+  CHECK(outcome("a suspect by its looks")["failure"]["misconceptions"] == json{"not-a-number"});
+}
+
+TEST_CASE("a formula that an earlier right answer contradicts is not recognised") {
+  CHECK_FALSE(outcome("ruled out by an earlier answer")["failure"].contains("misconceptions"));
+  CHECK(outcome("ruled out for another question only")["failure"]["misconceptions"] == json{"two"});
+}
+
+TEST_CASE("an answer that several mistakes give names all of them, each once") {
+  const json failure = outcome("recognised as several")["failure"];
+  CHECK(failure["misconceptions"] == json{"first", "by-its-look", "third"});
 }
 
 TEST_CASE("comparisons fail for NaN, and keep a tolerance for each number") {
@@ -100,7 +110,7 @@ TEST_CASE("a missing exception is reported") {
   const json none = outcome("no exception");
   CHECK(none["failure"]["got"] == "1");
   CHECK(none["failure"]["right"] == "throws std::invalid_argument");
-  CHECK(none["failure"]["misconception"] == "accepts-all");
+  CHECK(none["failure"]["misconceptions"] == json{"accepts-all"});
 }
 
 TEST_CASE("todo is not attempted, and a call that could not be made is stopped") {

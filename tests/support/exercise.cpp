@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <new>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 #include <contact/host.hpp>
@@ -33,7 +34,8 @@ std::string told(const Failure& f) {
   if (!f.got.empty()) text += "  came back: " + f.got + '\n';
   if (!f.right.empty()) text += "  right:     " + f.right + '\n';
   if (!f.allowed.empty()) text += "  allowed:   " + f.allowed + '\n';
-  if (!f.misconception.empty()) text += "  hint:      " + f.misconception + '\n';
+  for (const std::string& id : f.misconceptions) text += "  hint:      " + id + '\n';
+  if (!f.observed.empty()) text += "  hint:      " + f.observed + '\n';
   if (!f.reason.empty()) text += "  stopped:   " + f.reason + '\n';
   return text;
 }
@@ -102,6 +104,27 @@ Within within(double tolerance) {
 }
 
 namespace detail {
+namespace {
+
+std::set<std::string>& all_refuted() {
+  static std::set<std::string> keys;
+  return keys;
+}
+
+std::string key_of(const Asked& asked, std::string_view misconception, std::size_t nth) {
+  return std::string{asked.question} + '\n' + std::string{misconception} + '\n' +
+         std::to_string(nth);
+}
+
+}  // namespace
+
+bool refuted(const Asked& asked, std::string_view misconception, std::size_t nth) {
+  return all_refuted().contains(key_of(asked, misconception, nth));
+}
+
+void refute(const Asked& asked, std::string_view misconception, std::size_t nth) {
+  all_refuted().insert(key_of(asked, misconception, nth));
+}
 
 Ending run(const Asked& asked, const std::function<void()>& call) {
   try {
@@ -126,12 +149,13 @@ Ending run(const Asked& asked, const std::function<void()>& call) {
 }
 
 void fail(const Asked& asked, std::string got, std::string right, std::string allowed,
-          std::string_view misconception) {
+          std::vector<std::string> misconceptions, std::string observed) {
   Failure f = described(asked);
   f.got = std::move(got);
   f.right = std::move(right);
   f.allowed = std::move(allowed);
-  f.misconception = misconception;
+  if (misconceptions.empty()) f.observed = std::move(observed);
+  f.misconceptions = std::move(misconceptions);
   end_test(std::move(f));
 }
 

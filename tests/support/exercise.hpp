@@ -13,6 +13,7 @@
 /// the answer.
 #pragma once
 
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cstdint>
 #include <functional>
@@ -24,6 +25,7 @@
 
 #include <contact/value_compare.hpp>
 #include <contact/value_text.hpp>
+#include <support/observed.hpp>
 
 namespace contact::testing {
 
@@ -33,8 +35,12 @@ struct Failure {
   std::vector<std::pair<std::string, std::string>> inputs;  ///< name and text, in order
   std::string got;
   std::string right;
-  std::string allowed;        ///< how far from `right` an answer may be; empty if not at all
-  std::string misconception;  ///< id in chapters/misconceptions.toml; empty if none is recognised
+  std::string allowed;  ///< how far from `right` an answer may be; empty if not at all
+  /// Ids in chapters/misconceptions.toml: every mistake that gives this answer, each once.
+  std::vector<std::string> misconceptions;
+  /// What is true of this answer whatever caused it (observed.hpp); empty if a mistake is
+  /// recognised, or there is nothing to say.
+  std::string observed;
   /// The code under test threw, crashed, ended or ran out of time, as `reason` says: there is no
   /// answer.
   bool stopped = false;
@@ -64,6 +70,12 @@ class Within {
   Within(std::vector<double> bounds, std::string text)
       : bounds_(std::move(bounds)), text_(std::move(text)) {}
   double bound(std::size_t i) const { return bounds_.size() == 1 ? bounds_[0] : bounds_.at(i); }
+  /// The same for an answer that may have more numbers than the right one.
+  double strictest(std::size_t i) const {
+    return bounds_.empty()      ? 0
+           : i < bounds_.size() ? bounds_[i]
+                                : *std::min_element(bounds_.begin(), bounds_.end());
+  }
   const std::string& text() const { return text_; }
 
  private:
@@ -110,7 +122,12 @@ struct Ending {
 Ending run(const Asked& asked, const std::function<void()>& call);
 
 [[noreturn]] void fail(const Asked& asked, std::string got, std::string right, std::string allowed,
-                       std::string_view misconception);
+                       std::vector<std::string> misconceptions, std::string observed);
+
+/// Wrong formulae that a right answer to this question has ruled out, for the whole run: what the
+/// student's function computes is not what they compute. `nth` counts those of one misconception.
+bool refuted(const Asked& asked, std::string_view misconception, std::size_t nth);
+void refute(const Asked& asked, std::string_view misconception, std::size_t nth);
 
 template <class C, class A>
 std::type_identity<std::remove_cvref_t<A>> parameter_of(bool (C::*)(A) const);
@@ -118,7 +135,10 @@ std::type_identity<std::remove_cvref_t<A>> parameter_of(bool (C::*)(A) const);
 }  // namespace detail
 
 /// A misconception and how its answer is known: by what a wrong formula gives here (`wrong`), or by
-/// a look at the answer itself (`looks_like`). Neither is called unless the answer is wrong.
+/// a predicate on the answer (`looks_like`), which must imply what the misconception's hint states.
+/// If the answer is wrong, all suspects are asked, so that an answer that several mistakes give is
+/// not put down to one. A right answer to a question rules out each formula that is wrong there for
+/// the rest of the run.
 template <class T>
 struct Suspect {
   std::string_view misconception;
@@ -151,14 +171,17 @@ class Answer {
   /// pred(answer) holds; `says` completes the sentence "Right is an answer that ...".
   template <class Predicate>
   void satisfies(std::string_view says, Predicate&& pred) && {
-    if (answer_ && pred(*answer_)) return;
-    fail(std::string{says}, "", Within({0}, ""), [&](const T& wrong) { return pred(wrong); });
+    const auto is_right = [&](const T& wrong) { return pred(wrong); };
+    if (answer_ && is_right(*answer_)) return rule_out(is_right);
+    fail(std::string{says}, "", Within({0}, ""), is_right, "");
   }
 
   /// The call throws std::invalid_argument.
   void throws_invalid_argument() && {
     if (ending_.invalid_argument) return;
-    fail("throws std::invalid_argument", "", Within({0}, ""), [](const T&) { return false; });
+    fail(
+        "throws std::invalid_argument", "", Within({0}, ""), [](const T&) { return false; },
+        answer_ ? "You return an answer for input that the contract refuses." : "");
   }
 
  private:
@@ -168,12 +191,19 @@ class Answer {
   detail::Ending ending_;
 
   void judge(const T& expected, const Within& allowed) {
-    if (answer_ && close(*answer_, expected, allowed)) return;
+    const auto is_right = [&](const T& wrong) { return close(wrong, expected, allowed); };
+    if (answer_ && is_right(*answer_)) return rule_out(is_right);
     bool has_numbers = false;
     const auto number = [&](double, double) { return has_numbers = true; };
     agree(expected, expected, number);
-    fail(text_of(expected), has_numbers ? allowed.text() : "", allowed,
-         [&](const T& wrong) { return close(wrong, expected, allowed); });
+    std::string seen;
+    if (answer_) {
+      seen = observed(leaves_of(*answer_), leaves_of(expected),
+                      [&](std::size_t i, double a, double b) {
+                        return a == b || std::abs(a - b) <= allowed.strictest(i);
+                      });
+    }
+    fail(text_of(expected), has_numbers ? allowed.text() : "", allowed, is_right, seen);
   }
 
   static bool close(const T& x, const T& y, const Within& allowed, bool nan_is_nan = false) {
@@ -187,16 +217,40 @@ class Answer {
 
   template <class Right>
   [[noreturn]] void fail(std::string right, std::string text, const Within& allowed,
-                         Right&& is_right) {
-    std::string_view misconception;
-    for (const auto& suspect : suspects_) {
-      if (answer_ && recognised(suspect, allowed, is_right)) {
-        misconception = suspect.misconception;
-        break;
-      }
-    }
+                         Right&& is_right, std::string seen) {
+    std::vector<std::string> misconceptions;
+    for_each_suspect([&](const Suspect<T>& suspect, std::size_t nth) {
+      const bool known = std::find(misconceptions.begin(), misconceptions.end(),
+                                   suspect.misconception) != misconceptions.end();
+      if (answer_ && !known && !detail::refuted(asked_, suspect.misconception, nth) &&
+          recognised(suspect, allowed, is_right))
+        misconceptions.emplace_back(suspect.misconception);
+    });
     detail::fail(asked_, answer_ ? text_of(*answer_) : ending_.thrown, std::move(right),
-                 std::move(text), misconception);
+                 std::move(text), std::move(misconceptions), std::move(seen));
+  }
+
+  template <class Use>
+  void for_each_suspect(Use use) const {
+    for (std::size_t i = 0; i < suspects_.size(); ++i) {
+      std::size_t nth = 0;
+      for (std::size_t j = 0; j < i; ++j)
+        nth += suspects_[j].misconception == suspects_[i].misconception;
+      use(suspects_[i], nth);
+    }
+  }
+
+  // The answer is right: whoever used a formula that is wrong here would have answered otherwise.
+  template <class Right>
+  void rule_out(Right& is_right) const {
+    for_each_suspect([&](const Suspect<T>& suspect, std::size_t nth) {
+      if (suspect.looks_like || detail::refuted(asked_, suspect.misconception, nth)) return;
+      try {
+        if (!is_right(suspect.wrong())) detail::refute(asked_, suspect.misconception, nth);
+      } catch (const std::exception&) {
+        // It has no answer here, which says nothing about the student's.
+      }
+    });
   }
 
   // A wrong formula that happens to be right here explains nothing. One that breaks down is not
@@ -231,7 +285,7 @@ class Question {
     return std::move(*this);
   }
 
-  /// A misconception, and what it would answer here. It is evaluated only when the answer is wrong.
+  /// A misconception, and what it would answer here.
   template <class Wrong>
   auto suspect(std::string_view misconception, Wrong wrong) && {
     using R = std::invoke_result_t<Wrong>;
@@ -247,7 +301,8 @@ class Question {
   }
 
   /// A misconception that shows in the answer itself: `looks_like(answer)` holds. It is a lambda
-  /// that takes the answer by const reference.
+  /// that takes the answer by const reference, and captures what else it needs: the inputs, the
+  /// right answer. Whatever the hint states about the answer, it tests.
   template <class LooksLike>
   auto suspect_if(std::string_view misconception, LooksLike looks_like) && {
     using R = decltype(detail::parameter_of(&LooksLike::operator()));

@@ -8,7 +8,9 @@
 // With CONTACT_TELL_QUESTIONS in the environment also, before each question,
 //   {"event":"question","failure":{"asked","inputs"}}
 //
-// failure: {"asked","inputs":[{"name","text"}],"got","right","allowed"?,"misconception"?}.
+// failure:
+// {"asked","inputs":[{"name","text"}],"got","right","allowed"?,"misconceptions"?,"observed"?,"reason"?}.
+// misconceptions: the ids of all mistakes that give this answer.
 // Use `-r contact::out=FILE`; stdout is left to the student. CONTACT_MEMORY_MB limits the memory
 // (not in a page, which has its own limit), CONTACT_SEED changes the random inputs.
 
@@ -50,7 +52,8 @@ ordered_json described(const Failure& failure) {
   result["got"] = failure.got;
   result["right"] = failure.right;
   if (!failure.allowed.empty()) result["allowed"] = failure.allowed;
-  if (!failure.misconception.empty()) result["misconception"] = failure.misconception;
+  if (!failure.misconceptions.empty()) result["misconceptions"] = failure.misconceptions;
+  if (!failure.observed.empty()) result["observed"] = failure.observed;
   if (!failure.reason.empty()) result["reason"] = failure.reason;
   return result;
 }
@@ -112,7 +115,8 @@ class ContactReporter : public Catch::StreamingReporterBase {
                                    .got = message_,
                                    .right = "",
                                    .allowed = "",
-                                   .misconception = "",
+                                   .misconceptions = {},
+                                   .observed = "",
                                    .stopped = false,
                                    .reason = ""});
     } else if (stats.totals.assertions.skipped > 0) {

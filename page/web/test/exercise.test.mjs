@@ -94,7 +94,7 @@ const verdict = (more) => ({
         got: "<b>4</b>",
         right: "5",
         allowed: "1e-9",
-        misconception: "beta-sign",
+        misconceptions: ["beta-sign"],
         hint: "as text",
       },
     },
@@ -155,6 +155,23 @@ test("a recognised misconception has its hint as the book sets it", () => {
   const list = testList(verdict({}), data);
   assert.equal(list.querySelector("details em").textContent, "sign");
   assert.ok(!list.textContent.includes("as text"));
+});
+
+test("if several mistakes give an answer, each is a question and none is stated", () => {
+  const data = { misconceptions: { "beta-sign": "<p>The sign.</p>", "one-sided": "<p>Both.</p>" } };
+  const failure = {
+    asked: "Where?",
+    inputs: [],
+    misconceptions: ["beta-sign", "one-sided"],
+    questions: ["Loses the sign?", "Looks from <one> side?"],
+  };
+  const list = testList(verdict({ tests: [{ ...verdict({}).tests[2], failure }] }), data);
+  assert.deepEqual(
+    [...list.querySelectorAll("dd li")].map((item) => item.textContent),
+    failure.questions,
+  );
+  assert.match(list.querySelector("dd p").textContent, /^Several mistakes give this answer\./);
+  assert.ok(!list.textContent.includes("The sign."));
 });
 
 test("a test that keeps its values to itself says so", () => {

@@ -14,9 +14,12 @@ export interface Failure {
   readonly right?: string;
   /** How far from `right` an answer may be. */
   readonly allowed?: string;
-  readonly misconception?: string;
-  /** The judge adds it. */
+  /** Every known mistake that gives this answer. */
+  readonly misconceptions?: readonly string[];
+  /** The judge adds it, if exactly one mistake gives this answer. */
   readonly hint?: string;
+  /** The judge adds one about each, if several mistakes give this answer. */
+  readonly questions?: readonly string[];
   /** What stopped the test, or why it was skipped. */
   readonly reason?: string;
 }

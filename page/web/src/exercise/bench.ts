@@ -533,7 +533,7 @@ export class Bench {
     const verdict = last?.verdict as VerdictJson | undefined;
     if (!last || !Array.isArray(verdict?.tests)) return;
     this.#checked = { of: last.of, at: last.at };
-    const hinted = verdict.tests.some(({ failure }) => failure?.misconception);
+    const hinted = verdict.tests.some(({ failure }) => failure?.misconceptions?.length);
     const data = hinted ? await this.#exercise().catch(() => undefined) : undefined;
     if (this.#stopping) return;
     await this.#showVerdict(verdict, data);

@@ -59,6 +59,9 @@ function aligned(inputs: Failure["inputs"]): string {
     .join("\n");
 }
 
+/** None of the mistakes is known to be the reader's, so none may be stated. */
+const SEVERAL = "Several mistakes give this answer. Is one of them in your code?";
+
 const literal = (text: string): HTMLElement => html("pre", {}, text);
 
 function explained(
@@ -79,8 +82,13 @@ function explained(
     add("Right", literal(failure.right), within);
   }
   if (failure.reason) add(status === "stopped" ? "What stopped the test" : "Why", failure.reason);
-  const known = failure.misconception && data?.misconceptions[failure.misconception];
-  if (known) {
+  const { misconceptions = [], questions = [] } = failure;
+  const [alone] = misconceptions.length === 1 ? misconceptions : [];
+  const known = alone && data?.misconceptions[alone];
+  if (questions.length > 0) {
+    const each = questions.map((question) => html("li", {}, question));
+    add("Hint", html("p", {}, SEVERAL), html("ul", {}, ...each));
+  } else if (known) {
     const words = html("div");
     words.innerHTML = known;
     add("Hint", words);

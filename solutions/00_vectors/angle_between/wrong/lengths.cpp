@@ -1,5 +1,5 @@
 // misconception: lengths-forgotten
-// caught by: the lengths do not count
+// caught by: obtuse angles
 #include "angle_between.hpp"
 
 namespace exercise {

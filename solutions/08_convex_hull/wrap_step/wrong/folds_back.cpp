@@ -1,5 +1,5 @@
 // misconception: fold-back
-// caught by: over a sharp edge the paper folds on and not back
+// caught by: the next face of a box and of a pyramid is found
 #include "wrap_step.hpp"
 
 namespace exercise {

@@ -1,0 +1,210 @@
+"""Mutants of the solutions: are the tests good enough, and do their hints speak the truth?
+
+    mutants.py [--root ROOT] [--build BUILD] [--jobs N] [--json] [--limit SECONDS]
+               [--sample N --seed TEXT --write FILE] [EXERCISE...]
+
+Each mutant is a small change of a solution (mutate.py). Of each exercise this counts those that the
+tests catch, those that are known to be equivalent (solutions/NN/NAME/equivalent.toml), those that
+survive, and how many of the caught ones are recognised as one mistake or as several. `--sample`
+draws caught mutants whose hint is shown, and writes them with the hint, for a reader to judge
+whether it is true. `contact dev mutants` builds what is not current and calls this.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import random
+import sys
+import tomllib
+from collections.abc import Sequence
+from pathlib import Path
+
+from campaign import Result, Tried, try_exercise
+from trial import Bundle, Json, TrialError, processor_seconds
+
+ROOT = Path(__file__).resolve().parents[2]
+WANTED_KILLED = 0.95
+WANTED_HINTED = 0.60
+MOST_EQUIVALENT = 0.10
+
+
+def share(part: int, whole: int) -> str:
+    return f"{100 * part / whole:.0f} %" if whole else "-"
+
+
+def table(results: Sequence[Result]) -> str:
+    said = ("mistake", "several", "noted", "none")
+    head = ("exercise", "mutants", "killed", "equivalent", "left", *said)
+    rows: list[tuple[str, ...]] = [head]
+    sums = [0] * 8
+    for one in results:
+        live = len(one.killed) + len(one.survivors)
+        numbers = [
+            live + len(one.equivalent),
+            len(one.killed),
+            len(one.equivalent),
+            len(one.survivors),
+            len(one.hinted),
+            len(one.asked),
+            len(one.noted),
+            len(one.silent),
+        ]
+        sums = [a + b for a, b in zip(sums, numbers, strict=True)]
+        rows.append((one.exercise, *_cells(numbers)))
+    rows.append(("all", *_cells(sums)))
+    widths = [max(len(row[i]) for row in rows) for i in range(len(head))]
+    text = "\n".join(
+        "  ".join(
+            cell.ljust(width) if i == 0 else cell.rjust(width)
+            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
+        )
+        for row in rows
+    )
+    return text + (
+        "\n\nkilled: of those that are not equivalent. The last four: of those that gave a wrong"
+        " answer, for how many\none mistake is named, several are asked about, something true is"
+        " noted, or nothing is said."
+    )
+
+
+def _cells(numbers: Sequence[int]) -> tuple[str, ...]:
+    whole, killed, equivalent, left, *said = numbers
+    answered = sum(said)
+    return (
+        str(whole),
+        f"{killed} ({share(killed, killed + left)})",
+        str(equivalent),
+        str(left),
+        *(f"{one} ({share(one, answered)})" for one in said),
+    )
+
+
+def told(one: Tried) -> str:
+    change = f"line {one.mutant.line}: {one.source_line}\n      - {one.mutant.was}\n"
+    return f"    {change}      + {one.mutant.now}\n"
+
+
+def survivors(results: Sequence[Result]) -> str:
+    text = ""
+    for result in results:
+        if result.survivors:
+            text += f"\n{result.exercise}: no test catches\n"
+            text += "".join(told(one) for one in result.survivors)
+        for problem in result.problems:
+            text += f"\n{result.exercise}: {problem}\n"
+    return text
+
+
+def quoted(text: str) -> str:
+    return json.dumps(text, ensure_ascii=False)
+
+
+def sample(results: Sequence[Result], hints: Json, count: int, seed: str) -> str:
+    """Mutants whose hint is shown, drawn by the seed, as TOML with a verdict to be filled in."""
+    shown = [
+        (result.exercise, one) for result in results for one in (*result.hinted, *result.noted)
+    ]
+    shown.sort(key=lambda pair: (pair[0], pair[1].mutant.number))
+    drawn = random.Random(seed).sample(shown, min(count, len(shown)))
+    text = (
+        f"# {len(drawn)} of {len(shown)} hints that mutants of the solutions are shown, drawn with"
+        f" the seed {quoted(seed)}.\n# verdict: is what the hint states true of this mutant?"
+        ' "true", "false" or "unclear", by a reader who did not write it.\n'
+    )
+    for exercise, one in drawn:
+        failure = one.trial.failure
+        id_ = one.trial.misconceptions[0] if one.trial.misconceptions else ""
+        inputs = "; ".join(f"{each['name']} = {each['text']}" for each in failure["inputs"])
+        entries = {
+            "exercise": exercise,
+            "line": f"{one.mutant.line}: {one.source_line}",
+            "was": one.mutant.was,
+            "now": one.mutant.now,
+            "test": one.trial.test,
+            "inputs": inputs,
+            "got": failure.get("got", ""),
+            "right": failure.get("right", ""),
+            "misconception": id_,
+            "hint": hints[id_]["hint"] if id_ else failure["observed"],
+            "verdict": "",
+        }
+        text += "\n[[hint]]\n" + "".join(f"{k} = {quoted(v)}\n" for k, v in entries.items())
+    return text
+
+
+def exercises_named(root: Path, names: Sequence[str]) -> list[str]:
+    there = sorted(
+        f"{file.parts[-3]}/{file.parts[-2]}" for file in root.glob("exercises/*/*/exercise.toml")
+    )
+    if not names:
+        return there
+    chosen = [
+        one
+        for one in there
+        if any(name in (one, *one.split("/"), one.split("/")[0][:2]) for name in names)
+    ]
+    if not chosen:
+        raise TrialError(f"no exercise is called {', '.join(names)}")
+    return chosen
+
+
+def main(arguments: Sequence[str]) -> int:
+    parser = argparse.ArgumentParser(description="tries mutants of the solutions")
+    parser.add_argument("--root", type=Path, default=ROOT)
+    parser.add_argument("--build", type=Path, help="with exercises.json; build/dev")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    parser.add_argument("--limit", type=float, help="seconds of processor time, then no more")
+    parser.add_argument("--json", action="store_true")
+    parser.add_argument("--sample", type=int, help="so many hints to be judged")
+    parser.add_argument("--seed", default="1")
+    parser.add_argument("--write", type=Path, help="where the sample goes; stdout")
+    parser.add_argument("exercises", nargs="*")
+    given = parser.parse_args(arguments)
+    build = json.loads(((given.build or given.root / "build/dev") / "exercises.json").read_text())
+    names = exercises_named(given.root, given.exercises)
+    results: list[Result] = []
+    left: list[str] = []
+    for name in names:
+        if given.limit is not None and processor_seconds() > given.limit:
+            left.append(name)
+            continue
+        solution = given.root / "solutions" / name
+        file = solution / f"{name.split('/')[1]}.cpp"
+        print(f"{name} ...", file=sys.stderr, flush=True)
+        try:
+            bundle = Bundle.of(build, name)
+            results.append(
+                try_exercise(bundle, name, file, solution / "equivalent.toml", given.jobs)
+            )
+        except TrialError as error:
+            results.append(Result(name, problems=[str(error)]))
+    if given.sample is not None:
+        hints = tomllib.loads((given.root / "chapters/misconceptions.toml").read_text())
+        text = sample(results, hints, given.sample, given.seed)
+        if given.write:
+            given.write.write_text(text)
+        else:
+            print(text, end="")
+    if given.json:
+        document = {
+            "format": "contact-mutants/1",
+            "exercises": [result.as_json() for result in results],
+            "not_tried": left,
+        }
+        print(json.dumps(document, ensure_ascii=False, indent=1))
+    elif given.sample is None or given.write:
+        print(table(results))
+        print(survivors(results), end="")
+        if left:
+            print(f"\nThe time was up before: {', '.join(left)}")
+    bad = any(result.survivors or result.problems for result in results)
+    return 1 if bad else 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except TrialError as error:
+        sys.exit(str(error))
