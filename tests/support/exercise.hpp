@@ -24,22 +24,9 @@
 
 #include <contact/value_compare.hpp>
 #include <contact/value_text.hpp>
+#include <support/failure.hpp>
 
 namespace contact::testing {
-
-/// The report on the first wrong answer of a test.
-struct Failure {
-  std::string asked;
-  std::vector<std::pair<std::string, std::string>> inputs;  ///< name and text, in order
-  std::string got;
-  std::string right;
-  std::string allowed;        ///< how far from `right` an answer may be; empty if not at all
-  std::string misconception;  ///< id in chapters/misconceptions.toml; empty if none is recognised
-  /// The code under test threw, crashed, ended or ran out of time, as `reason` says: there is no
-  /// answer.
-  bool stopped = false;
-  std::string reason;
-};
 
 /// The failure of the test that runs now or has just ended, or nullptr.
 const Failure* current_failure();
@@ -92,7 +79,7 @@ namespace detail {
 struct Given {
   std::string_view name;
   const void* value;
-  std::string (*text)(const void*);
+  std::string (*text)(const void*, const TextLimits&);
 };
 
 struct Asked {
@@ -104,13 +91,18 @@ struct Asked {
 struct Ending {
   std::string thrown;
   bool invalid_argument = false;
+  bool told = false;  ///< the failure, in a closer look, which goes on
 };
 
 /// Runs the call and catches what it throws. Exceptions of the test program itself are passed on.
 Ending run(const Asked& asked, const std::function<void()>& call);
 
-[[noreturn]] void fail(const Asked& asked, std::string got, std::string right, std::string allowed,
-                       std::string_view misconception);
+/// Ends the test; a closer look goes on.
+void fail(const Asked& asked, std::string got, std::string right, std::string allowed,
+          std::string_view misconception);
+
+/// The answer is right.
+void pass(const Asked& asked);
 
 template <class C, class A>
 std::type_identity<std::remove_cvref_t<A>> parameter_of(bool (C::*)(A) const);
@@ -151,13 +143,13 @@ class Answer {
   /// pred(answer) holds; `says` completes the sentence "Right is an answer that ...".
   template <class Predicate>
   void satisfies(std::string_view says, Predicate&& pred) && {
-    if (answer_ && pred(*answer_)) return;
+    if (answer_ && pred(*answer_)) return detail::pass(asked_);
     fail(std::string{says}, "", Within({0}, ""), [&](const T& wrong) { return pred(wrong); });
   }
 
   /// The call throws std::invalid_argument.
   void throws_invalid_argument() && {
-    if (ending_.invalid_argument) return;
+    if (ending_.invalid_argument) return detail::pass(asked_);
     fail("throws std::invalid_argument", "", Within({0}, ""), [](const T&) { return false; });
   }
 
@@ -168,7 +160,7 @@ class Answer {
   detail::Ending ending_;
 
   void judge(const T& expected, const Within& allowed) {
-    if (answer_ && close(*answer_, expected, allowed)) return;
+    if (answer_ && close(*answer_, expected, allowed)) return detail::pass(asked_);
     bool has_numbers = false;
     const auto number = [&](double, double) { return has_numbers = true; };
     agree(expected, expected, number);
@@ -186,8 +178,8 @@ class Answer {
   }
 
   template <class Right>
-  [[noreturn]] void fail(std::string right, std::string text, const Within& allowed,
-                         Right&& is_right) {
+  void fail(std::string right, std::string text, const Within& allowed, Right&& is_right) {
+    if (ending_.told) return;
     std::string_view misconception;
     for (const auto& suspect : suspects_) {
       if (answer_ && recognised(suspect, allowed, is_right)) {
@@ -226,8 +218,9 @@ class Question {
   /// One argument, shown if the answer is wrong. It must outlive the sentence.
   template <Value V>
   Question&& given(std::string_view name, const V& value) && {
-    asked_.givens.push_back(
-        {name, &value, [](const void* v) { return text_of(*static_cast<const V*>(v)); }});
+    asked_.givens.push_back({name, &value, [](const void* v, const TextLimits& limits) {
+                               return text_of(*static_cast<const V*>(v), limits);
+                             }});
     return std::move(*this);
   }
 
