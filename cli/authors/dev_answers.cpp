@@ -46,9 +46,26 @@ void check_silence(const Verdict& verdict, std::vector<std::string>& problems) {
                        " would be remarked upon: " + remark.words);
 }
 
-void check_solution(const Verdict& verdict, std::vector<std::string>& problems) {
+// A reader's machine may be slower, and a right answer too.
+constexpr double least_margin = 8.0;
+
+void check_solution_time(const Exercise& exercise, const TestVerdict& test,
+                         std::vector<std::string>& problems) {
+  for (const grading::TestSpec& spec : exercise.tests) {
+    const double may_take = exercise.check_seconds(spec);
+    if (spec.name != test.name || least_margin * test.processor_seconds <= may_take) continue;
+    problems.push_back("'" + spec.name + "' takes " + grading::points_text(test.processor_seconds) +
+                       " s, and a reader's answer only has " + grading::points_text(may_take) +
+                       " s: ask less, or give the test its solution_seconds (20 times as much is "
+                       "allowed, up to 3 s)");
+  }
+}
+
+void check_solution(const Exercise& exercise, const Verdict& verdict,
+                    std::vector<std::string>& problems) {
   for (const TestVerdict& test : verdict.tests) {
     if (test.status != TestStatus::passed) problems.push_back(told(test));
+    check_solution_time(exercise, test, problems);
   }
   for (const std::string& name : verdict.missing_tests)
     problems.push_back("exercise.toml lists a test that is not compiled: '" + name + "'");
@@ -128,7 +145,7 @@ void check_verdict(const grading::Book& book, const AnswerJob& job, const Verdic
   if (job.kind == "stub") {
     check_stub(verdict, problems);
   } else if (job.kind == "solution") {
-    check_solution(verdict, problems);
+    check_solution(*job.exercise, verdict, problems);
   } else if (job.kind == "wrong answer") {
     check_wrong(book, job, verdict, problems);
   } else {

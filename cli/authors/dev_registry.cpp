@@ -29,7 +29,8 @@ json registry_of(const grading::Exercise& exercise) {
     tests.push_back({{"name", test.name},
                      {"points", test.points},
                      {"requires", test.needs},
-                     {"visibility", grading::key(test.visibility)}});
+                     {"visibility", grading::key(test.visibility)},
+                     {"solution_seconds", test.solution_seconds}});
   return {{"title", exercise.title},
           {"objective", exercise.objective},
           {"kind", exercise.kind},

@@ -169,8 +169,9 @@ Totals check_all(Context& context, const Options& options, const std::vector<Job
   const Style style(stdout);
   Totals totals;
   for (const Job& job : jobs) {
-    const Verdict verdict =
-        grading::check_file(context.loop(), book, build, *job.exercise, job.file, limits);
+    const Verdict verdict = grading::check_file(
+        context.loop(), book, build, *job.exercise, job.file, limits,
+        job.file == book.work_file(*job.exercise) ? progress.known() : grading::ProgressRecord());
     if (job.file == book.work_file(*job.exercise)) progress.record(verdict);
     totals.passed += verdict.outcome == grading::Outcome::passed ? 1 : 0;
     totals.points += verdict.points;
@@ -234,7 +235,8 @@ void add_check(Command app, Action& action) {
   command.add_flag("--json", options->json, "Print JSON");
   command.add_flag("--full", options->full,
                    "On a compile error, print the compiler's complete output");
-  command.add_flag("--all", options->all, "Show every failure in full, not only the first");
+  command.add_flag("--all", options->all,
+                   "Show every failure in full, not only the first; those of one cause once");
   command.callback([&action, options] {
     action = [options](Context& context) { return run(context, *options); };
   });

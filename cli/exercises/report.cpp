@@ -42,18 +42,19 @@ void labelled(std::string& text, std::string_view label, std::string_view value,
   text += "    " + style.dim(padded(label, label_width)) + body.substr(4 + label_width) + "\n";
 }
 
-std::string failure_text(const TestVerdict& test, const Style& style) {
-  const Failure& failure = test.failure;
-  std::string text = "\n  " + style.bold(test.name) + "\n";
-  labelled(text, "asked", failure.asked, style);
+void inputs_text(std::string& text, const grading::CloserLook::Inputs& inputs, const Style& style) {
   std::size_t width = 0;
-  for (const auto& [name, value] : failure.inputs) width = std::max(width, name.size());
+  for (const auto& [name, value] : inputs) width = std::max(width, name.size());
   bool first = true;
-  for (const auto& [name, value] : failure.inputs) {
+  for (const auto& [name, value] : inputs) {
     text += "    " + style.dim(padded(first ? "input" : "", label_width)) + padded(name, width) +
             " = " + printable(value) + "\n";
     first = false;
   }
+}
+
+void answer_text(std::string& text, const Failure& failure, const Style& style) {
+  inputs_text(text, failure.inputs, style);
   labelled(text, "got", printable(failure.got), style);
   labelled(text, "right", failure.right, style);
   labelled(text, "allowed", failure.allowed, style);
@@ -65,8 +66,58 @@ std::string failure_text(const TestVerdict& test, const Style& style) {
     for (const std::string& question : failure.questions)
       labelled(text, "", "- " + question, style);
   }
+}
+
+// The inputs of a question in one line, cut where it would be long.
+std::string in_one_line(const grading::CloserLook::Inputs& inputs) {
+  constexpr std::size_t most = 240;
+  std::string text;
+  for (const auto& [name, value] : inputs)
+    text += (text.empty() ? "" : ", ") + name + " = " + printable(value);
+  return text.size() <= most ? text : text.substr(0, most) + "...";
+}
+
+// What is said of a test that has failed before with other code.
+std::string look_text(const grading::CloserLook& look, const Style& style) {
+  std::string text;
+  const int asked = look.right + look.wrong;
+  if (asked > 0)
+    text += "\n" +
+            wrapped("Of " + std::to_string(asked) + (asked == 1 ? " question" : " questions") +
+                        " in this test, your code answers " + std::to_string(look.right) +
+                        " right and " + std::to_string(look.wrong) + " wrong.",
+                    4) +
+            "\n";
+  const auto lines = [&](const char* what, const std::vector<grading::CloserLook::Inputs>& list) {
+    if (list.empty()) return;
+    text += "    " + style.dim(what) + "\n";
+    for (const grading::CloserLook::Inputs& inputs : list)
+      text += wrapped(in_one_line(inputs), 6) + "\n";
+  };
+  lines("right, for example, for (numbers to four digits)", look.right_inputs);
+  lines("wrong, for example, for", look.wrong_inputs);
+  if (look.smaller) {
+    text += "\n    With simpler inputs it is wrong too:\n";
+    answer_text(text, *look.smaller, style);
+  }
+  if (look.hint_number > 0)
+    text += "\n" + wrapped("Hint " + std::to_string(look.hint_number) + ": " + look.hint, 4) + "\n";
+  return text;
+}
+
+std::string failure_text(const Verdict& verdict, const TestVerdict& test, const Style& style) {
+  std::string text = "\n  " + style.bold(test.name) + "\n";
+  labelled(text, "asked", test.failure.asked, style);
+  answer_text(text, test.failure, style);
   if (test.visibility == grading::Visibility::values_withheld)
     labelled(text, "note", "this test does not show its values", style);
+  const std::vector<std::string> same = grading::same_mistake(verdict, test);
+  if (!same.empty()) {
+    std::string names;
+    for (const std::string& name : same) names += (names.empty() ? "" : "; ") + name;
+    text += wrapped("The same mistake also fails: " + names + ".", 4) + "\n";
+  }
+  if (test.look) text += look_text(*test.look, style);
   return text;
 }
 
@@ -162,7 +213,8 @@ std::string report(const Verdict& verdict, const Style& style, const ReportOptio
   bool first = true;
   for (const TestVerdict& test : verdict.tests) {
     if (test.status != TestStatus::failed && test.status != TestStatus::stopped) continue;
-    if (first || options.all_failures) text += failure_text(test, style);
+    if (first || (options.all_failures && test.same_as.empty()))
+      text += failure_text(verdict, test, style);
     first = false;
   }
   if (verdict.outcome == Outcome::failed) text += warnings_text(verdict, style);

@@ -127,8 +127,8 @@ class Watch {
     try {
       const grading::BuildDescription build =
           grading::ready_build(loop_, book_, {watched.exercise});
-      const grading::Verdict verdict =
-          grading::check_file(loop_, book_, build, *watched.exercise, path, limits_);
+      const grading::Verdict verdict = grading::check_file(loop_, book_, build, *watched.exercise,
+                                                           path, limits_, progress_.known());
       checking_.clear();
       // Saved again while it was compiled: the verdict is about a file that is gone.
       if (!(state_of(path) == state)) {

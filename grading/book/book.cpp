@@ -80,17 +80,21 @@ Visibility read_visibility(const fs::path& file, const toml::node& node, bool is
 }
 
 TestSpec read_test(const fs::path& file, const toml::table& table, bool is_private) {
-  static constexpr std::array<std::string_view, 4> known{"name", "points", "requires",
-                                                         "visibility"};
+  static constexpr std::array<std::string_view, 5> known{"name", "points", "requires", "visibility",
+                                                         "solution_seconds"};
   for (const auto& [key, node] : table) {
     if (std::find(known.begin(), known.end(), key.str()) == known.end())
       throw BookError(place(file, node) + "a test has no '" + std::string(key.str()) +
-                      "': it has name, points, requires and visibility");
+                      "': it has name, points, requires, visibility and solution_seconds");
   }
   TestSpec test{text_of(table, "name"), table["points"].value_or(0.0), texts_of(table, "requires"),
                 is_private ? Visibility::hidden : Visibility::shown, is_private};
   if (const toml::node* node = table.get("visibility"))
     test.visibility = read_visibility(file, *node, is_private);
+  test.solution_seconds = table["solution_seconds"].value_or(test.solution_seconds);
+  if (!(test.solution_seconds >= TestSpec{}.solution_seconds))
+    throw BookError(file.string() + ": solution_seconds of '" + test.name + "' must be " +
+                    "at least 0.05, which is what a test without it has");
   return test;
 }
 
@@ -143,6 +147,10 @@ bool all_digits(std::string_view text) {
 double Exercise::max_points() const {
   return std::accumulate(tests.begin(), tests.end(), 0.0,
                          [](double sum, const TestSpec& test) { return sum + test.points; });
+}
+
+double Exercise::check_seconds(const TestSpec& test) const {
+  return std::min({20.0 * test.solution_seconds, 3.0, time_limit});
 }
 
 std::string_view key(Visibility visibility) {

@@ -47,6 +47,8 @@ struct TestSpec {
   Visibility visibility = Visibility::shown;
   /// From an instructor's folder and not from the book.
   bool is_private = false;
+  /// Processor time that the solution needs. A file names it only where it is more than this.
+  double solution_seconds = 0.05;
 };
 
 struct Objective {
@@ -70,7 +72,7 @@ struct Exercise {
   double minutes = 0.0;
   std::vector<std::string> hints;
   std::vector<std::string> misconceptions;
-  /// Seconds of processor time that one test may use.
+  /// Seconds of processor time that one test may use in grading.
   double time_limit = 5.0;
   std::vector<TestSpec> tests;
 
@@ -83,6 +85,9 @@ struct Exercise {
 
   [[nodiscard]] std::string id() const { return chapter + "/" + name; }
   [[nodiscard]] double max_points() const;
+  /// Seconds of processor time that a test may use in a check of one's own: twenty times those of
+  /// the solution, at most three, and never more than in grading.
+  [[nodiscard]] double check_seconds(const TestSpec& test) const;
 };
 
 struct Chapter {

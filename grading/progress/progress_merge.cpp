@@ -43,9 +43,10 @@ json sound(const json& entry) {
     else if (number && value.is_number())
       result[name] = number_in(entry, name.c_str());
     else if ((time && is_time(value)) || (name == "solution_shown" && value.is_boolean()) ||
-             (name == "tests" && value.is_object()))
+             ((name == "tests" || name == "failing") && value.is_object()))
       result[name] = value;
-    else if (!number && !count && !time && name != "solution_shown" && name != "tests")
+    else if (!number && !count && !time && name != "solution_shown" && name != "tests" &&
+             name != "failing")
       result[name] = value;
   }
   return result;

@@ -31,6 +31,35 @@ T read(const nlohmann::json& entry, const char* name, T otherwise) {
   }
 }
 
+// Nothing more is said after so many.
+constexpr std::size_t most_texts = 8;
+
+// Of a file that was edited by hand, what is not as it should be is passed over.
+std::vector<std::string> texts_of(const nlohmann::json& entry, const std::string& test) {
+  std::vector<std::string> texts;
+  const auto failing = entry.find("failing");
+  if (failing == entry.end() || !failing->is_object()) return texts;
+  const auto list = failing->find(test);
+  if (list == failing->end() || !list->is_array()) return texts;
+  for (const nlohmann::json& text : *list) {
+    if (text.is_string()) texts.push_back(text.get<std::string>());
+  }
+  return texts;
+}
+
+nlohmann::json failing_after(const nlohmann::json& entry, const Verdict& verdict) {
+  nlohmann::json failing = nlohmann::json::object();
+  for (const TestVerdict& test : verdict.tests) {
+    std::vector<std::string> texts = texts_of(entry, test.name);
+    const bool fails = test.status == TestStatus::failed || test.status == TestStatus::stopped;
+    if (fails && std::find(texts.begin(), texts.end(), verdict.code) == texts.end())
+      texts.push_back(verdict.code);
+    if (texts.size() > most_texts) texts.erase(texts.begin());
+    if (test.status != TestStatus::passed && !texts.empty()) failing[test.name] = texts;
+  }
+  return failing;
+}
+
 }  // namespace
 
 ProgressRecord::ProgressRecord()
@@ -57,6 +86,11 @@ ExerciseProgress ProgressRecord::of(const std::string& exercise) const {
       if (status.is_string()) progress.tests[name] = status.get<std::string>();
     }
   }
+  if (const auto failing = found->find("failing");
+      failing != found->end() && failing->is_object()) {
+    for (const auto& [name, texts] : failing->items())
+      progress.failing[name] = texts_of(*found, name);
+  }
   return progress;
 }
 
@@ -76,7 +110,12 @@ void ProgressRecord::record(const Verdict& verdict, const std::string& now) {
   if (verdict.outcome == Outcome::passed && read(entry, "passed", std::string()).empty())
     entry["passed"] = now;
   entry["tests"] = nlohmann::json::object();
-  for (const TestVerdict& test : verdict.tests) entry["tests"][test.name] = key(test.status);
+  for (const TestVerdict& test : verdict.tests) {
+    entry["tests"][test.name] = key(test.status);
+    if (test.look && test.look->hint_number > read(entry, "hints_shown", 0))
+      entry["hints_shown"] = test.look->hint_number;
+  }
+  if (!verdict.code.empty()) entry["failing"] = failing_after(entry, verdict);
 }
 
 int ProgressRecord::record_hint(const std::string& exercise) {

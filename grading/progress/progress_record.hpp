@@ -5,6 +5,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -22,6 +23,13 @@ struct ExerciseProgress {
   int hints_shown = 0;
   bool solution_shown = false;
   std::map<std::string, std::string> tests;
+  /// Of each test that fails, the texts with which it did since it last passed (Verdict::code).
+  std::map<std::string, std::vector<std::string>> failing;
+
+  [[nodiscard]] std::vector<std::string> failed_with(const std::string& test) const {
+    const auto found = failing.find(test);
+    return found == failing.end() ? std::vector<std::string>() : found->second;
+  }
 };
 
 class ProgressRecord {

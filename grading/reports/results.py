@@ -61,6 +61,8 @@ class TestResult:
     points: float
     max_points: float
     failure: Failure | None
+    # The earlier test that fails for the same cause.
+    same_as: str = ""
 
 
 @dataclass(frozen=True)
@@ -286,6 +288,7 @@ def _test(entry: dict[str, Any]) -> TestResult:
         points=float(entry["points"]),
         max_points=float(entry["max_points"]),
         failure=_failure(failure) if failure else None,
+        same_as=clean_line(entry.get("same_as", "")),
     )
 
 

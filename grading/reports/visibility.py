@@ -68,6 +68,8 @@ class SeenTest:
     withheld: bool = False
     # Told now only to a system that waits for the due date itself.
     later: bool = False
+    # The earlier test that fails for the same cause, if the student sees both in full.
+    same_as: str = ""
 
 
 @dataclass(frozen=True)
@@ -281,6 +283,7 @@ def _seen(spec: TestSpec, result: TestResult | None, kind: str, open_tests: set[
         failure=failure,
         withheld=withheld and result.status in ("failed", "stopped"),
         later=kind == "after_due",
+        same_as=result.same_as if kind == "shown" and result.same_as in open_tests else "",
     )
 
 

@@ -10,6 +10,7 @@
 
 #include "../build/build.hpp"
 #include "../process/run_process.hpp"
+#include "../progress/progress_record.hpp"
 #include "../verdict/verdict.hpp"
 
 namespace contact::grading {
@@ -33,10 +34,11 @@ std::vector<TestResult> run_tests(Loop& loop, const Exercise& exercise,
                                   const std::filesystem::path& program, const Limits& limits,
                                   const Environment& environment, std::string& output);
 
-/// Compiles, links and runs `source` as an answer to `exercise`.
+/// Compiles, links and runs `source` as an answer to `exercise`. If its first failing test has
+/// failed before with other code, as `before` says, it has a closer look at that test.
 Verdict check_file(Loop& loop, const Book& book, const BuildDescription& build,
                    const Exercise& exercise, const std::filesystem::path& source,
-                   const Limits& limits);
+                   const Limits& limits, const ProgressRecord& before);
 
 /// The same for each of these environments in turn: compiled once, run and judged in each.
 std::vector<Verdict> check_file_in_each(Loop& loop, const Book& book, const BuildDescription& build,

@@ -45,6 +45,8 @@ void EventReader::event(const std::string& line) {
     result.name = text_at(json, "test");
     results_.push_back(std::move(result));
     current_.clear();
+  } else if (kind == "look" && json.contains("look") && json["look"].is_object()) {
+    look_ = look_from_json(json["look"]);
   } else if (kind == "done") {
     done_ = true;
   }
@@ -102,6 +104,16 @@ std::vector<TestResult> run_in_turns(const Exercise& exercise, const RunTurn& ru
       if (finished.count(test.name) == 0) names.push_back(test.name);
     }
     if (names.empty()) break;
+    if (!turn.enough.empty()) {
+      for (const std::string& name : names) {
+        TestResult result;
+        result.name = name;
+        result.status = TestStatus::skipped;
+        result.failure.reason = turn.enough;
+        take(std::move(result));
+      }
+      break;
+    }
   }
   return results;
 }

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,8 @@ class EventReader {
   [[nodiscard]] const std::vector<std::string>& started() const { return started_; }
   [[nodiscard]] Clock::time_point start_time() const { return start_time_; }
   [[nodiscard]] std::vector<TestResult>& results() { return results_; }
+  /// The last closer look that was told.
+  [[nodiscard]] const std::optional<CloserLook>& look() const { return look_; }
 
  private:
   void event(const std::string& line);
@@ -37,6 +40,7 @@ class EventReader {
   std::vector<std::string> started_;
   Clock::time_point start_time_;
   std::vector<TestResult> results_;
+  std::optional<CloserLook> look_;
 };
 
 /// One process that ran tests.
@@ -49,12 +53,14 @@ struct Turn {
   bool knows_better = false;
   /// Why it died, in words for the student.
   std::string why;
+  /// The tests that are left are not run, for this reason; empty: they run in the next process.
+  std::string enough;
 };
 
 /// Runs the tests with these names (all, if there are none) in a new process.
 using RunTurn = std::function<Turn(const std::vector<std::string>& names)>;
 
-/// Runs processes until each test of the exercise has a result.
+/// Runs processes until each test of the exercise has a result; a test that is not run is skipped.
 std::vector<TestResult> run_in_turns(const Exercise& exercise, const RunTurn& run);
 
 /// A test's name as Catch2's command line and input file must spell it.

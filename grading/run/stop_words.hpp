@@ -11,7 +11,7 @@ namespace contact::grading {
 inline constexpr const char* printed_too_much = "it printed without end and was stopped";
 
 /// Why a program that should have answered ended instead.
-/// @param seconds that it had: of processor time, or to do nothing if it was idle
+/// @param seconds that it had: of processor time, or on the clock if it was idle
 std::string why_stopped(const ProcessResult& process, double seconds);
 
 /// A signal in words: "segmentation fault: ...".

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <functional>
 #include <map>
@@ -55,6 +56,26 @@ std::vector<std::string> texts_at(const nlohmann::json& json, const char* key) {
   return texts;
 }
 
+double number_at(const nlohmann::json& json, const char* key) {
+  const auto found = json.find(key);
+  return found != json.end() && found->is_number() ? found->get<double>() : 0.0;
+}
+
+CloserLook::Inputs inputs_from(const nlohmann::json& json) {
+  CloserLook::Inputs inputs;
+  if (!json.is_array()) return inputs;
+  for (const nlohmann::json& input : json) {
+    if (input.is_object()) inputs.emplace_back(text_at(input, "name"), text_at(input, "text"));
+  }
+  return inputs;
+}
+
+nlohmann::json to_json(const CloserLook::Inputs& inputs) {
+  nlohmann::json json = nlohmann::json::array();
+  for (const auto& [name, value] : inputs) json.push_back({{"name", name}, {"text", value}});
+  return json;
+}
+
 Failure failure_from(const nlohmann::json& json) {
   Failure failure;
   failure.asked = text_at(json, "asked");
@@ -64,12 +85,8 @@ Failure failure_from(const nlohmann::json& json) {
   failure.misconceptions = texts_at(json, "misconceptions");
   failure.hint = text_at(json, "observed");
   failure.reason = text_at(json, "reason");
-  if (const auto inputs = json.find("inputs"); inputs != json.end() && inputs->is_array()) {
-    for (const nlohmann::json& input : *inputs) {
-      if (input.is_object())
-        failure.inputs.emplace_back(text_at(input, "name"), text_at(input, "text"));
-    }
-  }
+  if (const auto inputs = json.find("inputs"); inputs != json.end())
+    failure.inputs = inputs_from(*inputs);
   return failure;
 }
 
@@ -124,6 +141,30 @@ void give_hint(Failure& failure, const Book& book) {
   }
 }
 
+// What made a test fail, as far as it is known: equal for two tests that fail for the same cause.
+// Two wrong answers that nothing explains may have two causes.
+std::string cause_of(const TestVerdict& test) {
+  const Failure& failure = test.failure;
+  if (test.status == TestStatus::failed)
+    return failure.misconceptions.size() == 1 ? failure.misconceptions.front() : std::string();
+  if (test.status != TestStatus::stopped || failure.reason.empty()) return {};
+  // How long a test was waited for differs from one to the next.
+  constexpr std::string_view late = "no answer after";
+  const std::string reason = failure.reason.starts_with(late) ? std::string(late) : failure.reason;
+  return failure.asked + '\n' + reason;
+}
+
+void find_same_causes(std::vector<TestVerdict>& tests) {
+  std::map<std::string, std::string> first;
+  for (TestVerdict& test : tests) {
+    // No name of a test that a student must not see goes into another's report.
+    const std::string cause = test.visibility == Visibility::shown ? cause_of(test) : "";
+    if (cause.empty()) continue;
+    const auto [found, is_new] = first.emplace(cause, test.name);
+    if (!is_new) test.same_as = found->second;
+  }
+}
+
 Outcome outcome_of(const std::vector<TestVerdict>& tests) {
   const auto all = [&](auto predicate) {
     return std::all_of(tests.begin(), tests.end(), predicate);
@@ -162,6 +203,8 @@ Verdict judge(const Exercise& exercise, const Book& book, const std::vector<Test
       test.status = found->second->status;
       test.failure = found->second->failure;
       test.seconds = found->second->seconds;
+      test.processor_seconds = found->second->processor_seconds;
+      if (spec.visibility == Visibility::shown) test.look = found->second->look;
       if (test.status != TestStatus::not_attempted) {
         if (const std::string need = unmet_need(exercise, spec, status); !need.empty()) {
           test.status = TestStatus::skipped;
@@ -188,6 +231,7 @@ Verdict judge(const Exercise& exercise, const Book& book, const std::vector<Test
     if (by_name.count(spec.name) != 0) listed.push_back(spec.name);
   }
   verdict.in_order = ran == listed;
+  find_same_causes(verdict.tests);
   verdict.outcome = outcome_of(verdict.tests);
   return verdict;
 }
@@ -214,6 +258,29 @@ const TestVerdict* first_failure(const Verdict& verdict) {
         return test.status == TestStatus::failed || test.status == TestStatus::stopped;
       });
   return found == verdict.tests.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> same_mistake(const Verdict& verdict, const TestVerdict& test) {
+  std::vector<std::string> names;
+  for (const TestVerdict& other : verdict.tests) {
+    if (!test.name.empty() && other.same_as == test.name) names.push_back(other.name);
+  }
+  return names;
+}
+
+std::string code_of(std::string_view text) {
+  // FNV-1a, as of any other text: nothing depends on who can find two texts with one name.
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  bool comment = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    comment = c != '\n' && (comment || text.substr(i, 2) == "//");
+    if (comment || c == ' ' || c == '\t' || c == '\n' || c == '\r') continue;
+    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  }
+  std::array<char, 20> name{};
+  std::snprintf(name.data(), name.size(), "%016llx", static_cast<unsigned long long>(hash));
+  return name.data();
 }
 
 std::string_view words(TestStatus status) {
@@ -246,18 +313,51 @@ TestResult result_from_json(const nlohmann::json& json) {
   TestResult result;
   result.name = text_at(json, "name");
   result.status = status_from_key(text_at(json, "status")).value_or(TestStatus::stopped);
-  if (const auto seconds = json.find("seconds"); seconds != json.end() && seconds->is_number())
-    result.seconds = seconds->get<double>();
+  result.seconds = number_at(json, "seconds");
+  result.processor_seconds = number_at(json, "processor_seconds");
   if (const auto failure = json.find("failure"); failure != json.end() && failure->is_object())
     result.failure = failure_from(*failure);
+  if (const auto look = json.find("look"); look != json.end() && look->is_object())
+    result.look = look_from_json(*look);
   return result;
 }
 
+CloserLook look_from_json(const nlohmann::json& json) {
+  CloserLook look;
+  look.right = static_cast<int>(number_at(json, "right"));
+  look.wrong = static_cast<int>(number_at(json, "wrong"));
+  const auto read = [&](const char* name, std::vector<CloserLook::Inputs>& into) {
+    const auto list = json.find(name);
+    if (list == json.end() || !list->is_array()) return;
+    for (const nlohmann::json& inputs : *list) into.push_back(inputs_from(inputs));
+  };
+  read("right_inputs", look.right_inputs);
+  read("wrong_inputs", look.wrong_inputs);
+  if (const auto smaller = json.find("smaller"); smaller != json.end() && smaller->is_object())
+    look.smaller = failure_from(*smaller);
+  look.hint_number = static_cast<int>(number_at(json, "hint_number"));
+  look.hint = text_at(json, "hint");
+  return look;
+}
+
+nlohmann::json to_json(const CloserLook& look) {
+  nlohmann::json json = {{"right", look.right}, {"wrong", look.wrong}};
+  const auto write = [&](const char* name, const std::vector<CloserLook::Inputs>& list) {
+    json[name] = nlohmann::json::array();
+    for (const CloserLook::Inputs& inputs : list) json[name].push_back(to_json(inputs));
+  };
+  write("right_inputs", look.right_inputs);
+  write("wrong_inputs", look.wrong_inputs);
+  if (look.smaller) json["smaller"] = to_json(*look.smaller);
+  if (look.hint_number > 0) {
+    json["hint_number"] = look.hint_number;
+    json["hint"] = look.hint;
+  }
+  return json;
+}
+
 nlohmann::json to_json(const Failure& failure) {
-  nlohmann::json inputs = nlohmann::json::array();
-  for (const auto& [name, value] : failure.inputs)
-    inputs.push_back({{"name", name}, {"text", value}});
-  nlohmann::json json = {{"asked", failure.asked}, {"inputs", inputs}};
+  nlohmann::json json = {{"asked", failure.asked}, {"inputs", to_json(failure.inputs)}};
   const auto put = [&](const char* name, const std::string& value) {
     if (!value.empty()) json[name] = value;
   };
@@ -298,6 +398,8 @@ nlohmann::json to_json(const Verdict& verdict) {
     if (test.status == TestStatus::failed || test.status == TestStatus::stopped ||
         test.status == TestStatus::skipped)
       entry["failure"] = to_json(test.failure);
+    if (!test.same_as.empty()) entry["same_as"] = test.same_as;
+    if (test.look) entry["look"] = to_json(*test.look);
     tests.push_back(std::move(entry));
   }
   nlohmann::json json = {{"exercise", verdict.exercise},
@@ -313,6 +415,7 @@ nlohmann::json to_json(const Verdict& verdict) {
                           {{"compile", verdict.seconds.compile},
                            {"link", verdict.seconds.link},
                            {"run", verdict.seconds.run}}}};
+  if (!verdict.code.empty()) json["code"] = verdict.code;
   if (verdict.compile_error) {
     const CompileError& error = *verdict.compile_error;
     nlohmann::json contract = nlohmann::json::array();
@@ -329,6 +432,7 @@ nlohmann::json to_json(const Verdict& verdict) {
 Verdict verdict_from_json(const nlohmann::json& json) {
   Verdict verdict;
   verdict.exercise = json.at("exercise").get<std::string>();
+  verdict.code = text_at(json, "code");
   const std::string outcome = json.at("verdict").get<std::string>();
   for (const OutcomeName& name : outcome_names) {
     if (name.key == outcome) verdict.outcome = name.outcome;
@@ -342,6 +446,8 @@ Verdict verdict_from_json(const nlohmann::json& json) {
         status_from_key(entry.at("status").get<std::string>()).value_or(TestStatus::stopped);
     test.points = entry.at("points").get<double>();
     test.max_points = entry.at("max_points").get<double>();
+    if (const auto look = entry.find("look"); look != entry.end())
+      test.look = look_from_json(*look);
     verdict.tests.push_back(std::move(test));
   }
   return verdict;

@@ -42,12 +42,33 @@ struct Failure {
   std::string reason;
 };
 
+/// What is said beyond the first wrong answer to a reader who has failed the same test before, each
+/// time with other code.
+struct CloserLook {
+  using Inputs = std::vector<std::pair<std::string, std::string>>;
+
+  /// How many of the test's questions the code answers right, and how many wrong.
+  int right = 0;
+  int wrong = 0;
+  /// The inputs of the first few of each, with numbers to four digits.
+  std::vector<Inputs> right_inputs;
+  std::vector<Inputs> wrong_inputs;
+  /// The same with inputs that fit the head.
+  std::optional<Failure> smaller;
+  /// One of the exercise's hints, counted from 1; 0 if there is none.
+  int hint_number = 0;
+  std::string hint;
+};
+
 /// What a host saw happen to one test.
 struct TestResult {
   std::string name;
   TestStatus status = TestStatus::not_attempted;
   Failure failure;
   double seconds = 0.0;
+  /// 0 if it is not known.
+  double processor_seconds = 0.0;
+  std::optional<CloserLook> look;
 };
 
 struct TestVerdict {
@@ -57,7 +78,11 @@ struct TestVerdict {
   double max_points = 0.0;
   Failure failure;
   double seconds = 0.0;
+  double processor_seconds = 0.0;
   Visibility visibility = Visibility::shown;
+  std::optional<CloserLook> look;
+  /// The earlier test that fails for the same cause; empty if there is none.
+  std::string same_as;
 };
 
 /// For whom a verdict is.
@@ -120,6 +145,8 @@ struct Verdict {
   double max_points = 0.0;
   std::vector<TestVerdict> tests;
   std::optional<CompileError> compile_error;
+  /// Names the student's text, without its blanks and comments; empty if nobody asked.
+  std::string code;
   /// What the compiler warns of in the student's file.
   std::vector<std::string> warnings;
   /// Its errors and warnings there, each with its place and in words for a beginner.
@@ -145,6 +172,12 @@ Verdict judge_uncompiled(const Exercise& exercise, CompileError error);
 /// The first test that failed or was stopped; null if none did.
 const TestVerdict* first_failure(const Verdict& verdict);
 
+/// The names of the tests that fail for the same cause as this one, which comes before them.
+std::vector<std::string> same_mistake(const Verdict& verdict, const TestVerdict& test);
+
+/// What Verdict::code is for this text.
+std::string code_of(std::string_view text);
+
 std::string_view words(TestStatus status);
 std::string_view words(Outcome outcome);
 /// As in JSON: "not_attempted" for "not attempted".
@@ -155,14 +188,18 @@ std::optional<TestStatus> status_from_key(std::string_view key);
 /// "3" for 3.0, "2.5" for 2.5.
 std::string points_text(double points);
 
-/// A test's result as a runner's event tells it: {name, status, seconds, failure?}. What is missing
-/// or of the wrong kind reads as empty, an unknown status as stopped.
+/// A closer look as a runner tells it. What is missing or of the wrong kind reads as empty.
+CloserLook look_from_json(const nlohmann::json& json);
+nlohmann::json to_json(const CloserLook& look);
+
+/// A test's result as a runner's event tells it: {name, status, seconds, failure?, look?}. What is
+/// missing or of the wrong kind reads as empty, an unknown status as stopped.
 TestResult result_from_json(const nlohmann::json& json);
 nlohmann::json to_json(const Failure& failure);
 nlohmann::json to_json(const Remark& remark);
 nlohmann::json to_json(const Verdict& verdict);
-/// What a record of progress needs of a verdict: exercise, outcome, points, and the tests' names,
-/// status and points. @throws nlohmann::json::exception if it is no verdict.
+/// What a record of progress needs of a verdict: exercise, code, outcome, points, and the tests'
+/// names, status, points and hints. @throws nlohmann::json::exception if it is no verdict.
 Verdict verdict_from_json(const nlohmann::json& json);
 
 }  // namespace contact::grading

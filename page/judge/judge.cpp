@@ -15,6 +15,7 @@
 #include "../../grading/book/book.hpp"
 #include "../../grading/diagnosis/diagnosis.hpp"
 #include "../../grading/diagnosis/exercise_contract.hpp"
+#include "../../grading/progress/again.hpp"
 #include "../../grading/progress/progress_record.hpp"
 #include "../../grading/progress/progress_report.hpp"
 #include "../../grading/verdict/verdict.hpp"
@@ -76,11 +77,35 @@ json uncompiled(const json& request) {
               diagnosis.file());
 }
 
-json judged(const json& request) {
+// The tests in their order, each with what it may take in a check of one's own.
+json timed_tests(const json& request) {
+  const Exercise& exercise = exercise_of(request);
+  json list = json::array();
+  for (const TestSpec& test : exercise.tests)
+    list.push_back({{"name", test.name}, {"seconds", exercise.check_seconds(test)}});
+  return list;
+}
+
+Verdict verdict_on(const json& request) {
   const Exercise& exercise = exercise_of(request);
   std::vector<TestResult> results;
   for (const json& result : request.at("results")) results.push_back(result_from_json(result));
   Verdict verdict = judge(exercise, book(), results);
+  if (request.contains("source")) verdict.code = code_of(text(request, "source"));
+  return verdict;
+}
+
+// The test of which more is to be found out, since it has failed before; null if there is none.
+json again(const json& request) {
+  const auto failed = failed_again(ProgressRecord(request.at("progress")), verdict_on(request));
+  if (!failed || failed->look.empty()) return nullptr;
+  return {{"test", failed->test}, {"look", failed->look}};
+}
+
+json judged(const json& request) {
+  Verdict verdict = verdict_on(request);
+  if (request.contains("progress"))
+    add_next_hint(exercise_of(request), ProgressRecord(request["progress"]), verdict);
   verdict.output = text(request, "output");
   const Diagnosis diagnosis = diagnosis_of(request);
   return told(std::move(verdict), diagnosis.of_compile(text(request, "log"), false, Columns::bytes),
@@ -113,6 +138,8 @@ json problems() {
 
 json answer(const json& request) {
   const std::string what = request.at("do").get<std::string>();
+  if (what == "tests") return timed_tests(request);
+  if (what == "again") return again(request);
   if (what == "judge") return judged(request);
   if (what == "uncompiled") return uncompiled(request);
   if (what == "record") return recorded(request);

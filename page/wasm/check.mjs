@@ -3,16 +3,17 @@ import { Worker } from "node:worker_threads";
 import { watchTests } from "./test_watch.mjs";
 
 /** @typedef {import('./test_program.mjs').Event} Event */
-/** @typedef {{ test: string, status: import('./test_program.mjs').Status,
+/** @typedef {{ test: string, status: import('./test_watch.mjs').TestResult['status'],
  *              failure?: import('./test_program.mjs').Failure }} Verdict */
 
 /**
  * @param {Uint8Array} program @param {string[]} tests in the order of the file
- * @param {{ seconds?: number, seed?: string }} [options] `seconds`: the limit for one test
+ * @param {{ seconds?: number, seed?: string }} [options] `seconds`: what each test may take
  * @returns {Promise<Verdict[]>} one for each test, in order
  */
 export async function check(program, tests, { seconds = 5, seed } = {}) {
-  const { results } = await watchTests(spawn(program, seed), tests, { seconds });
+  const timed = tests.map((name) => ({ name, seconds }));
+  const { results } = await watchTests(spawn(program, seed), timed, {});
   return tests.map((test) => {
     const result = results.find(({ name }) => name === test);
     // As the judge says it (grading/verdict/verdict.cpp).
@@ -28,8 +29,8 @@ export async function check(program, tests, { seconds = 5, seed } = {}) {
  * @returns {import('./test_watch.mjs').Spawn}
  */
 function spawn(program, seed) {
-  return ({ tests, questions }, tell, fail) => {
-    const workerData = { program, tests, options: { seed, questions } };
+  return ({ tests, questions, look }, tell, fail) => {
+    const workerData = { program, tests, options: { seed, questions, look } };
     const worker = new Worker(new URL("test_worker.mjs", import.meta.url), { workerData });
     worker.on("message", tell);
     worker.on("error", fail);

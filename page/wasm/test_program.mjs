@@ -17,14 +17,17 @@ import {
 /** @typedef {{ event: 'start', test: string }
  *   | { event: 'end', test: string, status: Status, seconds: number, failure?: Failure }
  *   | { event: 'question', failure: Question }
+ *   | { event: 'look', test: string, look: unknown }
  *   | { event: 'printed', to: 'output' | 'errors', bytes: Uint8Array<ArrayBuffer> }
  *   | { event: 'afresh' }
  *   | { event: 'unstarted', reason: string }
  *   | { event: 'done' }} Event
- *  `question`: what is asked next, if questions are to be told; `afresh`: another instance begins; `unstarted`: the program dies before any test of
+ *  `question`: what is asked next, if questions are to be told; `look`: what a closer look has found so far; `afresh`: another instance begins; `unstarted`: the program dies before any test of
  *  those that are left begins. */
-/** @typedef {{ seed?: string | undefined, outputLimit?: number, questions?: boolean }} Options
- *  `outputLimit`: bytes that an answer may print; `questions`: tell each before it is asked */
+/** @typedef {{ seed?: string | undefined, outputLimit?: number, questions?: boolean,
+ *              look?: 'inputs' | 'smaller' | undefined }} Options
+ *  `outputLimit`: bytes that an answer may print; `questions`: tell each before it is asked; `look`: go on after a
+ *  wrong answer, and tell which inputs are answered right, or also a smaller one (tests/support/runner.cpp) */
 
 /** Bytes that a student's program may print, to each stream, before it is stopped. */
 export const outputLimit = 1 << 20;
@@ -240,12 +243,13 @@ class Run {
    * @returns {Promise<string | undefined>} */
   async start(program, tests) {
     const events = new PipeFile(lines((line) => this.#event(line)));
-    const { seed, questions } = this.options;
+    const { seed, questions, look } = this.options;
     const wasi = new WASI(
       ["tests", "-r", "contact::out=/events", tests.map(escaped).join(",")],
       [
         ...(seed === undefined ? [] : [`CONTACT_SEED=${seed}`]),
         ...(questions ? ["CONTACT_TELL_QUESTIONS=1"] : []),
+        ...(look === undefined ? [] : [`CONTACT_LOOK=${look}`]),
       ],
       [
         new OpenFile(new File([])),

@@ -4,9 +4,11 @@ import { outputLimit, timeText, withoutAssertion } from "./test_program.mjs";
 
 /** @typedef {import('./test_program.mjs').Event} Event */
 /** @typedef {import('./test_program.mjs').Failure} Failure */
-/** @typedef {{ name: string, status: import('./test_program.mjs').Status, seconds: number, failure?: Failure }
- *   } TestResult */
-/** @typedef {{ tests: readonly string[], questions: boolean }} Order */
+/** @typedef {{ name: string, status: import('./test_program.mjs').Status | 'skipped', seconds: number,
+ *   failure?: Failure }} TestResult */
+/** @typedef {{ name: string, seconds: number }} Timed a test and what it may take */
+/** @typedef {'inputs' | 'smaller'} Look */
+/** @typedef {{ tests: readonly string[], questions: boolean, look?: Look | undefined }} Order */
 /** @typedef {(order: Order, tell: (event: Event) => void, fail: (error: Error) => void) => { end(): void }} Spawn
  *   starts the tests in a thread of its own, which `end` stops at once; `fail`: the thread itself broke */
 
@@ -37,14 +39,55 @@ export class Patience {
   }
 }
 
+/** As a check on the command line has it (grading/run/patience.cpp): after a test that ran out of time, each has this
+ * share of its own time, and all that run out of it have this many seconds together. */
+const shortShare = 0.25;
+const restSeconds = 2;
+
+/** The time of each test of one check. */
+class Budget {
+  #seconds;
+  #late = 0;
+  #spent = 0;
+
+  /** @param {readonly Timed[]} tests */
+  constructor(tests) {
+    this.#seconds = new Map(tests.map(({ name, seconds }) => [name, seconds]));
+  }
+
+  /** Before the first test, what the longest may take. @param {string | undefined} test */
+  of(test) {
+    const own = test === undefined ? undefined : this.#seconds.get(test);
+    return (own ?? Math.max(...this.#seconds.values())) * (this.#late === 0 ? 1 : shortShare);
+  }
+
+  /** A test ran out of time; why, in words. @param {string | undefined} test @param {number} waited */
+  ranOut(test, waited) {
+    const less = this.#late === 0 ? "" : lessTime;
+    const text = timeText(this.of(test)) + less;
+    if (this.#late > 0) this.#spent += waited;
+    this.#late += 1;
+    return text;
+  }
+
+  /** Why the rest is not run, if it is not. */
+  get enough() {
+    return this.#spent < restSeconds
+      ? undefined
+      : `not run, because ${this.#late} tests before it did not end: first mend those`;
+  }
+}
+
+const lessTime = " (it had less time because a test before it did not end)";
+
 /**
  * Runs some tests in one thread until they have ended or one of them takes too long.
- * @param {Spawn} spawn @param {readonly string[]} tests @param {number} limit in seconds
+ * @param {Spawn} spawn @param {Order} order @param {Budget} budget
  * @param {(event: Event) => void} tell
  * @returns {Promise<{ late?: string | undefined, waited: number, unstarted: boolean }>} `late`: the test that did
  *   not end in time
  */
-function runOnce(spawn, tests, limit, tell) {
+function runOnce(spawn, order, budget, tell) {
   return new Promise((resolve, reject) => {
     /** @type {string | undefined} */
     let running;
@@ -71,13 +114,13 @@ function runOnce(spawn, tests, limit, tell) {
       }
       tell(event);
     };
-    const thread = spawn({ tests, questions: false }, take, (error) => {
+    const thread = spawn(order, take, (error) => {
       end();
       reject(error);
     });
     const timer = setInterval(() => {
       const waited = patience.seconds(performance.now());
-      if (waited > (begun ? limit : limit + startSeconds)) finish(true);
+      if (waited > budget.of(running) + (begun ? 0 : startSeconds)) finish(true);
     }, tick);
   });
 }
@@ -124,46 +167,57 @@ function openQuestion(spawn, test) {
 }
 
 /**
- * Runs all tests, each within its limit; one that crashes or never ends costs itself only.
+ * Runs all tests, each within its time; one that crashes or never ends costs itself only.
  * @param {Spawn} spawn
- * @param {readonly string[]} tests in the order of the exercise
- * @param {{ seconds: number, onStart?: ((test: string) => void) | undefined,
- *           onTest?: ((result: TestResult) => void) | undefined }} options
- * @returns {Promise<{ results: TestResult[], output: string }>} results in order, without those of tests that the
- *   program does not have; what it printed
+ * @param {readonly Timed[]} tests in the order of the exercise
+ * @param {{ onStart?: ((test: string) => void) | undefined, onTest?: ((result: TestResult) => void) | undefined,
+ *           look?: Look | undefined }} options `look`: a closer look at what fails
+ * @returns {Promise<{ results: TestResult[], output: string, looks: Record<string, unknown> }>} results in order,
+ *   without those of tests that the program does not have; what it printed; what the closer look at each test found
  */
-export async function watchTests(spawn, tests, { seconds, onStart, onTest }) {
+export async function watchTests(spawn, tests, { onStart, onTest, look }) {
   /** @type {Map<string, TestResult>} */
   const results = new Map();
+  /** @type {Record<string, unknown>} */
+  const looks = {};
   const printed = new Printed();
+  const budget = new Budget(tests);
   const settle = (/** @type {TestResult} */ result) => {
     results.set(result.name, result);
     onTest?.(result);
   };
   /** @type {Set<string>} tests that took too long, whose question is still looked for */
   const late = new Set();
-  const left = () => tests.filter((name) => !results.has(name) && !late.has(name));
+  const left = () =>
+    tests.map(({ name }) => name).filter((name) => !results.has(name) && !late.has(name));
   /** @type {Promise<void>[]} */
   const searches = [];
-  const before = (/** @type {string} */ reason) => {
+  const settleLeft = (
+    /** @type {'stopped' | 'skipped'} */ status,
+    /** @type {string} */ reason,
+  ) => {
     for (const name of left())
-      settle({ name, status: "stopped", seconds: 0, failure: { asked: "", inputs: [], reason } });
+      settle({ name, status, seconds: 0, failure: { asked: "", inputs: [], reason } });
   };
   while (left().length > 0) {
-    const run = await runOnce(spawn, left(), seconds, (event) => {
+    const order = { tests: left(), questions: false, look };
+    const run = await runOnce(spawn, order, budget, (event) => {
       if (event.event === "start") onStart?.(event.test);
       else if (event.event === "printed") printed[event.to].push(event.bytes);
       else if (event.event === "afresh") printed.turn();
-      else if (event.event === "unstarted") before(event.reason);
+      else if (event.event === "unstarted") settleLeft("stopped", event.reason);
+      else if (event.event === "look") looks[event.test] = event.look;
       else if (event.event === "end") {
         const { test, status, seconds, failure } = event;
         settle({ name: test, status, seconds, ...(failure ? { failure } : {}) });
       }
     });
     printed.turn();
-    if (run.unstarted) before(`before the test began: ${timeText(seconds)}`);
+    if (run.unstarted)
+      settleLeft("stopped", `before the test began: ${budget.ranOut(undefined, run.waited)}`);
     if (run.late === undefined) break;
     const name = run.late;
+    const reason = budget.ranOut(name, run.waited);
     late.add(name);
     // In parallel with the remaining tests: nothing waits for it.
     searches.push(
@@ -172,14 +226,15 @@ export async function watchTests(spawn, tests, { seconds, onStart, onTest }) {
           name,
           status: "stopped",
           seconds: run.waited,
-          failure: { asked: question.asked, inputs: question.inputs, reason: timeText(seconds) },
+          failure: { asked: question.asked, inputs: question.inputs, reason },
         }),
       ),
     );
+    if (budget.enough) settleLeft("skipped", budget.enough);
   }
   await Promise.all(searches);
-  const ordered = tests.flatMap((name) => results.get(name) ?? []);
-  return { results: ordered, output: printed.text };
+  const ordered = tests.flatMap(({ name }) => results.get(name) ?? []);
+  return { results: ordered, output: printed.text, looks };
 }
 
 /** What the programs printed, one after the other, until that is enough. */

@@ -3,6 +3,7 @@
 
 #include <support/exercise.hpp>
 #include <support/generators.hpp>
+#include <support/shrinkable.hpp>
 
 #include <08_convex_hull/whole.hpp>
 
@@ -92,12 +93,18 @@ TEST_CASE("an area of one counts on a long path") {
 
 TEST_CASE("random points agree with whole-number arithmetic") {
   generators::Random random(seed(0));
+  const auto whole_numbers = [](const Point& a, const Point& b, const Point& c) {
+    const auto whole = [](const Point& p) {
+      return p == p.array().round().matrix() && p.cwiseAbs().maxCoeff() <= kFar;
+    };
+    return whole(a) && whole(b) && whole(c);
+  };
   for (int i = 0; i < 400; ++i) {
     const int size = i % 2 == 0 ? 3 : 1 << 25;
     const auto point = [&] {
       return Point{double(random.integer(-size, size)), double(random.integer(-size, size))};
     };
     const Point a = point(), b = point(), c = point();
-    check(a, b, c);
+    shrinkable(check, whole_numbers, a, b, c);
   }
 }

@@ -4,6 +4,7 @@
 
 #include <support/exercise.hpp>
 #include <support/generators.hpp>
+#include <support/shrinkable.hpp>
 
 #include <contact/exact.hpp>
 
@@ -139,6 +140,10 @@ TEST_CASE("invalid masses are refused") {
 
 TEST_CASE("random bodies agree with exact arithmetic") {
   generators::Random random(seed(0));
+  const auto have_mass = [](const Bodies& bodies) {
+    return !bodies.empty() && std::all_of(bodies.begin(), bodies.end(),
+                                          [](const auto& body) { return body.mass > 0; });
+  };
   for (int asked = 0; asked < 300; ++asked) {
     Bodies bodies;
     for (int n = random.integer(1, 8); n > 0; --n) {
@@ -146,7 +151,7 @@ TEST_CASE("random bodies agree with exact arithmetic") {
       const Vector v{random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-9, 9)};
       bodies.push_back({m, v});
     }
-    check_momentum(bodies);
-    check_velocity(bodies);
+    shrinkable(check_momentum, have_mass, bodies);
+    shrinkable(check_velocity, have_mass, bodies);
   }
 }

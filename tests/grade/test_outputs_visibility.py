@@ -109,6 +109,31 @@ def test_a_shown_test_tells_everything(tmp_path: Path) -> None:
             assert "printed-by-the-program" in files[name], name
 
 
+def same(document: Json, name: str, first: str) -> Json:
+    """One test fails for the same cause as another."""
+    for test in document["submissions"][0]["exercises"][0]["verdict"]["tests"]:
+        if test["name"] == f"the test {name}":
+            test["same_as"] = f"the test {first}"
+    return document
+
+
+def test_one_mistake_is_told_once(tmp_path: Path) -> None:
+    document = same(results(open="shown", other="shown"), "other", "open")
+    page = write(tmp_path, document)["report.html"]
+    assert "The same mistake also fails: “the test other”." in page
+    assert "The same mistake as in “the test open”" in page
+
+
+@pytest.mark.parametrize("first, other", [("secret", "open"), ("open", "secret")])
+def test_no_mistake_is_told_by_the_name_of_a_hidden_test(
+    tmp_path: Path, first: str, other: str
+) -> None:
+    document = same(results(open="shown", secret="hidden"), other, first)
+    for text in write(tmp_path, document).values():
+        assert "test secret" not in text
+        assert "same mistake" not in text
+
+
 @pytest.mark.parametrize("status", ["failed", "stopped"])
 def test_withheld_values_are_in_no_file(tmp_path: Path, status: str) -> None:
     files = write(tmp_path, results(status, kept="values_withheld"))

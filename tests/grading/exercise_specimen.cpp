@@ -174,3 +174,6 @@ TEST_CASE("leaves") {
       })
       .equals(1);
 }
+
+// Last, because these tests run in the order of the file.
+#include "shrinking_specimen.hpp"

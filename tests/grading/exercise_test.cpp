@@ -1,5 +1,6 @@
 // What a program of tests reports, and that it reports it in time. The program is
 // exercise_specimen.cpp.
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cstdio>
 #include <map>
@@ -18,8 +19,8 @@ struct Run {
 
 /// Runs the tests whose names match, reports on its stdout; lines that are not JSON are what tests
 /// printed.
-Run run(const std::string& which) {
-  const std::string command = std::string("CONTACT_MEMORY_MB=512 ") + CONTACT_SPECIMEN +
+Run run(const std::string& which, const std::string& environment = "") {
+  const std::string command = environment + " CONTACT_MEMORY_MB=512 " + CONTACT_SPECIMEN +
                               " -r contact \"" + which + "\" 2>/dev/null";
   FILE* pipe = popen(command.c_str(), "r");
   REQUIRE(pipe != nullptr);
@@ -53,7 +54,71 @@ json outcome(const std::string& name) {
   return all.lines[1];
 }
 
+/// What a closer look at this test says last.
+json look(const std::string& name, const std::string& how) {
+  json last;
+  for (const json& line : run(name, "CONTACT_LOOK=" + how).lines) {
+    if (line["event"] == "look" && line["test"] == name) last = line["look"];
+  }
+  return last;
+}
+
+json inputs_of(const std::string& name, const std::string& text) {
+  return {{{"name", name}, {"text", text}}};
+}
+
 }  // namespace
+
+TEST_CASE("a closer look goes on after a wrong answer and counts") {
+  const json numbers = look("looked at: numbers", "inputs");
+  CHECK(numbers["right"] == 5);
+  CHECK(numbers["wrong"] == 4);
+  CHECK(numbers["right_inputs"] ==
+        json{inputs_of("x", "1.5"), inputs_of("x", "2.25"), inputs_of("x", "3")});
+  CHECK(numbers["wrong_inputs"] ==
+        json{inputs_of("x", "812.8"), inputs_of("x", "99.12"), inputs_of("x", "8.5")});
+  CHECK_FALSE(numbers.contains("smaller"));
+}
+
+TEST_CASE("without a closer look a test ends at its first wrong answer") {
+  const json end = outcome("looked at: numbers");
+  CHECK(end["status"] == "stopped");
+  CHECK(end["failure"]["inputs"] == inputs_of("x", "812.75"));
+}
+
+TEST_CASE("a closer look at a test that passes or is not attempted finds nothing wrong") {
+  const json right = look("right", "smaller");
+  CHECK(right["right"] == 4);
+  CHECK(right["wrong"] == 0);
+  const Run todo = run("looked at: not attempted", "CONTACT_LOOK=smaller");
+  for (const json& line : todo.lines) {
+    if (line["event"] == "end") CHECK(line["status"] == "not_attempted");
+    if (line["event"] == "look") CHECK(line["look"]["wrong"] == 0);
+  }
+}
+
+TEST_CASE("a smaller input is the simplest that fails in the same way") {
+  // 812.75 throws; below 100 the answer is wrong without a throw, which is another mistake.
+  const json number = look("looked at: numbers", "smaller")["smaller"];
+  CHECK(number["reason"] == "threw an exception: too large");
+  CHECK(number["inputs"] == inputs_of("x", "101"));
+  const json shape = look("looked at: a shape", "smaller")["smaller"];
+  CHECK(shape["got"] == "2");
+  CHECK(shape["right"] == "3");
+  const std::string text = shape["inputs"][0]["text"];
+  CHECK(text.find("closed: false, rounds: 0, width: nullopt") != std::string::npos);
+  CHECK(std::count(text.begin(), text.end(), '(') == 3);
+  // The coordinate that does not matter is zero everywhere.
+  std::size_t zeros = 0;
+  for (std::size_t at = text.find(", 0)"); at != std::string::npos; at = text.find(", 0)", at + 1))
+    ++zeros;
+  CHECK(zeros == 3);
+}
+
+TEST_CASE("a smaller input is one that the oracle can judge") {
+  const json normal = look("looked at: only what is judged", "smaller")["smaller"];
+  CHECK(normal["inputs"] == inputs_of("normal", "(0, 1, 0)"));
+}
 
 TEST_CASE("right answers pass, with nothing more to say") {
   const json end = outcome("right");

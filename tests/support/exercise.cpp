@@ -40,10 +40,17 @@ std::string told(const Failure& f) {
   return text;
 }
 
+CloserLook::Inputs inputs_of(const detail::Asked& asked, const TextLimits& limits = {}) {
+  CloserLook::Inputs inputs;
+  for (const auto& given : asked.givens)
+    inputs.emplace_back(given.name, given.text(given.value, limits));
+  return inputs;
+}
+
 Failure described(const detail::Asked& asked) {
   Failure f;
   f.asked = asked.question;
-  for (const auto& given : asked.givens) f.inputs.emplace_back(given.name, given.text(given.value));
+  f.inputs = inputs_of(asked);
   return f;
 }
 
@@ -62,23 +69,64 @@ class Open {
   Open& operator=(const Open&) = delete;
 };
 
-[[noreturn]] void end_test(Failure f) {
-  failure() = std::move(f);
-  FAIL(told(*failure()));
-  std::abort();  // FAIL throws
+std::optional<CloserLook>& look() {
+  static std::optional<CloserLook> current;
+  return current;
 }
 
-[[noreturn]] void stop_test(const detail::Asked& asked, std::string reason) {
+std::string_view wanted_look() {
+  const char* text = std::getenv("CONTACT_LOOK");
+  return text == nullptr ? "" : text;
+}
+
+/// Adds the inputs of a question to those that are shown, if these are few.
+void show(std::vector<CloserLook::Inputs>& shown, const detail::Asked& asked) {
+  constexpr std::size_t most = 3;
+  constexpr TextLimits short_text{.elements = 8, .characters = 60, .digits = 4};
+  if (shown.size() < most) shown.push_back(inputs_of(asked, short_text));
+}
+
+/// Where the failure of a probe goes; nullptr outside of one.
+std::optional<Failure>* probed = nullptr;
+std::function<void()> told_of_look;
+
+/// Whether the test goes on after this failure.
+bool goes_on(const detail::Asked& asked, const Failure& f) {
+  if (probed != nullptr) {
+    if (!*probed) *probed = f;
+    return true;
+  }
+  if (!look()) return false;
+  ++look()->wrong;
+  show(look()->wrong_inputs, asked);
+  if (!failure()) failure() = f;
+  return true;
+}
+
+void end_test(const detail::Asked& asked, Failure f) {
+  if (goes_on(asked, f)) return;
+  failure() = std::move(f);
+  FAIL(told(*failure()));
+}
+
+detail::Ending stop_test(const detail::Asked& asked, std::string reason) {
   Failure f = described(asked);
   f.stopped = true;
   f.reason = std::move(reason);
-  end_test(std::move(f));
+  end_test(asked, std::move(f));
+  return {.thrown = "", .invalid_argument = false, .told = true};
 }
 
 }  // namespace
 
 const Failure* current_failure() { return failure() ? &*failure() : nullptr; }
-void forget_failure() { failure().reset(); }
+void forget_failure() {
+  failure().reset();
+  look().reset();
+  if (!wanted_look().empty()) look().emplace();
+}
+const CloserLook* closer_look() { return look() ? &*look() : nullptr; }
+void tell_closer_look(std::function<void()> tell) { told_of_look = std::move(tell); }
 void tell_questions(std::function<void()> tell) { told_of_questions = std::move(tell); }
 Failure open_question() { return open != nullptr ? described(*open) : Failure{}; }
 
@@ -136,15 +184,15 @@ Ending run(const Asked& asked, const std::function<void()>& call) {
   } catch (const Catch::TestFailureException&) {
     throw;
   } catch (const host::Stopped& stopped) {
-    stop_test(asked, stopped.what());
+    return stop_test(asked, stopped.what());
   } catch (const std::invalid_argument& error) {
-    return {"threw std::invalid_argument: " + std::string{error.what()}, true};
+    return {"threw std::invalid_argument: " + std::string{error.what()}, true, false};
   } catch (const std::bad_alloc&) {
-    stop_test(asked, "ran out of memory");
+    return stop_test(asked, "ran out of memory");
   } catch (const std::exception& error) {
-    stop_test(asked, "threw an exception: " + std::string{error.what()});
+    return stop_test(asked, "threw an exception: " + std::string{error.what()});
   } catch (...) {
-    stop_test(asked, "threw something that is not a std::exception");
+    return stop_test(asked, "threw something that is not a std::exception");
   }
 }
 
@@ -156,7 +204,37 @@ void fail(const Asked& asked, std::string got, std::string right, std::string al
   f.allowed = std::move(allowed);
   if (misconceptions.empty()) f.observed = std::move(observed);
   f.misconceptions = std::move(misconceptions);
-  end_test(std::move(f));
+  end_test(asked, std::move(f));
+}
+
+void pass(const Asked& asked) {
+  if (!look() || probed != nullptr) return;
+  ++look()->right;
+  show(look()->right_inputs, asked);
+}
+
+bool wants_smaller() {
+  return probed == nullptr && look() && !look()->smaller && wanted_look() == "smaller";
+}
+
+std::optional<Failure> probe(const std::function<void()>& ask) {
+  std::optional<Failure> found;
+  probed = &found;
+  try {
+    ask();
+  } catch (const Catch::TestSkipException&) {
+    probed = nullptr;
+    throw;
+  } catch (...) {
+    found.reset();  // a test's own exception: these inputs cannot be judged
+  }
+  probed = nullptr;
+  return found;
+}
+
+void found_smaller(Failure smaller) {
+  look()->smaller = std::move(smaller);
+  if (told_of_look) told_of_look();
 }
 
 }  // namespace detail

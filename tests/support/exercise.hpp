@@ -25,27 +25,10 @@
 
 #include <contact/value_compare.hpp>
 #include <contact/value_text.hpp>
+#include <support/failure.hpp>
 #include <support/observed.hpp>
 
 namespace contact::testing {
-
-/// The report on the first wrong answer of a test.
-struct Failure {
-  std::string asked;
-  std::vector<std::pair<std::string, std::string>> inputs;  ///< name and text, in order
-  std::string got;
-  std::string right;
-  std::string allowed;  ///< how far from `right` an answer may be; empty if not at all
-  /// Ids in chapters/misconceptions.toml: every mistake that gives this answer, each once.
-  std::vector<std::string> misconceptions;
-  /// What is true of this answer whatever caused it (observed.hpp); empty if a mistake is
-  /// recognised, or there is nothing to say.
-  std::string observed;
-  /// The code under test threw, crashed, ended or ran out of time, as `reason` says: there is no
-  /// answer.
-  bool stopped = false;
-  std::string reason;
-};
 
 /// The failure of the test that runs now or has just ended, or nullptr.
 const Failure* current_failure();
@@ -104,7 +87,7 @@ namespace detail {
 struct Given {
   std::string_view name;
   const void* value;
-  std::string (*text)(const void*);
+  std::string (*text)(const void*, const TextLimits&);
 };
 
 struct Asked {
@@ -116,13 +99,18 @@ struct Asked {
 struct Ending {
   std::string thrown;
   bool invalid_argument = false;
+  bool told = false;  ///< the failure, in a closer look, which goes on
 };
 
 /// Runs the call and catches what it throws. Exceptions of the test program itself are passed on.
 Ending run(const Asked& asked, const std::function<void()>& call);
 
-[[noreturn]] void fail(const Asked& asked, std::string got, std::string right, std::string allowed,
-                       std::vector<std::string> misconceptions, std::string observed);
+/// Ends the test; a closer look goes on.
+void fail(const Asked& asked, std::string got, std::string right, std::string allowed,
+          std::vector<std::string> misconceptions, std::string observed);
+
+/// The answer is right.
+void pass(const Asked& asked);
 
 /// Wrong formulae that a right answer to this question has ruled out, for the whole run: what the
 /// student's function computes is not what they compute. `nth` counts those of one misconception.
@@ -178,7 +166,7 @@ class Answer {
 
   /// The call throws std::invalid_argument.
   void throws_invalid_argument() && {
-    if (ending_.invalid_argument) return;
+    if (ending_.invalid_argument) return detail::pass(asked_);
     fail(
         "throws std::invalid_argument", "", Within({0}, ""), [](const T&) { return false; },
         answer_ ? "You return an answer for input that the contract refuses." : "");
@@ -216,8 +204,9 @@ class Answer {
   }
 
   template <class Right>
-  [[noreturn]] void fail(std::string right, std::string text, const Within& allowed,
-                         Right&& is_right, std::string seen) {
+  void fail(std::string right, std::string text, const Within& allowed, Right&& is_right,
+            std::string seen) {
+    if (ending_.told) return;
     std::vector<std::string> misconceptions;
     for_each_suspect([&](const Suspect<T>& suspect, std::size_t nth) {
       const bool known = std::find(misconceptions.begin(), misconceptions.end(),
@@ -240,9 +229,11 @@ class Answer {
     }
   }
 
-  // The answer is right: whoever used a formula that is wrong here would have answered otherwise.
+  // The answer is right: a function that used a formula which is wrong here would have answered
+  // otherwise.
   template <class Right>
   void rule_out(Right& is_right) const {
+    detail::pass(asked_);
     for_each_suspect([&](const Suspect<T>& suspect, std::size_t nth) {
       if (suspect.looks_like || detail::refuted(asked_, suspect.misconception, nth)) return;
       try {
@@ -280,8 +271,9 @@ class Question {
   /// One argument, shown if the answer is wrong. It must outlive the sentence.
   template <Value V>
   Question&& given(std::string_view name, const V& value) && {
-    asked_.givens.push_back(
-        {name, &value, [](const void* v) { return text_of(*static_cast<const V*>(v)); }});
+    asked_.givens.push_back({name, &value, [](const void* v, const TextLimits& limits) {
+                               return text_of(*static_cast<const V*>(v), limits);
+                             }});
     return std::move(*this);
   }
 

@@ -2,11 +2,15 @@
 // line of JSON, flushed at once, so that the reader knows in which test the program crashed.
 //
 //   {"event":"start","test":NAME}
-//   {"event":"end","test":NAME,"status":"passed"|"failed"|"not_attempted"|"stopped","seconds":S,"failure":{...}}
+//   {"event":"end","test":NAME,"status":"passed"|"failed"|"not_attempted"|"stopped","seconds":S,"processor_seconds":S?,"failure":{...}}
 //   {"event":"done"}
 //
 // With CONTACT_TELL_QUESTIONS in the environment also, before each question,
 //   {"event":"question","failure":{"asked","inputs"}}
+//
+// With CONTACT_LOOK=inputs or =smaller, tests go on after a wrong answer, and before the end, and
+// after each smaller input,
+//   {"event":"look","test":NAME,"look":{"right":N,"wrong":N,"right_inputs"?,"wrong_inputs"?,"smaller"?:{...}}}
 //
 // failure:
 // {"asked","inputs":[{"name","text"}],"got","right","allowed"?,"misconceptions"?,"observed"?,"reason"?}.
@@ -21,6 +25,7 @@
 #include <catch2/reporters/catch_reporter_streaming_base.hpp>
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 #ifndef __wasi__
@@ -58,6 +63,20 @@ ordered_json described(const Failure& failure) {
   return result;
 }
 
+ordered_json described(const CloserLook::Inputs& inputs) {
+  ordered_json result = ordered_json::array();
+  for (const auto& [name, text] : inputs) result.push_back({{"name", name}, {"text", text}});
+  return result;
+}
+
+ordered_json described(const CloserLook& look) {
+  ordered_json result{{"right", look.right}, {"wrong", look.wrong}};
+  for (const auto& inputs : look.right_inputs) result["right_inputs"].push_back(described(inputs));
+  for (const auto& inputs : look.wrong_inputs) result["wrong_inputs"].push_back(described(inputs));
+  if (look.smaller) result["smaller"] = described(*look.smaller);
+  return result;
+}
+
 class ContactReporter : public Catch::StreamingReporterBase {
  public:
   explicit ContactReporter(Catch::ReporterConfig&& config)
@@ -66,6 +85,7 @@ class ContactReporter : public Catch::StreamingReporterBase {
     running = this;
     std::atexit([] { running->ends_early(); });
 #endif
+    tell_closer_look([this] { tell_look(); });
     if (std::getenv("CONTACT_TELL_QUESTIONS") == nullptr) return;
     tell_questions([this] {
       ordered_json question = described(open_question());
@@ -80,6 +100,9 @@ class ContactReporter : public Catch::StreamingReporterBase {
     fatal_.clear();
     message_.clear();
     started_ = Clock::now();
+#ifndef __wasi__
+    processor_ = std::clock();
+#endif
     test_ = info.name;
     print({{"event", "start"}, {"test", info.name}});
   }
@@ -98,6 +121,7 @@ class ContactReporter : public Catch::StreamingReporterBase {
 
   void testCaseEnded(const Catch::TestCaseStats& stats) override {
     const std::chrono::duration<double> seconds = Clock::now() - started_;
+    tell_look();
     ordered_json line{{"event", "end"}, {"test", stats.testInfo->name}};
     const Failure* failure = current_failure();
     if (!fatal_.empty()) {
@@ -125,6 +149,9 @@ class ContactReporter : public Catch::StreamingReporterBase {
       line["status"] = "passed";
     }
     line["seconds"] = seconds.count();
+#ifndef __wasi__  // a page has no such clock
+    line["processor_seconds"] = static_cast<double>(std::clock() - processor_) / CLOCKS_PER_SEC;
+#endif
     test_.clear();
     print(line);
     StreamingReporterBase::testCaseEnded(stats);
@@ -137,6 +164,7 @@ class ContactReporter : public Catch::StreamingReporterBase {
   Clock::time_point started_;
   std::string test_, fatal_, message_;
 #ifndef __wasi__
+  std::clock_t processor_ = 0;
   static inline ContactReporter* running = nullptr;
 
   // exit() unwinds nothing: the question is still open, and the reporter still there.
@@ -150,6 +178,11 @@ class ContactReporter : public Catch::StreamingReporterBase {
            {"seconds", seconds.count()}});
   }
 #endif
+
+  void tell_look() {
+    const CloserLook* look = closer_look();
+    if (look != nullptr) print({{"event", "look"}, {"test", test_}, {"look", described(*look)}});
+  }
 
   void print(const ordered_json& line) {
     // Text that came from the code under test need not be UTF-8.

@@ -151,6 +151,7 @@ function sound(entry: object): ExerciseProgress {
     last_checked: (value) => (isTime(value) ? value : undefined),
     solution_shown: (value) => (typeof value === "boolean" ? value : undefined),
     tests: (value) => (isObject(value) ? value : undefined),
+    failing: (value) => (isObject(value) ? value : undefined),
   };
   const kept = Object.entries(entry)
     .map(([name, value]) => [name, Object.hasOwn(kinds, name) ? kinds[name]!(value) : value])

@@ -61,6 +61,8 @@ export interface ExerciseProgress {
   hints_shown?: number;
   solution_shown?: boolean;
   tests?: Record<string, string>;
+  /** Of each test that fails, the texts with which it did since it last passed. */
+  failing?: Record<string, string[]>;
 }
 
 export interface Progress {

@@ -185,6 +185,44 @@ test("a test that keeps its values to itself says so", () => {
   ]);
 });
 
+test("tests that fail by one mistake are said together", () => {
+  const [passed, first, other] = verdict({}).tests;
+  const tests = [passed, first, { ...other, same_as: "two" }];
+  const list = testList(verdict({ tests }), undefined);
+  const [, whole, folded] = list.children;
+  assert.match(whole.textContent, /The same mistake also fails: “three”\./);
+  assert.equal(folded.querySelector("summary").textContent, "The same mistake as in “two”");
+});
+
+test("of a test that failed before, it says which inputs are right, a simpler one, and a hint", () => {
+  const [passed, , other] = verdict({}).tests;
+  const inputs = (/** @type {string} */ text) => [[{ name: "a", text }]];
+  const look = {
+    right: 6,
+    wrong: 3,
+    right_inputs: inputs("8"),
+    wrong_inputs: inputs("9"),
+    smaller: { asked: "What?", inputs: inputs("0")[0], got: "2", right: "1" },
+    hint_number: 1,
+    hint: "as text",
+  };
+  const data = { misconceptions: {}, hints: ["<p>Look at <em>zero</em>.</p>"] };
+  const list = testList(verdict({ tests: [passed, { ...other, look }] }), data);
+  const said = list.querySelector(".failure");
+  assert.match(
+    said.textContent,
+    /Of 9 questions in this test, your code answers 6 right and 3 wrong/,
+  );
+  assert.deepEqual(rows(said).slice(-5), [
+    ["Right, for example, for", "a = 8"],
+    ["Wrong, for example, for", "a = 9"],
+    ["Input", "a = 0"],
+    ["Came back", "2"],
+    ["Right", "1"],
+  ]);
+  assert.equal(said.querySelector(".hint em").textContent, "zero");
+});
+
 test("the sentence says where to look first", () => {
   assert.equal(sentence(verdict({})), "3 of 6 points: 2 tests fail. First look at “two”.");
   assert.match(sentence(verdict({ verdict: "passed", points: 6 })), /^Passed.*6 of 6 points/);

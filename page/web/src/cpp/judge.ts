@@ -12,21 +12,15 @@ import {
 } from "@bjorn3/browser_wasi_shim";
 import type {
   Judge,
+  Look,
   ProgressRecord,
   ProgressReport,
+  Ran,
   TestResult,
+  TimedTest,
   Uncompiled,
   VerdictJson,
 } from "./types.ts";
-
-/** What else is known of a file whose tests ran. */
-export interface Ran {
-  /** The student's text, and what the compiler said of it: warnings then have their place. */
-  readonly source?: string;
-  readonly log?: string;
-  /** What the student's program printed. */
-  readonly output?: string;
-}
 
 /** The book's files by their paths in the repository: exercise.toml, contracts, chapter.toml, misconceptions.toml. */
 export type Files = Readonly<Record<string, string>>;
@@ -83,6 +77,21 @@ export class BookJudge implements Judge {
     this.#module = module;
     this.#files = files;
     this.#exports = this.#start();
+  }
+
+  /** The tests in their order, each with what it may take in a check. */
+  tests(exercise: string): TimedTest[] {
+    return this.#ask({ do: "tests", exercise });
+  }
+
+  /** The test of which more is to be found out, since it has failed before with other code. */
+  again(
+    exercise: string,
+    progress: ProgressRecord,
+    results: readonly TestResult[],
+    source: string,
+  ): { test: string; look: Look } | null {
+    return this.#ask({ do: "again", exercise, progress, results, source });
   }
 
   /** Points, skips and hints from what happened to each test. */

@@ -1,6 +1,6 @@
 // What the page and its workers say to each other.
 
-import type { Manifest, TestResult } from "./types.ts";
+import type { Look, Looks, Manifest, TestResult, TimedTest } from "./types.ts";
 
 /** One answer to be compiled and linked. */
 /** What is said of a worker whose script does not load: its error event has no words. */
@@ -67,16 +67,21 @@ export type FromCompiler =
 /** A program to be run; the thread that runs it is ready before it comes. */
 export interface RunOrder {
   readonly program: Uint8Array<ArrayBuffer>;
-  readonly tests: readonly string[];
-  /** The limit of one test. */
-  readonly seconds: number;
+  readonly tests: readonly TimedTest[];
   readonly seed: string | undefined;
+  /** A closer look at what fails, instead of the first wrong answer alone. */
+  readonly look?: Look;
 }
 
 export type FromRunner =
   | { readonly kind: "start"; readonly test: string }
   | { readonly kind: "test"; readonly result: TestResult }
-  | { readonly kind: "done"; readonly results: readonly TestResult[]; readonly output: string }
+  | {
+      readonly kind: "done";
+      readonly results: readonly TestResult[];
+      readonly output: string;
+      readonly looks: Looks;
+    }
   | { readonly kind: "failed"; readonly why: string };
 
 /** What a worker's global scope is, as far as it is used here. */

@@ -2,11 +2,13 @@
 
 import { runTests } from "../../../wasm/test_program.mjs";
 import type { Scope } from "./messages.ts";
+import type { Look } from "./types.ts";
 
 interface Order {
   readonly program: WebAssembly.Module;
   readonly tests: readonly string[];
   readonly questions: boolean;
+  readonly look: Look | undefined;
   readonly seed: string | undefined;
 }
 

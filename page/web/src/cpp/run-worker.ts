@@ -4,6 +4,7 @@
 import type { Event } from "../../../wasm/test_program.mjs";
 import { type Spawn, watchTests } from "../../../wasm/test_watch.mjs";
 import { type FromRunner, NOT_LOADED, type RunOrder, type Scope } from "./messages.ts";
+import type { Looks } from "./types.ts";
 
 const scope = globalThis as unknown as Scope<RunOrder, FromRunner>;
 
@@ -35,7 +36,7 @@ scope.onmessage = ({ data }) => {
   });
 };
 
-async function run({ program, tests, seconds, seed }: RunOrder): Promise<void> {
+async function run({ program, tests, seed, look }: RunOrder): Promise<void> {
   const module = await WebAssembly.compile(program);
   const spawn: Spawn = (order, tell, fail) => {
     const thread = ready.broken === undefined ? ready : newThread();
@@ -49,10 +50,10 @@ async function run({ program, tests, seconds, seed }: RunOrder): Promise<void> {
     worker.postMessage({ program: module, ...order, seed });
     return { end: () => worker.terminate() };
   };
-  const { results, output } = await watchTests(spawn, tests, {
-    seconds,
+  const { results, output, looks } = await watchTests(spawn, tests, {
+    look,
     onStart: (test) => scope.postMessage({ kind: "start", test }),
     onTest: (result) => scope.postMessage({ kind: "test", result }),
   });
-  scope.postMessage({ kind: "done", results, output });
+  scope.postMessage({ kind: "done", results, output, looks: looks as Looks });
 }

@@ -1,7 +1,7 @@
 // The run workers as the page sees them. Each watches over one program at a time; one that is not needed rests.
 
 import { type FromRunner, NOT_LOADED, type RunOrder } from "./messages.ts";
-import { CheckerError, type TestResult } from "./types.ts";
+import { CheckerError, type Looks, type TestResult } from "./types.ts";
 
 export interface RunHooks {
   readonly onStart: (test: string) => void;
@@ -12,6 +12,8 @@ export interface RunHooks {
 export interface Finished {
   readonly results: readonly TestResult[];
   readonly output: string;
+  /** What the closer look at each test found. */
+  readonly looks: Looks;
 }
 
 const notLoaded = () =>

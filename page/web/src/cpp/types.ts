@@ -24,23 +24,56 @@ export interface Failure {
   readonly reason?: string;
 }
 
+/** What is said beyond the first wrong answer to a reader who has failed the same test before, each time with other
+ * code. */
+export interface CloserLook {
+  /** How many of the test's questions the code answers right, and how many wrong. */
+  readonly right: number;
+  readonly wrong: number;
+  /** The inputs of the first few of each. */
+  readonly right_inputs?: readonly (readonly Input[])[];
+  readonly wrong_inputs?: readonly (readonly Input[])[];
+  /** The same with inputs that fit the head. */
+  readonly smaller?: Failure;
+  /** One of the exercise's hints, counted from 1. */
+  readonly hint_number?: number;
+  readonly hint?: string;
+}
+
+/** How much is to be found out: which inputs are answered right, or also a smaller one that is not. */
+export type Look = "inputs" | "smaller";
+
+/** By the names of tests. */
+export type Looks = Readonly<Record<string, CloserLook>>;
+
+/** A test and what it may take, in seconds. */
+export interface TimedTest {
+  readonly name: string;
+  readonly seconds: number;
+}
+
 /** What the runner saw happen to one test. */
 export interface TestResult {
   readonly name: string;
-  readonly status: "passed" | "failed" | "not_attempted" | "stopped";
+  /** "skipped": it was not run. */
+  readonly status: "passed" | "failed" | "not_attempted" | "stopped" | "skipped";
   readonly failure?: Failure;
   readonly seconds: number;
+  readonly look?: CloserLook;
 }
 
 export interface TestVerdict {
   readonly name: string;
-  readonly status: TestResult["status"] | "skipped";
+  readonly status: TestResult["status"];
   readonly points: number;
   readonly max_points: number;
   readonly seconds: number;
   /** Where it is not "shown". */
   readonly visibility?: "after_due" | "values_withheld" | "hidden";
   readonly failure?: Failure;
+  /** The earlier test that fails for the same cause. */
+  readonly same_as?: string;
+  readonly look?: CloserLook;
 }
 
 /** One message of the compiler. Lines and columns count from 1. */
@@ -92,6 +125,8 @@ export interface VerdictJson {
   /** What the student's program printed, cut at a limit. */
   readonly output: string;
   readonly seconds: Seconds;
+  /** Names the text that was checked, without its blanks and comments. */
+  readonly code?: string;
   readonly compile_error?: CompileError;
 }
 
@@ -177,6 +212,8 @@ export interface CheckOptions {
   /** What random inputs start from; without it always the same. */
   readonly seed?: string;
   readonly signal?: AbortSignal;
+  /** What was done before: a test that fails again has more said of it. */
+  readonly progress?: ProgressRecord;
   /** Each test's result as it ends, before the verdict. */
   readonly onTest?: (result: TestResult) => void;
 }
@@ -202,6 +239,8 @@ export interface Ran {
   readonly log?: string;
   /** What the student's program printed. */
   readonly output?: string;
+  /** Before this check: for the next hint. */
+  readonly progress?: ProgressRecord | undefined;
 }
 
 /** A source file that came to nothing. */
@@ -216,6 +255,15 @@ export interface Uncompiled {
 
 /** The book's own judge (grading/verdict/verdict.cpp and its kin, as WebAssembly). Every call is over at once. */
 export interface Judge {
+  /** The tests in their order, each with what it may take in a check. */
+  tests(id: string): TimedTest[];
+  /** The test of which more is to be found out, since it has failed before with other code. */
+  again(
+    id: string,
+    progress: ProgressRecord,
+    results: readonly TestResult[],
+    source: string,
+  ): { readonly test: string; readonly look: Look } | null;
   judge(id: string, results: readonly TestResult[], ran?: Ran): VerdictJson;
   uncompiled(id: string, what: Uncompiled): VerdictJson;
   /** The record after a check, a hint, a look at the solution. */

@@ -2,7 +2,13 @@
 // came of it. Everything heavy is loaded when it is first needed.
 
 import type { Checker } from "../cpp/checker.ts";
-import type { ExerciseData, Progress as Step, TestResult, VerdictJson } from "../cpp/types.ts";
+import type {
+  ExerciseData,
+  ProgressRecord,
+  Progress as Step,
+  TestResult,
+  VerdictJson,
+} from "../cpp/types.ts";
 import { button, freshId, html } from "../dom.ts";
 import { type Change, fingerprint, type Version, Work } from "../work.ts";
 import { CodeField } from "./code-field.ts";
@@ -481,11 +487,13 @@ export class Bench {
         this.#sayIfItLasts(`Running the tests: ${tests} done, the last one ${mark}.`);
       };
       const tell = (step: Step): void => this.#tell(step);
-      const verdict = await checker.check(data, text, tell, { signal, onTest });
+      const progress = Work.progress() as ProgressRecord;
+      const verdict = await checker.check(data, text, tell, { signal, onTest, progress });
       const judge = await checker.judge(data);
       const now = new Date().toISOString().replace(/\.\d+Z$/, "Z");
       const record = judge.record(Work.progress(), verdict, now);
       Work.setProgress(record as ReturnType<typeof Work.progress>);
+      this.#hints.showUpTo(Work.progress().exercises[this.#parts.id]?.hints_shown ?? 0);
       Work.setVerdict(this.#parts.id, text, verdict);
       Work.judged(this.#parts.id, text, verdict);
       this.#checked = { of: fingerprint(text), at: now };
@@ -533,7 +541,9 @@ export class Bench {
     const verdict = last?.verdict as VerdictJson | undefined;
     if (!last || !Array.isArray(verdict?.tests)) return;
     this.#checked = { of: last.of, at: last.at };
-    const hinted = verdict.tests.some(({ failure }) => failure?.misconceptions?.length);
+    const hinted = verdict.tests.some(
+      ({ failure, look }) => failure?.misconceptions?.length || look?.hint_number,
+    );
     const data = hinted ? await this.#exercise().catch(() => undefined) : undefined;
     if (this.#stopping) return;
     await this.#showVerdict(verdict, data);

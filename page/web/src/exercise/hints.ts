@@ -9,11 +9,16 @@ export class Hints {
 
   constructor(hints: readonly Node[][], shown: number) {
     this.#hints = hints;
-    while (this.#shown < Math.min(shown, hints.length)) this.#append(false);
+    this.showUpTo(shown);
   }
 
   get left(): number {
     return this.#hints.length - this.#shown;
+  }
+
+  /** Those that were shown elsewhere are here too, folded. */
+  showUpTo(number: number): void {
+    while (this.#shown < Math.min(number, this.#hints.length)) this.#append(false);
   }
 
   /** Shows one more; says which it is. */

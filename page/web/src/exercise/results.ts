@@ -2,6 +2,7 @@
 // failure whole. Loaded when there is a verdict.
 
 import type {
+  CloserLook,
   CompileError,
   Diagnostic,
   ExerciseData,
@@ -64,15 +65,10 @@ const SEVERAL = "Several mistakes give this answer. Is one of them in your code?
 
 const literal = (text: string): HTMLElement => html("pre", {}, text);
 
-function explained(
-  { status, visibility }: TestVerdict,
-  failure: Failure,
-  data: ExerciseData | undefined,
-): HTMLElement {
-  const list = html("dl");
-  const add = (name: string, ...content: (Node | string)[]): void =>
-    list.append(html("dt", {}, name), html("dd", {}, ...content));
-  if (failure.asked) add("Asked", failure.asked);
+type Add = (name: string, ...content: (Node | string)[]) => void;
+
+/** What a question had for an answer. */
+function answered(add: Add, status: TestVerdict["status"], failure: Failure): void {
   if (failure.inputs.length > 0) add("Input", literal(aligned(failure.inputs)));
   if (failure.got) add("Came back", literal(failure.got));
   if (failure.right) {
@@ -82,22 +78,76 @@ function explained(
     add("Right", literal(failure.right), within);
   }
   if (failure.reason) add(status === "stopped" ? "What stopped the test" : "Why", failure.reason);
+}
+
+const withHtml = (text: string): HTMLElement => {
+  const words = html("div");
+  words.innerHTML = text;
+  return words;
+};
+
+/** What is said of a test that has failed before with other code. */
+function lookedAt(look: CloserLook, data: ExerciseData | undefined): HTMLElement[] {
+  const made: HTMLElement[] = [];
+  const list = html("dl");
+  const add: Add = (name, ...content) =>
+    list.append(html("dt", {}, name), html("dd", {}, ...content));
+  const asked = look.right + look.wrong;
+  if (asked > 0) {
+    const right = `your code answers ${look.right} right and ${look.wrong} wrong.`;
+    made.push(html("p", {}, `Of ${count(asked, "question")} in this test, ${right}`));
+    const several = (inputs: NonNullable<CloserLook["right_inputs"]>): HTMLElement =>
+      literal(inputs.map(aligned).join("\n\n"));
+    if (look.right_inputs?.length) add("Right, for example, for", several(look.right_inputs));
+    if (look.wrong_inputs?.length) add("Wrong, for example, for", several(look.wrong_inputs));
+    made.push(list);
+  }
+  if (look.smaller) {
+    const simpler = html("dl");
+    const put: Add = (name, ...content) =>
+      simpler.append(html("dt", {}, name), html("dd", {}, ...content));
+    answered(put, look.smaller.reason ? "stopped" : "failed", look.smaller);
+    made.push(html("p", {}, "With simpler inputs it is wrong too:"), simpler);
+  }
+  if (look.hint_number) {
+    const known = data?.hints[look.hint_number - 1];
+    const words = known ? withHtml(known) : (look.hint ?? "");
+    made.push(html("p", {}, `Hint ${look.hint_number}:`), html("div", { class: "hint" }, words));
+  }
+  return made;
+}
+
+function explained(
+  { status, visibility, look }: TestVerdict,
+  failure: Failure,
+  same: readonly string[],
+  data: ExerciseData | undefined,
+): HTMLElement[] {
+  const list = html("dl");
+  const add: Add = (name, ...content) =>
+    list.append(html("dt", {}, name), html("dd", {}, ...content));
+  if (failure.asked) add("Asked", failure.asked);
+  answered(add, status, failure);
   const { misconceptions = [], questions = [] } = failure;
   const [alone] = misconceptions.length === 1 ? misconceptions : [];
   const known = alone && data?.misconceptions[alone];
   if (questions.length > 0) {
     const each = questions.map((question) => html("li", {}, question));
     add("Hint", html("p", {}, SEVERAL), html("ul", {}, ...each));
-  } else if (known) {
-    const words = html("div");
-    words.innerHTML = known;
-    add("Hint", words);
-  } else if (failure.hint) add("Hint", failure.hint);
+  } else if (known) add("Hint", withHtml(known));
+  else if (failure.hint) add("Hint", failure.hint);
   if (visibility === "values_withheld") add("Not shown", "This test does not show its values.");
-  return list;
+  const names = same.map((name) => `“${name}”`).join(", ");
+  const also = same.length > 0 ? [html("p", {}, `The same mistake also fails: ${names}.`)] : [];
+  return [list, ...also, ...(look ? lookedAt(look, data) : [])];
 }
 
-function test(verdict: TestVerdict, first: boolean, data: ExerciseData | undefined): HTMLElement {
+function test(
+  verdict: TestVerdict,
+  first: boolean,
+  same: readonly string[],
+  data: ExerciseData | undefined,
+): HTMLElement {
   const { status, failure } = verdict;
   const [mark, words] = MARKS[status];
   const points = `${number(verdict.points)} of ${number(verdict.max_points)}`;
@@ -117,14 +167,18 @@ function test(verdict: TestVerdict, first: boolean, data: ExerciseData | undefin
   if (!isFailure(verdict)) {
     if (failure.reason) row.append(html("p", { class: "reason" }, failure.reason));
   } else if (first)
-    row.append(html("div", { class: "failure" }, explained(verdict, failure, data)));
+    row.append(html("div", { class: "failure" }, ...explained(verdict, failure, same, data)));
   else
     row.append(
       html(
         "details",
         { class: "more" },
-        html("summary", {}, "What happened"),
-        explained(verdict, failure, data),
+        html(
+          "summary",
+          {},
+          verdict.same_as ? `The same mistake as in “${verdict.same_as}”` : "What happened",
+        ),
+        ...explained(verdict, failure, same, data),
       ),
     );
   return row;
@@ -132,7 +186,9 @@ function test(verdict: TestVerdict, first: boolean, data: ExerciseData | undefin
 
 export function testList(verdict: VerdictJson, data: ExerciseData | undefined): HTMLElement {
   const first = verdict.tests.find(isFailure);
-  const rows = verdict.tests.map((one) => test(one, one === first, data));
+  const same = ({ name }: TestVerdict): string[] =>
+    verdict.tests.filter(({ same_as }) => same_as === name).map((other) => other.name);
+  const rows = verdict.tests.map((one) => test(one, one === first, same(one), data));
   return html("ol", { class: "tests" }, ...rows);
 }
 

@@ -30,9 +30,6 @@ let browser;
 /** @type {Awaited<ReturnType<typeof open>>} */
 let shown;
 
-/** A test may take a second, and not five: an endless loop is one either way. */
-const hasty = { time_limit: 1 };
-
 /** @param {string} source @param {Parameters<typeof check>[3]} [options] */
 const checked = (source, options) => check(shown.page, id, source, options);
 
@@ -125,14 +122,11 @@ describe("the checker", { skip }, () => {
 
   test("an endless loop costs its test, and says which question has no answer", async () => {
     const source = with_("  if (ray.direction.x() > 1.5) for (volatile int i = 0;; i = i + 1) {}");
-    const { verdict, told } = await checked(source, hasty);
+    const { verdict, told } = await checked(source);
     const stopped = verdict?.tests.filter(({ status }) => status === "stopped") ?? [];
     assert.ok(stopped.length > 0 && stopped.length < (verdict?.tests.length ?? 0));
     for (const { failure } of stopped) {
-      assert.equal(
-        failure?.reason,
-        "no answer after 1 second: an endless loop, or far too much work",
-      );
+      assert.match(failure?.reason ?? "", /^no answer after (2|0\.5) seconds: an endless loop/);
       assert.match(failure?.asked ?? "", /\?$/);
       const ray = failure?.inputs.find(({ name }) => name === "ray")?.text ?? "";
       assert.ok(Number(/direction: \(([^,]*),/.exec(ray)?.[1]) > 1.5, ray);
