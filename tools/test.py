@@ -476,13 +476,17 @@ def dev_check() -> Iterator[Check]:
     yield counted("contact dev mutants", mutants(), count_mutants)
 
 
-def mutants() -> list[str]:
+# A tenth of the exercises in each run, and the seconds of processor time after which none begins.
+MUTANTS_EACH, MUTANT_SECONDS = 10, 120
+
+
+def mutants() -> list[str | Path]:
     there = [file.parent for file in sorted(ROOT.glob("exercises/*/*/exercise.toml"))]
     names = [f"{folder.parent.name}/{folder.name}" for folder in there]
     taken = sample(names, MUTANTS_EACH, "exercises whose solutions are mutated", kind="exercises")
-    command = [PROGRAM, "dev", "mutants", "--json", *taken]
+    command: list[str | Path] = [PROGRAM, "dev", "mutants", "--json", *taken]
     # What a change touches can be all of them, and the nightly run tries them all.
-    return command if "CONTACT_ALL" in os.environ else [*command, "--limit", MUTANT_SECONDS]
+    return command if "CONTACT_ALL" in os.environ else [*command, "--limit", str(MUTANT_SECONDS)]
 
 
 def count_mutants(done: Done) -> Tally | None:
