@@ -94,12 +94,13 @@ function lookedAt(look: CloserLook, data: ExerciseData | undefined): HTMLElement
     list.append(html("dt", {}, name), html("dd", {}, ...content));
   const asked = look.right + look.wrong;
   if (asked > 0) {
-    const right = `your code answers ${look.right} right and ${look.wrong} wrong.`;
-    made.push(html("p", {}, `Of ${count(asked, "question")} in this test, ${right}`));
+    const right = `your code answers ${look.right} right and ${look.wrong} wrong`;
+    const words = `Of ${count(asked, "question")} in this test, ${right}. Some of each, to four digits:`;
+    made.push(html("p", {}, words));
     const several = (inputs: NonNullable<CloserLook["right_inputs"]>): HTMLElement =>
       literal(inputs.map(aligned).join("\n\n"));
-    if (look.right_inputs?.length) add("Right, for example, for", several(look.right_inputs));
-    if (look.wrong_inputs?.length) add("Wrong, for example, for", several(look.wrong_inputs));
+    if (look.right_inputs?.length) add("Right for", several(look.right_inputs));
+    if (look.wrong_inputs?.length) add("Wrong for", several(look.wrong_inputs));
     made.push(list);
   }
   if (look.smaller) {
