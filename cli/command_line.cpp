@@ -91,7 +91,7 @@ void Command::callback(const std::function<void()>& chosen) const {
     try {
       chosen();
     } catch (const MissingOption& missing) {
-      throw CLI::RequiredError(missing.what());
+      throw CLI::RequiredError(missing.what(), CLI::ExitCodes::RequiredError);
     }
   });
 }

@@ -67,7 +67,8 @@ class Command {
   CLI::App* app_;
 };
 
-/// For a callback: something is missing that only this combination of options asks for.
+/// For a callback: something is missing that only this combination of options asks for. The text is
+/// the whole message, with a command that has it.
 class MissingOption : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -272,11 +272,14 @@ void add_grade(Command app, Action& action) {
                      "Slurm: units in one task");
   command.add_option("--slurm-options", options->session.slurm.more,
                      "Slurm: more options of sbatch");
-  command.callback([&action, options] {
+  const std::string usage =
+      ": `contact grade FOLDER --output RESULTS` grades the submissions in FOLDER and writes the "
+      "results and reports to the folder RESULTS.";
+  command.callback([&action, options, usage] {
     if (options->autograder.empty() && options->session.submissions.empty())
-      throw MissingOption("submissions");
+      throw MissingOption("A folder of submissions is required" + usage);
     if (options->autograder.empty() && options->session.results.empty())
-      throw MissingOption("--output");
+      throw MissingOption("--output is required" + usage);
     action = [options](Context& context) { return run(context, *options); };
   });
 }

@@ -303,6 +303,22 @@ const Exercise& Book::exercise(std::string_view name) const {
   throw_unknown(name, "exercise", {});
 }
 
+namespace {
+
+// " The exercises of 08_convex_hull are a, b and c."
+std::string exercises_text(const Chapter& chapter, const std::vector<const Exercise*>& exercises) {
+  if (exercises.empty()) return " " + chapter.slug + " has no exercises.";
+  std::string text = " The exercises of " + chapter.slug + " are ";
+  if (exercises.size() == 1) text = " The exercise of " + chapter.slug + " is ";
+  for (std::size_t i = 0; i < exercises.size(); ++i) {
+    const bool last = i + 1 == exercises.size();
+    text += (i == 0 ? "" : last ? " and " : ", ") + exercises[i]->name;
+  }
+  return text + ".";
+}
+
+}  // namespace
+
 void Book::throw_unknown(std::string_view name, const std::string& kind,
                          std::vector<std::string> names) const {
   for (const BookProblem& problem : problems_) {
@@ -319,6 +335,9 @@ void Book::throw_unknown(std::string_view name, const std::string& kind,
     text += " Did you mean ";
     for (std::size_t i = 0; i < near.size(); ++i) text += (i ? " or " : "") + near[i];
     text += "?";
+  } else if (const std::size_t slash = name.rfind('/'); slash != std::string_view::npos) {
+    if (const Chapter* chapter = find_chapter(name.substr(0, slash)))
+      text += exercises_text(*chapter, exercises_of(*chapter));
   }
   throw UnknownName(text + " `contact list` shows all.");
 }

@@ -4,8 +4,9 @@
 
 What is on the page counts: words at 200 a minute (a formula's pieces between spaces are words),
 lines of shown code and output at 12 a minute, a question 1 minute, a figure 2. Together these are
-at most 45 minutes. A Deeper box is counted separately, and so are exercises, at the minutes that
-each says. It needs nothing but Python.
+at most 45 minutes, unless the chapter's `may_be_long` gives a reason. A Deeper box is counted
+separately, and so are exercises, at the minutes that each says. Outside these boxes a listing has
+at most 25 lines in every lesson. It needs nothing but Python.
 """
 
 from __future__ import annotations
@@ -86,15 +87,13 @@ class Lesson:
 
     @property
     def problems(self) -> list[str]:
-        if self.may_be_long:
-            return []
         found = [
             f"{listing.name} shows {listing.lines} lines, and a listing may have {MOST_LINES}: "
             "narrow its region, or fold it into a Deeper box"
             for listing in self.main.listings
             if listing.lines > MOST_LINES
         ]
-        if self.main.minutes > MOST_MINUTES:
+        if self.main.minutes > MOST_MINUTES and not self.may_be_long:
             found.append(
                 f"it takes {self.main.minutes:.1f} minutes, and may take {MOST_MINUTES}: "
                 + counted(self.main)

@@ -1,6 +1,6 @@
 // Right answers are the formula without rounding, rounded once. Every test asks for at least two
-// different answers, so that no constant passes one, and no velocity is returned unchanged except
-// where that is right.
+// different answers, so that no constant passes one, and at least once for a bounce, so that the
+// velocity returned unchanged does not.
 #include "floor_bounce.hpp"
 
 #include <support/exercise.hpp>
@@ -59,7 +59,16 @@ TEST_CASE("the tangential component is unchanged") {
 }
 
 TEST_CASE("a body that moves away is left alone") {
-  check({1, 2, -3}, {0, 0, 1}, 0.5);
+  // Whether the formula for an approach is right, other tests ask: here the answer must only
+  // differ.
+  const Vector approaching(1, 2, -3);
+  ask("What is the velocity after the bounce?")
+      .given("velocity", approaching)
+      .given("normal", Vector(0, 0, 1))
+      .given("k", 0.5)
+      .answer([&] { return exercise::after_bounce(approaching, Vector(0, 0, 1), 0.5); })
+      .satisfies("differs from the velocity before, because the ball approaches the surface",
+                 [&](const Vector& after) { return after != approaching; });
   check({1, 2, 3}, {0, 0, 1}, 0.5);
   check({-2, 0, 0}, {0, 0, 1}, 0.5);
   check({0, 7, 1}, {0.6, 0, 0.8}, 0.875);

@@ -96,8 +96,15 @@ class Grader:
         }
 
     def run(self, *words: str, exercises: str = "signed_distance") -> Done:
+        return self._run(self.command(*words, exercises=exercises))
+
+    def run_as(self, *words: str) -> Done:
+        """With these words after `grade`, and no others."""
+        return self._run([str(self.program), "grade", *words])
+
+    def _run(self, command: list[str]) -> Done:
         return subprocess.run(
-            self.command(*words, exercises=exercises),
+            command,
             capture_output=True,
             text=True,
             env=self.environment(),

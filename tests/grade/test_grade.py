@@ -140,6 +140,19 @@ def test_command_lines_that_are_not_understood(grader: Grader) -> None:
     assert not grader.results.exists()
 
 
+def test_what_is_missing_is_said_with_a_whole_command(grader: Grader) -> None:
+    usage = "`contact grade FOLDER --output RESULTS` grades the submissions in FOLDER"
+    for words, missing in (
+        ([str(grader.submissions)], "--output is required"),
+        ([], "A folder of submissions is required"),
+        (["--output", str(grader.results)], "A folder of submissions is required"),
+    ):
+        done = grader.run_as(*words)
+        assert done.returncode == 2
+        assert f"{missing}: {usage}" in done.stderr
+    assert not grader.results.exists()
+
+
 def test_submissions_must_be_a_folder_apart_from_the_results(grader: Grader) -> None:
     grader.hand_in("ada")
     good = grader.results

@@ -190,8 +190,8 @@ TEST_CASE("bytes that are no answer fail the call") {
   // Bytes that nobody asked for are found before the next question or, where they come later, in
   // place of its reply.
   for (const char* how : {"speaks again", "speaks first"})
-    CHECK_THAT(reason(how), Equals("sent unrequested bytes") ||
-                                Equals("sent back bytes that are not a reply"));
+    CHECK_THAT(reason(how),
+               Equals("sent unrequested bytes") || Equals("sent back bytes that are not a reply"));
 }
 
 TEST_CASE("a reply made before its question is no answer, whatever it says") {

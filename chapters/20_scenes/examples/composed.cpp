@@ -5,6 +5,7 @@
 
 namespace {
 
+// [run]
 constexpr contact::HardSphereEffects all;
 constexpr contact::HardSphereEffects needed{.gravity = false, .sizes = false, .restitution = false};
 
@@ -18,6 +19,7 @@ contact::HardSphereCheckpoint run(const char* name, const contact::HardSphereSet
               balls.energy());
   return balls.checkpoint();
 }
+// [/run]
 
 }  // namespace
 

@@ -13,6 +13,7 @@ int main() {
   scene.duration = 20;
   for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
     scene.tolerance.position = tolerance;
+    // [cutoff]
     const contact::Plan plan = contact::plan_scene(scene);
     const contact::Decision& events = contact::decision_on(plan, contact::Effect::event_driven);
     contact::HardSphereSetup setup = contact::hard_sphere_setup(scene).setup;
@@ -20,6 +21,7 @@ int main() {
     constexpr contact::HardSphereEffects on_a_line{.dimension = 1, .sizes = false, .grid = false};
     contact::HardSpheres<on_a_line> run(setup, {2, 0, 1});
     run.advance(scene.duration);
+    // [/cutoff]
     std::printf("tolerance %.0e m: events %s, bounces from %.1e s on followed, %2d hits\n",
                 tolerance, events.on ? "on" : "off", setup.cutoff,
                 static_cast<int>(run.counts().hits));

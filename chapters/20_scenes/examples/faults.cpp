@@ -4,9 +4,7 @@
 
 int main() {
   const char* const text = R"({
-  "format": "contact-scene/1",
-  "units": "SI",
-  "name": "mistakes",
+  "format": "contact-scene/1", "units": "SI", "name": "mistakes",
   "about": "Two balls, and more mistakes than balls.",
   "gravity": [0, 0, -10],
   "materials": [{ "name": "rubber", "restitution": 1.2, "friction": 0 }],

@@ -29,6 +29,7 @@ contact::HardSphereSetup ten_discs() {
 int main() {
   constexpr contact::HardSphereEffects plane{
       .dimension = 2, .gravity = false, .sizes = false, .restitution = false, .grid = false};
+  // [two-runs]
   contact::HardSphereSetup setup = ten_discs();
   contact::HardSpheres<plane> one(setup);
   setup.balls[0].position.x() = std::nextafter(setup.balls[0].position.x(), 2.0);
@@ -43,4 +44,5 @@ int main() {
                 static_cast<int>(one.counts().hits), apart,
                 std::abs(one.energy() - other.energy()));
   }
+  // [/two-runs]
 }

@@ -6,15 +6,14 @@
 #include <cstdio>
 
 int main() {
+  // [raise]
   contact::Scene scene =
       contact::scenes::read_scene(std::string(CONTACT_SCENES) + "billiards_break.json");
   const contact::Plan level = contact::plan_scene(scene);
-  contact::SceneBody* ball = nullptr;
-  for (contact::SceneBody& body : scene.bodies) {
-    if (body.moves) ball = &body;
-  }
-  ball->position.z() = std::nextafter(ball->position.z(), 1.0);
+  contact::SceneBody& ball = scene.bodies.back();
+  ball.position.z() = std::nextafter(ball.position.z(), 1.0);
   const contact::Plan raised = contact::plan_scene(scene);
+  // [/raise]
 
   for (const contact::Effect effect : contact::all_effects) {
     const contact::Decision& before = contact::decision_on(level, effect);

@@ -1,5 +1,6 @@
 // Four bodies in front of a wall one centimetre thick: the closing speed that energy allows, and
 // the longest step with which nothing can pass through.
+#include <contact/inertia.hpp>
 #include <contact/plan/plan.hpp>
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/plan/plan_rules.hpp>
@@ -16,12 +17,10 @@ contact::Scene before_a_wall(const contact::SceneShape& shape, double speed,
   body.name = "body";
   body.shape = shape;
   body.mass = 1;
-  body.inertia = contact::Vector3<double>(1, 1, 1).asDiagonal();
-  if (const auto* box = std::get_if<contact::BoxShape>(&shape)) {
-    const contact::Vector3<double> square = box->half_lengths.cwiseAbs2();
-    body.inertia = (contact::Vector3<double>::Constant(square.sum()) - square).asDiagonal();
-    body.inertia /= 3;
-  }
+  if (const auto* box = std::get_if<contact::BoxShape>(&shape))
+    body.inertia = contact::box_inertia<double>(body.mass, 2 * box->half_lengths);
+  else
+    body.inertia = contact::sphere_inertia(body.mass, std::get<contact::BallShape>(shape).radius);
   body.position = {-1, 0, 0};
   body.velocity = {speed, 0, 0};
   body.angular_velocity = {0, 0, angular_velocity};
@@ -36,11 +35,13 @@ contact::Scene before_a_wall(const contact::SceneShape& shape, double speed,
 }
 
 void show(const char* what, const contact::Scene& scene) {
+  // [longest-step]
   const contact::PlanInput q = contact::plan_input(scene);
   const contact::PairBound& pair = q.pairs.front();
   const double longest = 2 * pair.core / pair.closing;
   const contact::Inequality frame = contact::tunnelling_conditions(q, 1.0 / 60).front();
   const contact::Inequality fine = contact::tunnelling_conditions(q, 0.999 * longest).front();
+  // [/longest-step]
   std::printf("%-24s%6.1f m/s  1/60 s: %.2f m %s %.3f m  %8.6f s: %s\n", what, pair.closing,
               frame.left, contact::holds(frame) ? "<" : "≥", frame.right, longest,
               contact::holds(fine) ? "proven" : "not proven");
