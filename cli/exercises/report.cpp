@@ -42,8 +42,8 @@ void labelled(std::string& text, std::string_view label, std::string_view value,
   text += "    " + style.dim(padded(label, label_width)) + body.substr(4 + label_width) + "\n";
 }
 
-std::string failure_text(const TestVerdict& test, const Style& style) {
-  const Failure& failure = test.failure;
+// A failure, or what a test that passed has to show.
+std::string failure_text(const TestVerdict& test, const Failure& failure, const Style& style) {
   std::string text = "\n  " + style.bold(test.name) + "\n";
   labelled(text, "asked", failure.asked, style);
   std::size_t width = 0;
@@ -57,7 +57,8 @@ std::string failure_text(const TestVerdict& test, const Style& style) {
   labelled(text, "got", printable(failure.got), style);
   labelled(text, "right", failure.right, style);
   labelled(text, "allowed", failure.allowed, style);
-  labelled(text, "stopped", printable(failure.reason), style);
+  labelled(text, test.status == TestStatus::stopped ? "stopped" : "why", printable(failure.reason),
+           style);
   labelled(text, "hint", failure.hint, style);
   if (test.visibility == grading::Visibility::values_withheld)
     labelled(text, "note", "this test does not show its values", style);
@@ -156,8 +157,11 @@ std::string report(const Verdict& verdict, const Style& style, const ReportOptio
   bool first = true;
   for (const TestVerdict& test : verdict.tests) {
     if (test.status != TestStatus::failed && test.status != TestStatus::stopped) continue;
-    if (first || options.all_failures) text += failure_text(test, style);
+    if (first || options.all_failures) text += failure_text(test, test.failure, style);
     first = false;
+  }
+  for (const TestVerdict& test : verdict.tests) {
+    if (!test.finding.asked.empty()) text += failure_text(test, test.finding, style);
   }
   if (verdict.outcome == Outcome::failed) text += warnings_text(verdict, style);
   text += output_text(verdict.output, style);

@@ -90,6 +90,7 @@ std::string unmet_need(const Exercise& exercise, const TestSpec& test,
 // Only private tests are hidden or await the due date, and no student ever has a verdict on these;
 // if one did, it would say nothing.
 void withhold(TestVerdict& test) {
+  if (test.visibility != Visibility::shown) test.finding = Failure{};
   Failure& failure = test.failure;
   if (test.visibility == Visibility::values_withheld) {
     failure.inputs.clear();
@@ -138,10 +139,12 @@ Verdict judge(const Exercise& exercise, const Book& book, const std::vector<Test
     } else {
       test.status = found->second->status;
       test.failure = found->second->failure;
+      if (test.status == TestStatus::passed) test.finding = found->second->finding;
       test.seconds = found->second->seconds;
       if (test.status != TestStatus::not_attempted) {
         if (const std::string need = unmet_need(exercise, spec, status); !need.empty()) {
           test.status = TestStatus::skipped;
+          test.finding = Failure{};
           test.failure = Failure{};
           test.failure.reason = "it counts once this passes: " + need;
         }
@@ -228,6 +231,8 @@ TestResult result_from_json(const nlohmann::json& json) {
     result.seconds = seconds->get<double>();
   if (const auto failure = json.find("failure"); failure != json.end() && failure->is_object())
     result.failure = failure_from(*failure);
+  if (const auto finding = json.find("finding"); finding != json.end() && finding->is_object())
+    result.finding = failure_from(*finding);
   return result;
 }
 
@@ -275,6 +280,7 @@ nlohmann::json to_json(const Verdict& verdict) {
     if (test.status == TestStatus::failed || test.status == TestStatus::stopped ||
         test.status == TestStatus::skipped)
       entry["failure"] = to_json(test.failure);
+    if (!test.finding.asked.empty()) entry["finding"] = to_json(test.finding);
     tests.push_back(std::move(entry));
   }
   nlohmann::json json = {{"exercise", verdict.exercise},

@@ -44,6 +44,8 @@ struct TestResult {
   TestStatus status = TestStatus::not_attempted;
   Failure failure;
   double seconds = 0.0;
+  /// What a test that passed has to show, in the same form; `asked` is empty if nothing.
+  Failure finding = {};
 };
 
 struct TestVerdict {
@@ -54,6 +56,7 @@ struct TestVerdict {
   Failure failure;
   double seconds = 0.0;
   Visibility visibility = Visibility::shown;
+  Failure finding = {};
 };
 
 /// For whom a verdict is.
@@ -151,8 +154,8 @@ std::optional<TestStatus> status_from_key(std::string_view key);
 /// "3" for 3.0, "2.5" for 2.5.
 std::string points_text(double points);
 
-/// A test's result as a runner's event tells it: {name, status, seconds, failure?}. What is missing
-/// or of the wrong kind reads as empty, an unknown status as stopped.
+/// A test's result as a runner's event tells it: {name, status, seconds, failure?, finding?}. What
+/// is missing or of the wrong kind reads as empty, an unknown status as stopped.
 TestResult result_from_json(const nlohmann::json& json);
 nlohmann::json to_json(const Failure& failure);
 nlohmann::json to_json(const Remark& remark);

@@ -4,7 +4,7 @@ import { outputLimit, timeText, withoutAssertion } from "./test_program.mjs";
 
 /** @typedef {import('./test_program.mjs').Event} Event */
 /** @typedef {import('./test_program.mjs').Failure} Failure */
-/** @typedef {{ name: string, status: import('./test_program.mjs').Status, seconds: number, failure?: Failure }
+/** @typedef {{ name: string, status: import('./test_program.mjs').Status, seconds: number, failure?: Failure, finding?: Failure }
  *   } TestResult */
 /** @typedef {{ tests: readonly string[], questions: boolean }} Order */
 /** @typedef {(order: Order, tell: (event: Event) => void, fail: (error: Error) => void) => { end(): void }} Spawn
@@ -156,8 +156,14 @@ export async function watchTests(spawn, tests, { seconds, onStart, onTest }) {
       else if (event.event === "afresh") printed.turn();
       else if (event.event === "unstarted") before(event.reason);
       else if (event.event === "end") {
-        const { test, status, seconds, failure } = event;
-        settle({ name: test, status, seconds, ...(failure ? { failure } : {}) });
+        const { test, status, seconds, failure, finding } = event;
+        settle({
+          name: test,
+          status,
+          seconds,
+          ...(failure ? { failure } : {}),
+          ...(finding ? { finding } : {}),
+        });
       }
     });
     printed.turn();

@@ -27,6 +27,11 @@ std::optional<Failure>& failure() {
   return current;
 }
 
+std::optional<Failure>& finding() {
+  static std::optional<Failure> current;
+  return current;
+}
+
 std::string told(const Failure& f) {
   std::string text = "\n" + f.asked + '\n';
   for (const auto& [name, value] : f.inputs) text += "  " + name + " = " + value + '\n';
@@ -34,7 +39,7 @@ std::string told(const Failure& f) {
   if (!f.right.empty()) text += "  right:     " + f.right + '\n';
   if (!f.allowed.empty()) text += "  allowed:   " + f.allowed + '\n';
   if (!f.misconception.empty()) text += "  hint:      " + f.misconception + '\n';
-  if (!f.reason.empty()) text += "  stopped:   " + f.reason + '\n';
+  if (!f.reason.empty()) text += (f.stopped ? "  stopped:   " : "  why:       ") + f.reason + '\n';
   return text;
 }
 
@@ -76,7 +81,11 @@ class Open {
 }  // namespace
 
 const Failure* current_failure() { return failure() ? &*failure() : nullptr; }
-void forget_failure() { failure().reset(); }
+const Failure* current_finding() { return finding() ? &*finding() : nullptr; }
+void forget_failure() {
+  failure().reset();
+  finding().reset();
+}
 void tell_questions(std::function<void()> tell) { told_of_questions = std::move(tell); }
 Failure open_question() { return open != nullptr ? described(*open) : Failure{}; }
 
@@ -124,6 +133,10 @@ Ending run(const Asked& asked, const std::function<void()>& call) {
     stop_test(asked, "threw something that is not a std::exception");
   }
 }
+
+void fail(Failure report) { end_test(std::move(report)); }
+
+void show(Failure report) { finding() = std::move(report); }
 
 void fail(const Asked& asked, std::string got, std::string right, std::string allowed,
           std::string_view misconception) {

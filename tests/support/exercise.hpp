@@ -43,6 +43,8 @@ struct Failure {
 
 /// The failure of the test that runs now or has just ended, or nullptr.
 const Failure* current_failure();
+/// What a passing test of the present run has to show, or nullptr (break_it.hpp).
+const Failure* current_finding();
 void forget_failure();
 
 /// The question whose answer is being computed, with its inputs: what to say when that never ends
@@ -111,6 +113,11 @@ Ending run(const Asked& asked, const std::function<void()>& call);
 
 [[noreturn]] void fail(const Asked& asked, std::string got, std::string right, std::string allowed,
                        std::string_view misconception);
+
+/// The same with everything said by the caller. `show` ends no test: the report is of one that
+/// passes.
+[[noreturn]] void fail(Failure report);
+void show(Failure report);
 
 template <class C, class A>
 std::type_identity<std::remove_cvref_t<A>> parameter_of(bool (C::*)(A) const);

@@ -26,6 +26,8 @@ export interface TestResult {
   readonly name: string;
   readonly status: "passed" | "failed" | "not_attempted" | "stopped";
   readonly failure?: Failure;
+  /** What a test that passed has to show, in the same form. */
+  readonly finding?: Failure;
   readonly seconds: number;
 }
 
@@ -38,6 +40,7 @@ export interface TestVerdict {
   /** Where it is not "shown". */
   readonly visibility?: "after_due" | "values_withheld" | "hidden";
   readonly failure?: Failure;
+  readonly finding?: Failure;
 }
 
 /** One message of the compiler. Lines and columns count from 1. */

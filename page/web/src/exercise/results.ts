@@ -71,7 +71,8 @@ function explained(
     list.append(html("dt", {}, name), html("dd", {}, ...content));
   if (failure.asked) add("Asked", failure.asked);
   if (failure.inputs.length > 0) add("Input", literal(aligned(failure.inputs)));
-  if (failure.got) add("Came back", literal(failure.got));
+  const breaks = data?.kind === "break";
+  if (failure.got) add(breaks ? "The given code" : "Came back", literal(failure.got));
   if (failure.right) {
     const within = failure.allowed
       ? html("p", { class: "allowed" }, "to within ", html("code", {}, failure.allowed))
@@ -89,8 +90,11 @@ function explained(
   return list;
 }
 
+const more = (label: string, content: HTMLElement): HTMLElement =>
+  html("details", { class: "more" }, html("summary", {}, label), content);
+
 function test(verdict: TestVerdict, first: boolean, data: ExerciseData | undefined): HTMLElement {
-  const { status, failure } = verdict;
+  const { status, failure, finding } = verdict;
   const [mark, words] = MARKS[status];
   const points = `${number(verdict.points)} of ${number(verdict.max_points)}`;
   const row = html(
@@ -105,20 +109,13 @@ function test(verdict: TestVerdict, first: boolean, data: ExerciseData | undefin
     ),
     html("span", { class: "points" }, points, html("span", { class: "spoken" }, " points")),
   );
+  if (finding) row.append(more("What it shows", explained(verdict, finding, data)));
   if (!failure) return row;
   if (!isFailure(verdict)) {
     if (failure.reason) row.append(html("p", { class: "reason" }, failure.reason));
   } else if (first)
     row.append(html("div", { class: "failure" }, explained(verdict, failure, data)));
-  else
-    row.append(
-      html(
-        "details",
-        { class: "more" },
-        html("summary", {}, "What happened"),
-        explained(verdict, failure, data),
-      ),
-    );
+  else row.append(more("What happened", explained(verdict, failure, data)));
   return row;
 }
 
