@@ -50,7 +50,7 @@ Judged judged(const Pair& pair) {
   else
     difference = "The relative error is " + contact::text_of(off, {.digits = 2}) + ".";
   return {!(off <= 0.01), contact::text_of(given), contact::text_of(right), difference,
-          off > 0 && off <= 0.01};
+          off > 0 && off <= 1e-6};
 }
 
 Judged judged_nan(const Pair& pair) {

@@ -58,7 +58,8 @@ Judged judged(const Approach& all) {
   const double off = std::abs(*given - right);
   const bool near = off <= 0.01 * right;
   return {!near, told(given), told(right),
-          "The difference is " + contact::text_of(off, {.digits = 2}) + " s.", near && off > 0};
+          "The difference is " + contact::text_of(off, {.digits = 2}) + " s.",
+          off > 0 && off <= 1e-9 * right};
 }
 
 BreakIt<Approach> question(std::string_view text) {
