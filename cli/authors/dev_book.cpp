@@ -288,7 +288,8 @@ void check_sources(const Exercise& exercise, Problems& problems) {
   for (const fs::path& file : {exercise.solution, exercise.test_source}) {
     if (!fs::exists(file)) problems.push_back("there is no " + shown(file));
   }
-  const std::set<std::string> own{exercise.name + ".hpp", exercise.name + ".cpp", "exercise.toml"};
+  const std::set<std::string> own{exercise.name + ".hpp", exercise.name + ".cpp", "exercise.toml",
+                                  exercise.breaks};
   require_only(
       exercise.folder,
       [&](const fs::path& entry) { return own.count(entry.filename().string()) != 0; }, problems);
@@ -307,15 +308,35 @@ void check_sources(const Exercise& exercise, Problems& problems) {
       problems);
 }
 
+// An exercise of the kind "break" gives code that is wrong. That it is wrong is shown by its
+// solution, whose inputs break it, and that it is not wrong everywhere by its wrong answers.
+void check_given(const Exercise& exercise, Problems& problems) {
+  if (exercise.breaks.empty()) {
+    if (exercise.kind == "break") problems.push_back("it does not say what it breaks");
+    return;
+  }
+  if (exercise.kind != "break") problems.push_back("only an exercise of kind break has `breaks`");
+  if (exercise.breaks.find('/') != std::string::npos || !exercise.breaks.ends_with(".hpp") ||
+      exercise.given == exercise.contract)
+    problems.push_back("`breaks` is a header of its own in the exercise's folder, not '" +
+                       exercise.breaks + "'");
+  const std::string given = text_or_empty(exercise.given);
+  if (given.empty()) problems.push_back("there is no " + shown(exercise.given));
+  if (given.find("namespace given") == std::string::npos)
+    problems.push_back("the code to break is not in the namespace `given`");
+  if (text_or_empty(exercise.test_source).find('"' + exercise.breaks + '"') == std::string::npos)
+    problems.push_back("the tests do not include " + exercise.breaks);
+}
+
 DevResult check_exercise(const Book& book, const Exercise& exercise) {
   DevResult result{"exercise", exercise.id(), {}};
   Problems& problems = result.problems;
   if (blank(exercise.title)) problems.push_back("it has no title");
   if (blank(exercise.brief)) problems.push_back("it has no brief");
   if (!(exercise.minutes > 0.0)) problems.push_back("it does not say how many minutes it takes");
-  if (!contains({"worked", "completion", "blank", "transfer"}, exercise.kind))
-    problems.push_back("kind must be worked, completion, blank or transfer, not '" + exercise.kind +
-                       "'");
+  if (!contains({"worked", "completion", "blank", "transfer", "break"}, exercise.kind))
+    problems.push_back("kind must be worked, completion, blank, transfer or break, not '" +
+                       exercise.kind + "'");
   const Chapter* chapter = chapter_called(book, exercise.chapter);
   const bool objective_known =
       chapter != nullptr &&
@@ -330,6 +351,7 @@ DevResult check_exercise(const Book& book, const Exercise& exercise) {
   check_hints(exercise, problems);
   check_wrong_answers(book, exercise, problems);
   check_sources(exercise, problems);
+  check_given(exercise, problems);
   return result;
 }
 

@@ -38,6 +38,7 @@ json registry_of(const grading::Exercise& exercise) {
           {"brief", exercise.brief},
           {"hints", exercise.hints},
           {"misconceptions", exercise.misconceptions},
+          {"breaks", exercise.breaks},
           {"time_limit", exercise.time_limit},
           {"tests", tests}};
 }

@@ -43,6 +43,7 @@ class Files {
   void add(const Exercise& exercise) {
     add("contract", exercise.contract);
     add("stub", exercise.stub);
+    if (!exercise.given.empty()) add("code to break", exercise.given);
     add_all("exercise", exercise.folder);
     add("copy", book_.work_file(exercise));
     add("solution", exercise.solution);

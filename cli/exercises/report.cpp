@@ -53,12 +53,13 @@ void inputs_text(std::string& text, const grading::CloserLook::Inputs& inputs, c
   }
 }
 
-void answer_text(std::string& text, const Failure& failure, const Style& style) {
+void answer_text(std::string& text, const Failure& failure, const Style& style,
+                 std::string_view reason = "stopped") {
   inputs_text(text, failure.inputs, style);
   labelled(text, "got", printable(failure.got), style);
   labelled(text, "right", failure.right, style);
   labelled(text, "allowed", failure.allowed, style);
-  labelled(text, "stopped", printable(failure.reason), style);
+  labelled(text, reason, printable(failure.reason), style);
   labelled(text, "hint", failure.hint, style);
   if (!failure.questions.empty()) {
     labelled(text, "hint", "Several mistakes give this answer. Is one of them in your code?",
@@ -105,10 +106,20 @@ std::string look_text(const grading::CloserLook& look, const Style& style) {
   return text;
 }
 
+// What a test that passed has to show.
+std::string finding_text(const TestVerdict& test, const Style& style) {
+  std::string text = "\n  " + style.bold(test.name) + "\n";
+  labelled(text, "asked", test.finding.asked, style);
+  answer_text(text, test.finding, style, "why");
+  if (test.visibility == grading::Visibility::values_withheld)
+    labelled(text, "note", "this test does not show its values", style);
+  return text;
+}
+
 std::string failure_text(const Verdict& verdict, const TestVerdict& test, const Style& style) {
   std::string text = "\n  " + style.bold(test.name) + "\n";
   labelled(text, "asked", test.failure.asked, style);
-  answer_text(text, test.failure, style);
+  answer_text(text, test.failure, style, test.status == TestStatus::stopped ? "stopped" : "why");
   if (test.visibility == grading::Visibility::values_withheld)
     labelled(text, "note", "this test does not show its values", style);
   const std::vector<std::string> same = grading::same_mistake(verdict, test);
@@ -216,6 +227,9 @@ std::string report(const Verdict& verdict, const Style& style, const ReportOptio
     if (first || (options.all_failures && test.same_as.empty()))
       text += failure_text(verdict, test, style);
     first = false;
+  }
+  for (const TestVerdict& test : verdict.tests) {
+    if (!test.finding.asked.empty()) text += finding_text(test, style);
   }
   if (verdict.outcome == Outcome::failed) text += warnings_text(verdict, style);
   text += output_text(verdict.output, style);

@@ -188,6 +188,8 @@ Exercise read_exercise(const fs::path& root, const std::string& chapter, const s
   exercise.minutes = table["minutes"].value_or(0.0);
   exercise.hints = texts_of(table, "hints");
   exercise.misconceptions = texts_of(table, "misconceptions");
+  exercise.breaks = text_of(table, "breaks");
+  if (!exercise.breaks.empty()) exercise.given = exercise.folder / exercise.breaks;
   exercise.time_limit = table["time_limit"].value_or(exercise.time_limit);
   if (!(exercise.time_limit > 0.0))
     throw BookError(file.string() + ": time_limit must be above zero");

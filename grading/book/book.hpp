@@ -72,6 +72,8 @@ struct Exercise {
   double minutes = 0.0;
   std::vector<std::string> hints;
   std::vector<std::string> misconceptions;
+  /// Of kind "break": the name of the given file, which is wrong; empty in other exercises.
+  std::string breaks;
   /// Seconds of processor time that one test may use in grading.
   double time_limit = 5.0;
   std::vector<TestSpec> tests;
@@ -79,6 +81,7 @@ struct Exercise {
   std::filesystem::path folder;         ///< exercises/NN_slug/NAME
   std::filesystem::path contract;       ///< the header that states what is asked
   std::filesystem::path stub;           ///< the pristine starting point
+  std::filesystem::path given;          ///< what is to be broken; empty if nothing is
   std::filesystem::path solution;       ///< solutions/NN_slug/NAME/NAME.cpp
   std::filesystem::path wrong_answers;  ///< solutions/NN_slug/NAME/wrong
   std::filesystem::path test_source;    ///< tests/NN_slug/NAME_test.cpp

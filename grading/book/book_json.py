@@ -121,6 +121,28 @@ def _rows(table: Table, key: str, columns: Sequence[str]) -> list[Json]:
     return read
 
 
+def _inputs(table: Table) -> list[Json]:
+    """What the page's fields begin with: for each function of a contract that breaks code."""
+    read = []
+    for row in table.tables("inputs"):
+        start, taken = row.data.get("start"), row.data.get("from", [])
+        for key, value in (("start", start), ("from", taken)):
+            if not isinstance(value, list | dict):
+                raise BookError(f"{row.where}: '{key}' should be a list or a table")
+            row.get(key, type(value), value)
+        read.append(
+            {
+                "function": row.need("function", str),
+                "says": row.need("says", str),
+                "start": start,
+                "figure": row.get("figure", str, ""),
+                "from": taken,
+            }
+        )
+        row.done()
+    return read
+
+
 def _exercise(table: Table) -> Json:
     tests = []
     for row in table.tables("tests"):
@@ -140,6 +162,8 @@ def _exercise(table: Table) -> Json:
         "brief": table.need("brief", str),
         "hints": table.strings("hints"),
         "misconceptions": table.strings("misconceptions"),
+        "breaks": table.get("breaks", str, ""),
+        "inputs": _inputs(table),
         "time_limit": table.get("time_limit", float, TIME_LIMIT),
         "tests": tests,
     }

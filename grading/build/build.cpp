@@ -36,8 +36,8 @@ void newest_in(const fs::path& folder, fs::file_time_type& newest) {
 // When any file last changed that the compiled tests may be made of. A superset is fine: after a
 // build, the stamp says that everything of that time is built.
 fs::file_time_type newest_source(const Book& book, const Exercise& exercise) {
-  fs::file_time_type newest = modified(exercise.contract);
-  newest = std::max(newest, modified(exercise.test_source));
+  fs::file_time_type newest = modified(exercise.test_source);
+  newest_in(exercise.folder, newest);
   for (const char* host : {"exercise.cpp", "runner.cpp"})
     newest = std::max(newest, modified(book.root() / "tests" / "support" / host));
   newest_in(exercise.test_source.parent_path(), newest);

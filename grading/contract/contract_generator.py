@@ -14,6 +14,7 @@ import argparse
 import hashlib
 import re
 import sys
+import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -140,7 +141,7 @@ def read_parameter(node: Node) -> Parameter:
     return Parameter(spelled, text(declarator), by_reference)
 
 
-def read_function(node: Node) -> Function:
+def read_function(node: Node, may_lack_input: bool) -> Function:
     declarator = field(node, "declarator")
     if declarator.type in ("pointer_declarator", "reference_declarator"):
         raise ContractError(
@@ -172,7 +173,7 @@ def read_function(node: Node) -> Function:
     parameters = [
         child for child in field(declarator, "parameters").named_children if child.type != "comment"
     ]
-    if not parameters:
+    if not parameters and not may_lack_input:
         raise ContractError(
             node, f"`{text(node)}`: a function without input has one answer; ask a question instead"
         )
@@ -246,7 +247,15 @@ def declarations(node: Node) -> Iterator[Node]:
                 )
 
 
-def read_contract(source: bytes) -> list[Function]:
+def may_lack_input(contract: Path) -> bool:
+    """Whether the answer is itself an input, as in an exercise that breaks code."""
+    described = contract.parent / "exercise.toml"
+    if not described.is_file():
+        return False
+    return bool(tomllib.loads(described.read_text(encoding="utf-8")).get("breaks"))
+
+
+def read_contract(source: bytes, *, may_lack_input: bool = False) -> list[Function]:
     """The functions of a contract, in order."""
     root = Parser(Language(tree_sitter_cpp.language())).parse(source).root_node
     broken = next(walk_errors(root), None)
@@ -274,7 +283,7 @@ def read_contract(source: bytes) -> list[Function]:
             raise ContractError(
                 node, f"`{text(node)}`: a contract declares functions and types, no variables"
             )
-        function = read_function(node)
+        function = read_function(node, may_lack_input)
         if any(function.name == earlier.name for earlier in functions):
             raise ContractError(
                 node, f"`{function.name}` is overloaded; give each function a name of its own"
@@ -361,7 +370,7 @@ def main() -> int:
     arguments = options.parse_args()
     contract: Path = arguments.contract
     try:
-        functions = read_contract(contract.read_bytes())
+        functions = read_contract(contract.read_bytes(), may_lack_input=may_lack_input(contract))
     except ContractError as error:
         print(f"{contract}:{error.line}: {error}", file=sys.stderr)
         return 1

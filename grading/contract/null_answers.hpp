@@ -165,7 +165,7 @@ template <class T, class... Arguments>
 T null_answer(int, const Arguments&... arguments) {
   static const Null kind = null_detail::kind_asked_for();
   T result = null_detail::make<T>(kind);
-  bool done = kind != Null::echo;
+  [[maybe_unused]] bool done = kind != Null::echo;
   (null_detail::echo_into(result, done, arguments), ...);
   return result;
 }

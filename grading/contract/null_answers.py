@@ -11,7 +11,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from contract_generator import NAMESPACE, Function, read_contract
+from contract_generator import NAMESPACE, Function, may_lack_input, read_contract
 
 
 def body(function: Function) -> str:
@@ -21,9 +21,9 @@ def body(function: Function) -> str:
 
 def answer(contract: Path) -> str:
     """The whole source file."""
+    read = read_contract(contract.read_bytes(), may_lack_input=may_lack_input(contract))
     functions = "\n\n".join(
-        f"{function.declared()} {{\n  {body(function)}\n}}"
-        for function in read_contract(contract.read_bytes())
+        f"{function.declared()} {{\n  {body(function)}\n}}" for function in read
     )
     return (
         f'#include "{contract.name}"\n\n#include "contract/null_answers.hpp"\n\n'

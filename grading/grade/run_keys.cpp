@@ -108,6 +108,7 @@ UnitKey RunKeys::of(const Exercise& exercise, const PrivateExercise* private_tes
   Sha256 tests;
   tests.add_part(read_text(exercise.folder / "exercise.toml"))
       .add_part(read_text(exercise.contract))
+      .add_part(exercise.given.empty() ? std::string() : read_text(exercise.given))
       .add_part(read_text(bundle.asks));
   if (private_tests != nullptr) tests.add_part(private_tests->fingerprint);
   key.tests = tests.text();

@@ -39,6 +39,7 @@ BoxSpec compile_box(const Book& book, const BuildDescription& build, const Exerc
   show(fs::path(build.pch).parent_path());
   show(book.root() / "chapters" / "00_vectors" / "contact");
   show(exercise.contract);
+  if (!exercise.given.empty()) show(exercise.given);
   show(build.exercises.at(exercise.id()).server);
   spec.limits.cpu_seconds = limits.compile_cpu_seconds;
   spec.limits.wall_seconds = compile_wall_seconds(limits);

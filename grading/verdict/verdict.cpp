@@ -118,6 +118,7 @@ std::string unmet_need(const Exercise& exercise, const TestSpec& test,
 // Only private tests are hidden or await the due date, and no student ever has a verdict on these;
 // if one did, it would say nothing.
 void withhold(TestVerdict& test) {
+  if (test.visibility != Visibility::shown) test.finding = Failure{};
   Failure& failure = test.failure;
   if (test.visibility == Visibility::values_withheld) {
     failure.inputs.clear();
@@ -202,12 +203,14 @@ Verdict judge(const Exercise& exercise, const Book& book, const std::vector<Test
     } else {
       test.status = found->second->status;
       test.failure = found->second->failure;
+      if (test.status == TestStatus::passed) test.finding = found->second->finding;
       test.seconds = found->second->seconds;
       test.processor_seconds = found->second->processor_seconds;
       if (spec.visibility == Visibility::shown) test.look = found->second->look;
       if (test.status != TestStatus::not_attempted) {
         if (const std::string need = unmet_need(exercise, spec, status); !need.empty()) {
           test.status = TestStatus::skipped;
+          test.finding = Failure{};
           test.failure = Failure{};
           test.failure.reason = "it counts once this passes: " + need;
         }
@@ -319,6 +322,8 @@ TestResult result_from_json(const nlohmann::json& json) {
     result.failure = failure_from(*failure);
   if (const auto look = json.find("look"); look != json.end() && look->is_object())
     result.look = look_from_json(*look);
+  if (const auto finding = json.find("finding"); finding != json.end() && finding->is_object())
+    result.finding = failure_from(*finding);
   return result;
 }
 
@@ -400,6 +405,7 @@ nlohmann::json to_json(const Verdict& verdict) {
       entry["failure"] = to_json(test.failure);
     if (!test.same_as.empty()) entry["same_as"] = test.same_as;
     if (test.look) entry["look"] = to_json(*test.look);
+    if (!test.finding.asked.empty()) entry["finding"] = to_json(test.finding);
     tests.push_back(std::move(entry));
   }
   nlohmann::json json = {{"exercise", verdict.exercise},

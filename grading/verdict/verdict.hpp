@@ -69,6 +69,8 @@ struct TestResult {
   /// 0 if it is not known.
   double processor_seconds = 0.0;
   std::optional<CloserLook> look;
+  /// What a test that passed has to show, in the same form; `asked` is empty if nothing.
+  Failure finding = {};
 };
 
 struct TestVerdict {
@@ -83,6 +85,7 @@ struct TestVerdict {
   std::optional<CloserLook> look;
   /// The earlier test that fails for the same cause; empty if there is none.
   std::string same_as;
+  Failure finding = {};
 };
 
 /// For whom a verdict is.
@@ -192,8 +195,8 @@ std::string points_text(double points);
 CloserLook look_from_json(const nlohmann::json& json);
 nlohmann::json to_json(const CloserLook& look);
 
-/// A test's result as a runner's event tells it: {name, status, seconds, failure?, look?}. What is
-/// missing or of the wrong kind reads as empty, an unknown status as stopped.
+/// A test's result as a runner's event tells it: {name, status, seconds, failure?, finding?,
+/// look?}. What is missing or of the wrong kind reads as empty, an unknown status as stopped.
 TestResult result_from_json(const nlohmann::json& json);
 nlohmann::json to_json(const Failure& failure);
 nlohmann::json to_json(const Remark& remark);

@@ -15,7 +15,8 @@ import {
 /** @typedef {Pick<Failure, 'asked' | 'inputs'>} Question */
 /** @typedef {'passed' | 'failed' | 'not_attempted' | 'stopped'} Status */
 /** @typedef {{ event: 'start', test: string }
- *   | { event: 'end', test: string, status: Status, seconds: number, failure?: Failure }
+ *   | { event: 'end', test: string, status: Status, seconds: number, failure?: Failure,
+ *       finding?: Failure }
  *   | { event: 'question', failure: Question }
  *   | { event: 'look', test: string, look: unknown }
  *   | { event: 'printed', to: 'output' | 'errors', bytes: Uint8Array<ArrayBuffer> }

@@ -5,7 +5,7 @@ import { outputLimit, timeText, withoutAssertion } from "./test_program.mjs";
 /** @typedef {import('./test_program.mjs').Event} Event */
 /** @typedef {import('./test_program.mjs').Failure} Failure */
 /** @typedef {{ name: string, status: import('./test_program.mjs').Status | 'skipped', seconds: number,
- *   failure?: Failure }} TestResult */
+ *   failure?: Failure, finding?: Failure }} TestResult */
 /** @typedef {{ name: string, seconds: number }} Timed a test and what it may take */
 /** @typedef {'inputs' | 'smaller'} Look */
 /** @typedef {{ tests: readonly string[], questions: boolean, look?: Look | undefined }} Order */
@@ -208,8 +208,14 @@ export async function watchTests(spawn, tests, { onStart, onTest, look }) {
       else if (event.event === "unstarted") settleLeft("stopped", event.reason);
       else if (event.event === "look") looks[event.test] = event.look;
       else if (event.event === "end") {
-        const { test, status, seconds, failure } = event;
-        settle({ name: test, status, seconds, ...(failure ? { failure } : {}) });
+        const { test, status, seconds, failure, finding } = event;
+        settle({
+          name: test,
+          status,
+          seconds,
+          ...(failure ? { failure } : {}),
+          ...(finding ? { finding } : {}),
+        });
       }
     });
     printed.turn();

@@ -8,6 +8,7 @@ import json
 import os
 import re
 import subprocess
+import tomllib
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -18,10 +19,15 @@ from wrong_answers import wrong_answers
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build" / "dev"
-EXERCISES = sorted(
-    f"{toml.parent.parent.name}/{toml.parent.name}"
-    for toml in (ROOT / "exercises").glob("*/*/exercise.toml")
-)
+TOMLS = sorted((ROOT / "exercises").glob("*/*/exercise.toml"))
+EXERCISES = [f"{toml.parent.parent.name}/{toml.parent.name}" for toml in TOMLS]
+# In an exercise that breaks code the answer is the input, so there is no question to change: what
+# is learnt by heart there is an input that breaks the code, and that is the answer.
+ASKING = [
+    exercise
+    for exercise, toml in zip(EXERCISES, TOMLS, strict=True)
+    if "breaks" not in tomllib.loads(toml.read_text(encoding="utf-8"))
+]
 # Words, digits, hexadecimal digits, a number that is too long for one, and a single character.
 SEEDS = [
     "autumn term",
@@ -101,7 +107,7 @@ def linked(exercise: str, source: Path, folder: Path) -> Path:
     return program
 
 
-@pytest.mark.parametrize("exercise", EXERCISES)
+@pytest.mark.parametrize("exercise", ASKING)
 def test_questions_change_with_the_seed(exercise: str, tmp_path: Path) -> None:
     program = BUILD / "exercises" / exercise / "linked"
     by_seed = [asked(program, tmp_path, seed) for seed in (None, *SEEDS[:4])]

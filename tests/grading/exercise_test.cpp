@@ -139,6 +139,44 @@ TEST_CASE(
              {"misconceptions", {"this-one"}}});
 }
 
+TEST_CASE("an input that breaks the code passes, and says what both answer") {
+  const json end = outcome("an input that breaks the code");
+  CHECK(end["status"] == "passed");
+  CHECK_FALSE(end.contains("failure"));
+  CHECK(end["finding"] == json{{"asked", "Where is it wrong?"},
+                               {"inputs", {{{"name", "number"}, {"text", "5"}}}},
+                               {"got", "10"},
+                               {"right", "25"},
+                               {"reason", "The difference is 15."}});
+  CHECK_FALSE(outcome("right").contains("finding"));
+}
+
+TEST_CASE("an input that does not break the code says why not") {
+  const auto failure = [](const char* test) {
+    const json end = outcome(test);
+    CHECK(end["status"] == "failed");
+    CHECK_FALSE(end.contains("finding"));
+    return end["failure"];
+  };
+  CHECK(failure("an input on which both agree") ==
+        json{{"asked", "Where is it wrong?"},
+             {"inputs", {{{"name", "number"}, {"text", "2"}}}},
+             {"got", "4"},
+             {"right", "4"},
+             {"misconception", "the-two-agree"},
+             {"reason", "The difference is 0."}});
+  CHECK(failure("an input within rounding")["misconception"] == "break-within-rounding");
+  for (const char* test : {"an input outside the region", "an input that is no number"}) {
+    const json told = failure(test);
+    CHECK(told["misconception"] == "break-outside-the-region");
+    CHECK(told["got"] == "");
+    CHECK(told["right"] == "an input for which this holds: the number is whole");
+  }
+  const json none = failure("no input at all");
+  CHECK(none["got"] == "threw std::invalid_argument: none");
+  CHECK_FALSE(none.contains("misconception"));
+}
+
 TEST_CASE("only a wrong formula that is wrong here is recognised") {
   CHECK_FALSE(outcome("a suspect that is right here is not recognised")["failure"].contains(
       "misconceptions"));

@@ -116,6 +116,28 @@ def test_the_fingerprint_follows_the_declarations() -> None:
     assert of("double f(double x);") != of("double f(int x);")
 
 
-@pytest.mark.parametrize("header", sorted(ROOT.glob("exercises/*/*/*.hpp")), ids=lambda p: p.stem)
+CONTRACTS = sorted(
+    toml.parent / f"{toml.parent.name}.hpp" for toml in ROOT.glob("exercises/*/*/exercise.toml")
+)
+
+
+@pytest.mark.parametrize("header", CONTRACTS, ids=lambda p: p.stem)
 def test_every_contract_of_the_book_is_read(header: Path) -> None:
-    assert generator.read_contract(header.read_bytes())
+    assert generator.read_contract(
+        header.read_bytes(), may_lack_input=generator.may_lack_input(header)
+    )
+
+
+def test_only_an_exercise_that_breaks_code_asks_for_an_input(tmp_path: Path) -> None:
+    source = contract("std::vector<double> row();")
+    with pytest.raises(generator.ContractError, match="one answer"):
+        generator.read_contract(source)
+    (function,) = generator.read_contract(source, may_lack_input=True)
+    assert function.declared() == "std::vector<double> row()"
+    header = tmp_path / "row.hpp"
+    header.write_bytes(source)
+    assert not generator.may_lack_input(header)
+    (tmp_path / "exercise.toml").write_text('kind = "blank"\n')
+    assert not generator.may_lack_input(header)
+    (tmp_path / "exercise.toml").write_text('kind = "break"\nbreaks = "given.hpp"\n')
+    assert generator.may_lack_input(header)

@@ -5,6 +5,7 @@ by the program, which reads the files itself, and by CMake, which reads one line
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -57,8 +58,25 @@ def test_the_program_reads_the_same() -> None:
     for chapter in registry["chapters"].values():
         # What only a page needs.
         del chapter["in_lesson"], chapter["sources"], chapter["may_be_long"]
+    for exercise in registry["exercises"].values():
+        del exercise["inputs"]
     for kind in ("chapters", "exercises", "misconceptions"):
         assert said[kind] == registry[kind]
+
+
+def test_each_field_of_the_page_is_for_a_function_of_its_contract() -> None:
+    breaking = {ref: said for ref, said in book_json()["exercises"].items() if said["breaks"]}
+    assert breaking
+    for ref, said in breaking.items():
+        contract = (ROOT / "exercises" / ref / f"{ref.split('/')[1]}.hpp").read_text()
+        declared = re.findall(r"^[\w:<>]+ (\w+)\(\);$", contract, re.MULTILINE)
+        assert [one["function"] for one in said["inputs"]] == declared, ref
+        for one in said["inputs"]:
+            if not isinstance(one["start"], dict):
+                continue
+            # The members in their order, as C++ wants them.
+            (members,) = re.findall(r"^struct \w+ \{\n(.*?)^\};", contract, re.M | re.S)
+            assert list(one["start"]) == re.findall(r"^  \S+ (\w+);", members, re.MULTILINE), ref
 
 
 def test_cmake_reads_the_same(tmp_path: Path) -> None:

@@ -28,6 +28,11 @@ std::optional<Failure>& failure() {
   return current;
 }
 
+std::optional<Failure>& finding() {
+  static std::optional<Failure> current;
+  return current;
+}
+
 std::string told(const Failure& f) {
   std::string text = "\n" + f.asked + '\n';
   for (const auto& [name, value] : f.inputs) text += "  " + name + " = " + value + '\n';
@@ -36,7 +41,7 @@ std::string told(const Failure& f) {
   if (!f.allowed.empty()) text += "  allowed:   " + f.allowed + '\n';
   for (const std::string& id : f.misconceptions) text += "  hint:      " + id + '\n';
   if (!f.observed.empty()) text += "  hint:      " + f.observed + '\n';
-  if (!f.reason.empty()) text += "  stopped:   " + f.reason + '\n';
+  if (!f.reason.empty()) text += (f.stopped ? "  stopped:   " : "  why:       ") + f.reason + '\n';
   return text;
 }
 
@@ -120,8 +125,10 @@ detail::Ending stop_test(const detail::Asked& asked, std::string reason) {
 }  // namespace
 
 const Failure* current_failure() { return failure() ? &*failure() : nullptr; }
+const Failure* current_finding() { return finding() ? &*finding() : nullptr; }
 void forget_failure() {
   failure().reset();
+  finding().reset();
   look().reset();
   if (!wanted_look().empty()) look().emplace();
 }
@@ -195,6 +202,13 @@ Ending run(const Asked& asked, const std::function<void()>& call) {
     return stop_test(asked, "threw something that is not a std::exception");
   }
 }
+
+void fail(Failure report) {
+  failure() = std::move(report);
+  FAIL(told(*failure()));
+}
+
+void show(Failure report) { finding() = std::move(report); }
 
 void fail(const Asked& asked, std::string got, std::string right, std::string allowed,
           std::vector<std::string> misconceptions, std::string observed) {

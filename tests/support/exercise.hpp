@@ -32,6 +32,8 @@ namespace contact::testing {
 
 /// The failure of the test that runs now or has just ended, or nullptr.
 const Failure* current_failure();
+/// What a passing test of the present run has to show, or nullptr (break_it.hpp).
+const Failure* current_finding();
 void forget_failure();
 
 /// The question whose answer is being computed, with its inputs: what to say when that never ends
@@ -116,6 +118,11 @@ void pass(const Asked& asked);
 /// student's function computes is not what they compute. `nth` counts those of one misconception.
 bool refuted(const Asked& asked, std::string_view misconception, std::size_t nth);
 void refute(const Asked& asked, std::string_view misconception, std::size_t nth);
+
+/// The same with everything said by the caller. `show` ends no test: the report is of one that
+/// passes.
+[[noreturn]] void fail(Failure report);
+void show(Failure report);
 
 template <class C, class A>
 std::type_identity<std::remove_cvref_t<A>> parameter_of(bool (C::*)(A) const);

@@ -5,6 +5,8 @@
 //   {"event":"end","test":NAME,"status":"passed"|"failed"|"not_attempted"|"stopped","seconds":S,"processor_seconds":S?,"failure":{...}}
 //   {"event":"done"}
 //
+// A test that passes may have a "finding", of the same form as a failure: what it has to show.
+//
 // With CONTACT_TELL_QUESTIONS in the environment also, before each question,
 //   {"event":"question","failure":{"asked","inputs"}}
 //
@@ -147,6 +149,7 @@ class ContactReporter : public Catch::StreamingReporterBase {
       line["status"] = "not_attempted";
     } else {
       line["status"] = "passed";
+      if (const Failure* found = current_finding()) line["finding"] = described(*found);
     }
     line["seconds"] = seconds.count();
 #ifndef __wasi__  // a page has no such clock

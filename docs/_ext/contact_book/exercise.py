@@ -5,6 +5,7 @@ The page's script turns it into an editor in which the reader writes and checks 
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 from docutils import nodes
@@ -17,7 +18,7 @@ from contact_book.exercises import KINDS, find_exercise, misconception_hints
 from contact_book.exercises import Exercise as ExerciseData
 from contact_book.html import attributes, base_path, can_run_scripts, render, renders, slots
 from contact_book.listing import listing
-from contact_book.nodes import component, make_component, make_slot
+from contact_book.nodes import component, make_component, make_slot, slot
 from contact_book.tables import table
 
 
@@ -44,7 +45,7 @@ class Exercise(BookDirective):
         return [section]
 
     def read(self, exercise: ExerciseData) -> None:
-        files = (exercise.toml, exercise.contract, exercise.stub, exercise.solution)
+        files = exercise.sources
         self.depends(*files, self.book.root / "chapters" / "misconceptions.toml")
         for path in files:
             if not path.is_file():
@@ -60,6 +61,7 @@ class Exercise(BookDirective):
         }
         parts = [
             make_slot("contract", [self.source_file(exercise.contract, "The contract, ")]),
+            *self.given(exercise),
             make_slot("stub", [self.source_file(exercise.stub, "Where you begin, ")]),
             make_slot("commands", [self.commands(exercise)]),
             make_slot("points", [self.points(exercise)]),
@@ -67,6 +69,11 @@ class Exercise(BookDirective):
         ]
         data = {"exercise": exercise, "misconceptions": misconceptions}
         return make_component("exercise", data, parts)
+
+    def given(self, exercise: ExerciseData) -> list[slot]:
+        if exercise.given is None:
+            return []
+        return [make_slot("given", [self.source_file(exercise.given, "The code to break, ")])]
 
     def facts(self, exercise: ExerciseData) -> nodes.paragraph:
         words = [KINDS[exercise.kind].capitalize(), f"{_number(exercise.points)} points"]
@@ -98,6 +105,18 @@ class Exercise(BookDirective):
         return table(["What must hold", "Points"], rows, "What the tests ask", ["points"])
 
 
+def inputs_json(exercise: ExerciseData) -> str | None:
+    """The fields in which a reader types an input; a figure is named as its element is."""
+    if not exercise.inputs:
+        return None
+    chapter = exercise.chapter.slug
+    fields = [
+        {**one, "figure": f"{chapter}/{one['figure']}" if one["figure"] else ""}
+        for one in exercise.inputs
+    ]
+    return json.dumps(fields, ensure_ascii=False)
+
+
 def hints_html(hints: list[str]) -> str:
     """One collapsed hint inside the next, so that a reader opens only as many as are needed."""
     html = ""
@@ -112,8 +131,10 @@ def exercise_html(translator: HTML5Translator, node: component) -> str:
     exercise: ExerciseData = node["data"]["exercise"]
     parts = slots(translator, node)
     hints = parts.get("hint", [])
+    given = "".join(f'<div class="given">{part}</div>' for part in parts.get("given", []))
     inner = (
         f'<div class="contract">{parts["contract"][0]}</div>'
+        f"{given}"
         f'<div class="stub">{parts["stub"][0]}</div>'
         f"{parts['commands'][0]}{parts['points'][0]}{hints_html(hints)}"
     )
@@ -124,5 +145,5 @@ def exercise_html(translator: HTML5Translator, node: component) -> str:
     }
     book = open_book(translator.config)
     keep(book.products, exercise_json(book, exercise, hints, misconceptions))
-    where = attributes(name=exercise.ref, base=base_path(translator))
+    where = attributes(name=exercise.ref, base=base_path(translator), inputs=inputs_json(exercise))
     return f"<contact-exercise{where}>{inner}</contact-exercise>\n"

@@ -38,7 +38,6 @@ def exercise_json(
     book: Book, exercise: Exercise, hints: Sequence[str], misconceptions: Mapping[str, str]
 ) -> dict[str, Any]:
     """One exercise; hints and the hints of misconceptions are HTML already."""
-    files = [exercise.toml, exercise.contract, exercise.stub, exercise.solution]
     return {
         "format": "contact-exercise/1",
         "id": exercise.ref,
@@ -47,7 +46,7 @@ def exercise_json(
         "title": exercise.title,
         "kind": exercise.kind,
         "points": exercise.points,
-        "files": _texts(book, files),
+        "files": _texts(book, exercise.sources),
         "hints": list(hints),
         "misconceptions": dict(misconceptions),
     }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from lesson_minutes import Lesson, Tally, lesson_of
 
@@ -15,6 +16,7 @@ KINDS = {
     "completion": "complete it",
     "blank": "from a blank page",
     "transfer": "on your own",
+    "break": "break it",
 }
 
 
@@ -39,6 +41,10 @@ class Exercise:
     hints: tuple[str, ...]
     misconceptions: tuple[str, ...]
     tests: tuple[Points, ...]
+    #: The name of the given code, which is wrong; empty in exercises that ask for code.
+    breaks: str
+    #: For each function that returns an input: what the page's fields begin with.
+    inputs: tuple[dict[str, Any], ...]
 
     @property
     def ref(self) -> str:
@@ -59,6 +65,16 @@ class Exercise:
     @property
     def stub(self) -> Path:
         return self.folder / f"{self.name}.cpp"
+
+    @property
+    def given(self) -> Path | None:
+        return self.folder / self.breaks if self.breaks else None
+
+    @property
+    def sources(self) -> list[Path]:
+        """What a reader is shown: described, contract, stub, solution, code to break."""
+        files = [self.toml, self.contract, self.stub, self.solution]
+        return files if self.given is None else [*files, self.given]
 
     @property
     def solution(self) -> Path:
@@ -90,6 +106,8 @@ def find_exercise(book: Book, name: str, here: str | None, where: str) -> Exerci
         hints=tuple(said["hints"]),
         misconceptions=tuple(said["misconceptions"]),
         tests=tuple(Points(test["name"], test["points"]) for test in said["tests"]),
+        breaks=said["breaks"],
+        inputs=tuple(said["inputs"]),
     )
 
 

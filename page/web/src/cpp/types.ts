@@ -58,6 +58,8 @@ export interface TestResult {
   /** "skipped": it was not run. */
   readonly status: "passed" | "failed" | "not_attempted" | "stopped" | "skipped";
   readonly failure?: Failure;
+  /** What a test that passed has to show, in the same form. */
+  readonly finding?: Failure;
   readonly seconds: number;
   readonly look?: CloserLook;
 }
@@ -74,6 +76,7 @@ export interface TestVerdict {
   /** The earlier test that fails for the same cause. */
   readonly same_as?: string;
   readonly look?: CloserLook;
+  readonly finding?: Failure;
 }
 
 /** One message of the compiler. Lines and columns count from 1. */

@@ -14,6 +14,7 @@ import { type Change, fingerprint, type Version, Work } from "../work.ts";
 import { CodeField } from "./code-field.ts";
 import { colour } from "./colour.ts";
 import { Hints } from "./hints.ts";
+import { inputPanel } from "./input-panel.ts";
 import { nextAfter, type Parts } from "./parts.ts";
 import { sideBySideSwitch } from "./side-by-side.ts";
 import { Versions, when } from "./versions.ts";
@@ -25,7 +26,7 @@ const NOT_LOADED =
 const SAY_AFTER_MS = 300;
 
 /** What is folded on a screen and whole on paper. */
-const ON_PAPER = ".contract, .command-line";
+const ON_PAPER = ".contract, .given, .command-line";
 
 type State = "idle" | "loading" | "compiling" | "running" | "done";
 
@@ -140,6 +141,7 @@ export class Bench {
     const name = html("code", {}, file.replace(/\.cpp$/, ".hpp"));
     contract.append(html("summary", {}, "The contract, ", name));
     contract.append(...contractListing.querySelectorAll(":scope .highlight"));
+    const read = html("div", { class: "read" }, contract, ...this.#given());
     const buttons = html("div", { class: "buttons" });
     buttons.append(this.#check, this.#stop, this.#again, this.#hint, this.#reset, this.#undo);
     // Last, since it comes and goes by itself.
@@ -153,7 +155,7 @@ export class Bench {
     heading.append(sideBySideSwitch());
     const write = html("div", { class: "write" });
     const below = html("div", { class: "below" }, keys, this.#size);
-    write.append(this.#changed, heading, this.#code.element, below, buttons);
+    write.append(this.#changed, ...this.#inputs(), heading, this.#code.element, below, buttons);
     write.append(this.#progress, this.#notKept, this.#status);
     write.append(this.#hints.element, this.#answer, this.#stale, this.#results);
     write.append(this.#versions.element);
@@ -161,7 +163,30 @@ export class Bench {
       const summary = html("summary", {}, "On the command line instead");
       write.append(html("details", { class: "command-line" }, summary, commands));
     }
-    this.#host.replaceChildren(html("div", { class: "bench" }, contract, write));
+    this.#host.replaceChildren(html("div", { class: "bench" }, read, write));
+  }
+
+  #given(): HTMLElement[] {
+    const { given } = this.#parts;
+    if (!given) return [];
+    const name = given.querySelector("code, .literal")?.textContent ?? "";
+    const folded = html("details", { class: "given", open: "" });
+    folded.append(html("summary", {}, "The code to break, ", html("code", {}, name)));
+    folded.append(...given.querySelectorAll(":scope .highlight"));
+    return [folded];
+  }
+
+  #inputs(): HTMLElement[] {
+    const { inputs } = this.#parts;
+    if (inputs.length === 0) return [];
+    const panel = inputPanel(inputs, {
+      text: () => this.#code.text,
+      replace: (text) => {
+        this.#code.text = text;
+      },
+      say: (words) => this.#say(words),
+    });
+    return [panel];
   }
 
   /** What depends on what the browser keeps. */
@@ -544,7 +569,8 @@ export class Bench {
     const hinted = verdict.tests.some(
       ({ failure, look }) => failure?.misconceptions?.length || look?.hint_number,
     );
-    const data = hinted ? await this.#exercise().catch(() => undefined) : undefined;
+    const data =
+      hinted || this.#parts.given ? await this.#exercise().catch(() => undefined) : undefined;
     if (this.#stopping) return;
     await this.#showVerdict(verdict, data);
   }

@@ -1,5 +1,7 @@
 // What the page says of an exercise before any script: the listings, the points, the hints.
 
+import type { InputSpec } from "./input-panel.ts";
+
 export interface Parts {
   /** NN_slug/NAME */
   readonly id: string;
@@ -11,6 +13,9 @@ export interface Parts {
   readonly stub: string;
   readonly contract: string;
   readonly contractListing: HTMLElement;
+  /** The code to break, if there is any. */
+  readonly given: HTMLElement | undefined;
+  readonly inputs: readonly InputSpec[];
   readonly points: HTMLElement | undefined;
   readonly commands: HTMLElement | undefined;
   readonly hints: readonly Node[][];
@@ -50,6 +55,8 @@ export function readParts(element: HTMLElement): Parts | undefined {
     stub: stub.textContent ?? "",
     contract: contract.querySelector("pre")?.textContent ?? "",
     contractListing: contract,
+    given: part(".given") ?? undefined,
+    inputs: JSON.parse(element.getAttribute("inputs") ?? "[]") as InputSpec[],
     points: part(".table-wrapper, table") ?? undefined,
     commands: part(".commands") ?? undefined,
     hints: hintsOf(element),

@@ -68,9 +68,15 @@ const literal = (text: string): HTMLElement => html("pre", {}, text);
 type Add = (name: string, ...content: (Node | string)[]) => void;
 
 /** What a question had for an answer. */
-function answered(add: Add, status: TestVerdict["status"], failure: Failure): void {
+function answered(
+  add: Add,
+  status: TestVerdict["status"],
+  failure: Failure,
+  data: ExerciseData | undefined,
+): void {
   if (failure.inputs.length > 0) add("Input", literal(aligned(failure.inputs)));
-  if (failure.got) add("Came back", literal(failure.got));
+  const breaks = data?.kind === "break";
+  if (failure.got) add(breaks ? "The given code" : "Came back", literal(failure.got));
   if (failure.right) {
     const within = failure.allowed
       ? html("p", { class: "allowed" }, "to within ", html("code", {}, failure.allowed))
@@ -107,7 +113,7 @@ function lookedAt(look: CloserLook, data: ExerciseData | undefined): HTMLElement
     const simpler = html("dl");
     const put: Add = (name, ...content) =>
       simpler.append(html("dt", {}, name), html("dd", {}, ...content));
-    answered(put, look.smaller.reason ? "stopped" : "failed", look.smaller);
+    answered(put, look.smaller.reason ? "stopped" : "failed", look.smaller, data);
     made.push(html("p", {}, "With simpler inputs it is wrong too:"), simpler);
   }
   if (look.hint_number) {
@@ -128,7 +134,7 @@ function explained(
   const add: Add = (name, ...content) =>
     list.append(html("dt", {}, name), html("dd", {}, ...content));
   if (failure.asked) add("Asked", failure.asked);
-  answered(add, status, failure);
+  answered(add, status, failure, data);
   const { misconceptions = [], questions = [] } = failure;
   const [alone] = misconceptions.length === 1 ? misconceptions : [];
   const known = alone && data?.misconceptions[alone];
@@ -143,13 +149,16 @@ function explained(
   return [list, ...also, ...(look ? lookedAt(look, data) : [])];
 }
 
+const more = (label: string, content: readonly HTMLElement[]): HTMLElement =>
+  html("details", { class: "more" }, html("summary", {}, label), ...content);
+
 function test(
   verdict: TestVerdict,
   first: boolean,
   same: readonly string[],
   data: ExerciseData | undefined,
 ): HTMLElement {
-  const { status, failure } = verdict;
+  const { status, failure, finding } = verdict;
   const [mark, words] = MARKS[status];
   const points = `${number(verdict.points)} of ${number(verdict.max_points)}`;
   const row = html(
@@ -164,24 +173,16 @@ function test(
     ),
     html("span", { class: "points" }, points, html("span", { class: "spoken" }, " points")),
   );
+  if (finding) row.append(more("What it shows", explained(verdict, finding, [], data)));
   if (!failure) return row;
   if (!isFailure(verdict)) {
     if (failure.reason) row.append(html("p", { class: "reason" }, failure.reason));
   } else if (first)
     row.append(html("div", { class: "failure" }, ...explained(verdict, failure, same, data)));
-  else
-    row.append(
-      html(
-        "details",
-        { class: "more" },
-        html(
-          "summary",
-          {},
-          verdict.same_as ? `The same mistake as in “${verdict.same_as}”` : "What happened",
-        ),
-        ...explained(verdict, failure, same, data),
-      ),
-    );
+  else {
+    const label = verdict.same_as ? `The same mistake as in “${verdict.same_as}”` : "What happened";
+    row.append(more(label, explained(verdict, failure, same, data)));
+  }
   return row;
 }
 

@@ -1,0 +1,24 @@
+/// @file
+/// Exercise: balls whose bounces a cut-off ends too early.
+#pragma once
+
+#include <contact/prelude.hpp>
+
+namespace exercise {
+
+/// A ball that is dropped on a floor.
+struct Drop {
+  double height;  ///< of the drop, m, greater than 0
+  double k;       ///< coefficient of restitution, greater than 0 and less than 1
+};
+
+/// A drop of which given::rest_after_cut_off is wrong by more than 10 %, although k is at most 0.5.
+Drop weak_bounces();
+
+/// A drop from 1 m to 100 m of which given::rest_after_cut_off is wrong by more than 10 %.
+Drop from_high_up();
+
+/// A drop from at most 1 m of which given::rest_after_cut_off is wrong by more than a minute.
+Drop by_a_minute();
+
+}  // namespace exercise

@@ -1,0 +1,13 @@
+// misconception: break-within-rounding
+// caught by: the angle of whole numbers is wrong by more than 1 %
+#include "break_acos.hpp"
+
+namespace exercise {
+
+Pair angle_is_no_number() { return {{0.1, 0.3, 0.1}, {0.3, 0.9, 0.3}}; }
+
+Pair angle_is_lost() { return {{1000, 1, 0}, {1000, 0, 0}}; }
+
+Pair large_angle() { return {{1e200, 0, 0}, {1e200, 1e200, 0}}; }
+
+}  // namespace exercise

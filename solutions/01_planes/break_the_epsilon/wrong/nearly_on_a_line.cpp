@@ -1,0 +1,13 @@
+// misconception: break-outside-the-region
+// caught by: a line is accepted
+#include "break_the_epsilon.hpp"
+
+namespace exercise {
+
+Points plane_refused() { return {{0, 0, 0}, {1, 0, 0}, {2, 1e-7, 0}}; }
+
+Points small_triangle_refused() { return {{0, 0, 0}, {0.0005, 0, 0}, {0, 0.0005, 0}}; }
+
+Points line_accepted() { return {{0, 0, 0}, {0.1, 0.2, 0.3}, {100000, 200000, 300000.001}}; }
+
+}  // namespace exercise

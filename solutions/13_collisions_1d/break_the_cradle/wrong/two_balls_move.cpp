@@ -1,0 +1,13 @@
+// misconception: break-outside-the-region
+// caught by: one of three balls moves
+#include "break_the_cradle.hpp"
+
+namespace exercise {
+
+std::vector<double> three_balls() { return {5, 5, 0}; }
+
+std::vector<double> all_to_the_right() { return {5, 5, 0, 0}; }
+
+std::vector<double> one_pair_approaches() { return {1, 2, 0}; }
+
+}  // namespace exercise

@@ -1,0 +1,13 @@
+// misconception: break-step-is-refused
+// caught by: a body at constant speed may pass
+#include "break_the_speed_limit.hpp"
+
+namespace exercise {
+
+Step starts_at_rest() { return {0, 500, 0.1, 0, 0, 0.0166, 0.05}; }
+
+Step nothing_accelerates() { return {100, 0, 0.1, 0, 0, 0.0166, 0.05}; }
+
+Step centre_at_rest() { return {0, 0, 1, 10, 0, 0.0166, 0.05}; }
+
+}  // namespace exercise
