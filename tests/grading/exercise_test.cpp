@@ -163,9 +163,9 @@ TEST_CASE("an input that does not break the code says why not") {
              {"inputs", {{{"name", "number"}, {"text", "2"}}}},
              {"got", "4"},
              {"right", "4"},
-             {"misconception", "the-two-agree"},
+             {"misconceptions", {"the-two-agree"}},
              {"reason", "The difference is 0."}});
-  CHECK(failure("an input within rounding")["misconception"] == "break-within-rounding");
+  CHECK(failure("an input within rounding")["misconceptions"] == json{"break-within-rounding"});
   for (const char* test : {"an input outside the region", "an input that is no number"}) {
     const json told = failure(test);
     CHECK(told["misconception"] == "break-outside-the-region");

@@ -85,7 +85,7 @@ std::string_view wanted_look() {
 }
 
 /// Adds the inputs of a question to those that are shown, if these are few.
-void show(std::vector<CloserLook::Inputs>& shown, const detail::Asked& asked) {
+void add_inputs(std::vector<CloserLook::Inputs>& shown, const detail::Asked& asked) {
   constexpr std::size_t most = 3;
   constexpr TextLimits short_text{.elements = 8, .characters = 60, .digits = 4};
   if (shown.size() < most) shown.push_back(inputs_of(asked, short_text));
@@ -103,7 +103,7 @@ bool goes_on(const detail::Asked& asked, const Failure& f) {
   }
   if (!look()) return false;
   ++look()->wrong;
-  show(look()->wrong_inputs, asked);
+  add_inputs(look()->wrong_inputs, asked);
   if (!failure()) failure() = f;
   return true;
 }
@@ -206,6 +206,7 @@ Ending run(const Asked& asked, const std::function<void()>& call) {
 void fail(Failure report) {
   failure() = std::move(report);
   FAIL(told(*failure()));
+  std::abort();  // FAIL throws
 }
 
 void show(Failure report) { finding() = std::move(report); }
@@ -224,7 +225,7 @@ void fail(const Asked& asked, std::string got, std::string right, std::string al
 void pass(const Asked& asked) {
   if (!look() || probed != nullptr) return;
   ++look()->right;
-  show(look()->right_inputs, asked);
+  add_inputs(look()->right_inputs, asked);
 }
 
 bool wants_smaller() {
