@@ -100,8 +100,8 @@ def test_one_mistake_is_told_once(contact: Run, answer: Answer) -> None:
     answer(wrong_answer(EXERCISE, "direction_normalised").read_text())
     tests = by_name(contact)
     first = "t is in multiples of the direction as it is given"
-    assert tests[first]["failure"]["misconception"] == "direction-normalised"
-    assert tests[RANDOM]["failure"]["misconception"] == "direction-normalised"
+    assert tests[first]["failure"]["misconceptions"] == ["direction-normalised"]
+    assert tests[RANDOM]["failure"]["misconceptions"] == ["direction-normalised"]
     assert tests[RANDOM]["same_as"] == first
     assert "same_as" not in tests[first]
     text = contact("check", "ray_triangle", "--all").stdout
@@ -121,6 +121,6 @@ def test_two_wrong_answers_without_an_explanation_stay_two(
 ) -> None:
     answer(spoiled("return {{{7, {7, 7, 7}}}};"))
     tests = by_name(contact).values()
-    unexplained = [test for test in tests if not test.get("failure", {}).get("misconception")]
+    unexplained = [test for test in tests if not test.get("failure", {}).get("misconceptions")]
     assert len(unexplained) > 1
     assert not any("same_as" in test for test in unexplained)

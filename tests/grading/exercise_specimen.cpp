@@ -30,31 +30,6 @@ TEST_CASE("right") {
       .throws_invalid_argument();
 }
 
-// The given code doubles; right is the square. Whole numbers up to 100 are allowed.
-void break_the_double(std::optional<double> input) {
-  break_it<double>("Where is it wrong?")
-      .rule("the number is whole", all_whole<double>)
-      .rule("the number is at most 100", [](const double& x) { return all_within(x, 100); })
-      .suspect_if("the-two-agree", [](const double& x) { return 2 * x == x * x; })
-      .input("number",
-             [&] {
-               if (!input) throw std::invalid_argument("none");
-               return *input;
-             })
-      .judge([](const double& x) {
-        const double off = std::abs(2 * x - x * x);
-        return Judged{off > 2, contact::text_of(2 * x), contact::text_of(x * x),
-                      "The difference is " + contact::text_of(off) + ".", off > 0 && off <= 2};
-      });
-}
-
-TEST_CASE("an input that breaks the code") { break_the_double(5); }
-TEST_CASE("an input on which both agree") { break_the_double(2); }
-TEST_CASE("an input within rounding") { break_the_double(1); }
-TEST_CASE("an input outside the region") { break_the_double(0.5); }
-TEST_CASE("an input that is no number") { break_the_double(kNaN); }
-TEST_CASE("no input at all") { break_the_double(std::nullopt); }
-
 TEST_CASE("wrong and recognised") {
   const Eigen::Vector3d x{1, 2, 0.1};
   const int n = 7;
@@ -199,6 +174,31 @@ TEST_CASE("leaves") {
       })
       .equals(1);
 }
+
+// The given code doubles; right is the square. Whole numbers up to 100 are allowed.
+void break_the_double(std::optional<double> input) {
+  break_it<double>("Where is it wrong?")
+      .rule("the number is whole", all_whole<double>)
+      .rule("the number is at most 100", [](const double& x) { return all_within(x, 100); })
+      .suspect_if("the-two-agree", [](const double& x) { return 2 * x == x * x; })
+      .input("number",
+             [&] {
+               if (!input) throw std::invalid_argument("none");
+               return *input;
+             })
+      .judge([](const double& x) {
+        const double off = std::abs(2 * x - x * x);
+        return Judged{off > 2, contact::text_of(2 * x), contact::text_of(x * x),
+                      "The difference is " + contact::text_of(off) + ".", off > 0 && off <= 2};
+      });
+}
+
+TEST_CASE("an input that breaks the code") { break_the_double(5); }
+TEST_CASE("an input on which both agree") { break_the_double(2); }
+TEST_CASE("an input within rounding") { break_the_double(1); }
+TEST_CASE("an input outside the region") { break_the_double(0.5); }
+TEST_CASE("an input that is no number") { break_the_double(kNaN); }
+TEST_CASE("no input at all") { break_the_double(std::nullopt); }
 
 // Last, because these tests run in the order of the file.
 #include "shrinking_specimen.hpp"
