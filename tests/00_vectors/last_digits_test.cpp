@@ -29,6 +29,8 @@ void check(const Vector& u, const Vector& v) {
       .suspect("differences-cure-all", [&]() -> Vector { return u.cross(Vector(v - u)); })
       .suspect_if("absolute-epsilon",
                   [&](const Vector& got) {
+                    // A zero that rounding gives too has another cause.
+                    if (got == u.cross(v)) return false;
                     for (int k = 0; k < 3; ++k) {
                       if (got(k) != 0 && !(std::abs(got(k) - right(k)) <= room(k))) return false;
                     }

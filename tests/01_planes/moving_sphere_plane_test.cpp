@@ -82,11 +82,14 @@ std::optional<FirstTouch> mistaken(const Sphere& sphere, const Vector& displacem
 }
 
 void check(const Sphere& sphere, const Vector& displacement, const Plane& plane,
-           std::initializer_list<Mistake> mistakes = {}) {
+           std::vector<Mistake> mistakes = {}) {
   constexpr std::string_view kIds[] = {"offset-to-one-side",      "overlap-at-start-missed",
                                        "contact-point-is-centre", "sphere-as-point",
                                        "separating-touches",      "metres-for-fraction"};
   const double distance = plane.normal.dot(sphere.centre) - plane.offset;
+  if (std::find(mistakes.begin(), mistakes.end(), Mistake::contact_point_is_centre) ==
+      mistakes.end())
+    mistakes.push_back(Mistake::contact_point_is_centre);
   std::vector<Suspect<std::optional<FirstTouch>>> suspects;
   for (const Mistake mistake : mistakes) {
     // A hint must be true of the student's case: "from behind" only for a sphere that comes from

@@ -122,7 +122,7 @@ TEST_CASE("a segment through the plane meets it at a fraction of its length") {
         {Mistake::fraction_from_the_end, Mistake::metres_for_fraction});
   check({{1, 2, 11}, {1, 2, 2}}, kLevel, {Mistake::fraction_from_the_end});
   check({{5, 1, 5}, {-5, 1, -2}}, kLeaning, {Mistake::fraction_from_the_end});
-  check({{1, 2, 11}, {1, 2, 4}}, kLevel);
+  check({{1, 2, 11}, {1, 2, 4}}, kLevel, {Mistake::hits_beyond_the_end});
 }
 
 TEST_CASE("a segment on one side of the plane does not meet it") {

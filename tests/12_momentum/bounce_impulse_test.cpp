@@ -56,8 +56,8 @@ void check_force(const Vector& impulse, double duration) {
 }  // namespace
 
 TEST_CASE("a stop takes all the momentum away") {
-  check_impulse(2, {-3, 0, 0}, {0, 0, 0});
   check_impulse(0.5, {8, 4, -2}, {0, 0, 0});
+  check_impulse(2, {-3, 0, 0}, {0, 0, 0});
 }
 
 TEST_CASE("a bounce takes more than a stop") {

@@ -77,6 +77,7 @@ TEST_CASE("a few impulses add up") {
 }
 
 TEST_CASE("small impulses beside a large one are not lost") {
+  check({0x1p+55, 3, -0x1p+55, 2});
   check({0x1p+54, 1, 1, 1, -0x1p+54});
   check({kLarge, 1, 1, 1, -kLarge});
   check({-kLarge, 0.5, kLarge});
@@ -84,7 +85,6 @@ TEST_CASE("small impulses beside a large one are not lost") {
 }
 
 TEST_CASE("the total is right if large impulses cancel") {
-  check({0x1p+55, 3, -0x1p+55, 2});
   check({kLarge, 3, 0x1p+57, -kLarge, 1, -0x1p+57});
   check({0x1p+55, 5, -0x1p+54, 7, -0x1p+54});
   check({kLarge, 0x1p+40, -kLarge, -0x1p+40});

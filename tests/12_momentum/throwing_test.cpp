@@ -116,6 +116,7 @@ TEST_CASE("matter with a relative velocity causes thrust") {
 }
 
 TEST_CASE("a throw pushes the thrower in the opposite direction") {
+  check_throws(60, {4}, 2, 8);
   check_throws(60, {4}, 0, 8);
   check_throws(60, {4}, 0, -8);
   check_throws(60, {}, 0, 8);

@@ -1,5 +1,5 @@
 // misconception: differences-cure-all
-// caught by: the difference of nearly equal products is accurate
+// caught by: parallel vectors give zero, and nearly parallel ones do not
 #include "last_digits.hpp"
 
 namespace exercise {

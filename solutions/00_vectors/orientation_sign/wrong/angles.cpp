@@ -1,5 +1,5 @@
 // misconception: angles-subtracted
-// caught by: in every direction of the path
+// caught by: left, right and straight on
 #include "orientation_sign.hpp"
 
 namespace exercise {

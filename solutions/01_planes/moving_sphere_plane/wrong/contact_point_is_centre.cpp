@@ -1,5 +1,5 @@
 // misconception: contact-point-is-centre
-// caught by: the contact point is on the plane
+// caught by: a falling sphere touches when its centre is at the distance of its radius
 #include "moving_sphere_plane.hpp"
 
 namespace exercise {

@@ -1,5 +1,5 @@
 // misconception: hits-beyond-the-end
-// caught by: a segment on one side of the plane does not meet it
+// caught by: a segment through the plane meets it at a fraction of its length
 #include "segment_plane.hpp"
 
 namespace exercise {

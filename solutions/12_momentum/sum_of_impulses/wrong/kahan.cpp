@@ -1,5 +1,5 @@
 // misconception: kahan-large-term
-// caught by: a large impulse may come late
+// caught by: small impulses beside a large one are not lost
 #include "sum_of_impulses.hpp"
 
 namespace exercise {

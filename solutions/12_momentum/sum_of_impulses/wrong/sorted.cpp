@@ -1,5 +1,5 @@
 // misconception: sorting-for-accuracy
-// caught by: the total is right if large impulses cancel
+// caught by: small impulses beside a large one are not lost
 #include "sum_of_impulses.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // misconception: relative-for-ground
-// caught by: each throw starts from a smaller mass
+// caught by: a throw pushes the thrower in the opposite direction
 #include "throwing.hpp"
 
 namespace exercise {
