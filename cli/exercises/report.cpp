@@ -132,6 +132,21 @@ std::string failure_text(const Verdict& verdict, const TestVerdict& test, const 
   return text;
 }
 
+// Why tests were skipped, each reason once.
+std::string skipped_text(const Verdict& verdict, const Style& style) {
+  std::string text;
+  std::vector<std::string> told;
+  for (const TestVerdict& test : verdict.tests) {
+    const std::string& reason = test.failure.reason;
+    if (test.status != TestStatus::skipped ||
+        std::find(told.begin(), told.end(), reason) != told.end())
+      continue;
+    told.push_back(reason);
+    text += "\n  " + style.dim("skipped") + wrapped(" " + reason, 2).substr(2);
+  }
+  return text.empty() ? text : text + "\n";
+}
+
 std::string place(const CompileError& error) {
   std::string text = shown(error.file);
   if (error.line > 0) text += ":" + std::to_string(error.line);
@@ -231,6 +246,7 @@ std::string report(const Verdict& verdict, const Style& style, const ReportOptio
   for (const TestVerdict& test : verdict.tests) {
     if (!test.finding.asked.empty()) text += finding_text(test, style);
   }
+  text += skipped_text(verdict, style);
   if (verdict.outcome == Outcome::failed) text += warnings_text(verdict, style);
   text += output_text(verdict.output, style);
   return text + "\n" + summary(verdict, style);

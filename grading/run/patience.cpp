@@ -39,7 +39,7 @@ std::string Patience::less_time() const {
 std::string Patience::enough() const {
   if (spent_ < rest_seconds) return {};
   return "not run, because " + std::to_string(late_) +
-         " tests before it did not end: first mend those";
+         " tests before it did not end; mend these first";
 }
 
 }  // namespace contact::grading

@@ -74,7 +74,7 @@ class Budget {
   get enough() {
     return this.#spent < restSeconds
       ? undefined
-      : `not run, because ${this.#late} tests before it did not end: first mend those`;
+      : `not run, because ${this.#late} tests before it did not end; mend these first`;
   }
 }
 

@@ -55,7 +55,7 @@ test("when waiting for all of them would be long, the rest is not run", async ()
   const skipped = results.slice(stopped.length);
   assert.ok(stopped.length > 1);
   assert.ok(skipped.length > 1);
-  const reason = `not run, because ${stopped.length} tests before it did not end: first mend those`;
+  const reason = `not run, because ${stopped.length} tests before it did not end; mend these first`;
   for (const { status, failure } of skipped)
     assert.deepEqual([status, failure?.reason], ["skipped", reason]);
 });

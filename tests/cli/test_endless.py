@@ -53,8 +53,10 @@ def test_a_sleeper_is_waited_for_once(contact: Run, spoiled: Spoiled, answer: An
     assert reasons[0].startswith("waited for 10 seconds in all and did nothing")
     assert reasons[1].startswith("waited for 1 second in all and did nothing")
     assert reasons[2] == reasons[1]
-    not_run = "not run, because 3 tests before it did not end: first mend those"
+    not_run = "not run, because 3 tests before it did not end; mend these first"
     assert set(reasons[3:]) == {not_run}
+    text = re.sub(r"\s+", " ", contact("check", "ray_triangle").stdout)
+    assert text.count(f"skipped {not_run}") == 1
 
 
 def test_after_a_loop_in_one_test_the_others_pass(

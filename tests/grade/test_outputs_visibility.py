@@ -124,7 +124,7 @@ def test_one_mistake_is_told_once(tmp_path: Path) -> None:
     assert "The same mistake as in “the test open”" in page
 
 
-@pytest.mark.parametrize("first, other", [("secret", "open"), ("open", "secret")])
+@pytest.mark.parametrize(("first", "other"), [("secret", "open"), ("open", "secret")])
 def test_no_mistake_is_told_by_the_name_of_a_hidden_test(
     tmp_path: Path, first: str, other: str
 ) -> None:

@@ -134,6 +134,30 @@ describe("the checker", { skip }, () => {
     assert.ok(told.every(({ step }) => step !== "start" && step !== "download"));
   });
 
+  test("more is said of a test that failed before with other code", async () => {
+    const name = "random rays agree with exact arithmetic";
+    const source = with_(
+      "  const double x = std::abs(triangle.a.x());\n  if (x > 0.01 && x != std::round(x)) return {};",
+    );
+    const after = async (/** @type {string[]} */ codes) => {
+      const exercises = { [id]: { failing: { [name]: codes } } };
+      const progress = { format: "contact-progress/1", exercises };
+      const { verdict } = await checked(source, { progress });
+      return verdict?.tests.find((one) => one.name === name);
+    };
+    assert.equal((await after([]))?.look, undefined);
+    const { look } = (await after(["one"])) ?? {};
+    assert.equal((look?.right ?? 0) + (look?.wrong ?? 0), 500);
+    assert.equal(look?.smaller, undefined);
+    const failed = await after(["one", "two", "three"]);
+    const triangle = (
+      /** @type {import("../../src/cpp/types.ts").Failure | undefined} */ failure,
+    ) => failure?.inputs.find((input) => input.name === "triangle")?.text ?? "";
+    assert.ok(triangle(failed?.failure).length > 2 * triangle(failed?.look?.smaller).length);
+    assert.notEqual(triangle(failed?.look?.smaller), "");
+    assert.equal(failed?.look?.hint_number, 1);
+  });
+
   test("a crash, an abort, a wrong index, no memory: each costs its test and says what was asked", async () => {
     /** @type {[string, RegExp][]} */
     const ends = [
