@@ -92,10 +92,13 @@ def counted(
 
 
 def count_junit(file: Path) -> Callable[[Done], Tally | None]:
-    """The counts in a JUnit file of ctest or pytest. What was disabled or not run is skipped."""
+    """The counts in a JUnit file of ctest or pytest. What was disabled or not run is skipped.
+
+    Of each test that failed it tells the last lines that this test itself printed.
+    """
     file.unlink(missing_ok=True)
 
-    def count(_: Done) -> Tally | None:
+    def count(done: Done) -> Tally | None:
         if not file.exists():
             return None
         tally = Tally()
@@ -104,6 +107,7 @@ def count_junit(file: Path) -> Callable[[Done], Tally | None]:
             if case.find("failure") is not None or case.find("error") is not None:
                 tally.failed += 1
                 tally.names.append(name)
+                tally.why.append("\n".join([f"FAILED: {name}", *last_words(case)]))
             elif (skip := case.find("skipped")) is not None or case.get("status") in (
                 "notrun",
                 "disabled",
@@ -113,9 +117,21 @@ def count_junit(file: Path) -> Callable[[Done], Tally | None]:
                 tally.why.append(f"not run: {name}" + (f" ({reason})" if reason else ""))
             else:
                 tally.passed += 1
+        if tally.failed:
+            tally.why.append(f"all of it: {done.log.relative_to(ROOT)}")
+            tally.explained = True
         return tally
 
     return count
+
+
+def last_words(case: ElementTree.Element) -> list[str]:
+    """The end of what a failed test printed: ctest keeps its output, pytest what failed in it."""
+    said = [case.findtext(kind, "") for kind in ("system-out", "failure", "error")]
+    lines = next((text for text in said if text.strip()), "").rstrip().splitlines()
+    problem = case.find("failure") if case.find("failure") is not None else case.find("error")
+    told = problem.get("message", "") if problem is not None else ""
+    return [f"    {line}" for line in lines[-20:] or told.splitlines()[:1]]
 
 
 def count_tap(done: Done) -> Tally | None:

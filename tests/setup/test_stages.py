@@ -143,6 +143,51 @@ def test_a_file_is_checked_by_the_stage_that_reads_it(
     assert stage in changed(monkeypatch, file)
 
 
+# --- What a failed test says ---------------------------------------------------------------------
+
+
+def counted(folder: Path, *command: str) -> object:
+    """What a stage tells of a command that writes junit.xml."""
+    count = checks.count_junit(folder / "junit.xml")
+    return checks.counted("some tests", list(command), count, cwd=folder)(60)
+
+
+def test_a_failed_program_of_ctest_ends_with_its_own_words(tmp_path: Path) -> None:
+    lines = "; ".join(f"echo line {i}" for i in range(30))
+    script = tmp_path / "fails.sh"
+    script.write_text(f"{lines}\necho '<wrong> & odd' >&2\nexit 3\n")
+    (tmp_path / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.25)\nproject(some NONE)\nenable_testing()\n"
+        f'add_test(NAME "fails: a case" COMMAND sh "{script}")\n'
+        "add_test(NAME passes COMMAND sh -c :)\n"
+    )
+    built = tmp_path / "build"
+    subprocess.run(["cmake", "-S", tmp_path, "-B", built], check=True, capture_output=True)
+    ctest = ["ctest", "--test-dir", str(built), "--output-junit", str(tmp_path / "junit.xml")]
+    tally = counted(tmp_path, *ctest)
+    assert (tally.passed, tally.failed, tally.names) == (1, 1, ["fails: a case"])
+    why = "\n".join(tally.why)
+    told = why[why.index("FAILED: fails: a case") :].splitlines()
+    assert told[1:21] == [
+        *(f"    line {i}" for i in range(11, 30)),
+        "    <wrong> & odd",
+    ]
+    assert "line 10" not in why
+    assert any(line.startswith("all of it: build/logs/") for line in told[21:])
+
+
+def test_a_failed_test_of_pytest_ends_with_its_own_words(tmp_path: Path) -> None:
+    (tmp_path / "test_some.py").write_text(
+        "def test_right():\n    pass\n\n\ndef test_wrong():\n    assert [1, 2] == [1, 3]\n"
+    )
+    python = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider"]
+    tally = counted(tmp_path, *python, f"--junitxml={tmp_path / 'junit.xml'}", "test_some.py")
+    assert (tally.passed, tally.failed, tally.names) == (1, 1, ["test_wrong"])
+    why = "\n".join(tally.why)
+    assert "FAILED: test_wrong" in why
+    assert "assert [1, 2] == [1, 3]" in why
+
+
 # --- The table ------------------------------------------------------------------------------------
 
 
