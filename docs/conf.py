@@ -22,6 +22,7 @@ contact_plotter = os.environ.get(
 contact_ebook = os.environ.get("CONTACT_BOOK_EBOOK", "1") == "1"
 contact_api = os.environ.get("CONTACT_BOOK_API", "1") == "1"
 contact_complete = os.environ.get("CONTACT_BOOK_COMPLETE") == "1"
+contact_some_figures = os.environ.get("CONTACT_BOOK_SOME_FIGURES") == "1"
 
 project = "Contact Hours"
 author = "the authors of Contact Hours"

@@ -2,6 +2,7 @@
 // it takes from the environment.
 
 import fs from "node:fs";
+import path from "node:path";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 
@@ -73,3 +74,24 @@ export function sample(list, each, what, { kind, within = 1, name = String } = {
   }
   return of.filter((_, i) => taken[i]);
 }
+
+const book = fileURLToPath(new URL("../../chapters", import.meta.url));
+
+/** The chapters with a figure or a ladder, in order. A run compiles those of a third of them for the page. */
+export const withParts = fs
+  .readdirSync(book)
+  .sort()
+  .filter((slug) => {
+    const folder = path.join(book, slug);
+    const figures = path.join(folder, "figures");
+    const hasFigure =
+      fs.existsSync(figures) && fs.readdirSync(figures).some((name) => name.endsWith(".cpp"));
+    return hasFigure || fs.existsSync(path.join(folder, "ladder.cpp"));
+  });
+
+/**
+ * Of these chapters, those whose figures (or ladders, or pages) this run tests; tools/page_parts.py builds what they show.
+ * @param {"figures" | "ladder" | "page"} kind
+ * @param {string} what as for `sample`
+ */
+export const chaptersTaken = (kind, what = "") => sample(withParts, 3, what, { kind });

@@ -6,6 +6,7 @@ from __future__ import annotations
 import importlib.util
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -36,7 +37,7 @@ checks = load()
 @pytest.fixture(autouse=True)
 def environment(monkeypatch: pytest.MonkeyPatch) -> None:
     """What `chosen` sets there goes afterwards."""
-    for name in ("CONTACT_CHAPTERS", "CONTACT_TOUCHED", "CONTACT_ALL"):
+    for name in ("CONTACT_CHAPTERS", "CONTACT_TOUCHED", "CONTACT_ALL", "CONTACT_TURN"):
         monkeypatch.setenv(name, "")
         monkeypatch.delenv(name)
 
@@ -141,6 +142,39 @@ def test_a_file_is_checked_by_the_stage_that_reads_it(
     monkeypatch: pytest.MonkeyPatch, file: str, stage: str
 ) -> None:
     assert stage in changed(monkeypatch, file)
+
+
+# --- What is built in a turn ----------------------------------------------------------------------
+
+
+def built_and_left_out(turn: int, monkeypatch: pytest.MonkeyPatch) -> tuple[set[str], str]:
+    """The targets of the stage `native`, and the tests that `ctest` leaves out."""
+    monkeypatch.setenv("CONTACT_TURN", str(turn))
+    monkeypatch.setattr(checks, "cmake_build", lambda _preset, *targets: iter(targets))
+    monkeypatch.setattr(checks, "ctest", lambda _preset, *words: words)
+    [words] = checks.native_tests()
+    return set(checks.native()), words[1] if words else "nothing"
+
+
+def test_what_runs_natively_is_what_is_built(monkeypatch: pytest.MonkeyPatch) -> None:
+    examples = {
+        f"example_{file.parts[-3]}_{file.stem}" for file in ROOT.glob("chapters/*/examples/*.cpp")
+    }
+    ladders = {f"ladder_{file.parent.name}" for file in ROOT.glob("chapters/*/ladder.cpp")}
+    tests = {f"{kind}_{slug}" for kind in checks.KINDS_OF_TESTS for slug in checks.with_tests()}
+    seen: list[str] = []
+    for turn in (41, 42, 43):
+        built, left_out = built_and_left_out(turn, monkeypatch)
+        assert "all_but_turns" in built
+        of_turns = built & (examples | ladders | tests)
+        assert 0 < len(of_turns) < len(examples | ladders | tests) / 2
+        seen += of_turns
+        for program in examples | tests:
+            for name in (program, f"{program}: a case", f"{program}_NOT_BUILT"):
+                assert (re.match(left_out, name) is None) == (program in built), name
+        for name in ("contract_linked_02_triangles_ray_triangle", "grading_tests: a case"):
+            assert re.match(left_out, name) is None
+    assert sorted(seen) == sorted(examples | ladders | tests)
 
 
 # --- What a failed test says ---------------------------------------------------------------------
