@@ -21,7 +21,7 @@ import { exerciseOn, pageOf, solutionOf } from "./exercise_page.mjs";
 
 const skip = notRun();
 const LESSON = skip ? "" : /** @type {string} */ (completeLessons().at(-1));
-const OTHER = skip ? "" : /** @type {string} */ (lessons().find((page) => page !== LESSON));
+const OTHER = skip ? "" : /** @type {string} */ (completeLessons()[0]);
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -42,14 +42,21 @@ async function kept(page) {
 
 /**
  * What a page asks for and does not get. The worker's own attempts are not among it, nor what a page
- * no longer wanted, nor the look for a newer book and a newer compiler. @param {Page} page
+ * no longer wanted, nor the look for a newer book and a newer compiler, nor a figure that this run has not built.
+ * @param {Page} page
  */
 function failures(page) {
+  const looks = /\/(offline|manifest|building)\.json$/;
+  const notBuilt = (/** @type {string} */ address) => {
+    const { pathname } = new URL(address);
+    return /\/figures\/.*\.wasm$/.test(pathname) && !fs.existsSync(path.join(site, pathname));
+  };
   /** @type {string[]} */
   const failed = [];
   page.on("requestfailed", (request) => {
     const dropped = request.failure()?.errorText === "net::ERR_ABORTED";
-    if (!dropped && !/\/(offline|manifest)\.json$/.test(request.url())) failed.push(request.url());
+    const address = request.url();
+    if (!dropped && !looks.test(address) && !notBuilt(address)) failed.push(address);
   });
   return failed;
 }
