@@ -33,6 +33,9 @@ export const wanted = (name) => chapters.length === 0 || touches(chapters, name)
 /** Declares a test of what all chapters share: none where some of them alone are checked. */
 export const ofAll = chapters.length > 0 ? () => {} : test;
 
+/** Kinds of which the chapters that are asked for say nothing. */
+const ofNoChapter = ["hostile", "explain", "authors", "tidy"];
+
 /** @param {string} what @param {string[]} ran @param {string[]} left */
 function record(what, ran, left) {
   const slices = process.env["CONTACT_SLICES"];
@@ -55,7 +58,7 @@ export function sample(list, each, what, { kind, within = 1, name = String } = {
   let touched = [];
   if (kind !== undefined) {
     touched = JSON.parse(process.env["CONTACT_TOUCHED"] || "{}")[kind] ?? [];
-    if (chapters.length > 0 && !["hostile", "explain", "tidy"].includes(kind)) {
+    if (chapters.length > 0 && !ofNoChapter.includes(kind)) {
       of = list.filter((item) => wanted(name(item)));
       every = true;
     }

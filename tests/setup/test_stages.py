@@ -18,6 +18,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
 from slices import Slice, read_slices, slice_in_words  # noqa: E402
+from stages import Tally  # noqa: E402
 
 
 def load() -> ModuleType:
@@ -180,10 +181,11 @@ def test_what_runs_natively_is_what_is_built(monkeypatch: pytest.MonkeyPatch) ->
 # --- What a failed test says ---------------------------------------------------------------------
 
 
-def counted(folder: Path, *command: str) -> object:
+def counted(folder: Path, *command: str) -> Tally:
     """What a stage tells of a command that writes junit.xml."""
     count = checks.count_junit(folder / "junit.xml")
-    return checks.counted("some tests", list(command), count, cwd=folder)(60)
+    tally: Tally = checks.counted("some tests", list(command), count, cwd=folder)(60)
+    return tally
 
 
 def test_a_failed_program_of_ctest_ends_with_its_own_words(tmp_path: Path) -> None:

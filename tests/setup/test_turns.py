@@ -16,6 +16,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
 import page_parts  # noqa: E402
+import steps  # noqa: E402
 from sample import in_turn, sample, turn  # noqa: E402
 
 LANDINGS = range(41, 71)
@@ -169,7 +170,7 @@ def only(step: object) -> list[str]:
     monkey = pytest.MonkeyPatch()
     asked: list[str] = []
     with monkey.context() as patched:
-        patched.setattr(page_parts.steps, "run", lambda command, *_, **__: asked.extend(command))
+        patched.setattr(steps, "run", lambda command, *_, **__: asked.extend(command))
         step.run()  # type: ignore[attr-defined]
     assert asked[:4] == ["node", "wasm/build.mjs", "figures", "ladders"]
     return asked[4:]
@@ -201,18 +202,19 @@ def test_the_pages_link_to_the_e_book_where_it_is_built(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     said: list[tuple[bool, str]] = []
-    monkeypatch.setattr(page_parts.steps, "EBOOK", tmp_path / "some.epub")
+    built = False
+    monkeypatch.setattr(steps, "EBOOK", tmp_path / "some.epub")
     monkeypatch.setattr(
-        page_parts.steps,
+        steps,
         "run",
         lambda *_, extra, **__: said.append((built, extra["CONTACT_BOOK_EBOOK"])),
     )
     for number in LANDINGS[:3]:
         monkeypatch.setenv("CONTACT_TURN", str(number))
-        page_parts.steps.EBOOK.touch()
+        steps.EBOOK.touch()
         built = page_parts.ebook() != []
         page_parts.pages().run()
-        assert page_parts.steps.EBOOK.exists() == built
+        assert steps.EBOOK.exists() == built
     assert sorted(said) == [(False, "0"), (False, "0"), (True, "1")]
     monkeypatch.setenv("CONTACT_TOUCHED", '{"page": ["*"]}')
     assert page_parts.ebook() != []
