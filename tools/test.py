@@ -562,7 +562,7 @@ def wasm() -> Iterator[Check]:
         return
     if shutil.which("apt-get"):
         yield once("Catch2's source", [ROOT / "tools" / "fetch_catch2_source.sh"])
-    yield from step_checks([page_parts.exercises_step(), page_parts.native_figures()])
+    yield from step_checks([*page_parts.compiler_and_exercises(), page_parts.native_figures()])
     tests = [*sorted(here.glob("wasm/*.test.mjs")), *sorted(here.glob("web/test/cpp/*.test.mjs"))]
     if chapters_asked_for():
         # The figures and the ladders. The exercises are checked in a browser: parity.test.mjs.

@@ -191,9 +191,10 @@ def test_what_tests_name_is_compiled_in_each_turn(monkeypatch: pytest.MonkeyPatc
 
 def test_a_chapter_without_figures_compiles_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("CONTACT_CHAPTERS", "18_contacts")
-    assert page_parts.figures_and_ladders() == []
+    assert page_parts.figures_and_ladders() == page_parts.compiler_and_exercises() == []
     monkeypatch.setenv("CONTACT_CHAPTERS", "02_triangles")
     [step] = page_parts.figures_and_ladders()
+    assert {name.split("/")[0] for name in page_parts.exercises()} == {"02_triangles"}
     # The rest of the book stays as it is.
     assert only(step) == ["--only", "02_triangles"]
 
