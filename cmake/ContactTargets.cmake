@@ -34,12 +34,12 @@ function(contact_add_reference_tests chapter)
   endif()
 endfunction()
 
-# The target `all_but_references`: what `all` builds, without the programs above. tools/test.py builds them all under
-# sanitizers, and some of them like this.
-function(contact_add_all_but_references)
+# The target `all_but_turns`: what `all` builds, without the programs above, examples and ladders. Of these, tools/test.py
+# builds those of the turn; the programs above all under sanitizers.
+function(contact_add_all_but_turns)
   contact_targets_of_all("${PROJECT_SOURCE_DIR}" targets)
-  list(FILTER targets EXCLUDE REGEX "^(reference_tests|hard_cases)_")
-  add_custom_target(all_but_references DEPENDS ${targets})
+  list(FILTER targets EXCLUDE REGEX "^(reference_tests|hard_cases|example|ladder)_")
+  add_custom_target(all_but_turns DEPENDS ${targets})
 endfunction()
 
 function(contact_targets_of_all folder out)

@@ -2,7 +2,8 @@
 """Builds the book: measurements, Doxygen, staged pages, Sphinx. Rebuilds only what is out of date.
 
 build/venv/bin/python docs/build.py             with whatever is built already
-build/venv/bin/python docs/build.py --complete  everything a page shows must be there
+build/venv/bin/python docs/build.py --complete  everything a page shows must be there;
+    with --some-figures, but for live figures, their pictures and the scene player
 build/venv/bin/python docs/build.py --builder epub  the book as one file, beside the pages
 """
 
@@ -51,6 +52,9 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--programs", type=Path, help="built programs (default: BUILD/dev/bin)")
     parser.add_argument("--complete", action="store_true", help="fail if a product is missing")
     parser.add_argument(
+        "--some-figures", action="store_true", help="with --complete: not all figures must be built"
+    )
+    parser.add_argument(
         "--skip-api", action="store_true", help="leave Doxygen out of the API pages"
     )
     parser.add_argument("--builder", default="html", choices=["html", "epub", "linkcheck"])
@@ -96,6 +100,7 @@ def build(options: argparse.Namespace) -> int:
         "CONTACT_BOOK_BUILD": str(made),
         "CONTACT_BOOK_WEB": str(web),
         "CONTACT_BOOK_COMPLETE": "1" if options.complete else "0",
+        "CONTACT_BOOK_SOME_FIGURES": "1" if options.some_figures else "0",
         "CONTACT_BOOK_API": "0" if options.skip_api else "1",
     }
     if options.builder == "epub":

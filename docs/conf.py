@@ -13,6 +13,8 @@ contact_root = os.environ.get("CONTACT_BOOK_ROOT", str(DOCS.parent))
 _build = Path(os.environ.get("CONTACT_BOOK_BUILD", str(DOCS.parent / "build")))
 contact_products = str(_build / "docs-data")
 contact_web = os.environ.get("CONTACT_BOOK_WEB", str(_build / "web"))
+# Small faces that were made before, by what they were made from.
+contact_fonts = os.environ.get("CONTACT_BOOK_FONTS", str(_build / "fonts"))
 contact_node = str(DOCS.parent / "page")
 contact_plotter = os.environ.get(
     "CONTACT_BOOK_PLOTTER", str(DOCS.parent / "page" / "web" / "ladder_svg.mjs")
@@ -20,6 +22,7 @@ contact_plotter = os.environ.get(
 contact_ebook = os.environ.get("CONTACT_BOOK_EBOOK", "1") == "1"
 contact_api = os.environ.get("CONTACT_BOOK_API", "1") == "1"
 contact_complete = os.environ.get("CONTACT_BOOK_COMPLETE") == "1"
+contact_some_figures = os.environ.get("CONTACT_BOOK_SOME_FIGURES") == "1"
 
 project = "Contact Hours"
 author = "the authors of Contact Hours"

@@ -191,7 +191,8 @@ def _page_programs() -> Done:
     return build_native(wanted, "book-native")
 
 
-def _node(log: str, *words: str) -> Callable[[], Done]:
+def node(log: str, *words: str) -> Callable[[], Done]:
+    """A program of page/, to be run."""
     return lambda: run(["node", *words], log, cwd=ROOT / "page", limit=STEP_LIMIT)
 
 
@@ -209,23 +210,27 @@ def page_exercises(*only: str) -> Done:
     if not fetched.ok:
         return fetched
     narrowed = [word for name in only for word in ("--only", name)]
-    return _node("book-exercises", "wasm/build.mjs", "toolchain", *narrowed)()
+    return node("book-exercises", "wasm/build.mjs", "toolchain", *narrowed)()
 
 
-def build_book() -> Done:
-    """Doxygen and Sphinx; any warning fails."""
-    return run(
-        [sys.executable, ROOT / "docs" / "build.py", "--complete"], "book-pages", limit=STEP_LIMIT
-    )
+def build_book(*, figures: bool = True, ebook: bool | None = None) -> Done:
+    """Doxygen and Sphinx; any warning fails.
+
+    `figures`: all of them must be built; `ebook`: whether the pages link to it, if that is not said
+    in the environment.
+    """
+    extra = {} if ebook is None else {"CONTACT_BOOK_EBOOK": "1" if ebook else "0"}
+    return run(_complete_book(figures), "book-pages", limit=STEP_LIMIT, extra=extra)
 
 
-def build_ebook() -> Done:
+def build_ebook(*, figures: bool = True) -> Done:
     """The pages once more, as one file; any warning fails."""
-    return run(
-        [sys.executable, ROOT / "docs" / "build.py", "--complete", "--builder", "epub"],
-        "book-ebook",
-        limit=STEP_LIMIT,
-    )
+    return run([*_complete_book(figures), "--builder", "epub"], "book-ebook", limit=STEP_LIMIT)
+
+
+def _complete_book(figures: bool) -> list[str | Path]:
+    command: list[str | Path] = [sys.executable, ROOT / "docs" / "build.py", "--complete"]
+    return command if figures else [*command, "--some-figures"]
 
 
 def build_lessons() -> Done:
@@ -305,7 +310,7 @@ def part_of_page(name: str) -> Step:
 def _one_product(kind: str, name: str) -> Done:
     """With one process, for two of them are made at a time; each has a log of its own."""
     words = ("wasm/build.mjs", kind, "--only", name, "--workers", "1", "--quiet")
-    return _node(f"book-{kind}-{name.replace('/', '-')}", *words)()
+    return node(f"book-{kind}-{name.replace('/', '-')}", *words)()
 
 
 def _build_figure(name: str) -> Done:
@@ -350,10 +355,10 @@ def _beside_the_pages(name: str) -> None:
     beside.replace(target)
 
 
-SCRIPTS_ONLY = Step("the page's scripts", _node("book-web", "web/build.mjs", "--scripts-only"))
-SCRIPTS = Step("the page's scripts and pictures", _node("book-web", "web/build.mjs"))
-FIGURES = Step("the figures' C++ for the page", _node("book-figures", "wasm/build.mjs", "figures"))
-LADDERS = Step("the ladders' C++ for the page", _node("book-ladders", "wasm/build.mjs", "ladders"))
+SCRIPTS_ONLY = Step("the page's scripts", node("book-web", "web/build.mjs", "--scripts-only"))
+SCRIPTS = Step("the page's scripts and pictures", node("book-web", "web/build.mjs"))
+FIGURES = Step("the figures' C++ for the page", node("book-figures", "wasm/build.mjs", "figures"))
+LADDERS = Step("the ladders' C++ for the page", node("book-ladders", "wasm/build.mjs", "ladders"))
 COMPILER = Step("the compiler and the exercises for the page", page_exercises)
 PAGE_PROGRAMS = Step("the programs whose results the pages show", _page_programs)
 PAGES = Step("the pages with all that", build_book)
@@ -378,12 +383,5 @@ PROGRAM_STEP = Step(
 # Where nobody waits to read, both at once, so that neither core rests.
 FIGURES_AND_LADDERS = Step(
     "the figures' and the ladders' C++ for the page",
-    _node("book-figures", "wasm/build.mjs", "figures", "ladders"),
+    node("book-figures", "wasm/build.mjs", "figures", "ladders"),
 )
-
-
-def figures_and_ladders_of(chapter: str) -> Step:
-    return Step(
-        f"the figures' and the ladder's C++ of {chapter} for the page",
-        _node("book-figures", "wasm/build.mjs", "figures", "ladders", "--only", chapter),
-    )

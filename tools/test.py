@@ -27,9 +27,10 @@ from pathlib import Path
 import landing
 import lanes
 import lengths
+import page_parts
 import steps
 import touched
-from sample import chapters_asked_for, sample, wanted
+from sample import chapters_asked_for, sample
 from stages import Check, Lane, Stage, Tally, closing_table, run_stage
 from steps import BUILD, DEV, PROGRAM, ROOT, Done
 from wrong_answers import write_whole  # where touched finds the registry's writer
@@ -92,10 +93,13 @@ def counted(
 
 
 def count_junit(file: Path) -> Callable[[Done], Tally | None]:
-    """The counts in a JUnit file of ctest or pytest. What was disabled or not run is skipped."""
+    """The counts in a JUnit file of ctest or pytest. What was disabled or not run is skipped.
+
+    Of each test that failed it tells the last lines that this test itself printed.
+    """
     file.unlink(missing_ok=True)
 
-    def count(_: Done) -> Tally | None:
+    def count(done: Done) -> Tally | None:
         if not file.exists():
             return None
         tally = Tally()
@@ -104,6 +108,7 @@ def count_junit(file: Path) -> Callable[[Done], Tally | None]:
             if case.find("failure") is not None or case.find("error") is not None:
                 tally.failed += 1
                 tally.names.append(name)
+                tally.why.append("\n".join([f"FAILED: {name}", *last_words(case)]))
             elif (skip := case.find("skipped")) is not None or case.get("status") in (
                 "notrun",
                 "disabled",
@@ -113,9 +118,21 @@ def count_junit(file: Path) -> Callable[[Done], Tally | None]:
                 tally.why.append(f"not run: {name}" + (f" ({reason})" if reason else ""))
             else:
                 tally.passed += 1
+        if tally.failed:
+            tally.why.append(f"all of it: {done.log.relative_to(ROOT)}")
+            tally.explained = True
         return tally
 
     return count
+
+
+def last_words(case: ElementTree.Element) -> list[str]:
+    """The end of what a failed test printed: ctest keeps its output, pytest what failed in it."""
+    said = [case.findtext(kind, "") for kind in ("system-out", "failure", "error")]
+    lines = next((text for text in said if text.strip()), "").rstrip().splitlines()
+    problem = case.find("failure") if case.find("failure") is not None else case.find("error")
+    told = problem.get("message", "") if problem is not None else ""
+    return [f"    {line}" for line in lines[-20:] or told.splitlines()[:1]]
 
 
 def count_tap(done: Done) -> Tally | None:
@@ -354,7 +371,8 @@ def with_tests() -> list[str]:
 
 
 def native() -> Iterator[Check]:
-    """Everything; of headers that must compile alone, and of tests as optimised, a third a turn.
+    """Everything; of headers that must compile alone, examples, ladders and tests as optimised, a
+    third a turn.
 
     All tests of references are built and run under sanitizers.
     """
@@ -372,12 +390,24 @@ def native() -> Iterator[Check]:
         f"headers_alone_{slug}" for slug in sample(chapters, 3, "headers alone", kind="headers")
     ]
     plain = [f"{kind}_{slug}" for slug in plain_tests("") for kind in KINDS_OF_TESTS]
-    yield from cmake_build("dev", "all_but_references", *plain, *alone)
+    plain += [f"ladder_{slug}" for slug in page_parts.chapters_of("ladder")]
+    plain += [name for slug in with_examples("") for name in examples_of(slug)]
+    yield from cmake_build("dev", "all_but_turns", *plain, *alone)
 
 
 def plain_tests(what: str) -> list[str]:
     """The chapters whose tests run without sanitizers too, as quickly as their users have them."""
     return sample(with_tests(), 3, what, kind="tests")
+
+
+def with_examples(what: str) -> list[str]:
+    """The chapters whose examples this run compiles, and compares with what the lessons show."""
+    chapters = sorted({file.parts[-3] for file in ROOT.glob("chapters/*/examples/*.cpp")})
+    return sample(chapters, 3, what, kind="tests")
+
+
+def examples_of(slug: str) -> list[str]:
+    return [f"example_{slug}_{file.stem}" for file in ROOT.glob(f"chapters/{slug}/examples/*.cpp")]
 
 
 def native_tests() -> Iterator[Check]:
@@ -387,9 +417,17 @@ def native_tests() -> Iterator[Check]:
         yield ctest("dev", "--tests-regex", rf"^({names}|contract_(linked|proxy)_({slugs})_)")
         yield from what_pages_tell("dev", asked)
         return
-    others = sorted(set(with_tests()) - set(plain_tests("tests without sanitizers")))
-    left_out = rf"^({'|'.join(KINDS_OF_TESTS)})_({'|'.join(others)})(:|$|_NOT_BUILT)"
-    yield ctest("dev", *(["--exclude-regex", left_out] if others else []))
+    taken = {
+        "|".join(KINDS_OF_TESTS): plain_tests("tests without sanitizers"),
+        "example": with_examples("chapters whose examples run"),
+    }
+    # Each chapter has tests; what a chapter has none of is not left out.
+    left_out = [
+        rf"({kinds})_({'|'.join(others)})(:|_|$)"
+        for kinds, slugs in taken.items()
+        if (others := sorted(set(with_tests()) - set(slugs)))
+    ]
+    yield ctest("dev", *(["--exclude-regex", f"^({'|'.join(left_out)})"] if left_out else []))
 
 
 def what_pages_tell(preset: str, chapters: Sequence[str]) -> Iterator[Check]:
@@ -537,44 +575,18 @@ def step_checks(book_steps: Sequence[steps.Step]) -> Iterator[Check]:
 
 
 def page() -> Iterator[Check]:
-    """Everything the book is made of, as ./contact serve makes it, and the tests of the scripts."""
+    """What the book is made of, as ./contact serve makes it, and the tests of the scripts."""
     here = ROOT / "page"
-    asked = chapters_asked_for()
-    if asked and (steps.SITE / "index.html").exists():
-        # The rest of the book is there, and stays as it is.
-        yield from step_checks(
-            [*map(steps.figures_and_ladders_of, having(FIGURE, LADDER)), steps.SCRIPTS]
-        )
-        return
-    yield from step_checks([steps.FIGURES_AND_LADDERS, steps.SCRIPTS])
-    yield from node_tests("test of page/web:", sorted(here.glob("web/test/*.test.mjs")), here)
+    yield from step_checks([*page_parts.figures_and_ladders(), page_parts.scripts()])
+    if not chapters_asked_for():
+        tests = sorted(here.glob("web/test/*.test.mjs"))
+        yield from node_tests("test of page/web:", without_player(tests), here)
 
 
-def _native_figures() -> steps.Done:
-    """Of those that loader.test.mjs compares with WebAssembly; the others in other turns."""
-    figures = sample(steps.native_targets(["figure_"]), 3, "", kind="figures")
-    return steps.build_native(figures, "native-figures")
-
-
-def exercises_for_the_page() -> list[str]:
-    """A third, the same as the tests in a browser take, and those that tests of the page name."""
-    all_there = sorted(
-        f"{file.parts[-3]}/{file.parts[-2]}" for file in ROOT.glob("exercises/*/*/exercise.toml")
-    )
-    patterns = ("tests/browser/*.mjs", "page/web/test/**/*.mjs", "page/wasm/*.test.mjs")
-    tests = [file.read_text("utf-8") for pattern in patterns for file in ROOT.glob(pattern)]
-    named = {name for text in tests for name in re.findall(r"\b\d\d_\w+/\w+", text)}
-    for folder in ("tests/browser/endings", "tests/grading/mistakes"):
-        named |= {"/".join(one.parts[-2:]) for one in (ROOT / folder).glob("*/*")}
-    taken = sample(all_there, 3, "exercises compiled for the page", kind="exercises")
-    return sorted({*taken, *(named & set(all_there))})
-
-
-EXERCISES = steps.Step(
-    "the compiler and exercises for the page",
-    lambda: steps.page_exercises(*exercises_for_the_page()),
-)
-NATIVE_FIGURES = steps.Step("native programs of figures", _native_figures)
+def without_player(tests: Iterable[Path]) -> list[Path]:
+    """Where the scene player is not built in this turn, its tests wait too."""
+    tested = page_parts.player_is_tested()
+    return [file for file in tests if tested or file.name != "scenes.test.mjs"]
 
 
 def wasm() -> Iterator[Check]:
@@ -586,7 +598,7 @@ def wasm() -> Iterator[Check]:
         return
     if shutil.which("apt-get"):
         yield once("Catch2's source", [ROOT / "tools" / "fetch_catch2_source.sh"])
-    yield from step_checks([EXERCISES, NATIVE_FIGURES])
+    yield from step_checks([*page_parts.compiler_and_exercises(), page_parts.native_figures()])
     tests = [*sorted(here.glob("wasm/*.test.mjs")), *sorted(here.glob("web/test/cpp/*.test.mjs"))]
     if chapters_asked_for():
         # The figures and the ladders. The exercises are checked in a browser: parity.test.mjs.
@@ -598,21 +610,22 @@ def wasm() -> Iterator[Check]:
 
 def book() -> Iterator[Check]:
     if chapters_asked_for():
-        yield from step_checks([steps.PAGE_PROGRAMS, steps.PAGES])
+        yield from step_checks([steps.PAGE_PROGRAMS, page_parts.pages()])
         return
-    yield from step_checks([steps.PAGES, steps.EBOOK_STEP])
+    yield from step_checks([steps.PAGE_PROGRAMS, page_parts.pages(), *page_parts.ebook()])
     yield from pytest("tests/docs", beside=TWO)
     yield from pytest("tests/serve")
 
 
 def ladder() -> Iterator[Check]:
-    """Every ladder at a small size: that it runs, not what it measures."""
+    """The ladders of the turn at a small size: that they run, not what they measure."""
+    taken = page_parts.chapters_of("ladder", "chapters whose ladder runs natively")
     folder = BUILD / "logs" / "ladder"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     for file in sorted(ROOT.glob("chapters/*/ladder.cpp")):
         chapter = file.parent.name
-        if not wanted(chapter):
+        if chapter not in taken:
             continue
         out = folder / f"{chapter}.json"
         ladder = DEV / "bin" / f"ladder_{chapter}"
@@ -621,7 +634,7 @@ def ladder() -> Iterator[Check]:
 
 
 def browser() -> Iterator[Check]:
-    files = sorted((ROOT / "tests" / "browser").glob("*.test.mjs"))
+    files = without_player(sorted((ROOT / "tests" / "browser").glob("*.test.mjs")))
     if chapters_asked_for():
         of_lessons = ("pages", "questions", "ladder") if having(LESSON) else ()
         of_figures = ("figures",) if set(having(LESSON)) & set(having(FIGURE)) else ()
@@ -699,7 +712,7 @@ STAGES = (
         Lane.WAITS,
     ),
     Stage("outside", "set-up; the headers in another project", 6, outside, ("native",), Lane.WAITS),
-    Stage("ladder", "every ladder at a small size", 4, ladder, ("native",), Lane.WAITS),
+    Stage("ladder", "ladders at a small size", 4, ladder, ("native",), Lane.WAITS),
     Stage("page", "the page's scripts, figures and ladders in WebAssembly", 15, page, ("native",)),
     Stage("wasm", "the compiler in the page, and the exercises for it", 20, wasm, ("native",)),
     Stage("book", "the book without a warning, and served", 15, book, ("page", "wasm")),

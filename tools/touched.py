@@ -38,6 +38,7 @@ HEADERS, TESTS, FIGURES, LADDER, EXERCISES, PAGE = KINDS = (
 )
 HOSTILE = "hostile"  # submissions that attack the grader
 EXPLAIN = "explain"  # a compiler's messages, explained
+AUTHORS = "authors"  # what `new` writes, built
 TIDY = "tidy"  # sources of the library that judges, by their names
 CODE = (HEADERS, TESTS, FIGURES, LADDER, EXERCISES)
 
@@ -62,6 +63,7 @@ OF_A_CHAPTER: Sequence[tuple[str, Sequence[str]]] = (
 # What is no chapter's own, and of which kinds it touches everything. All that fit.
 SHARED: Sequence[tuple[str, Sequence[str]]] = (
     (r"(cmake/|CMakeLists\.txt$|CMakePresets\.json$|tests/CMakeLists\.txt$)", CODE),
+    (r"(cli/authors/(new|templates)|cmake/|CMakeLists\.txt$|CMakePresets\.json$)", (AUTHORS,)),
     (r"tests/support/(?!ladder|exercise|runner)", (TESTS, EXERCISES)),
     (r"tests/support/(exercise|runner)", (EXERCISES,)),
     (r"tests/support/ladder", (LADDER,)),

@@ -1,6 +1,8 @@
-// node page/wasm/build.mjs figures|ladders|toolchain|all... [--only NAME]... [--out build/web] [--workers N] [--quiet]
+// node page/wasm/build.mjs figures|ladders|toolchain|all... [--only NAME]... [--drop-outdated] [--out build/web]
+//   [--workers N] [--quiet]
 //
-// Compiles what the page runs. What has not changed is taken from build/wasm-cache. Exit code 0: all there;
+// Compiles what the page runs. What has not changed is taken from build/wasm-cache. `--drop-outdated`: of the figures and
+// ladders that `--only` leaves out, those in the cache are there too, and old ones are removed. Exit code 0: all there;
 // 1: something does not compile (the rest is built all the same); 2: wrong usage.
 import fs from "node:fs";
 import path from "node:path";
@@ -26,8 +28,8 @@ const kinds = {
   toolchain: () => [],
 };
 const usage =
-  "usage: node page/wasm/build.mjs figures|ladders|toolchain|all... [--only NAME]... [--out FOLDER] " +
-  "[--workers N] [--quiet]";
+  "usage: node page/wasm/build.mjs figures|ladders|toolchain|all... [--only NAME]... [--drop-outdated] " +
+  "[--out FOLDER] [--workers N] [--quiet]";
 
 /** @param {string[]} args @returns {Promise<number>} the exit code */
 async function main(args) {
@@ -39,14 +41,19 @@ async function main(args) {
     console.error(`${/** @type {Error} */ (error).message}\n${usage}`);
     return 2;
   }
-  const { kinds: asked, only, out, workers, quiet } = given;
+  const { kinds: asked, only, dropOutdated, out, workers, quiet } = given;
   const one = asked.length === 1 && asked[0] !== "all" ? asked[0] : undefined;
   const start = performance.now();
   /** @type {Product[]} */
   const all = Object.entries(kinds).flatMap(([name, list]) =>
     asked.includes("all") || asked.includes(name) ? list() : [],
   );
-  const products = all.filter(({ name }) => isAskedFor(name, only));
+  const products = all.filter(
+    ({ name, recipe }) => isAskedFor(name, only) || (dropOutdated && isMade(key(recipe))),
+  );
+  if (dropOutdated)
+    for (const product of all)
+      if (!products.includes(product)) fs.rmSync(path.join(out, product.output), { force: true });
   const withToolchain = asked.includes("toolchain") || (asked.includes("all") && only.length === 0);
   const exercises = withToolchain ? exerciseList() : [];
   const names = [...all, ...exercises].map(({ name }) => name);
@@ -148,6 +155,7 @@ function read(args) {
       out: { type: "string", default: path.join("build", "web") },
       workers: { type: "string", default: "2" },
       quiet: { type: "boolean", default: false },
+      "drop-outdated": { type: "boolean", default: false },
     },
   });
   if (positionals.length === 0) throw new Error("what shall be built?");
@@ -158,6 +166,7 @@ function read(args) {
   return {
     kinds: positionals,
     only: /** @type {string[]} */ (values.only),
+    dropOutdated: values["drop-outdated"] === true,
     out: path.resolve(root, /** @type {string} */ (values.out)),
     workers,
     quiet: values.quiet === true,

@@ -49,6 +49,15 @@ const sources = [
   ].map((kind) => `diagnosis/mistakes/${kind}.cpp`),
 ];
 
+/** @type {import('./recipes.mjs').Precompile} */
+const prelude = {
+  tool: "precompile",
+  what: "what the judge's sources share",
+  flags,
+  folders: [],
+  source: inRoot("page", "judge", "judge_prelude.hpp"),
+};
+
 /** @returns {import('./recipes.mjs').Link} */
 export const judgeRecipe = () => ({
   tool: "link",
@@ -68,6 +77,7 @@ export const judgeRecipe = () => ({
         flags,
         folders: [],
         source,
+        pch: prelude,
       });
     }),
     exceptionRuntime,

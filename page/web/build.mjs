@@ -1,8 +1,9 @@
-// node page/web/build.mjs [--out build/web] [--scripts-only] [--quiet]
+// node page/web/build.mjs [--out build/web] [--scripts-only] [--of-built] [--quiet]
 //
 // Bundles the page's script, one module a figure and the style sheet, then draws each figure's
 // fallback picture with its own C++ (page/wasm/build.mjs figures comes first). Only what changed is
-// written. `--scripts-only` leaves the pictures out.
+// written. `--scripts-only` leaves the pictures out; `--of-built`: a figure whose C++ is not built has no
+// picture, instead of being a failure.
 // Exit code 0: all there; 1: something failed (the rest is written); 2: wrong usage.
 
 import { createHash } from "node:crypto";
@@ -24,17 +25,20 @@ function options() {
       options: {
         out: { type: "string", default: path.join(root, "build", "web") },
         "scripts-only": { type: "boolean", default: false },
+        "of-built": { type: "boolean", default: false },
         quiet: { type: "boolean", default: false },
       },
     });
   } catch (error) {
     console.error(`${error instanceof Error ? error.message : error}`);
-    console.error("usage: node page/web/build.mjs [--out FOLDER] [--scripts-only] [--quiet]");
+    console.error(
+      "usage: node page/web/build.mjs [--out FOLDER] [--scripts-only] [--of-built] [--quiet]",
+    );
     process.exit(2);
   }
 }
 
-const { out, quiet, "scripts-only": scriptsOnly } = options().values;
+const { out, quiet, "scripts-only": scriptsOnly, "of-built": ofBuilt } = options().values;
 
 /** @param {string} text */
 const say = (text) => {
@@ -240,6 +244,10 @@ async function pictures() {
   let count = 0;
   for (const { name } of list) {
     const target = path.join(out, "figures", name);
+    if (ofBuilt && !fs.existsSync(`${target}.wasm`)) {
+      for (const kind of ["svg", "json"]) fs.rmSync(`${target}.${kind}`, { force: true });
+      continue;
+    }
     if (!fs.existsSync(`${target}.wasm`)) {
       wrong.push(`${name}: no ${name}.wasm yet (node page/wasm/build.mjs figures makes it)`);
       continue;
@@ -278,6 +286,11 @@ async function scenePicture(drawer, drawn) {
   if (!fs.existsSync(text)) return false;
   const folder = path.join(out, "scenes");
   const module = path.join(folder, "player.wasm");
+  if (ofBuilt && !fs.existsSync(module)) {
+    for (const kind of ["svg", "json"])
+      fs.rmSync(path.join(folder, `first.${kind}`), { force: true });
+    return false;
+  }
   if (!fs.existsSync(module))
     throw new Error("no player.wasm yet (node page/wasm/build.mjs figures makes it)");
   const wasm = fs.readFileSync(module);

@@ -1,4 +1,4 @@
-// node page/web/weight.mjs [PAGE] [--site build/site] [--limit KB]
+// node page/web/weight.mjs [PAGE]... [--site build/site] [--limit KB]
 //
 // What a page of the book weighs, compressed, by kind: everything that Chromium asks for when the
 // page is opened and read to its end, nothing pressed, and what the service worker itself is and asks
@@ -80,6 +80,8 @@ function tell(where, asked) {
   /** @type {Record<string, { files: number, bytes: number }>} */
   const sums = {};
   for (const pathname of asked) {
+    // What is not built yet has no weight.
+    if (pathname === "/building.json") continue;
     const file = path.join(site, decodeURIComponent(pathname));
     const kind = kinds[/** @type {keyof typeof kinds} */ (path.extname(file))] ?? "other";
     sums[kind] ??= { files: 0, bytes: 0 };

@@ -43,6 +43,37 @@ export function pages() {
 
 export const lessons = () => pages().filter((page) => page.startsWith("chapters/"));
 
+/** The chapter of a lesson's page. @param {string} page */
+export const chapterOf = (page) => path.basename(page, ".html");
+
+/** The figures of a page, in order, and whether this run has built them: then the page has their picture. @param {string} page */
+export function figuresOn(page) {
+  const html = fs.readFileSync(path.join(site, page), "utf8");
+  return [...html.matchAll(/<contact-figure name="([^"]+)"[^>]*>\s*<(\w+)/g)].map(
+    ([, name = "", inside]) => ({ name, built: inside === "img" }),
+  );
+}
+
+/** The lessons whose figures are all built: all of them, or those of the turn. */
+export const completeLessons = () =>
+  lessons().filter((page) => figuresOn(page).every(({ built }) => built));
+
+/** Whether the site has this of what the pages run. @param {string} file */
+const isBuilt = (file) => fs.existsSync(path.join(site, "_static", "contact", file));
+
+/** What the pages show or run and this run has not built, by the names that they ask for at building.json. */
+function notBuilt() {
+  const figures = pages()
+    .flatMap(figuresOn)
+    .filter(({ built }) => !built);
+  const ladders = lessons().map(chapterOf);
+  return [
+    ...new Set(figures.map(({ name }) => name)),
+    ...ladders.filter((slug) => !isBuilt(`ladders/${slug}.wasm`)).map((slug) => `ladder ${slug}`),
+    ...(isBuilt("scenes/player.wasm") ? [] : ["20_scenes/scene_player"]),
+  ];
+}
+
 const types = {
   ".html": "text/html; charset=utf-8",
   ".js": "text/javascript",
@@ -66,12 +97,23 @@ export const notYetServed = () => ({ origin: "", close: () => {}, asked: [] });
 
 /**
  * Serves a folder on the loopback; it holds no test run open. `asked` is every path asked for, in
- * order. `answer`, if it is set, may answer itself and then returns true.
+ * order. `answer`, if it is set, may answer itself and then returns true. What this run has not
+ * built waits, as for a reader of ./contact serve while it builds.
  */
 export async function serve(folder = site, served = notYetServed()) {
+  /** @type {string[] | undefined} */
+  let waiting;
   const server = http.createServer((request, response) => {
     const { pathname } = new URL(request.url ?? "/", "http://localhost");
     served.asked.push(pathname);
+    if (pathname === "/building.json") {
+      waiting ??= notBuilt();
+      if (waiting.length > 0) {
+        response.setHeader("content-type", "application/json");
+        response.end(JSON.stringify({ waiting, building: [] }));
+        return;
+      }
+    }
     const asked = path.join(folder, decodeURIComponent(pathname));
     const file = asked.endsWith("/") ? path.join(asked, "index.html") : asked;
     if (!file.startsWith(folder) || !fs.existsSync(file) || fs.statSync(file).isDirectory()) {
@@ -169,11 +211,11 @@ export const openBoxes = (page) =>
       if (box instanceof HTMLDetailsElement) box.open = true;
   });
 
-/** Loads every figure of a page, as scrolling through it does. @param {import("playwright-core").Page} page */
+/** Loads every figure of a page that is built, as scrolling through it does. @param {import("playwright-core").Page} page */
 export async function loadFigures(page) {
   await page.evaluate(async () => {
     await customElements.whenDefined("contact-figure");
-    for (const figure of document.querySelectorAll("contact-figure"))
+    for (const figure of document.querySelectorAll("contact-figure:not(:has(> .not-built))"))
       await /** @type {any} */ (figure).ready;
   });
 }

@@ -1,6 +1,6 @@
 // The commonest mistakes of beginners, each made in the page: the compiler's message comes in words
 // for a beginner, at its line, marked in the editor, with the compiler's own words one click away.
-// The mistakes are those of the judge's own tests (tests/grading/mistakes).
+// The mistakes are those of the judge's own tests (tests/grading/mistakes); a third of them in each turn.
 
 import assert from "node:assert/strict";
 import fs from "node:fs";
@@ -9,6 +9,7 @@ import { before, describe, test } from "node:test";
 import { notRun, root } from "./browser.mjs";
 import { exerciseOn, lineOf, pageOf, visit } from "./exercise_page.mjs";
 import { inBrowser } from "./in_browser.mjs";
+import { sample } from "./sample.mjs";
 
 const skip = notRun();
 const exerciseId = "02_triangles/ray_triangle";
@@ -53,7 +54,7 @@ describe("the commonest mistakes", { skip }, () => {
     exercise = exerciseOn(visited.page, exerciseId);
   });
 
-  for (const name of commonest)
+  for (const name of sample(commonest, 3, "mistakes in an exercise", { kind: "explain" }))
     test(`${name.replaceAll("_", " ")}: in words, at its line`, async () => {
       const { code, says, line } = mistake(name);
       await exercise.submit(code);

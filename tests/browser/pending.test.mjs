@@ -5,28 +5,28 @@ import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { launch, lessons, notRun, open, serve, site } from "./browser.mjs";
+import { figuresOn, launch, lessons, notRun, open, serve, site } from "./browser.mjs";
 import { exerciseOn, PATIENCE, pageOf } from "./exercise_page.mjs";
+import { chaptersTaken } from "./sample.mjs";
 
 const EXERCISE = "02_triangles/ray_triangle";
 
 const skip = notRun();
-const name = /<contact-figure[^>]* name="([^"]+)"/;
 
-/** A lesson with its first figure as it is served before the figure is built. */
+/** A lesson with its first figure, which is built, as it is served before the figure is built. */
 function unbuilt() {
   for (const page of lessons()) {
+    const [first] = figuresOn(page);
+    if (!first?.built) continue;
     const text = fs.readFileSync(path.join(site, page), "utf8");
-    const figure = name.exec(text)?.[1];
-    if (!figure) continue;
     const html = text.replace(
       /(<contact-figure[^>]*>)<img[^>]*>/,
       '$1<p class="not-built">This figure is still being built.</p>',
     );
     assert.ok(html.includes("not-built"), `${page} has a picture in its first figure`);
-    return { page, figure, html };
+    return { page, figure: first.name, html };
   }
-  throw new Error("no lesson has a figure");
+  throw new Error("no lesson begins with a figure that is built");
 }
 
 test("a figure that is not built yet waits for its turn, and appears", { skip }, async () => {
@@ -96,12 +96,13 @@ test("a ladder that is not built yet waits for its turn, and runs", { skip }, as
   try {
     const { page } = await open(browser, "about:blank", { serviceWorkers: "block" });
     const { queue, wanted } = await queued(page);
-    const unbuilt = "**/ladders/02_triangles.wasm";
+    const [slug] = chaptersTaken("ladder");
+    const unbuilt = `**/ladders/${slug}.wasm`;
     await page.route(unbuilt, (route) => route.fulfill({ status: 404 }));
-    await page.goto(`${served.origin}/chapters/02_triangles.html`);
+    await page.goto(`${served.origin}/chapters/${slug}.html`);
     const ladder = page.locator("contact-ladder").first();
     const run = ladder.getByRole("button", { name: "Run it here" });
-    queue.push("other/one", "ladder 02_triangles");
+    queue.push("other/one", `ladder ${slug}`);
     await run.click();
     await ladder.getByText("This is not built yet: one other is before it.").waitFor();
     await ladder.getByRole("button", { name: "Cancel" }).click();
@@ -111,7 +112,7 @@ test("a ladder that is not built yet waits for its turn, and runs", { skip }, as
     await page.unroute(unbuilt);
     queue.length = 0;
     await ladder.getByText(/timed in/).waitFor({ timeout: 60_000 });
-    assert.deepEqual([...wanted], ["ladder 02_triangles"]);
+    assert.deepEqual([...wanted], [`ladder ${slug}`]);
   } finally {
     served.close();
     await close();

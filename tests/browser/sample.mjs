@@ -2,6 +2,7 @@
 // it takes from the environment.
 
 import fs from "node:fs";
+import path from "node:path";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 
@@ -32,6 +33,9 @@ export const wanted = (name) => chapters.length === 0 || touches(chapters, name)
 /** Declares a test of what all chapters share: none where some of them alone are checked. */
 export const ofAll = chapters.length > 0 ? () => {} : test;
 
+/** Kinds of which the chapters that are asked for say nothing. */
+const ofNoChapter = ["hostile", "explain", "authors", "tidy"];
+
 /** @param {string} what @param {string[]} ran @param {string[]} left */
 function record(what, ran, left) {
   const slices = process.env["CONTACT_SLICES"];
@@ -54,7 +58,7 @@ export function sample(list, each, what, { kind, within = 1, name = String } = {
   let touched = [];
   if (kind !== undefined) {
     touched = JSON.parse(process.env["CONTACT_TOUCHED"] || "{}")[kind] ?? [];
-    if (chapters.length > 0 && !["hostile", "explain", "tidy"].includes(kind)) {
+    if (chapters.length > 0 && !ofNoChapter.includes(kind)) {
       of = list.filter((item) => wanted(name(item)));
       every = true;
     }
@@ -73,3 +77,24 @@ export function sample(list, each, what, { kind, within = 1, name = String } = {
   }
   return of.filter((_, i) => taken[i]);
 }
+
+const book = fileURLToPath(new URL("../../chapters", import.meta.url));
+
+/** The chapters with a figure or a ladder, in order. A run compiles those of a third of them for the page. */
+export const withParts = fs
+  .readdirSync(book)
+  .sort()
+  .filter((slug) => {
+    const folder = path.join(book, slug);
+    const figures = path.join(folder, "figures");
+    const hasFigure =
+      fs.existsSync(figures) && fs.readdirSync(figures).some((name) => name.endsWith(".cpp"));
+    return hasFigure || fs.existsSync(path.join(folder, "ladder.cpp"));
+  });
+
+/**
+ * Of these chapters, those whose figures (or ladders, or pages) this run tests; tools/page_parts.py builds what they show.
+ * @param {"figures" | "ladder" | "page"} kind
+ * @param {string} what as for `sample`
+ */
+export const chaptersTaken = (kind, what = "") => sample(withParts, 3, what, { kind });

@@ -135,6 +135,20 @@ def test_a_missing_picture_is_an_error_only_when_all_must_be_there(sample: Sampl
     assert "the picture of figure 01_lines/point_line is not built" in strict.stderr
 
 
+def test_of_figures_some_may_be_there_and_of_the_rest_all(sample: Sample) -> None:
+    (sample.root / "web" / "figures" / "01_lines" / "point_line.svg").unlink()
+    some = ("--skip-api", "--complete", "--some-figures")
+    made = sample.make(*some)
+    assert made.returncode == 0, made.stderr
+    assert "still being built" in sample.page("chapters/01_lines.html")
+    # What was built so does not pass for complete.
+    assert sample.make("--skip-api", "--complete").returncode != 0
+    (sample.build / "docs-data" / "ladders" / "01_lines.json").unlink()
+    strict = sample.make(*some)
+    assert strict.returncode != 0
+    assert "ladder_01_lines has not run" in strict.stderr
+
+
 def test_what_is_undocumented_stops_a_complete_build(sample: Sample) -> None:
     sample.edit("chapters/01_lines/contact/line.hpp", "  /// The offset.\n", "")
     made = sample.make("--complete")

@@ -6,6 +6,7 @@ from __future__ import annotations
 import importlib.util
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -17,6 +18,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
 from slices import Slice, read_slices, slice_in_words  # noqa: E402
+from stages import Tally  # noqa: E402
 
 
 def load() -> ModuleType:
@@ -36,7 +38,7 @@ checks = load()
 @pytest.fixture(autouse=True)
 def environment(monkeypatch: pytest.MonkeyPatch) -> None:
     """What `chosen` sets there goes afterwards."""
-    for name in ("CONTACT_CHAPTERS", "CONTACT_TOUCHED", "CONTACT_ALL"):
+    for name in ("CONTACT_CHAPTERS", "CONTACT_TOUCHED", "CONTACT_ALL", "CONTACT_TURN"):
         monkeypatch.setenv(name, "")
         monkeypatch.delenv(name)
 
@@ -141,6 +143,85 @@ def test_a_file_is_checked_by_the_stage_that_reads_it(
     monkeypatch: pytest.MonkeyPatch, file: str, stage: str
 ) -> None:
     assert stage in changed(monkeypatch, file)
+
+
+# --- What is built in a turn ----------------------------------------------------------------------
+
+
+def built_and_left_out(turn: int, monkeypatch: pytest.MonkeyPatch) -> tuple[set[str], str]:
+    """The targets of the stage `native`, and the tests that `ctest` leaves out."""
+    monkeypatch.setenv("CONTACT_TURN", str(turn))
+    monkeypatch.setattr(checks, "cmake_build", lambda _preset, *targets: iter(targets))
+    monkeypatch.setattr(checks, "ctest", lambda _preset, *words: words)
+    [words] = checks.native_tests()
+    return set(checks.native()), words[1] if words else "nothing"
+
+
+def test_what_runs_natively_is_what_is_built(monkeypatch: pytest.MonkeyPatch) -> None:
+    examples = {
+        f"example_{file.parts[-3]}_{file.stem}" for file in ROOT.glob("chapters/*/examples/*.cpp")
+    }
+    ladders = {f"ladder_{file.parent.name}" for file in ROOT.glob("chapters/*/ladder.cpp")}
+    tests = {f"{kind}_{slug}" for kind in checks.KINDS_OF_TESTS for slug in checks.with_tests()}
+    seen: list[str] = []
+    for turn in (41, 42, 43):
+        built, left_out = built_and_left_out(turn, monkeypatch)
+        assert "all_but_turns" in built
+        of_turns = built & (examples | ladders | tests)
+        assert 0 < len(of_turns) < len(examples | ladders | tests) / 2
+        seen += of_turns
+        for program in examples | tests:
+            for name in (program, f"{program}: a case", f"{program}_NOT_BUILT"):
+                assert (re.match(left_out, name) is None) == (program in built), name
+        for name in ("contract_linked_02_triangles_ray_triangle", "grading_tests: a case"):
+            assert re.match(left_out, name) is None
+    assert sorted(seen) == sorted(examples | ladders | tests)
+
+
+# --- What a failed test says ---------------------------------------------------------------------
+
+
+def counted(folder: Path, *command: str) -> Tally:
+    """What a stage tells of a command that writes junit.xml."""
+    count = checks.count_junit(folder / "junit.xml")
+    tally: Tally = checks.counted("some tests", list(command), count, cwd=folder)(60)
+    return tally
+
+
+def test_a_failed_program_of_ctest_ends_with_its_own_words(tmp_path: Path) -> None:
+    lines = "; ".join(f"echo line {i}" for i in range(30))
+    script = tmp_path / "fails.sh"
+    script.write_text(f"{lines}\necho '<wrong> & odd' >&2\nexit 3\n")
+    (tmp_path / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.25)\nproject(some NONE)\nenable_testing()\n"
+        f'add_test(NAME "fails: a case" COMMAND sh "{script}")\n'
+        "add_test(NAME passes COMMAND sh -c :)\n"
+    )
+    built = tmp_path / "build"
+    subprocess.run(["cmake", "-S", tmp_path, "-B", built], check=True, capture_output=True)
+    ctest = ["ctest", "--test-dir", str(built), "--output-junit", str(tmp_path / "junit.xml")]
+    tally = counted(tmp_path, *ctest)
+    assert (tally.passed, tally.failed, tally.names) == (1, 1, ["fails: a case"])
+    why = "\n".join(tally.why)
+    told = why[why.index("FAILED: fails: a case") :].splitlines()
+    assert told[1:21] == [
+        *(f"    line {i}" for i in range(11, 30)),
+        "    <wrong> & odd",
+    ]
+    assert "line 10" not in why
+    assert any(line.startswith("all of it: build/logs/") for line in told[21:])
+
+
+def test_a_failed_test_of_pytest_ends_with_its_own_words(tmp_path: Path) -> None:
+    (tmp_path / "test_some.py").write_text(
+        "def test_right():\n    pass\n\n\ndef test_wrong():\n    assert [1, 2] == [1, 3]\n"
+    )
+    python = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider"]
+    tally = counted(tmp_path, *python, f"--junitxml={tmp_path / 'junit.xml'}", "test_some.py")
+    assert (tally.passed, tally.failed, tally.names) == (1, 1, ["test_wrong"])
+    why = "\n".join(tally.why)
+    assert "FAILED: test_wrong" in why
+    assert "assert [1, 2] == [1, 3]" in why
 
 
 # --- The table ------------------------------------------------------------------------------------

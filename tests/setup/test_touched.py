@@ -159,7 +159,7 @@ def test_a_header_of_tests_touches_who_includes_it() -> None:
         ("grading/contact/value.hpp", {"tests", "exercises", "tidy"}),
         ("grading/contract/contract_generator.py", {"tests", "exercises"}),
         ("grading/diagnosis/claims.cpp", {"explain"}),
-        ("cmake/ContactTargets.cmake", set(CODE)),
+        ("cmake/ContactTargets.cmake", {*CODE, "authors"}),
         ("page/wasm/flags.mjs", {"figures", "ladder", "exercises", "page"}),
         ("page/web/src/figure.ts", {"figures", "ladder", "exercises", "page"}),
         ("docs/_ext/contact_book/ask.py", {"page"}),
@@ -183,6 +183,11 @@ def test_a_source_that_judges_is_linted_and_its_header_lints_all() -> None:
     assert small("grading/run/runner.cpp") == {"tidy": {"grading/run/runner.cpp"}}
     assert small("grading/run/runner.hpp")["tidy"] == {EVERYTHING}
     assert small(".clang-tidy")["tidy"] == {EVERYTHING}
+
+
+def test_a_template_is_built_and_touches_no_chapter() -> None:
+    assert small("cli/authors/templates/figure.cpp") == {"authors": {EVERYTHING}}
+    assert small("cli/authors/dev_check.hpp") == {}
 
 
 def test_an_attack_touches_itself() -> None:

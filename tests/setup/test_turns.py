@@ -15,6 +15,8 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
+import page_parts  # noqa: E402
+import steps  # noqa: E402
 from sample import in_turn, sample, turn  # noqa: E402
 
 LANDINGS = range(41, 71)
@@ -105,6 +107,124 @@ def test_what_takes_more_than_three_landings_is_listed() -> None:
             above[file.relative_to(ROOT).as_posix()] = most
     assert called >= 14
     assert above == ABOVE_THREE
+
+
+# --- What is compiled for the page ----------------------------------------------------------------
+
+KINDS = ("figures", "ladder", "page")
+
+
+def taken_in_the_browser(environment: Mapping[str, str]) -> dict[str, list[str]]:
+    """What the tests in a browser take of each kind, and under "all" the chapters there are."""
+    script = (
+        'import { chaptersTaken, withParts } from "./tests/browser/sample.mjs";'
+        "const kinds = JSON.parse(process.argv[1]);"
+        "const taken = Object.fromEntries(kinds.map((kind) => [kind, chaptersTaken(kind)]));"
+        "console.log(JSON.stringify({ ...taken, all: withParts }));"
+    )
+    done = subprocess.run(
+        ["node", "--input-type=module", "--eval", script, json.dumps(KINDS)],
+        cwd=ROOT,
+        env={**os.environ, **environment},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    said: dict[str, list[str]] = json.loads(done.stdout)
+    return said
+
+
+@pytest.mark.parametrize(
+    "environment",
+    [
+        {"CONTACT_TURN": "41"},
+        {"CONTACT_TURN": "42", "CONTACT_TOUCHED": '{"page": ["15_restitution"]}'},
+        {"CONTACT_TURN": "43", "CONTACT_TOUCHED": '{"figures": ["*"], "ladder": ["19_"]}'},
+        {"CONTACT_CHAPTERS": "02_triangles,12_momentum"},
+        {"CONTACT_ALL": "1"},
+    ],
+)
+def test_what_a_browser_tests_is_compiled(
+    environment: dict[str, str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
+    told = taken_in_the_browser(environment)
+    assert told.pop("all") == page_parts.WITH_PARTS
+    assert told == {kind: page_parts.chapters_of(kind) for kind in KINDS}
+    assert set(page_parts.chapters()) == {slug for taken in told.values() for slug in taken}
+
+
+def test_three_landings_compile_each_figure_and_ladder(monkeypatch: pytest.MonkeyPatch) -> None:
+    for start in LANDINGS[:3]:
+        seen: list[str] = []
+        for number in range(start, start + 3):
+            monkeypatch.setenv("CONTACT_TURN", str(number))
+            seen += page_parts.chapters()
+            assert page_parts.player_is_tested() == (page_parts.SCENES in page_parts.chapters())
+        assert sorted(seen) == page_parts.WITH_PARTS
+
+
+def only(step: object) -> list[str]:
+    """What a step asks page/wasm/build.mjs for."""
+    monkey = pytest.MonkeyPatch()
+    asked: list[str] = []
+    with monkey.context() as patched:
+        patched.setattr(steps, "run", lambda command, *_, **__: asked.extend(command))
+        step.run()  # type: ignore[attr-defined]
+    assert asked[:4] == ["node", "wasm/build.mjs", "figures", "ladders"]
+    return asked[4:]
+
+
+def test_what_tests_name_is_compiled_in_each_turn(monkeypatch: pytest.MonkeyPatch) -> None:
+    for number in LANDINGS[:3]:
+        monkeypatch.setenv("CONTACT_TURN", str(number))
+        [step] = page_parts.figures_and_ladders()
+        asked = only(step)
+        assert {"02_triangles/ray_triangle", "12_momentum/force_time", "--drop-outdated"} <= set(
+            asked
+        )
+        assert set(page_parts.chapters()) <= set(asked)
+        # And not the whole book.
+        assert asked.count("--only") < len(page_parts.FIGURES) / 2
+
+
+def test_a_chapter_without_figures_compiles_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CONTACT_CHAPTERS", "18_contacts")
+    assert page_parts.figures_and_ladders() == page_parts.compiler_and_exercises() == []
+    monkeypatch.setenv("CONTACT_CHAPTERS", "02_triangles")
+    [step] = page_parts.figures_and_ladders()
+    assert {name.split("/")[0] for name in page_parts.exercises()} == {"02_triangles"}
+    # The rest of the book stays as it is.
+    assert only(step) == ["--only", "02_triangles"]
+
+
+def test_the_pages_link_to_the_e_book_where_it_is_built(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    said: list[tuple[bool, str]] = []
+    built = False
+    monkeypatch.setattr(steps, "EBOOK", tmp_path / "some.epub")
+    monkeypatch.setattr(
+        steps,
+        "run",
+        lambda *_, extra, **__: said.append((built, extra["CONTACT_BOOK_EBOOK"])),
+    )
+    for number in LANDINGS[:3]:
+        monkeypatch.setenv("CONTACT_TURN", str(number))
+        steps.EBOOK.touch()
+        built = page_parts.ebook() != []
+        page_parts.pages().run()
+        assert steps.EBOOK.exists() == built
+    assert sorted(said) == [(False, "0"), (False, "0"), (True, "1")]
+    monkeypatch.setenv("CONTACT_TOUCHED", '{"page": ["*"]}')
+    assert page_parts.ebook() != []
+
+
+def test_everything_is_compiled_when_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CONTACT_ALL", "1")
+    [step] = page_parts.figures_and_ladders()
+    assert only(step) == []
 
 
 # --- What is taken whatever the turn --------------------------------------------------------------

@@ -80,6 +80,8 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.add_config_value("contact_plotter", "", "env", str)
     # A page that lacks something is read again each time (home.py), so this makes none stale.
     app.add_config_value("contact_complete", False, "", bool)
+    app.add_config_value("contact_some_figures", False, "", bool)
+    app.add_config_value("contact_fonts", None, "", str)
     # Whether Doxygen documents the headers; every page is written anew when that changes.
     app.add_config_value("contact_api", True, "html", bool)
     # Whether the e-book is, or will be, in the folder of the pages.

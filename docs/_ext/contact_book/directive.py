@@ -82,6 +82,11 @@ class BookDirective(SphinxDirective):
             raise BookError(message)
         self.env.metadata[self.env.docname]["contact-incomplete"] = "yes"
 
+    def missing_figure(self, message: str) -> None:
+        """The same, for what the checks build by turns: then the page may stay as it is."""
+        if not self.config.contact_some_figures:
+            self.missing_product(message)
+
     def needs_script(self) -> None:
         """This page has components that the page's script brings to life."""
         self.env.metadata[self.env.docname]["contact-components"] = "yes"

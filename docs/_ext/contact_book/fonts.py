@@ -10,6 +10,7 @@ import hashlib
 import html
 import io
 import logging
+import os
 import re
 import shutil
 import string
@@ -106,7 +107,10 @@ def kept(cache: Path, font: bytes, wanted: set[str]) -> bytes:
     file = cache / f"{key}.woff2"
     if not file.is_file():
         cache.mkdir(parents=True, exist_ok=True)
-        file.write_bytes(shrink(font, wanted))
+        # Builds of several books may share the folder.
+        part = file.with_name(f"{key}.{os.getpid()}.part")
+        part.write_bytes(shrink(font, wanted))
+        part.replace(file)
     return file.read_bytes()
 
 
@@ -116,7 +120,7 @@ def subset_fonts(app: Sphinx, error: Exception | None) -> None:
     if error is not None or app.builder.name != "html" or not packages.is_dir():
         return
     words, maths = characters(Path(app.outdir))
-    cache = Path(app.doctreedir).with_name("fonts")
+    cache = Path(app.config.contact_fonts)
     for name, font in faces(packages).items():
         wanted = maths if name.startswith("katex/") else words
         face = kept(cache, font.read_bytes(), wanted)

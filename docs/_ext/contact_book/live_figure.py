@@ -43,7 +43,7 @@ class LiveFigure(BookDirective):
             if facts.is_file():
                 data["describe"] = json.loads(facts.read_text(encoding="utf-8"))["describe"]
         else:
-            self.missing_product(f"the picture of figure {data['name']} is not built: {picture}")
+            self.missing_figure(f"the picture of figure {data['name']} is not built: {picture}")
         caption: list[nodes.Node] = []
         if self.content:
             caption = self.inline_markdown("\n".join(self.content))

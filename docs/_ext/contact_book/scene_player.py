@@ -54,7 +54,7 @@ class ScenePlayer(BookDirective):
             data |= json.loads(facts.read_text(encoding="utf-8"))
             data["size"] = size_of(picture)
         else:
-            self.missing_product(f"the picture of the scene player is not built: {picture}")
+            self.missing_figure(f"the picture of the scene player is not built: {picture}")
         caption: list[nodes.Node] = []
         if self.content:
             caption = self.inline_markdown("\n".join(self.content))
