@@ -1,7 +1,7 @@
 #pragma once
 
-// Compiled once for the judge's sources. Nothing may rely on it: each source includes what it uses, as its native build
-// proves.
+// Compiled once for the judge's sources. Nothing may rely on it: each source includes what it uses,
+// as its native build proves.
 
 #include <algorithm>
 #include <array>
