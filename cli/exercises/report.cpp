@@ -142,7 +142,7 @@ std::string skipped_text(const Verdict& verdict, const Style& style) {
         std::find(told.begin(), told.end(), reason) != told.end())
       continue;
     told.push_back(reason);
-    text += "\n  " + style.dim("skipped") + wrapped(" " + reason, 2).substr(2);
+    text += "\n" + style.dim(wrapped("skipped: " + reason, 2));
   }
   return text.empty() ? text : text + "\n";
 }

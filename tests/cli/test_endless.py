@@ -56,7 +56,7 @@ def test_a_sleeper_is_waited_for_once(contact: Run, spoiled: Spoiled, answer: An
     not_run = "not run, because 3 tests before it did not end; mend these first"
     assert set(reasons[3:]) == {not_run}
     text = re.sub(r"\s+", " ", contact("check", "ray_triangle").stdout)
-    assert text.count(f"skipped {not_run}") == 1
+    assert text.count(f"skipped: {not_run}") == 1
 
 
 def test_after_a_loop_in_one_test_the_others_pass(
