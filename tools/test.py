@@ -500,8 +500,12 @@ def count_mutants(done: Done) -> Tally | None:
                 f" {mutant['was']} -> {mutant['now']}"
                 for mutant in one["survivors"]
             ]
-            wrong = [*left, *(f"{one['exercise']}: {problem}" for problem in one["problems"])]
-            tally.passed += one["mutants"] - len(one["survivors"])
+            wrong = [f"{one['exercise']}: {problem}" for problem in one["problems"]]
+            tally.passed += one["mutants"] - len(left)
+            if one["settled"]:
+                wrong += left
+            else:
+                tally.skipped += len(left)  # not yet known whether they are equivalent
             tally.failed += len(wrong)
             tally.names += wrong
             tally.why += wrong
