@@ -52,6 +52,8 @@ class Result:
     equivalent: list[Tried] = field(default_factory=list)
     survivors: list[Tried] = field(default_factory=list)
     problems: list[str] = field(default_factory=list)
+    # There is an equivalent.toml, so somebody has looked at every survivor: a new one is a fault.
+    settled: bool = False
 
     @property
     def answered(self) -> list[Tried]:
@@ -83,6 +85,7 @@ class Result:
     def as_json(self) -> Json:
         return {
             "exercise": self.exercise,
+            "settled": self.settled,
             "mutants": len(self.killed) + len(self.equivalent) + len(self.survivors),
             "not_compiled": len(self.not_compiled),
             "killed": len(self.killed),
@@ -181,7 +184,7 @@ def try_exercise(
 ) -> Result:
     source = solution.read_text()
     lines = source.split("\n")
-    result = Result(exercise)
+    result = Result(exercise, settled=equivalents.exists())
     known = Equivalents.read(equivalents)
     with tempfile.TemporaryDirectory() as folder:
         program, mutants, result.not_compiled = compiled(bundle, source, Path(folder))

@@ -199,7 +199,7 @@ def main(arguments: Sequence[str]) -> int:
         print(survivors(results), end="")
         if left:
             print(f"\nThe time was up before: {', '.join(left)}")
-    bad = any(result.survivors or result.problems for result in results)
+    bad = any(result.problems or (result.settled and result.survivors) for result in results)
     return 1 if bad else 0
 
 

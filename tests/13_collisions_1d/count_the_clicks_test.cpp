@@ -61,9 +61,12 @@ void check(double ratio) {
                [&] { return ratio <= 3 ? static_cast<int>(std::round(steps)) : -1; })
       .suspect("count-by-rounded-formula", [&] { return static_cast<int>(std::ceil(steps)) - 1; })
       .suspect("count-by-rounded-velocities", [&] { return by_velocities(ratio, true); })
-      .suspect_if(
-          "count-by-rounded-formula",
-          [right, close_call](const int& got) { return close_call && std::abs(got - right) == 1; })
+      .suspect_if("count-by-rounded-formula",
+                  [&](const int& got) {
+                    // With whole steps, and by velocities, a difference of one has other causes.
+                    return close_call && ratio > 3 && std::abs(got - right) == 1 &&
+                           got != by_velocities(ratio, true);
+                  })
       .suspect("digits-of-pi", [&] { return static_cast<int>(pi * std::sqrt(ratio)); })
       .answer([&] { return exercise::clicks(ratio); })
       .equals(right);
@@ -88,8 +91,8 @@ double near_tie(int n, int ulps) {
 }  // namespace
 
 TEST_CASE("equal blocks make three collisions") {
-  check(1);
   check(2);
+  check(1);
   check(3);
 }
 

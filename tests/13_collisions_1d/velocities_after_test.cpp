@@ -75,7 +75,8 @@ void check_refused(const Body& first, const Body& second, double restitution) {
       .given("restitution", restitution)
       .suspect_if("restitution-not-refused",
                   [restitution](const After&) { return !(restitution >= 0 && restitution <= 1); })
-      .suspect_if("mass-not-refused", [](const After&) { return true; })
+      .suspect_if("mass-not-refused",
+                  [&](const After&) { return !(first.mass > 0 && second.mass > 0); })
       .answer([&] { return exercise::collide(first, second, restitution); })
       .throws_invalid_argument();
 }

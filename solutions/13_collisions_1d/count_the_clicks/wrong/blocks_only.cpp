@@ -1,5 +1,5 @@
 // misconception: wall-not-counted
-// caught by: a hundred times as heavy
+// caught by: equal blocks make three collisions
 #include "count_the_clicks.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // misconception: digits-of-pi
-// caught by: other mass ratios
+// caught by: equal blocks make three collisions
 #include "count_the_clicks.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // misconception: one-sweep
-// caught by: as many leave as come in
+// caught by: one in, one out
 #include "newtons_cradle.hpp"
 
 namespace exercise {

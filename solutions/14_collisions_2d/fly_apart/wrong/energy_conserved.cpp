@@ -1,5 +1,5 @@
 // misconception: energy-taken-for-conserved
-// caught by: kinetic energy is gained
+// caught by: from rest the two pieces leave in opposite directions
 #include "fly_apart.hpp"
 
 namespace exercise {

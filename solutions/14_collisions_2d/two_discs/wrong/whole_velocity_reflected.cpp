@@ -1,5 +1,5 @@
 // misconception: whole-velocity-reflected
-// caught by: an oblique collision changes only the normal components
+// caught by: head-on it is a collision on a line
 #include "two_discs.hpp"
 
 namespace exercise {
