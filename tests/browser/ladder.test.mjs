@@ -246,10 +246,10 @@ describe("ladders", { skip }, () => {
           ...new Set(rows.map((row) => row.dataset.kind)),
         ]);
     assert.deepEqual((await kinds()).sort(), ["double", "exact", "float"]);
-    await ladder.getByLabel("float").uncheck();
-    await ladder.getByLabel("exact").uncheck();
+    await ladder.getByRole("checkbox", { name: "float" }).uncheck();
+    await ladder.getByRole("checkbox", { name: "exact" }).uncheck();
     assert.deepEqual(await kinds(), ["double"]);
-    await ladder.getByLabel("exact").check();
+    await ladder.getByRole("checkbox", { name: "exact" }).check();
     assert.deepEqual((await kinds()).sort(), ["double", "exact"]);
     await close();
   });

@@ -121,6 +121,12 @@ export function rungs(result: LadderResult): Rung[] {
     .sort((p, q) => p.time.median - q.time.median);
 }
 
+/** To one digit, for a bound. */
+function roundedUp(value: number): number {
+  const digit = 10 ** Math.floor(Math.log10(value));
+  return value > 0 && Number.isFinite(value) ? Math.ceil(value / digit) * digit : value;
+}
+
 /** What the measurements prove about the method that the book recommends. */
 export function proven(result: LadderResult): { name: string; words: string } | undefined {
   const all = rungs(result);
@@ -132,12 +138,12 @@ export function proven(result: LadderResult): { name: string; words: string } | 
   const wrong = sum((row) => row.wrong);
   const asked = sum((row) => row.n).toLocaleString("en");
   const parts: string[] = [];
-  if (!decides(result)) parts.push(`no error above ${labelOf(chosen.off, "error")}`);
+  if (!decides(result)) parts.push(`no error above ${labelOf(roundedUp(chosen.off), "error")}`);
   else if (wrong > 0) parts.push(`wrong on ${wrong.toLocaleString("en")} of ${asked} inputs`);
   else parts.push(chosen.method.exact ? "never wrong" : `not wrong on any of ${asked} inputs`);
   const ratio = chosen.time.median / fastest.time.median;
   if (chosen === fastest) parts.push("the fastest of all");
-  else parts.push(`${Number(ratio.toPrecision(2))} × the time of the fastest`);
+  else parts.push(`${Number(ratio.toPrecision(2))}\u00a0× the time of the fastest`);
   const alike = all.filter((rung) =>
     chosen.method.exact ? rung.method.exact : rung.off <= chosen.off,
   );
@@ -150,6 +156,6 @@ export function proven(result: LadderResult): { name: string; words: string } | 
   const { title, scalar } = chosen.method;
   const name = title.includes(scalar) ? title : `${title} (${scalar})`;
   const last = parts.pop() ?? "";
-  const words = parts.length > 1 ? `${parts.join(", ")}, and ${last}` : [...parts, last].join(", ");
-  return { name, words: `${words}.` };
+  const joint = last.startsWith("the fastest") ? ", and " : ", ";
+  return { name, words: `${parts.join(", ")}${joint}${last}.` };
 }

@@ -11,6 +11,7 @@ import {
 } from "./ladder-data.ts";
 import {
   cellValue,
+  decides,
   duration,
   inWords,
   LEVEL_WORDS,
@@ -155,10 +156,14 @@ function legend(result: LadderResult, own: boolean): string {
     const name = measure === "wrong" ? "Wrong answers" : "Largest error";
     return `<p><span class="name">${name}:</span> ${steps.join(" ")}</p>`;
   });
+  const byDesign = result.methods.some(({ exact }) => exact);
+  const better = decides(result)
+    ? `more often right${byDesign ? ", where never wrong by design counts most" : ""}`
+    : "more accurate on the worst input";
   const signs = [
     result.methods.some(({ recommended }) => recommended) ? "★ the book's choice" : "",
-    result.methods.some(({ exact }) => exact) ? "◆ never wrong by design" : "",
-    "<strong>bold</strong>: no other method is both faster and more often right",
+    byDesign ? "◆ never wrong by design" : "",
+    `<strong>bold</strong>: no other method is both faster and ${better}`,
     "time of one query: the bar is the geometric mean over the families, its line goes from quartile to quartile, each dot is a family",
     own ? "hatched: this browser, in WebAssembly" : "",
   ];
