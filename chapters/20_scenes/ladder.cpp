@@ -377,10 +377,11 @@ ladder::Ladder<Input, Answer> experiment() {
         [motion, asked](generators::Random& random) { return balls(random, motion, asked); },
         asked != Asked::positions);
   };
-  family("line", "five on a line: positions, m", Motion::line, Asked::positions);
-  family("table", "nine on a table: positions, m", Motion::table, Asked::positions);
-  family("table-overlap", "nine on a table: deepest overlap, m", Motion::table, Asked::overlap);
-  family("box", "eight in a box, with gravity: positions, m", Motion::box, Asked::positions);
+  family("line", "five on a line: hits, and positions in m", Motion::line, Asked::positions);
+  family("table", "nine on a table: hits, and positions in m", Motion::table, Asked::positions);
+  family("table-overlap", "nine on a table: deepest overlap in m", Motion::table, Asked::overlap);
+  family("box", "eight in a box, with gravity: hits, and positions in m", Motion::box,
+         Asked::positions);
   family("box-energy", "eight in a box: relative change of energy", Motion::box, Asked::energy);
 
   for (const int rate : {60, 240}) {

@@ -223,7 +223,7 @@ export class ContactLadder extends HTMLElement {
       this.#panel.focus({ preventScroll: true });
     });
     const said = html("div", { class: "from-ladder" }, status, back);
-    figure.after(said);
+    figure.before(said);
     try {
       await figure.ready;
       figure.reset();
@@ -232,7 +232,7 @@ export class ContactLadder extends HTMLElement {
     } catch {
       status.textContent = "The live figure could not be loaded.";
     }
-    figure.scrollIntoView({ block: "center" });
+    said.scrollIntoView({ block: "start" });
     back.focus({ preventScroll: true });
   }
 

@@ -165,7 +165,7 @@ function legend(result: LadderResult, own: boolean): string {
     byDesign ? "◆ never wrong by design" : "",
     `<strong>bold</strong>: no other method is both faster and ${better}`,
     "time of one query: the bar is the geometric mean over the families, its line goes from quartile to quartile, each dot is a family",
-    own ? "hatched: this browser, in WebAssembly" : "",
+    own ? "dashed: this browser, in WebAssembly" : "",
   ];
   return `<div class="legend">${colours.join("")}<p>${signs.filter(Boolean).join(" · ")}.</p></div>`;
 }
@@ -199,7 +199,7 @@ export function ladderPicture(result: LadderResult, options: PictureOptions = {}
     : "";
   return (
     `${sentence}<div class="scrolling" ${REGION}><table class="ladder-picture${many}">` +
-    `<caption>${escapeText(result.question)}</caption>` +
+    `<caption><span>${escapeText(result.question)}</span></caption>` +
     `<thead><tr><th scope="col" class="method">Method, by time</th>${heads.join("")}` +
     `<th scope="col" class="ns">Time</th><td class="bars">${axis(scale)}</td></tr></thead>` +
     `<tbody>${rows.join("")}</tbody></table></div>${legend(result, here.length > 0)}`
