@@ -117,6 +117,7 @@ endfunction()
 
 function(contact_add_ladder_harness)
   file(GLOB harness CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/support/ladder*.cpp")
+  list(FILTER harness EXCLUDE REGEX "_test\\.cpp$")
   add_library(contact_ladder_harness OBJECT ${harness})
   target_link_libraries(contact_ladder_harness PRIVATE contact_00_vectors)
   contact_ladder_options(contact_ladder_harness)

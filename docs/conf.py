@@ -17,7 +17,7 @@ contact_web = os.environ.get("CONTACT_BOOK_WEB", str(_build / "web"))
 contact_fonts = os.environ.get("CONTACT_BOOK_FONTS", str(_build / "fonts"))
 contact_node = str(DOCS.parent / "page")
 contact_plotter = os.environ.get(
-    "CONTACT_BOOK_PLOTTER", str(DOCS.parent / "page" / "web" / "ladder_svg.mjs")
+    "CONTACT_BOOK_PLOTTER", str(DOCS.parent / "page" / "web" / "ladder_picture.mjs")
 )
 contact_ebook = os.environ.get("CONTACT_BOOK_EBOOK", "1") == "1"
 contact_api = os.environ.get("CONTACT_BOOK_API", "1") == "1"

@@ -131,6 +131,30 @@ double by_rationals(const Column<double>& x, const Column<double>& y) {
 
 int sign(double x) { return (x > 0) - (x < 0); }
 
+/// Two vectors are shown with their products; the coordinate of a cross product as that of vectors
+/// in the plane.
+template <class S>
+ladder::Example shown(const Column<S>& x, const Column<S>& y, const Value& said,
+                      const Value& truth) {
+  ladder::Example example;
+  example.facts = {ladder::numbers("x", x), ladder::numbers("y", y),
+                   ladder::number("Σ xᵢ yᵢ by this method", said.nearest),
+                   ladder::number("exact, then rounded", truth.nearest)};
+  const auto at = [](const Column<S>& v, Eigen::Index i) { return static_cast<double>(v[i]); };
+  if (x.size() == 3) {
+    example.figure = "products";
+    example.fields = {ladder::field("u", x), ladder::field("v", y)};
+    example.note = "The sum is u · v.";
+  } else if (x.size() == 2) {
+    example.figure = "products";
+    example.fields = {{"u", {at(x, 0), -at(x, 1), 0}}, {"v", {at(y, 1), at(y, 0), 0}}};
+    example.note = "The sum is the z coordinate of u × v.";
+  } else {
+    example.note = "No figure of this chapter shows a sum of 32 terms.";
+  }
+  return example;
+}
+
 ladder::Ladder<Input, Answer> experiment() {
   const auto judge = [](const Answer& got, const Answer& right) {
     ladder::Verdict verdict;
@@ -190,6 +214,12 @@ ladder::Ladder<Input, Answer> experiment() {
 #ifdef CONTACT_HAS_GMP
   exact("rational", "rational numbers (GMP)", "rational", by_rationals);
 #endif
+  ladder.recommend("filtered");
+  ladder.show(
+      [](const Input& input, const Answer& got, const Answer& right, const ladder::Method&) {
+        return got.of_floats ? shown(input.x_float, input.y_float, got.in_float, right.in_float)
+                             : shown(input.x, input.y, got.in_double, right.in_double);
+      });
   return ladder;
 }
 

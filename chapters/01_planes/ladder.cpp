@@ -173,6 +173,44 @@ bool by_rationals(const Asked<double>& q) {
 }
 #endif
 
+/// The plane and the sphere, drawn smaller by a power of two if they are large.
+template <class S>
+ladder::Example shown(const Asked<S>& q, int got, int right) {
+  const auto verdict = [](int meets) { return meets != 0 ? "they meet" : "they do not meet"; };
+  ladder::Example example;
+  example.facts = {ladder::numbers("a", q.points.a),
+                   ladder::numbers("b", q.points.b),
+                   ladder::numbers("c", q.points.c),
+                   ladder::numbers("centre", q.sphere.centre),
+                   ladder::number("radius", q.sphere.radius),
+                   {"this method", verdict(got)},
+                   {"exact", verdict(right)}};
+  const auto wide = [](const Vector3<S>& v) { return Vector3<double>(v.template cast<double>()); };
+  const Vector3<double> a = wide(q.points.a);
+  Vector3<double> normal = (wide(q.points.b) - a).cross(wide(q.points.c) - a);
+  const double size = std::max({a.cwiseAbs().maxCoeff(), wide(q.points.b).cwiseAbs().maxCoeff(),
+                                wide(q.points.c).cwiseAbs().maxCoeff(),
+                                wide(q.sphere.centre).cwiseAbs().maxCoeff()});
+  const double largest = normal.cwiseAbs().maxCoeff();
+  if (size > 200) {
+    example.note = "This is some kilometres from the origin, outside the figure.";
+  } else if (size < 0x1p-10 || !(largest > 0)) {
+    example.note = "This is too small for the figure, and enlarged it would not underflow.";
+  } else {
+    const double scale = size > 4 ? 0x1p-5 : 1;
+    normal *= std::ldexp(1.0, -std::ilogb(largest));
+    example.figure = "moving_sphere";
+    example.fields = {ladder::field("normal", normal),
+                      ladder::field("point", Vector3<double>(a * scale)),
+                      ladder::field("centre", Vector3<double>(wide(q.sphere.centre) * scale)),
+                      {"radius", {static_cast<double>(q.sphere.radius) * scale}},
+                      {"displacement", {0, 0, 0}}};
+    example.note = "The figure gets the plane by its normal, rounded to double.";
+    if (scale < 1) example.note += " All lengths are divided by 32.";
+  }
+  return example;
+}
+
 ladder::Ladder<Input, int> experiment() {
   const auto truth = [](const Input& input) { return int(unfiltered(input.in_double)); };
   const auto judge = [](const int& got, const int& right) {
@@ -216,6 +254,12 @@ ladder::Ladder<Input, int> experiment() {
 #ifdef CONTACT_HAS_GMP
   exact("rational", "squared, rational numbers (GMP)", "rational", by_rationals);
 #endif
+  ladder.recommend("exact");
+  ladder.show(
+      [](const Input& input, const int& got, const int& right, const ladder::Method& method) {
+        return method.scalar == "float" ? shown(input.in_float, got, right)
+                                        : shown(input.in_double, got, right);
+      });
   return ladder;
 }
 

@@ -89,6 +89,52 @@ Answer by_rationals(const Ray<double>& ray, const Triangle<double>& triangle) {
 }
 #endif
 
+using Point = contact::Vector3<double>;
+
+/// The ray and the triangles, divided by a power of two if they are large: that rounds nothing.
+ladder::Example shown(const Input& input, const Answer& got, const Answer& right,
+                      const ladder::Method& method) {
+  const Ray<double>& ray = input.ray_in_double;
+  const Triangle<double>& t = input.triangles_in_double[0];
+  const auto verdict = [](const Answer& answer) { return answer ? "hit" : "miss"; };
+  ladder::Example example;
+  example.facts = {ladder::numbers("ray's origin", input.ray.origin),
+                   ladder::numbers("ray's direction", input.ray.direction),
+                   ladder::numbers("a", input.triangles[0].a),
+                   ladder::numbers("b", input.triangles[0].b),
+                   ladder::numbers("c", input.triangles[0].c)};
+  if (input.count == 2)
+    example.facts.push_back(ladder::numbers("d, of triangle b a d", input.triangles[1].c));
+  example.facts.push_back({"this method", verdict(got)});
+  example.facts.push_back({"exact", verdict(right)});
+  double size = 0;
+  for (const Point& p : {ray.origin, t.a, t.b, t.c}) size = std::max(size, p.cwiseAbs().maxCoeff());
+  const double scale = size > 4 ? std::ldexp(1.0, -std::ilogb(size)) : 1;
+  const auto scaled = [scale](const Point& p) { return Point(p * scale); };
+  const Point through = ray.origin + ray.direction;
+  example.fields = {ladder::field("origin", scaled(ray.origin)), ladder::field("a", scaled(t.a)),
+                    ladder::field("b", scaled(t.b)), ladder::field("c", scaled(t.c))};
+  if (input.count == 2) {
+    example.figure = "shared_edge";
+    example.fields.push_back(ladder::field("d", scaled(input.triangles_in_double[1].c)));
+    example.note = "The figure aims rays of its own at the shared edge, in float.";
+    return example;
+  }
+  // The figure gets a second point of the ray, from which its methods must get this direction.
+  const bool same_in_float =
+      contact::Vector3<float>(through.cast<float>() - input.ray.origin) == input.ray.direction;
+  const bool same_in_double = Point(through - ray.origin) == ray.direction;
+  if (method.scalar == "float" ? same_in_float : same_in_double) {
+    example.figure = "ray_triangle";
+    example.fields.push_back(ladder::field("through", scaled(through)));
+    example.fields.push_back({"segment", {0}});
+    if (scale < 1) example.note = "All coordinates are divided by a power of two.";
+  } else {
+    example.note = "In the figure's form, with two points of the ray, this direction is rounded.";
+  }
+  return example;
+}
+
 ladder::Ladder<Input, Answer> experiment() {
   ladder::Ladder<Input, Answer> ladder("Does the ray hit the triangle?", truth, judge);
 
@@ -136,6 +182,8 @@ ladder::Ladder<Input, Answer> experiment() {
 #ifdef CONTACT_HAS_GMP
   exact("rational", "Möller–Trumbore, rational numbers (GMP)", "rational", by_rationals);
 #endif
+  ladder.recommend("exact");
+  ladder.show(shown);
   return ladder;
 }
 

@@ -96,6 +96,79 @@ ladder::Verdict judge(const Answer& got, const Answer& right) {
   return verdict;
 }
 
+constexpr std::size_t shown_points = 8;
+constexpr double epsilon = 1e-6;
+
+/// One point less, as long as the figure has too few points; then half the size, if that is large.
+std::vector<Input> simpler(const Input& input) {
+  std::vector<Input> all;
+  if (input.points.size() > shown_points) {
+    for (std::size_t i = 0; i < input.points.size(); ++i) {
+      all.push_back(input);
+      all.back().points.erase(all.back().points.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return all;
+  }
+  const auto large = [](const Point& p) { return p.cwiseAbs().maxCoeff() > 1.5; };
+  if (std::none_of(input.points.begin(), input.points.end(), large)) return all;
+  all.push_back(input);
+  for (Point& p : all.back().points) p /= 2;
+  return all;
+}
+
+/// The number of a method in the figure, or -1.
+double in_figure(const std::string& id) {
+  static const std::array<const char*, 7> ids{"grow-exact",   "slide",      "angles-double",
+                                              "grow-epsilon", "grow-float", "grow-double",
+                                              "wrap-double"};
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (id == ids[i]) return static_cast<double>(i);
+  }
+  return -1;
+}
+
+ladder::Example shown(const Input& input, const Answer& got, const Answer& right,
+                      const ladder::Method& method) {
+  const auto told = [](const char* name, const Answer& answer) {
+    std::string words;
+    if (!answer.closed) words = "not closed; ";
+    words += answer.only_triangles ? std::to_string(answer.triangles) + " triangles"
+                                   : std::to_string(answer.faces) + " faces";
+    words += ", vertices";
+    for (const int corner : answer.corners) words += " " + std::string(1, char('a' + corner));
+    return ladder::Fact{name, words};
+  };
+  ladder::Example example;
+  for (std::size_t i = 0; i < input.points.size(); ++i) {
+    const contact::Vector3<float> p = input.points[i].cast<float>();
+    example.facts.push_back(ladder::numbers(std::string(1, char('a' + i)), p));
+  }
+  example.facts.push_back(told("this method", got));
+  example.facts.push_back(told("exact", right));
+  if (got.only_triangles)
+    example.facts.push_back({"exact, in triangles", std::to_string(right.triangles)});
+  const double way = in_figure(method.id);
+  if (input.points.size() != shown_points) {
+    example.note =
+        "The figure shows eight points, and on any eight of these that were tried the method is "
+        "right.";
+  } else if (way < 0) {
+    example.note = "The figure does not have this method.";
+  } else if (got.closed && got.corners == right.corners && got.triangles == right.triangles) {
+    example.note =
+        "Only the number of faces is wrong: the figure draws triangles, and these are the same.";
+  } else {
+    example.figure = "wrapping";
+    for (std::size_t i = 0; i < shown_points; ++i)
+      example.fields.push_back(ladder::field(std::string(1, char('a' + i)), input.points[i]));
+    example.fields.push_back({"method", {way}});
+    example.fields.push_back({"epsilon", {epsilon}});
+    example.fields.push_back({"shown", {24}});
+    example.fields.push_back({"flat", {0}});
+  }
+  return example;
+}
+
 ladder::Ladder<Input, Answer> experiment() {
   const auto truth = [](const Input& input) {
     return of_hull(contact::gift_wrap_with<contact::ExactSides>(input.points));
@@ -144,13 +217,16 @@ ladder::Ladder<Input, Answer> experiment() {
     return of_hull(contact::convex_hull_with<contact::RoundedSides<double>>(p));
   });
   add("grow-epsilon", "incremental, epsilon 1e-6", "double", false, [](const Points& p) {
-    return of_hull(contact::convex_hull_with<contact::RoundedSides<double>>(p, 1e-6));
+    return of_hull(contact::convex_hull_with<contact::RoundedSides<double>>(p, epsilon));
   });
-  add("grow-exact", "incremental (the book's)", "double, then exact", true,
+  add("grow-exact", "incremental, filtered", "double, then exact", true,
       [](const Points& p) { return of_hull(contact::convex_hull(p)); });
   add("grow-unfiltered", "incremental, no filter", "exact", true, [](const Points& p) {
     return of_hull(contact::convex_hull_with<contact::UnfilteredSides>(p));
   });
+  ladder.recommend("grow-exact");
+  ladder.show(shown);
+  ladder.simplify(simpler);
   return ladder;
 }
 

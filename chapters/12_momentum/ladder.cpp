@@ -163,6 +163,19 @@ ladder::Ladder<Input, Answer> experiment() {
 #ifdef CONTACT_HAS_GMP
   exact("rational", "in fractions (GMP)", "rational", by_rationals);
 #endif
+  ladder.recommend("filtered");
+  ladder.show(
+      [](const Input& input, const Answer& got, const Answer& right, const ladder::Method&) {
+        const Sum& told = got.of_floats ? got.in_float : got.in_double;
+        const Sum& truth = got.of_floats ? right.in_float : right.in_double;
+        ladder::Example example;
+        example.facts = {got.of_floats ? ladder::numbers("impulses, N·s", input.in_float)
+                                       : ladder::numbers("impulses, N·s", input.in_double),
+                         ladder::number("sum by this method, N·s", told.nearest),
+                         ladder::number("exact, then rounded, N·s", truth.nearest)};
+        example.note = "The figure adds equal impulses to a large one, and cannot show these.";
+        return example;
+      });
   return ladder;
 }
 

@@ -69,6 +69,39 @@ Answer truth_of(const Input& input) {
   return {false, count_between_ties(input.in_float), count_between_ties(input.in_double)};
 }
 
+/// A double beside a tie is one of five neighbours that a figure compares; other ratios are shown
+/// by their collisions, as long as these are few.
+ladder::Example shown(const Input& input, const Answer& got, const Answer& right,
+                      const ladder::Method& method) {
+  const auto told = static_cast<double>(got.of_float ? got.in_float : got.in_double);
+  const auto truth = static_cast<double>(got.of_float ? right.in_float : right.in_double);
+  const double ratio = got.of_float ? static_cast<double>(input.in_float) : input.in_double;
+  ladder::Example example;
+  example.facts = {
+      got.of_float ? ladder::number("M/m", input.in_float) : ladder::number("M/m", input.in_double),
+      ladder::number("collisions by this method", told), ladder::number("exact", truth)};
+  for (int n = static_cast<int>(truth) - 1; method.scalar == "double" && n <= truth + 2; ++n) {
+    for (int ulps = -2; n >= 5 && n <= 5000 && ulps <= 2; ++ulps) {
+      if (contact::close_call(n, ulps) != ratio) continue;
+      example.figure = "close_calls";
+      example.fields = {{"n", {static_cast<double>(n)}}};
+      example.note = ulps == 0 ? "In the figure this ratio is the nearest to the tie."
+                               : "In the figure this ratio is " + std::to_string(std::abs(ulps)) +
+                                     " ulp " + (ulps < 0 ? "below" : "above") +
+                                     " the one nearest to the tie.";
+      return example;
+    }
+  }
+  if (ratio <= 100) {
+    example.figure = "clicks";
+    example.fields = {{"ratio", {ratio}}, {"step", {truth}}};
+    example.note = "The figure counts with the method that is never wrong.";
+  } else {
+    example.note = "The figure shows ratios up to 100, and so many collisions could not be seen.";
+  }
+  return example;
+}
+
 ladder::Ladder<Input, Answer> experiment() {
   const auto judge = [](const Answer& got, const Answer& right) {
     ladder::Verdict verdict;
@@ -118,6 +151,8 @@ ladder::Ladder<Input, Answer> experiment() {
                 [](const Input& input) {
                   return Answer{false, 0, contact::count_collisions(input.in_double).value_or(-1)};
                 });
+  ladder.recommend("certain");
+  ladder.show(shown);
   return ladder;
 }
 

@@ -199,6 +199,41 @@ Said by_rationals(const Pair<double>& p) {
 }
 #endif
 
+template <class S>
+ladder::Example shown(const Pair<S>& p, const Said& told, const Said& truth, bool as_the_lecture) {
+  const auto verdict = [](const Said& said) { return said.hit ? "yes" : "no"; };
+  ladder::Example example;
+  for (const auto& [name, disc] : {std::pair{"A", &p.a}, std::pair{"B", &p.b}}) {
+    const std::string of = std::string(" of ") + name;
+    example.facts.push_back(ladder::numbers("centre" + of + ", m", disc->centre));
+    example.facts.push_back(ladder::numbers("velocity" + of + ", m/s", disc->velocity));
+    example.facts.push_back(ladder::number("mass" + of + ", kg", disc->mass));
+  }
+  example.facts.push_back({"impulse by this method", verdict(told)});
+  example.facts.push_back(ladder::numbers("velocity of A afterwards, m/s", told.a));
+  example.facts.push_back({"impulse, exact", verdict(truth)});
+  example.facts.push_back(ladder::numbers("velocity of A afterwards, exact, m/s", truth.a));
+  const double size = static_cast<double>(p.a.centre.cwiseAbs().maxCoeff());
+  const double distance = static_cast<double>((p.a.centre - p.b.centre).cwiseAbs().maxCoeff());
+  if (size > 100) {
+    example.note = "These discs are thousands of kilometres outside the figure.";
+  } else if (distance < 0x1p-10) {
+    example.note = "These discs are too small to be seen, and enlarged no square would underflow.";
+  } else {
+    example.figure = "two_discs";
+    example.fields = {ladder::field("centre_a", p.a.centre),
+                      ladder::field("centre_b", p.b.centre),
+                      ladder::field("velocity_a", p.a.velocity),
+                      ladder::field("velocity_b", p.b.velocity),
+                      {"mass_a", {static_cast<double>(p.a.mass)}},
+                      {"mass_b", {static_cast<double>(p.b.mass)}},
+                      {"restitution", {restitution}},
+                      {"way", {as_the_lecture ? 1.0 : 0.0}}};
+    if (!as_the_lecture) example.note = "The figure shows the book's answer.";
+  }
+  return example;
+}
+
 ladder::Ladder<Input, Answer> experiment() {
   const auto judge = [](const Answer& got, const Answer& right) {
     const Said& told = got.of_floats ? got.in_float : got.in_double;
@@ -250,6 +285,13 @@ ladder::Ladder<Input, Answer> experiment() {
   in_double("rational", "in fractions (GMP)", "rational", true,
             [](const auto& p) { return by_rationals(p); });
 #endif
+  ladder.recommend("book");
+  ladder.show([](const Input& input, const Answer& got, const Answer& right,
+                 const ladder::Method& method) {
+    const bool as_the_lecture = method.id.starts_with("steps-");
+    return got.of_floats ? shown(input.in_float, got.in_float, right.in_float, as_the_lecture)
+                         : shown(input.in_double, got.in_double, right.in_double, as_the_lecture);
+  });
   return ladder;
 }
 

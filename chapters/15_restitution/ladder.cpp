@@ -123,6 +123,48 @@ Place place(const contact::BounceState<S>& state, double k) {
           endless ? std::numeric_limits<double>::infinity() : static_cast<double>(state.bounces)};
 }
 
+/// The figure drops a ball: the same one, from its greatest height, has one more impact, the throw.
+template <class S>
+ladder::Example shown(const contact::BouncingBall<S>& ball, S time, const Place& told,
+                      const Place& truth) {
+  ladder::Example example;
+  example.facts = {ladder::number("thrown upwards at, m/s", ball.velocity),
+                   ladder::number("gravity, m/s²", ball.gravity),
+                   ladder::number("k", ball.restitution),
+                   ladder::number("time, s", time),
+                   ladder::number("impacts by this method", told.bounces),
+                   ladder::number("height by this method, m", told.height),
+                   ladder::number("impacts, exact", truth.bounces),
+                   ladder::number("height, exact, m", truth.height)};
+  const auto v = static_cast<double>(ball.velocity);
+  const auto g = static_cast<double>(ball.gravity);
+  const auto k = static_cast<double>(ball.restitution);
+  const double height = v * v / (2 * g);
+  const double later = static_cast<double>(time) + v / g;
+  if (later > 5 || height > 1.5) {
+    example.note = "The figure shows 5 seconds and 1.6 m.";
+    return example;
+  }
+  const double rebound = std::min(height, k * k * height);
+  const double same_k = std::min(1.0, contact::restitution_from_heights(height, rebound));
+  const auto there = contact::bounce_at(contact::bouncing_ball(height, 0.0, g, same_k), later);
+  const bool resting = there.resting && k > 0;
+  if (resting == std::isfinite(truth.bounces) || (!resting && there.bounces != truth.bounces + 1)) {
+    example.note =
+        "The figure drops its ball. The conversion from a throw rounds the time, and here the last "
+        "digits matter.";
+    return example;
+  }
+  example.figure = "zeno";
+  example.fields = {{"height", {height}}, {"rebound", {rebound}}, {"gravity", {g}},
+                    {"time", {later}},    {"rest_height", {0}},   {"beside", {0}}};
+  example.note =
+      "The figure drops the ball from its greatest height: the throw is its first impact, and "
+      "times "
+      "are later by v/g, rounded.";
+  return example;
+}
+
 ladder::Ladder<Input, Answer> experiment() {
   const auto judge = [](const Answer& got, const Answer& right) {
     ladder::Verdict verdict;
@@ -215,6 +257,12 @@ ladder::Ladder<Input, Answer> experiment() {
                                                                                             input) {
     const auto& ball = input.in_double;
     return Answer{false, {}, truth_of(ball.velocity, ball.gravity, ball.restitution, input.time)};
+  });
+  ladder.recommend("formula");
+  ladder.show([](const Input& input, const Answer& got, const Answer& right,
+                 const ladder::Method&) {
+    return got.of_floats ? shown(input.in_float, input.time_in_float, got.in_float, right.in_float)
+                         : shown(input.in_double, input.time, got.in_double, right.in_double);
   });
   return ladder;
 }

@@ -162,6 +162,22 @@ M<S> by_midpoint(const Hit<S>& h, const Spin& angular_velocity) {
   return contact::matrix_of(q);
 }
 
+template <class S>
+ladder::Example shown(const Hit<S>& h, const M<double>& told, const M<double>& truth) {
+  const auto axis = [](const M<double>& r) { return V<double>(r.col(2)); };
+  ladder::Example example;
+  example.facts = {ladder::number("moment about the axis of symmetry, kg·m²", h.along),
+                   ladder::number("moment perpendicular to it, kg·m²", h.transverse),
+                   ladder::numbers("axis at first", V<S>(contact::matrix_of(h.start).col(2))),
+                   ladder::numbers("angular momentum, kg·m²/s", h.momentum),
+                   ladder::number("time, s", h.steps / double(steps_a_second)),
+                   ladder::numbers("axis by this method", axis(told)),
+                   ladder::numbers("axis, exact", axis(truth))};
+  example.note =
+      "The chapter's figures fix the direction of the impulse, and cannot show this body.";
+  return example;
+}
+
 ladder::Ladder<Input, Answer> experiment() {
   const auto judge = [](const Answer& got, const Answer& right) {
     const M<double> off =
@@ -229,6 +245,12 @@ ladder::Ladder<Input, Answer> experiment() {
                   [](const auto& h) { return by_midpoint(h, ByAxes()); });
   method_in_float("tensor-midpoint-float", "full tensor, exponential map at the midpoint",
                   [](const auto& h) { return by_midpoint(h, ByTensor()); });
+  ladder.recommend("axes-midpoint");
+  ladder.show(
+      [](const Input& input, const Answer& got, const Answer& right, const ladder::Method&) {
+        return got.of_floats ? shown(input.in_float, got.in_float, right.in_float)
+                             : shown(input.in_double, got.in_double, right.in_double);
+      });
   return ladder;
 }
 

@@ -328,6 +328,98 @@ Answer without_steps(Motion motion, const Scene<S>& scene) {
   return places(contact::two_balls_by_events(scene.balls, left, 100000));
 }
 
+/// The integrator of a method's steps of 1/60 s, if it has such steps.
+std::optional<Integrator> integrator_at_60(const std::string& id) {
+  if (id == "position-60") return Integrator::explicit_euler;
+  if (id == "velocity-60" || id == "lecture") return Integrator::semi_implicit_euler;
+  if (id == "verlet-60" || id == "slices" || id == "bisection" || id == "advance")
+    return Integrator::velocity_verlet;
+  if (id == "kutta-60") return Integrator::runge_kutta_4;
+  return std::nullopt;
+}
+
+/// In the figure's units: ω is 1.
+void show_spring(ladder::Example& example, const Scene<double>& scene, const std::string& id) {
+  const double w = scene.spring.angular_frequency;
+  const auto integrator = integrator_at_60(id);
+  if (!integrator) {
+    example.note = "The figure has no step as short as this one, and no float.";
+    return;
+  }
+  example.figure = "swing";
+  example.fields = {{"start", {scene.start.position, scene.start.velocity / w}},
+                    {"step", {w * steps_of(scene.time, 60).length}},
+                    {"integrator", {static_cast<double>(*integrator)}}};
+  example.note = "The figure's unit of time is 1/ω, and it follows the motion for two periods.";
+}
+
+/// In the figure's units: the outer ball approaches at 1 m/s.
+void show_two_balls(ladder::Example& example, const Scene<double>& scene, const std::string& id) {
+  const TwoBallsAndWall<double>& balls = scene.balls;
+  const double speed = -balls.outer.velocity;
+  const double step = speed * steps_of(scene.time, 60).length;
+  constexpr double shown_seconds = 6;
+  const double outer = balls.wall_gap + balls.ball_gap;
+  const auto start = contact::two_balls_and_wall<double>({1, 0}, {balls.outer.mass, -1},
+                                                         balls.wall_gap, outer - balls.wall_gap, 1);
+  double left = shown_seconds;
+  const auto right = contact::two_balls_by_events(start, left, 100000);
+  const auto stepped =
+      contact::two_balls_in_steps(start, step, static_cast<long long>(shown_seconds / step));
+  if (!id.ends_with("-60") || step < 0.01 || right.hits == stepped.hits || right.hits > 50) {
+    example.note = "The figure's program in steps tests at the end of each, 1/100 s or longer.";
+    return;
+  }
+  example.figure = "squeeze";
+  example.fields = {{"inner", {balls.wall_gap}},
+                    {"outer", {outer}},
+                    {"ratio", {balls.outer.mass}},
+                    {"e", {1}},
+                    {"step", {step}}};
+  example.note = "The figure's outer ball approaches at 1 m/s: times are longer by that factor.";
+}
+
+ladder::Example shown(const Input& input, const Answer& got, const Answer& right,
+                      const ladder::Method& method) {
+  const Scene<double>& scene = input.wide;
+  ladder::Example example;
+  switch (input.motion) {
+    case Motion::fall:
+    case Motion::spring:
+      example.facts = {ladder::number("position at first, m", scene.start.position),
+                       ladder::number("velocity at first, m/s", scene.start.velocity)};
+      if (input.motion == Motion::fall) {
+        example.facts.push_back(ladder::number("gravity, m/s²", scene.gravity));
+        example.note = "No figure of this chapter shows a free fall.";
+      } else {
+        example.facts.push_back(ladder::number("ω, 1/s", scene.spring.angular_frequency));
+        show_spring(example, scene, method.id);
+      }
+      break;
+    case Motion::bounce:
+      example.facts = {ladder::number("thrown upwards at, m/s", scene.ball.velocity),
+                       ladder::number("gravity, m/s²", scene.ball.gravity),
+                       ladder::number("k", scene.ball.restitution)};
+      example.note = "The ball of this chapter's figure has leaning walls, which this one has not.";
+      break;
+    case Motion::two_balls:
+      example.facts = {ladder::number("gap between wall and inner ball, m", scene.balls.wall_gap),
+                       ladder::number("gap between the balls, m", scene.balls.ball_gap),
+                       ladder::number("mass of the outer ball, kg", scene.balls.outer.mass),
+                       ladder::number("its velocity, m/s", scene.balls.outer.velocity)};
+      show_two_balls(example, scene, method.id);
+      break;
+  }
+  example.facts.push_back(ladder::number("time, s", scene.time));
+  for (const auto& [name, answer] :
+       {std::pair{"by this method", &got}, std::pair{"exact", &right}}) {
+    const std::string by = name;
+    example.facts.push_back(ladder::number("position " + by + ", m", answer->first));
+    example.facts.push_back(ladder::number("impacts " + by, answer->hits));
+  }
+  return example;
+}
+
 ladder::Ladder<Input, Answer> experiment() {
   const auto judge = [](const Answer& got, const Answer& right) {
     ladder::Verdict verdict;
@@ -390,6 +482,8 @@ ladder::Ladder<Input, Answer> experiment() {
                 [](const Input& input) { return without_steps(input.motion, input.narrow); });
   ladder.method({.id = "events", .title = "without steps", .scalar = "double", .exact = false},
                 [](const Input& input) { return without_steps(input.motion, input.wide); });
+  ladder.recommend("events");
+  ladder.show(shown);
   return ladder;
 }
 

@@ -348,18 +348,40 @@ ladder::Verdict judge(const Answer& got, const Answer& right) {
   return verdict;
 }
 
+ladder::Example shown(const Input& input, const Answer& got, const Answer& right,
+                      const ladder::Method&) {
+  const auto dimension = static_cast<Eigen::Index>(input.setup.walls.size() / 2);
+  ladder::Example example;
+  const auto balls = input.setup.balls.size();
+  for (std::size_t i = 0; i < balls; ++i) {
+    const contact::HardBall& ball = input.setup.balls[i];
+    const std::string of = " of ball " + std::to_string(i + 1);
+    example.facts.push_back(
+        ladder::numbers("centre" + of + ", m", ball.position.cast<float>().eval().head(dimension)));
+    example.facts.push_back(ladder::numbers("velocity" + of + ", m/s",
+                                            ball.velocity.cast<float>().eval().head(dimension)));
+  }
+  example.facts.push_back(ladder::number("time, s", input.time));
+  example.facts.push_back(ladder::number("hits by this method", got.hits));
+  example.facts.push_back(ladder::number("hits, exact", right.hits));
+  example.note = "The chapter's figures show one body each, and cannot show these balls.";
+  return example;
+}
+
 ladder::Ladder<Input, Answer> experiment() {
   ladder::Ladder<Input, Answer> ladder("Where are the balls, and is the energy conserved?",
                                        plain_loop<DoubleDouble>, judge);
   const auto family = [&ladder](const char* id, const char* title, Motion motion, Asked asked) {
-    ladder.family(id, title, [motion, asked](generators::Random& random) {
-      return balls(random, motion, asked);
-    });
+    ladder.family(
+        id, title,
+        [motion, asked](generators::Random& random) { return balls(random, motion, asked); },
+        asked != Asked::positions);
   };
-  family("line", "five on a line: positions, m", Motion::line, Asked::positions);
-  family("table", "nine on a table: positions, m", Motion::table, Asked::positions);
-  family("table-overlap", "nine on a table: deepest overlap, m", Motion::table, Asked::overlap);
-  family("box", "eight in a box, with gravity: positions, m", Motion::box, Asked::positions);
+  family("line", "five on a line: hits, and positions in m", Motion::line, Asked::positions);
+  family("table", "nine on a table: hits, and positions in m", Motion::table, Asked::positions);
+  family("table-overlap", "nine on a table: deepest overlap in m", Motion::table, Asked::overlap);
+  family("box", "eight in a box, with gravity: hits, and positions in m", Motion::box,
+         Asked::positions);
   family("box-energy", "eight in a box: relative change of energy", Motion::box, Asked::energy);
 
   for (const int rate : {60, 240}) {
@@ -382,6 +404,8 @@ ladder::Ladder<Input, Answer> experiment() {
   ladder.method(
       {.id = "planned", .title = "events, as planned", .scalar = "double", .exact = false},
       planned);
+  ladder.recommend("planned");
+  ladder.show(shown);
   return ladder;
 }
 

@@ -12,7 +12,17 @@ import path from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { parseArgs } from "node:util";
 import { build, transform } from "esbuild";
-import { DARK, drawingRules, FORCED, LIGHT, ROLES, variables } from "./palette.mjs";
+import {
+  DARK,
+  drawingRules,
+  FORCED,
+  LEVELS_DARK,
+  LEVELS_LIGHT,
+  LIGHT,
+  levelVariables,
+  ROLES,
+  variables,
+} from "./palette.mjs";
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 const root = path.dirname(path.dirname(here));
@@ -105,15 +115,22 @@ function styles() {
     (role) =>
       `contact-figure .grip.r-${role},contact-figure .t-${role}{color:var(--contact-${role})}`,
   ).join("\n");
+  const levels = LEVELS_LIGHT.map(
+    (_, i) =>
+      `contact-ladder .level-${i}{background:var(--contact-level-${i});color:var(--contact-on-level-${i})}`,
+  ).join("");
+  const light = `${variables(LIGHT)}${levelVariables(LEVELS_LIGHT)}`;
+  const dark = `${variables(DARK)}${levelVariables(LEVELS_DARK)}`;
   return `
-:root{${variables(LIGHT)}}
-body[data-theme="dark"]{${variables(DARK)}}
-@media(prefers-color-scheme:dark){body:not([data-theme="light"]){${variables(DARK)}}}
-@media print{body,body[data-theme]{${variables(LIGHT)}}}
+:root{${light}}
+body[data-theme="dark"]{${dark}}
+@media(prefers-color-scheme:dark){body:not([data-theme="light"]){${dark}}}
+@media print{body,body[data-theme]{${light}}}
 @media(forced-colors:active){body,body[data-theme]{${variables(FORCED)}}}
 contact-figure .stage{${drawingRules}}
 ${roles}
-${["contact.css", "exercise.css"].map((name) => fs.readFileSync(path.join(here, "src", name), "utf8")).join("\n")}`;
+${levels}
+${["contact.css", "ladder.css", "exercise.css"].map((name) => fs.readFileSync(path.join(here, "src", name), "utf8")).join("\n")}`;
 }
 
 /** The libraries inside the page's script, with their licences. */

@@ -34,6 +34,30 @@ export const DARK = {
   ball: "#f0c064",
 };
 
+/** A ladder's cells, from right to wrong: pale blue, then browner; each with the colour of its text. */
+export const LEVELS_LIGHT = [
+  ["#dcebf7", "#1c2128"],
+  ["#fdf1d8", "#1c2128"],
+  ["#fbd9a0", "#1c2128"],
+  ["#f3ae5d", "#1c2128"],
+  ["#d9752a", "#131416"],
+  ["#8c2d04", "#ffffff"],
+];
+export const LEVELS_DARK = [
+  ["#16324a", "#e8eaed"],
+  ["#33291a", "#e8eaed"],
+  ["#54401f", "#e8eaed"],
+  ["#7d5519", "#ffffff"],
+  ["#bd7820", "#131416"],
+  ["#ffb861", "#131416"],
+];
+
+/** @param {readonly (readonly string[])[]} levels */
+export const levelVariables = (levels) =>
+  levels
+    .map(([cell, text], i) => `--contact-level-${i}:${cell};--contact-on-level-${i}:${text};`)
+    .join("");
+
 /** Colours of the reader's own choosing. */
 export const FORCED = Object.fromEntries(
   Object.keys(LIGHT).map((role) => [

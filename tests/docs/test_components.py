@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import json
 import re
+from urllib.parse import unquote
 
 import pytest
 from bs4 import BeautifulSoup, Tag
@@ -121,17 +124,36 @@ def test_a_construction_names_its_figure_and_goal(lesson: BeautifulSoup) -> None
     assert (question["figure"], question["goal"]) == ("01_lines/point_line", "on")
 
 
-def test_the_ladder_has_its_plot_its_table_and_where_it_was_measured(lesson: BeautifulSoup) -> None:
+def test_the_ladder_has_its_picture_its_table_and_where_it_was_measured(
+    lesson: BeautifulSoup,
+) -> None:
     element = one(lesson, "contact-ladder")
     assert data(element)["ladder"] == "01_lines"
-    assert element.select(".plot svg")
-    rows = [row.get_text(" ", strip=True) for row in element.select("tbody tr")]
+    cells = [cell.get_text() for cell in element.select(".picture td[data-family]")]
+    assert cells == ["1.2", "0"]
+    assert "never wrong" in one(element, ".picture .proven").get_text()
+    assert not element.select("button")
+    folded = one(element, "details")
+    assert not folded.has_attr("open")
+    rows = [row.get_text(" ", strip=True) for row in folded.select("tbody tr")]
     assert len(rows) == 2
     assert "12 of 1,000" in rows[0]
     assert "2.0·10⁻⁷" in rows[0]
     words = without_scripts(element)
     assert "Some CPU" in words
     assert "quick run" in words
+
+
+def test_the_numbers_of_a_ladder_can_be_had_as_csv(lesson: BeautifulSoup) -> None:
+    link = one(lesson, "contact-ladder details a[download]")
+    assert link["download"] == "01_lines.csv"
+    kind, _, text = str(link["href"]).partition(",")
+    assert kind == "data:text/csv;charset=utf-8"
+    rows = list(csv.DictReader(io.StringIO(unquote(text), newline="")))
+    assert [(row["inputs"], row["method"], row["wrong"], row["ns_q3"]) for row in rows] == [
+        ("random points", "plain", "12", "1.6"),
+        ("random points", "exact", "0", "41"),
+    ]
 
 
 def test_hard_cases_show_each_method_right_or_wrong(lesson: BeautifulSoup) -> None:

@@ -1,8 +1,10 @@
-// The native program of a ladder: rounds of timed passes, then a table or JSON.
+// The native program of a ladder: rounds of timed passes, then a table or JSON, with an input for
+// each method and family on which the method fails.
 #include <support/ladder.hpp>
 
 #include <sys/utsname.h>
 
+#include <array>
 #include <charconv>
 #include <chrono>
 #include <cstdio>
@@ -100,7 +102,51 @@ double timed_pass(ladder::Experiment& experiment, std::size_t method) {
 }
 
 // JSON has no NaN: no value is null.
-json number(double x) { return std::isfinite(x) ? json(x) : json(nullptr); }
+json or_null(double x) { return std::isfinite(x) ? json(x) : json(nullptr); }
+
+/// The shortest text that reads back as the same number.
+std::string text(double x, bool in_float) {
+  std::array<char, 32> digits{};
+  char* const end = digits.data() + digits.size();
+  const std::to_chars_result done = in_float
+                                        ? std::to_chars(digits.data(), end, static_cast<float>(x))
+                                        : std::to_chars(digits.data(), end, x);
+  return {digits.data(), done.ptr};
+}
+
+json told(const ladder::Fact& fact) {
+  std::string words = fact.words;
+  for (const double x : fact.values) {
+    if (!words.empty()) words += ' ';
+    words += text(x, fact.in_float);
+  }
+  return {{"name", fact.name}, {"text", words}};
+}
+
+json told(const ladder::Failure& failure) {
+  json facts = json::array();
+  for (const ladder::Fact& fact : failure.example.facts) facts.push_back(told(fact));
+  json result{{"input", failure.input},
+              {"simplified", failure.simplified},
+              {"error", or_null(failure.verdict.error)},
+              {"facts", facts},
+              {"note", failure.example.note}};
+  if (failure.example.figure.empty()) return result;
+  json fields = json::object();
+  for (const ladder::Field& field : failure.example.fields) fields[field.name] = field.values;
+  result["figure"] = failure.example.figure;
+  result["fields"] = fields;
+  return result;
+}
+
+bool has_errors(const std::vector<ladder::Judgement>& judged) {
+  return std::any_of(judged.begin(), judged.end(),
+                     [](const ladder::Judgement& each) { return each.error_max > 0; });
+}
+bool any_wrong(const std::vector<ladder::Judgement>& judged) {
+  return std::any_of(judged.begin(), judged.end(),
+                     [](const ladder::Judgement& each) { return each.wrong > 0; });
+}
 
 }  // namespace
 
@@ -121,10 +167,12 @@ int ladder::run_program(Experiment& experiment, const char* chapter, int argc, c
   std::printf("%s\n\n%-14s %-28s %-8s %9s %9s %9s %9s  %s\n", experiment.question().c_str(),
               "family", "method", "scalar", "wrong", "of", "error", "largest", "ns (quartiles)");
   const auto& methods = experiment.methods();
+  int exit_code = 0;
   for (std::size_t family = 0; family < experiment.families().size(); ++family) {
     const Family& about = experiment.families()[family];
     experiment.prepare(family, options->size);
     families.push_back({{"id", about.id}, {"title", about.title}, {"n", options->size}});
+    if (about.by_error) families.back()["by_error"] = true;
 
     // First every method once, to judge it and to warm up. Then in turns, so that a slow moment of
     // the machine does not fall on one method only.
@@ -132,6 +180,20 @@ int ladder::run_program(Experiment& experiment, const char* chapter, int argc, c
     for (std::size_t method = 0; method < methods.size(); ++method) {
       experiment.pass(method);
       judged.push_back(experiment.judge());
+    }
+    // A family on which some method is wrong keeps wrong answers, the others the largest errors.
+    const bool by_error = about.by_error || (!any_wrong(judged) && has_errors(judged));
+    std::vector<std::optional<Failure>> failures(methods.size());
+    for (std::size_t method = 0; method < methods.size(); ++method) {
+      if (methods[method].exact && judged[method].wrong > 0) {
+        std::fprintf(stderr, "%s is declared exact, and is wrong on %zu of %zu inputs of %s\n",
+                     methods[method].id.c_str(), judged[method].wrong, judged[method].n,
+                     about.id.c_str());
+        exit_code = 1;
+      }
+      if (by_error ? !(judged[method].error_max > 0) : judged[method].wrong == 0) continue;
+      experiment.pass(method);
+      failures[method] = experiment.failure(method, by_error);
     }
     std::vector<std::vector<double>> ns(methods.size());
     for (std::size_t repeat = 0; repeat < options->repeats; ++repeat) {
@@ -147,12 +209,13 @@ int ladder::run_program(Experiment& experiment, const char* chapter, int argc, c
                          {"n", verdict.n},
                          {"wrong", verdict.wrong},
                          {"undecided", verdict.undecided},
-                         {"error_median", number(verdict.error_median)},
-                         {"error_max", number(verdict.error_max)},
+                         {"error_median", or_null(verdict.error_median)},
+                         {"error_max", or_null(verdict.error_max)},
                          {"ns_median", times.median},
                          {"ns_q1", times.q1},
                          {"ns_q3", times.q3},
                          {"repeats", options->repeats}});
+      if (failures[method]) results.back()["failure"] = told(*failures[method]);
       std::printf("%-14s %-28s %-8s %9zu %9zu %9.1e %9.1e  %.1f (%.1f-%.1f)\n", about.id.c_str(),
                   methods[method].id.c_str(), methods[method].scalar.c_str(), verdict.wrong,
                   verdict.n, verdict.error_median, verdict.error_max, times.median, times.q1,
@@ -167,7 +230,8 @@ int ladder::run_program(Experiment& experiment, const char* chapter, int argc, c
       listed.push_back({{"id", method.id},
                         {"title", method.title},
                         {"scalar", method.scalar},
-                        {"exact", method.exact}});
+                        {"exact", method.exact},
+                        {"recommended", method.recommended}});
     }
     std::ofstream out(options->json_file);
     out << json{{"ladder", chapter},
@@ -187,5 +251,5 @@ int ladder::run_program(Experiment& experiment, const char* chapter, int argc, c
       return 1;
     }
   }
-  return 0;
+  return exit_code;
 }

@@ -6,12 +6,18 @@
 ///       ladder.family("random", "random", [](generators::Random& random) { return Input{...}; });
 ///       ladder.method({.id = "plain", .title = "plain", .scalar = "float", .exact = false},
 ///                     [](const Input& input) { return plain(input); });
+///       ladder.recommend("plain");
+///       ladder.show([](const Input& input, const Answer& got, const Answer& right,
+///                      const ladder::Method& method) {
+///         return ladder::Example{...};  // in a figure of the chapter, or in numbers
+///       });
 ///       return ladder;
 ///     }
 ///     LADDER(experiment)
 ///
 /// Natively this is a program: `--size N` inputs a family, `--repeats R` timed passes, `--json
-/// FILE`. In WebAssembly it exports
+/// FILE`. It fails if a method that is declared exact gives a wrong answer. In WebAssembly it
+/// exports
 /// - `layout()`: address of a JSON text, ended by a 0: {"question", "families": [{id, title}],
 /// "methods": [{id, title, scalar,
 ///   exact}]};
@@ -25,11 +31,16 @@
 #include <support/generators.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <functional>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,19 +56,72 @@ struct Verdict {
 struct Method {
   std::string id;
   std::string title;
-  std::string scalar;  ///< the type that it computes in
-  bool exact = false;  ///< whether its decision is never wrong
+  std::string scalar;        ///< the type that it computes in
+  bool exact = false;        ///< whether its decision is never wrong
+  bool recommended = false;  ///< set by recommend()
 };
 
 struct Family {
   std::string id;
   std::string title;
+  bool by_error = false;  ///< shown by its largest error even if some method is wrong
 };
 
 /// What a method made of one family.
 struct Judgement {
   std::size_t n = 0, wrong = 0, undecided = 0;
   double error_median = std::nan(""), error_max = std::nan("");
+};
+
+/// Something told of an input or an answer: words, or numbers, written as their type writes them.
+struct Fact {
+  std::string name;
+  std::string words = {};
+  std::vector<double> values = {};
+  bool in_float = false;
+};
+
+/// A field of a figure's input, as its C++ names it.
+struct Field {
+  std::string name;
+  std::vector<double> values;
+};
+
+/// An input and two answers to it, as a reader sees them.
+struct Example {
+  std::vector<Fact> facts;
+  std::string figure = {};  ///< NAME of the chapter's figure that shows the input; empty: none can
+  std::vector<Field> fields = {};
+  std::string note = {};  ///< what the figure shows differently, or why no figure can show it
+};
+
+/// The numbers of a vector, or of any other range.
+template <class Numbers>
+Fact numbers(std::string name, const Numbers& range) {
+  Fact fact{std::move(name)};
+  for (const auto& x : range) {
+    fact.in_float = std::is_same_v<std::decay_t<decltype(x)>, float>;
+    fact.values.push_back(static_cast<double>(x));
+  }
+  return fact;
+}
+template <class S>
+Fact number(std::string name, S x) {
+  return numbers(std::move(name), std::array<S, 1>{x});
+}
+
+/// A vector as a field of a figure.
+template <class Numbers>
+Field field(std::string name, const Numbers& range) {
+  return {std::move(name), numbers("", range).values};
+}
+
+/// An input on which a method fails.
+struct Failure {
+  std::size_t input = 0;  ///< its index in the family
+  bool simplified = false;
+  Verdict verdict;
+  Example example;
 };
 
 /// A median between its quartiles.
@@ -90,7 +154,17 @@ class Experiment {
   virtual void pass(std::size_t method) = 0;
   /// Compares the last pass with the truth.
   virtual Judgement judge() const = 0;
+  /// An input on which the last pass, which was of this method, was wrong, or with by_error the one
+  /// with its largest error; nothing if there is none. One that a figure can show is preferred.
+  virtual std::optional<Failure> failure(std::size_t method, bool by_error) const = 0;
 };
+
+/// Failing inputs are kept by the native program; the page's module has no code for them.
+#if defined(__wasm__)
+inline constexpr bool keeps_failures = false;
+#else
+inline constexpr bool keeps_failures = true;
+#endif
 
 /// @tparam Input what a method is asked; it holds the numbers in each scalar that a method wants,
 /// so that no conversion is timed
@@ -101,13 +175,18 @@ class Ladder : public Experiment {
   using Truth = std::function<Answer(const Input&)>;
   using Judge = std::function<Verdict(const Answer& got, const Answer& right)>;
   using Generator = std::function<Input(generators::Random&)>;
+  using Show =
+      std::function<Example(const Input&, const Answer& got, const Answer& right, const Method&)>;
+  using Simplify = std::function<std::vector<Input>(const Input&)>;
 
   Ladder(std::string question, Truth truth, Judge judge)
       : question_(std::move(question)), truth_(std::move(truth)), judge_(std::move(judge)) {}
 
-  /// Adds a family of inputs.
-  void family(const std::string& id, const std::string& title, Generator generator) {
-    families_.push_back({id, title});
+  /// Adds a family of inputs. With by_error it is about the error, whether some method is wrong or
+  /// not.
+  void family(const std::string& id, const std::string& title, Generator generator,
+              bool by_error = false) {
+    families_.push_back({id, title, by_error});
     generators_.push_back(std::move(generator));
   }
 
@@ -118,6 +197,30 @@ class Ladder : public Experiment {
     loops_.push_back([call](const std::vector<Input>& inputs, std::vector<Answer>& answers) {
       for (std::size_t i = 0; i < inputs.size(); ++i) answers[i] = call(inputs[i]);
     });
+    if constexpr (keeps_failures) calls_.push_back(call);
+  }
+
+  /// Marks the method that the book recommends.
+  void recommend(const std::string& id) {
+    for (Method& method : methods_) {
+      if (method.id != id) continue;
+      method.recommended = true;
+      return;
+    }
+    std::fprintf(stderr, "recommend: there is no method %s\n", id.c_str());
+    std::abort();
+  }
+
+  /// How a failing input is shown.
+  template <class Function>
+  void show(Function function) {
+    if constexpr (keeps_failures) show_ = std::move(function);
+  }
+
+  /// Simpler inputs than the given one, to replace it while the method still fails.
+  template <class Function>
+  void simplify(Function function) {
+    if constexpr (keeps_failures) simplify_ = std::move(function);
   }
 
   const std::string& question() const override { return question_; }
@@ -156,13 +259,67 @@ class Ladder : public Experiment {
     return result;
   }
 
+  std::optional<Failure> failure(std::size_t method, bool by_error) const override {
+    std::optional<Failure> found;
+    if (!show_) return found;
+    constexpr int most_tries = 200;
+    int tries = 0;
+    for (std::size_t i = 0; i < answers_.size() && tries < most_tries; ++i) {
+      const Verdict verdict = judge_(answers_[i], truths_[i]);
+      if (by_error) {
+        if (!(verdict.error > (found ? found->verdict.error : 0))) continue;
+        found = Failure{i, false, verdict, {}};
+        continue;
+      }
+      if (!verdict.wrong) continue;
+      ++tries;
+      Failure failure = simplest(method, i);
+      const bool shown = !failure.example.figure.empty();
+      if (shown || !found) found = std::move(failure);
+      if (shown) break;
+    }
+    if (found && by_error) {
+      const std::size_t i = found->input;
+      found->example = show_(inputs_[i], answers_[i], truths_[i], methods_[method]);
+    }
+    return found;
+  }
+
  private:
+  /// The input with this index, simplified as long as the method is wrong.
+  Failure simplest(std::size_t method, std::size_t index) const {
+    Failure failure{index, false, judge_(answers_[index], truths_[index]), {}};
+    Input input = inputs_[index];
+    Answer answer = answers_[index];
+    Answer truth = truths_[index];
+    const auto simplified_once = [&] {
+      for (const Input& simpler : simplify_(input)) {
+        Answer got = calls_[method](simpler);
+        Answer right = truth_(simpler);
+        const Verdict verdict = judge_(got, right);
+        if (!verdict.wrong) continue;
+        input = simpler;
+        answer = std::move(got);
+        truth = std::move(right);
+        failure.verdict = verdict;
+        return true;
+      }
+      return false;
+    };
+    while (simplify_ && simplified_once()) failure.simplified = true;
+    failure.example = show_(input, answer, truth, methods_[method]);
+    return failure;
+  }
+
   std::string question_;
   Truth truth_;
   Judge judge_;
   std::vector<Family> families_;
   std::vector<Generator> generators_;
   std::vector<Method> methods_;
+  Show show_;
+  Simplify simplify_;
+  std::vector<std::function<Answer(const Input&)>> calls_;
   std::vector<std::function<void(const std::vector<Input>&, std::vector<Answer>&)>> loops_;
   std::vector<Input> inputs_;
   std::vector<Answer> truths_, answers_;

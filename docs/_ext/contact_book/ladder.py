@@ -1,12 +1,17 @@
-"""`{ladder}`: the cost of each method and how often it is wrong, from the newest measurement."""
+"""`{ladder}`: the cost of each method and how often it is wrong, from the newest measurement.
+
+The picture is made by the page's own code; the table and the CSV of the same numbers are made here.
+"""
 
 from __future__ import annotations
 
+import csv
+import io
 import json
-import re
 import subprocess
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 from docutils import nodes
 from sphinx.writers.html5 import HTML5Translator
@@ -92,19 +97,19 @@ class Ladder(BookDirective):
             words = "The measurements of this ladder are still being built."
             return [nodes.paragraph("", words, classes=["not-built"])]
         data = json.loads(path.read_text(encoding="utf-8"))
-        plot = self.plot(path)
+        picture = self.picture(path)
         content = [make_slot("source", self.origin(data, measured is not None))]
         content += [make_slot("table", [self.results(data)])]
-        values = {"slug": slug, "ladder": data, "plot": plot}
+        values = {"slug": slug, "ladder": data, "picture": picture}
         return [make_component("ladder", values, content)]
 
-    def plot(self, path: Path) -> str:
-        """The drawing, made by the code that draws it in the page."""
+    def picture(self, path: Path) -> str:
+        """The picture as HTML, made by the code that makes it in the page."""
         drawer = Path(self.config.contact_plotter)
         if not drawer.is_file():
-            self.missing_product(f"the plot of {path.name} needs {drawer}")
+            self.missing_product(f"the picture of {path.name} needs {drawer}")
             return ""
-        self.depends(drawer, drawer.parent / "src" / "ladder-plot.ts")
+        self.depends(drawer, *sorted((drawer.parent / "src").glob("ladder-*.ts")))
         made = subprocess.run(
             ["node", str(drawer), str(path)], capture_output=True, text=True, check=False
         )
@@ -137,31 +142,46 @@ class Ladder(BookDirective):
         return scrolled(table(heads, cells, data["question"], ["ladder"]), "Table of measurements")
 
 
-# What readers of e-books refuse in a drawing, and what its colours are without a page's palette.
-_REFUSED = re.compile(r'<style>.*?</style>| font-variant="[^"]*"', re.S)
-_COLOUR = re.compile(r"var\(--[\w-]+, *(#\w+)\)")
+_COLUMNS = ("n", "wrong", "undecided", "error_median", "error_max")
+_TIMES = ("ns_median", "ns_q1", "ns_q3", "repeats")
+
+
+def as_csv(data: dict[str, Any]) -> str:
+    """All numbers of a measurement, one row for each method on each family."""
+    methods = {row["id"]: row for row in data["methods"]}
+    families = {row["id"]: row for row in data["families"]}
+    text = io.StringIO()
+    write = csv.writer(text, lineterminator="\r\n").writerow
+    write(["inputs", "method", "scalar", *_COLUMNS, *_TIMES])
+    for row in data["results"]:
+        method = methods[row["method"]]
+        about = [families[row["family"]]["title"], method["title"], method["scalar"]]
+        write([*about, *(row.get(key) for key in (*_COLUMNS, *_TIMES))])
+    return text.getvalue()
 
 
 def alone(html: str) -> str:
-    """The drawing where no style sheet of the site is."""
-    plain = _COLOUR.sub(r"\1", _REFUSED.sub("", html))
-    return plain.replace("<svg ", '<svg xmlns="http://www.w3.org/2000/svg" ', 1)
-
-
-_PLOT = 'role="region" tabindex="0" aria-label="Plot of measurements"'
+    """The picture where no script runs and HTML is XML."""
+    return html.replace("<svg ", '<svg xmlns="http://www.w3.org/2000/svg" ')
 
 
 @renders("ladder")
 def ladder_html(translator: HTML5Translator, node: component) -> str:
     data = node["data"]
     parts = slots(translator, node)
-    fallback = (
-        f'<div class="plot" {_PLOT}>{data["plot"]}</div>'
-        f'<div class="measured">{parts["source"][0]}</div>'
-        '<details open=""><summary>The numbers</summary>'
-        f"{parts['table'][0]}</details>"
-    )
+    picture = f'<div class="picture">{data["picture"]}</div>'
+    measured = f'<div class="measured">{parts["source"][0]}</div>'
+    numbers = parts["table"][0]
     if not can_run_scripts(translator):
-        return alone(fallback)
+        return f'<div class="ladder">{alone(picture)}{measured}{numbers}</div>'
+    file = attributes(
+        download=f"{data['slug']}.csv",
+        href=f"data:text/csv;charset=utf-8,{quote(as_csv(data['ladder']))}",
+    )
+    folded = (
+        f"<details><summary>The numbers</summary><p><a{file}>{data['slug']}.csv</a></p>"
+        f"{numbers}</details>"
+    )
     where = attributes(base=base_path(translator), name=data["slug"])
-    return f"<contact-ladder{where}>{json_script(data['ladder'])}{fallback}</contact-ladder>\n"
+    script = json_script(data["ladder"])
+    return f"<contact-ladder{where}>{script}{picture}{measured}{folded}</contact-ladder>\n"

@@ -4,6 +4,8 @@ export interface LadderFamily {
   readonly id: string;
   readonly title: string;
   readonly n?: number;
+  /** Shown by its largest error even if some method is wrong. */
+  readonly by_error?: boolean;
 }
 
 export interface LadderMethod {
@@ -11,6 +13,20 @@ export interface LadderMethod {
   readonly title: string;
   readonly scalar: string;
   readonly exact: boolean;
+  readonly recommended?: boolean;
+}
+
+/** An input on which a method fails, as the ladder's C++ shows it. */
+export interface LadderFailure {
+  /** Its index in the family. */
+  readonly input: number;
+  readonly simplified: boolean;
+  readonly error: number | null;
+  readonly facts: readonly { readonly name: string; readonly text: string }[];
+  readonly note: string;
+  /** The figure of the chapter that shows it, and its fields there; absent if none can. */
+  readonly figure?: string;
+  readonly fields?: Readonly<Record<string, readonly number[]>>;
 }
 
 export interface LadderRow {
@@ -25,6 +41,7 @@ export interface LadderRow {
   readonly ns_q1: number;
   readonly ns_q3: number;
   readonly repeats: number;
+  readonly failure?: LadderFailure;
 }
 
 export interface LadderResult {
@@ -40,6 +57,14 @@ export type WorkerMessage =
   | { readonly kind: "row"; readonly row: LadderRow; readonly done: number; readonly of: number }
   | { readonly kind: "end"; readonly seconds: number }
   | { readonly kind: "error"; readonly message: string };
+
+export type Kind = "float" | "double" | "exact";
+export const KINDS: readonly Kind[] = ["float", "double", "exact"];
+
+export function kindOf({ scalar, exact }: LadderMethod): Kind {
+  if (exact || scalar === "exact" || scalar === "rational") return "exact";
+  return scalar.startsWith("float") ? "float" : "double";
+}
 
 export function methodName({ title, scalar }: LadderMethod): string {
   return title.toLowerCase().includes(scalar.toLowerCase()) ? title : `${title}, ${scalar}`;

@@ -1,3 +1,5 @@
+// A ladder's picture: what it says of its measurements, as text.
+
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";
@@ -5,20 +7,28 @@ import os from "node:os";
 import path from "node:path";
 import test from "node:test";
 import { fileURLToPath } from "node:url";
+import { parseHTML } from "linkedom";
 
-const program = fileURLToPath(new URL("../ladder_svg.mjs", import.meta.url));
-const row = (family, method, wrong, ns) => ({
+const program = fileURLToPath(new URL("../ladder_picture.mjs", import.meta.url));
+const row = (family, method, wrong, ns, error = 0) => ({
   family,
   method,
   n: 1000,
   wrong,
   undecided: 0,
   error_median: 0,
-  error_max: 1e-9,
+  error_max: error,
   ns_median: ns,
   ns_q1: ns * 0.9,
   ns_q3: ns * 1.1,
   repeats: 5,
+});
+const method = (id, scalar, exact, recommended = false) => ({
+  id,
+  title: id,
+  scalar,
+  exact,
+  recommended,
 });
 const result = {
   ladder: "02_triangles",
@@ -28,14 +38,23 @@ const result = {
     { id: "edge", title: "aimed at <edges>", n: 1000 },
   ],
   methods: [
-    { id: "plain", title: "plain", scalar: "float", exact: false },
-    { id: "sure", title: "sure", scalar: "exact", exact: true },
+    method("unfiltered", "exact", true),
+    method("sure", "double, then exact", true, true),
+    method("plain", "float", false),
+    method("slow", "double", false),
+    method("lucky", "double", false),
   ],
   results: [
-    row("random", "plain", 0, 20),
-    row("random", "sure", 0, 900),
-    row("edge", "plain", 320, 21),
-    row("edge", "sure", 0, 950),
+    row("random", "plain", 0, 20, 1e-7),
+    row("random", "slow", 0, 80, 1e-16),
+    row("random", "lucky", 0, 50, 1e-16),
+    row("random", "sure", 0, 100, 0),
+    row("random", "unfiltered", 0, 900, 0),
+    row("edge", "plain", 320, 20),
+    row("edge", "slow", 1, 80),
+    row("edge", "lucky", 0, 50),
+    row("edge", "sure", 0, 100),
+    row("edge", "unfiltered", 0, 900),
   ],
 };
 
@@ -47,20 +66,123 @@ function draw(data) {
   const done = spawnSync(process.execPath, [program, file], { encoding: "utf8" });
   fs.rmSync(folder, { recursive: true });
   assert.equal(done.status, 0, done.stderr);
-  return done.stdout;
+  assert.doesNotMatch(done.stdout, /NaN|undefined|Infinity/);
+  return parseHTML(`<!doctype html><html><body>${done.stdout}</body></html>`).document;
 }
 
-test("a ladder is drawn with a band a family and a name a method", () => {
-  const svg = draw(result);
-  assert.match(svg, /^<svg/);
-  assert.equal(svg.match(/>plain</g)?.length, 2);
-  assert.equal(svg.match(/>sure</g)?.length, 2);
-  assert.match(svg, /aimed at &lt;edges&gt; \(1,000 inputs\)/);
-  assert.match(svg, /wrong answers/);
-  assert.doesNotMatch(svg, /NaN|undefined/);
+const names = (/** @type {any} */ document, selector = "tbody tr") =>
+  [...document.querySelectorAll(selector)].map((each) => each.getAttribute("data-method"));
+
+test("a method a row, by time; a family a column", () => {
+  const document = draw(result);
+  assert.deepEqual(names(document), ["plain", "lucky", "slow", "sure", "unfiltered"]);
+  const heads = [...document.querySelectorAll("th.family")].map((each) => each.textContent);
+  // No method is wrong on the first: there the largest error is shown.
+  assert.deepEqual(heads, ["randomerror", "aimed at <edges>% wrong"]);
+  assert.match(document.querySelector("tbody td.ns").textContent, /^20 ns$/);
 });
 
-test("without a wrong answer the error is what is plotted", () => {
+test("a cell is labelled and coloured by the share of wrong answers, or by the error", () => {
+  const document = draw(result);
+  const cells = (/** @type {string} */ id) =>
+    [...document.querySelectorAll(`tr[data-method="${id}"] td[data-family]`)].map((cell) => [
+      cell.textContent,
+      cell.className,
+    ]);
+  assert.deepEqual(cells("plain"), [
+    ["1e−7", "level-2"],
+    ["32", "level-4"],
+  ]);
+  assert.deepEqual(cells("slow"), [
+    ["1e−16", "level-0"],
+    ["0.1", "level-1"],
+  ]);
+  assert.deepEqual(cells("sure"), [
+    ["0", "level-0"],
+    ["0", "level-0"],
+  ]);
+});
+
+test("the frontier is bold: no other method is both faster and more often right", () => {
+  // `slow` loses to `lucky`, `unfiltered` to `sure`; that `sure` can never be wrong is worth its time.
+  assert.deepEqual(names(draw(result), "tr.frontier"), ["plain", "lucky", "sure"]);
+  const document = draw(result);
+  assert.equal(document.querySelectorAll("tbody th strong").length, 3);
+});
+
+test("the book's choice is marked, with a sentence that the numbers prove", () => {
+  const document = draw(result);
+  assert.deepEqual(names(document, "tr.recommended"), ["sure"]);
+  const said = () => draw(result).querySelector(".proven").textContent;
+  assert.equal(
+    said(),
+    "★ sure (double, then exact): never wrong, 5 × the time of the fastest, and the fastest of the 2 " +
+      "that are never wrong by design.",
+  );
+  // Other numbers, another sentence.
+  const wrong = result.results.map((each) =>
+    each.method === "lucky" && each.family === "edge" ? { ...each, wrong: 30 } : each,
+  );
+  const methods = result.methods.map((each) => ({ ...each, recommended: each.id === "lucky" }));
+  const other = draw({ ...result, methods, results: wrong });
+  assert.match(
+    other.querySelector(".proven").textContent,
+    /lucky \(double\): wrong on 30 of 2,000 inputs, 2.5 × the time of the fastest, and the fastest of the 4 that are no more often wrong\.$/,
+  );
+});
+
+test("without a recommended method there is no sentence", () => {
+  const methods = result.methods.map((each) => ({ ...each, recommended: false }));
+  const document = draw({ ...result, methods });
+  assert.equal(document.querySelectorAll(".proven, tr.recommended").length, 0);
+});
+
+test("a family that is about the error shows it although a method is wrong", () => {
+  const families = result.families.map((each) => ({ ...each, by_error: true }));
+  const results = result.results.map((each) => ({ ...each, error_max: 0.25 }));
+  const cells = draw({ ...result, families, results }).querySelectorAll("td[data-family]");
+  assert.deepEqual([...new Set([...cells].map((cell) => cell.textContent))], ["0.3"]);
+});
+
+test("methods that are never wrong by design are marked", () => {
+  const document = draw(result);
+  const marked = [...document.querySelectorAll("tbody tr")].filter((each) =>
+    each.textContent.includes("never wrong by design"),
+  );
+  assert.deepEqual(
+    marked.map((each) => each.getAttribute("data-method")),
+    ["sure", "unfiltered"],
+  );
+});
+
+test("where nothing is decided, the smaller error is the more often right", () => {
   const results = result.results.map((each) => ({ ...each, wrong: 0 }));
-  assert.match(draw({ ...result, results }), /largest error/);
+  const document = draw({ ...result, results });
+  const off = results.map((each) =>
+    each.method === "sure" ? { ...each, error_max: 8.2e-17 } : each,
+  );
+  // A bound is rounded up.
+  assert.match(
+    draw({ ...result, results: off }).querySelector(".proven").textContent,
+    /above 9e−17,/,
+  );
+  assert.match(document.querySelector(".proven").textContent, /: no error above 0, 5 × the time/);
+  assert.deepEqual(names(document, "tr.frontier"), ["plain", "lucky", "sure"]);
+});
+
+test("no label of the time axis leaves it or overlaps another", () => {
+  for (const factor of [1, 1e3, 1e-1]) {
+    const results = result.results.map((each) => ({
+      ...each,
+      ns_median: each.ns_median * factor * (each.method === "unfiltered" ? 1e4 : 1),
+    }));
+    let free = 0;
+    for (const text of draw({ ...result, results }).querySelectorAll(".axis text")) {
+      const half = text.textContent.length * 3;
+      const x = Number(text.getAttribute("x"));
+      assert.ok(x - half >= free && x + half <= 120, `${text.textContent} at ${x}`);
+      free = x + half;
+    }
+    assert.ok(free > 0);
+  }
 });

@@ -1,0 +1,161 @@
+// What a ladder's measurements say: each method's time and accuracy over all families, which methods
+// no other beats, and the sentence about the method that the book recommends.
+
+import type { LadderMethod, LadderResult, LadderRow } from "./ladder-data.ts";
+
+/** What the cells of a column show: wrong answers, or the largest error if no method is wrong. */
+export type Measure = "wrong" | "error";
+
+export function measureOf({ families, results }: LadderResult, family: string): Measure {
+  if (families.find(({ id }) => id === family)?.by_error) return "error";
+  const rows = results.filter((row) => row.family === family);
+  if (rows.some((row) => row.wrong > 0)) return "wrong";
+  return rows.some((row) => (row.error_max ?? 0) > 0) ? "error" : "wrong";
+}
+
+export const cellValue = (row: LadderRow, measure: Measure): number | null =>
+  measure === "wrong" ? row.wrong / row.n : row.error_max;
+
+/** From 0, as good as can be, to 5. No value, after an overflow, is the worst. */
+export const LEVELS = 6;
+const LIMITS: Record<Measure, readonly number[]> = {
+  wrong: [0, 0.001, 0.01, 0.1, 0.5],
+  error: [1e-14, 1e-10, 1e-6, 1e-3, 0.1],
+};
+export const LEVEL_WORDS: Record<Measure, readonly string[]> = {
+  wrong: ["none", "to 0.1 %", "to 1 %", "to 10 %", "to 50 %", "more"],
+  error: ["to 10⁻¹⁴", "to 10⁻¹⁰", "to 10⁻⁶", "to 0.001", "to 0.1", "more"],
+};
+
+export function levelOf(value: number | null, measure: Measure): number {
+  if (value === null) return LEVELS - 1;
+  const at = LIMITS[measure].findIndex((limit) => value <= limit);
+  return at < 0 ? LEVELS - 1 : at;
+}
+
+/** The label of a cell: per cent of wrong answers, or the error. */
+export function labelOf(value: number | null, measure: Measure): string {
+  if (value === null) return "–";
+  if (value === 0) return "0";
+  if (measure === "wrong") {
+    const percent = Number((value * 100).toPrecision(2));
+    if (percent === 100 && value < 1) return ">99";
+    return percent < 1e-3 ? "<0.001" : String(percent);
+  }
+  return value >= 0.01
+    ? String(Number(value.toPrecision(1)))
+    : value.toExponential(0).replace("-", "−");
+}
+
+export function inWords(value: number | null, measure: Measure): string {
+  const label = labelOf(value, measure);
+  return measure === "wrong" ? `${label} % wrong` : `${label}, the largest error`;
+}
+
+export function duration(ns: number): string {
+  const [unit, size] =
+    ns < 999.5 ? ["ns", 1] : ns < 999_500 ? ["µs", 1e3] : ns < 999.5e6 ? ["ms", 1e6] : ["s", 1e9];
+  const value = ns / Number(size);
+  return `${value < 99.5 ? Number(value.toPrecision(2)) : Math.round(value)} ${unit}`;
+}
+
+export interface Time {
+  readonly median: number;
+  readonly q1: number;
+  readonly q3: number;
+}
+
+/** Geometric means over the families, so that each counts alike; nothing if one is missing. */
+export function timeOf(
+  rows: readonly LadderRow[],
+  method: string,
+  families: number,
+): Time | undefined {
+  const own = rows.filter((row) => row.method === method);
+  if (own.length < families || own.length === 0) return undefined;
+  const mean = (of: (row: LadderRow) => number): number =>
+    Math.exp(own.reduce((sum, row) => sum + Math.log(of(row)), 0) / own.length);
+  return {
+    median: mean((row) => row.ns_median),
+    q1: mean((row) => row.ns_q1),
+    q3: mean((row) => row.ns_q3),
+  };
+}
+
+/** A method in the picture. */
+export interface Rung {
+  readonly method: LadderMethod;
+  readonly time: Time;
+  /** Mean share of wrong answers over the families; the largest error where nothing is decided. */
+  readonly off: number;
+  /** No other method is faster, or as fast, and more often right, or as often. */
+  readonly frontier: boolean;
+}
+
+/** Whether the ladder counts wrong answers at all. */
+export const decides = ({ results }: LadderResult): boolean => results.some((row) => row.wrong > 0);
+
+/** The methods by time. */
+export function rungs(result: LadderResult): Rung[] {
+  const counted = decides(result);
+  const off = (method: string): number => {
+    const rows = result.results.filter((row) => row.method === method);
+    return counted
+      ? rows.reduce((sum, row) => sum + row.wrong / row.n, 0) / rows.length
+      : Math.max(...rows.map((row) => row.error_max ?? Number.POSITIVE_INFINITY));
+  };
+  const all = result.methods.flatMap((method) => {
+    const time = timeOf(result.results, method.id, result.families.length);
+    return time ? [{ method, time, off: off(method.id) }] : [];
+  });
+  type Bare = (typeof all)[number];
+  // Never wrong by design is more than not wrong on these inputs.
+  const atLeastAsRight = (p: Bare, q: Bare): boolean =>
+    p.off < q.off || (p.off === q.off && Number(p.method.exact) >= Number(q.method.exact));
+  const beats = (p: Bare, q: Bare): boolean =>
+    p.time.median <= q.time.median &&
+    atLeastAsRight(p, q) &&
+    (p.time.median < q.time.median || !atLeastAsRight(q, p));
+  return all
+    .map((rung) => ({ ...rung, frontier: !all.some((other) => beats(other, rung)) }))
+    .sort((p, q) => p.time.median - q.time.median);
+}
+
+/** To one digit, for a bound. */
+function roundedUp(value: number): number {
+  const digit = 10 ** Math.floor(Math.log10(value));
+  return value > 0 && Number.isFinite(value) ? Math.ceil(value / digit) * digit : value;
+}
+
+/** What the measurements prove about the method that the book recommends. */
+export function proven(result: LadderResult): { name: string; words: string } | undefined {
+  const all = rungs(result);
+  const chosen = all.find(({ method }) => method.recommended);
+  const fastest = all[0];
+  if (!chosen || !fastest) return undefined;
+  const rows = result.results.filter((row) => row.method === chosen.method.id);
+  const sum = (of: (row: LadderRow) => number): number => rows.reduce((n, row) => n + of(row), 0);
+  const wrong = sum((row) => row.wrong);
+  const asked = sum((row) => row.n).toLocaleString("en");
+  const parts: string[] = [];
+  if (!decides(result)) parts.push(`no error above ${labelOf(roundedUp(chosen.off), "error")}`);
+  else if (wrong > 0) parts.push(`wrong on ${wrong.toLocaleString("en")} of ${asked} inputs`);
+  else parts.push(chosen.method.exact ? "never wrong" : `not wrong on any of ${asked} inputs`);
+  const ratio = chosen.time.median / fastest.time.median;
+  if (chosen === fastest) parts.push("the fastest of all");
+  else parts.push(`${Number(ratio.toPrecision(2))}\u00a0× the time of the fastest`);
+  const alike = all.filter((rung) =>
+    chosen.method.exact ? rung.method.exact : rung.off <= chosen.off,
+  );
+  if (chosen !== fastest && alike[0] === chosen && alike.length > 1)
+    parts.push(
+      chosen.method.exact
+        ? `the fastest of the ${alike.length} that are never wrong by design`
+        : `the fastest of the ${alike.length} that are no more often wrong`,
+    );
+  const { title, scalar } = chosen.method;
+  const name = title.includes(scalar) ? title : `${title} (${scalar})`;
+  const last = parts.pop() ?? "";
+  const joint = last.startsWith("the fastest") ? ", and " : ", ";
+  return { name, words: `${parts.join(", ")}${joint}${last}.` };
+}

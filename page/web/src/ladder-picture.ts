@@ -1,0 +1,207 @@
+// A ladder as one table that fits one screen: a method a row, by time; a column a family of inputs,
+// coloured by how often the method is wrong, or by how much; its time as a bar beside. The same code
+// makes the text in the page and, when the book is built, in Node.
+
+import {
+  kindOf,
+  type LadderMethod,
+  type LadderResult,
+  type LadderRow,
+  methodName,
+} from "./ladder-data.ts";
+import {
+  cellValue,
+  decides,
+  duration,
+  inWords,
+  LEVEL_WORDS,
+  labelOf,
+  levelOf,
+  type Measure,
+  measureOf,
+  proven,
+  type Rung,
+  rungs,
+  type Time,
+  timeOf,
+} from "./ladder-measure.ts";
+import { escapeText } from "./shapes.ts";
+
+const BAR = { width: 120, height: 22, inset: 4 };
+
+/** Text in an attribute. */
+export const quoted = (text: string): string => escapeText(text).replaceAll('"', "&quot;");
+
+/** Where a time lies on the logarithmic axis that all rows share. */
+type Scale = { readonly at: (ns: number) => number; readonly decades: readonly number[] };
+
+function scaleOf(times: readonly number[]): Scale {
+  const low = Math.log10(Math.min(...times) / 1.3);
+  const high = Math.log10(Math.max(...times) * 1.3);
+  const at = (ns: number): number =>
+    BAR.inset + ((Math.log10(ns) - low) / (high - low)) * (BAR.width - 2 * BAR.inset);
+  const decades: number[] = [];
+  for (let power = Math.ceil(low); power <= high; power += 1) decades.push(10 ** power);
+  return { at, decades };
+}
+
+const px = (x: number): string => x.toFixed(1);
+
+/** Labels of the axis, as many as have room. */
+function axis({ at, decades }: Scale): string {
+  let free = 0;
+  const ticks = decades.map((ns) => {
+    const x = at(ns);
+    const line = `<line x1="${px(x)}" x2="${px(x)}" y1="15" y2="20"/>`;
+    const words = duration(ns);
+    const half = words.length * 3.2;
+    if (x - half < free || x + half > BAR.width) return line;
+    free = x + half + 6;
+    return `${line}<text x="${px(x)}" y="11" text-anchor="middle">${words}</text>`;
+  });
+  return `<svg class="axis" viewBox="0 0 ${BAR.width} 20" aria-hidden="true">${ticks.join("")}</svg>`;
+}
+
+/** Bar to the median, line from quartile to quartile, a dot for each family. */
+function bar(
+  scale: Scale,
+  time: Time,
+  families: readonly LadderRow[],
+  here: Time | undefined,
+): string {
+  const { at, decades } = scale;
+  const middle = here ? 7 : 11;
+  const whole = (t: Time, y: number, size: number, name: string): string =>
+    `<rect class="${name}" x="${BAR.inset}" y="${y - size / 2}" width="${px(Math.max(1, at(t.median) - BAR.inset))}" height="${size}"/>` +
+    `<line class="quartiles" x1="${px(at(t.q1))}" x2="${px(at(t.q3))}" y1="${y}" y2="${y}"/>`;
+  const grid = decades
+    .map((ns) => `<line x1="${px(at(ns))}" x2="${px(at(ns))}" y1="0" y2="${BAR.height}"/>`)
+    .join("");
+  const dots = families
+    .map((row) => `<circle cx="${px(at(row.ns_median))}" cy="${middle}" r="1.7"/>`)
+    .join("");
+  return (
+    `<svg class="bar" viewBox="0 0 ${BAR.width} ${BAR.height}" aria-hidden="true">` +
+    `<g class="grid">${grid}</g>${whole(time, middle, 8, "book")}<g class="families">${dots}</g>` +
+    `${here ? whole(here, 16.5, 5, "own") : ""}</svg>`
+  );
+}
+
+function cell(
+  row: LadderRow | undefined,
+  measure: Measure,
+  name: string,
+  family: string,
+  pressable: boolean,
+): string {
+  if (!row) return `<td data-family="${quoted(family)}">–</td>`;
+  const value = cellValue(row, measure);
+  const label = labelOf(value, measure);
+  const attributes = `class="level-${levelOf(value, measure)}" data-family="${quoted(row.family)}"`;
+  if (!pressable) return `<td ${attributes}>${label}</td>`;
+  const told = quoted(`${inWords(value, measure)}: ${name}, ${family}`);
+  return `<td ${attributes}><button type="button" tabindex="-1" aria-label="${told}" title="${told}">${label}</button></td>`;
+}
+
+/** The marks of a method, for the eye and for a screen reader. */
+function marks({ recommended, exact }: LadderMethod): string {
+  const mark = (sign: string, words: string): string =>
+    `<span class="mark" title="${words}"><span aria-hidden="true">${sign}</span><span class="unseen">${words}: </span></span>`;
+  return (
+    (recommended ? mark("★", "the book's choice") : "") +
+    (exact ? mark("◆", "never wrong by design") : "")
+  );
+}
+
+function rowOf(
+  rung: Rung,
+  result: LadderResult,
+  here: readonly LadderRow[],
+  scale: Scale,
+  pressable: boolean,
+): string {
+  const { method, time, frontier } = rung;
+  const rows = result.results.filter((row) => row.method === method.id);
+  const own = timeOf(here, method.id, result.families.length);
+  const name = methodName(method);
+  const title = escapeText(method.title);
+  const scalar = name === method.title ? "" : ` <small>${escapeText(method.scalar)}</small>`;
+  const cells = result.families.map(({ id, title: family }) =>
+    cell(
+      rows.find((row) => row.family === id),
+      measureOf(result, id),
+      name,
+      family,
+      pressable,
+    ),
+  );
+  const words = `${duration(time.median)}, quartiles ${duration(time.q1)} to ${duration(time.q3)}`;
+  const ownWords = own ? `<br/><span class="own">${duration(own.median)}</span>` : "";
+  const classes = [method.recommended ? "recommended" : "", frontier ? "frontier" : ""];
+  return (
+    `<tr class="${classes.filter(Boolean).join(" ")}" data-method="${quoted(method.id)}" data-kind="${kindOf(method)}">` +
+    `<th scope="row">${marks(method)}${frontier ? `<strong>${title}</strong>` : title}${scalar}</th>` +
+    `${cells.join("")}<td class="ns" title="${words}">${duration(time.median)}${ownWords}</td>` +
+    `<td class="bars">${bar(scale, time, rows, own)}</td></tr>`
+  );
+}
+
+function legend(result: LadderResult, own: boolean): string {
+  const used = new Set(result.families.map(({ id }) => measureOf(result, id)));
+  const scales = (["wrong", "error"] as const).filter((measure) => used.has(measure));
+  const colours = scales.map((measure) => {
+    const steps = LEVEL_WORDS[measure].map(
+      (words, level) => `<span class="step level-${level}">${words}</span>`,
+    );
+    const name = measure === "wrong" ? "Wrong answers" : "Largest error";
+    return `<p><span class="name">${name}:</span> ${steps.join(" ")}</p>`;
+  });
+  const byDesign = result.methods.some(({ exact }) => exact);
+  const better = decides(result)
+    ? `more often right${byDesign ? ", where never wrong by design counts most" : ""}`
+    : "more accurate on the worst input";
+  const signs = [
+    result.methods.some(({ recommended }) => recommended) ? "★ the book's choice" : "",
+    byDesign ? "◆ never wrong by design" : "",
+    `<strong>bold</strong>: no other method is both faster and ${better}`,
+    "time of one query: the bar is the geometric mean over the families, its line goes from quartile to quartile, each dot is a family",
+    own ? "dashed: this browser, in WebAssembly" : "",
+  ];
+  return `<div class="legend">${colours.join("")}<p>${signs.filter(Boolean).join(" · ")}.</p></div>`;
+}
+
+export interface PictureOptions {
+  /** The reader's own times, drawn beside the book's. */
+  readonly here?: readonly LadderRow[];
+  /** Whether the cells are buttons. */
+  readonly pressable?: boolean;
+}
+
+const REGION = 'role="region" tabindex="0" aria-label="Accuracy against time, may scroll sideways"';
+
+/** The picture as HTML that is also XML. */
+export function ladderPicture(result: LadderResult, options: PictureOptions = {}): string {
+  const { here = [], pressable = false } = options;
+  const all = rungs(result);
+  const scale = scaleOf([...result.results, ...here].map((row) => row.ns_median));
+  const many = result.families.length > 6 ? " many" : "";
+  const heads = result.families.map(({ id, title }) => {
+    const unit = measureOf(result, id) === "wrong" ? "% wrong" : "error";
+    return (
+      `<th scope="col" class="family" data-family="${quoted(id)}"><span class="title">${escapeText(title)}</span>` +
+      `<small>${unit}</small></th>`
+    );
+  });
+  const rows = all.map((rung) => rowOf(rung, result, here, scale, pressable));
+  const said = proven(result);
+  const sentence = said
+    ? `<p class="proven"><span aria-hidden="true">★ </span><strong>${escapeText(said.name)}:</strong> ${escapeText(said.words)}</p>`
+    : "";
+  return (
+    `${sentence}<div class="scrolling" ${REGION}><table class="ladder-picture${many}">` +
+    `<caption><span>${escapeText(result.question)}</span></caption>` +
+    `<thead><tr><th scope="col" class="method">Method, by time</th>${heads.join("")}` +
+    `<th scope="col" class="ns">Time</th><td class="bars">${axis(scale)}</td></tr></thead>` +
+    `<tbody>${rows.join("")}</tbody></table></div>${legend(result, here.length > 0)}`
+  );
+}

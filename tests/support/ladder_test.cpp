@@ -1,0 +1,152 @@
+// Ladders: which inputs are kept as failures, and what a program does about a method that is
+// declared exact and is not.
+#include <support/ladder.hpp>
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+/// The question is how large the sum of some numbers is.
+using Numbers = std::vector<int>;
+
+int sum(const Numbers& numbers) {
+  int total = 0;
+  for (const int x : numbers) total += x;
+  return total;
+}
+
+/// Sets of ten numbers from 0 to 9; "rare" ones have a 9, which the wrong method leaves out.
+ladder::Ladder<Numbers, int> experiment(bool declared_exact) {
+  const auto judge = [](const int& got, const int& right) {
+    ladder::Verdict verdict;
+    verdict.wrong = got != right;
+    verdict.error = std::abs(got - right);
+    return verdict;
+  };
+  ladder::Ladder<Numbers, int> ladder("How large is the sum?", sum, judge);
+  const auto family = [&ladder](const char* id, int largest) {
+    ladder.family(id, id, [largest](generators::Random& random) {
+      Numbers numbers;
+      for (int i = 0; i < 10; ++i) numbers.push_back(random.integer(0, largest));
+      return numbers;
+    });
+  };
+  family("without", 8);
+  family("with", 9);
+  ladder.method({.id = "sum", .title = "sum", .scalar = "int", .exact = true}, sum);
+  ladder.method({.id = "no-nine", .title = "no nine", .scalar = "int", .exact = declared_exact},
+                [](const Numbers& numbers) {
+                  int total = 0;
+                  for (const int x : numbers) total += x == 9 ? 0 : x;
+                  return total;
+                });
+  ladder.recommend("sum");
+  return ladder;
+}
+
+/// The numbers; a figure takes those that begin with a 9.
+ladder::Example shown(const Numbers& numbers, const int& got, const int& right,
+                      const ladder::Method& method) {
+  ladder::Example example;
+  example.facts = {ladder::numbers("numbers", numbers), ladder::number(method.id, got),
+                   ladder::number("right", right)};
+  if (numbers.front() == 9) example.figure = "figure";
+  return example;
+}
+
+constexpr std::size_t without = 0;
+constexpr std::size_t with = 1;
+constexpr std::size_t right_method = 0;
+constexpr std::size_t wrong_method = 1;
+
+}  // namespace
+
+TEST_CASE(
+    "a failure is an input on which the method is wrong, one for the figure if there is one") {
+  auto ladder = experiment(false);
+  ladder.show(shown);
+  ladder.prepare(with, 200);
+  ladder.pass(wrong_method);
+  REQUIRE(ladder.judge().wrong > 0);
+  const auto failure = ladder.failure(wrong_method, false);
+  REQUIRE(failure);
+  CHECK(failure->verdict.wrong);
+  CHECK_FALSE(failure->simplified);
+  CHECK(failure->example.figure == "figure");
+  CHECK(failure->example.facts[0].values.front() == 9);
+  const double told = failure->example.facts[1].values.front();
+  const double truth = failure->example.facts[2].values.front();
+  CHECK(told != truth);
+  CHECK(failure->verdict.error == truth - told);
+}
+
+TEST_CASE("a method that is right has no failure") {
+  auto ladder = experiment(false);
+  ladder.show(shown);
+  ladder.prepare(with, 200);
+  ladder.pass(right_method);
+  CHECK_FALSE(ladder.failure(right_method, false));
+  CHECK_FALSE(ladder.failure(right_method, true));
+  ladder.prepare(without, 200);
+  ladder.pass(wrong_method);
+  CHECK_FALSE(ladder.failure(wrong_method, false));
+}
+
+TEST_CASE("by error, the failure has the largest error of the family") {
+  auto ladder = experiment(false);
+  ladder.show(shown);
+  ladder.prepare(with, 200);
+  ladder.pass(wrong_method);
+  const auto failure = ladder.failure(wrong_method, true);
+  REQUIRE(failure);
+  CHECK(failure->verdict.error == ladder.judge().error_max);
+}
+
+TEST_CASE("a failure is simplified as far as the method stays wrong") {
+  auto ladder = experiment(false);
+  ladder.show(shown);
+  ladder.simplify([](const Numbers& numbers) {
+    std::vector<Numbers> fewer;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      fewer.push_back(numbers);
+      fewer.back().erase(fewer.back().begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return fewer;
+  });
+  ladder.prepare(with, 200);
+  ladder.pass(wrong_method);
+  const auto failure = ladder.failure(wrong_method, false);
+  REQUIRE(failure);
+  CHECK(failure->simplified);
+  CHECK(failure->example.facts[0].values == std::vector<double>{9});
+}
+
+TEST_CASE("one method is recommended") {
+  const auto ladder = experiment(false);
+  CHECK(ladder.methods()[right_method].recommended);
+  CHECK_FALSE(ladder.methods()[wrong_method].recommended);
+}
+
+TEST_CASE("the program keeps failures, and fails if an exact method is wrong") {
+  const auto file = std::filesystem::temp_directory_path() / "contact-ladder-test.json";
+  for (const bool declared_exact : {false, true}) {
+    auto ladder = experiment(declared_exact);
+    ladder.show(shown);
+    std::string name = file.string();
+    std::array<std::string, 7> words{"ladder", "--size", "50", "--repeats", "1", "--json", name};
+    std::array<char*, 7> arguments{};
+    for (std::size_t i = 0; i < words.size(); ++i) arguments[i] = words[i].data();
+    const int code = ladder::run_program(ladder, "00_trial", 7, arguments.data());
+    CHECK(code == (declared_exact ? 1 : 0));
+    const auto kept = nlohmann::json::parse(std::ifstream(file));
+    std::filesystem::remove(file);
+    CHECK(kept["methods"][0]["recommended"] == true);
+    for (const auto& row : kept["results"]) CHECK(row.contains("failure") == (row["wrong"] > 0));
+  }
+}
