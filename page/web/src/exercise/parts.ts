@@ -14,6 +14,8 @@ export interface Parts {
   readonly points: HTMLElement | undefined;
   readonly commands: HTMLElement | undefined;
   readonly hints: readonly Node[][];
+  /** Whether it can also be read, ordered and filled. */
+  readonly forms: boolean;
 }
 
 /** A heading without its link to itself. */
@@ -53,6 +55,7 @@ export function readParts(element: HTMLElement): Parts | undefined {
     points: part(".table-wrapper, table") ?? undefined,
     commands: part(".commands") ?? undefined,
     hints: hintsOf(element),
+    forms: element.hasAttribute("forms"),
   };
 }
 
