@@ -27,7 +27,7 @@ from wrong_answers import HEADER_LINES, PatchError, sources, text_of
 
 ROOT = Path(__file__).resolve().parents[2]
 MOST_DISTRACTORS = 3
-LEAST_PIECES = 3
+LEAST_LINES = 3
 _TOKEN = re.compile(r"[A-Za-z_]\w*|[\d.]+|\S")
 
 
@@ -204,15 +204,16 @@ def problems_of(exercise: str, root: Path = ROOT) -> list[str]:
     text = solution_file(exercise, root).read_text(encoding="utf-8")
     try:
         parts = parts_of(text)
-        distractors(exercise, parts, root)
+        wrong = distractors(exercise, parts, root)
     except (MarkError, PatchError) as error:
         return [str(error)]
     pieces = [part for part in parts if part.is_piece]
     problems = []
     if "".join(part.text for part in parts) != without_marks(text):
         problems.append("its parts joined are not the solution")
-    if len(pieces) < LEAST_PIECES:
-        problems.append(f"it has {len(pieces)} pieces; at least {LEAST_PIECES} make an order")
+    lines = len(pieces) + len(wrong)
+    if lines < LEAST_LINES:
+        problems.append(f"it has {lines} lines to order, at least {LEAST_LINES} are needed")
     if not any(part.gaps for part in pieces):
         problems.append("it has no gap")
     for part in pieces:
@@ -226,9 +227,9 @@ def problems_of(exercise: str, root: Path = ROOT) -> list[str]:
         for (begin, size), (later, _) in zip(places, places[1:], strict=False):
             if begin + size > later:
                 problems.append(f"two gaps of `{''.join(shown)}` overlap")
-    codes = [tuple(_code(part.text)) for part in pieces]
-    if len(set(codes)) != len(codes):
-        problems.append("two pieces are equal")
+    for run in _runs(parts):
+        if len({tuple(_code(parts[index].text)) for index in run}) != len(run):
+            problems.append("two pieces of one function are equal")
     return problems
 
 

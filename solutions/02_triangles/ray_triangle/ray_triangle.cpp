@@ -9,7 +9,8 @@ std::optional<contact::TriangleHit<double>> ray_triangle(
   //? gap: triangle.c - triangle.a
   const Eigen::Vector3d e1 = triangle.b - triangle.a;
   const Eigen::Vector3d e2 = triangle.c - triangle.a;
-  //? Cramer's rule divides by the determinant of (−d, e₁, e₂), which is the triple product e₁·(d × e₂).
+  //? Cramer's rule divides by the determinant of (−d, e₁, e₂), which is the triple product e₁·(d ×
+  //? e₂).
   //? gap: ray.direction.cross(e2)
   const Eigen::Vector3d p = ray.direction.cross(e2);
   const double det = e1.dot(p);
@@ -19,7 +20,8 @@ std::optional<contact::TriangleHit<double>> ray_triangle(
   // not depend on the size.
   if (det == 0) return std::nullopt;
 
-  //? β is the second determinant over the first. Its bounds reject most rays before more is computed.
+  //? β is the second determinant over the first. Its bounds reject most rays before more is
+  //? computed.
   //? gap: s.dot(p) / det
   const Eigen::Vector3d s = ray.origin - triangle.a;
   const double beta = s.dot(p) / det;
