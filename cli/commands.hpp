@@ -56,6 +56,9 @@ void add_dev_grade(Command dev, Action& action);
 /// Copies the pristine stub to the student's folder unless a copy is there. Returns whether it made
 /// one.
 bool start_exercise(const grading::Book& book, const grading::Exercise& exercise);
+/// Writes the student's copy, and records which form it begins from.
+void write_copy(const grading::Book& book, const grading::Exercise& exercise,
+                const std::string& text, const std::string& form);
 
 /// The file of a scene: `word` is its path, or the name of a scene of the book.
 /// @throws grading::UnknownName, with the nearest names, if it is neither.

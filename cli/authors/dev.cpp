@@ -183,6 +183,8 @@ int run(Context& context, const Options& options) {
   const grading::TemporaryFolder folder;
   for (DevResult& result : apply_patches(context.loop(), book, exercises, folder.path()))
     results.push_back(std::move(result));
+  for (DevResult& result : write_forms(context.loop(), book, exercises, folder.path()))
+    results.push_back(std::move(result));
   if (!exercises.empty() && !options.files_only) {
     ProgressLine line(!options.json);
     line.show("Building what is not current ...");

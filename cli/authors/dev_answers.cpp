@@ -4,6 +4,7 @@
 #include <array>
 #include <sstream>
 
+#include "../python.hpp"
 #include "../terminal/terminal.hpp"
 #include "dev_check.hpp"
 
@@ -135,6 +136,10 @@ void check_null(const Verdict& verdict, std::vector<std::string>& problems) {
 
 void check_verdict(const grading::Book& book, const AnswerJob& job, const Verdict& verdict,
                    std::vector<std::string>& problems) {
+  if (job.kind == "form to fill") {
+    if (!verdict.compile_error) problems.emplace_back("it compiles although its gaps are empty");
+    return;
+  }
   if (verdict.compile_error) {
     problems.push_back("it does not compile: " + verdict.compile_error->message + " (" +
                        shown(verdict.compile_error->file) + ":" +
@@ -142,7 +147,7 @@ void check_verdict(const grading::Book& book, const AnswerJob& job, const Verdic
     return;
   }
   if (job.kind == "solution" || job.kind == "wrong answer") check_silence(verdict, problems);
-  if (job.kind == "stub") {
+  if (job.kind == "stub" || job.kind == "form to order") {
     check_stub(verdict, problems);
   } else if (job.kind == "solution") {
     check_solution(*job.exercise, verdict, problems);
@@ -220,19 +225,6 @@ std::vector<fs::path> wrong_answer_files(const Exercise& exercise) {
   return files;
 }
 
-fs::path python_of(const grading::Book& book) {
-  const fs::path python = book.root() / "build" / "venv" / "bin" / "python";
-  return fs::exists(python) ? python : fs::path("python3");
-}
-
-grading::ProcessResult run_python(grading::Loop& loop, const std::vector<std::string>& command) {
-  grading::ProcessSpec spec;
-  spec.command = command;
-  spec.environment = {{"PYTHONDONTWRITEBYTECODE", "1"}};
-  spec.time_limit = 60.0;
-  return grading::run_process(loop, spec);
-}
-
 std::vector<DevResult> apply_patches(grading::Loop& loop, const grading::Book& book,
                                      const std::vector<const Exercise*>& exercises,
                                      const fs::path& folder) {
@@ -271,6 +263,34 @@ std::vector<DevResult> apply_patches(grading::Loop& loop, const grading::Book& b
   return results;
 }
 
+std::vector<DevResult> write_forms(grading::Loop& loop, const grading::Book& book,
+                                   const std::vector<const Exercise*>& exercises,
+                                   const fs::path& folder) {
+  std::vector<std::string> command{python_of(book).string(),
+                                   (book.root() / "grading/book/forms.py").string(),
+                                   "--root",
+                                   book.root().string(),
+                                   "--check",
+                                   "--output",
+                                   (folder / "forms").string()};
+  for (const Exercise* exercise : exercises) command.push_back(exercise->id());
+  const grading::ProcessResult result = run_python(loop, command);
+  if (!result.errors.empty()) return {{"marks", "forms.py", {"it failed: " + result.errors}}};
+  std::vector<DevResult> results;
+  for (const Exercise* exercise : exercises) {
+    // It prints `EXERCISE: WHY`, a line each.
+    DevResult marks{"marks", exercise->id(), {}};
+    std::istringstream lines(result.output);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with(exercise->id() + ": "))
+        marks.problems.push_back(line.substr(exercise->id().size() + 2));
+    }
+    if (!marks.problems.empty() || fs::exists(folder / "forms" / exercise->id()))
+      results.push_back(std::move(marks));
+  }
+  return results;
+}
+
 std::vector<AnswerJob> answer_jobs(const std::vector<const Exercise*>& exercises,
                                    const fs::path& folder) {
   std::vector<AnswerJob> jobs;
@@ -281,6 +301,10 @@ std::vector<AnswerJob> answer_jobs(const std::vector<const Exercise*>& exercises
       const std::string answer = exercise->id() + "/" + file.stem().string();
       const fs::path whole = is_patch(file) ? folder / "wrong" / (answer + ".cpp") : file;
       if (fs::exists(whole)) jobs.push_back({"wrong answer", answer, exercise, whole});
+    }
+    for (const std::string form : {"order", "fill"}) {
+      const fs::path file = folder / "forms" / exercise->id() / (form + ".cpp");
+      if (fs::exists(file)) jobs.push_back({"form to " + form, exercise->id(), exercise, file});
     }
     jobs.push_back({"null answer", exercise->id(), exercise,
                     folder / exercise->chapter / exercise->name / "null.cpp"});

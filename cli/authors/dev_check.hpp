@@ -14,7 +14,8 @@ namespace contact::cli {
 /// One checked item and its faults (none if it is correct).
 struct DevResult {
   std::string kind;  ///< "chapter", "lesson", "exercise", "misconception", "stub", "solution",
-                     ///< "wrong answer", "null answer"
+                     ///< "wrong answer", "null answer", "marks", "form to order",
+                     ///< "form to fill"
   std::string name;
   std::vector<std::string> problems;
   std::string said = {};  ///< What is worth a line even if all is well; mostly nothing.
@@ -42,9 +43,10 @@ std::vector<DevResult> apply_patches(grading::Loop& loop, const grading::Book& b
                                      const std::vector<const grading::Exercise*>& exercises,
                                      const std::filesystem::path& folder);
 
-/// The project's own Python if `./contact setup` has made it, or the system's.
-std::filesystem::path python_of(const grading::Book& book);
-grading::ProcessResult run_python(grading::Loop& loop, const std::vector<std::string>& command);
+/// Checks the marks of solutions, and writes the forms made of them below `folder`.
+std::vector<DevResult> write_forms(grading::Loop& loop, const grading::Book& book,
+                                   const std::vector<const grading::Exercise*>& exercises,
+                                   const std::filesystem::path& folder);
 
 /// Of each lesson: the minutes that it takes, and whether it and its listings are short enough.
 std::vector<DevResult> check_lessons(grading::Loop& loop, const grading::Book& book);
@@ -61,8 +63,8 @@ struct AnswerJob {
   std::filesystem::path file;
 };
 
-/// Every stub, solution, wrong answer and null answer; null answers are to be written into
-/// `folder`, in which applied patches are already.
+/// Every stub, solution, wrong answer, form and null answer; null answers are to be written into
+/// `folder`, in which applied patches and forms are already.
 std::vector<AnswerJob> answer_jobs(const std::vector<const grading::Exercise*>& exercises,
                                    const std::filesystem::path& folder);
 

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "../python.hpp"
 #include "dev_check.hpp"
 
 namespace contact::cli {

@@ -16,6 +16,17 @@ using grading::ChapterTally;
 using grading::points_text;
 using grading::Tally;
 
+// Those that passed, but not from the stub: in which form they did.
+void print_forms(const Book& book, const grading::Progress& progress) {
+  for (const grading::Exercise& exercise : book.exercises()) {
+    const auto passed_as = progress.of(exercise.id()).passed_as;
+    if (passed_as.empty() || passed_as.contains("write")) continue;
+    std::string forms;
+    for (const auto& [form, time] : passed_as) forms += (forms.empty() ? "" : ", ") + form;
+    say("Not written from the stub: " + exercise.id() + " (" + forms + ")");
+  }
+}
+
 void print(const Book& book, const grading::Progress& progress) {
   const Style style(stdout);
   Tally total;
@@ -40,6 +51,7 @@ void print(const Book& book, const grading::Progress& progress) {
   say("In all: " + points_text(total.points) + " of " + points_text(total.max_points) +
       " points, " + std::to_string(total.passed) + " of " + std::to_string(total.exercises) +
       " exercises passed.");
+  print_forms(book, progress);
 }
 
 int run(Context& context, bool json) {

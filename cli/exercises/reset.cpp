@@ -49,7 +49,7 @@ int run(Context& context, const std::string& name) {
       return exit_passed;
     }
     const fs::path kept = keep_aside(book, exercise.chapter, exercise.name, text);
-    grading::write_text(copy, stub);
+    write_copy(book, exercise, stub, "write");
     say("Your version is kept as " + shown(kept));
   } else {
     start_exercise(book, exercise);

@@ -24,7 +24,7 @@ int run(Context& context, const std::string& name, bool give_up) {
     note("To see it anyway: ./contact solution " + exercise.name + " --give-up");
     return exit_not_passed;
   }
-  const std::string text = grading::read_text(exercise.solution);
+  const std::string text = grading::solution_text(exercise);
   if (done.passed.empty()) progress.record_solution_shown(exercise.id());
   note(Style(stderr).dim("// " + shown(exercise.solution)));
   say(text.substr(0, text.find_last_not_of('\n') + 1));

@@ -2,27 +2,52 @@
 
 #include "../../grading/progress/progress.hpp"
 #include "../commands.hpp"
+#include "../python.hpp"
 #include "../terminal/terminal.hpp"
 
 namespace fs = std::filesystem;
 
 namespace contact::cli {
 
-bool start_exercise(const grading::Book& book, const grading::Exercise& exercise) {
+namespace {
+
+std::string beginning(Context& context, const grading::Exercise& exercise,
+                      const std::string& form) {
+  if (form == "write") return grading::read_text(exercise.stub);
+  const grading::Book& book = context.book();
+  const grading::ProcessResult made = run_python(
+      context.loop(), {python_of(book).string(), (book.root() / "grading/book/forms.py").string(),
+                       "--root", book.root().string(), "--form", form, exercise.id()});
+  if (!made.succeeded())
+    throw grading::BookError(made.errors.substr(0, made.errors.find_last_not_of('\n') + 1));
+  return made.output;
+}
+
+}  // namespace
+
+void write_copy(const grading::Book& book, const grading::Exercise& exercise,
+                const std::string& text, const std::string& form) {
   const fs::path copy = book.work_file(exercise);
-  if (fs::exists(copy)) return false;
   fs::create_directories(copy.parent_path());
-  grading::write_text(copy, grading::read_text(exercise.stub));
+  grading::write_text(copy, text);
+  grading::Progress progress(book.work());
+  if (progress.of(exercise.id()).form != form) progress.record_form(exercise.id(), form);
+}
+
+bool start_exercise(const grading::Book& book, const grading::Exercise& exercise) {
+  if (book.started(exercise)) return false;
+  write_copy(book, exercise, grading::read_text(exercise.stub), "write");
   return true;
 }
 
 namespace {
 
-int run(Context& context, const std::vector<std::string>& names) {
+int run(Context& context, const std::vector<std::string>& names, const std::string& form) {
   const grading::Book& book = context.book();
   for (const std::string& name : names) {
     for (const grading::Exercise* exercise : book.meant_by(name)) {
-      const bool made = start_exercise(book, *exercise);
+      const bool made = !book.started(*exercise);
+      if (made) write_copy(book, *exercise, beginning(context, *exercise, form), form);
       const std::string copy = shown(book.work_file(*exercise));
       say(made ? "Your copy is " + copy : "Your copy already exists and was not changed: " + copy);
       if (names.size() > 1) continue;
@@ -44,8 +69,14 @@ void add_start(Command app, Action& action) {
       .add_option("exercise", *names,
                   "Exercises or chapters: ray_triangle, 02_triangles/ray_triangle, 02_triangles")
       .required();
-  command.callback(
-      [&action, names] { action = [names](Context& context) { return run(context, *names); }; });
+  auto form = std::make_shared<std::string>("write");
+  command
+      .add_option("--form", *form,
+                  "Begin with lines to put in order, with gaps to fill, or with the stub")
+      .one_of({grading::forms.begin(), grading::forms.end()});
+  command.callback([&action, names, form] {
+    action = [names, form](Context& context) { return run(context, *names, *form); };
+  });
 }
 
 }  // namespace contact::cli

@@ -6,6 +6,7 @@
 #include <memory>
 #include <numeric>
 #include <set>
+#include <sstream>
 
 #include <toml++/toml.h>
 
@@ -408,6 +409,16 @@ std::string read_text(const fs::path& file) {
   while (stream && std::feof(stream.get()) == 0 && std::ferror(stream.get()) == 0)
     text.append(part.data(), std::fread(part.data(), 1, part.size(), stream.get()));
   if (!stream || std::ferror(stream.get()) != 0) throw BookError("cannot read " + file.string());
+  return text;
+}
+
+std::string solution_text(const Exercise& exercise) {
+  std::istringstream lines(read_text(exercise.solution));
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t first = line.find_first_not_of(' ');
+    if (first == std::string::npos || line.compare(first, 3, "//?") != 0) text += line + "\n";
+  }
   return text;
 }
 

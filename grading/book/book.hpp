@@ -194,6 +194,10 @@ std::filesystem::path find_work(const std::filesystem::path& root);
 /// The whole file as text. @throws BookError if it cannot be read.
 std::string read_text(const std::filesystem::path& file);
 
+/// The solution as it is shown: without its marks, the comments that begin with `//?`
+/// (grading/book/marks.py). @throws BookError if it cannot be read.
+std::string solution_text(const Exercise& exercise);
+
 /// Writes beside the target and renames, so that a reader never sees half a file. @throws
 /// BookError.
 void write_text(const std::filesystem::path& file, std::string_view text);

@@ -9,7 +9,7 @@ solution.
 
 `solutions/NN_slug/NAME/wrong/x.patch` begins with the two lines that every wrong answer begins with
 (`// misconception: ID`, `// caught by: TEST`), and a unified diff follows them. The wrong answer is
-those two lines, then the solution with the diff applied.
+those two lines, then the solution with the diff applied, without the marks (marks.py).
 
 Only this file applies patches: `contact dev check` and the tests all ask it. It needs nothing but
 Python.
@@ -25,6 +25,8 @@ import sys
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
+
+from marks import without_marks
 
 ROOT = Path(__file__).resolve().parents[2]
 HEADER_LINES = 2
@@ -129,7 +131,7 @@ def text_of(source: Path) -> str:
     solution = folder / f"{folder.name}.cpp"
     if not solution.is_file():
         raise PatchError(f"there is no {solution.name} that it could change")
-    return apply(text, solution.read_text(encoding="utf-8"))
+    return apply(text, without_marks(solution.read_text(encoding="utf-8")))
 
 
 def _write(file: Path, text: str) -> None:
@@ -177,7 +179,8 @@ def _keep_as_patch(file: Path) -> None:
     folder = file.resolve().parent.parent
     solution = folder / f"{folder.name}.cpp"
     names = (solution.name, f"wrong/{file.name}")
-    patch = as_patch(file.read_text(encoding="utf-8"), solution.read_text(encoding="utf-8"), names)
+    shown = without_marks(solution.read_text(encoding="utf-8"))
+    patch = as_patch(file.read_text(encoding="utf-8"), shown, names)
     file.with_suffix(".patch").write_text(patch, encoding="utf-8")
     file.unlink()
 

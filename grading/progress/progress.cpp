@@ -90,6 +90,10 @@ void Progress::record_solution_shown(const std::string& exercise) {
   change([&](ProgressRecord& record) { record.record_solution_shown(exercise); });
 }
 
+void Progress::record_form(const std::string& exercise, const std::string& form) {
+  change([&](ProgressRecord& record) { record.record_form(exercise, form); });
+}
+
 std::vector<std::string> Progress::merge(const ProgressRecord& theirs) {
   std::vector<std::string> changed;
   change([&](ProgressRecord& record) {

@@ -27,6 +27,7 @@ class Progress {
   /// Remembers that one more hint was shown and says how many that makes.
   int record_hint(const std::string& exercise);
   void record_solution_shown(const std::string& exercise);
+  void record_form(const std::string& exercise, const std::string& form);
   /// Takes in another record of the same reader. Returns the exercises of which more is known now.
   std::vector<std::string> merge(const ProgressRecord& theirs);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <regex>
+#include <set>
 
 namespace contact::grading {
 
@@ -31,8 +32,19 @@ double number_in(const json& entry, const char* name) {
              : 0.0;
 }
 
+json sound_times(const json& passed_as) {
+  json result = json::object();
+  for (const auto& [form, time] : passed_as.items()) {
+    if (is_form(form) && is_time(time)) result[form] = time;
+  }
+  return result;
+}
+
 // Members of the right type, and all unknown members.
 json sound(const json& entry) {
+  static const std::set<std::string> known{
+      "attempts",     "hints_shown",    "best_points", "max_points", "passed",   "failing",
+      "last_checked", "solution_shown", "tests",       "form",       "passed_as"};
   json result = json::object();
   for (const auto& [name, value] : entry.items()) {
     const bool number = name == "best_points" || name == "max_points";
@@ -42,11 +54,14 @@ json sound(const json& entry) {
       result[name] = static_cast<int>(number_in(entry, name.c_str()));
     else if (number && value.is_number())
       result[name] = number_in(entry, name.c_str());
+    else if (name == "form" && value.is_string() && is_form(value.get<std::string>()))
+      result[name] = value;
+    else if (name == "passed_as" && value.is_object())
+      result[name] = sound_times(value);
     else if ((time && is_time(value)) || (name == "solution_shown" && value.is_boolean()) ||
              ((name == "tests" || name == "failing") && value.is_object()))
       result[name] = value;
-    else if (!number && !count && !time && name != "solution_shown" && name != "tests" &&
-             name != "failing")
+    else if (!known.contains(name))
       result[name] = value;
   }
   return result;
@@ -68,6 +83,16 @@ json merged_entry(const json& ours, const json& theirs) {
     result["passed"] = ours["passed"];
   else if (!their_pass.empty())
     result["passed"] = theirs["passed"];
+  json as = json::object();
+  for (const json* entry : {&ours, &theirs}) {
+    const auto found = entry->find("passed_as");
+    if (found == entry->end() || !found->is_object()) continue;
+    for (const auto& [form, time] : sound_times(*found).items()) {
+      if (!as.contains(form) || time_in(*found, form.c_str()) < time_in(as, form.c_str()))
+        as[form] = time;
+    }
+  }
+  if (!as.empty()) result["passed_as"] = as;
   for (const json* entry : {&ours, &theirs}) {
     if (const auto found = entry->find("solution_shown"); found != entry->end() && *found == true)
       result["solution_shown"] = true;

@@ -60,6 +60,11 @@ nlohmann::json failing_after(const nlohmann::json& entry, const Verdict& verdict
   return failing;
 }
 
+std::string form_of(const nlohmann::json& entry) {
+  const std::string form = read(entry, "form", std::string("write"));
+  return is_form(form) ? form : "write";
+}
+
 }  // namespace
 
 ProgressRecord::ProgressRecord()
@@ -81,6 +86,12 @@ ExerciseProgress ProgressRecord::of(const std::string& exercise) const {
   progress.last_checked = read(*found, "last_checked", std::string());
   progress.hints_shown = read(*found, "hints_shown", 0);
   progress.solution_shown = read(*found, "solution_shown", false);
+  progress.form = form_of(*found);
+  if (const auto as = found->find("passed_as"); as != found->end() && as->is_object()) {
+    for (const auto& [form, time] : as->items()) {
+      if (is_form(form) && time.is_string()) progress.passed_as[form] = time.get<std::string>();
+    }
+  }
   if (found->contains("tests")) {
     for (const auto& [name, status] : (*found)["tests"].items()) {
       if (status.is_string()) progress.tests[name] = status.get<std::string>();
@@ -109,6 +120,11 @@ void ProgressRecord::record(const Verdict& verdict, const std::string& now) {
   entry["last_checked"] = now;
   if (verdict.outcome == Outcome::passed && read(entry, "passed", std::string()).empty())
     entry["passed"] = now;
+  if (verdict.outcome == Outcome::passed) {
+    nlohmann::json& as = entry["passed_as"];
+    if (!as.is_object()) as = nlohmann::json::object();
+    if (const std::string form = form_of(entry); !as.contains(form)) as[form] = now;
+  }
   entry["tests"] = nlohmann::json::object();
   for (const TestVerdict& test : verdict.tests) {
     entry["tests"][test.name] = key(test.status);
@@ -127,6 +143,15 @@ int ProgressRecord::record_hint(const std::string& exercise) {
 
 void ProgressRecord::record_solution_shown(const std::string& exercise) {
   entry_of(exercise)["solution_shown"] = true;
+}
+
+void ProgressRecord::record_form(const std::string& exercise, const std::string& form) {
+  if (!is_form(form)) throw std::invalid_argument("there is no form '" + form + "'");
+  entry_of(exercise)["form"] = form;
+}
+
+bool is_form(const std::string& name) {
+  return std::find(forms.begin(), forms.end(), name) != forms.end();
 }
 
 bool is_attempt(const Verdict& verdict) {

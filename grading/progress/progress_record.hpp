@@ -3,6 +3,7 @@
 // The record of what a reader has done so far, as a document. The program keeps it in
 // work/progress.json (progress.hpp), the page in the browser; see cli/README.md for the format.
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -13,6 +14,11 @@
 
 namespace contact::grading {
 
+/// In which ways an exercise is answered: lines put in order, gaps filled, or written from the
+/// stub.
+inline constexpr std::array forms{"order", "fill", "write"};
+bool is_form(const std::string& name);
+
 struct ExerciseProgress {
   int attempts = 0;
   double best_points = 0.0;
@@ -22,6 +28,10 @@ struct ExerciseProgress {
   std::string last_checked;
   int hints_shown = 0;
   bool solution_shown = false;
+  /// What the present copy began from: a key of `forms`.
+  std::string form = "write";
+  /// For each form in which every test has passed, when that first happened.
+  std::map<std::string, std::string> passed_as;
   std::map<std::string, std::string> tests;
   /// Of each test that fails, the texts with which it did since it last passed (Verdict::code).
   std::map<std::string, std::vector<std::string>> failing;
@@ -50,6 +60,8 @@ class ProgressRecord {
   /// Remembers that one more hint was shown and says how many that makes.
   int record_hint(const std::string& exercise);
   void record_solution_shown(const std::string& exercise);
+  /// Remembers in which form the present copy began: what passes from now on passes as that.
+  void record_form(const std::string& exercise, const std::string& form);
 
  private:
   nlohmann::json& entry_of(const std::string& exercise);

@@ -72,6 +72,7 @@ nlohmann::json progress_report(const Book& book, const ProgressRecord& progress)
                                 {"best_points", done.best_points},
                                 {"max_points", exercise.max_points()},
                                 {"passed", done.passed},
+                                {"passed_as", done.passed_as},
                                 {"hints_shown", done.hints_shown},
                                 {"solution_shown", done.solution_shown},
                                 {"tests", done.tests}};

@@ -11,6 +11,8 @@ from pathlib import Path
 from docutils import nodes
 from sphinx.writers.html5 import HTML5Translator
 
+from forms import has_marks
+
 from contact_book.directive import BookDirective, open_book
 from contact_book.errors import BookError
 from contact_book.exercise_data import exercise_json, keep, note
@@ -145,5 +147,11 @@ def exercise_html(translator: HTML5Translator, node: component) -> str:
     }
     book = open_book(translator.config)
     keep(book.products, exercise_json(book, exercise, hints, misconceptions))
-    where = attributes(name=exercise.ref, base=base_path(translator), inputs=inputs_json(exercise))
+    forms = {"forms": ""} if has_marks(exercise.ref, book.root) else {}
+    where = attributes(
+        name=exercise.ref,
+        base=base_path(translator),
+        inputs=inputs_json(exercise),
+        **forms,
+    )
     return f"<contact-exercise{where}>{inner}</contact-exercise>\n"

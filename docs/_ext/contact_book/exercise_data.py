@@ -11,11 +11,15 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from forms import form_data
+from marks import MarkError, without_marks
 from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
+from wrong_answers import PatchError
 
 from contact_book.book import Book, Chapter
 from contact_book.directive import open_book
+from contact_book.errors import BookError
 from contact_book.exercises import Exercise, find_exercise
 
 _ON_THIS_PAGE = "contact-exercises"
@@ -38,6 +42,9 @@ def exercise_json(
     book: Book, exercise: Exercise, hints: Sequence[str], misconceptions: Mapping[str, str]
 ) -> dict[str, Any]:
     """One exercise; hints and the hints of misconceptions are HTML already."""
+    texts = _texts(book, exercise.sources)
+    solution = book.relative(exercise.solution)
+    texts[solution] = without_marks(texts[solution])
     return {
         "format": "contact-exercise/1",
         "id": exercise.ref,
@@ -46,10 +53,20 @@ def exercise_json(
         "title": exercise.title,
         "kind": exercise.kind,
         "points": exercise.points,
-        "files": _texts(book, exercise.sources),
+        "files": texts,
         "hints": list(hints),
         "misconceptions": dict(misconceptions),
+        **_form(book, exercise),
     }
+
+
+def _form(book: Book, exercise: Exercise) -> dict[str, Any]:
+    """What the page makes the other forms of, if the solution has marks."""
+    try:
+        data = form_data(exercise.ref, book.root)
+    except (MarkError, PatchError) as error:
+        raise BookError(f"{book.relative(exercise.solution)}: {error}") from None
+    return {} if data is None else {"form": data}
 
 
 def _exercises(book: Book, chapter: Chapter) -> list[Exercise]:

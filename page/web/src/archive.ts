@@ -10,6 +10,7 @@ import {
   type ExerciseProgress,
   fingerprint,
   isExerciseId,
+  isForm,
   PROGRESS_FORMAT,
   type Progress,
   Work,
@@ -140,6 +141,12 @@ const isTime = (value: unknown): value is string => typeof value === "string" &&
 const clamped = (value: unknown): number =>
   typeof value === "number" ? Math.min(Math.max(value, 0), MOST_COUNTED) : 0;
 
+function soundTimes(passedAs: object): Record<string, string> {
+  return Object.fromEntries(
+    Object.entries(passedAs).filter(([form, time]) => isForm(form) && isTime(time)),
+  );
+}
+
 /** The members of the right type, and all unknown members. */
 function sound(entry: object): ExerciseProgress {
   const kinds: Record<string, (value: unknown) => unknown> = {
@@ -150,6 +157,8 @@ function sound(entry: object): ExerciseProgress {
     passed: (value) => (isTime(value) ? value : undefined),
     last_checked: (value) => (isTime(value) ? value : undefined),
     solution_shown: (value) => (typeof value === "boolean" ? value : undefined),
+    form: (value) => (isForm(value) ? value : undefined),
+    passed_as: (value) => (isObject(value) ? soundTimes(value) : undefined),
     tests: (value) => (isObject(value) ? value : undefined),
     failing: (value) => (isObject(value) ? value : undefined),
   };
@@ -174,6 +183,11 @@ function mergeEntry(ours: ExerciseProgress, theirs: ExerciseProgress): ExerciseP
   const [our, their] = [seconds(ours.passed), seconds(theirs.passed)];
   const passed = our && (!their || our <= their) ? ours.passed : their ? theirs.passed : undefined;
   if (passed) merged.passed = passed;
+  const as: Record<string, string> = {};
+  for (const times of [ours.passed_as, theirs.passed_as])
+    for (const [form, time] of Object.entries(isObject(times) ? soundTimes(times) : {}))
+      if (!as[form] || seconds(time) < seconds(as[form])) as[form] = time;
+  if (Object.keys(as).length > 0) merged.passed_as = as;
   if (ours.solution_shown === true || theirs.solution_shown === true) merged.solution_shown = true;
   return merged;
 }

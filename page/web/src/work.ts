@@ -3,6 +3,7 @@
 //
 // localStorage["contact-hours/1/progress"]      as work/progress.json of the command line
 // localStorage["contact-hours/1/code/ID"]       Code: the text, the stub it began from, versions
+// localStorage["contact-hours/1/forms/ID"]     FormState: lines put in order and gaps filled
 // localStorage["contact-hours/1/verdict/ID"]    LastVerdict: what the last check said, and of what
 //
 // ID is "02_triangles/ray_triangle". The 1 is the version of this format.
@@ -10,13 +11,14 @@
 const ROOT = "contact-hours/1/";
 export const PROGRESS_KEY = `${ROOT}progress`;
 export const CODE_PREFIX = `${ROOT}code/`;
+export const FORMS_PREFIX = `${ROOT}forms/`;
 export const VERDICT_PREFIX = `${ROOT}verdict/`;
 
 export const PROGRESS_FORMAT = "contact-progress/1";
 export const MOST_VERSIONS = 20;
 
 /** Why a text was put aside. */
-export type Why = "reset" | "solution" | "import" | "other-tab" | "checked";
+export type Why = "reset" | "solution" | "form" | "import" | "other-tab" | "checked";
 
 /** What a check said of a text, as a verdict has it. */
 export interface Said {
@@ -52,6 +54,11 @@ export interface Code {
   readonly kept: readonly Version[];
 }
 
+/** In which ways an exercise is answered (grading/progress/progress_record.hpp). */
+export const FORMS = ["order", "fill", "write"] as const;
+export type Form = (typeof FORMS)[number];
+export const isForm = (value: unknown): value is Form => FORMS.includes(value as Form);
+
 export interface ExerciseProgress {
   attempts?: number;
   best_points?: number;
@@ -60,6 +67,10 @@ export interface ExerciseProgress {
   last_checked?: string;
   hints_shown?: number;
   solution_shown?: boolean;
+  /** What the present text began from; absent means "write". */
+  form?: Form;
+  /** For each form in which every test has passed, when that first happened. */
+  passed_as?: Record<string, string>;
   tests?: Record<string, string>;
   /** Of each test that fails, the texts with which it did since it last passed. */
   failing?: Record<string, string[]>;
@@ -68,6 +79,17 @@ export interface ExerciseProgress {
 export interface Progress {
   format: typeof PROGRESS_FORMAT;
   exercises: Record<string, ExerciseProgress>;
+}
+
+/** What the reader has done in the forms other than writing. */
+export interface FormState {
+  /** The form that was chosen last. */
+  readonly form: string;
+  /** The fingerprint of the forms' data: for another version of the book it is not used. */
+  readonly of: string;
+  /** For each function its lines as they are ordered. */
+  readonly order: readonly (readonly { readonly line: number; readonly out: boolean }[])[];
+  readonly gaps: readonly string[];
 }
 
 export interface LastVerdict {
@@ -110,6 +132,15 @@ export function fingerprint(text: string): string {
   low = Math.imul(low ^ (low >>> 16), 2246822507) ^ Math.imul(high ^ (high >>> 13), 3266489909);
   const hex = (word: number): string => (word >>> 0).toString(16).padStart(8, "0");
   return hex(high) + hex(low);
+}
+
+/** The record with another form for an exercise; an entry that says nothing is left out. */
+export function asForm(progress: Progress, id: string, form: Form): Progress {
+  const { form: _, ...entry } = progress.exercises[id] ?? {};
+  const { [id]: __, ...others } = progress.exercises;
+  const changed = form === "write" ? entry : { ...entry, form };
+  const exercises = Object.keys(changed).length > 0 ? { ...others, [id]: changed } : others;
+  return { ...progress, exercises };
 }
 
 export const emptyProgress = (): Progress => ({ format: PROGRESS_FORMAT, exercises: {} });
@@ -318,6 +349,21 @@ export class WorkStore {
     } catch {
       return undefined;
     }
+  }
+
+  forms(id: string): FormState | undefined {
+    try {
+      const data: unknown = JSON.parse(this.#read(FORMS_PREFIX + id) ?? "null");
+      return isRecord(data) && Array.isArray(data["order"]) && Array.isArray(data["gaps"])
+        ? (data as unknown as FormState)
+        : undefined;
+    } catch {
+      return undefined;
+    }
+  }
+
+  setForms(id: string, state: FormState): void {
+    this.#put(FORMS_PREFIX + id, JSON.stringify(state));
   }
 
   setVerdict(id: string, text: string, verdict: unknown): void {

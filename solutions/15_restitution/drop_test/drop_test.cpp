@@ -2,10 +2,16 @@
 
 namespace exercise {
 
+//? The speed at the floor is √(2gh). In the ratio of rebound to impact 2g cancels, and the root of
+//? the ratio of heights is left.
+//? gap: rebound / drop
 double restitution(double drop, double rebound) { return std::sqrt(rebound / drop); }
 
 double height_after(double drop, double k, int bounces) {
+  //? Each bounce multiplies the speed by k and therefore the height by k².
+  //? gap: k * k
   for (; bounces > 0; --bounces) drop *= k * k;
+  //? After the last bounce this is the height.
   return drop;
 }
 

@@ -1,6 +1,8 @@
 // What passes between the parts that check an answer in the page. Names follow `contact check --json`
 // (cli/README.md), so that a verdict reads the same wherever it was made.
 
+import type { FormData } from "../exercise/form-data.ts";
+
 export interface Input {
   readonly name: string;
   readonly text: string;
@@ -149,6 +151,8 @@ export interface ExerciseData {
   readonly hints: readonly string[];
   /** The hint of each misconception that a test may recognise, as HTML. */
   readonly misconceptions: Readonly<Record<string, string>>;
+  /** What the other forms are made of, if the solution has marks. */
+  readonly form?: FormData;
 }
 
 /** _static/contact/exercises/book.json */

@@ -4,15 +4,17 @@
 import type { Checker } from "../cpp/checker.ts";
 import type {
   ExerciseData,
+  Judge,
   ProgressRecord,
   Progress as Step,
   TestResult,
   VerdictJson,
 } from "../cpp/types.ts";
 import { button, freshId, html } from "../dom.ts";
-import { type Change, fingerprint, type Version, Work } from "../work.ts";
+import { asForm, type Change, type Form, fingerprint, type Version, Work } from "../work.ts";
 import { CodeField } from "./code-field.ts";
 import { colour } from "./colour.ts";
+import { Forms } from "./forms.ts";
 import { Hints } from "./hints.ts";
 import { inputPanel } from "./input-panel.ts";
 import { nextAfter, type Parts } from "./parts.ts";
@@ -57,6 +59,8 @@ export class Bench {
   readonly #parts: Parts;
   readonly #code: CodeField;
   readonly #hints: Hints;
+  readonly #forms: Forms | undefined;
+  readonly #written = html("div", { class: "written" });
   readonly #versions = new Versions((version) => this.#bringBack(version));
 
   readonly #check = button("Check", () => void this.check(), "do");
@@ -110,6 +114,7 @@ export class Bench {
       notLoaded: () => this.#say(NOT_LOADED),
       check: () => void this.check(),
     });
+    if (parts.forms) this.#forms = this.#makeForms();
     this.#hints = new Hints(parts.hints, Work.progress().exercises[parts.id]?.hints_shown ?? 0);
     this.#build(keys);
     this.#sayIfTheBookChanged(code?.base);
@@ -155,7 +160,10 @@ export class Bench {
     heading.append(sideBySideSwitch());
     const write = html("div", { class: "write" });
     const below = html("div", { class: "below" }, keys, this.#size);
-    write.append(this.#changed, ...this.#inputs(), heading, this.#code.element, below, buttons);
+    this.#written.append(heading, this.#code.element, below);
+    this.#forms?.panel.append(this.#written);
+    const forms = this.#forms ? [this.#forms.tabs, this.#forms.panel] : [this.#written];
+    write.append(this.#changed, ...this.#inputs(), ...forms, buttons);
     write.append(this.#progress, this.#notKept, this.#status);
     write.append(this.#hints.element, this.#answer, this.#stale, this.#results);
     write.append(this.#versions.element);
@@ -189,6 +197,36 @@ export class Bench {
     return [panel];
   }
 
+  #makeForms(): Forms {
+    const { id } = this.#parts;
+    const entry = (): { passed?: string; solution_shown?: boolean } =>
+      Work.progress().exercises[id] ?? {};
+    return new Forms({
+      id,
+      load: () => this.#exercise(),
+      failed: (error, again) => this.#failed(error, again),
+      changed: () => this.#refreshText(),
+      check: () => void this.check(),
+      write: (text, form) => {
+        this.#replace(text, "form");
+        Work.setProgress(asForm(Work.progress(), id, form));
+        this.#say(
+          "This is what you have put together. What was here is among the earlier versions.",
+        );
+      },
+      solutionIsOpen: () => Boolean(entry().passed || entry().solution_shown),
+      solutionShown: () =>
+        this.#record((one) => {
+          one.solution_shown = true;
+        }),
+    });
+  }
+
+  /** The text that a check would check: the editor's, or that of another form. */
+  get #text(): string {
+    return this.#forms?.text() ?? this.#code.text;
+  }
+
   /** What depends on what the browser keeps. */
   #refresh(): void {
     this.#versions.show(Work.versions(this.#parts.id), this.#code.text);
@@ -199,13 +237,21 @@ export class Bench {
 
   /** What depends on the text alone: after every key. */
   #refreshText(): void {
+    const writes = this.#writes;
+    this.#written.hidden = !writes;
+    this.#reset.hidden = !writes;
+    if (!writes) this.#undo.hidden = true;
     this.#reset.disabled = this.#code.text === this.#parts.stub;
-    const stale = this.#checked && this.#checked.of !== fingerprint(this.#code.text);
+    const stale = this.#checked && this.#checked.of !== fingerprint(this.#text);
     this.#host.toggleAttribute("stale", Boolean(stale));
     this.#stale.hidden = !stale;
     this.#stale.textContent = stale
       ? `This is what your check of ${when(this.#checked!.at)} said. The code has changed since.`
       : "";
+  }
+
+  get #writes(): boolean {
+    return !this.#forms || this.#forms.form === "write";
   }
 
   /** Names the stub and the contract that a text begins from. */
@@ -364,7 +410,7 @@ export class Bench {
   }
 
   /** Another text in the place of the present one, which becomes an earlier version. */
-  #replace(text: string, why: "reset" | "solution"): void {
+  #replace(text: string, why: "reset" | "solution" | "form"): void {
     this.#save();
     Work.keep(this.#parts.id, why);
     this.#code.text = text;
@@ -381,6 +427,7 @@ export class Bench {
     this.#beforeReset = this.#code.text;
     this.#replace(this.#parts.stub, "reset");
     Work.save(this.#parts.id, this.#parts.stub, this.#base);
+    Work.setProgress(asForm(Work.progress(), this.#parts.id, "write"));
     this.#changed.hidden = true;
     this.#undo.hidden = false;
     this.#say("This is the original stub. Your code is kept among the earlier versions.");
@@ -499,8 +546,14 @@ export class Bench {
   }
 
   check(): Promise<void> {
+    const missing = this.#forms?.missing();
+    if (missing) {
+      this.#say(missing);
+      return Promise.resolve();
+    }
     const check = async (signal: AbortSignal): Promise<void> => {
-      const { text } = this.#code;
+      const text = this.#text;
+      const form = this.#writes ? undefined : (this.#forms!.form as Form);
       this.#save();
       Work.keep(this.#parts.id, "checked", text);
       this.#sayIfItLasts("Getting ready …");
@@ -516,30 +569,40 @@ export class Bench {
       const verdict = await checker.check(data, text, tell, { signal, onTest, progress });
       const judge = await checker.judge(data);
       const now = new Date().toISOString().replace(/\.\d+Z$/, "Z");
-      const record = judge.record(Work.progress(), verdict, now);
-      Work.setProgress(record as ReturnType<typeof Work.progress>);
+      this.#recordVerdict(judge, verdict, now, form);
       this.#hints.showUpTo(Work.progress().exercises[this.#parts.id]?.hints_shown ?? 0);
       Work.setVerdict(this.#parts.id, text, verdict);
       Work.judged(this.#parts.id, text, verdict);
       this.#checked = { of: fingerprint(text), at: now };
       await this.#showVerdict(verdict, data);
-      if (verdict.diagnostics?.length) this.#code.open();
+      if (verdict.diagnostics?.length && this.#writes) this.#code.open();
       this.#bringIntoSight();
     };
     return this.#attempt(check, () => void this.check());
   }
 
+  /** @param form that of the text that was checked; the editor's own if undefined */
+  #recordVerdict(judge: Judge, verdict: VerdictJson, now: string, form: Form | undefined): void {
+    const { id } = this.#parts;
+    const progress = Work.progress();
+    const began = progress.exercises[id]?.form ?? "write";
+    const record = judge.record(asForm(progress, id, form ?? began), verdict, now);
+    Work.setProgress(asForm(record as typeof progress, id, began));
+  }
+
   async #showVerdict(verdict: VerdictJson, data: ExerciseData | undefined): Promise<void> {
     const { messageList, printed, sentence, testList } = await import("./results.ts");
     const compiles = verdict.verdict !== "does_not_compile";
-    const goTo = (message: Parameters<CodeField["goTo"]>[0]): void => this.#code.goTo(message);
+    const goTo = (message: Parameters<CodeField["goTo"]>[0]): void =>
+      this.#writes ? this.#code.goTo(message) : this.#forms?.goTo(message.line);
     const messages = messageList(verdict, this.#parts.file, goTo);
     const { points } = this.#parts;
     const tests = compiles ? [testList(verdict, data)] : points ? [points] : [];
     const next = verdict.verdict === "passed" ? this.#whatNext() : [];
     this.#results.replaceChildren(...next, ...messages, ...tests, ...printed(verdict));
-    const current = this.#checked?.of === fingerprint(this.#code.text);
-    this.#code.mark(current ? (verdict.diagnostics ?? []) : []);
+    const current = this.#checked?.of === fingerprint(this.#text);
+    this.#forms?.judged(verdict, data);
+    this.#code.mark(current && this.#writes ? (verdict.diagnostics ?? []) : []);
     this.#host.setAttribute("verdict", verdict.verdict);
     this.#refresh();
     this.#say(sentence(verdict));

@@ -19,6 +19,8 @@ export interface Parts {
   readonly points: HTMLElement | undefined;
   readonly commands: HTMLElement | undefined;
   readonly hints: readonly Node[][];
+  /** Whether it can also be read, ordered and filled. */
+  readonly forms: boolean;
 }
 
 /** A heading without its link to itself. */
@@ -60,6 +62,7 @@ export function readParts(element: HTMLElement): Parts | undefined {
     points: part(".table-wrapper, table") ?? undefined,
     commands: part(".commands") ?? undefined,
     hints: hintsOf(element),
+    forms: element.hasAttribute("forms"),
   };
 }
 

@@ -8,6 +8,7 @@ const REASONS: Record<Why, string> = {
   checked: "as you checked it",
   reset: "before Reset",
   solution: "before you took the solution",
+  form: "before you continued from another form",
   import: "before an import",
   "other-tab": "from one of two tabs",
 };
