@@ -632,8 +632,7 @@ export class Bench {
     const hinted = verdict.tests.some(
       ({ failure, look }) => failure?.misconceptions?.length || look?.hint_number,
     );
-    const data =
-      hinted || this.#parts.given ? await this.#exercise().catch(() => undefined) : undefined;
+    const data = hinted ? await this.#exercise().catch(() => undefined) : undefined;
     if (this.#stopping) return;
     await this.#showVerdict(verdict, data);
   }

@@ -68,15 +68,9 @@ const literal = (text: string): HTMLElement => html("pre", {}, text);
 type Add = (name: string, ...content: (Node | string)[]) => void;
 
 /** What a question had for an answer. */
-function answered(
-  add: Add,
-  status: TestVerdict["status"],
-  failure: Failure,
-  data: ExerciseData | undefined,
-): void {
+function answered(add: Add, status: TestVerdict["status"], failure: Failure): void {
   if (failure.inputs.length > 0) add("Input", literal(aligned(failure.inputs)));
-  const breaks = data?.kind === "break";
-  if (failure.got) add(breaks ? "The given code" : "Came back", literal(failure.got));
+  if (failure.got) add("Came back", literal(failure.got));
   if (failure.right) {
     const within = failure.allowed
       ? html("p", { class: "allowed" }, "to within ", html("code", {}, failure.allowed))
@@ -113,7 +107,7 @@ function lookedAt(look: CloserLook, data: ExerciseData | undefined): HTMLElement
     const simpler = html("dl");
     const put: Add = (name, ...content) =>
       simpler.append(html("dt", {}, name), html("dd", {}, ...content));
-    answered(put, look.smaller.reason ? "stopped" : "failed", look.smaller, data);
+    answered(put, look.smaller.reason ? "stopped" : "failed", look.smaller);
     made.push(html("p", {}, "With simpler inputs it is wrong too:"), simpler);
   }
   if (look.hint_number) {
@@ -134,7 +128,7 @@ function explained(
   const add: Add = (name, ...content) =>
     list.append(html("dt", {}, name), html("dd", {}, ...content));
   if (failure.asked) add("Asked", failure.asked);
-  answered(add, status, failure, data);
+  answered(add, status, failure);
   const { misconceptions = [], questions = [] } = failure;
   const [alone] = misconceptions.length === 1 ? misconceptions : [];
   const known = alone && data?.misconceptions[alone];
