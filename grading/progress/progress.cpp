@@ -94,6 +94,14 @@ void Progress::record_form(const std::string& exercise, const std::string& form)
   change([&](ProgressRecord& record) { record.record_form(exercise, form); });
 }
 
+void Progress::record_answer(const std::string& question, const QuestionProgress& given) {
+  change([&](ProgressRecord& record) { record.record_answer(question, given, now_utc()); });
+}
+
+void Progress::record_marks(const std::string& question, const std::vector<bool>& marks) {
+  change([&](ProgressRecord& record) { record.record_marks(question, marks, now_utc()); });
+}
+
 std::vector<std::string> Progress::merge(const ProgressRecord& theirs) {
   std::vector<std::string> changed;
   change([&](ProgressRecord& record) {

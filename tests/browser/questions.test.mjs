@@ -96,6 +96,50 @@ describe("questions", { skip }, () => {
     },
   };
 
+  /** @param {any} gap */
+  const key = (gap) => `${gap.answer} ${gap.unit}`;
+  const kinds = [...Object.keys(answers), "complete", "say-why"];
+
+  /** Fills all gaps, the last one wrong, then it alone, for the right ones stay.
+   * @param {Locator} element @param {any} question */
+  async function complete(element, question) {
+    const gap = (/** @type {any} */ { id }) => element.locator(`.gap-${id} input`);
+    for (const each of question.gaps) await gap(each).fill(key(each));
+    const last = question.gaps.at(-1);
+    await gap(last).fill(`${last.answer + 1 + 10 * last.tolerance} ${last.unit}`);
+    await gap(last).press("Enter");
+    assert.equal(await element.getAttribute("result"), "wrong", question.id);
+    await press(element, "Try again");
+    for (const each of question.gaps)
+      assert.equal(await gap(each).isEditable(), each === last, question.id);
+    await gap(last).fill(key(last));
+    await press(element, "Check");
+    assert.equal(await element.getAttribute("result"), "right", question.id);
+  }
+
+  /** Writes, compares and marks; nothing of it is right or wrong.
+   * @param {Locator} element @param {any} question */
+  async function sayWhy(element, question) {
+    const box = element.locator("textarea");
+    const compare = "Compare with a model answer";
+    assert.equal(await element.locator(".criteria").isVisible(), false);
+    await press(element, compare);
+    await element.getByText("Write a sentence first.").waitFor();
+    await box.fill("It is so because of that.");
+    await press(element, compare);
+    assert.equal(await element.getAttribute("result"), null, question.id);
+    assert.equal(await box.isEditable(), false);
+    await element.getByRole("checkbox").nth(1).press("Space");
+    assert.equal(await element.getByRole("checkbox").count(), 3);
+  }
+
+  const remembered = (/** @type {any} */ page, /** @type {string} */ id) =>
+    page.evaluate(
+      (/** @type {string} */ name) =>
+        JSON.parse(localStorage.getItem("contact-hours/1/questions") ?? "{}")[name],
+      id,
+    );
+
   const taken = chaptersTaken("page", "chapters with questions");
   for (const where of skip ? [] : lessons().filter((page) => taken.includes(chapterOf(page))))
     test(`${where}: every question, wrong then right`, async () => {
@@ -106,8 +150,18 @@ describe("questions", { skip }, () => {
       assert.ok(all.length > 0);
       for (const element of all) {
         const question = await asked(element);
-        const answer = answers[/** @type {keyof typeof answers} */ (question.kind)];
         const explain = element.locator(".explain");
+        if (question.kind === "complete" || question.kind === "say-why") {
+          if (question.kind === "complete") await complete(element, question);
+          else await sayWhy(element, question);
+          assert.ok((await explain.textContent()).length > 10, question.id);
+          const kept = await remembered(page, question.id);
+          assert.equal(kept.right, question.kind === "complete", question.id);
+          if (question.kind === "complete") assert.deepEqual(kept.answer, question.gaps.map(key));
+          else assert.deepEqual(kept.marks, [false, true, false], question.id);
+          continue;
+        }
+        const answer = answers[/** @type {keyof typeof answers} */ (question.kind)];
         await answer(element, question, false);
         assert.equal(await element.getAttribute("result"), "wrong", question.id);
         assert.equal((await explain.innerHTML()).trim(), "", question.id);
@@ -116,10 +170,7 @@ describe("questions", { skip }, () => {
         await answer(element, question, true);
         assert.equal(await element.getAttribute("result"), "right", question.id);
         assert.ok((await explain.textContent()).length > 10, question.id);
-        const kept = await page.evaluate(
-          (id) => JSON.parse(localStorage.getItem("contact-hours/1/questions") ?? "{}")[id],
-          question.id,
-        );
+        const kept = await remembered(page, question.id);
         assert.equal(kept.right, true);
         assert.equal(kept.tries, 2);
       }
@@ -128,15 +179,15 @@ describe("questions", { skip }, () => {
     });
 
   ofAll("the book has questions of each kind, and no other", async () => {
-    const kinds = new Set();
+    const found = new Set();
     for (const where of lessons()) {
       const { page, close } = await open(chromium.browser, `${server.origin}/${where}`);
       await page.evaluate(() => customElements.whenDefined("contact-question"));
       for (const element of await page.locator("contact-question").all())
-        kinds.add((await asked(element)).kind);
+        found.add((await asked(element)).kind);
       await close();
     }
-    assert.deepEqual([...kinds].sort(), Object.keys(answers).sort());
+    assert.deepEqual([...found].sort(), kinds.sort());
   });
 
   /** The first question of a kind, with what it says. @param {string} kind */
@@ -174,6 +225,36 @@ describe("questions", { skip }, () => {
     assert.equal(await box.isEditable(), false);
     await press(element, "Show the answer");
     assert.ok((await element.locator(".explain").textContent()).length > 10);
+    await close();
+  });
+
+  ofAll("what is right so far stays, and gaps that are left are not wrong", async () => {
+    const { element, question, close } = await first("complete");
+    const gap = element.locator(`.gap-${question.gaps[0].id} input`);
+    await press(element, "Check");
+    await element.getByText("Fill a gap first.").waitFor();
+    await gap.fill(key(question.gaps[0]));
+    await gap.press("Enter");
+    await element.getByText(/gaps? (is|are) left\./).waitFor();
+    assert.equal(await element.getAttribute("result"), null);
+    assert.equal(await gap.isEditable(), false);
+    await close();
+  });
+
+  ofAll("what was written is there when the reader comes back, and never counts", async () => {
+    const { page, element, question, close } = await first("say-why");
+    await sayWhy(element, question);
+    await press(element, "Change your answer");
+    assert.equal(await element.locator("textarea").isEditable(), true);
+    assert.equal(await element.locator(".explain").textContent(), "");
+    await page.reload();
+    const again = page.locator(`contact-question#question-${question.id.split("/")[1]}`);
+    await again.getByText("This is what you wrote before.").waitFor();
+    assert.equal(await again.locator("textarea").inputValue(), "It is so because of that.");
+    await press(again, "Compare with a model answer");
+    assert.equal(await again.getByRole("checkbox").nth(1).isChecked(), true);
+    const kept = await remembered(page, question.id);
+    assert.deepEqual([kept.right, kept.marks], [false, [false, true, false]]);
     await close();
   });
 

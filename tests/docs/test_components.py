@@ -35,7 +35,7 @@ def data(element: Tag) -> dict[str, object]:
 def without_scripts(element: Tag) -> str:
     """The words a reader sees when nothing runs."""
     copy = BeautifulSoup(str(element), "html.parser")
-    for hidden in copy.select("script, details"):
+    for hidden in copy.select("script, template"):
         hidden.decompose()
     return re.sub(r"\s+", " ", copy.get_text(" "))
 
@@ -95,28 +95,94 @@ def test_no_text_of_a_question_can_end_its_script(lesson: BeautifulSoup) -> None
     assert "<" not in script.get_text()
 
 
-@pytest.mark.parametrize("name", ["side", "how-far", "steps", "touch"])
-def test_the_answer_without_script_is_inside_details(lesson: BeautifulSoup, name: str) -> None:
+def for_the_script(element: Tag) -> BeautifulSoup:
+    """What the element's template holds, which no browser shows."""
+    return BeautifulSoup(one(element, "template").decode_contents(), "html.parser")
+
+
+ALL = ["side", "how-far", "steps", "touch", "fill", "fill-table", "why-sign"]
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_without_a_script_the_answer_is_on_another_page_linked_both_ways(
+    built: Sample, lesson: BeautifulSoup, name: str
+) -> None:
     element = one(lesson, f"#question-{name}")
-    explanation = one(element, "div.question > details > .explain").get_text()
-    assert explanation.strip()
-    assert explanation.strip() not in without_scripts(element)
+    explanation = one(for_the_script(element), ".explain").get_text().strip()
+    assert explanation
+    assert explanation not in without_scripts(element)
+    link = one(element, "div.question .to-answer a")["href"]
+    assert link == f"../answers.html#answer-01_lines-{name}"
+    answers = BeautifulSoup(built.page("answers.html"), "html.parser")
+    answer = one(answers, f"#answer-01_lines-{name}")
+    assert one(answer, ".explain").get_text().strip() == explanation
+    assert one(answer, ".to-answer a")["href"] == f"chapters/01_lines.html#question-{name}"
 
 
-def test_a_predicted_number_keeps_unit_and_tolerance(lesson: BeautifulSoup) -> None:
+@pytest.fixture(scope="module")
+def answers(built: Sample) -> BeautifulSoup:
+    return BeautifulSoup(built.page("answers.html"), "html.parser")
+
+
+def test_the_answers_of_a_chapter_are_a_section(answers: BeautifulSoup) -> None:
+    assert [head.get_text().rstrip("#") for head in answers.select("h2")] == ["Lines"]
+    assert len(answers.select("section section .question")) == len(ALL)
+
+
+def test_a_predicted_number_keeps_unit_and_tolerance(
+    lesson: BeautifulSoup, answers: BeautifulSoup
+) -> None:
     element = one(lesson, "#question-how-far")
     question = data(element)
     assert (question["answer"], question["unit"], question["tolerance"]) == (2.0, "m", 0.01)
-    assert "2 m" in one(element, "details").get_text()
+    assert one(answers, "#answer-01_lines-how-far .key > p + p").get_text() == "2 m"
     assert "2 m" not in without_scripts(element)
 
 
-def test_steps_are_shown_as_asked_and_put_right_in_the_answer(lesson: BeautifulSoup) -> None:
+def test_steps_are_shown_as_asked_and_put_right_in_the_answer(
+    lesson: BeautifulSoup, answers: BeautifulSoup
+) -> None:
     element = one(lesson, "#question-steps")
     asked = [item.get_text() for item in element.select("div.question > ul > li")]
     assert asked[0] == "compare with 0"
-    right = [item.get_text() for item in element.select("details > ol > li")]
+    right = [item.get_text() for item in answers.select("#answer-01_lines-steps .key > ol > li")]
     assert right[1] == "compare with 0"
+
+
+def test_gaps_are_named_in_their_lines_and_filled_in_the_answer(
+    lesson: BeautifulSoup, answers: BeautifulSoup
+) -> None:
+    element = one(lesson, "#question-fill")
+    steps = element.select("div.question > ol.lines > li")
+    assert len(steps) == 2
+    assert one(steps[0], ".gap")["class"] == ["gap", "gap-square"]
+    assert "______, from" in steps[0].get_text()
+    first, second = data(element)["gaps"]
+    assert (first["id"], first["answer"], first["unit"]) == ("square", 25.0, "m²")
+    assert first["wrong"] == [
+        {"answer": 49.0, "why": "<span>Square <em>before</em> you add.</span>"}
+    ]
+    assert (second["id"], second["label"], second["wrong"]) == ("length", "distance", [])
+    shown = answers.select("#answer-01_lines-fill .key > ol > li")
+    assert [item.get_text() for item in shown] == ["square of the length: 25 m²", "distance: 5 m"]
+
+
+def test_a_table_to_complete_has_heads(lesson: BeautifulSoup) -> None:
+    table = one(lesson, "#question-fill-table table.lines")
+    assert [head.get_text() for head in table.select("thead th")] == ["point", "value"]
+    gaps = [gap["class"][1] for gap in table.select("tbody td > .gap")]
+    assert gaps == ["gap-in-front", "gap-behind"]
+
+
+def test_a_model_answer_comes_with_its_criteria(
+    lesson: BeautifulSoup, answers: BeautifulSoup
+) -> None:
+    element = one(lesson, "#question-why-sign")
+    assert set(data(element)) == {"id", "kind", "objective", "wrong"}
+    criteria = for_the_script(element).select("ul.criteria > li")
+    assert len(criteria) == 3
+    assert criteria[1].select("strong")
+    assert len(answers.select("#answer-01_lines-why-sign .key > ul > li")) == 3
 
 
 def test_a_construction_names_its_figure_and_goal(lesson: BeautifulSoup) -> None:
@@ -201,7 +267,7 @@ def test_a_measurement_shows_where_it_is_from_and_what_is_asked_for(lesson: Beau
 def test_the_head_says_time_what_it_builds_on_and_objectives(lesson: BeautifulSoup) -> None:
     head = one(lesson, ".chapter-head")
     assert head.find_previous_sibling().name == "h1"  # type: ignore[union-attr]
-    assert "About 12 minutes, and 10 minutes of exercises" in head.get_text()
+    assert "About 15 minutes, and 10 minutes of exercises" in head.get_text()
     assert "Optional: 1 minute of Deeper boxes" in head.get_text()
     assert one(head, 'a[href="../api/00_numbers.html"]').get_text() == "Numbers"
     assert len(head.select(".objectives li")) == 2

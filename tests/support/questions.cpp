@@ -5,16 +5,26 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <numeric>
+#include <regex>
 #include <set>
+#include <stdexcept>
 
 namespace questions {
 namespace {
 
-std::map<std::string, std::vector<std::function<Key()>>>& keys() {
-  static std::map<std::string, std::vector<std::function<Key()>>> registered;
+Keys& keys() {
+  static Keys registered;
   return registered;
+}
+
+std::string read(const std::string& file) {
+  std::ifstream stream(file);
+  if (!stream) throw std::runtime_error("cannot read " + file);
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 std::string chapter_file(const std::string& chapter, const std::string& file) {
@@ -39,13 +49,15 @@ class Check {
       : chapter_(chapter), question_(question), faults_(faults) {
     id_ = question["id"].value_or(std::string());
     if (id_.empty()) fault("a question has no id");
-    for (const char* field : {"text", "explain", "objective"}) {
+    kind_ = question["kind"].value_or(std::string());
+    // A model answer is the explanation of a question to say why.
+    const char* explain = kind_ == "say-why" ? "model" : "explain";
+    for (const char* field : {"text", explain, "objective"}) {
       if (question[field].value_or(std::string()).empty()) fault(std::string(field) + " is empty");
     }
     if (objectives.count(question["objective"].value_or(std::string())) == 0) {
       fault("its objective is not in chapter.toml");
     }
-    kind_ = question["kind"].value_or(std::string());
   }
 
   const std::string& id() const { return id_; }
@@ -55,7 +67,9 @@ class Check {
     if (kind_ == "choose") return choose(key);
     if (kind_ == "order") return order(key);
     if (kind_ == "construct") return construct(key);
-    fault("kind must be predict, choose, order or construct");
+    if (kind_ == "complete") return complete(key);
+    if (kind_ == "say-why") return say_why(key);
+    fault("kind must be predict, choose, order, construct, complete or say-why");
   }
 
   void fault(const std::string& problem) {
@@ -65,24 +79,90 @@ class Check {
  private:
   void predict(const Key& key) {
     if (!std::holds_alternative<double>(key)) return fault("its key must be a double");
-    const auto answer = question_["answer"].value<double>();
-    const double tolerance = question_["tolerance"].value_or(0.0);
-    if (!answer || !std::isfinite(*answer)) return fault("answer must be a number");
-    if (!(tolerance > 0)) fault("tolerance must be greater than 0");
     if (!question_["unit"].value<std::string>())
       fault("unit is missing (an empty text if it has none)");
-    const double computed = std::get<double>(key);
+    number(question_, std::get<double>(key), "");
+  }
+
+  // A number of the file against the computed one; `which` begins each sentence.
+  void number(const toml::table& table, double computed, const std::string& which) {
+    const auto answer = table["answer"].value<double>();
+    const double tolerance = table["tolerance"].value_or(0.0);
+    if (!answer || !std::isfinite(*answer)) return fault(which + "answer must be a number");
+    if (!(tolerance > 0)) fault(which + "tolerance must be greater than 0");
     // The stored key may be rounded, but not so far that it uses up the reader's tolerance.
     if (!(std::abs(*answer - computed) <= tolerance / 10)) {
-      fault("the answer is " + std::to_string(*answer) + ", the code computes " +
+      fault(which + "the answer is " + std::to_string(*answer) + ", the code computes " +
             std::to_string(computed));
     }
-    for (const toml::table* wrong : wrongs()) {
+    for (const toml::table* wrong : wrongs(table)) {
       const auto value = (*wrong)["answer"].value<double>();
       if (!value || !(std::abs(*value - computed) > 2 * tolerance)) {
-        fault("a wrong answer is missing or too near the right one");
+        fault(which + "a wrong answer is missing or too near the right one");
       }
     }
+  }
+
+  void complete(const Key& key) {
+    if (!std::holds_alternative<Gaps>(key)) return fault("its key must be questions::Gaps");
+    const Gaps& computed = std::get<Gaps>(key);
+    const std::string texts = texts_to_complete();
+    std::set<std::string> named;
+    const toml::array* gaps = question_["gaps"].as_array();
+    if (gaps == nullptr || gaps->empty()) return fault("it has no [[question.gaps]]");
+    for (const toml::node& node : *gaps) {
+      const toml::table* gap = node.as_table();
+      if (gap == nullptr) return fault("gaps must be tables");
+      const std::string id = (*gap)["id"].value_or(std::string());
+      if (!named.insert(id).second) fault("two gaps are called '" + id + "'");
+      if ((*gap)["label"].value_or(std::string()).empty()) fault("gap " + id + ": label is empty");
+      const std::string mark = "{{" + id + "}}";
+      const std::size_t first = texts.find(mark);
+      if (first == std::string::npos || texts.find(mark, first + 1) != std::string::npos)
+        fault("gap " + id + ": " + mark + " must stand once in lines or table");
+      const auto value = computed.find(id);
+      if (value == computed.end())
+        fault("gap " + id + ": its key does not compute it");
+      else
+        number(*gap, value->second, "gap " + id + ": ");
+    }
+    for (const auto& [id, value] : computed) {
+      if (named.count(id) == 0) fault("its key computes '" + id + "', which is no gap");
+    }
+    static const std::regex mark(R"(\{\{([^{}]*)\}\})");
+    for (std::sregex_iterator it(texts.begin(), texts.end(), mark), end; it != end; ++it) {
+      if (named.count((*it)[1]) == 0) fault("no gap is called '" + (*it)[1].str() + "'");
+    }
+  }
+
+  // The steps or the cells, one a line.
+  std::string texts_to_complete() {
+    const toml::array* lines = question_["lines"].as_array();
+    const toml::array* table = question_["table"].as_array();
+    if ((lines == nullptr) == (table == nullptr)) fault("it has either lines or a table");
+    std::string texts;
+    if (lines != nullptr) {
+      for (const toml::node& line : *lines) texts += line.value_or(std::string()) + "\n";
+    }
+    if (table != nullptr) {
+      for (const toml::node& row : *table) {
+        if (row.as_array() == nullptr) continue;
+        for (const toml::node& cell : *row.as_array()) texts += cell.value_or(std::string()) + "\n";
+      }
+    }
+    return texts;
+  }
+
+  void say_why(const Key& key) {
+    if (!std::holds_alternative<Claim>(key)) return fault("its key must be a questions::Claim");
+    const toml::array* criteria = question_["criteria"].as_array();
+    if (criteria == nullptr || criteria->size() != 3) return fault("it needs three criteria");
+    for (const toml::node& criterion : *criteria) {
+      if (criterion.value_or(std::string()).empty()) fault("a criterion is empty");
+    }
+    const Claim claim = std::get<Claim>(key);
+    if (!claim.with_reason) fault("what the model answer claims does not hold");
+    if (claim.without_reason) fault("what the model answer claims holds without its reason too");
   }
 
   void choose(const Key& key) {
@@ -97,7 +177,7 @@ class Check {
       fault("the answer is option " + std::to_string(*answer) + ", the code computes " +
             std::to_string(std::get<int>(key)));
     }
-    for (const toml::table* wrong : wrongs()) {
+    for (const toml::table* wrong : wrongs(question_)) {
       const std::int64_t value = (*wrong)["answer"].value_or(std::int64_t{-1});
       if (value < 0 || value >= static_cast<std::int64_t>(options->size()) || value == *answer) {
         fault("a wrong answer must be the index of another option");
@@ -133,9 +213,9 @@ class Check {
     if (!(states.losing < 1)) fault("the losing state reaches the goal");
   }
 
-  std::vector<const toml::table*> wrongs() {
+  std::vector<const toml::table*> wrongs(const toml::table& of) {
     std::vector<const toml::table*> all;
-    if (const toml::array* array = question_["wrong"].as_array()) {
+    if (const toml::array* array = of["wrong"].as_array()) {
       for (const toml::node& node : *array) {
         const toml::table* table = node.as_table();
         if (table == nullptr || (*table)["why"].value_or(std::string()).empty()) {
@@ -160,12 +240,18 @@ Register::Register(const char* id, std::function<Key()> key) {
 }
 
 std::vector<std::string> faults(const std::string& chapter) {
+  return faults(chapter, read(chapter_file(chapter, "questions.toml")),
+                read(chapter_file(chapter, "chapter.toml")), keys());
+}
+
+std::vector<std::string> faults(const std::string& chapter, std::string_view questions,
+                                std::string_view about, const Keys& keys) {
   std::vector<std::string> faults;
   try {
-    const toml::table file = toml::parse_file(chapter_file(chapter, "questions.toml"));
-    const toml::table about = toml::parse_file(chapter_file(chapter, "chapter.toml"));
+    const toml::table file = toml::parse(questions);
+    const toml::table chapter_file = toml::parse(about);
     std::set<std::string> objectives;
-    if (const toml::array* array = about["objectives"].as_array()) {
+    if (const toml::array* array = chapter_file["objectives"].as_array()) {
       for (const toml::node& node : *array) {
         if (const toml::table* table = node.as_table())
           objectives.insert((*table)["id"].value_or(std::string()));
@@ -178,8 +264,8 @@ std::vector<std::string> faults(const std::string& chapter) {
         if (question == nullptr) continue;
         Check check(chapter, *question, objectives, faults);
         if (!asked.insert(check.id()).second) check.fault("two questions have this id");
-        const auto key = keys().find(check.id());
-        if (key == keys().end()) {
+        const auto key = keys.find(check.id());
+        if (key == keys.end()) {
           check.fault("no KEY recomputes its answer");
         } else {
           if (key->second.size() > 1) check.fault("it has more than one KEY");
@@ -187,7 +273,7 @@ std::vector<std::string> faults(const std::string& chapter) {
         }
       }
     }
-    for (const auto& [id, functions] : keys()) {
+    for (const auto& [id, functions] : keys) {
       if (asked.count(id) == 0) faults.push_back(chapter + "/" + id + ": a KEY without a question");
     }
   } catch (const toml::parse_error& problem) {

@@ -4,14 +4,22 @@
 /// questions.toml holds:
 ///
 ///     #include "support/questions.hpp"
-///     KEY("bullet-time") { return 3.0 / 7.0; }                    // predict: a number in the
-///     question's unit KEY("which-side") { return side(...) == ... ? 0 : 1; }      // choose: the
-///     index of the right option KEY("steps") { return std::vector<int>{2, 0, 1}; }          //
-///     order: indices of the items in the right order KEY("make-it-touch") { // construct: the
-///     goal's output for a state that wins
-///       return questions::Construct{compute(win).touching, compute(lose).touching};  // and for
-///       one that does not
+///     // predict: a number in the question's unit
+///     KEY("bullet-time") { return 3.0 / 7.0; }
+///     // choose: the index of the right option
+///     KEY("which-side") { return side(...) == ... ? 0 : 1; }
+///     // order: indices of the items in the right order
+///     KEY("steps") { return std::vector<int>{2, 0, 1}; }
+///     // construct: the goal's output for a state that wins, and for one that does not
+///     KEY("make-it-touch") {
+///       return questions::Construct{compute(win).touching, compute(lose).touching};
 ///     }
+///     // complete: the number of each gap, in the gap's unit
+///     KEY("truck-table") { return questions::Gaps{{"truck", after.first}, {"car", after.second}};
+///     }
+///     // say why: a consequence of the model answer, computed in a case where it must hold and in
+///     // one where it must not
+///     KEY("why-no-adhesion") { return questions::Claim{sticks(0.0), sticks(0.5)}; }
 ///
 /// The figure's C++ is included in a namespace of its own, after what it includes:
 ///
@@ -25,7 +33,9 @@
 
 #include <catch2/catch_test_macros.hpp>
 #include <functional>
+#include <map>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -37,7 +47,17 @@ struct Construct {
   double losing;
 };
 
-using Key = std::variant<double, int, std::vector<int>, Construct>;
+/// The numbers of the gaps, by their ids.
+using Gaps = std::map<std::string, double>;
+
+/// Whether what a model answer claims holds where its reason is present, and where it is not.
+struct Claim {
+  bool with_reason;
+  bool without_reason;
+};
+
+using Key = std::variant<double, int, std::vector<int>, Construct, Gaps, Claim>;
+using Keys = std::map<std::string, std::vector<std::function<Key()>>>;
 
 /// Remembers a key; used by KEY.
 struct Register {
@@ -46,6 +66,9 @@ struct Register {
 
 /// Compares every key with chapters/<chapter>/questions.toml; one sentence for each fault.
 std::vector<std::string> faults(const std::string& chapter);
+/// The same for the texts of questions.toml and chapter.toml, and these keys.
+std::vector<std::string> faults(const std::string& chapter, std::string_view questions,
+                                std::string_view about, const Keys& keys);
 /// How many questions the chapter has.
 int count(const std::string& chapter);
 

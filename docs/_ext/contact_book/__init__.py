@@ -6,6 +6,7 @@ from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.util.typing import ExtensionMetadata
 
+from contact_book.answers import Answers
 from contact_book.api import depend_on_headers
 from contact_book.ask import Question, Recall
 from contact_book.assets import add_script, copy_components
@@ -50,6 +51,7 @@ DIRECTIVES = {
     "your-work": YourWork,
     "question": Question,
     "recall": Recall,
+    "answers": Answers,
     "ladder": Ladder,
     "hard-cases": HardCases,
     "example": Example,

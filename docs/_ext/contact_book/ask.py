@@ -1,7 +1,12 @@
-"""`{question}` and `{recall}`: questions that the page checks and that also work on paper."""
+"""`{question}` and `{recall}`: questions that the page checks and that also work on paper.
+
+No answer stands under its question: without scripts and in the e-book each question links to its
+answer on the page of answers (answers.py).
+"""
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from docutils import nodes
@@ -10,41 +15,71 @@ from sphinx.writers.html5 import HTML5Translator
 from contact_book.directive import BookDirective
 from contact_book.errors import BookError
 from contact_book.html import attributes, base_path, can_run_scripts, json_script, renders, slots
-from contact_book.nodes import component, make_component, make_slot
+from contact_book.nodes import component, make_component, make_slot, slot
+from contact_book.questions import GAP, Wrong, find_question
 from contact_book.questions import Question as QuestionData
-from contact_book.questions import find_question
 
 LABELS = {
     "predict": "Predict",
     "choose": "Choose",
     "order": "Put in order",
     "construct": "Construct",
+    "complete": "Complete",
+    "say-why": "Say why",
 }
+ANSWERS_PAGE = "answers"
+# Where a gap was in a line, while the line is parsed as Markdown.
+_HELD = re.compile("\ue000(.*?)\ue001")
 
 
-class Question(BookDirective):
+class Asking(BookDirective):
+    """What every directive does that shows questions."""
+
+    def ask(self, name: str) -> component:
+        question = find_question(self.book, name, self.here, self.source)
+        self.needs_script()
+        # A link must stand in text, which a slot is not.
+        wrong = [*question.wrong, *(item for gap in question.gaps for item in gap.wrong)]
+        whys = [nodes.inline("", "", *self.inline_markdown(item.why)) for item in wrong]
+        return self.component("question", question, [make_slot("why", [why]) for why in whys])
+
+    def component(
+        self, kind: str, question: QuestionData, more: tuple[slot, ...] | list[slot] = ()
+    ) -> component:
+        """A component with the question's own words, and those in `more`."""
+        self.depends(question.chapter.folder / "questions.toml")
+        fields = [make_slot("text", self.inline_markdown(question.text))]
+        fields += [make_slot("choice", self.inline_markdown(item)) for item in question.choices]
+        for line in question.lines or [cell for row in question.table for cell in row]:
+            fields.append(make_slot("line", self.gapped(line)))
+        fields.append(make_slot("explain", self.markdown(question.explain)))
+        fields += [make_slot("criterion", self.inline_markdown(it)) for it in question.criteria]
+        return make_component(kind, {"question": question}, [*fields, *more])
+
+    def gapped(self, text: str) -> list[nodes.Node]:
+        """A line's Markdown; each gap is an element that names it by its class."""
+        holder = nodes.inline("", "", *self.inline_markdown(GAP.sub("\ue000\\1\ue001", text)))
+        for words in list(holder.findall(nodes.Text)):
+            pieces = _HELD.split(words)
+            if len(pieces) > 1:
+                made: list[nodes.Node] = [nodes.Text(piece) for piece in pieces]
+                for n in range(1, len(pieces), 2):
+                    classes = ["gap", f"gap-{pieces[n]}"]
+                    made[n] = nodes.inline("", "______", classes=classes)
+                words.parent.replace(words, made)
+        return list(holder.children)
+
+
+class Question(Asking):
     required_arguments = 1
 
     def build(self) -> list[nodes.Node]:
         return [self.ask(self.arguments[0].strip())]
 
-    def ask(self, name: str) -> component:
-        question = find_question(self.book, name, self.here, self.source)
-        self.depends(question.chapter.folder / "questions.toml")
-        self.needs_script()
-        fields = [make_slot("text", self.inline_markdown(question.text))]
-        fields += [make_slot("choice", self.inline_markdown(item)) for item in question.choices]
-        fields += [make_slot("explain", self.markdown(question.explain))]
-        # A link must stand in text, which a slot is not.
-        whys = [nodes.inline("", "", *self.inline_markdown(item.why)) for item in question.wrong]
-        fields += [make_slot("why", [why]) for why in whys]
-        return make_component("question", {"question": question}, fields)
 
-
-class Recall(Question):
+class Recall(Asking):
     """The questions from earlier chapters that chapter.toml asks again."""
 
-    required_arguments = 0
     optional_arguments = 1
 
     def build(self) -> list[nodes.Node]:
@@ -58,55 +93,99 @@ class Recall(Question):
         return [self.ask(name) for name in chapter.recall]
 
 
+def _wrong(items: tuple[Wrong, ...], whys: list[str]) -> list[dict[str, Any]]:
+    """The wrong answers; takes their words from the front of `whys`."""
+    return [{"answer": item.answer, "why": whys.pop(0)} for item in items]
+
+
 def payload(question: QuestionData, parts: dict[str, list[str]]) -> dict[str, Any]:
     """The data that the page's element needs in addition to the text, which it takes from the
     fallback."""
+    whys = list(parts.get("why", []))
     data: dict[str, Any] = {
         "id": question.ref,
         "kind": question.kind,
         "objective": question.objective,
-        "wrong": [
-            {"answer": item.answer, "why": why}
-            for item, why in zip(question.wrong, parts.get("why", []), strict=True)
-        ],
+        "wrong": _wrong(question.wrong, whys),
     }
     if question.kind == "predict":
         data |= {"answer": question.answer, "unit": question.unit, "tolerance": question.tolerance}
+        data |= {} if question.convert else {"convert": False}
     elif question.kind == "construct":
         data |= {"figure": question.figure, "goal": question.goal}
-    else:
+    elif question.kind == "complete":
+        data["gaps"] = [
+            {
+                "id": gap.id,
+                "label": gap.label,
+                "answer": gap.answer,
+                "unit": gap.unit,
+                "tolerance": gap.tolerance,
+                **({} if gap.convert else {"convert": False}),
+                "wrong": _wrong(gap.wrong, whys),
+            }
+            for gap in question.gaps
+        ]
+    elif question.kind != "say-why":
         data |= {"answer": question.answer}
     return data
 
 
-def shown_answer(question: QuestionData, parts: dict[str, list[str]]) -> str:
-    """The answer as words, for the reader without the page's script."""
-    if question.kind == "predict":
-        unit = f" {question.unit}" if question.unit else ""
-        return f"<p>{question.answer:.15g}{unit}</p>"
-    if question.kind == "choose":
-        return f"<p>{parts['choice'][question.answer]}</p>"
-    if question.kind == "order":
-        items = "".join(f"<li>{parts['choice'][index]}</li>" for index in question.answer)
-        return f"<ol>{items}</ol>"
-    return ""
+def lines_html(question: QuestionData, parts: dict[str, list[str]]) -> str:
+    """What is to be completed, with its gaps."""
+    texts = iter(parts.get("line", []))
+    if question.lines:
+        return '<ol class="lines">' + "".join(f"<li>{text}</li>" for text in texts) + "</ol>"
+    if not question.table:
+        return ""
+    head, *rows = ([next(texts) for _ in row] for row in question.table)
+    heads = "".join(f'<th scope="col">{cell}</th>' for cell in head)
+    body = "".join(
+        f'<tr><th scope="row">{first}</th>' + "".join(f"<td>{cell}</td>" for cell in rest) + "</tr>"
+        for first, *rest in rows
+    )
+    return (
+        '<div class="wide"><table class="lines">'
+        f"<thead><tr>{heads}</tr></thead><tbody>{body}</tbody></table></div>"
+    )
+
+
+def asked_html(question: QuestionData, parts: dict[str, list[str]]) -> str:
+    """The kind, the text, and what is chosen from, put in order or completed."""
+    choices = ""
+    if question.choices:
+        choices = "<ul>" + "".join(f"<li>{item}</li>" for item in parts["choice"]) + "</ul>"
+    return (
+        f'<p class="kind">{LABELS[question.kind]}</p>'
+        f'<div class="asked">{parts["text"][0]}</div>{choices}{lines_html(question, parts)}'
+    )
+
+
+def answer_id(question: QuestionData) -> str:
+    """The name of the answer on the page of answers."""
+    return f"answer-{question.chapter.slug}-{question.id}"
 
 
 @renders("question")
 def question_html(translator: HTML5Translator, node: component) -> str:
     question: QuestionData = node["data"]["question"]
     parts = slots(translator, node)
-    choices = ""
-    if question.choices:
-        choices = "<ul>" + "".join(f"<li>{item}</li>" for item in parts["choice"]) + "</ul>"
+    builder = translator.builder
+    answers = builder.get_relative_uri(builder.current_docname, ANSWERS_PAGE)
+    scripts = can_run_scripts(translator)
+    own = attributes(id=None if scripts else f"question-{question.id}")
     fallback = (
-        f'<div class="question"><p class="kind">{LABELS[question.kind]}</p>'
-        f'<div class="asked">{parts["text"][0]}</div>{choices}'
-        f"<details><summary>Answer</summary>{shown_answer(question, parts)}"
-        f'<div class="explain">{parts["explain"][0]}</div></details></div>'
+        f'<div class="question"{own}>{asked_html(question, parts)}'
+        f'<p class="to-answer"><a href="{answers}#{answer_id(question)}">'
+        "Answer, at the end of the book</a></p></div>"
     )
-    if not can_run_scripts(translator):
+    if not scripts:
         return fallback
+    criteria = "".join(f"<li>{item}</li>" for item in parts.get("criterion", []))
+    # What a browser does not show: the script's words for afterwards.
+    after = f'<template><div class="explain">{parts["explain"][0]}</div>' + (
+        f'<ul class="criteria">{criteria}</ul></template>' if criteria else "</template>"
+    )
     script = json_script(payload(question, parts))
     where = attributes(base=base_path(translator), id=f"question-{question.id}")
-    return f"<contact-question{where}>{script}{fallback}</contact-question>\n"
+    return f"<contact-question{where}>{script}{fallback}{after}</contact-question>\n"

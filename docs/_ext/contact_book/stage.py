@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from contact_book.answers import answers_page
 from contact_book.book import Book, Chapter
 from contact_book.errata import errata_pages
 
@@ -71,7 +72,7 @@ def pages(book: Book, docs: Path, *, api: bool) -> dict[str, str]:
     coded = [chapter for chapter in book.chapters.values() if chapter.headers]
     made |= {f"api/{chapter.slug}.md": api_page(chapter, full=api) for chapter in coded}
     made["api/index.md"] = api_index(coded)
-    return made | errata_pages(book)
+    return made | answers_page(book) | errata_pages(book)
 
 
 def stage(book: Book, docs: Path, target: Path, *, api: bool = True) -> list[str]:

@@ -2,18 +2,24 @@
 
 import { html } from "./dom.ts";
 import type { Choose } from "./question.ts";
+import type { Answered } from "./storage.ts";
 
 export interface Answer {
-  readonly right: boolean;
+  /** Left out where only the reader can judge. */
+  readonly right?: boolean;
   /** HTML that answers the reader. */
   readonly say: string;
   /** What to remember; left out when there was no answer to judge. */
-  readonly kept?: string | number | boolean | readonly number[];
+  readonly kept?: Answered["answer"];
+  readonly marks?: readonly boolean[];
 }
 
 export interface Asker {
   readonly element: HTMLElement;
   readonly checkLabel?: string;
+  readonly againLabel?: string;
+  /** What stands below the explanation. */
+  readonly below?: HTMLElement;
   check(): Answer;
   lock(locked: boolean): void;
   focus(): void;

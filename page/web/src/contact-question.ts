@@ -2,14 +2,16 @@
 //
 // Asks, checks and remembers. An answer is locked when it is checked; the verdict, the hint for a
 // recognised mistake and, once right or given up, the explanation follow. The script has the key; the
-// words are the fallback's.
+// words are the fallback's and those of a template, which without a script nobody sees.
 
 import { type Answer, type Asker, chooseAsker } from "./askers.ts";
+import { completeAsker } from "./complete.ts";
 import { constructAsker } from "./construct.ts";
 import { button, freshId, html } from "./dom.ts";
 import { orderAsker } from "./order-list.ts";
 import { predictAsker } from "./predict.ts";
 import type { Question } from "./question.ts";
+import { sayWhyAsker } from "./say-why.ts";
 import { recall, remember } from "./storage.ts";
 
 const KINDS = {
@@ -17,6 +19,8 @@ const KINDS = {
   choose: "Choose",
   order: "Put in order",
   construct: "Construct",
+  complete: "Complete",
+  "say-why": "Say why",
 } as const;
 
 function askerFor(question: Question, labelId: string): Asker {
@@ -29,6 +33,10 @@ function askerFor(question: Question, labelId: string): Asker {
       return orderAsker(question, labelId);
     case "construct":
       return constructAsker(question);
+    case "complete":
+      return completeAsker(question);
+    case "say-why":
+      return sayWhyAsker(question, labelId);
   }
 }
 
@@ -44,16 +52,20 @@ export class ContactQuestion extends HTMLElement {
     this.#build(this.question as Question);
   }
 
-  /** The texts, as HTML, from the fallback for readers without scripts. */
-  #words(): Pick<Question, "text" | "explain"> & { options: string[]; items: string[] } {
-    const inside = (selector: string) =>
-      [...this.querySelectorAll(`:scope > .question > ${selector}`)].map((part) => part.innerHTML);
-    const choices = inside("ul > li");
+  /** The texts, as HTML, from the fallback for readers without scripts and from the template. */
+  #words() {
+    const fallback = this.querySelector(":scope > .question");
+    const after = this.querySelector<HTMLTemplateElement>(":scope > template")?.content;
+    const inside = (from: ParentNode | null | undefined, selector: string) =>
+      [...(from?.querySelectorAll(selector) ?? [])].map((part) => part.innerHTML);
+    const choices = inside(fallback, ":scope > ul > li");
     return {
-      text: inside(".asked")[0] ?? "",
-      explain: inside("details > .explain")[0] ?? "",
+      text: inside(fallback, ":scope > .asked")[0] ?? "",
+      explain: inside(after, ".explain")[0] ?? "",
       options: choices,
       items: choices,
+      lines: fallback?.querySelector(":scope > .lines, :scope > .wide")?.outerHTML ?? "",
+      criteria: inside(after, ".criteria > li"),
     };
   }
 
@@ -63,7 +75,7 @@ export class ContactQuestion extends HTMLElement {
     const verdict = html("div", { class: "verdict", role: "status" });
     const explain = html("div", { class: "explain" });
     const check = button(asker.checkLabel ?? "Check", () => tryAnswer());
-    const again = button("Try again", () => retry());
+    const again = button(asker.againLabel ?? "Try again", () => retry());
     const give = button("Show the answer", () => giveUp());
 
     const say = (right: boolean | undefined, words: string): void => {
@@ -88,15 +100,18 @@ export class ContactQuestion extends HTMLElement {
       else this.removeAttribute("result");
       const explained = state === "right" || state === "given";
       explain.innerHTML = explained ? question.explain : "";
+      if (asker.below) asker.below.hidden = !explained;
     };
     const judge = (answer: Answer): void => {
       if (answer.kept === undefined) {
         say(undefined, answer.say);
         return;
       }
-      remember(question.id, { kind: question.kind, answer: answer.kept, right: answer.right });
-      say(answer.right, answer.say);
-      show(answer.right ? "right" : "wrong");
+      const { kept, right, marks, say: words } = answer;
+      const known = { kind: question.kind, answer: kept, right: right ?? false };
+      remember(question.id, marks ? { ...known, marks } : known);
+      say(right, words);
+      show(right === undefined ? "given" : right ? "right" : "wrong");
       again.focus({ preventScroll: true });
     };
     const tryAnswer = (): void => judge(asker.check());
@@ -118,9 +133,12 @@ export class ContactQuestion extends HTMLElement {
     const buttons = html("div", { class: "buttons" }, check, again, give);
     const kind = html("p", { class: "kind" }, KINDS[question.kind]);
     const script = this.querySelector("script")!;
-    this.replaceChildren(script, kind, asked, answer, buttons, verdict, explain);
+    const below = asker.below ? [asker.below] : [];
+    this.replaceChildren(script, kind, asked, answer, buttons, verdict, explain, ...below);
     show("open");
     const before = recall(question.id);
     if (before?.right) say(undefined, "You have answered this one right before.");
+    else if (before && question.kind === "say-why")
+      say(undefined, "This is what you wrote before.");
   }
 }

@@ -5,14 +5,39 @@ interface Common {
   readonly id: string;
   readonly text: string;
   readonly explain: string;
-  readonly wrong?: readonly { readonly answer: unknown; readonly why: string }[];
+  readonly wrong?: readonly Wrong[];
 }
 
-export interface Predict extends Common {
-  readonly kind: "predict";
+interface Wrong {
+  readonly answer: unknown;
+  readonly why: string;
+}
+
+/** A number that is asked for. */
+export interface NumberKey {
   readonly answer: number;
   readonly unit: string;
   readonly tolerance: number;
+  /** False: the number must be given in this very unit. */
+  readonly convert?: boolean;
+  readonly wrong?: readonly Wrong[];
+}
+
+export interface Predict extends Common, NumberKey {
+  readonly kind: "predict";
+}
+
+export interface Complete extends Common {
+  readonly kind: "complete";
+  /** HTML of the steps or the table; the gap called `id` is an element of class `gap-id`. */
+  readonly lines: string;
+  readonly gaps: readonly (NumberKey & { readonly id: string; readonly label: string })[];
+}
+
+export interface SayWhy extends Common {
+  readonly kind: "say-why";
+  /** HTML of what a good answer says; `explain` is the model answer. */
+  readonly criteria: readonly string[];
 }
 
 export interface Choose extends Common {
@@ -34,4 +59,4 @@ export interface Construct extends Common {
   readonly goal: string;
 }
 
-export type Question = Predict | Choose | Order | Construct;
+export type Question = Predict | Choose | Order | Construct | Complete | SayWhy;

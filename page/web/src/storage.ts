@@ -2,14 +2,17 @@
 //
 // localStorage["contact-hours/1/questions"] is a JSON object from a question's name
 // ("02_triangles/beta-sign") to { kind, answer, right, tries, at }: the last answer given (a number
-// with its unit as typed, an index, a list of indices, or true for a construction), whether it was
-// right, how many answers were given, and when (ISO time). The 1 is the version of this format: a
-// reader's later page never misreads an earlier one's record.
+// with its unit as typed, an index, a list of indices, true for a construction, the texts of the gaps,
+// or what the reader wrote), whether it was right, how many answers were given, and when (ISO time).
+// To say why is never right or wrong: right is false, and `marks` has which of the criteria the reader
+// marked. The 1 is the version of this format: a reader's later page never misreads an earlier one's
+// record. `contact ask` keeps the same in work/progress.json.
 
 export interface Answered {
   readonly kind: string;
-  readonly answer: string | number | boolean | readonly number[];
+  readonly answer: string | number | boolean | readonly number[] | readonly string[];
   readonly right: boolean;
+  readonly marks?: readonly boolean[];
   readonly tries: number;
   readonly at: string;
 }
@@ -33,7 +36,17 @@ export function recall(id: string): Answered | undefined {
 export function remember(id: string, answer: Omit<Answered, "tries" | "at">): void {
   const all = readAll();
   const tries = (all[id]?.tries ?? 0) + 1;
-  all[id] = { ...answer, tries, at: new Date().toISOString() };
+  writeAll({ ...all, [id]: { ...answer, tries, at: new Date().toISOString() } });
+}
+
+/** Keeps which criteria the reader has marked in the answer that was kept last. */
+export function mark(id: string, marks: readonly boolean[]): void {
+  const all = readAll();
+  const kept = all[id];
+  if (kept) writeAll({ ...all, [id]: { ...kept, marks, at: new Date().toISOString() } });
+}
+
+function writeAll(all: Record<string, Answered>): void {
   try {
     localStorage.setItem(QUESTIONS_KEY, JSON.stringify(all));
   } catch {
