@@ -46,7 +46,7 @@ async function kept(page) {
  * @param {Page} page
  */
 function failures(page) {
-  const looks = /\/(offline|manifest|building)\.json$/;
+  const looks = /\/(offline|manifest|building)\.json(\?|$)/;
   const notBuilt = (/** @type {string} */ address) => {
     const { pathname } = new URL(address);
     return /\/figures\/.*\.wasm$/.test(pathname) && !fs.existsSync(path.join(site, pathname));
