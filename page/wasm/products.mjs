@@ -189,7 +189,9 @@ function catch2() {
 function support() {
   const folders = [inRoot("tests"), inRoot("grading"), ...chapterFolders("00_vectors")];
   const files = names(inRoot("tests", "support"))
-    .filter((file) => /^(exercise|observed|runner).*\.cpp$/.test(file) && !file.endsWith("_test.cpp"))
+    .filter(
+      (file) => /^(exercise|observed|runner).*\.cpp$/.test(file) && !file.endsWith("_test.cpp"),
+    )
     .map((file) => inRoot("tests", "support", file));
   const lastWords = inRoot("page", "wasm", "last_words.cpp");
   return [...files, lastWords].map((file) => supportObject(file, folders));
