@@ -76,6 +76,7 @@ const Ball elastic{1, 8, 1};
 }  // namespace
 
 TEST_CASE("bounces above the tolerance are followed") {
+  check({1, 8, 0.75}, 20, 0.5, 100, {true, 2, 0.31640625, 2.25});
   check(half, 10, 0.03125, 100, {true, 3, 0.015625, 0.25});
   check(half, 10, 0.0625, 100, {true, 2, 0.0625, 0.5});
   check(half, 10, 0.3, 100, {true, 1, 0.25, 1});

@@ -1,5 +1,5 @@
 // misconception: friction-after-the-normal
-// caught by: the end slips during the whole impact
+// caught by: the slip stops and the end sticks
 #include "rod_on_floor.hpp"
 
 namespace exercise {
