@@ -6,7 +6,7 @@ import path from "node:path";
 import { test } from "node:test";
 import { completeLessons, notRun, root, site } from "./browser.mjs";
 
-// With the ladder's chart, which loads if it comes into sight for long enough.
+// With the numbers of the ladder and an input for each of its cells that fails.
 const LIMIT = 340;
 
 const skip = notRun();
