@@ -297,7 +297,8 @@ def _told(failure: Failure, status: str, withheld: bool, open_tests: set[str]) -
         allowed="",
         misconception=failure.misconception,
         hint=failure.hint,
-        reason=_own_words(failure.reason) if failure.reason else "",
+        # Why an input does not break the code is told by its values.
+        reason=_own_words(failure.reason) if failure.reason and status == "stopped" else "",
     )
 
 

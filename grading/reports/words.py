@@ -54,7 +54,7 @@ def unit_state(unit: SeenUnit) -> str:
     return unit.outcome or "failed" if unit.status == "graded" else unit.status
 
 
-def failure_lines(failure: Failure, withheld: bool) -> list[str]:
+def failure_lines(failure: Failure, withheld: bool, *, stopped: bool) -> list[str]:
     """A failure as plain text, in the order in which a check tells it."""
     lines = []
     if failure.asked:
@@ -67,7 +67,7 @@ def failure_lines(failure: Failure, withheld: bool) -> list[str]:
     if failure.allowed:
         lines.append(f"allowed: {failure.allowed}")
     if failure.reason:
-        lines.append(f"stopped: {failure.reason}")
+        lines.append(f"{'stopped: ' if stopped else 'why:     '}{failure.reason}")
     if failure.hint:
         lines.append(f"hint:    {failure.hint}")
     if withheld:
@@ -83,7 +83,7 @@ def test_text(test: SeenTest) -> str:
         return ""
     if test.status == "skipped":
         return f"Skipped: {test.failure.reason}"
-    return "\n".join(failure_lines(test.failure, test.withheld))
+    return "\n".join(failure_lines(test.failure, test.withheld, stopped=test.status == "stopped"))
 
 
 def compile_text(unit: SeenUnit) -> str:

@@ -78,11 +78,13 @@ TEST_CASE("an input that breaks the code passes, and says what both answer") {
   const json end = outcome("an input that breaks the code");
   CHECK(end["status"] == "passed");
   CHECK_FALSE(end.contains("failure"));
-  CHECK(end["finding"] == json{{"asked", "Where is it wrong?"},
-                               {"inputs", {{{"name", "number"}, {"text", "5"}}}},
-                               {"got", "10"},
-                               {"right", "25"},
-                               {"reason", "The difference is 15."}});
+  CHECK(end["finding"] ==
+        json{{"asked", "Where is it wrong?"},
+             {"inputs",
+              {{{"name", "number"}, {"text", "5"}}, {{"name", "given code"}, {"text", "10"}}}},
+             {"got", ""},
+             {"right", "25"},
+             {"reason", "The difference is 15."}});
   CHECK_FALSE(outcome("right").contains("finding"));
 }
 
@@ -95,8 +97,9 @@ TEST_CASE("an input that does not break the code says why not") {
   };
   CHECK(failure("an input on which both agree") ==
         json{{"asked", "Where is it wrong?"},
-             {"inputs", {{{"name", "number"}, {"text", "2"}}}},
-             {"got", "4"},
+             {"inputs",
+              {{{"name", "number"}, {"text", "2"}}, {{"name", "given code"}, {"text", "4"}}}},
+             {"got", ""},
              {"right", "4"},
              {"misconception", "the-two-agree"},
              {"reason", "The difference is 0."}});

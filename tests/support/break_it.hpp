@@ -113,7 +113,7 @@ class GivenInput {
       detail::fail(std::move(report_));
     }
     const Judged judged = of(std::as_const(input_));
-    report_.got = judged.given;
+    report_.inputs.emplace_back("given code", judged.given);
     report_.right = judged.right;
     report_.reason = judged.difference;
     if (judged.wrong) {

@@ -168,6 +168,26 @@ test("a test that keeps its values to itself says so", () => {
   ]);
 });
 
+test("a test that passed shows what it has to show, folded", () => {
+  const finding = {
+    asked: "Which?",
+    inputs: [{ name: "x", text: "5" }],
+    right: "25",
+    reason: "Off by 15.",
+  };
+  const found = { ...verdict({}).tests[0], finding };
+  const [item] = testList(verdict({ tests: [found] }), undefined).children;
+  assert.equal(item.getAttribute("data-status"), "passed");
+  assert.equal(item.querySelector(".failure"), null);
+  assert.equal(item.querySelector("details > summary").textContent, "What it shows");
+  assert.deepEqual(rows(item.querySelector("details")), [
+    ["Asked", "Which?"],
+    ["Input", "x = 5"],
+    ["Right", "25"],
+    ["Why", "Off by 15."],
+  ]);
+});
+
 test("the sentence says where to look first", () => {
   assert.equal(sentence(verdict({})), "3 of 6 points: 2 tests fail. First look at “two”.");
   assert.match(sentence(verdict({ verdict: "passed", points: 6 })), /^Passed.*6 of 6 points/);

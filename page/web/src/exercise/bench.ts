@@ -559,8 +559,7 @@ export class Bench {
     if (!last || !Array.isArray(verdict?.tests)) return;
     this.#checked = { of: last.of, at: last.at };
     const hinted = verdict.tests.some(({ failure }) => failure?.misconception);
-    const data =
-      hinted || this.#parts.given ? await this.#exercise().catch(() => undefined) : undefined;
+    const data = hinted ? await this.#exercise().catch(() => undefined) : undefined;
     if (this.#stopping) return;
     await this.#showVerdict(verdict, data);
   }

@@ -52,7 +52,7 @@ class Field {
         : [["", start as Numbers]];
     this.#members = new Map(members.map(([name, value]) => [name, typed(value)]));
     const buttons = html("div", { class: "buttons" });
-    buttons.append(button("Write them into the code", () => this.#write(), "do"));
+    buttons.append(button("Write them into the code", () => this.#write()));
     if (spec.figure) buttons.append(button("Take them from the figure", () => void this.#take()));
     this.element.append(html("legend", {}, spec.says), this.#body, buttons);
     this.#draw();

@@ -71,8 +71,7 @@ function explained(
     list.append(html("dt", {}, name), html("dd", {}, ...content));
   if (failure.asked) add("Asked", failure.asked);
   if (failure.inputs.length > 0) add("Input", literal(aligned(failure.inputs)));
-  const breaks = data?.kind === "break";
-  if (failure.got) add(breaks ? "The given code" : "Came back", literal(failure.got));
+  if (failure.got) add("Came back", literal(failure.got));
   if (failure.right) {
     const within = failure.allowed
       ? html("p", { class: "allowed" }, "to within ", html("code", {}, failure.allowed))
