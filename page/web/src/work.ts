@@ -79,6 +79,8 @@ export interface ExerciseProgress {
 export interface Progress {
   format: typeof PROGRESS_FORMAT;
   exercises: Record<string, ExerciseProgress>;
+  /** Answers to questions, in an archive only: the page keeps them apart (storage.ts). */
+  questions?: unknown;
 }
 
 /** What the reader has done in the forms other than writing. */
