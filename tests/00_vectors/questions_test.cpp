@@ -199,3 +199,17 @@ KEY("badly-asked") {
   const double moved = 0.0005 / std::sin(angle);
   return moved > 10 && moved < 100 ? 2 : -1;
 }
+
+KEY("split-a-velocity") {
+  const Vector3<double> v(2, 4, 0), n(0.6, 0.8, 0);
+  const double along = v.dot(n);
+  const Vector3<double> rest = v - along * n;
+  return questions::Gaps{{"along", along}, {"rest-x", rest.x()}, {"rest-y", rest.y()}};
+}
+
+KEY("why-acos-fails") {
+  const auto loses_half = [](double angle) {
+    return std::abs(std::acos(std::cos(angle)) - angle) > angle / 2;
+  };
+  return questions::Claim{loses_half(1e-9), loses_half(1.0)};
+}

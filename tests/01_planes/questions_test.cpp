@@ -108,3 +108,21 @@ KEY("cross-at-a-quarter") {
   std::swap(state.start, state.end);
   return questions::Construct{winning, segment_plane::compute(state).quarter_from_behind};
 }
+
+KEY("three-points") {
+  // (0, 2, 1) is a point of the plane: 3 · 2 + 4 · 1 = 10.
+  const auto plane = contact::plane_from_normal_and_point<double>({0, 3, 4}, {0, 2, 1});
+  return questions::Gaps{{"first", contact::signed_distance(plane, Vector(0, 2, 6))},
+                         {"second", contact::signed_distance(plane, Vector(7, 0, 0))},
+                         {"third", contact::signed_distance(plane, Vector(1, -5, 0))}};
+}
+
+KEY("why-squares") {
+  // A sphere of radius 3 m, 2 m from a plane: the decision for normals of the lengths 1 and 5.
+  const auto decided = [](bool squared, double length) {
+    const double value = 2 * length;
+    return squared ? value * value <= 9 * length * length : std::abs(value) <= 3;
+  };
+  return questions::Claim{decided(true, 1) == decided(true, 5),
+                          decided(false, 1) == decided(false, 5)};
+}

@@ -134,3 +134,32 @@ KEY("balance-point") {
   in.point.x() += 0.3;
   return questions::Construct{winning, barycentric_figure::compute(in).balanced};
 }
+
+KEY("weights-by-areas") {
+  const Vector2<double> a(0, 0), b(4, 0), c(0, 3), p(1, 1);
+  const double whole = contact::cross2(Vector2<double>(b - a), Vector2<double>(c - a));
+  const double opposite = contact::cross2(Vector2<double>(b - p), Vector2<double>(c - p));
+  return questions::Gaps{{"whole", whole}, {"opposite", opposite}, {"weight", opposite / whole}};
+}
+
+KEY("why-equal-rounding") {
+  // Rays at a shared edge: whether a method never loses one that exactly hits.
+  const auto keeps_all = [](auto hits) {
+    generators::Random random(1);
+    for (int i = 0; i < 20000; ++i) {
+      const families::Aimed aimed = families::at_shared_edge(random);
+      if (!contact::intersect_exact(aimed.ray, aimed.triangles[0]) &&
+          !contact::intersect_exact(aimed.ray, aimed.triangles[1]))
+        continue;
+      if (!hits(aimed.ray, aimed.triangles[0]) && !hits(aimed.ray, aimed.triangles[1]))
+        return false;
+    }
+    return true;
+  };
+  return questions::Claim{keeps_all([](const auto& ray, const auto& triangle) {
+                            return contact::intersect_watertight(ray, triangle).has_value();
+                          }),
+                          keeps_all([](const auto& ray, const auto& triangle) {
+                            return contact::intersect_moller_trumbore(ray, triangle).has_value();
+                          })};
+}

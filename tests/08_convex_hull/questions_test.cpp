@@ -115,6 +115,32 @@ KEY("sees-eight") {
   return questions::Construct{winning, horizon::compute(state).sees_many};
 }
 
+KEY("count-by-euler") {
+  // Points of the curve (t, t², t³): each is a vertex, and no four are coplanar.
+  std::vector<Solid> points;
+  for (int i = 0; i < 100; ++i) {
+    const double t = (i - 49.5) / 50;
+    points.push_back({t, t * t, t * t * t});
+  }
+  const contact::Hull hull = contact::convex_hull(points);
+  const double faces = static_cast<double>(hull.face_count());
+  const double edges = static_cast<double>(hull.vertices.size()) + faces - 2;
+  return questions::Gaps{{"edges-per-face", edges / faces}, {"faces", faces}, {"edges", edges}};
+}
+
+KEY("why-epsilon-fails") {
+  // The middle of an arch of n points against a line: far from the chord of the ends, near that of
+  // its neighbours.
+  const auto arch = [](double i, double n) {
+    return 0.5 * (1 - (2 * i / n - 1) * (2 * i / n - 1));
+  };
+  const auto far_from_chord = [&](double n) {
+    const double near = arch(n / 2, n) - arch(n / 2 - 1, n);
+    return arch(n / 2, n) - arch(0, n) > 10 * near;
+  };
+  return questions::Claim{far_from_chord(100), far_from_chord(2)};
+}
+
 TEST_CASE("the chain loses vertices where the figure's caption says so") {
   chain::Input state{{-4, -1}, {-3, 2}, {-2, -2.5}, {-1, 0.5}, {1, -1}, {2, 3},
                      {3, -2},  {4, 1},  24,         0,         0};

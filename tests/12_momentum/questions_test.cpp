@@ -39,10 +39,14 @@ KEY("bounce-or-stop") {
 
 KEY("belt-force") {
   const auto impulse = contact::impulse_of_change<double>(5, {15, 0, 0}, {0, 0, 0});
-  // A constant force with this impulse is its own average.
-  const Vector force = impulse / 0.1;
-  const auto steady = contact::force_curve<double>({0, 0.1}, {force, force});
-  return std::abs(contact::average_force(steady).x());
+  const auto average = [&impulse](double time) {
+    // A constant force with this impulse is its own average.
+    const Vector force = impulse / time;
+    return std::abs(
+        contact::average_force(contact::force_curve<double>({0, time}, {force, force})).x());
+  };
+  return questions::Gaps{
+      {"dashboard", average(0.005)}, {"belt", average(0.1)}, {"bag", 1000 * impulse.norm() / 1000}};
 }
 
 KEY("triangle-area") {
@@ -134,6 +138,23 @@ KEY("one-skater-stands") {
   const double winning = skaters::compute(state).first_stands;
   state.apart = -1.5;
   return questions::Construct{winning, skaters::compute(state).first_stands};
+}
+
+KEY("why-centre-keeps") {
+  // Whether the centre's velocity stays, if the second skater gets a share of the opposite impulse.
+  const auto keeps = [](double share) {
+    const Body first{80, {0, 0, 0}, {1, 0, 0}};
+    const Body second{40, {1, 0, 0}, {1, 0, 0}};
+    const Vector push(-30, 0, 0);
+    Body after_first = first;
+    after_first.velocity = contact::velocity_after<double>(first.mass, first.velocity, push);
+    Body after_second = second;
+    after_second.velocity =
+        contact::velocity_after<double>(second.mass, second.velocity, Vector(-share * push));
+    const Vector before = *contact::centre_velocity<double>({first, second});
+    return (*contact::centre_velocity<double>({after_first, after_second}) - before).norm() < 1e-12;
+  };
+  return questions::Claim{keeps(1), keeps(0)};
 }
 
 TEST_CASE("in the figure of the drift only one line stays at zero") {

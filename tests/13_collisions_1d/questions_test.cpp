@@ -114,3 +114,22 @@ KEY("order-decides") {
   state.e = 1;
   return questions::Construct{winning, cradle::compute(state).order_matters};
 }
+
+KEY("truck-half") {
+  const auto truck = line_body(3000.0, 20.0);
+  const auto car = line_body(1000.0, 0.0);
+  const auto after = contact::collide(truck, car, 0.5);
+  return questions::Gaps{{"common", contact::collide(truck, car, 0.0).first},
+                         {"apart", after.second - after.first},
+                         {"truck", after.first},
+                         {"car", after.second}};
+}
+
+KEY("why-same-loss") {
+  // Two observers, the second in a train: the loss, and the energy itself.
+  const auto first = line_body(2.0, 3.0), second = line_body(1.0, -1.0);
+  const auto first_seen = line_body(2.0, 33.0), second_seen = line_body(1.0, 29.0);
+  return questions::Claim{contact::energy_lost(first, second, 0.5) ==
+                              contact::energy_lost(first_seen, second_seen, 0.5),
+                          contact::kinetic_energy(first) == contact::kinetic_energy(first_seen)};
+}

@@ -106,9 +106,14 @@ KEY("share-of-a") {
 }
 
 KEY("speed-of-the-wreck") {
-  return contact::centre_velocity<double>(
-             {{1500, {0, 0, 0}, {16, 0, 0}}, {2000, {0, 0, 0}, {0, 9, 0}}})
-      ->norm();
+  const contact::PointMass<double> car{1500, {0, 0, 0}, {16, 0, 0}};
+  const contact::PointMass<double> van{2000, {0, 0, 0}, {0, 9, 0}};
+  const auto velocity = *contact::centre_velocity<double>({car, van});
+  return questions::Gaps{{"car", contact::total_momentum<double>({car}).norm()},
+                         {"van", contact::total_momentum<double>({van}).norm()},
+                         {"whole", contact::total_momentum<double>({car, van}).norm()},
+                         {"speed", velocity.norm()},
+                         {"angle", std::atan2(velocity.y(), velocity.x()) / degree}};
 }
 
 KEY("how-fast-was-a") {
@@ -146,4 +151,13 @@ KEY("predict-the-cushion") {
   const double winning = table::compute(state).guessed_unseen;
   state.guess = place + Vector(0, 0.2);
   return questions::Construct{winning, table::compute(state).guessed_unseen};
+}
+
+KEY("why-right-angle") {
+  const auto right = [](double e) {
+    const auto after =
+        contact::collide_discs(Disc{1, 0.5, {0, 0}, {2, 0}}, Disc{1, 0.5, {0.8, 0.6}, {0, 0}}, e);
+    return std::abs(after.velocity_a.dot(after.velocity_b)) < 1e-12;
+  };
+  return questions::Claim{right(1), right(0.9)};
 }

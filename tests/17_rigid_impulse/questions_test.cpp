@@ -48,22 +48,21 @@ KEY("top-of-the-wheel") {
 
 KEY("rising-and-closing") {
   // Seen from the front (−y), x to the right and z up: clockwise is an angular velocity along +y.
-  const auto plank = contact::rigid_body<double>(6, contact::box_inertia<double>(6, {2, 0.2, 0.1}),
-                                                 none, {0, 0, 1}, {0, 2, 0});
-  const auto ground = contact::immovable<double>({0, 0, -1}, none, none);
-  switch (contact::closing_case(plank, ground, {{1, 0, 0}, {0, 0, 1}})) {
-    case contact::Closing::separating:
-      return 0;
-    case contact::Closing::touching:
-      return 1;
-    default:
-      return 2;
-  }
+  const auto closes = [](double angular_velocity) {
+    const auto plank =
+        contact::rigid_body<double>(6, contact::box_inertia<double>(6, {2, 0.2, 0.1}), none,
+                                    {0, 0, 1}, {0, angular_velocity, 0});
+    const auto ground = contact::immovable<double>({0, 0, -1}, none, none);
+    const auto found = contact::closing_case(plank, ground, {{1, 0, 0}, {0, 0, 1}});
+    return found != contact::Closing::separating && found != contact::Closing::touching;
+  };
+  return questions::Claim{closes(2), closes(0)};
 }
 
 KEY("end-against-middle") {
-  const double middle = 1.0 / 12;
-  return (middle + contact::parallel_axis<double>(1, V(0.5, 0, 0))(2, 2)) / middle;
+  const double middle = 3.0 * 2 * 2 / 12;
+  const double added = contact::parallel_axis<double>(3, V(1, 0, 0))(2, 2);
+  return questions::Gaps{{"middle", middle}, {"added", added}, {"end", middle + added}};
 }
 
 KEY("which-tensor") {

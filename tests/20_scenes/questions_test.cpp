@@ -93,7 +93,12 @@ KEY("what-a-reader-refuses") {
   return 0;
 }
 
-KEY("no-faster-than") { return contact::scene_bounds(two_balls()).speed; }
+KEY("no-faster-than") {
+  const Scene scene = two_balls();
+  double energy = 0;
+  for (const auto& body : scene.bodies) energy += body.mass * body.velocity.squaredNorm() / 2;
+  return questions::Gaps{{"energy", energy}, {"speed", contact::scene_bounds(scene).speed}};
+}
 
 KEY("closing-at-most") { return contact::scene_bounds(two_balls()).pairs.at(0).closing; }
 
@@ -252,4 +257,14 @@ KEY("part-quickly") {
   double winning = 0;
   for (int k = 0; k < 40 && winning == 0; ++k) winning = with_aim(0.6 + 0.08 * k, 2.2);
   return questions::Construct{winning, with_aim(2.4, 2.6)};
+}
+
+KEY("why-friction-may-go") {
+  const auto off = [](double aside) {
+    Scene scene = two_balls();
+    scene.materials[0].friction = 0.5;
+    scene.bodies[0].position.y() += aside;
+    return !is_on(scene, Effect::friction);
+  };
+  return questions::Claim{off(0), off(0.01)};
 }
