@@ -35,6 +35,7 @@ void add_start(Command app, Action& action);
 void add_check(Command app, Action& action);
 void add_watch(Command app, Action& action);
 void add_hint(Command app, Action& action);
+void add_ask(Command app, Action& action);
 void add_solution(Command app, Action& action);
 void add_reset(Command app, Action& action);
 void add_progress(Command app, Action& action);

@@ -113,7 +113,8 @@ Questions read_questions(const Chapter& chapter) {
       if (!known)
         questions.problems.push_back("question " + id + ": there is no objective '" + objective +
                                      "'");
-      for (const char* key : {"text", "explain"}) {
+      const bool says_why = (*question)["kind"].value_or(std::string()) == "say-why";
+      for (const char* key : {"text", says_why ? "model" : "explain"}) {
         if (blank((*question)[key].value_or(std::string())))
           questions.problems.push_back("question " + id + ": " + key + " is empty");
       }

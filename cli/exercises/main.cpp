@@ -33,5 +33,5 @@ int main(int argc, char** argv) {
   }
   return run_program(argc, argv,
                      {add_list, add_start, add_watch, add_check, add_hint, add_solution, add_reset,
-                      add_progress, add_export, add_import, add_elsewhere});
+                      add_ask, add_progress, add_export, add_import, add_elsewhere});
 }

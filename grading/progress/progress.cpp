@@ -90,6 +90,14 @@ void Progress::record_solution_shown(const std::string& exercise) {
   change([&](ProgressRecord& record) { record.record_solution_shown(exercise); });
 }
 
+void Progress::record_answer(const std::string& question, const QuestionProgress& given) {
+  change([&](ProgressRecord& record) { record.record_answer(question, given, now_utc()); });
+}
+
+void Progress::record_marks(const std::string& question, const std::vector<bool>& marks) {
+  change([&](ProgressRecord& record) { record.record_marks(question, marks, now_utc()); });
+}
+
 std::vector<std::string> Progress::merge(const ProgressRecord& theirs) {
   std::vector<std::string> changed;
   change([&](ProgressRecord& record) {

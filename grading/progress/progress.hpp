@@ -27,6 +27,10 @@ class Progress {
   /// Remembers that one more hint was shown and says how many that makes.
   int record_hint(const std::string& exercise);
   void record_solution_shown(const std::string& exercise);
+  /// Keeps the last answer to a question.
+  void record_answer(const std::string& question, const QuestionProgress& given);
+  /// Keeps which criteria the reader has marked in the last answer.
+  void record_marks(const std::string& question, const std::vector<bool>& marks);
   /// Takes in another record of the same reader. Returns the exercises of which more is known now.
   std::vector<std::string> merge(const ProgressRecord& theirs);
 

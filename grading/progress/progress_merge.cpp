@@ -79,13 +79,49 @@ bool names_exercise(const std::string& key) {
   return key.size() < 120 && std::regex_match(key, pattern);
 }
 
+bool names_question(const std::string& key) {
+  static const std::regex pattern(R"(\d\d_[a-z][a-z0-9_]*/[a-z0-9][a-z0-9_-]*)");
+  return key.size() < 120 && std::regex_match(key, pattern);
+}
+
+// A reader writes a few sentences; a longer answer is not one.
+constexpr std::size_t longest_answer = 20'000;
+
+bool is_answer(const json& entry) {
+  const auto holds = [&](const char* name, bool (json::*is)() const noexcept) {
+    const auto found = entry.find(name);
+    return found != entry.end() && ((*found).*is)();
+  };
+  return entry.is_object() && holds("kind", &json::is_string) &&
+         holds("right", &json::is_boolean) && holds("tries", &json::is_number) &&
+         entry.contains("answer") && !time_in(entry, "at").empty() &&
+         entry.dump(-1, ' ', true, json::error_handler_t::replace).size() <= longest_answer;
+}
+
+// The later answer to each question, with the larger number of tries.
+void merge_answers(json& ours, const json& theirs) {
+  if (!ours.is_object()) ours = json::object();
+  for (const auto& [id, entry] : theirs.items()) {
+    if (!names_question(id) || !is_answer(entry)) continue;
+    const auto found = ours.find(id);
+    const bool known = found != ours.end() && is_answer(*found);
+    const double tries =
+        std::max(number_in(entry, "tries"), known ? number_in(*found, "tries") : 0.0);
+    if (!known || time_in(entry, "at") > time_in(*found, "at")) ours[id] = entry;
+    ours[id]["tries"] = static_cast<int>(tries);
+  }
+}
+
 }  // namespace
 
 ProgressRecord merged(const ProgressRecord& ours, const ProgressRecord& theirs) {
   json document = ours.document();
   for (const auto& [name, value] : theirs.document().items()) {
-    if (!document.contains(name)) document[name] = value;
+    if (!document.contains(name) && name != "questions") document[name] = value;
   }
+  if (const auto answers = theirs.document().find("questions");
+      answers != theirs.document().end() && answers->is_object())
+    merge_answers(document["questions"], *answers);
   json& exercises = document["exercises"];
   for (const auto& [id, entry] : theirs.document()["exercises"].items()) {
     if (!names_exercise(id)) continue;

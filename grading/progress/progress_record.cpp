@@ -90,6 +90,41 @@ void ProgressRecord::record_solution_shown(const std::string& exercise) {
   entry_of(exercise)["solution_shown"] = true;
 }
 
+std::optional<QuestionProgress> ProgressRecord::answer_to(const std::string& question) const {
+  const auto all = data_.find("questions");
+  if (all == data_.end() || !all->is_object()) return {};
+  const auto found = all->find(question);
+  if (found == all->end() || !found->is_object() || !found->contains("answer")) return {};
+  QuestionProgress given{
+      read(*found, "kind", std::string()), (*found)["answer"], read(*found, "right", false), {}};
+  if (const auto marks = found->find("marks"); marks != found->end() && marks->is_array()) {
+    for (const nlohmann::json& mark : *marks) given.marks.push_back(mark == true);
+  }
+  return given;
+}
+
+void ProgressRecord::record_answer(const std::string& question, const QuestionProgress& given,
+                                   const std::string& now) {
+  nlohmann::json& all = data_["questions"];
+  if (!all.is_object()) all = nlohmann::json::object();
+  const auto before = all.find(question);
+  const int tries = before != all.end() && before->is_object() ? read(*before, "tries", 0) : 0;
+  nlohmann::json entry = {{"kind", given.kind},
+                          {"answer", given.answer},
+                          {"right", given.right},
+                          {"tries", tries + 1},
+                          {"at", now}};
+  if (!given.marks.empty()) entry["marks"] = given.marks;
+  all[question] = std::move(entry);
+}
+
+void ProgressRecord::record_marks(const std::string& question, const std::vector<bool>& marks,
+                                  const std::string& now) {
+  if (!answer_to(question)) return;
+  data_["questions"][question]["marks"] = marks;
+  data_["questions"][question]["at"] = now;
+}
+
 bool is_attempt(const Verdict& verdict) {
   return verdict.outcome != Outcome::does_not_compile && verdict.outcome != Outcome::not_attempted;
 }

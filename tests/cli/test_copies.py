@@ -11,7 +11,7 @@ import pytest
 
 Run = Callable[..., subprocess.CompletedProcess[str]]
 ROOT = Path(__file__).resolve().parents[2]
-COMMANDS = ["list", "start", "check", "watch", "hint", "solution", "reset", "progress"]
+COMMANDS = ["list", "start", "check", "watch", "hint", "solution", "reset", "ask", "progress"]
 COMMANDS += ["export", "import", "ladder", "new", "doctor", "dev"]
 STUB = (ROOT / "exercises/02_triangles/ray_triangle/ray_triangle.cpp").read_text()
 
