@@ -282,6 +282,40 @@ def test_ctrl_c_ends_with_130_and_keeps_what_was_answered(
     assert record(work)["01_own/speed"]["right"] is True
 
 
+def test_answers_move_with_an_archive_and_the_later_one_stays(
+    ask: Ask, environment: dict[str, str], tmp_path: Path, work: Path
+) -> None:
+    ask("own", "--id", "speed", typed=["1 m/s", "1.5 m/s"])
+    given = record(work)["01_own/speed"]
+    other = tmp_path / "other"
+
+    def contact(command: str, folder: Path) -> None:
+        subprocess.run(
+            [str(PROGRAM), command, str(tmp_path / "work.zip")],
+            env={**environment, "CONTACT_ROOT": str(tmp_path / "own"), "CONTACT_WORK": str(folder)},
+            check=True,
+            capture_output=True,
+            timeout=60,
+        )
+
+    contact("export", work)
+    contact("import", other)
+    assert record(other) == {"01_own/speed": given}
+
+    def keep(at: str) -> None:
+        document = json.loads((other / "progress.json").read_text(encoding="utf-8"))
+        mine = {**given, "answer": "2 m/s", "right": False, "tries": 9, "at": at}
+        document["questions"] = {"01_own/speed": mine}
+        (other / "progress.json").write_text(json.dumps(document), encoding="utf-8")
+
+    keep("2020-01-01T00:00:00Z")
+    contact("import", other)
+    assert record(other) == {"01_own/speed": {**given, "tries": 9}}
+    keep("2999-01-01T00:00:00Z")
+    contact("import", other)
+    assert record(other)["01_own/speed"]["answer"] == "2 m/s"
+
+
 def number_question(name: str, value: float, unit: str, extra: str = "") -> str:
     return (
         f'[[question]]\nid = "{name}"\nkind = "predict"\nobjective = "aim"\ntext = "asked"\n'

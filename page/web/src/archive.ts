@@ -2,10 +2,11 @@
 // read it: a zip archive of
 //
 //   contact-submission.json      {"format": "contact-submission/1", "exported": time, "from": "page"}
-//   work/progress.json           the record of progress
+//   work/progress.json           the record of progress, with the answers to questions
 //   work/NN_slug/NAME.cpp        the code, one file an exercise
 
 import { strFromU8, strToU8, unzipSync, type Zippable, zipSync } from "fflate";
+import { allAnswers, takeAnswers } from "./storage.ts";
 import {
   type ExerciseProgress,
   fingerprint,
@@ -50,7 +51,10 @@ export function exportWork(store: WorkStore = Work, now = new Date()): Uint8Arra
   const exported = now.toISOString().replace(/\.\d+Z$/, "Z");
   const about = { format: SUBMISSION_FORMAT, exported, from: "page" };
   const json = (data: unknown): Uint8Array => strToU8(`${JSON.stringify(data, null, 2)}\n`);
-  const files: Zippable = { [ABOUT]: json(about), [PROGRESS]: json(store.progress()) };
+  const questions = allAnswers();
+  const known = Object.keys(questions).length > 0 ? { questions } : {};
+  const record = { ...store.progress(), ...known };
+  const files: Zippable = { [ABOUT]: json(about), [PROGRESS]: json(record) };
   for (const id of store.ids()) files[`work/${id}.cpp`] = strToU8(store.code(id)?.text ?? "");
   return zipSync(files, { mtime: now });
 }
@@ -177,13 +181,15 @@ function mergeEntry(ours: ExerciseProgress, theirs: ExerciseProgress): ExerciseP
   return merged;
 }
 
-/** Both records as one, as `contact import` makes it (cli/README.md). */
+/** Both records as one, as `contact import` makes it (cli/README.md), without the answers to
+ * questions, which the page keeps apart. */
 export function mergeProgress(ours: Progress, theirs: Progress): Progress {
   const exercises = { ...ours.exercises };
   for (const [id, entry] of Object.entries(theirs.exercises))
     if (isExerciseId(id) && isObject(entry))
       exercises[id] = mergeEntry(exercises[id] ?? {}, sound(entry));
-  return { ...theirs, ...ours, exercises };
+  const { questions: _kept, ...others } = { ...theirs, ...ours };
+  return { ...others, exercises };
 }
 
 /** Imports an archive. No text is lost: one that is replaced becomes an earlier version. */
@@ -208,7 +214,10 @@ export function importWork(bytes: Uint8Array, store: WorkStore = Work): Imported
     store.save(id, content, present?.base ?? "");
     (present ? replaced : added).push(id);
   }
-  if (progress) store.setProgress(mergeProgress(store.progress(), progress));
+  if (progress) {
+    store.setProgress(mergeProgress(store.progress(), progress));
+    takeAnswers(progress.questions);
+  }
   const entries = Object.keys(progress?.exercises ?? {}).filter(isExerciseId).length;
   return { added, replaced, same, yours, progress: entries, ignored, problem: store.problem };
 }

@@ -66,6 +66,8 @@ export interface ExerciseProgress {
 export interface Progress {
   format: typeof PROGRESS_FORMAT;
   exercises: Record<string, ExerciseProgress>;
+  /** Answers to questions, in an archive only: the page keeps them apart (storage.ts). */
+  questions?: unknown;
 }
 
 export interface LastVerdict {

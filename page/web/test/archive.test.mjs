@@ -288,3 +288,45 @@ test("when the browser has no room for the import, it says so", () => {
   assert.match(importWork(bytes, store).problem, /no more room/);
   assert.equal(store.code(RAY).text, "theirs");
 });
+
+test("answers to questions go with the work, and the later one stays", () => {
+  const kept = new Map();
+  globalThis.localStorage = /** @type {any} */ ({
+    getItem: (/** @type {string} */ key) => kept.get(key) ?? null,
+    setItem: (/** @type {string} */ key, /** @type {string} */ value) => kept.set(key, value),
+  });
+  const KEY = "contact-hours/1/questions";
+  const answers = () => JSON.parse(kept.get(KEY));
+  /** @param {string} answer @param {string} at @param {number} tries */
+  const given = (answer, at, tries) => ({ kind: "predict", answer, right: false, tries, at });
+  const [early, late] = ["2026-01-01T00:00:00.5Z", "2026-01-02T00:00:00Z"];
+  try {
+    const why = { kind: "say-why", answer: "so", right: false, tries: 1, at: late, marks: [true] };
+    kept.set(KEY, JSON.stringify({ "01_planes/a": given("1", early, 3), "01_planes/why": why }));
+    const store = empty();
+    const bytes = exportWork(store);
+    const record = JSON.parse(strFromU8(unzipSync(bytes)["work/progress.json"]));
+    assert.deepEqual(record.questions, answers());
+
+    const theirs = {
+      "01_planes/a": given("2", late, 1),
+      "01_planes/why": { ...why, answer: "older", at: early },
+      "01_planes/new": given("3", early, 1),
+      "../a": given("4", late, 1),
+      "01_planes/broken": { ...given("5", late, 1), at: "yesterday" },
+      "01_planes/long": given("x".repeat(30_000), late, 1),
+    };
+    const file = { "contact-submission.json": ABOUT };
+    const work = { ...progress({}), questions: theirs };
+    importWork(zip({ ...file, "work/progress.json": work }), store);
+    assert.deepEqual(answers(), {
+      "01_planes/a": given("2", late, 3),
+      "01_planes/why": why,
+      "01_planes/new": given("3", early, 1),
+    });
+    assert.equal(store.progress().questions, undefined);
+  } finally {
+    // @ts-expect-error: Node has none
+    delete globalThis.localStorage;
+  }
+});
