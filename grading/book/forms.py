@@ -19,6 +19,7 @@ import re
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -137,9 +138,7 @@ def form_data(exercise: str, root: Path = ROOT) -> dict[str, Any] | None:
             {"text": part.text, "reason": part.reason, "gaps": list(part.gaps)} for part in parts
         ],
         "runs": runs,
-        "distractors": [
-            {"text": item.text, "misconception": item.misconception} for item in wrong
-        ],
+        "distractors": [{"text": item.text, "misconception": item.misconception} for item in wrong],
     }
 
 
@@ -224,7 +223,7 @@ def problems_of(exercise: str, root: Path = ROOT) -> list[str]:
             problems.append(f"the reason of `{''.join(shown)}` must be a sentence")
         problems += [problem for gap in part.gaps if (problem := _gap_problem(part, gap))]
         places = sorted((part.text.find(gap), len(gap)) for gap in part.gaps)
-        for (begin, size), (later, _) in zip(places, places[1:], strict=False):
+        for (begin, size), (later, _) in pairwise(places):
             if begin + size > later:
                 problems.append(f"two gaps of `{''.join(shown)}` overlap")
     for run in _runs(parts):

@@ -51,9 +51,7 @@ def _piece(mark: list[str], lines: list[str], number: int) -> Part:
     reason = " ".join(word for word in words if not word.startswith(_GAP))
     if not reason:
         raise MarkError(f"line {number}: a mark must give a reason for the lines below it")
-    gaps = tuple(
-        word.removeprefix(_GAP).strip() for word in words if word.startswith(_GAP)
-    )
+    gaps = tuple(word.removeprefix(_GAP).strip() for word in words if word.startswith(_GAP))
     return Part("".join(lines), reason, gaps)
 
 
