@@ -172,13 +172,9 @@ def order_text(exercise: str, root: Path = ROOT) -> str:
         text += "  // Put these lines in order and remove `// `. Some may not belong here.\n"
         for row in runs.pop(0):
             piece = data["distractors"][row[1]] if len(row) > 1 else data["parts"][row[0]]
-            text += "".join(f"  //\n{''.join(f'  // {line}' for line in _lines(piece['text']))}")
+            text += "  //\n" + "".join(f"  // {line}\n" for line in _code(piece["text"]))
         text += "  contact::todo();\n"
     return text
-
-
-def _lines(text: str) -> list[str]:
-    return [f"{line}\n" for line in text.splitlines() if line.strip()]
 
 
 def _gap_problem(part: Part, gap: str) -> str | None:
