@@ -56,15 +56,17 @@ test("of every solution with marks, the right order and the right gaps are the s
   const script =
     "import json, sys; sys.path.insert(0, sys.argv[1]); from forms import *\n" +
     "print(json.dumps({e: form_data(e) for e in sys.argv[2:]}))";
-  const ids = fs.globSync?.("*/*", { cwd: path.join(root, "solutions") })?.sort() ?? [
-    "02_triangles/ray_triangle",
-    "15_restitution/end_of_bounces",
-  ];
+  const solutions = path.join(root, "solutions");
+  const ids = fs
+    .readdirSync(solutions)
+    .flatMap((chapter) =>
+      fs.readdirSync(path.join(solutions, chapter)).map((name) => `${chapter}/${name}`),
+    );
   const book = path.join(root, "grading/book");
   const command = fs.existsSync(python) ? python : "python3";
   const all = JSON.parse(execFileSync(command, ["-c", script, book, ...ids]).toString());
   const marked = Object.values(all).filter(Boolean);
-  assert.ok(marked.length >= 2);
+  assert.ok(marked.length > 20);
   const code = (text) => text.split("\n").filter((line) => !/^\s*(\/\/.*)?$/.test(line));
   for (const form of marked) {
     const solution = form.parts.map(({ text }) => text).join("");
