@@ -19,6 +19,7 @@ import re
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -171,13 +172,9 @@ def order_text(exercise: str, root: Path = ROOT) -> str:
         text += "  // Put these lines in order and remove `// `. Some may not belong here.\n"
         for row in runs.pop(0):
             piece = data["distractors"][row[1]] if len(row) > 1 else data["parts"][row[0]]
-            text += "".join(f"  //\n{''.join(f'  // {line}' for line in _lines(piece['text']))}")
+            text += "  //\n" + "".join(f"  // {line}\n" for line in _code(piece["text"]))
         text += "  contact::todo();\n"
     return text
-
-
-def _lines(text: str) -> list[str]:
-    return [f"{line}\n" for line in text.splitlines() if line.strip()]
 
 
 def _gap_problem(part: Part, gap: str) -> str | None:
@@ -222,7 +219,7 @@ def problems_of(exercise: str, root: Path = ROOT) -> list[str]:
             problems.append(f"the reason of `{''.join(shown)}` must be a sentence")
         problems += [problem for gap in part.gaps if (problem := _gap_problem(part, gap))]
         places = sorted((part.text.find(gap), len(gap)) for gap in part.gaps)
-        for (begin, size), (later, _) in zip(places, places[1:], strict=False):
+        for (begin, size), (later, _) in pairwise(places):
             if begin + size > later:
                 problems.append(f"two gaps of `{''.join(shown)}` overlap")
     for run in _runs(parts):

@@ -21,8 +21,8 @@ const file = (id) => `${path.basename(id)}.cpp`;
 
 /** @param {string} id */
 export const stubOf = (id) => read("exercises", id, file(id));
-/** @param {string} id */
-export const solutionOf = (id) => read("solutions", id, file(id));
+/** As it is shown: without its marks. @param {string} id */
+export const solutionOf = (id) => read("solutions", id, file(id)).replace(/^ *\/\/\?.*\n/gm, "");
 
 /** Every wrong answer of an exercise, with what its first lines promise. @param {string} id */
 export function wrongAnswersOf(id) {

@@ -30,6 +30,63 @@ def test_start_never_overwrites(contact: Run, answer: Callable[[str], Path]) -> 
     assert copy.read_text() == "// mine\n"
 
 
+def test_start_with_gaps_fails_to_compile_until_they_are_filled(
+    contact: Run, work: Path, solution: str
+) -> None:
+    assert contact("start", "ray_triangle", "--form", "fill").returncode == 0
+    copy = work / "02_triangles/ray_triangle.cpp"
+    text = copy.read_text()
+    assert "/* gap 1 */" in text
+    assert "//?" not in text
+    assert "does not compile" in contact("check", "ray_triangle").stdout
+    marks = [line.strip() for line in solution.splitlines() if line.lstrip().startswith("//?")]
+    gaps = [line.removeprefix("//? gap: ") for line in marks if line.startswith("//? gap: ")]
+    for number, gap in enumerate(gaps, 1):
+        text = text.replace(f"/* gap {number} */", gap)
+    copy.write_text(text)
+    assert contact("check", "ray_triangle").returncode == 0
+    record = json.loads((work / "progress.json").read_text())
+    assert list(record["exercises"]["02_triangles/ray_triangle"]["passed_as"]) == ["fill"]
+    assert "02_triangles/ray_triangle (fill)" in contact("progress").stdout
+    # After a reset it is written from the stub.
+    contact("reset", "ray_triangle")
+    copy.write_text(solution)
+    assert contact("check", "ray_triangle").returncode == 0
+    record = json.loads((work / "progress.json").read_text())
+    assert set(record["exercises"]["02_triangles/ray_triangle"]["passed_as"]) == {"fill", "write"}
+    assert "Not written from the stub" not in contact("progress").stdout
+
+
+def test_start_with_lines_to_order_is_not_attempted(contact: Run, work: Path) -> None:
+    assert contact("start", "ray_triangle", "--form", "order").returncode == 0
+    text = (work / "02_triangles/ray_triangle.cpp").read_text()
+    assert "contact::todo();" in text
+    # A line of a wrong answer, among those of the solution.
+    assert "//   if (std::abs(det) < 1e-8) return std::nullopt;" in text
+    done = contact("check", "ray_triangle", "--json")
+    assert json.loads(done.stdout)["results"][0]["verdict"] == "not_attempted"
+
+
+def test_start_in_a_form_never_overwrites(contact: Run, answer: Callable[[str], Path]) -> None:
+    copy = answer("// mine\n")
+    assert "was not changed" in contact("start", "ray_triangle", "--form", "fill").stdout
+    assert copy.read_text() == "// mine\n"
+
+
+def test_an_exercise_without_marks_can_only_be_written(contact: Run, work: Path) -> None:
+    done = contact("start", "first_hit", "--form", "order")
+    assert done.returncode != 0
+    assert "can only be written" in done.stderr
+    assert not (work / "02_triangles/first_hit.cpp").exists()
+
+
+def test_the_solution_is_shown_without_its_marks(contact: Run, solution: str) -> None:
+    shown = contact("solution", "ray_triangle", "--give-up").stdout
+    assert "//?" in solution
+    assert "//?" not in shown
+    assert "if (det == 0) return std::nullopt;" in shown
+
+
 def test_start_takes_a_chapter(contact: Run, work: Path) -> None:
     assert contact("start", "02_triangles").returncode == 0
     names = {copy.stem for copy in (work / "02_triangles").iterdir()}

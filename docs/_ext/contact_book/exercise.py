@@ -9,9 +9,8 @@ import json
 from pathlib import Path
 
 from docutils import nodes
-from sphinx.writers.html5 import HTML5Translator
-
 from forms import has_marks
+from sphinx.writers.html5 import HTML5Translator
 
 from contact_book.directive import BookDirective, open_book
 from contact_book.errors import BookError

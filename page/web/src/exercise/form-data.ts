@@ -31,17 +31,17 @@ export interface Put {
 
 export const isPiece = (part: Part): boolean => part.reason !== "";
 
-/** Its lines without empty ones, each with its line feed. */
-const dense = (text: string): string =>
+/** Its lines of code, each with its line feed: a comment would tell which of two lines is right. */
+const codeOf = (text: string): string =>
   text
     .split("\n")
-    .filter((line) => line.trim() !== "")
+    .filter((line) => !/^\s*(\/\/.*)?$/.test(line))
     .map((line) => `${line}\n`)
     .join("");
 
 export function lineText(data: FormData, line: Line): string {
   const [piece, distractor] = line;
-  return dense(
+  return codeOf(
     distractor === undefined ? data.parts[piece]!.text : data.distractors[distractor]!.text,
   );
 }
