@@ -5,6 +5,7 @@
 
 #include <cstdio>
 
+#include "../python.hpp"
 #include "../terminal/terminal.hpp"
 #include "dev_check.hpp"
 
