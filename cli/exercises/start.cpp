@@ -15,10 +15,9 @@ std::string beginning(Context& context, const grading::Exercise& exercise,
                       const std::string& form) {
   if (form == "write") return grading::read_text(exercise.stub);
   const grading::Book& book = context.book();
-  const grading::ProcessResult made =
-      run_python(context.loop(), {python_of(book).string(),
-                                  (book.root() / "grading/book/forms.py").string(), "--root",
-                                  book.root().string(), "--form", form, exercise.id()});
+  const grading::ProcessResult made = run_python(
+      context.loop(), {python_of(book).string(), (book.root() / "grading/book/forms.py").string(),
+                       "--root", book.root().string(), "--form", form, exercise.id()});
   if (!made.succeeded())
     throw grading::BookError(made.errors.substr(0, made.errors.find_last_not_of('\n') + 1));
   return made.output;

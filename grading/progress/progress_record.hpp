@@ -13,7 +13,8 @@
 
 namespace contact::grading {
 
-/// In which ways an exercise is answered: lines put in order, gaps filled, or written from the stub.
+/// In which ways an exercise is answered: lines put in order, gaps filled, or written from the
+/// stub.
 inline constexpr std::array forms{"order", "fill", "write"};
 bool is_form(const std::string& name);
 
