@@ -1,5 +1,5 @@
 // misconception: break-cradle-at-rest
-// caught by: no ball moves to the left
+// caught by: one of three balls moves
 #include "break_the_cradle.hpp"
 
 namespace exercise {
