@@ -157,7 +157,9 @@ def test_gaps_are_named_in_their_lines_and_filled_in_the_answer(
     assert len(steps) == 2
     assert one(steps[0], ".gap")["class"] == ["gap", "gap-square"]
     assert "______, from" in steps[0].get_text()
-    first, second = data(element)["gaps"]
+    gaps = data(element)["gaps"]
+    assert isinstance(gaps, list)
+    first, second = gaps
     assert (first["id"], first["answer"], first["unit"]) == ("square", 25.0, "m²")
     assert first["wrong"] == [
         {"answer": 49.0, "why": "<span>Square <em>before</em> you add.</span>"}

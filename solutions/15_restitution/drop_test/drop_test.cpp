@@ -3,8 +3,8 @@
 namespace exercise {
 
 double restitution(double drop, double rebound) {
-  //? The speed at the floor is √(2gh). In the ratio of rebound to impact 2g cancels, and the root
-  //? of the ratio of heights is left.
+  // The speed at the floor is √(2gh).
+  //? In the ratio of rebound to impact 2g cancels, and the root of the ratio of heights is left.
   //? gap: rebound / drop
   return std::sqrt(rebound / drop);
 }
