@@ -36,12 +36,16 @@ bool inside(const Point& point, const Corners& t) {
 /// question catches.
 void check(const Point& point, const Corners& t, std::string_view mistake = "") {
   const bool right = inside(point, t);
+  std::vector<Suspect<bool>> suspects;
+  if (!mistake.empty())
+    suspects.emplace_back(mistake,
+                          std::function<bool(const bool&)>([](const bool&) { return true; }));
   ask("Is the point in the triangle?")
       .given("point", point)
       .given("a", t.a)
       .given("b", t.b)
       .given("c", t.c)
-      .suspect_if(mistake, [](const bool&) { return true; })
+      .suspects(std::move(suspects))
       .answer([&] { return exercise::point_in_triangle(point, t.a, t.b, t.c); })
       .equals(right);
 }

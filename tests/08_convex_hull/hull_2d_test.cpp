@@ -93,7 +93,8 @@ bool keeps_points_on_edges(const Points& points, const Corners& got, const Corne
 /// All vertices but some at which the hull is nearly straight, and all of those that are missing
 /// are such.
 bool drops_thin_corners(const Points& points, const Corners& got, const Corners& right) {
-  if (got.empty() || got.size() >= right.size() || got[0] != right[0]) return false;
+  if (right.size() < 3 || got.empty() || got.size() >= right.size() || got[0] != right[0])
+    return false;
   const auto at = [&](std::size_t k) {
     return points[static_cast<std::size_t>(right[k % right.size()])];
   };
@@ -104,7 +105,8 @@ bool drops_thin_corners(const Points& points, const Corners& got, const Corners&
       continue;
     }
     const Point u = at(k) - at(k + right.size() - 1), v = at(k + 1) - at(k);
-    if (std::abs(u.x() * v.y() - u.y() * v.x()) > 1e-6 * u.norm() * v.norm()) return false;
+    const double turn = std::abs(u.x() * v.y() - u.y() * v.x());
+    if (!(u.dot(v) > 0) || turn > 1e-6 * u.norm() * v.norm()) return false;
   }
   return next == got.size();
 }

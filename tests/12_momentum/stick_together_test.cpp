@@ -80,6 +80,7 @@ void check_velocity(const Bodies& bodies) {
       .suspect("speeds-for-velocities", [&]() -> Vector { return with_speeds(bodies, true) / m; })
       .suspect_if("mass-of-one",
                   [&](const Vector& got) {
+                    if (bodies.size() < 2) return false;
                     for (const Body& body : bodies) {
                       const Vector alone = right * m / body.mass;
                       if ((got - alone).norm() <= 1e-12 * alone.norm()) return true;

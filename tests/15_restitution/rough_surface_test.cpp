@@ -44,6 +44,8 @@ void check(const Vector& v, const Vector& n, double k, double mu) {
                })
       .suspect("friction-turns-back",
                [&]() -> Vector {
+                 // There this formula would speed the slip up.
+                 if (!(v.dot(n) < 0)) return v;
                  return with(v, n, k, [&](double slip, double closing) {
                    return 1 - mu * (1 + k) * closing / slip;
                  });
