@@ -19,7 +19,11 @@ from archives import PLANE, RAY, progress, put  # noqa: E402
 ROOT = HERE.parents[1]
 sys.path.append(str(ROOT / "grading" / "book"))
 PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
-SOLUTION = (ROOT / "solutions/02_triangles/ray_triangle/ray_triangle.cpp").read_text()
+_MARKED = (ROOT / "solutions/02_triangles/ray_triangle/ray_triangle.cpp").read_text()
+# As it is shown: without its marks.
+SOLUTION = "".join(
+    line for line in _MARKED.splitlines(keepends=True) if not line.lstrip().startswith("//?")
+)
 BODY = "const contact::Triangle<double>& triangle) {\n"
 
 Run = Callable[..., subprocess.CompletedProcess[str]]
@@ -160,7 +164,7 @@ def worked(work: Path) -> dict[str, str]:
         f"{PLANE}.cpp": "int x;\r\n",
         "77_future/not_in_this_book.cpp": "int later;",
         "progress.json": json.dumps(
-            json.loads(progress({RAY: {"attempts": 2}}, questions={"q": 1})),
+            json.loads(progress({RAY: {"attempts": 2}}, from_later={"q": 1})),
             indent=2,
             sort_keys=True,
         )

@@ -71,7 +71,7 @@ def test_an_export_of_some(
     contact: Run, work: Path, worked: dict[str, str], tmp_path: Path
 ) -> None:
     record = {RAY: {"attempts": 2}, PLANE: {"attempts": 5}}
-    (work / "progress.json").write_text(progress(record, questions={"q": 1}))
+    (work / "progress.json").write_text(progress(record, from_later={"q": 1}))
     done = contact("export", "some.zip", "ray_triangle", "02_triangles", "--json")
     assert done.returncode == 0
     document = json.loads(done.stdout)

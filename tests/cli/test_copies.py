@@ -212,7 +212,7 @@ def test_a_misspelt_chapter_is_told_the_nearest(contact: Run, words: list[str]) 
 def test_a_name_like_no_exercise_of_its_chapter_is_told_all_of_them(contact: Run) -> None:
     done = contact("check", "08_convex_hull/turn")
     assert done.returncode == 2
-    names = "orientation, hull_2d, wrap_step and hull_vertices"
+    names = "orientation, hull_2d, wrap_step, hull_vertices and break_angles"
     assert f"The exercises of 08_convex_hull are {names}." in done.stderr
     assert "Did you mean" not in done.stderr
     done = contact("check", "08_convex_hull/hul2d")
