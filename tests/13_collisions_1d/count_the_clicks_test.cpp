@@ -57,8 +57,9 @@ void check(double ratio) {
   ask("How many collisions are there?")
       .given("ratio", ratio)
       .suspect("wall-not-counted", [&] { return by_velocities(ratio, false); })
-      .suspect("floor-for-ceiling",
-               [&] { return ratio == 1 || ratio == 3 ? static_cast<int>(std::round(steps)) : -1; })
+      .suspect(
+          "floor-for-ceiling",
+          [&] { return ratio == 1 || ratio == 3 ? static_cast<int>(std::round(steps)) : right; })
       .suspect("count-by-rounded-formula", [&] { return static_cast<int>(std::ceil(steps)) - 1; })
       .suspect("count-by-rounded-velocities", [&] { return by_velocities(ratio, true); })
       .suspect_if("count-by-rounded-formula",
