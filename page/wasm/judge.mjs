@@ -22,6 +22,7 @@ const flags = [
 const sources = [
   "book/book.cpp",
   "text/near_names.cpp",
+  "progress/again.cpp",
   "progress/progress_record.cpp",
   "progress/progress_report.cpp",
   "verdict/verdict.cpp",
