@@ -171,7 +171,9 @@ def test_the_commonest_misconception_stands_first_with_the_hint_given(tmp_path: 
     page = pages(tmp_path, class_)["class"]
     believed = section(page, "Commonest misconceptions")
     assert believed.index("Compares with a fixed tolerance") < believed.index("Normalises the")
-    assert "Your answer would be right if something small in this test were exactly zero" in believed
+    assert (
+        "Your answer would be right if something small in this test were exactly zero" in believed
+    )
     # A student who shows it in two tests counts once.
     assert " 3 Compares" in believed
     assert " 2 Normalises" in believed
