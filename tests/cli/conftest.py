@@ -19,10 +19,10 @@ from archives import PLANE, RAY, progress, put  # noqa: E402
 ROOT = HERE.parents[1]
 sys.path.append(str(ROOT / "grading" / "book"))
 PROGRAM = ROOT / "build" / "dev" / "bin" / "contact"
-_MARKED = (ROOT / "solutions/02_triangles/ray_triangle/ray_triangle.cpp").read_text()
+MARKED = (ROOT / "solutions/02_triangles/ray_triangle/ray_triangle.cpp").read_text()
 # As it is shown: without its marks.
 SOLUTION = "".join(
-    line for line in _MARKED.splitlines(keepends=True) if not line.lstrip().startswith("//?")
+    line for line in MARKED.splitlines(keepends=True) if not line.lstrip().startswith("//?")
 )
 BODY = "const contact::Triangle<double>& triangle) {\n"
 
@@ -93,6 +93,12 @@ def answer(work: Path) -> Callable[[str], Path]:
 @pytest.fixture
 def solution() -> str:
     return SOLUTION
+
+
+@pytest.fixture
+def marked() -> str:
+    """The solution as it is kept."""
+    return MARKED
 
 
 @pytest.fixture

@@ -31,7 +31,7 @@ def test_start_never_overwrites(contact: Run, answer: Callable[[str], Path]) -> 
 
 
 def test_start_with_gaps_fails_to_compile_until_they_are_filled(
-    contact: Run, work: Path, solution: str
+    contact: Run, work: Path, solution: str, marked: str
 ) -> None:
     assert contact("start", "ray_triangle", "--form", "fill").returncode == 0
     copy = work / "02_triangles/ray_triangle.cpp"
@@ -39,7 +39,7 @@ def test_start_with_gaps_fails_to_compile_until_they_are_filled(
     assert "/* gap 1 */" in text
     assert "//?" not in text
     assert "does not compile" in contact("check", "ray_triangle").stdout
-    marks = [line.strip() for line in solution.splitlines() if line.lstrip().startswith("//?")]
+    marks = [line.strip() for line in marked.splitlines() if line.lstrip().startswith("//?")]
     gaps = [line.removeprefix("//? gap: ") for line in marks if line.startswith("//? gap: ")]
     for number, gap in enumerate(gaps, 1):
         text = text.replace(f"/* gap {number} */", gap)
@@ -80,9 +80,9 @@ def test_an_exercise_without_marks_can_only_be_written(contact: Run, work: Path)
     assert not (work / "02_triangles/first_hit.cpp").exists()
 
 
-def test_the_solution_is_shown_without_its_marks(contact: Run, solution: str) -> None:
+def test_the_solution_is_shown_without_its_marks(contact: Run, marked: str) -> None:
     shown = contact("solution", "ray_triangle", "--give-up").stdout
-    assert "//?" in solution
+    assert "//?" in marked
     assert "//?" not in shown
     assert "if (det == 0) return std::nullopt;" in shown
 
