@@ -3,7 +3,16 @@
 
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
-import { chapterOf, fieldsOf, lessons, loadFigure, notRun, open, settle } from "./browser.mjs";
+import {
+  chapterOf,
+  fieldsOf,
+  lessons,
+  loadFigure,
+  notRun,
+  open,
+  openBoxes,
+  settle,
+} from "./browser.mjs";
 import { inBrowser } from "./in_browser.mjs";
 import { inputsLike, native } from "./native.mjs";
 import { chaptersTaken, ofAll } from "./sample.mjs";
@@ -97,7 +106,7 @@ describe("questions", { skip }, () => {
   };
 
   /** @param {any} gap */
-  const key = (gap) => `${gap.answer} ${gap.unit}`;
+  const key = (gap) => `${gap.answer} ${gap.unit}`.trim();
   const kinds = [...Object.keys(answers), "complete", "say-why"];
 
   /** Fills all gaps, the last one wrong, then it alone, for the right ones stay.
@@ -248,6 +257,7 @@ describe("questions", { skip }, () => {
     assert.equal(await element.locator("textarea").isEditable(), true);
     assert.equal(await element.locator(".explain").textContent(), "");
     await page.reload();
+    await openBoxes(page);
     const again = page.locator(`contact-question#question-${question.id.split("/")[1]}`);
     await again.getByText("This is what you wrote before.").waitFor();
     assert.equal(await again.locator("textarea").inputValue(), "It is so because of that.");
