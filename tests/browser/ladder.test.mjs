@@ -290,7 +290,7 @@ describe("ladders", { skip }, () => {
       const { page, close } = await open(chromium.browser, url(where));
       const ladder = page.locator("contact-ladder").first();
       await ladder.getByRole("button", { name: "Run it here" }).click();
-      await ladder.getByRole("button", { name: "Cancel" }).click();
+      await ladder.getByRole("button", { name: "Cancel", exact: true }).click();
       await ladder.getByText("Stopped.").waitFor();
       assert.ok(await ladder.getByRole("button", { name: "Run it here" }).isVisible());
       await close();

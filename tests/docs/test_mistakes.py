@@ -28,7 +28,7 @@ MISTAKES = [
         ":::{question} how-deep",
         22,
         "unknown question 'how-deep' in chapters/01_lines/questions.toml; "
-        "there is: how-far, side, steps, touch",
+        "there is: fill, fill-table, how-far, side, steps, touch, why-sign",
     ),
     (
         "{question} 01_lines/touch",
@@ -39,13 +39,13 @@ MISTAKES = [
     (
         ":::{exercise} distance",
         ":::{exercise} area",
-        43,
+        52,
         "unknown exercise 'area' in exercises/01_lines; there is: distance",
     ),
     (
         ":::{measured} peers\nnear",
         ":::{measured} peers\nafar",
-        46,
+        55,
         "unknown paragraph 'afar' in benchmarks/results/peers.small.txt; "
         "there is: far lines: ms each, near lines: ms each",
     ),
@@ -96,7 +96,7 @@ def test_a_wrong_name_is_an_error_at_its_line(answers: str, line: int, message: 
             "exercises/01_lines/distance/exercise.toml",
             "misconceptions =",
             "misconception =",
-            "unknown key 'misconception'; there is: brief, hints, kind, minutes, misconceptions,",
+            "unknown key 'misconception'; there is: breaks, brief, hints, inputs, kind, minutes, ",
         ),
     ],
 )

@@ -95,7 +95,7 @@ def test_links_between_pages_lead_somewhere(site: Path) -> None:
     for path, page in pages(site):
         for link in page.select("a[href]"):
             target = str(link["href"]).partition("#")[0].partition("?")[0]
-            if target and "://" not in target and not target.startswith("mailto:"):
+            if target and "://" not in target and not target.startswith(("mailto:", "data:")):
                 assert (path.parent / target).resolve().exists(), f"{path.name}: {target}"
 
 
