@@ -47,14 +47,12 @@ test("every end is reported, and the rest still run", async () => {
   const recipe = checkProgram(ends, `${fixtures}/ends.cpp`);
   const { failed } = await makeAll([recipe]);
   assert.equal(failed.get(key(recipe)), undefined);
-  const verdicts = await check(
-    made(key(recipe)),
-    expected.map(([name]) => name),
-    { seconds: 4 },
-  );
-  for (const [i, [name, status, words]] of expected.entries()) {
-    const verdict = verdicts[i];
-    assert.equal(verdict?.test, name);
+  const ran = (/** @type {string[]} */ names) => check(made(key(recipe)), names, { seconds: 4 });
+  // By itself: after an endless loop a test has a second, and to fill the memory may take longer.
+  const others = expected.map(([name]) => name).filter((name) => name !== "memory");
+  const verdicts = [...(await ran(others)), ...(await ran(["memory"]))];
+  for (const [name, status, words] of expected) {
+    const verdict = verdicts.find(({ test }) => test === name);
     const { failure } = verdict ?? {};
     assert.equal(verdict?.status, status, `${name}: ${JSON.stringify(failure)}`);
     if (!words) continue;

@@ -188,10 +188,11 @@ describe("exercises", { skip }, () => {
           const row = (await exercise.tests()).find((each) => each.text.includes(caughtBy));
           assert.equal(row?.status, "failed", caughtBy);
           const first = await exercise.failure();
-          const order = first.map(({ what }) => what).filter((what) => what !== "Hint");
+          // More follows where the answers before it have failed the same test.
+          const order = first.map(({ what }) => what).slice(0, 4);
           assert.deepEqual(order, ["Asked", "Input", "Came back", "Right"]);
           // The test that catches it may be another one than the first that fails; then it is folded.
-          const failure = await exercise.failureOf(caughtBy);
+          const failure = (await exercise.failureOf(caughtBy)).slice(0, known ? 5 : 4);
           assert.deepEqual(
             failure.map(({ what }) => what),
             ["Asked", "Input", "Came back", "Right", ...(known ? ["Hint"] : [])],
