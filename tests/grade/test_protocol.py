@@ -60,7 +60,7 @@ def without_times(result: Result) -> Result:
     kept = {
         key: value
         for key, value in result.items()
-        if key not in ("file", "seconds", "near_limit", "slowest_test", "diagnostics")
+        if key not in ("code", "file", "seconds", "near_limit", "slowest_test", "diagnostics")
     }
     kept["tests"] = [
         {key: value for key, value in test.items() if key != "seconds"} for test in kept["tests"]
