@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
+from bs4 import BeautifulSoup
 from docutils import nodes
 from sphinx.writers.html5 import HTML5Translator
 
@@ -131,6 +132,14 @@ def payload(question: QuestionData, parts: dict[str, list[str]]) -> dict[str, An
     return data
 
 
+def _has_text(cell: str) -> bool:
+    """Whether words are left of a table's cell without its formulas and its marks."""
+    plain = BeautifulSoup(cell, "html.parser")
+    for formula in plain.select(".katex, math"):
+        formula.decompose()
+    return any(letter.isalnum() for letter in plain.get_text())
+
+
 def lines_html(question: QuestionData, parts: dict[str, list[str]]) -> str:
     """What is to be completed, with its gaps."""
     texts = iter(parts.get("line", []))
@@ -139,9 +148,14 @@ def lines_html(question: QuestionData, parts: dict[str, list[str]]) -> str:
     if not question.table:
         return ""
     head, *rows = ([next(texts) for _ in row] for row in question.table)
-    heads = "".join(f'<th scope="col">{cell}</th>' for cell in head)
+    # A head of a formula or of nothing has no text that a screen reader takes for one.
+    heads = "".join(
+        f'<th scope="col">{cell}</th>' if _has_text(cell) else f"<td>{cell}</td>" for cell in head
+    )
     body = "".join(
-        f'<tr><th scope="row">{first}</th>' + "".join(f"<td>{cell}</td>" for cell in rest) + "</tr>"
+        (f'<tr><th scope="row">{first}</th>' if _has_text(first) else f"<tr><td>{first}</td>")
+        + "".join(f"<td>{cell}</td>" for cell in rest)
+        + "</tr>"
         for first, *rest in rows
     )
     return (
