@@ -33,7 +33,7 @@ MINUTES_A_FIGURE = 2
 
 _FIGURES = {"live-figure", "scene-player", "ladder"}
 # Their content is data, and not read as words.
-_NO_WORDS = {"measured", "toctree", "objectives", "hard-cases", "raw", "math"}
+_NO_WORDS = {"measured", "toctree", "objectives", "hard-cases", "raw", "math", "exercise"}
 _FENCE = re.compile(r"^\s*(?P<mark>:{3,}|`{3,})\s*(?P<said>.*?)\s*$")
 _DIRECTIVE = re.compile(r"^\{(?P<name>[a-z-]+)\}\s*(?P<argument>.*)$")
 _OPTION = re.compile(r"^\s*:[a-z-]+:")

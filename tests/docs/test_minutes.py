@@ -92,6 +92,21 @@ Three words here.
     assert lesson.deeper.minutes == 0
 
 
+def test_what_an_exercise_compares_with_its_figure_is_no_text(sample: Sample) -> None:
+    lesson = count(
+        sample,
+        """\
+# One two
+
+:::{exercise} distance
+:figure: point_line
+signed distance, m: mine = distance
+:::
+""",
+    )
+    assert lesson.main.words == 2
+
+
 def test_a_deeper_box_is_counted_separately(sample: Sample) -> None:
     lesson = count(
         sample,
