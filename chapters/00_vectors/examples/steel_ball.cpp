@@ -12,9 +12,9 @@ int main() {
   // [split]
   const Vector v = 10.0 * Vector(std::sin(60 * degree), std::cos(60 * degree), 0);
   const double along = contact::dot_accurately(v, into_wall);
-  const Vector across = v - along * into_wall;
+  const Vector tangential = v - along * into_wall;
   // [/split]
-  std::printf("into the wall %.2f m/s, along the wall %.2f m/s\n", along, across.norm());
+  std::printf("into the wall %.2f m/s, along the wall %.2f m/s\n", along, tangential.norm());
   std::printf("with the angle taken from the normal: %.2f and %.2f m/s\n",
               10 * std::cos(60 * degree), 10 * std::sin(60 * degree));
   std::printf("with degrees for radians: %.2f m/s into the wall\n", 10 * std::sin(60.0));

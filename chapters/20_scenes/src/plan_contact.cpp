@@ -440,11 +440,11 @@ CONTACT_SCENES_INLINE Room room_of(const Scene& scene) {
       if (wall->normal(axis) < 0) ceiling(axis) = std::min(ceiling(axis), -wall->offset);
     }
     if (!body.moves) continue;
-    const double reach = outer_radius(body.shape);
-    diameters.push_back(2 * reach);
-    room.widest = std::max(room.widest, 2 * reach);
-    low = low.cwiseMin(body.position - Vector3<double>::Constant(reach));
-    high = high.cwiseMax(body.position + Vector3<double>::Constant(reach));
+    const double radius = outer_radius(body.shape);
+    diameters.push_back(2 * radius);
+    room.widest = std::max(room.widest, 2 * radius);
+    low = low.cwiseMin(body.position - Vector3<double>::Constant(radius));
+    high = high.cwiseMax(body.position + Vector3<double>::Constant(radius));
   }
   if (diameters.empty()) return room;
   const auto n = static_cast<double>(diameters.size());

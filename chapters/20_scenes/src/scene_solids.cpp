@@ -94,10 +94,10 @@ CONTACT_SCENES_INLINE double scene_reach(const SceneBody& body, const Vector3<do
     return d.cwiseAbs().dot(box->half_lengths);
   if (const auto* capsule = std::get_if<CapsuleShape>(&body.shape))
     return std::abs(d.z()) * capsule->half_length + capsule->radius;
-  double reach = -std::numeric_limits<double>::infinity();
+  double support = -std::numeric_limits<double>::infinity();
   for (const Vector3<double>& point : std::get<HullShape>(body.shape).points)
-    reach = std::max(reach, d.dot(point));
-  return reach;
+    support = std::max(support, d.dot(point));
+  return support;
 }
 
 /// The signed distance of a point of the world from a ball, a box or a capsule: negative inside.

@@ -48,8 +48,8 @@ CONTACT_SCENES_INLINE Aabb<double> box_of(const OrientedBox<double>& shape,
 }
 
 template <class Shape>
-Aabb<double> box_of(const Shape&, const Vector3<double>& x, const Matrix3<double>&, double reach) {
-  return aabb_of_sphere<double>({x, reach});
+Aabb<double> box_of(const Shape&, const Vector3<double>& x, const Matrix3<double>&, double radius) {
+  return aabb_of_sphere<double>({x, radius});
 }
 
 }  // namespace detail
@@ -70,9 +70,9 @@ CONTACT_SCENES_INLINE Aabb<double> swept_box(const SteppedSetup& setup, const St
                                              const Substep& substep, std::size_t slot) {
   const Vector3<double> x = position_of(setup, state, slot);
   const Matrix3<double> turn = matrix_of(orientation_of(setup, state, slot));
-  const double reach = setup.bodies[slot].bounding_radius;
+  const double radius = setup.bodies[slot].bounding_radius;
   const Aabb<double> box =
-      std::visit([&](const auto& shape) { return detail::box_of(shape, x, turn, reach); },
+      std::visit([&](const auto& shape) { return detail::box_of(shape, x, turn, radius); },
                  setup.bodies[slot].shape);
   if (slot >= setup.movers) return box;
   return aabb_of_swept_box<double>(box, velocity_of(setup, state, slot) * substep.left,
