@@ -130,7 +130,7 @@ body[data-theme="dark"]{${dark}}
 contact-figure .stage{${drawingRules}}
 ${roles}
 ${levels}
-${["contact.css", "ladder.css", "exercise.css"].map((name) => fs.readFileSync(path.join(here, "src", name), "utf8")).join("\n")}`;
+${["contact.css", "ladder.css", "exercise.css", "mine.css"].map((name) => fs.readFileSync(path.join(here, "src", name), "utf8")).join("\n")}`;
 }
 
 /** The libraries inside the page's script, with their licences. */
@@ -197,7 +197,7 @@ async function scripts() {
     { in: path.join(here, "src", "contact-work.ts"), out: "contact-work" },
     // By a name of its own, so that a test or a benchmark can check an answer as the page does.
     { in: path.join(here, "src", "cpp", "checker.ts"), out: "checker" },
-    ...["compile-worker", "run-worker", "program-worker"].map((name) => ({
+    ...["compile-worker", "run-worker", "program-worker", "mine-worker"].map((name) => ({
       in: path.join(here, "src", "cpp", `${name}.ts`),
       out: name,
     })),

@@ -7,8 +7,10 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any, ClassVar
 
 from docutils import nodes
+from docutils.parsers.rst import directives
 from forms import has_marks
 from sphinx.writers.html5 import HTML5Translator
 
@@ -21,6 +23,7 @@ from contact_book.html import attributes, base_path, can_run_scripts, render, re
 from contact_book.listing import listing
 from contact_book.nodes import component, make_component, make_slot, slot
 from contact_book.tables import table
+from contact_book.try_mine import tie
 
 
 def _number(value: float) -> str:
@@ -29,6 +32,10 @@ def _number(value: float) -> str:
 
 class Exercise(BookDirective):
     required_arguments = 1
+    has_content = True
+    option_spec: ClassVar[dict[str, Any]] = dict.fromkeys(
+        ("figure", "call", "only-for"), directives.unchanged_required
+    )
 
     def build(self) -> list[nodes.Node]:
         exercise = find_exercise(self.book, self.arguments[0].strip(), self.here, self.source)
@@ -68,8 +75,23 @@ class Exercise(BookDirective):
             make_slot("points", [self.points(exercise)]),
             *[make_slot("hint", self.markdown(hint)) for hint in exercise.hints],
         ]
-        data = {"exercise": exercise, "misconceptions": misconceptions}
+        data = {
+            "exercise": exercise,
+            "misconceptions": misconceptions,
+            "mine": self.mine(exercise),
+        }
         return make_component("exercise", data, parts)
+
+    def mine(self, exercise: ExerciseData) -> str | None:
+        """How the figure of the lesson calls what the reader writes."""
+        found = tie(
+            self.book, exercise.chapter, exercise.contract, self.options, list(self.content)
+        )
+        if found is None:
+            return None
+        _, figure = found["figure"].split("/")
+        self.depends(exercise.chapter.folder / "figures" / f"{figure}.cpp")
+        return json.dumps(found, ensure_ascii=False)
 
     def given(self, exercise: ExerciseData) -> list[slot]:
         if exercise.given is None:
@@ -151,6 +173,7 @@ def exercise_html(translator: HTML5Translator, node: component) -> str:
         name=exercise.ref,
         base=base_path(translator),
         inputs=inputs_json(exercise),
+        mine=node["data"]["mine"],
         **forms,
     )
     return f"<contact-exercise{where}>{inner}</contact-exercise>\n"

@@ -58,6 +58,11 @@ export class ContactFigure extends HTMLElement {
     return this.#ready;
   }
 
+  /** Puts something under the numbers of the loaded figure. */
+  beside(element: HTMLElement): void {
+    this.querySelector(".computed")?.after(element);
+  }
+
   set(fields: Fields): void {
     this.#model?.set(fields);
   }

@@ -135,6 +135,25 @@ export class Checker {
     return { ...verdict, file, seconds: { compile, link, run } };
   }
 
+  /** Links an answer with a file that calls it, instead of with its tests. */
+  async callable(
+    data: ExerciseData,
+    source: string,
+    caller: string,
+    tell: Tell,
+    signal?: AbortSignal,
+  ): Promise<{ program: WebAssembly.Module } | { verdict: VerdictJson }> {
+    signal?.throwIfAborted();
+    const { toolchain } = await this.#parts;
+    const whole = new TextDecoder().decode(new TextEncoder().encode(source));
+    await toolchain.ready(tell, signal);
+    const build = { exercise: data.id, files: data.files, source: whole, tests: caller };
+    const built = await toolchain.build(build, tell, signal);
+    if (built.ok) return { program: await WebAssembly.compile(built.program) };
+    const judge = await this.judge(data);
+    return { verdict: judge.uncompiled(data.id, { ...built, source: whole }) };
+  }
+
   /** Where an exercise's tests are; while they are still to be built, waits until they are. */
   async #tests(id: string, tell: Tell, signal?: AbortSignal): Promise<ShippedFile> {
     const { toolchain } = await this.#parts;

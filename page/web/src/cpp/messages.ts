@@ -2,18 +2,18 @@
 
 import type { Look, Looks, Manifest, TestResult, TimedTest } from "./types.ts";
 
-/** One answer to be compiled and linked. */
 /** What is said of a worker whose script does not load: its error event has no words. */
 export const NOT_LOADED = "a part of the page did not load";
 
+/** One answer to be compiled and linked. */
 export interface Build {
   /** NN_slug/NAME */
   readonly exercise: string;
   /** Files that it may include beside those of the toolchain, by their paths in the repository. */
   readonly files: Readonly<Record<string, string>>;
   readonly source: string;
-  /** The exercise's tests, as shipped: opened. */
-  readonly tests: Uint8Array<ArrayBuffer>;
+  /** The exercise's tests, as shipped: opened; or the source of a file that calls the answer. */
+  readonly tests: Uint8Array<ArrayBuffer> | string;
 }
 
 export type Modules = Readonly<Record<string, WebAssembly.Module>>;

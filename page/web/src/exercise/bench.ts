@@ -17,6 +17,7 @@ import { colour } from "./colour.ts";
 import { Forms } from "./forms.ts";
 import { Hints } from "./hints.ts";
 import { inputPanel } from "./input-panel.ts";
+import { Mine } from "./mine.ts";
 import { nextAfter, type Parts } from "./parts.ts";
 import { sideBySideSwitch } from "./side-by-side.ts";
 import { Versions, when } from "./versions.ts";
@@ -60,6 +61,7 @@ export class Bench {
   readonly #code: CodeField;
   readonly #hints: Hints;
   readonly #forms: Forms | undefined;
+  readonly #mine: Mine | undefined;
   readonly #written = html("div", { class: "written" });
   readonly #versions = new Versions((version) => this.#bringBack(version));
 
@@ -115,6 +117,7 @@ export class Bench {
       check: () => void this.check(),
     });
     if (parts.forms) this.#forms = this.#makeForms();
+    if (parts.mine) this.#mine = this.#makeMine(parts.mine);
     this.#hints = new Hints(parts.hints, Work.progress().exercises[parts.id]?.hints_shown ?? 0);
     this.#build(keys);
     this.#sayIfTheBookChanged(code?.base);
@@ -149,6 +152,7 @@ export class Bench {
     const read = html("div", { class: "read" }, contract, ...this.#given());
     const buttons = html("div", { class: "buttons" });
     buttons.append(this.#check, this.#stop, this.#again, this.#hint, this.#reset, this.#undo);
+    if (this.#mine) buttons.append(this.#mine.button);
     // Last, since it comes and goes by itself.
     buttons.append(this.#solution, this.#allTheSame, this.#ready);
     for (const hidden of [this.#stop, this.#again, this.#ready, this.#undo, this.#allTheSame])
@@ -197,6 +201,23 @@ export class Bench {
     return [panel];
   }
 
+  #makeMine(tie: NonNullable<Parts["mine"]>): Mine {
+    const { base, title, file } = this.#parts;
+    return new Mine(tie, {
+      base,
+      title,
+      file,
+      text: () => this.#text,
+      exercise: () => this.#exercise(),
+      checker: () => this.#checker(),
+      toCode: () => {
+        this.#host.querySelector(".write")?.scrollIntoView({ block: "nearest" });
+        this.#mine?.button.focus({ preventScroll: true });
+      },
+      say: (words) => this.#say(words),
+    });
+  }
+
   #makeForms(): Forms {
     const { id } = this.#parts;
     const entry = (): { passed?: string; solution_shown?: boolean } =>
@@ -238,6 +259,7 @@ export class Bench {
   /** What depends on the text alone: after every key. */
   #refreshText(): void {
     const writes = this.#writes;
+    this.#mine?.changed();
     this.#written.hidden = !writes;
     this.#reset.hidden = !writes;
     if (!writes) this.#undo.hidden = true;

@@ -1,6 +1,7 @@
 // What the page says of an exercise before any script: the listings, the points, the hints.
 
 import type { InputSpec } from "./input-panel.ts";
+import type { Tie } from "./mine-program.ts";
 
 export interface Parts {
   /** NN_slug/NAME */
@@ -16,6 +17,8 @@ export interface Parts {
   /** The code to break, if there is any. */
   readonly given: HTMLElement | undefined;
   readonly inputs: readonly InputSpec[];
+  /** How the lesson's figure calls the reader's function, if it can. */
+  readonly mine: Tie | undefined;
   readonly points: HTMLElement | undefined;
   readonly commands: HTMLElement | undefined;
   readonly hints: readonly Node[][];
@@ -59,6 +62,7 @@ export function readParts(element: HTMLElement): Parts | undefined {
     contractListing: contract,
     given: part(".given") ?? undefined,
     inputs: JSON.parse(element.getAttribute("inputs") ?? "[]") as InputSpec[],
+    mine: JSON.parse(element.getAttribute("mine") ?? "null") ?? undefined,
     points: part(".table-wrapper, table") ?? undefined,
     commands: part(".commands") ?? undefined,
     hints: hintsOf(element),
