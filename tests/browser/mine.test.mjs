@@ -230,6 +230,6 @@ describe("the reader's function in a figure", { skip: without }, () => {
       await one.exercise.paste(solutionOf(id));
       await one.press();
       await one.until(/same|different|trouble/);
-      assert.match((await one.words()) ?? "", /is the same as the book’s/);
+      assert.match((await one.words()) ?? "", /agrees with the book’s/);
     });
 });

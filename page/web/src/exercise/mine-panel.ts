@@ -76,7 +76,7 @@ export class MinePanel {
     this.#tell(
       differing.length > 0
         ? `Your answer differs from the book’s: ${differing.join("; ")}.`
-        : "Your answer is the same as the book’s here.",
+        : "Your answer agrees with the book’s here: no number differs by more than 10⁻⁹, or by more than 10⁻⁹ of its size.",
     );
   }
 

@@ -62,6 +62,8 @@ export class Mine {
       `contact-figure[name="${CSS.escape(name)}"]`,
     );
     figure?.scrollIntoView({ block: "nearest" });
+    const loading = figure && !figure.input;
+    if (loading) this.#host.say("The figure is being loaded …");
     try {
       await figure?.ready;
     } catch {
@@ -71,6 +73,7 @@ export class Mine {
       this.#host.say("The figure could not be loaded, so your code cannot be tried in it.");
       return;
     }
+    if (loading) this.#host.say("");
     if (!this.#panel) {
       inFigures.get(name)?.stop();
       inFigures.set(name, this);
