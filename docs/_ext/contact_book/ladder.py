@@ -11,7 +11,6 @@ import json
 import subprocess
 from pathlib import Path
 from typing import Any
-from urllib.parse import quote
 
 from docutils import nodes
 from sphinx.writers.html5 import HTML5Translator
@@ -174,12 +173,15 @@ def ladder_html(translator: HTML5Translator, node: component) -> str:
     numbers = parts["table"][0]
     if not can_run_scripts(translator):
         return f'<div class="ladder">{alone(picture)}{measured}{numbers}</div>'
-    file = attributes(
-        download=f"{data['slug']}.csv",
-        href=f"data:text/csv;charset=utf-8,{quote(as_csv(data['ladder']))}",
-    )
+    # A file of its own, since the page has these numbers twice already.
+    name = f"{data['slug']}.csv"
+    written = Path(translator.builder.outdir) / "ladders" / name
+    written.parent.mkdir(exist_ok=True)
+    written.write_text(as_csv(data["ladder"]), encoding="utf-8", newline="")
+    up = "../" * translator.builder.current_docname.count("/")
+    file = attributes(download=name, href=f"{up}ladders/{name}")
     folded = (
-        f"<details><summary>The numbers</summary><p><a{file}>{data['slug']}.csv</a></p>"
+        f"<details><summary>The numbers</summary><p><a{file}>{name}</a></p>"
         f"{numbers}</details>"
     )
     where = attributes(base=base_path(translator), name=data["slug"])
