@@ -150,7 +150,7 @@ describe("ladders", { skip }, () => {
         if (!seen.has(failure.figure)) {
           seen.add(failure.figure);
           await cellOf(ladder, row).click();
-          await ladder.getByRole("button", { name: "Open in the figure" }).click();
+          await ladder.getByRole("button", { name: "Open in the figure", exact: true }).click();
           const said = figure.locator("xpath=preceding-sibling::*[1]");
           await said.getByText("From the ladder,").waitFor();
           assert.ok(await figure.isVisible());
@@ -178,7 +178,7 @@ describe("ladders", { skip }, () => {
         if (method) assert.ok(fails[failure.figure]?.(output, method) ?? true, `${what} is right`);
       }
       if (seen.size > 0) {
-        await page.getByRole("button", { name: "Back to the ladder" }).first().click();
+        await page.getByRole("button", { name: "Back to the ladder", exact: true }).first().click();
         assert.ok(await ladder.locator(".cell").isVisible());
       }
       assert.deepEqual(trouble, []);
@@ -229,7 +229,7 @@ describe("ladders", { skip }, () => {
       await page.keyboard.press("Enter");
       assert.ok(await ladder.locator(".cell").isVisible());
       assert.equal(await focused.getAttribute("aria-expanded"), "true");
-      await ladder.getByRole("button", { name: "Close" }).click();
+      await ladder.getByRole("button", { name: "Close", exact: true }).click();
       assert.ok(await ladder.locator(".cell").isHidden());
       assert.ok(await focused.evaluate((cell) => cell === document.activeElement));
       await close();
@@ -260,7 +260,7 @@ describe("ladders", { skip }, () => {
       const ladder = page.locator("contact-ladder").first();
       const data = await measured(ladder);
       assert.equal(await ladder.locator("rect.own").count(), 0);
-      await ladder.getByRole("button", { name: "Run it here" }).click();
+      await ladder.getByRole("button", { name: "Run it here", exact: true }).click();
       const status = ladder.locator(".status").filter({ hasText: /timed in|could not/ });
       await status.waitFor({ timeout: 50_000 });
       assert.match((await status.textContent()) ?? "", /timed in/);
@@ -289,10 +289,10 @@ describe("ladders", { skip }, () => {
     test(`${where}: cancelled`, async () => {
       const { page, close } = await open(chromium.browser, url(where));
       const ladder = page.locator("contact-ladder").first();
-      await ladder.getByRole("button", { name: "Run it here" }).click();
+      await ladder.getByRole("button", { name: "Run it here", exact: true }).click();
       await ladder.getByRole("button", { name: "Cancel", exact: true }).click();
       await ladder.getByText("Stopped.").waitFor();
-      assert.ok(await ladder.getByRole("button", { name: "Run it here" }).isVisible());
+      assert.ok(await ladder.getByRole("button", { name: "Run it here", exact: true }).isVisible());
       await close();
     });
 });

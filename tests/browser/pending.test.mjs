@@ -101,11 +101,11 @@ test("a ladder that is not built yet waits for its turn, and runs", { skip }, as
     await page.route(unbuilt, (route) => route.fulfill({ status: 404 }));
     await page.goto(`${served.origin}/chapters/${slug}.html`);
     const ladder = page.locator("contact-ladder").first();
-    const run = ladder.getByRole("button", { name: "Run it here" });
+    const run = ladder.getByRole("button", { name: "Run it here", exact: true });
     queue.push("other/one", `ladder ${slug}`);
     await run.click();
     await ladder.getByText("This is not built yet: one other is before it.").waitFor();
-    await ladder.getByRole("button", { name: "Cancel" }).click();
+    await ladder.getByRole("button", { name: "Cancel", exact: true }).click();
     await ladder.getByText("Stopped.").waitFor();
     await run.click();
     await ladder.getByText("This is not built yet").waitFor();
