@@ -86,7 +86,7 @@ T integer(Null kind) {
 }
 
 inline int length(Null kind) {
-  if (kind == Null::huge) return 100'000;
+  if (kind == Null::huge) return 10'000;
   return kind == Null::zeros || kind == Null::echo ? 0 : 3;
 }
 
@@ -113,7 +113,7 @@ T make(Null kind) {
   } else if constexpr (of == Kind::matrix) {
     T result;
     if constexpr (T::SizeAtCompileTime == Eigen::Dynamic) {
-      // A hundred thousand numbers, not a square of a hundred thousand.
+      // Ten thousand numbers, not a square of ten thousand.
       result.resize(T::RowsAtCompileTime == Eigen::Dynamic ? length(kind) : T::RowsAtCompileTime,
                     T::ColsAtCompileTime == Eigen::Dynamic && T::RowsAtCompileTime != Eigen::Dynamic
                         ? length(kind)
