@@ -21,6 +21,8 @@ struct Options {
   unsigned sample = 0;
   std::string seed;
   std::string write;
+  std::string hints;
+  bool keep = false;
 };
 
 int run(Context& context, const Options& options) {
@@ -42,6 +44,8 @@ int run(Context& context, const Options& options) {
   add(options.sample > 0, "--sample", std::to_string(options.sample));
   add(!options.seed.empty(), "--seed", options.seed);
   add(!options.write.empty(), "--write", options.write);
+  add(!options.hints.empty(), "--hints", options.hints);
+  if (options.keep) spec.command.emplace_back("--keep");
   if (options.json) spec.command.emplace_back("--json");
   for (const grading::Exercise* exercise : exercises) spec.command.push_back(exercise->id());
   spec.environment = {{"PYTHONDONTWRITEBYTECODE", "1"}};
@@ -69,6 +73,9 @@ void add_dev_mutants(Command dev, Action& action) {
   command.add_option("--sample", options->sample, "Draw so many hints, for a reader to judge");
   command.add_option("--seed", options->seed, "Draw them by this text");
   command.add_option("--write", options->write, "Write them to this file");
+  command.add_option("--hints", options->hints,
+                     "Write all hints to this file, one JSON object a line");
+  command.add_flag("--keep", options->keep, "Store the counts in grading/mutants/kept");
   command.add_flag("--json", options->json, "Print JSON");
   command.callback([&action, options] {
     action = [options](Context& context) { return run(context, *options); };

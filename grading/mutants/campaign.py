@@ -50,10 +50,17 @@ class Result:
     not_compiled: list[Mutant] = field(default_factory=list)
     killed: list[Tried] = field(default_factory=list)
     equivalent: list[Tried] = field(default_factory=list)
+    # Where the answer is an input that breaks code: other inputs that break it too.
+    also_right: list[Tried] = field(default_factory=list)
     survivors: list[Tried] = field(default_factory=list)
     problems: list[str] = field(default_factory=list)
     # There is an equivalent.toml, so somebody has looked at every survivor: a new one is a fault.
     settled: bool = False
+
+    @property
+    def mutants(self) -> int:
+        tried = (self.killed, self.equivalent, self.also_right, self.survivors)
+        return sum(len(one) for one in tried)
 
     @property
     def answered(self) -> list[Tried]:
@@ -86,11 +93,12 @@ class Result:
         return {
             "exercise": self.exercise,
             "settled": self.settled,
-            "mutants": len(self.killed) + len(self.equivalent) + len(self.survivors),
+            "mutants": self.mutants,
             "not_compiled": len(self.not_compiled),
             "killed": len(self.killed),
             "killed_by_an_answer": len(self.answered),
             "equivalent": len(self.equivalent),
+            "also_right": len(self.also_right),
             "survivors": [one.as_json() for one in self.survivors],
             "one_hint": len(self.hinted),
             "several": len(self.asked),
@@ -180,8 +188,16 @@ def _named(said: str, name: str, lines: dict[int, set[int]], text: str) -> set[i
 
 
 def try_exercise(
-    bundle: Bundle, exercise: str, solution: Path, equivalents: Path, jobs: int
+    bundle: Bundle,
+    exercise: str,
+    solution: Path,
+    equivalents: Path,
+    jobs: int,
+    *,
+    breaks_code: bool = False,
 ) -> Result:
+    """`breaks_code`: the answer is an input, which the tests judge by their own oracle. What they
+    accept is another right answer."""
     source = solution.read_text()
     lines = source.split("\n")
     result = Result(exercise, settled=equivalents.exists())
@@ -202,6 +218,8 @@ def try_exercise(
     for one in everything:
         if one.trial.status != "passed":
             result.killed.append(one)
+        elif breaks_code:
+            result.also_right.append(one)
         elif known.knows(one.mutant, one.source_line):
             result.equivalent.append(one)
         else:

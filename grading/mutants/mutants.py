@@ -1,13 +1,14 @@
 """Mutants of the solutions: are the tests good enough, and do their hints speak the truth?
 
-    mutants.py [--root ROOT] [--build BUILD] [--jobs N] [--json] [--limit SECONDS]
-               [--sample N --seed TEXT --write FILE] [EXERCISE...]
+    mutants.py [--root ROOT] [--build BUILD] [--jobs N] [--json] [--limit SECONDS] [--keep]
+               [--hints FILE] [--sample N --seed TEXT --write FILE] [EXERCISE...]
 
 Each mutant is a small change of a solution (mutate.py). Of each exercise this counts those that the
 tests catch, those that are known to be equivalent (solutions/NN/NAME/equivalent.toml), those that
 survive, and how many of the caught ones are recognised as one mistake or as several. `--sample`
 draws caught mutants whose hint is shown, and writes them with the hint, for a reader to judge
-whether it is true. `contact dev mutants` builds what is not current and calls this.
+whether it is true; `--hints` writes all of them, one JSON object a line. `--keep` stores the counts
+in kept/CHAPTER.json. `contact dev mutants` builds what is not current and calls this.
 """
 
 from __future__ import annotations
@@ -36,15 +37,15 @@ def share(part: int, whole: int) -> str:
 
 def table(results: Sequence[Result]) -> str:
     said = ("mistake", "several", "noted", "none")
-    head = ("exercise", "mutants", "killed", "equivalent", "left", *said)
+    head = ("exercise", "mutants", "killed", "equivalent", "also right", "left", *said)
     rows: list[tuple[str, ...]] = [head]
-    sums = [0] * 8
+    sums = [0] * 9
     for one in results:
-        live = len(one.killed) + len(one.survivors)
         numbers = [
-            live + len(one.equivalent),
+            one.mutants,
             len(one.killed),
             len(one.equivalent),
+            len(one.also_right),
             len(one.survivors),
             len(one.hinted),
             len(one.asked),
@@ -63,19 +64,20 @@ def table(results: Sequence[Result]) -> str:
         for row in rows
     )
     return text + (
-        "\n\nkilled: of those that are not equivalent. The last four: of those that gave a wrong"
-        " answer, for how many\none mistake is named, several are asked about, something true is"
-        " noted, or nothing is said."
+        "\n\nkilled: of those that are mistakes. also right: an input that breaks the given code"
+        " too.\nThe last four: of those that gave a wrong answer, for how many one mistake is"
+        " named, several are\nasked about, something true is noted, or nothing is said."
     )
 
 
 def _cells(numbers: Sequence[int]) -> tuple[str, ...]:
-    whole, killed, equivalent, left, *said = numbers
+    whole, killed, equivalent, also_right, left, *said = numbers
     answered = sum(said)
     return (
         str(whole),
         f"{killed} ({share(killed, killed + left)})",
         str(equivalent),
+        str(also_right),
         str(left),
         *(f"{one} ({share(one, answered)})" for one in said),
     )
@@ -101,12 +103,38 @@ def quoted(text: str) -> str:
     return json.dumps(text, ensure_ascii=False)
 
 
+def shown_hints(results: Sequence[Result]) -> list[tuple[str, Tried]]:
+    """The caught mutants of which something is said, in a fixed order."""
+    shown = [
+        (result.exercise, one)
+        for result in results
+        for one in (*result.hinted, *result.asked, *result.noted)
+    ]
+    return sorted(shown, key=lambda pair: (pair[0], pair[1].mutant.number))
+
+
+def shown_hint(exercise: str, one: Tried, hints: Json) -> dict[str, str]:
+    """The mutant, what the tests asked and were answered, and what they say of it."""
+    failure = one.trial.failure
+    ids = one.trial.misconceptions
+    return {
+        "exercise": exercise,
+        "line": f"{one.mutant.line}: {one.source_line}",
+        "was": one.mutant.was,
+        "now": one.mutant.now,
+        "test": one.trial.test,
+        "asked": failure.get("asked", ""),
+        "inputs": "; ".join(f"{each['name']} = {each['text']}" for each in failure["inputs"]),
+        "got": failure.get("got", ""),
+        "right": failure.get("right", ""),
+        "misconception": " or ".join(ids),
+        "hint": " / ".join(hints[id_]["hint"] for id_ in ids) if ids else failure["observed"],
+    }
+
+
 def sample(results: Sequence[Result], hints: Json, count: int, seed: str) -> str:
     """Mutants whose hint is shown, drawn by the seed, as TOML with a verdict to be filled in."""
-    shown = [
-        (result.exercise, one) for result in results for one in (*result.hinted, *result.noted)
-    ]
-    shown.sort(key=lambda pair: (pair[0], pair[1].mutant.number))
+    shown = [pair for pair in shown_hints(results) if len(pair[1].trial.misconceptions) < 2]
     drawn = random.Random(seed).sample(shown, min(count, len(shown)))
     text = (
         f"# {len(drawn)} of {len(shown)} hints that mutants of the solutions are shown, drawn with"
@@ -114,24 +142,27 @@ def sample(results: Sequence[Result], hints: Json, count: int, seed: str) -> str
         ' "true", "false" or "unclear", by a reader who did not write it.\n'
     )
     for exercise, one in drawn:
-        failure = one.trial.failure
-        id_ = one.trial.misconceptions[0] if one.trial.misconceptions else ""
-        inputs = "; ".join(f"{each['name']} = {each['text']}" for each in failure["inputs"])
-        entries = {
-            "exercise": exercise,
-            "line": f"{one.mutant.line}: {one.source_line}",
-            "was": one.mutant.was,
-            "now": one.mutant.now,
-            "test": one.trial.test,
-            "inputs": inputs,
-            "got": failure.get("got", ""),
-            "right": failure.get("right", ""),
-            "misconception": id_,
-            "hint": hints[id_]["hint"] if id_ else failure["observed"],
-            "verdict": "",
-        }
+        entries = {**shown_hint(exercise, one, hints), "verdict": ""}
         text += "\n[[hint]]\n" + "".join(f"{k} = {quoted(v)}\n" for k, v in entries.items())
     return text
+
+
+COUNTS = ("mutants", "killed", "killed_by_an_answer", "equivalent", "also_right")
+SAID = ("one_hint", "several", "noted")
+
+
+def keep(results: Sequence[Result], folder: Path) -> None:
+    """Stores the counts of these exercises; those of the others stay as they are."""
+    folder.mkdir(exist_ok=True)
+    for result in results:
+        chapter, name = result.exercise.split("/")
+        file = folder / f"{chapter}.json"
+        kept = json.loads(file.read_text()) if file.exists() else {}
+        said = result.as_json()
+        left = {"left": len(result.survivors), "no_hint": len(result.silent)}
+        kept[name] = {each: said[each] for each in (*COUNTS, *SAID)} | left
+        lines = [f" {quoted(key)}: {json.dumps(kept[key])}" for key in sorted(kept)]
+        file.write_text("{\n" + ",\n".join(lines) + "\n}\n")
 
 
 def exercises_named(root: Path, names: Sequence[str]) -> list[str]:
@@ -150,6 +181,11 @@ def exercises_named(root: Path, names: Sequence[str]) -> list[str]:
     return chosen
 
 
+def breaks_code(root: Path, exercise: str) -> bool:
+    declared = tomllib.loads((root / "exercises" / exercise / "exercise.toml").read_text())
+    return bool(declared["kind"] == "break")
+
+
 def main(arguments: Sequence[str]) -> int:
     parser = argparse.ArgumentParser(description="tries mutants of the solutions")
     parser.add_argument("--root", type=Path, default=ROOT)
@@ -157,6 +193,8 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--limit", type=float, help="seconds of processor time, then no more")
     parser.add_argument("--json", action="store_true")
+    parser.add_argument("--keep", action="store_true", help="store the counts")
+    parser.add_argument("--hints", type=Path, help="where all hints go, one JSON object a line")
     parser.add_argument("--sample", type=int, help="so many hints to be judged")
     parser.add_argument("--seed", default="1")
     parser.add_argument("--write", type=Path, help="where the sample goes; stdout")
@@ -176,12 +214,27 @@ def main(arguments: Sequence[str]) -> int:
         try:
             bundle = Bundle.of(build, name)
             results.append(
-                try_exercise(bundle, name, file, solution / "equivalent.toml", given.jobs)
+                try_exercise(
+                    bundle,
+                    name,
+                    file,
+                    solution / "equivalent.toml",
+                    given.jobs,
+                    breaks_code=breaks_code(given.root, name),
+                )
             )
         except TrialError as error:
             results.append(Result(name, problems=[str(error)]))
+    hints = tomllib.loads((given.root / "chapters/misconceptions.toml").read_text())
+    if given.hints:
+        lines = [
+            json.dumps(shown_hint(*one, hints), ensure_ascii=False) + "\n"
+            for one in shown_hints(results)
+        ]
+        given.hints.write_text("".join(lines))
+    if given.keep:
+        keep([one for one in results if one.mutants], Path(__file__).parent / "kept")
     if given.sample is not None:
-        hints = tomllib.loads((given.root / "chapters/misconceptions.toml").read_text())
         text = sample(results, hints, given.sample, given.seed)
         if given.write:
             given.write.write_text(text)

@@ -52,6 +52,8 @@ FUNCTIONS = {
 }
 # Functions of one argument that are easily forgotten: what stays is the argument.
 FORGOTTEN = {"abs", "sqrt", "fabs"}
+# Functions that give the same if their first arguments, so many, are exchanged.
+COMMUTING = {"fma": 2, "hypot": 2}
 # Methods whose object and argument are easily exchanged.
 EXCHANGED = {"cross"}
 
@@ -210,11 +212,13 @@ class _Finder:
         called = self.text(function)
         head, tail = called[: -len(called.rpartition("::")[2].rpartition(".")[2])], ""
         tail = called[len(head) :]
-        if tail in FUNCTIONS:
+        if tail in FUNCTIONS and not (tail in ("norm", "squaredNorm") and _is_against_zero(node)):
             yield "function", f"{head}{FUNCTIONS[tail]}({', '.join(given)})"
         if tail in FORGOTTEN and len(given) == 1:
             yield "function", f"({given[0]})"
         for i in range(len(given) - 1):
+            if tail in COMMUTING and i + 1 < COMMUTING[tail]:
+                continue
             swapped = [*given[:i], given[i + 1], given[i], *given[i + 2 :]]
             yield "swapped arguments", f"{called}({', '.join(swapped)})"
         if tail in EXCHANGED and len(given) == 1 and head.endswith("."):
@@ -223,6 +227,17 @@ class _Finder:
 
 def _group(text: str) -> str:
     return f"({text})" if any(one in text for one in "+-*/?<>= ") else text
+
+
+def _is_against_zero(node: Node) -> bool:
+    """The length of a vector is 0 if and only if its square is, also as both are rounded."""
+    parent = node.parent
+    if parent is None or parent.type != "binary_expression":
+        return False
+    left, operator, right = parent.children
+    return operator.text in (b"==", b"!=") and any(
+        side.text in (b"0", b"0.0") for side in (left, right)
+    )
 
 
 def _is_constant(node: Node) -> bool:

@@ -3,6 +3,7 @@ one program for each of them."""
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
@@ -14,6 +15,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "grading/mutants")]
 
 import campaign  # noqa: E402
+import mutants as program  # noqa: E402
 import trial  # noqa: E402
 from mutate import Mutant, mutants_of, switched  # noqa: E402
 
@@ -77,6 +79,22 @@ def test_what_the_compiler_evaluates_is_left_alone() -> None:
         changes("constexpr double kMost = 2;\nstd::array<int, 3> three;\nint four[4];\n") == set()
     )
     assert changes('#include "x.hpp"\nconst char* text = "1 + 2";\n') == set()
+
+
+def test_what_can_change_no_value_is_not_tried() -> None:
+    found = changes("double f(V u) { return u.norm() == 0 ? std::fma(a, b, c) : u.norm(); }\n")
+    assert ("std::fma(a, b, c)", "std::fma(a, c, b)") in found
+    assert ("std::fma(a, b, c)", "std::fma(b, a, c)") not in found
+    lengths = "bool f(V u) { return u.norm() == 0 && 0.0 != u.squaredNorm(); }\n"
+    assert (
+        changes(lengths)
+        & {
+            ("u.norm()", "u.squaredNorm()"),
+            ("u.squaredNorm()", "u.norm()"),
+        }
+        == set()
+    )
+    assert ("u.norm()", "u.squaredNorm()") in changes("bool f(V u) { return u.norm() <= 1; }\n")
 
 
 def with_change(mutant: Mutant) -> str:
@@ -143,3 +161,24 @@ def test_an_equivalent_mutant_needs_a_reason_and_must_exist_and_survive(tmp_path
     file.write_text(entry.format(" "))
     with pytest.raises(trial.TrialError, match="each"):
         campaign.Equivalents.read(file)
+
+
+def test_counts_are_kept_by_chapter_and_others_stay(tmp_path: Path) -> None:
+    one = campaign.Result("03_x/first", killed=[tried("3", "4", "x = 3;", "failed")])
+    two = campaign.Result("03_x/second", survivors=[tried("3", "4", "x = 3;", "passed")])
+    program.keep([one], tmp_path)
+    program.keep([two], tmp_path)
+    kept = json.loads((tmp_path / "03_x.json").read_text())
+    assert (kept["first"]["killed"], kept["first"]["no_hint"]) == (1, 1)
+    assert (kept["second"]["mutants"], kept["second"]["left"]) == (1, 1)
+
+
+def test_the_kept_counts_name_exercises_and_add_up() -> None:
+    for file in sorted((ROOT / "grading/mutants/kept").glob("*.json")):
+        for name, counts in json.loads(file.read_text()).items():
+            exercise = ROOT / "exercises" / file.stem / name / "exercise.toml"
+            assert exercise.exists(), exercise
+            ended = ("killed", "equivalent", "also_right", "left")
+            assert counts["mutants"] == sum(counts[one] for one in ended), name
+            said = ("one_hint", "several", "noted", "no_hint")
+            assert counts["killed_by_an_answer"] == sum(counts[one] for one in said), name
