@@ -42,7 +42,9 @@ void check(const Body& first, const Body& second, double restitution) {
   // At most 11 roundings for the loss and 6 more for the fraction. The form 1 − e² rounds e² before
   // the subtraction, which magnifies the error by 1/(1 − e²); no e here is above 0.95.
   const double room = (20 + 2 / (1 - e * e)) * 0x1p-53;
-  const auto of = [before](double lost) { return EnergyLoss{lost, lost / before}; };
+  const auto of = [before](double lost) {
+    return EnergyLoss{lost, before > 0 ? lost / before : 0};
+  };
   ask("What kinetic energy does the collision lose?")
       .given("first", first)
       .given("second", second)
@@ -92,6 +94,7 @@ TEST_CASE("bodies that do not approach lose nothing") {
   check({2, 3}, {1, 4}, 0.5);
   check({2, -3}, {1, 3}, 0);
   check({2, 3}, {1, 2}, 0.5);
+  check({2, 0}, {1, 0}, 0.5);  // at rest: there is no energy to lose
 }
 
 TEST_CASE("the loss in docking is accurate at orbital speeds") {
