@@ -186,6 +186,7 @@ TEST_CASE("a heavy ball among light ones") {
   check({{1, 3}, {2, 0}, {1, 0}});
   check({{4, 5}, {1, 0}, {1, 0}});
   check({{1, 8}, {1, 0}, {7, 0}});
+  check({{1, 4}, {1, 0}, {3, -4}});  // both pairs approach at the same speed
 }
 
 TEST_CASE("random rows settle by the rule of the contract") {
