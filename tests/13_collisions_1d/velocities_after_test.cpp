@@ -120,6 +120,7 @@ TEST_CASE("invalid masses and coefficients are refused") {
   check({1, 2}, {3, -5}, 0);
   check_refused({0, 2}, {3, -5}, 1);
   check_refused({1, 2}, {-3, -5}, 0.5);
+  check_refused({1, 2}, {0, -5}, 0.5);
   check_refused({nan, 2}, {3, -5}, 0.5);
   check_refused({1, 2}, {3, -5}, 1.5);
   check_refused({1, 2}, {3, -5}, -0.25);
