@@ -175,6 +175,7 @@ TEST_CASE("discs in contact touch only if they approach") {
   check({{{-1, 0}, {1, 0.5}, 0.5}, kStanding});
   check({{{-1, 0}, {-1, 0.5}, 0.5}, kStanding});
   check({{{-0.75, 0}, {-1, 0.5}, 0.5}, kStanding, {{5, 0}, {-1, 0}, 0.5}});
+  check({{{-0.75, 0}, {1, 0.5}, 0.5}, kStanding});
 }
 
 TEST_CASE("the earliest of several pairs") {
