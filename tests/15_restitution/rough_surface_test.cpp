@@ -91,6 +91,7 @@ TEST_CASE("friction acts during the whole change of the normal velocity") {
   check({6, 0, -4}, {0, 0, 1}, 0.5, 0.25);  // 0.25 · 1.5 · 4 = 1.5 of 6
   check({0, 8, -4}, {0, 0, 1}, 1, 0.5);
   check({-5, 1, 2}, {0, 0, -1}, 0.75, 0.125);
+  check({0.5, 0, -1}, {0, 0, 1}, 0.5, 0.25);  // 0.25 · 1.5 · 1 = 0.375 of 0.5
 }
 
 TEST_CASE("friction stops the slip and does not reverse it") {
