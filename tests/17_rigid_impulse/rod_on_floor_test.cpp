@@ -160,6 +160,8 @@ TEST_CASE("without friction") {
 TEST_CASE("a point that does not move down is left alone") {
   check({1, 0.25, {0, 1}, {2, 3}, 0}, {0, 0}, 0.5, 0.5);
   check({1, 0.25, {-1, 1}, {0, -1}, 2}, {0, 0}, 0.5, 0.5);
+  // The point moves along the floor, and would jam if an impact began.
+  check({1, 0.25, {-0.5, 1}, {1, 0}, 0}, {0, 0}, 0.5, 1.5);
 }
 
 TEST_CASE("the slip stops and the end sticks") {
