@@ -78,6 +78,7 @@ const Wall right_wall{Vector(-1, 0, 0), -1};
 TEST_CASE("a step without an impact") {
   check_exact({Vector(0, 0, 2), Vector(1, 0, -1), 0, 3}, {floor_wall}, 1, 0.5);
   check_exact({Vector(0, 0, 2), Vector(1, 2, 4), 0, 0}, {floor_wall}, 0.5, 2);
+  check_exact({Vector(0, 0, 2), Vector(1, 2, 0), 0, 0}, {floor_wall}, 0.5, 2);
 }
 
 TEST_CASE("an impact after half of the step") {
