@@ -79,6 +79,8 @@ TEST_CASE("the nearest triangle is found at any position in the list") {
   check(kUp, {floor_at(16), floor_at(32), floor_at(8), floor_at(4)}, 1e-12);
   const Triangle aside{{10, 10, 1}, {12, 10, 1}, {10, 12, 1}};
   check(kUp, {aside, floor_at(16), aside, floor_at(4)}, 1e-12);
+  // A determinant of exactly 1.
+  check({{0.25, 0.25, 3}, {0, 0, -1}}, {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, 1e-12);
 }
 
 TEST_CASE("triangles behind the origin do not count, and without a hit there is nothing") {
@@ -86,6 +88,30 @@ TEST_CASE("triangles behind the origin do not count, and without a hit there is 
   check(kUp, {floor_at(8), floor_at(0), floor_at(4)}, 1e-12);
   check(kUp, {floor_at(-4), floor_at(-8)}, 1e-12);
   check(kUp, {}, 1e-12);
+  // Parallel to the ray, and without area.
+  const Triangle wall{{0, -1, 1}, {0, 1, 1}, {0, 0, 5}}, line{{-1, 0, 1}, {0, 0, 1}, {1, 0, 1}};
+  check(kUp, {wall, line, floor_at(8)}, 1e-12);
+}
+
+TEST_CASE("a hit on an edge or at a vertex counts") {
+  const Vector a{0, -4, 4}, b{4, 0, 4}, c{0, 4, 4}, corner{0, 0, 4};
+  const auto check_touching = [](const Triangle& touched) {
+    const Scene scene{floor_at(16), floor_at(8), touched, floor_at(32)};
+    ask("Which triangle does the ray meet first?")
+        .given("ray", kUp)
+        .given("triangles", scene)
+        .suspect("touching-rejected",
+                 [] {
+                   return Found{FirstHit{1, 4}};
+                 })
+        .answer([&] { return exercise::first_hit(kUp, scene); })
+        .close_to(FirstHit{2, 2}, within(1e-12));
+  };
+  for (const Triangle& touched : {Triangle{a, b, c}, Triangle{b, c, a}, Triangle{c, a, b}})
+    check_touching(touched);
+  for (const Triangle& touched :
+       {Triangle{corner, b, c}, Triangle{b, c, corner}, Triangle{c, corner, b}})
+    check_touching(touched);
 }
 
 TEST_CASE("of triangles hit at the same t the first in the list counts") {
