@@ -59,6 +59,17 @@ void check(const Body& first, const Body& second, double restitution) {
                [&] {
                  return After{-restitution * first.velocity, -restitution * second.velocity};
                })
+      .suspect_if("separates-at-a-wrong-speed",
+                  [&](const After& got) {
+                    const double closing = first.velocity - second.velocity;
+                    const double separation = got.second - got.first;
+                    const double gained = first.mass * (got.first - first.velocity) +
+                                          second.mass * (got.second - second.velocity);
+                    // With √e it is another mistake.
+                    return closing > 0 && std::abs(gained) <= bound * (first.mass + second.mass) &&
+                           std::abs(separation - restitution * closing) > 4 * bound &&
+                           std::abs(separation - std::sqrt(restitution) * closing) > 4 * bound;
+                  })
       .suspect("own-share-of-mass",
                [&] {
                  return with_bounce({second.mass, first.velocity}, {first.mass, second.velocity},
