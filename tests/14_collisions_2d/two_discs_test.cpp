@@ -72,6 +72,18 @@ void check(const Disc& a, const Disc& b, double e) {
       .given("restitution", e)
       .suspect("separating-discs-reflected", [&] { return along(n, a, b, e, a.mass, b.mass); })
       .suspect("axis-not-normalised", [&] { return along(d, a, b, e, a.mass, b.mass); })
+      .suspect_if("separates-at-a-wrong-speed",
+                  [&](const Velocities& got) {
+                    const double closing = -n.dot(a.velocity - b.velocity);
+                    const double separation = n.dot(got.a - got.b);
+                    const Vector gained =
+                        a.mass * (got.a - a.velocity) + b.mass * (got.b - b.velocity);
+                    // With an axis that is no unit vector it is another mistake.
+                    const Velocities oblong = along(d, a, b, e, a.mass, b.mass);
+                    return closing > 0 && gained.norm() <= bound * (a.mass + b.mass) &&
+                           std::abs(separation - e * closing) > 4 * bound &&
+                           (got.a - oblong.a).norm() + (got.b - oblong.b).norm() > 4 * bound;
+                  })
       .suspect("masses-exchanged", [&] { return along(n, a, b, e, b.mass, a.mass); })
       .suspect("whole-velocity-reflected",
                [&]() -> Velocities {
