@@ -34,6 +34,7 @@ void check_end(double drop, double gravity, double k) {
       .suspect("first-fall-as-a-flight", [&] { return 2 * fall / (1 - k); })
       .suspect("times-go-with-k-squared", [&] { return fall * (1 + k * k) / (1 - k * k); })
       .suspect("first-fall-left-out", [&] { return fall * 2 * k / (1 - k); })
+      .suspect_if("at-rest-too-early", [&](const double& got) { return got <= fall * (1 + 1e-9); })
       .answer([&] { return exercise::rest_time(drop, gravity, k); })
       .close_to(right, within(bound));
 }
