@@ -57,6 +57,13 @@ void check(const Ball& ball, double gravity, double step, double tolerance) {
       .suspect_if("returns-the-blocked-end",
                   [&](const double& t) { return step > until && behind(t); })
       .suspect("keeps-the-wrong-half", like({true, false, true, 1000}))
+      .suspect_if("blocked-at-the-end",
+                  [&](const double& t) { return t == step && step > until + tolerance + room; })
+      .suspect_if("start-of-the-step",
+                  [&](const double& t) {
+                    return t == 0 && std::min(until, step) > tolerance + room &&
+                           like({true, false, true, 1000})() != 0;
+                  })
       .suspect_if("fixed-number-of-halvings",
                   [&](const double& t) {
                     return step > until && t >= 0 && t < until - tolerance && t > until - step / 64;
