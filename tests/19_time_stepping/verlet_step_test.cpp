@@ -33,6 +33,11 @@ void check(const Swinging& body, double w, double h) {
       .given("angular_frequency", w)
       .given("step", h)
       .suspect("push-from-the-start-twice", [&] { return pushed(body, w * w, h, 0.5, 0.5, false); })
+      .suspect_if("force-from-the-equilibrium",
+                  [&](const Swinging& got) {
+                    return body.velocity == 0 && body.position * got.position > 0 &&
+                           std::abs(got.position) > std::abs(body.position);
+                  })
       .suspect("whole-push-twice", [&] { return pushed(body, w * w, h, 1, 1, true); })
       .suspect("euler-for-verlet", [&] { return pushed(body, w * w, h, 1, 0, true); })
       .suspect("omega-not-squared", [&] { return pushed(body, w, h, 0.5, 0.5, true); })
