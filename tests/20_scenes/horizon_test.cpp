@@ -15,7 +15,7 @@ using Hits = std::vector<Hit>;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Its mistakes.
-enum class Way { one_lens, head_on, added_up, once, at_the_hit, parallel };
+enum class Way { one_lens, head_on, added_up, once, at_the_hit, parallel, from_the_last_hit };
 
 double predicted(const Hits& hits, double speed, double error, double tolerance, Way way) {
   double apart = error;
@@ -32,6 +32,7 @@ double predicted(const Hits& hits, double speed, double error, double tolerance,
     const bool kept = way == Way::one_lens || (way == Way::parallel && std::isinf(hit.radius));
     angle = turned + (kept ? 0 : angle);
   }
+  if (way == Way::from_the_last_hit) time = 0;
   return angle > 0 ? time + (tolerance - apart) / angle / speed : infinite;
 }
 
@@ -52,6 +53,19 @@ void check(const Hits& hits, double speed, double error, double tolerance, doubl
       .suspect("angle-of-one-hit-alone", like(Way::one_lens))
       .suspect("errors-added-up", like(Way::added_up))
       .suspect("horizon-at-a-hit", like(Way::at_the_hit))
+      .suspect("counted-from-the-last-hit", like(Way::from_the_last_hit))
+      .suspect_if("horizon-before-a-hit",
+                  [&](const double& got) {
+                    return got <= hits[0].flight / speed * (1 + 1e-9) &&
+                           std::abs(got - like(Way::from_the_last_hit)()) > 1e-9 * right;
+                  })
+      .suspect_if("pillar-as-flat",
+                  [&](const double& got) {
+                    // An angle that a flat wall undoes, or one of a flat wall alone, is forgotten.
+                    return std::isinf(got) && std::isfinite(right) &&
+                           std::isfinite(like(Way::parallel)()) &&
+                           std::isfinite(like(Way::one_lens)());
+                  })
       .answer([&] { return exercise::horizon(hits, speed, error, tolerance); })
       // Some ten roundings a hit, eight hits, and at each the error of a position becomes an error
       // of the angle 2/(r cosine) times as large, up to 50: below 1e-12 of the whole.
