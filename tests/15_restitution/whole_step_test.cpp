@@ -58,6 +58,16 @@ void check(const Asked& q, double room) {
       .suspect("one-impact-a-step", [&] { return stepped(q, Way::one_impact); })
       .suspect("rest-of-step-lost", [&] { return stepped(q, Way::rest_lost); })
       .suspect("rest-by-incoming-speed", [&] { return stepped(q, Way::incoming); })
+      .suspect_if("more-impacts-than-fit",
+                  [&](const Ball& got) {
+                    const auto is = [&](Way way) {
+                      const Ball wrong = stepped(q, way);
+                      return got.bounces == wrong.bounces &&
+                             std::abs(got.height - wrong.height) <= room;
+                    };
+                    return got.bounces > right.bounces && !is(Way::end_velocity) &&
+                           !is(Way::one_impact) && !is(Way::rest_lost) && !is(Way::incoming);
+                  })
       .answer([&] { return exercise::whole_step(q.ball, q.gravity, q.k, q.rest_speed, q.step); })
       .close_to(right, within(room));
 }
