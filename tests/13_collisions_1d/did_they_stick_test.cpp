@@ -51,6 +51,13 @@ void check(const Before& before, double second_after) {
                  const double alike = before.first_velocity + before.second_velocity - second_after;
                  return from(alike, (second_after - alike) / closing);
                })
+      .suspect_if("momentum-not-conserved",
+                  [&](const Report& got) {
+                    const double missing = before.first_mass * (got.first_after - first_after);
+                    const double alike =
+                        before.first_velocity + before.second_velocity - second_after;
+                    return std::abs(missing) > 1e-9 && std::abs(got.first_after - alike) > 1e-9;
+                  })
       .answer([&] { return exercise::report(before, second_after); })
       .close_to(right, within(room));
 }
