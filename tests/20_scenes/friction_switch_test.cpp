@@ -65,6 +65,11 @@ void check(const Blocks& blocks, const Vector& gravity, double step) {
       .suspect("cone-of-the-weight", like(Way::weight))
       .suspect("cone-left-out", like(Way::glued))
       .suspect("friction-turns-back", like(Way::pushes_on))
+      .suspect_if("friction-left-out",
+                  [&](const Stepped& got) {
+                    return !got.friction && right.friction && like(Way::any_smooth)().friction &&
+                           like(Way::velocity_alone)().friction;
+                  })
       .answer([&] { return exercise::step_blocks(blocks, gravity, step); })
       // Velocities below 100 m/s, and some twenty roundings; without friction nothing rounds here.
       .close_to(right, right.friction ? within(1e-12) : Within({0}, ""));
