@@ -42,6 +42,13 @@ void check(const Vector& v, const Vector& n, double k, double mu) {
                    return std::max(0.0, 1 - mu * (1 + k) * std::abs(closing) / slip);
                  });
                })
+      .suspect("bounce-when-separating",
+               [&]() -> Vector {
+                 if (v.dot(n) < 0) return right_answer(v, n, k, mu);
+                 return with(v, n, k, [&](double slip, double closing) {
+                   return 1 - mu * (1 + k) * closing / slip;
+                 });
+               })
       .suspect("friction-turns-back",
                [&]() -> Vector {
                  // There this formula would speed the slip up.
