@@ -43,14 +43,15 @@ double sum_of_speeds(const Row& row) {
   return sum;
 }
 
-Course course(const Row& row, bool swaps) {
+Course course(const Row& row, bool swaps, bool rightmost = false) {
   Course result{start(row), 0, 1};
   Velocities& v = result.velocities;
   const double size = std::max(sum_of_speeds(row), 1e-300);
   while (row.size() > 1) {
     std::size_t fastest = 0;
     for (std::size_t i = 1; i + 1 < row.size(); ++i) {
-      if (v[i] - v[i + 1] > v[fastest] - v[fastest + 1]) fastest = i;
+      const double more = v[i] - v[i + 1] - (v[fastest] - v[fastest + 1]);
+      if (rightmost ? more >= 0 : more > 0) fastest = i;
     }
     const double closing = v[fastest] - v[fastest + 1];
     for (std::size_t i = 0; i + 1 < row.size(); ++i) {
@@ -139,6 +140,29 @@ double room(const Row& row, const Course& right) {
   return 32 * 0x1p-53 * right.collisions * sum_of_speeds(row) * (heavy / light);
 }
 
+double momentum(const Row& row, const Velocities& v) {
+  double sum = 0;
+  for (std::size_t i = 0; i < row.size(); ++i) sum += row[i].mass * v[i];
+  return sum;
+}
+
+double energy(const Row& row, const Velocities& v) {
+  double sum = 0;
+  for (std::size_t i = 0; i < row.size(); ++i) sum += row[i].mass * v[i] * v[i] / 2;
+  return sum;
+}
+
+bool energy_alone_differs(const Row& row, const Velocities& got) {
+  if (got.size() != row.size() || row.size() < 2) return false;
+  double mass = 0;
+  for (const Ball& ball : row) mass += ball.mass;
+  const double speed = sum_of_speeds(row);
+  const Velocities before = start(row);
+  const double gained = energy(row, got) - energy(row, before);
+  return std::abs(momentum(row, got) - momentum(row, before)) <= 1e-9 * mass * speed &&
+         std::abs(gained) > 1e-6 * mass * speed * speed;
+}
+
 void check(const Row& row) {
   const Course right = course(row, false);
   const Velocities allowed(row.size(), room(row, right));
@@ -146,6 +170,16 @@ void check(const Row& row) {
       .given("row", row)
       .suspect("swaps-whatever-the-mass", [&] { return course(row, true).velocities; })
       .suspect("row-as-a-lump", [&] { return as_lump(row); })
+      .suspect("rightmost-of-equals", [&] { return course(row, false, true).velocities; })
+      .suspect_if("energy-not-conserved",
+                  [&](const Velocities& got) {
+                    // All pairs at once do not conserve it either, which is another mistake.
+                    const Velocities at_once = all_at_once(row);
+                    const auto near = [](double x, double y) { return std::abs(x - y) < 1e-9; };
+                    return energy_alone_differs(row, got) &&
+                           !std::equal(got.begin(), got.end(), at_once.begin(), at_once.end(),
+                                       near);
+                  })
       .suspect("one-sweep", [&] { return one_sweep(row, false); })
       .suspect("one-sweep", [&] { return one_sweep(row, true); })
       .suspect("all-pairs-at-once", [&] { return all_at_once(row); })
