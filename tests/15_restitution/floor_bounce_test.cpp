@@ -35,6 +35,13 @@ void check(const Vector& v, const Vector& n, double k) {
       .given("normal", n)
       .given("k", k)
       .suspect("bounce-when-separating", [&]() -> Vector { return v - (1 + k) * along * n; })
+      .suspect_if("still-into-the-surface",
+                  [&](const Vector& got) {
+                    // With 1 - k times the normal component it is another mistake.
+                    const double after = got.dot(n);
+                    return along < 0 && after < -4 * bound &&
+                           std::abs(after - (1 - k) * along) > 4 * bound;
+                  })
       .suspect("bounce-reverses-all", [&]() -> Vector { return -k * v; })
       .suspect("one-of-one-plus-k", [&]() -> Vector { return v - k * along * n; })
       .suspect("restitution-on-the-slip", [&]() -> Vector { return k * (v - 2 * along * n); })
