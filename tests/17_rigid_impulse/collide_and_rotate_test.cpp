@@ -82,7 +82,8 @@ double room_of(const Body& a, const Body& b, const Vector& point, const After& a
   return 36 * 0x1p-45 * (speed + turn);
 }
 
-/// Whether the momentum is conserved, but the impulse and the normal velocity at the point are wrong.
+/// Whether the momentum is conserved, but the impulse and the normal velocity at the point are
+/// wrong.
 bool speed_alone_differs(const Body& a, const Body& b, const Vector& point, const Vector& n,
                          const After& got, const After& right, double room) {
   if (std::isinf(a.mass) || std::isinf(b.mass)) return false;
