@@ -81,9 +81,10 @@ KEY("triangle-by-cross") {
   return contact::cross_accurately(Vector3<double>(3, 0, 0), Vector3<double>(0, 0, 4)).norm() / 2;
 }
 
-KEY("make-it-upright") {
-  const double winning = products::compute({{1, 1, 0}, {1, -1, 0.5}}).upright;
-  return questions::Construct{winning, products::compute({{1, 1, 0}, {1, -0.9, 0.5}}).upright};
+KEY("make-perpendicular") {
+  const double winning = products::compute({{1, 1, 0}, {1, -1, 0.5}}).perpendicular;
+  return questions::Construct{winning,
+                              products::compute({{1, 1, 0}, {1, -0.9, 0.5}}).perpendicular};
 }
 
 KEY("down-and-back") {
@@ -208,8 +209,7 @@ KEY("split-a-velocity") {
 }
 
 KEY("why-acos-fails") {
-  const auto loses_half = [](double angle) {
-    return std::abs(std::acos(std::cos(angle)) - angle) > angle / 2;
-  };
-  return questions::Claim{loses_half(1e-9), loses_half(1.0)};
+  const double pi = std::numbers::pi;
+  const auto off = [](double angle) { return std::abs(std::acos(std::cos(angle)) - angle); };
+  return questions::Claim{off(pi - 1e-9) > 0.5e-9, off(pi / 2 - 1e-9) > 1e-15};
 }

@@ -133,11 +133,11 @@ KEY("stop-it-gently") {
   return questions::Construct{winning, force_time::compute(state).stops_gently};
 }
 
-KEY("one-skater-stands") {
+KEY("one-skater-at-rest") {
   skaters::Input state{80, 40, 0.5, 1.5, 1};
-  const double winning = skaters::compute(state).first_stands;
+  const double winning = skaters::compute(state).first_at_rest;
   state.apart = -1.5;
-  return questions::Construct{winning, skaters::compute(state).first_stands};
+  return questions::Construct{winning, skaters::compute(state).first_at_rest};
 }
 
 KEY("why-centre-keeps") {

@@ -31,7 +31,9 @@ Vector direction(double degrees) {
   return {std::cos(degrees * degree), std::sin(degrees * degree)};
 }
 
-KEY("across-the-axis") { return contact::components<double>({5, 0}, {0.6, 0.8}).tangential.norm(); }
+KEY("tangential-component") {
+  return contact::components<double>({5, 0}, {0.6, 0.8}).tangential.norm();
+}
 
 KEY("which-pair-pushes") {
   const std::vector<std::pair<Vector, Vector>> velocities{

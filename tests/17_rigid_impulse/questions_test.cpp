@@ -97,9 +97,9 @@ KEY("impulse-steps") {
 
 KEY("spare-the-hand") {
   hit_rod::Input state{0.33, 3, 1, 4, 0.5, 0.4, 1, 0};
-  const double winning = hit_rod::compute(state).grip_stands;
+  const double winning = hit_rod::compute(state).grip_at_rest;
   state.at = 0.4;
-  return questions::Construct{winning, hit_rod::compute(state).grip_stands};
+  return questions::Construct{winning, hit_rod::compute(state).grip_at_rest};
 }
 
 KEY("lawful-gain") {

@@ -175,7 +175,7 @@ KEY("comparisons") {
   return static_cast<double>(most);
 }
 
-KEY("who-must-be-asked") {
+KEY("which-to-compute-anew") {
   // A third ball had planned to hit one of the two. If it were predicted anew at once, no plan
   // would ever be found stale.
   contact::HardSphereSetup setup;
@@ -244,7 +244,7 @@ KEY("tight-step") {
   return questions::Construct{winning, passing::compute(in).tight};
 }
 
-KEY("part-quickly") {
+KEY("diverge-quickly") {
   const auto with_aim = [](double x, double y) {
     divergence::Input in;
     in.from = {0.5, 1.6};
@@ -259,12 +259,12 @@ KEY("part-quickly") {
   return questions::Construct{winning, with_aim(2.4, 2.6)};
 }
 
-KEY("why-friction-may-go") {
-  const auto off = [](double aside) {
+KEY("why-friction-stays") {
+  const auto on = [](double aside) {
     Scene scene = two_balls();
     scene.materials[0].friction = 0.5;
     scene.bodies[0].position.y() += aside;
-    return !is_on(scene, Effect::friction);
+    return is_on(scene, Effect::friction);
   };
-  return questions::Claim{off(0), off(0.01)};
+  return questions::Claim{on(0.01), on(0)};
 }

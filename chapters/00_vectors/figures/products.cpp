@@ -17,7 +17,7 @@ struct Output {
   double cosine;                   // of the angle between them; 0 if one has no length
   double along;                    // component of v along u, m
   contact::Vector3<double> foot;   // projection of the tip of v on the line of u, m
-  double upright;                  // goal of a question: a right angle to within a degree
+  double perpendicular;            // goal of a question: a right angle to within a degree
   double down_and_back;            // goal of a question: u × v points down, and u · v is negative
 };
 
@@ -40,7 +40,7 @@ Output compute(const Input& in) {
   out.along = out.dot / out.length_u;
   out.foot = out.dot / u_squared * in.u;
   const bool long_enough = out.length_u >= 0.5 && out.length_v >= 0.5;
-  out.upright = long_enough && std::abs(out.cosine) <= 0.0175 ? 1 : 0;
+  out.perpendicular = long_enough && std::abs(out.cosine) <= 0.0175 ? 1 : 0;
   out.down_and_back = long_enough && out.dot < 0 && out.area > 0.1 * out.length_u * out.length_v &&
                               out.cross.z() <= -0.9 * out.area
                           ? 1
@@ -49,5 +49,5 @@ Output compute(const Input& in) {
 }
 
 FIGURE(Input, FIELDS(u, v), Output,
-       FIELDS(problem, dot, cross, area, length_u, length_v, cosine, along, foot, upright,
+       FIELDS(problem, dot, cross, area, length_u, length_v, cosine, along, foot, perpendicular,
               down_and_back))

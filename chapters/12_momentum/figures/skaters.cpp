@@ -19,7 +19,7 @@ struct Output {
   double centre_velocity;    // after the push
   double x_1, x_2, centre;   // at the time, m; the push is at 0
   double
-      first_stands;  // goal of a question: they were moving, and the push brings the first to rest
+      first_at_rest;  // goal of a question: they were moving, and the push brings the first to rest
 };
 
 Output compute(const Input& in) {
@@ -54,10 +54,10 @@ Output compute(const Input& in) {
   out.p_after = contact::total_momentum(pair).x();
   out.centre_velocity = contact::centre_velocity(pair)->x();
   out.centre = contact::centre_of_mass(pair)->x();
-  out.first_stands = std::abs(in.together) >= 0.3 && std::abs(out.first) <= 0.02 ? 1 : 0;
+  out.first_at_rest = std::abs(in.together) >= 0.3 && std::abs(out.first) <= 0.02 ? 1 : 0;
   return out;
 }
 
 FIGURE(Input, FIELDS(mass_1, mass_2, together, apart, time), Output,
        FIELDS(problem, first, second, impulse, first_share, p_1, p_2, p_before, p_after,
-              centre_velocity, x_1, x_2, centre, first_stands))
+              centre_velocity, x_1, x_2, centre, first_at_rest))

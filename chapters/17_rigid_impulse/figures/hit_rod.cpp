@@ -28,7 +28,7 @@ struct Output {
   double ratio;                         // of separation and closing speed: should be e
   Eigen::Vector2d middle, left, right;  // of the rod at the time
   double ball_place;
-  double grip_stands;  // goal of a question
+  double grip_at_rest;  // goal of a question
 };
 
 Output compute(const Input& in) {
@@ -84,10 +84,10 @@ Output compute(const Input& in) {
   out.right = out.middle + in.half * Eigen::Vector2d(turn.cosine, turn.sine);
   out.left = out.middle - in.half * Eigen::Vector2d(turn.cosine, turn.sine);
   out.ball_place = -0.1 + (hit_yet ? out.ball_velocity : in.speed) * in.time;
-  out.grip_stands = out.impulse > 0.1 && std::abs(out.grip) <= 0.02 * std::abs(out.velocity);
+  out.grip_at_rest = out.impulse > 0.1 && std::abs(out.grip) <= 0.02 * std::abs(out.velocity);
   return out;
 }
 
 FIGURE(Input, FIELDS(at, rod, ball, speed, e, time, half, way), Output,
        FIELDS(problem, impulse, without_turning, velocity, angular_velocity, ball_velocity, along,
-              grip, still, lost, ratio, middle, left, right, ball_place, grip_stands))
+              grip, still, lost, ratio, middle, left, right, ball_place, grip_at_rest))
