@@ -720,7 +720,7 @@ STAGES = (
     Stage("outside", "set-up; the headers in another project", 6, outside, ("native",), Lane.WAITS),
     Stage("ladder", "ladders at a small size", 4, ladder, ("native",), Lane.WAITS),
     Stage("page", "the page's scripts, figures and ladders in WebAssembly", 15, page, ("native",)),
-    Stage("wasm", "the compiler in the page, and the exercises for it", 20, wasm, ("native",)),
+    Stage("wasm", "the compiler in the page, and the exercises for it", 35, wasm, ("native",)),
     Stage("book", "the book without a warning, and served", 15, book, ("page", "wasm")),
     Stage("browser", "the book in a real browser", 25, browser, ("book",), Lane.WAITS),
     Stage("sanitize", "references against the oracle, hard cases, questions", 25, sanitize),

@@ -163,7 +163,7 @@ describe("every figure computes what its native program computes, bit for bit", 
 describe("every ladder finds the wrong answers that its native program finds", () => {
   for (const { name, recipe } of takenLadders) {
     test(name, async () => {
-      const size = 200;
+      const size = 60;
       const folder = fs.mkdtempSync(path.join(os.tmpdir(), "contact-ladder-"));
       try {
         const file = path.join(folder, "result.json");

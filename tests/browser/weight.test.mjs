@@ -6,8 +6,8 @@ import path from "node:path";
 import { test } from "node:test";
 import { completeLessons, notRun, root, site } from "./browser.mjs";
 
-// With the numbers of the ladder and an input for each of its cells that fails.
-const LIMIT = 360;
+// With the numbers of the ladder, an input for each of its cells that fails, and "try mine".
+const LIMIT = 345;
 
 const skip = notRun();
 
