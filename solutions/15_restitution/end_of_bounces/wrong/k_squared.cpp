@@ -1,5 +1,5 @@
 // misconception: times-go-with-k-squared
-// caught by: with k = 1/2 the ball rests after three times the first fall
+// caught by: the ball rests after a finite time
 #include "end_of_bounces.hpp"
 
 namespace exercise {
