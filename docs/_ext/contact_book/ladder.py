@@ -180,10 +180,7 @@ def ladder_html(translator: HTML5Translator, node: component) -> str:
     written.write_text(as_csv(data["ladder"]), encoding="utf-8", newline="")
     up = "../" * translator.builder.current_docname.count("/")
     file = attributes(download=name, href=f"{up}ladders/{name}")
-    folded = (
-        f"<details><summary>The numbers</summary><p><a{file}>{name}</a></p>"
-        f"{numbers}</details>"
-    )
+    folded = f"<details><summary>The numbers</summary><p><a{file}>{name}</a></p>{numbers}</details>"
     where = attributes(base=base_path(translator), name=data["slug"])
     script = json_script(data["ladder"])
     return f"<contact-ladder{where}>{script}{picture}{measured}{folded}</contact-ladder>\n"
