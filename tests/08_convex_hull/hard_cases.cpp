@@ -60,12 +60,12 @@ Json flat_answer(const Case& c) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (is_vertex(points, i)) corners.push_back(static_cast<int>(i));
   }
-  return {{"class", "a"}, {"corners", corners}};
+  return {{"class", "a"}, {"vertices", corners}};
 }
 
 bool right_flat(const Json& answer, std::vector<int> got) {
   std::sort(got.begin(), got.end());
-  return answer.at("corners").get<std::vector<int>>() == got;
+  return answer.at("vertices").get<std::vector<int>>() == got;
 }
 
 template <class S>
@@ -152,7 +152,7 @@ Json solid_answer(const Case& c) {
   std::size_t vertex_count = corners.size();
   if (dimension == 0) vertex_count = 1;
   if (dimension == 1) vertex_count = 2;
-  answer["corners"] = vertex_count;
+  answer["vertices"] = vertex_count;
   answer["faces"] = dimension == 3   ? planes.size()
                     : dimension == 2 ? std::size_t(2)
                                      : std::size_t(0);
@@ -174,7 +174,7 @@ bool supports(const Points& points, int a, int b, int c) {
 /// their vertices are the right ones.
 bool right_hull(const Json& answer, const Points& points, const Hull& hull) {
   bool right = hull.closed && hull.dimension == answer.at("dimension").get<int>() &&
-               hull.vertices.size() == answer.at("corners").get<std::size_t>() &&
+               hull.vertices.size() == answer.at("vertices").get<std::size_t>() &&
                hull.face_count() == answer.at("faces").get<int>();
   for (int f = 0; right && f < hull.face_count(); ++f) {
     const auto face = hull.face(f);
@@ -187,7 +187,7 @@ bool right_hull(const Json& answer, const Points& points, const Hull& hull) {
 bool right_wrapping(const Json& answer, const Points& points, const contact::Wrapping& wrapping) {
   std::set<int> corners;
   for (const auto& t : wrapping.triangles) corners.insert(t.begin(), t.end());
-  const std::size_t count = answer.at("corners").get<std::size_t>();
+  const std::size_t count = answer.at("vertices").get<std::size_t>();
   return wrapping.closed && answer.at("dimension") == 3 && corners.size() == count &&
          wrapping.triangles.size() == 2 * count - 4 &&
          std::all_of(wrapping.triangles.begin(), wrapping.triangles.end(),
