@@ -80,7 +80,7 @@ Input dot(generators::Random& random) {
   return in_both_types(u, v);
 }
 /// v perpendicular to u except for rounding.
-Input upright(generators::Random& random) {
+Input perpendicular(generators::Random& random) {
   const double a = random.uniform(0.5, 1);
   const double b = random.uniform(-1, 1);
   const double c = random.uniform(-1, 1);
@@ -170,7 +170,7 @@ ladder::Ladder<Input, Answer> experiment() {
   ladder.family("one-way", "a sum of 32 terms of one sign", one_way);
   ladder.family("cancelling", "a sum of 32 terms, the large ones cancel", cancelling);
   ladder.family("dot", "a dot product of two vectors", dot);
-  ladder.family("upright", "a dot product of perpendicular vectors", upright);
+  ladder.family("perpendicular", "a dot product of perpendicular vectors", perpendicular);
   ladder.family("corner", "a cross product of two edges", corner);
   ladder.family("sliver", "a cross product of the edges of a sliver", sliver);
 
