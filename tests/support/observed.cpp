@@ -63,8 +63,8 @@ std::string not_finite(const Leaves& got, const Leaves& right) {
   const auto nan = [](double x) { return std::isnan(x); };
   const auto infinite = [](double x) { return std::isinf(x); };
   if (any(got, nan) && !any(right, nan))
-    return "There is a NaN in your answer. Which operation gives it: 0/0, the root of a negative "
-           "number, the arccosine of a number above 1?";
+    return "There is a NaN in your answer. Which operation gives it: 0/0, 0 · ∞, ∞ − ∞, the root "
+           "of a negative number, the arccosine of a number above 1?";
   if (any(got, infinite) && !any(right, infinite))
     return "There is an infinity in your answer. Which divisor is 0 for this input?";
   return "";
