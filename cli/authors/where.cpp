@@ -47,6 +47,7 @@ class Files {
     add_all("exercise", exercise.folder);
     add("copy", book_.work_file(exercise));
     add("solution", exercise.solution);
+    add("mutants that are no mistakes", exercise.solution.parent_path() / "equivalent.toml");
     add_all("wrong answer", exercise.wrong_answers);
     add("tests", exercise.test_source);
     const fs::path tests = exercise.test_source.parent_path();
