@@ -36,6 +36,7 @@ from contact_book.listing import Code, Example, Measured
 from contact_book.live_figure import LiveFigure
 from contact_book.locations import name_authors_files
 from contact_book.maths import visit_block, visit_inline
+from contact_book.mutants import Mutants
 from contact_book.nodes import component, slot
 from contact_book.offline import write_offline
 from contact_book.scene_player import ScenePlayer
@@ -54,6 +55,7 @@ DIRECTIVES = {
     "answers": Answers,
     "ladder": Ladder,
     "hard-cases": HardCases,
+    "mutants": Mutants,
     "example": Example,
     "code": Code,
     "measured": Measured,
