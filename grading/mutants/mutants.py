@@ -7,8 +7,9 @@ Each mutant is a small change of a solution (mutate.py). Of each exercise this c
 tests catch, those that are known to be equivalent (solutions/NN/NAME/equivalent.toml), those that
 survive, and how many of the caught ones are recognised as one mistake or as several. `--sample`
 draws caught mutants whose hint is shown, and writes them with the hint, for a reader to judge
-whether it is true; `--hints` writes all of them, one JSON object a line. `--keep` stores the counts
-in kept/CHAPTER.json. `contact dev mutants` builds what is not current and calls this.
+whether it is true; judged.json is such a sample with its verdicts. `--hints` writes all of them,
+one JSON object a line. `--keep` stores the counts in kept/CHAPTER.json; a run whose counts are
+others is a fault. `contact dev mutants` builds what is not current and calls this.
 """
 
 from __future__ import annotations
@@ -132,23 +133,37 @@ def shown_hint(exercise: str, one: Tried, hints: Json) -> dict[str, str]:
     }
 
 
+VERDICTS = "true, question (a guess, put as one), misleading (true, but leads away) or false"
+
+
 def sample(results: Sequence[Result], hints: Json, count: int, seed: str) -> str:
-    """Mutants whose hint is shown, drawn by the seed, as TOML with a verdict to be filled in."""
-    shown = [pair for pair in shown_hints(results) if len(pair[1].trial.misconceptions) < 2]
+    """Mutants whose hint is shown, drawn by the seed, as JSON with verdicts to be filled in: what
+    is kept of it is judged.json."""
+    shown = shown_hints(results)
     drawn = random.Random(seed).sample(shown, min(count, len(shown)))
-    text = (
-        f"# {len(drawn)} of {len(shown)} hints that mutants of the solutions are shown, drawn with"
-        f" the seed {quoted(seed)}.\n# verdict: is what the hint states true of this mutant?"
-        ' "true", "false" or "unclear", by a reader who did not write it.\n'
-    )
-    for exercise, one in drawn:
-        entries = {**shown_hint(exercise, one, hints), "verdict": ""}
-        text += "\n[[hint]]\n" + "".join(f"{k} = {quoted(v)}\n" for k, v in entries.items())
-    return text
+    head = {"seed": seed, "of": len(shown), "verdicts": VERDICTS}
+    lines = [f" {quoted(key)}: {json.dumps(value)}" for key, value in head.items()]
+    rows = []
+    for exercise, one in sorted(drawn, key=lambda pair: (pair[0], pair[1].mutant.number)):
+        row = {**shown_hint(exercise, one, hints), "verdict": "", "reason": ""}
+        del row["asked"]
+        rows.append("  " + json.dumps(row, ensure_ascii=False))
+    return "{\n" + ",\n".join([*lines, ' "hints": [\n' + ",\n".join(rows) + "\n ]"]) + "\n}\n"
 
 
-COUNTS = ("mutants", "killed", "killed_by_an_answer", "equivalent", "also_right")
-SAID = ("one_hint", "several", "noted")
+ENDED = ("mutants", "killed", "equivalent", "also_right", "left")
+ANSWERED = "killed_by_an_answer"
+SAID = ("one_hint", "several", "noted", "no_hint")
+
+
+def counts_of(result: Result) -> dict[str, int]:
+    said = result.as_json() | {"left": len(result.survivors), "no_hint": len(result.silent)}
+    return {each: said[each] for each in (*ENDED, ANSWERED, *SAID)}
+
+
+def kept_counts(file: Path) -> dict[str, dict[str, int]]:
+    """The counts of a chapter's exercises, by name."""
+    return json.loads(file.read_text()) if file.exists() else {}
 
 
 def keep(results: Sequence[Result], folder: Path) -> None:
@@ -157,12 +172,26 @@ def keep(results: Sequence[Result], folder: Path) -> None:
     for result in results:
         chapter, name = result.exercise.split("/")
         file = folder / f"{chapter}.json"
-        kept = json.loads(file.read_text()) if file.exists() else {}
-        said = result.as_json()
-        left = {"left": len(result.survivors), "no_hint": len(result.silent)}
-        kept[name] = {each: said[each] for each in (*COUNTS, *SAID)} | left
+        kept = kept_counts(file) | {name: counts_of(result)}
         lines = [f" {quoted(key)}: {json.dumps(kept[key])}" for key in sorted(kept)]
         file.write_text("{\n" + ",\n".join(lines) + "\n}\n")
+
+
+def out_of_date(result: Result, folder: Path) -> list[str]:
+    """Where the kept counts are not those of this run. A mutant near the limit of time may end with
+    or without an answer; what is said of the answers is compared if there are equally many."""
+    chapter, name = result.exercise.split("/")
+    again = f"run ./contact dev mutants --keep {result.exercise}"
+    kept = kept_counts(folder / f"{chapter}.json").get(name)
+    if kept is None:
+        return [f"no counts are kept: {again}"]
+    now = counts_of(result)
+    compared = (*ENDED, *SAID) if kept[ANSWERED] == now[ANSWERED] else ENDED
+    return [
+        f"{each}: {now[each]}, and {kept[each]} are kept: {again}"
+        for each in compared
+        if now[each] != kept[each]
+    ]
 
 
 def exercises_named(root: Path, names: Sequence[str]) -> list[str]:
@@ -232,8 +261,12 @@ def main(arguments: Sequence[str]) -> int:
             for one in shown_hints(results)
         ]
         given.hints.write_text("".join(lines))
+    tried = [one for one in results if one.mutants]
+    kept = given.root / "grading/mutants/kept"
     if given.keep:
-        keep([one for one in results if one.mutants], Path(__file__).parent / "kept")
+        keep(tried, kept)
+    for result in tried:
+        result.problems += out_of_date(result, kept)
     if given.sample is not None:
         text = sample(results, hints, given.sample, given.seed)
         if given.write:

@@ -86,3 +86,11 @@ def test_exercises_and_misconceptions_exist() -> None:
         for id_ in filter(None, row["misconception"].split(" or ")):
             assert id_ in known, row
             assert id_ in tomllib.loads(exercise.read_text())["misconceptions"], row
+
+
+def test_the_judged_hints_are_those_that_are_shown() -> None:
+    known = tomllib.loads((ROOT / "chapters/misconceptions.toml").read_text())
+    for row in ROWS:
+        if row["misconception"]:
+            shown = " / ".join(known[id_]["hint"] for id_ in row["misconception"].split(" or "))
+            assert row["hint"] == shown, "reworded: judge it again"

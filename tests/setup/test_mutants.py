@@ -7,6 +7,7 @@ import json
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -173,12 +174,32 @@ def test_counts_are_kept_by_chapter_and_others_stay(tmp_path: Path) -> None:
     assert (kept["second"]["mutants"], kept["second"]["left"]) == (1, 1)
 
 
-def test_the_kept_counts_name_exercises_and_add_up() -> None:
-    for file in sorted((ROOT / "grading/mutants/kept").glob("*.json")):
-        for name, counts in json.loads(file.read_text()).items():
-            exercise = ROOT / "exercises" / file.stem / name / "exercise.toml"
-            assert exercise.exists(), exercise
-            ended = ("killed", "equivalent", "also_right", "left")
-            assert counts["mutants"] == sum(counts[one] for one in ended), name
-            said = ("one_hint", "several", "noted", "no_hint")
-            assert counts["killed_by_an_answer"] == sum(counts[one] for one in said), name
+def test_kept_counts_that_are_not_those_of_a_run_are_a_problem(tmp_path: Path) -> None:
+    caught = campaign.Result("03_x/first", killed=[tried("3", "4", "x = 3;", "failed")])
+    (missing,) = program.out_of_date(caught, tmp_path)
+    assert "no counts are kept" in missing
+    program.keep([caught], tmp_path)
+    assert program.out_of_date(caught, tmp_path) == []
+    left = campaign.Result("03_x/first", survivors=[tried("3", "4", "x = 3;", "passed")])
+    problems = program.out_of_date(left, tmp_path)
+    assert [one.split(":")[0] for one in problems] == ["killed", "left"]
+    noted = trial.Trial("failed", "a test", {"observed": "twice as large"}, 0.0)
+    said = campaign.Result("03_x/first", killed=[replace(caught.killed[0], trial=noted)])
+    problems = program.out_of_date(said, tmp_path)
+    assert [one.split(":")[0] for one in problems] == ["noted", "no_hint"]
+
+
+def test_a_sample_is_drawn_by_its_seed_and_has_the_fields_of_what_is_judged() -> None:
+    failure = {"inputs": [{"name": "x", "text": "3"}], "observed": "twice as large"}
+    one = replace(
+        tried("3", "4", "x = 3;", "failed"), trial=trial.Trial("failed", "a test", failure, 0.0)
+    )
+    killed = [replace(one, mutant=replace(one.mutant, number=number)) for number in range(9)]
+    result = campaign.Result("03_x/first", killed=killed)
+    drawn = program.sample([result], {}, 4, "a seed")
+    assert drawn == program.sample([result], {}, 4, "a seed")
+    rows = json.loads(drawn)["hints"]
+    judged = json.loads((ROOT / "grading/mutants/judged.json").read_text())["hints"]
+    assert len(rows) == 4
+    assert {frozenset(row) for row in rows} == {frozenset(judged[0])}
+    assert {row["verdict"] for row in rows} == {""}
