@@ -263,25 +263,29 @@ describe("exercises", { skip }, () => {
       await exercise.paste(endless);
       const figure = page.locator(`contact-figure[name="${segment}"]`);
       await figure.evaluate((/** @type {any} */ it) => it.ready);
-      const start = await fieldsOf(figure, "input");
-      const verdict = exercise.untilDone(async () => {
-        await exercise.press("Check");
-        await page.waitForSelector(`contact-exercise[name="${segment}"][state="running"]`);
-        await figure.locator(".stage").scrollIntoViewIfNeeded();
-        const knob = await figure.locator(".grip .knob").first().boundingBox();
-        assert.ok(knob);
-        await page.mouse.move(knob.x + knob.width / 2, knob.y + knob.height / 2);
-        await page.mouse.down();
-        await page.mouse.move(knob.x + 30, knob.y - 20, { steps: 5 });
-        await page.mouse.up();
-        assert.notDeepEqual(await fieldsOf(figure, "input"), start);
-        await exercise.content.focus();
-        await page.keyboard.press("ControlOrMeta+End");
-        await page.keyboard.type("// still here");
-        assert.match(await exercise.text(), /\/\/ still here$/);
-        assert.equal(await exercise.attribute("state"), "running");
-      });
-      assert.equal(await verdict, "failed");
+      // The limit is on the loop, not on the hands of a slow machine: they get three tries.
+      for (let tries = 3, running = false; !running; --tries) {
+        assert.ok(tries > 0, "the loop ended before the page had answered");
+        const start = await fieldsOf(figure, "input");
+        const verdict = await exercise.untilDone(async () => {
+          await exercise.press("Check");
+          await page.waitForSelector(`contact-exercise[name="${segment}"][state="running"]`);
+          await figure.locator(".stage").scrollIntoViewIfNeeded();
+          const knob = await figure.locator(".grip .knob").first().boundingBox();
+          assert.ok(knob);
+          await page.mouse.move(knob.x + knob.width / 2, knob.y + knob.height / 2);
+          await page.mouse.down();
+          await page.mouse.move(knob.x + 30, knob.y - 20, { steps: 5 });
+          await page.mouse.up();
+          assert.notDeepEqual(await fieldsOf(figure, "input"), start);
+          await exercise.content.focus();
+          await page.keyboard.press("ControlOrMeta+End");
+          await page.keyboard.type("// still here");
+          assert.match(await exercise.text(), /\/\/ still here$/);
+          running = (await exercise.attribute("state")) === "running";
+        });
+        assert.equal(verdict, "failed");
+      }
       await costsOneTest(/second/i);
     });
 
