@@ -11,6 +11,7 @@ import {
   changed,
   exerciseOn,
   newReader,
+  PATIENCE,
   pageOf,
   solutionOf,
   stubOf,
@@ -47,7 +48,7 @@ function trial(page, id, figure) {
   const words = () => panel.locator(".mine-words").textContent();
   /** @param {RegExp} state */
   const until = async (state) => {
-    const end = Date.now() + 30_000;
+    const end = Date.now() + PATIENCE;
     for (;;) {
       const now = (await panel.getAttribute("state")) ?? "";
       if (now !== "busy" && state.test(now)) return;

@@ -90,6 +90,10 @@ async function queued(/** @type {import("playwright-core").Page} */ page) {
   return { queue, wanted };
 }
 
+/** A figure of another turn is asked for where the page is scrolled to it. @param {Set<unknown>} wanted */
+const withoutFigures = (wanted) =>
+  [...wanted].filter((one) => /^(ladder|exercise) /.test(`${one}`));
+
 test("a ladder that is not built yet waits for its turn, and runs", { skip }, async () => {
   const { browser, close } = await launch();
   const served = await serve();
@@ -112,7 +116,7 @@ test("a ladder that is not built yet waits for its turn, and runs", { skip }, as
     await page.unroute(unbuilt);
     queue.length = 0;
     await ladder.getByText(/timed in/).waitFor({ timeout: 60_000 });
-    assert.deepEqual([...wanted], [`ladder ${slug}`]);
+    assert.deepEqual(withoutFigures(wanted), [`ladder ${slug}`]);
   } finally {
     served.close();
     await close();
@@ -137,7 +141,7 @@ test("a check whose tests are not built yet waits for them", { skip }, async () 
     await page
       .locator(`contact-exercise[name="${EXERCISE}"][state=done]`)
       .waitFor({ timeout: PATIENCE });
-    assert.deepEqual([...wanted], [`exercise ${EXERCISE}`]);
+    assert.deepEqual(withoutFigures(wanted), [`exercise ${EXERCISE}`]);
   } finally {
     served.close();
     await close();
