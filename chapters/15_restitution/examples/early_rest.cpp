@@ -14,7 +14,7 @@ int main() {
                 end - at);
   }
   const auto endless = contact::follow_bounces(ball, end, 0.0);
-  std::printf("no rest speed: the time no longer grows after %g impacts\n", endless.bounces);
+  std::printf("no rest speed: in double the sum stops growing after %g impacts\n", endless.bounces);
   // Box2D leaves out bounces slower than 1 m/s, unless told otherwise.
   std::printf("1 m/s leaves out bounces of up to %.1f cm\n", 100 * 1.0 / (2 * 9.81));
 }
