@@ -29,61 +29,95 @@ import { escapeText } from "./shapes.ts";
 
 const BAR = { width: 120, height: 22, inset: 4 };
 
+/** A heading in which no line ends before a unit or beside a sign between numbers. */
+const unbroken = (text: string): string =>
+  escapeText(text)
+    .replace(/ ([:=]) /g, "\u00a0$1\u00a0")
+    .replace(/(\d) (?=(?:s|m|mm)\b|%)/g, "$1\u00a0");
+
 /** Text in an attribute. */
 export const quoted = (text: string): string => escapeText(text).replaceAll('"', "&quot;");
 
-/** Where a time lies on the logarithmic axis that all rows share. */
-type Scale = { readonly at: (ns: number) => number; readonly decades: readonly number[] };
+/** Where a time lies on the logarithmic axis that all rows share, and the times that have a line. */
+type Scale = { readonly at: (ns: number) => number; readonly ticks: readonly number[] };
 
 function scaleOf(times: readonly number[]): Scale {
   const low = Math.log10(Math.min(...times) / 1.3);
   const high = Math.log10(Math.max(...times) * 1.3);
   const at = (ns: number): number =>
     BAR.inset + ((Math.log10(ns) - low) / (high - low)) * (BAR.width - 2 * BAR.inset);
-  const decades: number[] = [];
-  for (let power = Math.ceil(low); power <= high; power += 1) decades.push(10 ** power);
-  return { at, decades };
+  const ticks = (steps: readonly number[]): number[] => {
+    const all: number[] = [];
+    for (let power = Math.floor(low); power <= high; power += 1)
+      all.push(...steps.map((step) => step * 10 ** power));
+    return all.filter((ns) => ns >= 10 ** low && ns <= 10 ** high);
+  };
+  // A scale needs two numbers at least.
+  const decades = ticks([1]);
+  return { at, ticks: decades.length < 2 ? ticks([1, 2, 5]) : decades };
 }
 
 const px = (x: number): string => x.toFixed(1);
 
-/** Labels of the axis, as many as have room. */
-function axis({ at, decades }: Scale): string {
+type Label = { readonly words: string; readonly x: number };
+
+/** Labels of some ticks, each moved into the axis; nothing if two of them come too near. */
+function labelled(at: Scale["at"], ticks: readonly number[]): Label[] | undefined {
   let free = 0;
-  const ticks = decades.map((ns) => {
-    const x = at(ns);
-    const line = `<line x1="${px(x)}" x2="${px(x)}" y1="15" y2="20"/>`;
+  const labels: Label[] = [];
+  for (const ns of ticks) {
     const words = duration(ns);
     const half = words.length * 3.2;
-    if (x - half < free || x + half > BAR.width) return line;
-    free = x + half + 6;
-    return `${line}<text x="${px(x)}" y="11" text-anchor="middle">${words}</text>`;
-  });
-  return `<svg class="axis" viewBox="0 0 ${BAR.width} 20" aria-hidden="true">${ticks.join("")}</svg>`;
+    const x = Math.min(Math.max(at(ns), half), BAR.width - half);
+    if (x - half < free) return undefined;
+    free = x + half + 4;
+    labels.push({ words, x });
+  }
+  return labels;
 }
 
-/** Bar to the median, line from quartile to quartile, a dot for each family. */
+/** Every tick has a label, or every second, or third: as many as have room. */
+function axis({ at, ticks }: Scale): string {
+  let labels: Label[] = [];
+  for (let step = 1; step <= ticks.length && labels.length === 0; step += 1)
+    for (let first = 0; first < step; first += 1) {
+      const some = labelled(
+        at,
+        ticks.filter((_, i) => i % step === first),
+      );
+      if (some && some.length > labels.length) labels = some;
+    }
+  const lines = ticks.map((ns) => `<line x1="${px(at(ns))}" x2="${px(at(ns))}" y1="15" y2="20"/>`);
+  const texts = labels.map(
+    ({ words, x }) => `<text x="${px(x)}" y="11" text-anchor="middle">${words}</text>`,
+  );
+  return `<svg class="axis" viewBox="0 0 ${BAR.width} 20" aria-hidden="true">${lines.join("")}${texts.join("")}</svg>`;
+}
+
+/** Bar to the median with a line from quartile to quartile, and below it a dot for each family. */
 function bar(
   scale: Scale,
   time: Time,
   families: readonly LadderRow[],
   here: Time | undefined,
 ): string {
-  const { at, decades } = scale;
-  const middle = here ? 7 : 11;
+  const { at, ticks } = scale;
+  const middle = here ? 5 : 8;
   const whole = (t: Time, y: number, size: number, name: string): string =>
     `<rect class="${name}" x="${BAR.inset}" y="${y - size / 2}" width="${px(Math.max(1, at(t.median) - BAR.inset))}" height="${size}"/>` +
     `<line class="quartiles" x1="${px(at(t.q1))}" x2="${px(at(t.q3))}" y1="${y}" y2="${y}"/>`;
-  const grid = decades
+  const grid = ticks
     .map((ns) => `<line x1="${px(at(ns))}" x2="${px(at(ns))}" y1="0" y2="${BAR.height}"/>`)
     .join("");
   const dots = families
-    .map((row) => `<circle cx="${px(at(row.ns_median))}" cy="${middle}" r="1.7"/>`)
+    .map(
+      (row) => `<circle cx="${px(at(row.ns_median))}" cy="${middle + (here ? 6.5 : 9)}" r="1.7"/>`,
+    )
     .join("");
   return (
     `<svg class="bar" viewBox="0 0 ${BAR.width} ${BAR.height}" aria-hidden="true">` +
     `<g class="grid">${grid}</g>${whole(time, middle, 8, "book")}<g class="families">${dots}</g>` +
-    `${here ? whole(here, 16.5, 5, "own") : ""}</svg>`
+    `${here ? whole(here, 18, 5, "own") : ""}</svg>`
   );
 }
 
@@ -124,7 +158,7 @@ function rowOf(
   const rows = result.results.filter((row) => row.method === method.id);
   const own = timeOf(here, method.id, result.families.length);
   const name = methodName(method);
-  const title = escapeText(method.title);
+  const title = unbroken(method.title);
   const scalar = name === method.title ? "" : ` <small>${escapeText(method.scalar)}</small>`;
   const cells = result.families.map(({ id, title: family }) =>
     cell(
@@ -158,13 +192,13 @@ function legend(result: LadderResult, own: boolean): string {
   });
   const byDesign = result.methods.some(({ exact }) => exact);
   const better = decides(result)
-    ? `more often right${byDesign ? ", where never wrong by design counts most" : ""}`
+    ? `more often right${byDesign ? " (a method marked ◆ counts as more often right than one without)" : ""}`
     : "more accurate on the worst input";
   const signs = [
     result.methods.some(({ recommended }) => recommended) ? "★ the book's choice" : "",
     byDesign ? "◆ never wrong by design" : "",
     `<strong>bold</strong>: no other method is both faster and ${better}`,
-    "time of one query: the bar is the geometric mean over the families, its line goes from quartile to quartile, each dot is a family",
+    "time of one answer, on a logarithmic axis: the bar ends at the geometric mean over the families of inputs (the columns), its line goes from quartile to quartile, each dot below is a family",
     own ? "dashed: this browser, in WebAssembly" : "",
   ];
   return `<div class="legend">${colours.join("")}<p>${signs.filter(Boolean).join(" · ")}.</p></div>`;
@@ -188,7 +222,7 @@ export function ladderPicture(result: LadderResult, options: PictureOptions = {}
   const heads = result.families.map(({ id, title }) => {
     const unit = measureOf(result, id) === "wrong" ? "% wrong" : "error";
     return (
-      `<th scope="col" class="family" data-family="${quoted(id)}"><span class="title">${escapeText(title)}</span>` +
+      `<th scope="col" class="family" data-family="${quoted(id)}"><span class="title">${unbroken(title)}</span>` +
       `<small>${unit}</small></th>`
     );
   });

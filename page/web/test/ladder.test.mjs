@@ -170,19 +170,64 @@ test("where nothing is decided, the smaller error is the more often right", () =
   assert.deepEqual(names(document, "tr.frontier"), ["plain", "lucky", "sure"]);
 });
 
-test("no label of the time axis leaves it or overlaps another", () => {
-  for (const factor of [1, 1e3, 1e-1]) {
-    const results = result.results.map((each) => ({
-      ...each,
-      ns_median: each.ns_median * factor * (each.method === "unfiltered" ? 1e4 : 1),
-    }));
-    let free = 0;
-    for (const text of draw({ ...result, results }).querySelectorAll(".axis text")) {
-      const half = text.textContent.length * 3;
-      const x = Number(text.getAttribute("x"));
-      assert.ok(x - half >= free && x + half <= 120, `${text.textContent} at ${x}`);
-      free = x + half;
-    }
-    assert.ok(free > 0);
+/** The labels of the time axis, each between two positions. @param {any} document */
+function axisLabels(document) {
+  return [...document.querySelectorAll(".axis text")].map((text) => {
+    const half = text.textContent.length * 3;
+    const x = Number(text.getAttribute("x"));
+    return { words: text.textContent, from: x - half, to: x + half };
+  });
+}
+
+/** @param {any} document */
+function checkAxis(document) {
+  const labels = axisLabels(document);
+  let free = 0;
+  for (const { words, from, to } of labels) {
+    assert.ok(from >= free && to <= 120, `${words} from ${from} to ${to}`);
+    free = to;
   }
+  // One number alone is no scale.
+  assert.ok(labels.length >= 2, labels.map(({ words }) => words).join());
+}
+
+test("the time axis has two labels or more; none leaves it or overlaps another", () => {
+  for (const factor of [1, 1e3, 1e-1, 3, 7])
+    for (const spread of [0.03, 1, 5, 1e4]) {
+      const results = result.results.map((each) => ({
+        ...each,
+        ns_median: each.ns_median * factor * (each.method === "unfiltered" ? spread : 1),
+      }));
+      checkAxis(draw({ ...result, results }));
+    }
+});
+
+test("every measured ladder has a time axis with two labels or more", () => {
+  const folder = fileURLToPath(new URL("../../../benchmarks/results/", import.meta.url));
+  const ladders = fs.readdirSync(folder).filter((name) => /^\d\d_.*\.json$/.test(name));
+  assert.ok(ladders.length >= 11);
+  for (const name of ladders)
+    checkAxis(draw(JSON.parse(fs.readFileSync(path.join(folder, name), "utf8"))));
+});
+
+test("the line between the quartiles lies under no dot", () => {
+  const bars = [...draw(result).querySelectorAll(".bar")];
+  assert.equal(bars.length, 5);
+  for (const bar of bars) {
+    const line = Number(bar.querySelector(".quartiles").getAttribute("y1"));
+    for (const dot of bar.querySelectorAll(".families circle"))
+      assert.ok(Number(dot.getAttribute("cy")) - Number(dot.getAttribute("r")) > line + 4);
+  }
+});
+
+test("no line of a heading ends between a number and its unit, or beside a sign", () => {
+  const families = result.families.map((each, i) => ({
+    ...each,
+    title: ["needles, moments 1 : 100", "k = 1 for 5 to 15 s"][i],
+  }));
+  const heads = draw({ ...result, families }).querySelectorAll("th.family .title");
+  assert.deepEqual(
+    [...heads].map((each) => each.textContent.replaceAll("\u00a0", "_")),
+    ["needles, moments 1_:_100", "k_=_1 for 5 to 15_s"],
+  );
 });
