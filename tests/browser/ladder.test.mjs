@@ -97,6 +97,33 @@ describe("ladders", { skip }, () => {
   const run = all.filter((page) => taken.includes(chapterOf(page)));
   const url = (/** @type {string} */ where) => `${server.origin}/${where}`;
 
+  for (const where of all.filter(wanted))
+    test(`${where}: no label overlaps another or leaves its frame, on paper`, async () => {
+      // The width of a printed page.
+      const options = { viewport: { width: 658, height: 971 } };
+      const { page, close } = await open(chromium.browser, url(where), options);
+      const ladder = page.locator("contact-ladder").first();
+      const pressed = ladder.locator("td button").first();
+      await pressed.click();
+      await page.emulateMedia({ media: "print" });
+      assert.deepEqual(await collisions(ladder), []);
+      const cut = await ladder.evaluate((/** @type {HTMLElement} */ element) => {
+        const { left, right } = element.getBoundingClientRect();
+        return [...element.querySelectorAll("table.ladder-picture, .legend, .proven, .measured")]
+          .map((each) => ({ name: each.className, box: each.getBoundingClientRect() }))
+          .filter(({ box }) => box.width === 0 || box.left < left - 1 || box.right > right + 1)
+          .map(({ name }) => name);
+      });
+      assert.deepEqual(cut, []);
+      // Bullets stand left of the text, and a box that scrolls would cut them off.
+      const content = page.locator(".content").first();
+      assert.equal(await content.evaluate((box) => getComputedStyle(box).overflowX), "visible");
+      // What the cell shows is not printed, and neither is a frame around the cell.
+      assert.ok(await ladder.locator(".cell").isHidden());
+      assert.equal(await pressed.evaluate((cell) => getComputedStyle(cell).outlineStyle), "none");
+      await close();
+    });
+
   const phone = { viewport: { width: 390, height: 844 } };
   for (const where of all.filter(wanted))
     for (const [name, options] of /** @type {const} */ ([
