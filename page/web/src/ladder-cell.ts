@@ -116,7 +116,7 @@ export function scatter(result: LadderResult, here: readonly LadderRow[], cell: 
   }
   parts.push(
     text(4, 14, measure === "wrong" ? "↑ % wrong" : "↑ largest error", "start"),
-    text(FRAME.right, HEIGHT - 5, "time of one query →", "end"),
+    text(FRAME.right, HEIGHT - 5, "time of one answer →", "end"),
   );
   const points = (rows: readonly LadderRow[], name: string): string[] =>
     rows.map((row) => {

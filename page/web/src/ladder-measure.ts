@@ -127,6 +127,9 @@ function roundedUp(value: number): number {
   return value > 0 && Number.isFinite(value) ? Math.ceil(value / digit) * digit : value;
 }
 
+const fullName = ({ title, scalar }: LadderMethod): string =>
+  title.includes(scalar) ? title : `${title} (${scalar})`;
+
 /** What the measurements prove about the method that the book recommends. */
 export function proven(result: LadderResult): { name: string; words: string } | undefined {
   const all = rungs(result);
@@ -137,25 +140,37 @@ export function proven(result: LadderResult): { name: string; words: string } | 
   const sum = (of: (row: LadderRow) => number): number => rows.reduce((n, row) => n + of(row), 0);
   const wrong = sum((row) => row.wrong);
   const asked = sum((row) => row.n).toLocaleString("en");
+  const counted = decides(result);
+  const { exact } = chosen.method;
+  const alike = all.filter((rung) => (exact ? rung.method.exact : rung.off <= chosen.off));
+  const first = chosen !== fastest && alike[0] === chosen && alike.length > 1;
   const parts: string[] = [];
-  if (!decides(result)) parts.push(`no error above ${labelOf(roundedUp(chosen.off), "error")}`);
+  if (!counted) parts.push(`no error above ${labelOf(roundedUp(chosen.off), "error")}`);
   else if (wrong > 0) parts.push(`wrong on ${wrong.toLocaleString("en")} of ${asked} inputs`);
-  else parts.push(chosen.method.exact ? "never wrong" : `not wrong on any of ${asked} inputs`);
-  const ratio = chosen.time.median / fastest.time.median;
-  if (chosen === fastest) parts.push("the fastest of all");
-  else parts.push(`${Number(ratio.toPrecision(2))}\u00a0× the time of the fastest`);
-  const alike = all.filter((rung) =>
-    chosen.method.exact ? rung.method.exact : rung.off <= chosen.off,
-  );
-  if (chosen !== fastest && alike[0] === chosen && alike.length > 1)
+  else if (!exact) parts.push(`not wrong on any of ${asked} inputs`);
+  else if (!first) parts.push("never wrong by design");
+  if (first)
     parts.push(
-      chosen.method.exact
-        ? `the fastest of the ${alike.length} that are never wrong by design`
-        : `the fastest of the ${alike.length} that are no more often wrong`,
+      `the fastest of the ${alike.length} methods that are ${exact ? "never wrong by design" : "no more often wrong"}`,
     );
-  const { title, scalar } = chosen.method;
-  const name = title.includes(scalar) ? title : `${title} (${scalar})`;
-  const last = parts.pop() ?? "";
-  const joint = last.startsWith("the fastest") ? ", and " : ", ";
-  return { name, words: `${parts.join(", ")}${joint}${last}.` };
+  const ratio = Number((chosen.time.median / fastest.time.median).toPrecision(2));
+  parts.push(
+    chosen === fastest ? "the fastest of all" : `${ratio}\u00a0× the time of the fastest of all`,
+  );
+  const against = rivals(all, chosen, counted, wrong > 0);
+  return { name: fullName(chosen.method), words: `${parts.join(", ")}${against}.` };
+}
+
+/** What speaks against the choice belongs to it: faster methods that failed no more on these inputs. */
+function rivals(all: readonly Rung[], chosen: Rung, counted: boolean, wrong: boolean): string {
+  const found = all.slice(0, all.indexOf(chosen)).filter((rung) => rung.off <= chosen.off);
+  const [first] = found;
+  if (!first) return "";
+  const one = found.length === 1;
+  const who = one ? fullName(first.method) : `${found.length} other methods`;
+  const was = one ? "was" : "were";
+  const good = counted ? `${was} ${wrong ? "no more often" : "not"} wrong` : "had no larger error";
+  const byDesign = chosen.method.exact && !found.some(({ method }) => method.exact);
+  const only = byDesign ? `, but ${one ? "is" : "are"} not so by design` : "";
+  return `; ${who} ${one ? "is" : "are"} faster and ${good} on these inputs${only}`;
 }

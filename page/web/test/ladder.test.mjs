@@ -116,18 +116,34 @@ test("the book's choice is marked, with a sentence that the numbers prove", () =
   const said = () => draw(result).querySelector(".proven").textContent;
   assert.equal(
     said(),
-    "★ sure (double, then exact): never wrong, 5 × the time of the fastest, and the fastest of the 2 " +
-      "that are never wrong by design.",
+    "★ sure (double, then exact): the fastest of the 2 methods that are never wrong by design, 5 × the time of the " +
+      "fastest of all; lucky (double) is faster and was not wrong on these inputs, but is not so by design.",
   );
   // Other numbers, another sentence.
   const wrong = result.results.map((each) =>
     each.method === "lucky" && each.family === "edge" ? { ...each, wrong: 30 } : each,
   );
-  const methods = result.methods.map((each) => ({ ...each, recommended: each.id === "lucky" }));
-  const other = draw({ ...result, methods, results: wrong });
+  const choose = (/** @type {string} */ id) =>
+    result.methods.map((each) => ({ ...each, recommended: each.id === id }));
+  const other = (/** @type {string} */ id, results = wrong) =>
+    draw({ ...result, methods: choose(id), results }).querySelector(".proven").textContent;
   assert.match(
-    other.querySelector(".proven").textContent,
-    /lucky \(double\): wrong on 30 of 2,000 inputs, 2.5 × the time of the fastest, and the fastest of the 4 that are no more often wrong\.$/,
+    other("lucky"),
+    /lucky \(double\): wrong on 30 of 2,000 inputs, the fastest of the 4 methods that are no more often wrong, 2.5 × the time of the fastest of all\.$/,
+  );
+  assert.match(
+    other("plain"),
+    /plain \(float\): wrong on 320 of 2,000 inputs, the fastest of all\.$/,
+  );
+  // Faster methods that are as good are no secret.
+  assert.match(
+    other("slow", result.results),
+    /wrong on 1 of 2,000 inputs, 4 × the time of the fastest of all; lucky \(double\) is faster and was no more often wrong on these inputs\.$/,
+  );
+  // The fastest that is never wrong by design is not the choice here: no word of "the fastest of".
+  assert.match(
+    other("unfiltered", result.results),
+    /unfiltered \(exact\): never wrong by design, 45 × the time of the fastest of all; 2 other methods are faster and were not wrong on these inputs\.$/,
   );
 });
 
@@ -166,7 +182,10 @@ test("where nothing is decided, the smaller error is the more often right", () =
     draw({ ...result, results: off }).querySelector(".proven").textContent,
     /above 9e−17,/,
   );
-  assert.match(document.querySelector(".proven").textContent, /: no error above 0, 5 × the time/);
+  assert.match(
+    document.querySelector(".proven").textContent,
+    /: no error above 0, the fastest of the 2 methods that are never wrong by design, 5 × the time of the fastest of all\.$/,
+  );
   assert.deepEqual(names(document, "tr.frontier"), ["plain", "lucky", "sure"]);
 });
 
