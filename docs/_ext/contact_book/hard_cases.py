@@ -92,7 +92,7 @@ class HardCases(BookDirective):
         rows = [self.row(methods, case) for case in cases]
         wrong = sum(1 for c in cases for m in methods if c["verdicts"][m] != "right")
         words = (
-            f"{len(cases)} hard cases; {wrong} of {len(cases) * len(methods)} verdicts are wrong"
+            f"{len(cases)} hard cases; {wrong} of {len(cases) * len(methods)} answers are wrong"
         )
         heads = ["Case", "Exact answer", *methods]
         label = f"Hard cases of {', '.join(methods)}"

@@ -8,7 +8,7 @@ namespace exercise {
 
 /// Points of which given::hull_by_angles loses a vertex of the hull.
 ///
-/// Like the points of the other functions: at most 50, different from one another, not all on one
+/// For all three functions: at most 50 points, different from one another, not all on one
 /// line. Here every coordinate is a whole number from -10 to 10.
 std::vector<Eigen::Vector2d> points_that_lose_a_vertex();
 

@@ -24,11 +24,12 @@ struct Motion {
 /// The motion after a point of the body has met the floor, with dry friction, by Stronge's law of
 /// restitution.
 ///
-/// Throughout the impact friction obeys Coulomb's law. While the point slips, friction acts against
-/// the slip, with μ times the normal impulse. While it does not slip, from the first touch or after
-/// the slip has stopped, friction is what keeps it sticking, up to μ times the normal impulse; if
-/// that is not enough, the point slips in the direction in which the normal impulse drives it.
-/// After greatest compression the normal impulse gives back e² of the work that it has absorbed.
+/// Throughout the impact friction obeys Coulomb's law. While the point slips, each further
+/// normal impulse brings μ times as much friction, against the slip. While it does not slip, from
+/// the first touch or after the slip has stopped, it brings as much friction as sticking needs, up
+/// to μ times as much; if that is not enough, the point slips to where the normal impulse drives
+/// it. After greatest compression the normal impulse gives back e² of the work that it has
+/// absorbed.
 ///
 /// @param body before
 /// @param point of the body that touches the floor, m. If it does not move down, nothing happens
