@@ -19,21 +19,6 @@ using oracle::Vector;
 using reference::absolute;
 using reference::u;
 
-TEST_CASE("the flat cross product of what is left is the dropped coordinate of the cross product") {
-  Random random(1);
-  for (int i = 0; i < 3000; ++i) {
-    const auto p = oracle::exact(generators::point(random, Family::random));
-    const auto q = oracle::exact(generators::point(random, Family::random));
-    const Vector full = p.cross(q);
-    for (int k = 0; k < 3; ++k) {
-      REQUIRE(contact::cross2<Rational>(contact::drop_dimension(p, k),
-                                        contact::drop_dimension(q, k)) == full[k]);
-    }
-    const int largest = contact::largest_dimension(full);
-    for (int k = 0; k < 3; ++k) REQUIRE(absolute(full[largest]) >= absolute(full[k]));
-  }
-}
-
 TEST_CASE("weights put the point back together, exactly in rational arithmetic") {
   Random random(2);
   for (const Family family : generators::all_families) {

@@ -5,10 +5,10 @@
 
 #include <array>
 #include <cmath>
-#include <contact/barycentric.hpp>
+#include <contact/drop_dimension.hpp>
 #include <contact/error_free.hpp>
 #include <contact/exact.hpp>
-#include <contact/exact_ray_triangle.hpp>
+#include <contact/filter.hpp>
 #include <contact/vector.hpp>
 #include <cstddef>
 #include <limits>
@@ -184,8 +184,7 @@ inline int orient_3d_in_doubt(const Vector3<double>& a, const Vector3<double>& b
 ///
 /// @param a,b,c,d m, any scale; coordinates must be finite
 ///
-/// Source: the filter is `bounded_volume` of the chapter on triangles; Shewchuk 1997 for
-/// expansions.
+/// Source: the filter is `bounded_volume`; Shewchuk 1997 for expansions.
 inline int orient_3d(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c,
                      const Vector3<double>& d) {
   const int certain = bounded_volume(d - a, b - a, c - a).certain_sign();
