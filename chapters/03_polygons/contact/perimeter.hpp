@@ -1,0 +1,271 @@
+/// @file
+/// The contact of two polygons from collision points or collision segments on their perimeters, and
+/// three rules for the normal.
+///
+/// Normals are unit vectors from the second polygon to the first. They are rounded: only which edge
+/// a normal belongs to is decided here.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <contact/point_in_polygon.hpp>
+#include <contact/segments.hpp>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace contact {
+
+/// The edges of a polygon as segments, in order; edge i leaves vertex i.
+template <Ring S>
+std::vector<Segment2<S>> perimeter_segments(const Polygon<S>& polygon) {
+  std::vector<Segment2<S>> edges;
+  edges.reserve(polygon.size());
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    edges.push_back({polygon[i], polygon[(i + 1) % polygon.size()]});
+  }
+  return edges;
+}
+
+// [perimeter-points]
+/// Points on the perimeter: all vertices, and between them as few as make neighbours at most
+/// `spacing` apart along an edge.
+///
+/// Limits: points between vertices are rounded, so they may be an ulp off the edge. A spacing that
+/// is not positive gives the vertices alone, as does an edge with more than a million points.
+/// @param spacing m
+template <std::floating_point S>
+std::vector<Vector2<S>> perimeter_points(const Polygon<S>& polygon, S spacing) {
+  std::vector<Vector2<S>> points;
+  for (const Segment2<S>& edge : perimeter_segments(polygon)) {
+    const Vector2<S> along = edge.b - edge.a;
+    const S parts = spacing > S(0) ? std::ceil(std::hypot(along.x(), along.y()) / spacing) : S(1);
+    const int count = parts >= S(1) && parts <= S(1000000) ? static_cast<int>(parts) : 1;
+    for (int i = 0; i < count; ++i) points.push_back(edge.a + S(i) / S(count) * along);
+  }
+  return points;
+}
+// [/perimeter-points]
+
+/// What a test of perimeter points found.
+struct PointHits {
+  std::vector<int> points;  ///< indices of the points in the polygon or on it, in order
+  std::int64_t tests = 0;   ///< how many points were compared with how many edges
+};
+
+/// The points that are in a polygon or on it (even-odd), each decided exactly.
+///
+/// What it misses: an edge or a vertex of the polygon that enters between two points. What it
+/// costs: points × edges.
+template <std::floating_point S>
+PointHits hit_points(const std::vector<Vector2<S>>& points, const Polygon<S>& polygon) {
+  PointHits hits;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (where(polygon, points[i]) != Where::outside) hits.points.push_back(static_cast<int>(i));
+  }
+  hits.tests = static_cast<std::int64_t>(points.size() * polygon.size());
+  return hits;
+}
+
+/// Two edges that meet.
+template <Scalar S>
+struct SegmentHit {
+  int first = 0;                ///< edge of the first polygon
+  int second = 0;               ///< edge of the second polygon
+  SegmentCrossing<S> crossing;  ///< how and where they meet
+};
+
+/// What a test of perimeter segments found.
+template <Scalar S>
+struct SegmentHits {
+  std::vector<SegmentHit<S>> hits;  ///< by first edge, then by second
+  std::int64_t tests = 0;           ///< how many pairs of segments were compared
+};
+
+/// All pairs of segments that meet, each decided exactly.
+///
+/// What it misses: a polygon that is wholly inside the other. What it costs: all pairs.
+template <std::floating_point S>
+SegmentHits<S> hit_segments(const std::vector<Segment2<S>>& first,
+                            const std::vector<Segment2<S>>& second) {
+  SegmentHits<S> found;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    for (std::size_t j = 0; j < second.size(); ++j) {
+      const SegmentCrossing<S> meeting = crossing(first[i], second[j]);
+      if (meeting.meeting == Meeting::none) continue;
+      found.hits.push_back({static_cast<int>(i), static_cast<int>(j), meeting});
+    }
+  }
+  found.tests = static_cast<std::int64_t>(first.size() * second.size());
+  return found;
+}
+
+/// The edges of a polygon that a path meets (the movement vector through a wall), in the order of
+/// the polygon's edges; `SegmentHit::first` is 0. The decisions are exact.
+template <std::floating_point S>
+std::vector<SegmentHit<S>> edges_on_path(const Segment2<S>& path, const Polygon<S>& polygon) {
+  return hit_segments<S>({path}, perimeter_segments(polygon)).hits;
+}
+
+/// The one of these edges that the path meets first: that with the smallest fraction as rounded, of
+/// equals the one with the lowest index.
+template <std::floating_point S>
+std::optional<SegmentHit<S>> first_edge_on_path(const Segment2<S>& path,
+                                                const Polygon<S>& polygon) {
+  std::optional<SegmentHit<S>> first;
+  for (const SegmentHit<S>& hit : edges_on_path(path, polygon)) {
+    if (!first || hit.crossing.along_first < first->crossing.along_first) first = hit;
+  }
+  return first;
+}
+
+/// Whether two regions (even-odd) have a point in common; touching counts. Decided exactly.
+///
+/// Either two edges meet, or one polygon contains the other, and then also its first vertex. A
+/// polygon without vertices meets nothing.
+// [polygons-meet]
+template <std::floating_point S>
+bool polygons_meet(const Polygon<S>& first, const Polygon<S>& second) {
+  if (first.empty() || second.empty()) return false;
+  for (const Segment2<S>& s : perimeter_segments(first)) {
+    for (const Segment2<S>& t : perimeter_segments(second)) {
+      if (meet(s, t) != Meeting::none) return true;
+    }
+  }
+  return where(second, first[0]) != Where::outside || where(first, second[0]) != Where::outside;
+}
+// [/polygons-meet]
+
+// [outward-normal]
+/// The unit normal to the right of a segment: outward for an edge of a counter-clockwise polygon. A
+/// segment that is a point, or whose length overflows, gives the zero vector.
+template <std::floating_point S>
+Vector2<S> right_normal(const Segment2<S>& edge) {
+  const Vector2<S> along = edge.b - edge.a;
+  const S length = std::hypot(along.x(), along.y());
+  if (!(length > S(0)) || !std::isfinite(length)) return Vector2<S>::Zero();
+  return {along.y() / length, -along.x() / length};
+}
+// [/outward-normal]
+
+/// Two polygons with what their perimeters show: the edges that meet. Both are counter-clockwise.
+template <std::floating_point S>
+struct PerimeterContact {
+  std::vector<Segment2<S>> first;   ///< edges of the first polygon
+  std::vector<Segment2<S>> second;  ///< edges of the second polygon
+  SegmentHits<S> found;             ///< the edges that meet
+};
+
+/// Tests all edges of two counter-clockwise polygons.
+template <std::floating_point S>
+PerimeterContact<S> perimeter_contact(const Polygon<S>& first, const Polygon<S>& second) {
+  PerimeterContact<S> contact{perimeter_segments(first), perimeter_segments(second), {}};
+  contact.found = hit_segments(contact.first, contact.second);
+  return contact;
+}
+
+// [normal-of-hit]
+/// The first rule: the outward normal of the segment of the second polygon that was hit.
+///
+/// Wrong where it is the second polygon's vertex that enters: then the face is the first polygon's.
+template <std::floating_point S>
+Vector2<S> normal_of_hit_segment(const PerimeterContact<S>& contact, const SegmentHit<S>& hit) {
+  return right_normal(contact.second[static_cast<std::size_t>(hit.second)]);
+}
+// [/normal-of-hit]
+
+// [normal-by-end]
+/// The distance from a point to the nearer end of a segment, m.
+template <std::floating_point S>
+S distance_to_end(const Segment2<S>& segment, const Vector2<S>& p) {
+  const Vector2<S> to_a = segment.a - p, to_b = segment.b - p;
+  return std::min(std::hypot(to_a.x(), to_a.y()), std::hypot(to_b.x(), to_b.y()));
+}
+
+/// The lecture's rule: the segment that has an end nearer to the common point is the one that
+/// enters, so the other is the face, and its normal is that of the contact. Of equals, the second
+/// polygon's segment is the face.
+///
+/// Wrong where the face is short or its end is near: on a floor of tiles, the nearest end is often
+/// that of a tile, and the rule takes the side of the entering body as the face. The two common
+/// points of one contact may give two normals.
+///
+/// Source: *Game Physics 3*, slide "To the code".
+template <std::floating_point S>
+Vector2<S> normal_by_nearer_end(const PerimeterContact<S>& contact, const SegmentHit<S>& hit) {
+  const Segment2<S>& s = contact.first[static_cast<std::size_t>(hit.first)];
+  const Segment2<S>& t = contact.second[static_cast<std::size_t>(hit.second)];
+  const Vector2<S>& p = hit.crossing.point;
+  if (distance_to_end(s, p) <= distance_to_end(t, p)) return right_normal(t);
+  return -right_normal(s);
+}
+// [/normal-by-end]
+
+/// A face of the contact.
+template <std::floating_point S>
+struct ContactFace {
+  bool of_first = false;                   ///< an edge of the first polygon, or else of the second
+  int edge = 0;                            ///< its index
+  Vector2<S> normal = Vector2<S>::Zero();  ///< unit, from the second polygon to the first
+  S depth = S(0);  ///< m, how far the other polygon is behind the face; not negative
+  Vector2<S> point = Vector2<S>::Zero();  ///< m; the mean of the common points
+};
+
+// [least-penetration]
+/// The book's rule: of all edges that were hit, the face is the one behind which the other polygon
+/// is least deep. Moving the first polygon by depth along the normal takes all points that count to
+/// the front of the face or onto it.
+///
+/// The points that count are the other polygon's vertices inside, and the common points. Of equal
+/// depths, the second polygon's edge with the lowest index is the face, then the first polygon's.
+/// Nothing if no edges meet, or if all edges that meet are points.
+///
+/// Limits: depths are rounded, so two faces whose depths differ by rounding may be exchanged; the
+/// decisions which edges meet and which vertices are inside are exact. It is a rule for one moment:
+/// a body that moved too far in a step may be least deep behind the wrong face.
+template <std::floating_point S>
+std::optional<ContactFace<S>> face_of_least_penetration(const PerimeterContact<S>& contact) {
+  const auto vertices = [](const std::vector<Segment2<S>>& edges) {
+    Polygon<S> polygon;
+    for (const Segment2<S>& edge : edges) polygon.push_back(edge.a);
+    return polygon;
+  };
+  std::vector<Vector2<S>> common;
+  for (const SegmentHit<S>& hit : contact.found.hits) {
+    common.push_back(hit.crossing.overlap.a);
+    common.push_back(hit.crossing.overlap.b);
+  }
+  std::optional<ContactFace<S>> best;
+  for (const bool of_first : {false, true}) {
+    const auto& edges = of_first ? contact.first : contact.second;
+    const Polygon<S> own = vertices(edges);
+    std::vector<Vector2<S>> points = common;
+    for (const Vector2<S>& v : vertices(of_first ? contact.second : contact.first)) {
+      if (where(own, v) != Where::outside) points.push_back(v);
+    }
+    std::vector<int> hit_edges;
+    for (const SegmentHit<S>& hit : contact.found.hits) {
+      hit_edges.push_back(of_first ? hit.first : hit.second);
+    }
+    std::sort(hit_edges.begin(), hit_edges.end());
+    hit_edges.erase(std::unique(hit_edges.begin(), hit_edges.end()), hit_edges.end());
+    for (const int e : hit_edges) {
+      const Segment2<S>& edge = edges[static_cast<std::size_t>(e)];
+      const Vector2<S> normal = right_normal(edge);
+      if (normal == Vector2<S>::Zero()) continue;
+      S depth = S(0);
+      for (const Vector2<S>& p : points) depth = std::max(depth, normal.dot(edge.a - p));
+      if (best && !(depth < best->depth)) continue;
+      best = ContactFace<S>{of_first, e, of_first ? Vector2<S>(-normal) : normal, depth,
+                            Vector2<S>::Zero()};
+    }
+  }
+  if (!best) return best;
+  Vector2<S> mean = Vector2<S>::Zero();
+  for (const Vector2<S>& p : common) mean += p / S(common.size());
+  best->point = mean;
+  return best;
+}
+// [/least-penetration]
+
+}  // namespace contact

@@ -1,0 +1,253 @@
+/// @file
+/// A point and any polygon, concave and self-crossing ones included: by the sum of angles, by
+/// quadrants, by crossings, by a scanline, and by an exact winding number, which the book uses.
+///
+/// The lecture's four methods have two answers, inside and outside; only `winding_number` and
+/// `where` tell `on` apart for every point.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <contact/polygon.hpp>
+#include <numbers>
+#include <optional>
+
+namespace contact {
+
+/// Which regions of a polygon that crosses itself are inside: those around which the boundary winds
+/// an odd number of times, or any number of times but zero. For a polygon that does not cross
+/// itself both are the same.
+enum class Rule { even_odd, non_zero };
+
+// [angle-sum]
+/// The sum of the signed angles at p from each vertex to the next, rad: 2π times the winding number
+/// if p is not on the boundary.
+///
+/// Limits: rounded; about n u π. On the boundary, an edge through p contributes +π or −π by chance,
+/// and a vertex at p two angles of a zero vector. One arc tangent for each edge makes it the
+/// slowest method. The last bits may differ from machine to machine, with `std::atan2`.
+///
+/// Source: *Interaction and Normals*, slide "Ray Basics".
+template <std::floating_point S>
+S angle_sum(const Polygon<S>& polygon, const Vector2<S>& p) {
+  S sum = S(0);
+  for_each_edge(polygon, [&](const Vector2<S>& a, const Vector2<S>& b) {
+    const Vector2<S> to_a = a - p, to_b = b - p;
+    sum += std::atan2(cross2<S>(to_a, to_b), to_a.dot(to_b));
+  });
+  return sum;
+}
+
+/// Inside if the angles' sum is closer to ±2π (or a multiple) than to 0: the non-zero rule.
+///
+/// Two answers: on the boundary it is inside or outside, by chance. NaN gives outside.
+template <std::floating_point S>
+Where where_by_angle_sum(const Polygon<S>& polygon, const Vector2<S>& p) {
+  return std::abs(angle_sum(polygon, p)) > std::numbers::pi_v<S> ? Where::inside : Where::outside;
+}
+// [/angle-sum]
+
+// [quadrants]
+/// The sum of the changes of quadrant from each vertex to the next, as seen from p: 4 times the
+/// winding number if p is not on the boundary.
+///
+/// An edge to the opposite quadrant changes by +2 or −2. The side on which it passes p decides
+/// which, and only this decision rounds.
+///
+/// Source: *Interaction and Normals*, slide "Ray Basics".
+template <Ring S>
+int quadrant_sum(const Polygon<S>& polygon, const Vector2<S>& p) {
+  const auto quadrant = [&p](const Vector2<S>& v) {
+    if (v.y() >= p.y()) return v.x() >= p.x() ? 0 : 1;
+    return v.x() < p.x() ? 2 : 3;
+  };
+  int sum = 0;
+  for_each_edge(polygon, [&](const Vector2<S>& a, const Vector2<S>& b) {
+    const int change = (quadrant(b) - quadrant(a) + 4) % 4;
+    if (change == 1) sum += 1;
+    if (change == 3) sum -= 1;
+    if (change == 2) sum += cross2<S>(a - p, b - p) > S(0) ? 2 : -2;
+  });
+  return sum;
+}
+
+/// Inside if the sum of the changes of quadrant is not 0: the non-zero rule. Two answers.
+///
+/// Limits: rounded, an edge that passes close to p may be seen on the wrong side. On the boundary
+/// it is inside or outside, depending on the edge. With S = Exact it is right off the boundary.
+template <Ring S>
+Where where_by_quadrants(const Polygon<S>& polygon, const Vector2<S>& p) {
+  return quadrant_sum(polygon, p) != 0 ? Where::inside : Where::outside;
+}
+// [/quadrants]
+
+// [crossings-closed]
+/// The number of edges that meet the ray from p to larger x if each edge includes both its ends:
+/// the first idea. A vertex at the level of p belongs to two edges, and so is counted twice.
+template <Scalar S>
+int crossings_with_ends(const Polygon<S>& polygon, const Vector2<S>& p) {
+  int count = 0;
+  for_each_edge(polygon, [&](const Vector2<S>& a, const Vector2<S>& b) {
+    if (a.y() == b.y() || p.y() < std::min(a.y(), b.y()) || p.y() > std::max(a.y(), b.y())) return;
+    const S x = a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+    if (x > p.x()) ++count;
+  });
+  return count;
+}
+
+/// Inside if that number is odd. Wrong at the level of many vertices.
+template <Scalar S>
+Where where_by_crossings_with_ends(const Polygon<S>& polygon, const Vector2<S>& p) {
+  return crossings_with_ends(polygon, p) % 2 != 0 ? Where::inside : Where::outside;
+}
+// [/crossings-closed]
+
+// [crossings]
+/// The number of edges that the ray from p to larger x crosses. An edge has its lower end and not
+/// its upper end, so a vertex at the level of p counts once where the boundary passes through the
+/// level, and twice or not at all where it turns back.
+///
+/// Limits: rounded, the crossing point may be on the wrong side of p. Level edges are never
+/// counted.
+template <Scalar S>
+int crossings(const Polygon<S>& polygon, const Vector2<S>& p) {
+  int count = 0;
+  for_each_edge(polygon, [&](const Vector2<S>& a, const Vector2<S>& b) {
+    if ((a.y() > p.y()) == (b.y() > p.y())) return;
+    const S x = a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+    if (p.x() < x) ++count;
+  });
+  return count;
+}
+
+/// Inside if the number of crossings is odd: the even-odd rule. Two answers.
+///
+/// Limits: close to the boundary rounding decides. On the boundary, points of a left or lower edge
+/// tend to be inside and those of a right or upper edge outside. NaN gives outside.
+///
+/// Source: the method of many programs, after W. R. Franklin's PNPOLY, 1970.
+template <Scalar S>
+Where where_by_crossings(const Polygon<S>& polygon, const Vector2<S>& p) {
+  return crossings(polygon, p) % 2 != 0 ? Where::inside : Where::outside;
+}
+// [/crossings]
+
+// [scanline]
+/// Where a horizontal line crosses an edge of a polygon.
+template <Scalar S>
+struct ScanlineCrossing {
+  S x = S(0);    ///< m
+  int step = 0;  ///< +1 if the edge goes up, −1 if it goes down
+};
+
+/// The crossings of a polygon with the horizontal line at y, from left to right. An edge has its
+/// lower end and not its upper end; level edges are left out.
+template <Scalar S>
+std::vector<ScanlineCrossing<S>> scanline(const Polygon<S>& polygon, const S& y) {
+  std::vector<ScanlineCrossing<S>> found;
+  for_each_edge(polygon, [&](const Vector2<S>& a, const Vector2<S>& b) {
+    if ((a.y() > y) == (b.y() > y)) return;
+    const S x = a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+    found.push_back({x, b.y() > y ? 1 : -1});
+  });
+  std::sort(found.begin(), found.end(), [](const auto& f, const auto& g) { return f.x < g.x; });
+  return found;
+}
+
+/// Inside if the steps to the right of p have a sum that is not 0 (non_zero) or is odd (even_odd).
+/// The sum is the winding number: an edge that goes up has p on its left.
+///
+/// The scanline can be computed once for all points of one row. Two answers.
+///
+/// Limits: as `crossings`.
+///
+/// Source: *Interaction and Normals*, slide "Ray Basics": scanline +/−.
+template <Scalar S>
+Where where_on_scanline(const std::vector<ScanlineCrossing<S>>& crossings, const S& x,
+                        Rule rule = Rule::non_zero) {
+  int sum = 0;
+  for (const ScanlineCrossing<S>& c : crossings) {
+    if (x < c.x) sum += c.step;
+  }
+  const bool inside = rule == Rule::non_zero ? sum != 0 : sum % 2 != 0;
+  return inside ? Where::inside : Where::outside;
+}
+
+/// The same for one point.
+template <Scalar S>
+Where where_by_scanline(const Polygon<S>& polygon, const Vector2<S>& p,
+                        Rule rule = Rule::non_zero) {
+  return where_on_scanline<S>(scanline<S>(polygon, p.y()), p.x(), rule);
+}
+// [/scanline]
+
+// [winding-number]
+/// How often the polygon winds around p, counter-clockwise; nothing if p is on an edge or a vertex.
+///
+/// Right for every finite input. A polygon without edges, or a point that is not finite: 0.
+///
+/// An edge that crosses the level of p upwards with p on its left counts +1, one that crosses it
+/// downwards with p on its right −1; again an edge has its lower end and not its upper end. Most
+/// edges are decided by comparing coordinates. Only if p is in an edge's box has the sign of the
+/// orientation to be computed, by a filter with exact arithmetic behind it. If it is 0, p is on the
+/// edge. Edges that do not cross the level can still touch it, at their upper end or along it.
+///
+/// Source: Sunday, Inclusion of a Point in a Polygon, 2001, for the winding number by crossings.
+template <std::floating_point S>
+std::optional<int> winding_number(const Polygon<S>& polygon, const Vector2<S>& p) {
+  if (polygon.empty() || !all_finite(p)) return 0;
+  int winding = 0;
+  const Vector2<S>* a = &polygon.back();
+  for (const Vector2<S>& b : polygon) {
+    const bool up = b.y() > p.y();
+    if ((a->y() > p.y()) != up) {
+      bool crosses = a->x() > p.x();  // to the right of p
+      if (crosses != (b.x() > p.x()) || b.x() == p.x()) {
+        const int side = polygon_detail::side(*a, b, p);
+        if (side == 0) return std::nullopt;
+        crosses = (side > 0) == up;
+      }
+      if (crosses) winding += up ? 1 : -1;
+    } else if (b.y() == p.y()) {
+      if (b.x() == p.x()) return std::nullopt;
+      if (a->y() == p.y() && (a->x() < p.x()) != (b.x() < p.x())) return std::nullopt;
+    }
+    a = &b;
+  }
+  return winding;
+}
+// [/winding-number]
+
+// [where]
+/// Where p is: the book's choice. On means on an edge or a vertex, also if both sides of that edge
+/// are inside.
+///
+/// Right for every finite input, with the time of the plain crossing test for points far from the
+/// boundary. A point that is not finite is outside; so is every point if there are no vertices. A
+/// polygon without area has no inside: the point is on it or outside.
+template <std::floating_point S>
+Where where(const Polygon<S>& polygon, const Vector2<S>& p, Rule rule = Rule::even_odd) {
+  const std::optional<int> winding = winding_number(polygon, p);
+  if (!winding) return Where::on;
+  const bool inside = rule == Rule::non_zero ? *winding != 0 : *winding % 2 != 0;
+  return inside ? Where::inside : Where::outside;
+}
+
+/// The same for a polygon with holes: on if p is on the boundary of the outer polygon or of a hole
+/// in it, inside if it is inside of the outer polygon and of no hole. A point outside of the outer
+/// polygon is outside, whatever the holes are.
+template <std::floating_point S>
+Where where(const PolygonWithHoles<S>& polygon, const Vector2<S>& p, Rule rule = Rule::even_odd) {
+  const Where outer = where(polygon.outer, p, rule);
+  if (outer != Where::inside) return outer;
+  Where answer = Where::inside;
+  for (const Polygon<S>& hole : polygon.holes) {
+    const Where in_hole = where(hole, p, rule);
+    if (in_hole == Where::on) return Where::on;
+    if (in_hole == Where::inside) answer = Where::outside;
+  }
+  return answer;
+}
+// [/where]
+
+}  // namespace contact
