@@ -2,6 +2,9 @@
 // handled, in the impact and in flight, and how its orientation is integrated.
 #include <support/ladder.hpp>
 
+#include <numbers>
+#include <string>
+
 #include <contact/rigid_body.hpp>
 #include <contact/rotation.hpp>
 
@@ -162,8 +165,11 @@ M<S> by_midpoint(const Hit<S>& h, const Spin& angular_velocity) {
   return contact::matrix_of(q);
 }
 
+/// The figure has the body's own axes, in which the impulse is in the plane of x and z, and moments
+/// that are divided by the transverse one.
 template <class S>
-ladder::Example shown(const Hit<S>& h, const M<double>& told, const M<double>& truth) {
+ladder::Example shown(const Hit<S>& h, const M<double>& told, const M<double>& truth,
+                      const std::string& method) {
   const auto axis = [](const M<double>& r) { return V<double>(r.col(2)); };
   ladder::Example example;
   example.facts = {ladder::number("moment about the axis of symmetry, kg·m²", h.along),
@@ -173,8 +179,39 @@ ladder::Example shown(const Hit<S>& h, const M<double>& told, const M<double>& t
                    ladder::number("time, s", h.steps / double(steps_a_second)),
                    ladder::numbers("axis by this method", axis(told)),
                    ladder::numbers("axis, exact", axis(truth))};
+  const V<double> momentum = contact::matrix_of(h.start).template cast<double>().transpose() *
+                             h.momentum.template cast<double>();
+  const V<double> angular_velocity = momentum.cwiseQuotient(
+      V<double>(double(h.transverse), double(h.transverse), double(h.along)));
+  const double perpendicular = std::sqrt(angular_velocity.x() * angular_velocity.x() +
+                                         angular_velocity.y() * angular_velocity.y());
+  const double seconds = h.steps / double(steps_a_second);
+  const double faster = seconds > 10 ? 2 : 1;
+  example.figure = "drift";
+  example.fields = {
+      {"steps", {faster * steps_a_second}},
+      {"angular_velocity", {faster * angular_velocity.norm()}},
+      {"shape", {double(h.along) / double(h.transverse)}},
+      {"angle",
+       {std::atan2(perpendicular, std::abs(angular_velocity.z())) * 180 / std::numbers::pi}},
+      {"also",
+       {method == "axes-matrix"          ? 1.0
+        : method == "sphere-exponential" ? 2.0
+                                         : 0.0}},
+      {"at", {seconds / faster}}};
   example.note =
-      "The chapter's figures fix the direction of the impulse, and cannot show this body.";
+      "The figure shows the body in its own axes, with moments divided by the one perpendicular to "
+      "its axis. ";
+  example.note +=
+      method == "axes-matrix"
+          ? "Orthonormalising begins with one of the other two axes, and the figure chooses these "
+            "otherwise, so its error differs."
+          : "The errors are the same but for rounding.";
+  if (faster > 1) {
+    example.note +=
+        " It ends at 10 s, so it rotates twice as fast, with twice as many steps a second: its 8 s "
+        "are these 16 s.";
+  }
   return example;
 }
 
@@ -247,9 +284,9 @@ ladder::Ladder<Input, Answer> experiment() {
                   [](const auto& h) { return by_midpoint(h, ByTensor()); });
   ladder.recommend("axes-midpoint");
   ladder.show(
-      [](const Input& input, const Answer& got, const Answer& right, const ladder::Method&) {
-        return got.of_floats ? shown(input.in_float, got.in_float, right.in_float)
-                             : shown(input.in_double, got.in_double, right.in_double);
+      [](const Input& input, const Answer& got, const Answer& right, const ladder::Method& by) {
+        return got.of_floats ? shown(input.in_float, got.in_float, right.in_float, by.id)
+                             : shown(input.in_double, got.in_double, right.in_double, by.id);
       });
   return ladder;
 }

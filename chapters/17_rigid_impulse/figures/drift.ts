@@ -1,4 +1,5 @@
-// The error of four methods of integrating an orientation, against time, on a logarithmic scale.
+// The error of four methods of integrating an orientation, or five, against time, on a logarithmic
+// scale.
 
 import { defineFigure, pretty, type Role, type Vec2 } from "@contact/figure";
 
@@ -6,6 +7,8 @@ interface Input {
   steps: number;
   angular_velocity: number;
   shape: number;
+  angle: number;
+  also: number;
   at: number;
 }
 
@@ -14,6 +17,7 @@ interface Output {
   quaternion: readonly number[];
   exponential: readonly number[];
   midpoint: readonly number[];
+  other: readonly number[];
   read: readonly number[];
   length: number;
 }
@@ -24,6 +28,8 @@ const WAYS = [
   ["exponential", "exponential map", "c"],
   ["midpoint", "midpoint", "hit"],
 ] as const;
+/** The fifth curve, by the number of its choice. */
+const OTHERS = ["", "orthonormalised", "one moment for all axes"] as const;
 /** Powers of ten at the lower and the upper edge, and how high one of them is. */
 const LOW = -8;
 const HIGH = 2;
@@ -35,7 +41,15 @@ export default defineFigure<Input, Output>({
   title: "Drift of an orientation",
   view: { kind: "2d", x: [-1.2, 10.9], y: [-0.9, 6.5] },
   aspect: 1.35,
-  initial: { steps: 60, angular_velocity: 3, shape: 0.5, at: 5 },
+  initial: {
+    steps: 60,
+    angular_velocity: 3,
+    shape: 0.5,
+    // 3 : 4
+    angle: (Math.atan2(3, 4) * 180) / Math.PI,
+    also: 0,
+    at: 5,
+  },
   handles: [
     {
       kind: "slide",
@@ -60,6 +74,25 @@ export default defineFigure<Input, Output>({
       unit: "rad/s",
     },
     { kind: "slider", field: "shape", label: "I₃/I₁", min: 0.05, max: 2, step: 0.05 },
+    {
+      kind: "slider",
+      field: "angle",
+      label: "ω to the axis",
+      min: 0,
+      max: 90,
+      step: 1,
+      unit: "°",
+    },
+    {
+      kind: "choice",
+      field: "also",
+      label: "a fifth curve",
+      options: [
+        { value: 0, label: "none" },
+        { value: 1, label: "Euler’s matrix, orthonormalised" },
+        { value: 2, label: "one moment for all axes" },
+      ],
+    },
     { kind: "slider", field: "at", label: "t", min: 0, max: 10, step: 0.25, unit: "s" },
   ],
   draw(scene, input, output) {
@@ -84,10 +117,10 @@ export default defineFigure<Input, Output>({
       });
     scene.line([input.at, 0], [input.at, 6.1], { role: "muted", width: 1, dashed: true });
     if (output.problem) return;
+    const curveOf = (errors: readonly number[]): Vec2[] =>
+      errors.map((error, i): Vec2 => [i / 4, height(Math.log10(error))]).filter(([, y]) => y > 0);
     for (const [k, [field, name, role]] of WAYS.entries()) {
-      const curve = output[field]
-        .map((error, i): Vec2 => [i / 4, height(Math.log10(error))])
-        .filter(([, y]) => y > 0);
+      const curve = curveOf(output[field]);
       // An exact method lies below the scale and has no curve.
       if (curve.length < 2) continue;
       scene.path(curve, { role, width: k === 1 ? 5 : 2, dashed: k === 2 });
@@ -100,14 +133,33 @@ export default defineFigure<Input, Output>({
           size: "small",
         });
     }
+    const other = curveOf(output.other);
+    if (other.length < 2) return;
+    scene.path(other, { role: "miss", width: 2 });
+    // Where its name is clear of the names of the others.
+    scene.label(other[2] ?? [0, 0], OTHERS[input.also] ?? "", {
+      role: "miss",
+      offset: [0, -10],
+      size: "small",
+    });
   },
-  values: (_input, output) => [
+  values: (input, output) => [
     ...WAYS.map(([, name, role], k) => ({
       name,
       meaning: "error at t, as a chord",
       value: output.read[k] ?? 0,
       role: role as Role,
     })),
+    ...(input.also > 0
+      ? [
+          {
+            name: OTHERS[input.also] ?? "",
+            meaning: "error at t, as a chord",
+            value: output.read[4] ?? 0,
+            role: "miss" as Role,
+          },
+        ]
+      : []),
     {
       name: "length",
       meaning: "of the longest column of Euler’s matrix, at 10 s",
@@ -116,6 +168,10 @@ export default defineFigure<Input, Output>({
     },
   ],
   describe(input, output) {
-    return `At ${pretty(input.at)} s and ${pretty(input.steps)} steps a second, Euler’s matrix is off by ${pretty(output.read[0] ?? 0, 2)}, the quaternion by ${pretty(output.read[1] ?? 0, 2)}, the exponential map by ${pretty(output.read[2] ?? 0, 2)} and the midpoint by ${pretty(output.read[3] ?? 0, 2)}, as chords of the unit circle.`;
+    const other =
+      input.also > 0
+        ? ` The fifth curve, ${OTHERS[input.also]}, is off by ${pretty(output.read[4] ?? 0, 2)}.`
+        : "";
+    return `At ${pretty(input.at)} s and ${pretty(input.steps)} steps a second, Euler’s matrix is off by ${pretty(output.read[0] ?? 0, 2)}, the quaternion by ${pretty(output.read[1] ?? 0, 2)}, the exponential map by ${pretty(output.read[2] ?? 0, 2)} and the midpoint by ${pretty(output.read[3] ?? 0, 2)}, as chords of the unit circle.${other}`;
   },
 });
