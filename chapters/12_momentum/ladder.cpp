@@ -173,7 +173,14 @@ ladder::Ladder<Input, Answer> experiment() {
                                        : ladder::numbers("impulses, N·s", input.in_double),
                          ladder::number("sum by this method, N·s", told.nearest),
                          ladder::number("exact, then rounded, N·s", truth.nearest)};
-        example.note = "The figure adds equal impulses to a large one, and cannot show these.";
+        const std::vector<double> impulses =
+            got.of_floats ? std::vector<double>(input.in_float.begin(), input.in_float.end())
+                          : input.in_double;
+        example.figure = "given_sums";
+        example.fields = {ladder::field("impulses", impulses),
+                          {"type", {got.of_floats ? 0.0 : 1.0}},
+                          {"count", {double(count)}}};
+        example.note = "The figure adds these impulses one after the other.";
         return example;
       });
   return ladder;
