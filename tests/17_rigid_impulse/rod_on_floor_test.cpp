@@ -117,8 +117,9 @@ void check(const Body& body, const Vector& point, double e, double friction) {
       .given("friction", friction)
       .suspect_if("separating-pushed",
                   [&](const Motion& got) {
+                    // NaN differs from every velocity, and says nothing of an impulse.
                     return !sinks && std::isfinite(got.angular_velocity) &&
-                           got.velocity != body.velocity;
+                           got.velocity.allFinite() && got.velocity != body.velocity;
                   })
       .suspect("newtons-restitution", [&] { return by_law(body, point, e, friction, Law::newton); })
       .suspect("poissons-restitution",
