@@ -215,9 +215,10 @@ Meeting meet_rounded(const Segment2<S>& s, const Segment2<S>& t) {
 // [by-slopes]
 /// The common point by the lines y = m x + c through the segments: the first idea.
 ///
-/// Limits: a vertical segment has no slope, and two give nothing even if they cross the other.
+/// Limits: a vertical segment has no slope, so it gives nothing, even where it crosses the other.
 /// Steep segments lose digits in c. The tests of the range are on rounded numbers, so a crossing
-/// near an end may be lost. Parallel segments give nothing, also if they overlap.
+/// near an end may be lost. Parallel segments give nothing, also if they overlap. NaN gives
+/// nothing; an infinite end may give a point.
 template <Scalar S>
 std::optional<Vector2<S>> crossing_by_slopes(const Segment2<S>& s, const Segment2<S>& t) {
   const S m = (s.b.y() - s.a.y()) / (s.b.x() - s.a.x());
@@ -263,7 +264,9 @@ std::optional<SegmentCrossing<S>> crossing_by_parameters(const Segment2<S>& s,
 /// one. Slow where they cross: exact arithmetic and four divisions.
 ///
 /// The decision is that of `meet`. Fractions of a segment that is a point are 0. Without a meeting
-/// all other fields are 0. The bounds are half an ulp, 0 where the point is an end of a segment.
+/// all other fields are 0. The bounds are half an ulp (of the point's larger
+/// coordinate; the smallest positive number if that is less), 0 where the point is an end of a
+/// segment.
 template <std::floating_point S>
 SegmentCrossing<S> crossing_to_last_place(const Segment2<S>& s, const Segment2<S>& t) {
   using namespace segments_detail;
@@ -288,7 +291,8 @@ SegmentCrossing<S> crossing_to_last_place(const Segment2<S>& s, const Segment2<S
       found.point[k] = quotient<S>(start * f.d + (Exact(first.b[k]) - start) * f.n, f.d);
     }
     found.along_bound = std::numeric_limits<S>::epsilon() / 4;
-    found.point_bound = std::max(ulp(found.point.x()), ulp(found.point.y())) / 2;
+    found.point_bound = std::max(std::max(ulp(found.point.x()), ulp(found.point.y())) / 2,
+                                 std::numeric_limits<S>::denorm_min());
   }
   found.overlap = {found.point, found.point};
   return found;
@@ -314,11 +318,13 @@ SegmentCrossing<S> crossing(const Segment2<S>& s, const Segment2<S>& t) {
   const Bounded g = bounded_fraction(bounded_cross(first.a, second.a, first.a, first.b), d);
   const Bounded x = bounded_between(first.a.x(), first.b.x(), f);
   const Bounded y = bounded_between(first.a.y(), first.b.y(), f);
-  const double along_bound = std::max(f.bound, g.bound);
-  const double point_bound = std::max(x.bound, y.bound);
-  if (!(along_bound <= 0x1p-40) || !std::isfinite(x.value + y.value + point_bound)) {
+  constexpr double most = 0x1p-40;
+  if (!(f.bound <= most && g.bound <= most) ||
+      !std::isfinite(x.value + y.value + x.bound + y.bound)) {
     return crossing_to_last_place(s, t);
   }
+  const double along_bound = std::max(f.bound, g.bound);
+  const double point_bound = std::max(x.bound, y.bound);
   SegmentCrossing<S> found;
   found.meeting = Meeting::crossing;
   found.along_first = static_cast<S>(f.value);
