@@ -22,13 +22,16 @@ interface Output {
   size: number;
 }
 
-/** How each error is drawn, in the order of `read`; a wide one lies under those after it. */
+/**
+ * How each error is drawn, in the order of `read`; a wide one lies under those after it. Beside `named` impulses is its
+ * name, or at the last ones before them that have an error.
+ */
 const WAYS = [
-  { field: "recursive", name: "recursive", role: "miss", width: 3 },
-  { field: "halves", name: "pairwise", role: "b", width: 2 },
-  { field: "kahan", name: "Kahan", role: "normal", width: 2 },
-  { field: "compensated", name: "compensated", role: "hit", width: 5 },
-  { field: "book", name: "the book’s", role: "ink", width: 1.5 },
+  { field: "recursive", name: "recursive", role: "miss", width: 3, named: 24 },
+  { field: "halves", name: "pairwise", role: "b", width: 2, named: 50 },
+  { field: "kahan", name: "Kahan", role: "normal", width: 2, named: 76 },
+  { field: "compensated", name: "compensated", role: "hit", width: 5, named: 104 },
+  { field: "book", name: "the book’s", role: "ink", width: 1.5, named: 62 },
 ] as const;
 
 const TERMS = 128;
@@ -45,7 +48,7 @@ const HALF = 0.8;
 
 export default defineFigure<Input, Output>({
   title: "Errors of the sums of given impulses",
-  view: { kind: "2d", x: [-1.2, 10.6], y: [-0.9, 8.7] },
+  view: { kind: "2d", x: [-1.2, 10.9], y: [-0.9, 8.7] },
   aspect: 1.15,
   initial: {
     // A triangle wave, as of a force that changes sign.
@@ -84,7 +87,7 @@ export default defineFigure<Input, Output>({
     const axis = { role: "muted", width: 1 } as const;
     const small = { role: "muted", size: "small" } as const;
     scene.arrow([0, 0], [10.4, 0], axis).arrow([0, 0], [0, 6.6], axis);
-    scene.label([10.4, 0], "n", { role: "muted", offset: [0, 22], anchor: "end" });
+    scene.label([10.4, 0], "n", { role: "muted", offset: [6, 5] });
     for (let power = LOW; power <= HIGH; power += 2) {
       const y = height(10 ** power);
       scene.line([0, y], [10, y], { role: "ghost", width: 1 });
@@ -106,7 +109,7 @@ export default defineFigure<Input, Output>({
     if (output.problem) return;
     const read = across(output.count);
     scene.line([read, 0], [read, MIDDLE - HALF], { role: "muted", width: 1.5, dashed: true });
-    for (const { field, role, width } of WAYS) {
+    for (const { field, name, role, width, named } of WAYS) {
       // An error of 0 has no logarithm, and interrupts its curve.
       let piece: Vec2[] = [];
       const finish = (): void => {
@@ -119,6 +122,16 @@ export default defineFigure<Input, Output>({
         else finish();
       }
       finish();
+      const errors = output[field].slice(0, named);
+      const beside = errors.map((error) => height(error) > 0).lastIndexOf(true);
+      const below = field === "compensated";
+      if (beside >= 0)
+        scene.label([across(beside + 1), height(errors[beside] ?? 0)], name, {
+          role,
+          offset: [0, below ? 20 : -10],
+          anchor: "middle",
+          size: "small",
+        });
     }
   },
   values: (_input, output) => [

@@ -124,12 +124,14 @@ export default defineFigure<Input, Output>({
       // An exact method lies below the scale and has no curve.
       if (curve.length < 2) continue;
       scene.path(curve, { role, width: k === 1 ? 5 : 2, dashed: k === 2 });
-      const end = curve[curve.length - 6 - 8 * k];
+      // Two curves are often one: the name of the second is above it and at its end.
+      const second = field === "exponential";
+      const end = curve[second ? curve.length - 1 : curve.length - 6 - 8 * k];
       if (end)
         scene.label(end, name, {
           role,
-          offset: [0, k === 1 || k === 2 ? 20 : -10],
-          anchor: "middle",
+          offset: [0, k === 1 ? 20 : -10],
+          anchor: second ? "end" : "middle",
           size: "small",
         });
     }

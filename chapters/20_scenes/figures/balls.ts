@@ -107,7 +107,7 @@ export default defineFigure<Input, Output>({
     }
     scene.label([WIDE, BASE], "t, s", {
       role: "muted",
-      offset: [0, 20],
+      offset: [-18, 20],
       anchor: "end",
       size: "small",
     });
@@ -122,10 +122,10 @@ export default defineFigure<Input, Output>({
       const path = (all: readonly number[]): Vec2[] =>
         Array.from({ length: sample + 1 }, (_, k) => place(all, ball, k));
       if (sample > 0 && !line) {
-        scene.path(path(output.right), { role: "a", width: 1.5 });
+        scene.path(path(output.right), { role: "b", width: 1.5 });
         scene.path(path(output.got), { role: "miss", width: 1.5, dashed: true });
       }
-      scene.ball(place(output.right, ball, sample), scale * RADIUS, { role: "a", fill: 0.35 });
+      scene.ball(place(output.right, ball, sample), scale * RADIUS, { role: "b", fill: 0.35 });
       scene.ball(place(output.got, ball, sample), scale * RADIUS, {
         role: "miss",
         fill: 0,
@@ -136,7 +136,7 @@ export default defineFigure<Input, Output>({
     const end = Math.round(output.seconds * RATE);
     scene.path(
       output.apart.slice(0, end + 1).map((apart, k): Vec2 => [along(k), height(apart)]),
-      { role: "hit", width: 2.2 },
+      { role: "ink", width: 2.2 },
     );
     scene.line([along(sample), BASE], [along(sample), height(10)], {
       role: "muted",
@@ -146,13 +146,13 @@ export default defineFigure<Input, Output>({
   },
   values: (_input, output) => [
     { name: "hits", meaning: "by the method, in all", value: output.hits, role: "miss" as Role },
-    { name: "hits", meaning: "right", value: output.right_hits, role: "a" as Role },
+    { name: "hits", meaning: "right", value: output.right_hits, role: "b" as Role },
     {
       name: "distance",
       meaning: "at t, of the ball that is farthest from where it should be",
       value: output.read,
       unit: "m",
-      role: "hit" as Role,
+      role: "ink" as Role,
     },
     { name: "distance", meaning: "the same at the end", value: output.error, unit: "m" },
     {
@@ -162,7 +162,7 @@ export default defineFigure<Input, Output>({
       unit: "m",
     },
     {
-      name: "ΔK/K",
+      name: "ΔE/E",
       meaning: "the method’s change of energy, as a share",
       value: output.energy_change,
     },
