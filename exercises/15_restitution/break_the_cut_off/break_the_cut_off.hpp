@@ -8,8 +8,8 @@ namespace exercise {
 
 /// A ball that is dropped on a floor.
 struct Drop {
-  double height;  ///< of the drop, m, greater than 0
-  double k;       ///< coefficient of restitution, greater than 0 and less than 1
+  double height;  ///< of the drop, m, from 1e-12 to 100
+  double k;       ///< coefficient of restitution, from 0.001 to 0.99999
 };
 
 /// A drop of which given::rest_after_cut_off is wrong by more than 10 %, although k is at most 0.5.

@@ -129,6 +129,35 @@ test("points are typed, added, removed and written into the code", () => {
   assert.match(host.now, /return \{\{6, 1e-9\}, \{6, 1e-9\}\};/);
 });
 
+test("numbers that the code does not have yet are said to be so", () => {
+  const points = [
+    [0, 0],
+    [6, 1],
+  ];
+  const spec = { function: "points", says: "Some points", start: points, figure: "", from: [] };
+  const { element, press, type } = panel(spec, stub);
+  const said = () => element.querySelector(".unwritten")?.textContent;
+  assert.equal(said(), "");
+  const changes = [
+    () => type(3, "2"),
+    () => press("Add a point"),
+    () => {
+      const event = Object.assign(new Event("keydown"), { key: "ArrowUp" });
+      element.querySelector(".knob")?.dispatchEvent(event);
+    },
+  ];
+  for (const change of changes) {
+    change();
+    assert.equal(said(), "Changed, and not in the code yet.");
+    press("Write them into the code");
+    assert.equal(said(), "");
+  }
+  // What is no number is not written.
+  type(0, "a half");
+  press("Write them into the code");
+  assert.equal(said(), "Changed, and not in the code yet.");
+});
+
 test("what is no number is named, and the code stays", () => {
   const spec = {
     function: "points",

@@ -41,6 +41,8 @@ class Field {
   readonly #host: PanelHost;
   readonly #members: Map<string, Changing>;
   readonly #body = html("div", { class: "members" });
+  /** Whether the code has these numbers: Check sees the code only. */
+  readonly #unwritten = html("span", { class: "unwritten" });
 
   constructor(spec: InputSpec, host: PanelHost) {
     this.#spec = spec;
@@ -54,6 +56,7 @@ class Field {
     const buttons = html("div", { class: "buttons" });
     buttons.append(button("Write them into the code", () => this.#write()));
     if (spec.figure) buttons.append(button("Take them from the figure", () => void this.#take()));
+    buttons.append(this.#unwritten);
     this.element.append(html("legend", {}, spec.says), this.#body, buttons);
     this.#draw();
   }
@@ -61,6 +64,10 @@ class Field {
   get #value(): Value {
     const alone = this.#members.get("");
     return (alone ?? Object.fromEntries(this.#members)) as Value;
+  }
+
+  #changed(): void {
+    this.#unwritten.textContent = "Changed, and not in the code yet.";
   }
 
   #draw(): void {
@@ -74,7 +81,10 @@ class Field {
     const input = html("input", { type: "text", inputmode: "decimal", "aria-label": label });
     input.value = value;
     input.autocomplete = "off";
-    input.addEventListener("input", () => changed(input.value));
+    input.addEventListener("input", () => {
+      changed(input.value);
+      this.#changed();
+    });
     return input;
   }
 
@@ -138,6 +148,7 @@ class Field {
             value[i]![axis] = String(to[axis]);
             inputs[i]![axis]!.value = String(to[axis]);
           }
+          this.#changed();
         },
       });
       box.append(pad.element as unknown as Node);
@@ -148,6 +159,7 @@ class Field {
 
   #change(value: unknown[], change: () => void): void {
     change();
+    this.#changed();
     const at = this.#body.querySelectorAll("button").length;
     this.#draw();
     const buttons = this.#body.querySelectorAll("button");
@@ -171,6 +183,7 @@ class Field {
       return;
     }
     this.#host.replace(text);
+    this.#unwritten.textContent = "";
     this.#host.say(`${name}() returns these numbers now. Check tells whether they break the code.`);
   }
 
@@ -195,6 +208,7 @@ class Field {
       for (const [name, field] of Object.entries(from as Readonly<Record<string, string>>))
         this.#members.set(name, of(field) as Changing);
     this.#draw();
+    this.#changed();
     this.#host.say("These are the figure's numbers as it shows them now.");
   }
 }
