@@ -25,7 +25,7 @@ from typing import TypeVar
 Item = TypeVar("Item")
 
 # Kinds of which the chapters that are asked for say nothing.
-OF_NO_CHAPTER = ("hostile", "explain", "authors", "tidy")
+OF_NO_CHAPTER = ("hostile", "explain", "authors", "tidy", "grading", "builder")
 
 TURN = Path(__file__).resolve().parent / "turn"
 

@@ -563,12 +563,54 @@ def program() -> Iterator[Check]:
     yield from pytest("tests/cli", beside=THREE)
 
 
+# Files of tests/grade that test what lies around a verdict, of which a third goes in a turn, with
+# long ones apart. Boxes, hostile submissions and the verdicts themselves are tested in every run.
+AROUND_GRADING = (
+    "test_slurm",
+    "test_private",
+    "test_not_graded",
+    "test_outputs_class",
+    "test_regrade",
+    "test_resume",
+    "test_outputs_not_graded",
+    "test_explain_box",
+    "test_idle",
+    "test_outputs_leaks",
+    "test_outputs_autograder",
+    "test_outputs_full_disk",
+    "test_outputs_gone",
+    "test_outputs_formats",
+    "test_outputs_visibility",
+)
+# The same of tests/docs: what the builder of the book does, on books made for the tests.
+AROUND_THE_BOOK = (
+    "test_mistakes",
+    "test_building_again",
+    "test_fonts",
+    "test_terms",
+    "test_ebook",
+    "test_deeper",
+    "test_errata",
+)
+
+
+def without(folder: str, files: Sequence[str], taken: Sequence[str]) -> list[str]:
+    """Options of pytest that leave out those of the files that are not taken."""
+    missing = [name for name in files if not (ROOT / folder / f"{name}.py").is_file()]
+    if missing:
+        raise OSError(f"tools/test.py names {folder}/{missing[0]}.py, which is not there")
+    return [f"--ignore={folder}/{name}.py" for name in files if name not in taken]
+
+
 def grade() -> Iterator[Check]:
     """Grading needs what Linux alone has; elsewhere the program says so, and that is all."""
     if sys.platform != "linux":
         yield lambda _: Tally(skipped=1, why=["not run: grading needs Linux"])
         return
-    yield from pytest("tests/grade", beside=THREE)
+    around = sample(AROUND_GRADING, 3, "files of tests around grading", kind="grading")
+    yield from pytest(
+        "tests/grade", beside=(*THREE, *without("tests/grade", AROUND_GRADING, around))
+    )
 
 
 def step_checks(book_steps: Sequence[steps.Step]) -> Iterator[Check]:
@@ -619,7 +661,8 @@ def book() -> Iterator[Check]:
         yield from step_checks([steps.PAGE_PROGRAMS, page_parts.pages()])
         return
     yield from step_checks([steps.PAGE_PROGRAMS, page_parts.pages(), *page_parts.ebook()])
-    yield from pytest("tests/docs", beside=TWO)
+    around = sample(AROUND_THE_BOOK, 3, "files of tests of the book's builder", kind="builder")
+    yield from pytest("tests/docs", beside=(*TWO, *without("tests/docs", AROUND_THE_BOOK, around)))
     yield from pytest("tests/serve")
 
 

@@ -40,6 +40,8 @@ HOSTILE = "hostile"  # submissions that attack the grader
 EXPLAIN = "explain"  # a compiler's messages, explained
 AUTHORS = "authors"  # what `new` writes, built
 TIDY = "tidy"  # sources of the library that judges, by their names
+GRADING = "grading"  # what grading does around its verdicts
+BUILDER = "builder"  # what the builder of the book does, on books made for the tests
 CODE = (HEADERS, TESTS, FIGURES, LADDER, EXERCISES)
 
 Touched = dict[str, set[str]]  # of each kind, names of chapters; "*" is all of them
@@ -71,6 +73,11 @@ SHARED: Sequence[tuple[str, Sequence[str]]] = (
     (r"grading/book/book_json\.py$", (PAGE,)),
     (r"grading/book/wrong_answers\.py$", (EXERCISES,)),
     (r"grading/diagnosis/|tests/grading/(diagnosis|mistakes)/", (EXPLAIN,)),
+    (
+        r"(grading/(?!.*\.py$|contact/|contract/|diagnosis/)|cli/grade/|tests/grade/(?!hostile/))",
+        (GRADING,),
+    ),
+    (r"(docs/(_ext/|[^/]+\.(py|in|txt)$)|tests/docs/)", (BUILDER,)),
     (r"page/figure/", (TESTS, FIGURES)),
     (r"page/(wasm/(?!.*\.test\.mjs$)|player/|web/src/)", (FIGURES, LADDER, EXERCISES, PAGE)),
     (r"page/web/[^/]+$|page/package(-lock)?\.json$", (FIGURES, LADDER, EXERCISES, PAGE)),

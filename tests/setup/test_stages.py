@@ -114,6 +114,7 @@ def test_a_change_beyond_chapters_narrows_nothing(monkeypatch: pytest.MonkeyPatc
     stages = changed(monkeypatch, "grading/sandbox/box.cpp", "chapters/01_planes/lesson.md")
     assert "CONTACT_CHAPTERS" not in os.environ
     assert json.loads(os.environ["CONTACT_TOUCHED"]) == {
+        "grading": ["*"],
         "page": ["01_planes"],
         "tidy": ["grading/sandbox/box.cpp"],
     }

@@ -162,7 +162,7 @@ def test_a_header_of_tests_touches_who_includes_it() -> None:
         ("cmake/ContactTargets.cmake", {*CODE, "authors"}),
         ("page/wasm/flags.mjs", {"figures", "ladder", "exercises", "page"}),
         ("page/web/src/figure.ts", {"figures", "ladder", "exercises", "page"}),
-        ("docs/_ext/contact_book/ask.py", {"page"}),
+        ("docs/_ext/contact_book/ask.py", {"page", "builder"}),
     ],
 )
 def test_what_all_share_touches_all(file: str, kinds: set[str]) -> None:
@@ -173,14 +173,15 @@ def test_what_all_share_touches_all(file: str, kinds: set[str]) -> None:
 
 
 @pytest.mark.parametrize(
-    "file", ["README.md", "tools/serve.py", "tests/docs/test_map.py", "page/wasm/loader.test.mjs"]
+    "file",
+    ["README.md", "tools/serve.py", "tests/serve/test_serve.py", "page/wasm/loader.test.mjs"],
 )
 def test_what_no_chapter_is_made_of_touches_none(file: str) -> None:
     assert small(file) == {}
 
 
 def test_a_source_that_judges_is_linted_and_its_header_lints_all() -> None:
-    assert small("grading/run/runner.cpp") == {"tidy": {"grading/run/runner.cpp"}}
+    assert small("grading/run/runner.cpp")["tidy"] == {"grading/run/runner.cpp"}
     assert small("grading/run/runner.hpp")["tidy"] == {EVERYTHING}
     assert small(".clang-tidy")["tidy"] == {EVERYTHING}
 
@@ -188,6 +189,21 @@ def test_a_source_that_judges_is_linted_and_its_header_lints_all() -> None:
 def test_a_template_is_built_and_touches_no_chapter() -> None:
     assert small("cli/authors/templates/figure.cpp") == {"authors": {EVERYTHING}}
     assert small("cli/authors/dev_check.hpp") == {}
+
+
+@pytest.mark.parametrize(
+    ("file", "kind"),
+    [
+        ("grading/grade/session.cpp", "grading"),
+        ("cli/grade/grade.cpp", "grading"),
+        ("tests/grade/test_slurm.py", "grading"),
+        ("tests/docs/test_map.py", "builder"),
+    ],
+)
+def test_what_lies_around_grading_and_the_book_touches_no_chapter(file: str, kind: str) -> None:
+    found = small(file)
+    assert found[kind] == {EVERYTHING}
+    assert chapters_of(found, SMALL) == []
 
 
 def test_an_attack_touches_itself() -> None:
