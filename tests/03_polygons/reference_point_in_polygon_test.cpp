@@ -12,6 +12,32 @@ using contact::PolygonWithHoles;
 const Polygon<double> star{{0, 3}, {2, -3}, {-3, 1}, {3, 1}, {-2, -3}};
 const Polygon<double> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
+TEST_CASE("each stage of the orientation is right by itself") {
+  Random random(8);
+  int zeros = 0;
+  for (int i = 0; i < generators::tried(140000); ++i) {
+    const int kind = i % kinds;
+    const Vector2<double> a = point(random, kind), b = point(random, kind);
+    const Vector2<double> c = point_near(random, kind, {a, b});
+    const int right = oracle::sign(cross(exact(b) - exact(a), exact(c) - exact(a)));
+    INFO("kind " << kind << ", case " << i);
+    REQUIRE(contact::polygon_detail::side(a, b, c) == right);
+    REQUIRE(contact::polygon_detail::side_in_doubt(a, b, c) == right);
+    zeros += right == 0 ? 1 : 0;
+  }
+  CHECK(zeros > generators::tried(10000));
+  for (int i = 0; i < generators::tried(20000); ++i) {
+    const auto any = [&random] {
+      const double x = generators::any_finite(random);
+      return Vector2<double>(x, generators::any_finite(random));
+    };
+    const Vector2<double> a = any(), b = any(), c = any();
+    const int right = oracle::sign(cross(exact(b) - exact(a), exact(c) - exact(a)));
+    REQUIRE(contact::polygon_detail::side(a, b, c) == right);
+    REQUIRE(contact::polygon_detail::side_in_doubt(a, b, c) == right);
+  }
+}
+
 template <class S>
 void compare_points(int count, std::uint64_t seed) {
   Random random(seed);

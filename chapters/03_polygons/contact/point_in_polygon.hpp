@@ -181,39 +181,61 @@ Where where_by_scanline(const Polygon<S>& polygon, const Vector2<S>& p,
 }
 // [/scanline]
 
+namespace polygon_detail {
+
+/// Whether p is a vertex, or on an edge along its level.
+template <std::floating_point S>
+bool touches_level_edge(const Polygon<S>& polygon, const Vector2<S>& p) {
+  bool touches = false;
+  for_each_edge(polygon, [&](const Vector2<S>& a, const Vector2<S>& b) {
+    if (b.y() != p.y()) return;
+    if (b.x() == p.x() || (a.y() == p.y() && (a.x() < p.x()) != (b.x() < p.x()))) touches = true;
+  });
+  return touches;
+}
+
+}  // namespace polygon_detail
+
 // [winding-number]
 /// How often the polygon winds around p, counter-clockwise; nothing if p is on an edge or a vertex.
 ///
 /// Right for every finite input. A polygon without edges, or a point that is not finite: 0.
 ///
 /// An edge that crosses the level of p upwards with p on its left counts +1, one that crosses it
-/// downwards with p on its right −1; again an edge has its lower end and not its upper end. Most
-/// edges are decided by comparing coordinates. Only if p is in an edge's box has the sign of the
-/// orientation to be computed, by a filter with exact arithmetic behind it. If it is 0, p is on the
-/// edge. Edges that do not cross the level can still touch it, at their upper end or along it.
+/// downwards with p on its right −1; again an edge has its lower end and not its upper end. For
+/// most edges comparing y is enough. For those that cross the level the sign of the orientation
+/// decides: by a filter, with `side_in_doubt` behind it. If it is 0, p is on the edge. Edges that
+/// do not cross the level can still touch it, at their upper end or along it.
 ///
 /// Source: Sunday, Inclusion of a Point in a Polygon, 2001, for the winding number by crossings.
 template <std::floating_point S>
 std::optional<int> winding_number(const Polygon<S>& polygon, const Vector2<S>& p) {
-  if (polygon.empty() || !all_finite(p)) return 0;
+  using polygon_detail::in_double;
+  if (polygon.empty()) return 0;
+  const Vector2<double> to = in_double(p);
   int winding = 0;
+  bool at_level = false;  // whether a vertex is at the level of p
   const Vector2<S>* a = &polygon.back();
+  bool a_above = a->y() > p.y();
   for (const Vector2<S>& b : polygon) {
-    const bool up = b.y() > p.y();
-    if ((a->y() > p.y()) != up) {
-      bool crosses = a->x() > p.x();  // to the right of p
-      if (crosses != (b.x() > p.x()) || b.x() == p.x()) {
-        const int side = polygon_detail::side(*a, b, p);
+    const bool b_above = b.y() > p.y();
+    at_level |= b.y() == p.y();
+    if (a_above != b_above) {
+      const Bounded turn = bounded_orientation(in_double(*a), in_double(b), to);
+      double side = turn.value;
+      if (!(std::abs(side) > turn.bound)) {
+        if (!all_finite(p)) return 0;
+        side = polygon_detail::side_in_doubt(in_double(*a), in_double(b), to);
         if (side == 0) return std::nullopt;
-        crosses = (side > 0) == up;
       }
-      if (crosses) winding += up ? 1 : -1;
-    } else if (b.y() == p.y()) {
-      if (b.x() == p.x()) return std::nullopt;
-      if (a->y() == p.y() && (a->x() < p.x()) != (b.x() < p.x())) return std::nullopt;
+      // Without a branch: up with p on the left, or down with p on the right.
+      winding += int{b_above} & int{side > 0};
+      winding -= int{a_above} & int{side < 0};
     }
     a = &b;
+    a_above = b_above;
   }
+  if (at_level && polygon_detail::touches_level_edge(polygon, p)) return std::nullopt;
   return winding;
 }
 // [/winding-number]

@@ -71,20 +71,37 @@ Vector2<double> in_double(const Vector2<S>& v) {
 inline Vector2<Exact> in_exact(const Vector2<double>& v) { return {Exact(v.x()), Exact(v.y())}; }
 
 // [side-in-doubt]
-/// The orientation of a, b, c where the filter is not certain. On a grid, and wherever the points
-/// are of similar size, the four differences have no rounding error. Then the rounded products
-/// decide (rounding is monotonic), and if these are equal, their rounding errors. Otherwise the
-/// exact type decides.
-inline int side_in_doubt(const Vector2<double>& a, const Vector2<double>& b,
-                         const Vector2<double>& c) {
+/// The orientation of a, b, c where the filter is not certain.
+///
+/// First the four differences with their rounding errors. On a grid, and wherever the points are of
+/// similar size, there are none: then the rounded products decide (rounding is monotonic), and if
+/// these are equal, their rounding errors. Otherwise the products' rounding errors and the products
+/// with the differences' errors are added. What is then left out or rounded, with M = |left| +
+/// |right|: the products of two errors, u² M; three additions of errors, 3u² M; four products and
+/// three additions, 6u² M; the sum of both parts, 4u² M. That is 14u² M, and 16u² M leaves room.
+/// The last addition is rounded without changing the sign. Products of such numbers are 0 or at
+/// least 2^-600, so underflow in the small terms is far below the room. The exact type decides the
+/// rest.
+[[gnu::noinline]] inline int side_in_doubt(const Vector2<double>& a, const Vector2<double>& b,
+                                           const Vector2<double>& c) {
   using namespace orientation_detail;
-  double abx = 0, aby = 0, acx = 0, acy = 0;
-  if (exact_difference(b.x(), a.x(), abx) && exact_difference(b.y(), a.y(), aby) &&
-      exact_difference(c.x(), a.x(), acx) && exact_difference(c.y(), a.y(), acy) && moderate(abx) &&
-      moderate(aby) && moderate(acx) && moderate(acy)) {
-    const double left = abx * acy, right = aby * acx;
-    if (left != right) return left > right ? 1 : -1;
-    return sign_of(std::fma(abx, acy, -left) - std::fma(aby, acx, -right));
+  const auto [abx, abx_error] = two_sum(b.x(), -a.x());
+  const auto [aby, aby_error] = two_sum(b.y(), -a.y());
+  const auto [acx, acx_error] = two_sum(c.x(), -a.x());
+  const auto [acy, acy_error] = two_sum(c.y(), -a.y());
+  if (moderate(abx) && moderate(aby) && moderate(acx) && moderate(acy)) {
+    const auto [left, left_error] = two_product(abx, acy);
+    const auto [right, right_error] = two_product(aby, acx);
+    if (abx_error == 0 && aby_error == 0 && acx_error == 0 && acy_error == 0) {
+      return left != right ? sign_of(left - right) : sign_of(left_error - right_error);
+    }
+    constexpr double sixteen_u2 = 0x1p-102;
+    const auto [difference, difference_error] = two_sum(left, -right);
+    const double of_products = left_error - right_error + difference_error;
+    const double of_differences =
+        (abx * acy_error + acy * abx_error) - (aby * acx_error + acx * aby_error);
+    const double sum = difference + (of_products + of_differences);
+    if (std::abs(sum) > sixteen_u2 * (std::abs(left) + std::abs(right))) return sign_of(sum);
   }
   if (!all_finite(a) || !all_finite(b) || !all_finite(c)) return 0;
   return orient_2d_exactly(a, b, c);
