@@ -9,11 +9,9 @@
 #include <concepts>
 #include <span>
 
-#include <contact/frame.hpp>
 #include <contact/invalid_argument.hpp>
 #include <contact/outward.hpp>
 #include <contact/shapes.hpp>
-#include <contact/tolerance.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {
@@ -170,38 +168,5 @@ Aabb<S> aabb_of_swept_box(const Aabb<S>& box, const Vector3<S>& displacement, S 
                                   detail::swept_outwards<S>(box, displacement, margin));
 }
 // [/aabb-of-sphere]
-
-// [aabb-of-turned-box]
-/// An axis-aligned box that contains an oriented box: centre ± Σ |axisⱼ| hⱼ.
-///
-/// The error of the computed sum s is at most γ(3) s, plus 3 η / 2 where products underflow; s +
-/// γ(8) s + 2 η is above the exact sum, its own three roundings included.
-/// @param frame centre and axes of the oriented box; the axes are taken as stored
-/// @param half_lengths along its axes, m, finite and not negative
-/// @throws std::invalid_argument if an argument does not satisfy these conditions, or the result
-/// overflows
-template <std::floating_point S>
-Aabb<S> aabb_of_rotated_box(const CoordinateFrame<S>& frame, const Vector3<S>& half_lengths) {
-  require_finite("frame.origin", frame.origin);
-  require_finite("half_lengths", half_lengths);
-  for (int k = 0; k < 3; ++k) {
-    if (half_lengths(k) < S(0)) {
-      throw_invalid_argument("half_lengths", vector_text(half_lengths), "must not be negative");
-    }
-  }
-  Aabb<S> box;
-  for (int k = 0; k < 3; ++k) {
-    S half_extent(0);
-    for (int j = 0; j < 3; ++j) half_extent += std::abs(frame.axes(k, j)) * half_lengths(j);
-    half_extent += tolerance::gamma<S>(8) * half_extent + S(2) * tolerance::underflow_unit<S>;
-    if (!std::isfinite(half_extent)) {
-      throw_invalid_argument("half_lengths", vector_text(half_lengths), "its box overflows");
-    }
-    box.low(k) = sum_down(frame.origin(k), -half_extent);
-    box.high(k) = sum_up(frame.origin(k), half_extent);
-  }
-  return detail::require_in_range("frame.origin", frame.origin, box);
-}
-// [/aabb-of-turned-box]
 
 }  // namespace contact

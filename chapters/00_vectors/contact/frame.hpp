@@ -1,11 +1,13 @@
 /// @file
-/// Frames other than the world's: conversion of positions and directions to and from them.
+/// Frames other than the world's: conversion of positions, directions and shapes to and from
+/// them.
 #pragma once
 
 #include <cmath>
 #include <concepts>
 
 #include <contact/invalid_argument.hpp>
+#include <contact/shapes.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {
@@ -18,8 +20,8 @@ namespace contact {
 /// axes are a programming error, not an input error.
 template <Ring S>
 struct CoordinateFrame {
-  Vector3<S> origin = Vector3<S>::Zero();                            ///< in world coordinates, m
-  Eigen::Matrix<S, 3, 3> axes = Eigen::Matrix<S, 3, 3>::Identity();  ///< no unit of measure
+  Vector3<S> origin = Vector3<S>::Zero();    ///< in world coordinates, m
+  Matrix3<S> axes = Matrix3<S>::Identity();  ///< no unit of measure
 };
 // [/coordinate-frame]
 
@@ -54,6 +56,18 @@ Vector3<S> direction_in_frame(const CoordinateFrame<S>& frame, const Vector3<S>&
   return frame.axes.transpose() * v;
 }
 // [/frame-functions]
+
+/// World coordinates of a segment given in the frame.
+template <Ring S>
+Segment<S> transformed(const Segment<S>& segment, const CoordinateFrame<S>& frame) {
+  return {position_in_world(frame, segment.start), position_in_world(frame, segment.end)};
+}
+
+/// World coordinates of a sphere given in the frame.
+template <Ring S>
+Sphere<S> transformed(const Sphere<S>& sphere, const CoordinateFrame<S>& frame) {
+  return {position_in_world(frame, sphere.centre), sphere.radius};
+}
 
 // [frame-on-normal]
 /// A frame whose z axis is the direction of the normal; x and y are any axes in the plane.

@@ -1,5 +1,5 @@
 /// @file
-/// Scalars and vectors: the types that every other header uses.
+/// Scalars, vectors and matrices: the types that every other header uses.
 #pragma once
 
 #include <Eigen/Core>
@@ -41,6 +41,10 @@ using Vector2 = Eigen::Matrix<S, 2, 1>;
 /// A column of three coordinates, x, y and z, in a right-handed frame.
 template <Ring S>
 using Vector3 = Eigen::Matrix<S, 3, 1>;
+
+/// Three rows of three numbers.
+template <Ring S>
+using Matrix3 = Eigen::Matrix<S, 3, 3>;
 
 /// Whether x is a number: neither NaN nor an infinity. Always true for an exact type.
 template <Ring S>

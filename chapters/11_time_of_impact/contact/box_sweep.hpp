@@ -13,7 +13,6 @@
 #include <contact/aabb.hpp>
 #include <contact/exact.hpp>
 #include <contact/frame.hpp>
-#include <contact/inertia.hpp>
 #include <contact/invalid_argument.hpp>
 #include <contact/plane.hpp>
 #include <contact/tolerance.hpp>

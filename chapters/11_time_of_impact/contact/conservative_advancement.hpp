@@ -92,9 +92,9 @@ ConservativeAdvance<S> conservative_advancement(const Distance& distance, S appr
 /// A box that moves with constant velocity and angular velocity about its centre during a step.
 template <std::floating_point S>
 struct RotatingBox {
-  Vector3<S> half_lengths = Vector3<S>::Zero();  ///< m, each greater than 0
   Vector3<S> position = Vector3<S>::Zero();      ///< of its centre at the start, m
   Quaternion<S> orientation;                     ///< at the start; from the box's axes to the world
+  Vector3<S> half_lengths = Vector3<S>::Zero();  ///< m, each greater than 0
   Vector3<S> velocity = Vector3<S>::Zero();      ///< m/s, constant during the step
   Vector3<S> angular_velocity =
       Vector3<S>::Zero();  ///< in the world, rad/s, constant during the step

@@ -16,10 +16,6 @@
 
 namespace contact {
 
-/// Three rows of three numbers.
-template <Ring S>
-using Matrix3 = Eigen::Matrix<S, 3, 3>;
-
 // [mass-properties]
 /// Mass, centre of mass and inertia tensor of a rigid body.
 template <Ring S>

@@ -11,6 +11,7 @@
 #include <contact/contact_manifold.hpp>
 #include <contact/contact_solver.hpp>
 #include <contact/convex_shapes.hpp>
+#include <contact/frame.hpp>
 #include <contact/inertia.hpp>
 #include <contact/invalid_argument.hpp>
 #include <contact/rigid_body.hpp>
@@ -77,34 +78,11 @@ ShapedBody<S> ground(const Plane<S>& boundary) {
   return body;
 }
 
-// [in-world]
-/// A sphere, transformed from body to world.
-template <std::floating_point S>
-Sphere<S> transformed(const Sphere<S>& shape, const Vector3<S>& position,
-                      const Matrix3<S>& rotation) {
-  return {Vector3<S>(position + rotation * shape.centre), shape.radius};
-}
-/// A capsule, transformed from body to world.
-template <std::floating_point S>
-Capsule<S> transformed(const Capsule<S>& shape, const Vector3<S>& position,
-                       const Matrix3<S>& rotation) {
-  return {{Vector3<S>(position + rotation * shape.core.start),
-           Vector3<S>(position + rotation * shape.core.end)},
-          shape.radius};
-}
-/// A box, transformed from body to world.
-template <std::floating_point S>
-OrientedBox<S> transformed(const OrientedBox<S>& shape, const Vector3<S>& position,
-                           const Matrix3<S>& rotation) {
-  return {Vector3<S>(position + rotation * shape.centre), Matrix3<S>(rotation * shape.axes),
-          shape.half_lengths};
-}
 /// A half-space is in the world already.
 template <std::floating_point S>
-HalfSpace<S> transformed(const HalfSpace<S>& shape, const Vector3<S>&, const Matrix3<S>&) {
+HalfSpace<S> transformed(const HalfSpace<S>& shape, const CoordinateFrame<S>&) {
   return shape;
 }
-// [/in-world]
 
 /// Settings of a step.
 template <Ring S>
@@ -135,12 +113,9 @@ std::vector<BodyContact<S>> find_contacts(const std::vector<ShapedBody<S>>& bodi
   std::vector<BodyContact<S>> contacts;
   std::vector<BodyShape<S>> shapes;
   for (const ShapedBody<S>& body : bodies) {
-    const Matrix3<S> rotation = matrix_of(body.orientation);
+    const CoordinateFrame<S> frame{body.motion.position, matrix_of(body.orientation)};
     shapes.push_back(std::visit(
-        [&](const auto& shape) {
-          return BodyShape<S>(transformed(shape, body.motion.position, rotation));
-        },
-        body.shape));
+        [&](const auto& shape) { return BodyShape<S>(transformed(shape, frame)); }, body.shape));
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     for (std::size_t k = i + 1; k < bodies.size(); ++k) {

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include <contact/capsule.hpp>
 #include <contact/closest_points.hpp>
 #include <contact/convex_hull.hpp>
 #include <contact/gap.hpp>
@@ -123,10 +124,7 @@ CONTACT_SCENES_INLINE SceneSolid scene_solid(const SceneBody& body) {
   if (const auto* box = std::get_if<BoxShape>(&body.shape))
     return OrientedBox<double>{body.position, axes, box->half_lengths};
   const auto& capsule = std::get<CapsuleShape>(body.shape);
-  const Vector3<double> lever_arm = axes.col(2) * capsule.half_length;
-  return Capsule<double>{
-      {Vector3<double>(body.position - lever_arm), Vector3<double>(body.position + lever_arm)},
-      capsule.radius};
+  return capsule_along_z<double>({body.position, axes}, capsule.half_length, capsule.radius);
 }
 
 /// A body as the points whose hull is its core, and the distance of its surface from the core.

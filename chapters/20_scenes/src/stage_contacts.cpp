@@ -12,6 +12,7 @@
 #include <contact/contact_manifold.hpp>
 #include <contact/contact_solver.hpp>
 #include <contact/contact_world.hpp>
+#include <contact/frame.hpp>
 #include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/plan/plan_bounds.hpp>
@@ -24,12 +25,11 @@
 namespace contact {
 
 CONTACT_SCENES_INLINE HullVertices transformed(const HullVertices& shape,
-                                               const Vector3<double>& position,
-                                               const Matrix3<double>& rotation) {
+                                               const CoordinateFrame<double>& frame) {
   HullVertices moved;
   moved.points.reserve(shape.points.size());
   for (const Vector3<double>& point : shape.points)
-    moved.points.push_back(position + rotation * point);
+    moved.points.push_back(position_in_world(frame, point));
   return moved;
 }
 

@@ -10,12 +10,15 @@
 
 #include <contact/aabb.hpp>
 #include <contact/box_pairs.hpp>
+#include <contact/capsule.hpp>
 #include <contact/contact_manifold.hpp>
 #include <contact/contact_solver.hpp>
 #include <contact/convex_shapes.hpp>
+#include <contact/frame.hpp>
 #include <contact/gap.hpp>
 #include <contact/grid_pairs.hpp>
 #include <contact/inertia.hpp>
+#include <contact/oriented_box.hpp>
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/rotation.hpp>
 #include <contact/scene/compiled.hpp>
@@ -26,30 +29,24 @@ namespace contact {
 
 namespace detail {
 
-CONTACT_SCENES_INLINE Aabb<double> box_of(const Sphere<double>& shape, const Vector3<double>& x,
-                                          const Matrix3<double>&, double) {
-  return aabb_of_sphere<double>({x, shape.radius});
+CONTACT_SCENES_INLINE Aabb<double> box_of(const Sphere<double>& shape,
+                                          const CoordinateFrame<double>& frame, double) {
+  return aabb_of_sphere<double>({frame.origin, shape.radius});
 }
 
-CONTACT_SCENES_INLINE Aabb<double> box_of(const Capsule<double>& shape, const Vector3<double>& x,
-                                          const Matrix3<double>& turn, double) {
-  return enclosing_box(
-      aabb_of_sphere<double>({Vector3<double>(x + turn * shape.core.start), shape.radius}),
-      aabb_of_sphere<double>({Vector3<double>(x + turn * shape.core.end), shape.radius}));
+CONTACT_SCENES_INLINE Aabb<double> box_of(const Capsule<double>& shape,
+                                          const CoordinateFrame<double>& frame, double) {
+  return aabb_of_capsule(transformed(shape, frame));
 }
 
 CONTACT_SCENES_INLINE Aabb<double> box_of(const OrientedBox<double>& shape,
-                                          const Vector3<double>& x, const Matrix3<double>& turn,
-                                          double) {
-  CoordinateFrame<double> frame;
-  frame.origin = x;
-  frame.axes = turn;
-  return aabb_of_rotated_box(frame, shape.half_lengths);
+                                          const CoordinateFrame<double>& frame, double) {
+  return aabb_of_oriented_box<double>({frame.origin, frame.axes, shape.half_lengths});
 }
 
 template <class Shape>
-Aabb<double> box_of(const Shape&, const Vector3<double>& x, const Matrix3<double>&, double radius) {
-  return aabb_of_sphere<double>({x, radius});
+Aabb<double> box_of(const Shape&, const CoordinateFrame<double>& frame, double radius) {
+  return aabb_of_sphere<double>({frame.origin, radius});
 }
 
 }  // namespace detail
@@ -68,11 +65,11 @@ CONTACT_SCENES_INLINE double swept_margin(const SteppedSetup& setup, const Stepp
 
 CONTACT_SCENES_INLINE Aabb<double> swept_box(const SteppedSetup& setup, const SteppedState& state,
                                              const Substep& substep, std::size_t slot) {
-  const Vector3<double> x = position_of(setup, state, slot);
-  const Matrix3<double> turn = matrix_of(orientation_of(setup, state, slot));
+  const CoordinateFrame<double> frame{position_of(setup, state, slot),
+                                      matrix_of(orientation_of(setup, state, slot))};
   const double radius = setup.bodies[slot].bounding_radius;
   const Aabb<double> box =
-      std::visit([&](const auto& shape) { return detail::box_of(shape, x, turn, radius); },
+      std::visit([&](const auto& shape) { return detail::box_of(shape, frame, radius); },
                  setup.bodies[slot].shape);
   if (slot >= setup.movers) return box;
   return aabb_of_swept_box<double>(box, velocity_of(setup, state, slot) * substep.left,

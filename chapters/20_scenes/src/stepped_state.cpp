@@ -4,6 +4,7 @@
 #include <limits>
 #include <variant>
 
+#include <contact/capsule.hpp>
 #include <contact/convex_shapes.hpp>
 #include <contact/inertia.hpp>
 #include <contact/plan/plan_bounds.hpp>
@@ -20,10 +21,8 @@ CONTACT_SCENES_INLINE StepShape step_shape(const SceneShape& shape) {
   if (const auto* ball = std::get_if<BallShape>(&shape)) return Sphere<double>{zero, ball->radius};
   if (const auto* box = std::get_if<BoxShape>(&shape))
     return OrientedBox<double>{zero, Matrix3<double>::Identity(), box->half_lengths};
-  if (const auto* capsule = std::get_if<CapsuleShape>(&shape)) {
-    const Vector3<double> end(0, 0, capsule->half_length);
-    return Capsule<double>{{Vector3<double>(-end), end}, capsule->radius};
-  }
+  if (const auto* capsule = std::get_if<CapsuleShape>(&shape))
+    return capsule_along_z<double>({}, capsule->half_length, capsule->radius);
   if (const auto* hull = std::get_if<HullShape>(&shape)) return HullVertices{hull->points};
   const auto& half_space = std::get<HalfSpaceShape>(shape);
   return HalfSpace<double>{{half_space.normal, half_space.offset}};

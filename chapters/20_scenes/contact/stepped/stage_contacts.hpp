@@ -9,6 +9,7 @@
 #include <contact/contact_manifold.hpp>
 #include <contact/contact_world.hpp>
 #include <contact/convex_shapes.hpp>
+#include <contact/frame.hpp>
 #include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/rotation.hpp>
@@ -18,8 +19,7 @@
 namespace contact {
 
 /// A hull in its body's pose.
-HullVertices transformed(const HullVertices& shape, const Vector3<double>& position,
-                         const Matrix3<double>& rotation);
+HullVertices transformed(const HullVertices& shape, const CoordinateFrame<double>& frame);
 
 /// Whether there is a narrow phase for two shapes: for all except a hull with anything but a
 /// half-space, and two half-spaces.
@@ -39,9 +39,9 @@ ContactManifold<double> manifold_of_shapes(const StepShape& a, const StepShape& 
 /// A body's shape in its present pose.
 inline StepShape shape_in_world(const SteppedBody& body, const Vector3<double>& position,
                                 const Quaternion<double>& orientation) {
-  const Matrix3<double> turn = matrix_of(orientation);
-  return std::visit(
-      [&](const auto& shape) { return StepShape(transformed(shape, position, turn)); }, body.shape);
+  const CoordinateFrame<double> frame{position, matrix_of(orientation)};
+  return std::visit([&](const auto& shape) { return StepShape(transformed(shape, frame)); },
+                    body.shape);
 }
 
 /// The velocity of a body's point, m/s.
