@@ -51,10 +51,9 @@ void check_edge(const Point& p, const Point& from, const Point& to) {
                     return got && !right && std::max(from.y(), to.y()) == p.y() &&
                            from.y() != to.y() && to_the_right(p, from, to);
                   })
-      .suspect_if("lower-end-not-counted",
-                  [&](const bool& got) {
-                    return !got && right && std::min(from.y(), to.y()) == p.y();
-                  })
+      .suspect_if(
+          "lower-end-not-counted",
+          [&](const bool& got) { return !got && right && std::min(from.y(), to.y()) == p.y(); })
       .suspect("epsilon-orientation",
                [&] {
                  if (!line_crosses(p, from, to)) return false;
@@ -116,6 +115,7 @@ TEST_CASE("an end level with the point is not above it") {
 
 TEST_CASE("points level with a vertex are inside or outside as others are") {
   const Points diamond{{-1, 0}, {0, -1}, {1, 0}, {0, 1}};
+  check(diamond, {3, 0});
   check(diamond, {-2, -1});
   // Issue 24 of point-in-polygon-hao.
   const Points reported{{0, 0}, {3, -1}, {4, 1}, {1, 2}};

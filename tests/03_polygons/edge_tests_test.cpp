@@ -44,18 +44,25 @@ void check_normal(const Point& from, const Point& to) {
       .equals(right);
 }
 
+void check_ahead(const Point& p, const Point& from, const Point& to) {
+  const double right = outward(from, to).dot(p - from);
+  ask("What is the product of the outward normal and the vector from the edge to the point?")
+      .given("point", p)
+      .given("from", from)
+      .given("to", to)
+      .suspect("vertex-not-subtracted", [&] { return outward(from, to).dot(p); })
+      .suspect("normal-made-unit", [&] { return outward(from, to).normalized().dot(p - from); })
+      .suspect("behind-for-ahead", [&] { return -right; })
+      .answer([&] { return exercise::ahead(p, from, to); })
+      .equals(right);
+}
+
 void check(const Points& polygon, const Point& p) {
   const Where right = truth(polygon, p);
   const auto ahead = [&](const Point& a, const Point& b) { return outward(a, b).dot(p - a); };
   ask("Where is the point?")
       .given("polygon", polygon)
       .given("point", p)
-      .suspect("vertex-not-subtracted",
-               [&] {
-                 return by_edges(polygon, polygon.size(), [&](const Point& a, const Point& b) {
-                   return outward(a, b).dot(p);
-                 });
-               })
       .suspect("first-edge-decides", [&] { return by_edges(polygon, 1, ahead); })
       .suspect("last-edge-forgotten", [&] { return by_edges(polygon, polygon.size() - 1, ahead); })
       .suspect("absolute-epsilon",
@@ -94,6 +101,15 @@ TEST_CASE("the normal of an edge points outwards") {
   check_normal({4, 8}, {2, 1});
   check_normal({-3, 7}, {-9, 7});
   check_normal({0x1p25, -0x1p25}, {-0x1p25, 0x1p25});
+}
+
+TEST_CASE("the product is positive in front of an edge and negative behind it") {
+  check_ahead({5, 1}, {2, 3}, {8, 3});
+  check_ahead({5, 7}, {2, 3}, {8, 3});
+  check_ahead({9, -4}, {-3, 5}, {1, 2});
+  check_ahead({0, 0}, {7, 1}, {4, 9});
+  check_ahead({5, 3}, {2, 3}, {8, 3});
+  check_ahead({0x1p25, 1 - 0x1p25}, {-0x1p25, 0x1p25}, {0x1p25 - 1, -0x1p25});
 }
 
 TEST_CASE("a point inside is told from one outside") {

@@ -10,18 +10,22 @@ Eigen::Vector2d outward_normal(const Eigen::Vector2d& from, const Eigen::Vector2
   return {edge.y(), -edge.x()};
 }
 
+double ahead(const Eigen::Vector2d& point, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+  //? From any point of the edge to the point.
+  //? gap: point - from
+  return outward_normal(from, to).dot(point - from);
+}
+
 Where edge_tests(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& point) {
   //? Whether the point is on the line of an edge.
   bool on_a_line = false;
   //? All edges must be asked, also the one from the last vertex to the first.
   //? gap: (i + 1) % polygon.size()
-  //? gap: ahead > 0
+  //? gap: product > 0
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Eigen::Vector2d& a = polygon[i];
-    const Eigen::Vector2d& b = polygon[(i + 1) % polygon.size()];
-    const double ahead = outward_normal(a, b).dot(point - a);
-    if (ahead > 0) return Where::outside;
-    if (ahead == 0) on_a_line = true;
+    const double product = ahead(point, polygon[i], polygon[(i + 1) % polygon.size()]);
+    if (product > 0) return Where::outside;
+    if (product == 0) on_a_line = true;
   }
   //? Only here it is known that the point is in front of no edge. On the line of one, it is on it.
   //? gap: on_a_line ? Where::on : Where::inside
