@@ -170,10 +170,9 @@ void check(const Points& perimeter, const Point& from, const Point& to) {
                     return got && right && got->segment == right->segment &&
                            near(got->t, right->t * length) && !near(got->t, right->t);
                   })
-      .suspect_if("path-as-a-line",
-                  [&](const Found& got) {
-                    return c.valid(got) && !right && !(got->t >= 0 && got->t <= 1);
-                  })
+      .suspect_if(
+          "path-as-a-line",
+          [&](const Found& got) { return c.valid(got) && !right && !(got->t >= 0 && got->t <= 1); })
       .suspect_if("touching-rejected",
                   [&](const Found& got) { return !got && right && right->t == 1; })
       .answer([&] { return exercise::perimeter_normal(perimeter, from, to); })
