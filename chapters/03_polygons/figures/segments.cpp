@@ -10,14 +10,16 @@ using Point = contact::Vector2<double>;
 using contact::Meeting;
 
 struct Input {
-  Point a, b;     // ends of the first segment
-  Point c, d;     // ends of the second
-  double far;     // the segments are moved by 2^far m before they are stored; 0: not moved
-  double single;  // 1: points and methods in float
+  Point a, b;      // ends of the first segment
+  Point c, d;      // ends of the second
+  double far;      // the segments are moved by 2^far m before they are stored; 0: not moved
+  double divided;  // 10: before that they are divided by 10, which makes eighths of a metre inexact
+  double single;   // 1: points and methods in float
 };
 
 struct Output {
   double problem;
+  // What is "moved back" is also multiplied by 10 again, for the drawing.
   std::array<Point, 4> stored;  // a, b, c, d as stored, moved back
   double moved;                 // m, along x; along y it is 0.6 of that
   double meeting;               // of the stored ones: 0 none, 1 crossing, 2 touching, 3 overlapping
@@ -34,18 +36,22 @@ struct Output {
   double by_parameters;         // its meeting
   double by_rounded;            // meeting by orientations as the scalar rounds them
   std::array<double, 3> wrong;  // 1 if slopes, parameters, rounded orientations are wrong
-  double vertical;              // goal of a question: they cross, and the slopes miss it
+  // Of the ends as given in double, for a reader's function that takes whole numbers: eighths.
+  double meeting_as_given;
+  double whole;     // 1 if the eighths are whole
+  double vertical;  // goal of a question: they cross, and the slopes miss it
 };
 
 namespace {
 
 template <class S>
 void compute_in(const Input& in, const Point& moved, Output& out) {
-  const auto back = [&moved](const contact::Vector2<S>& p) -> Point {
-    return p.template cast<double>() - moved;
+  const double divided = in.divided == 10 ? 10 : 1;
+  const auto back = [&](const contact::Vector2<S>& p) -> Point {
+    return divided * (p.template cast<double>() - moved);
   };
-  const auto store = [&moved](const Point& p) -> contact::Vector2<S> {
-    return (p + moved).cast<S>();
+  const auto store = [&](const Point& p) -> contact::Vector2<S> {
+    return (p / divided + moved).cast<S>();
   };
   const contact::Segment2<S> first{store(in.a), store(in.b)}, second{store(in.c), store(in.d)};
   out.stored = {back(first.a), back(first.b), back(second.a), back(second.b)};
@@ -84,6 +90,12 @@ void compute_in(const Input& in, const Point& moved, Output& out) {
                out.by_parameters != out.meeting ? 1.0 : 0.0,
                out.by_rounded != out.meeting ? 1.0 : 0.0};
   out.vertical = found.meeting == Meeting::crossing && !by_slopes ? 1 : 0;
+
+  const auto whole = [](const Point& p) {
+    return (8 * p).eval() == (8 * p).array().round().matrix();
+  };
+  out.meeting_as_given = number(contact::meet(contact::Segment2<double>{in.a, in.b}, {in.c, in.d}));
+  out.whole = whole(in.a) && whole(in.b) && whole(in.c) && whole(in.d) ? 1 : 0;
 }
 
 }  // namespace
@@ -102,7 +114,7 @@ Output compute(const Input& in) {
   return out;
 }
 
-FIGURE(Input, FIELDS(a, b, c, d, far, single), Output,
+FIGURE(Input, FIELDS(a, b, c, d, far, divided, single), Output,
        FIELDS(problem, stored, moved, meeting, point, along_first, along_second, along_bound,
               point_bound, overlap_start, overlap_end, found, found_at, off, off_book,
-              by_parameters, by_rounded, wrong, vertical))
+              by_parameters, by_rounded, wrong, meeting_as_given, whole, vertical))

@@ -8,6 +8,7 @@ interface Input {
   c: Vec2;
   d: Vec2;
   far: number;
+  divided: number;
   single: number;
 }
 
@@ -35,6 +36,9 @@ const MEETING = ["do not meet", "cross", "touch", "overlap"];
 const ENDS = ["a", "b", "c", "d"] as const;
 const TEXTBOOK = ["slopes", "parameters"] as const;
 
+/** Dragged ends move in tenths of this, in eighths of a metre, which are stored without rounding. */
+const GRIP_STEP = 1.25;
+
 const at = (numbers: readonly number[], i: number): Vec2 => [
   numbers[2 * i] ?? 0,
   numbers[2 * i + 1] ?? 0,
@@ -46,16 +50,25 @@ export default defineFigure<Input, Output>({
   title: "Do the segments meet?",
   view: { kind: "2d", x: [-5, 5], y: [-3.4, 3.4], grid: 1 },
   aspect: 1.35,
-  initial: { a: [-3, -1], b: [3, 2], c: [-1, 2.5], d: [-0.5, -2], far: 0, single: 0 },
+  initial: { a: [-3, -1], b: [3, 2], c: [-1, 2.5], d: [-0.5, -2], far: 0, divided: 1, single: 0 },
   handles: ENDS.map((field, i) => ({
     kind: "point" as const,
     field,
     label: `${field}, an end of the ${i < 2 ? "first" : "second"} segment`,
     role: (i < 2 ? "a" : "b") as Role,
-    step: 1,
+    step: GRIP_STEP,
     limit: [-4.5, 4.5] as const,
   })),
   controls: [
+    {
+      kind: "choice",
+      field: "divided",
+      label: "Ends",
+      options: [
+        { value: 1, label: "as they are" },
+        { value: 10, label: "divided by 10" },
+      ],
+    },
     { kind: "slider", field: "far", label: "k, moved by 2ᵏ m", min: 0, max: 50, step: 1 },
     {
       kind: "choice",
@@ -140,10 +153,9 @@ export default defineFigure<Input, Output>({
         name: "x",
         meaning:
           output.meeting === 3
-            ? "start of the overlap, moved back"
-            : "the common point, moved back",
+            ? "start of the overlap, in the drawing"
+            : "the common point, in the drawing",
         value: output.meeting ? output.point : "–",
-        unit: "m",
         role: "hit",
       },
       {

@@ -34,24 +34,35 @@ constexpr int cells = columns * (rows + count);
 
 struct Output {
   double problem;
-  std::array<double, count> from, to;   // vertices of each edge
-  double where;                         // the book's: 0 outside, 1 on, 2 inside, by the rule
-  std::array<double, methods> says;     // of each method, as `where`
-  std::array<double, methods> wrong;    // 1 if a method is wrong by its own rule; what has two
-                                        // answers is not wrong on the boundary
-  double winding;                       // of outline and hole; 0 on the boundary of either
-  std::array<double, methods> sum;      // that each method decides by: winding number, edges with
-                                        // p on the inner side, rad, quadrants, crossings, steps
-  std::array<double, count> part;       // of each edge, by the chosen method
-  std::array<double, count> crosses;    // 1 if the edge meets the level of p, by the chosen method
-  std::array<double, count> crossing;   // its x there
-  std::array<double, cells> inside;     // 1 where the chosen method's rule has inside
-  std::array<double, cells> missed;     // 1 where the chosen method is wrong
-  double grid_wrong;                    // how many
+  std::array<double, count> from, to;  // vertices of each edge
+  double where;                        // the book's: 0 outside, 1 on, 2 inside, by the rule
+  std::array<double, methods> says;    // of each method, as `where`
+  std::array<double, methods> wrong;   // 1 if a method is wrong by its own rule; what has two
+                                       // answers is not wrong on the boundary
+  double winding;                      // of outline and hole; 0 on the boundary of either
+  std::array<double, methods> sum;     // that each method decides by: winding number, edges with
+                                       // p on the inner side, rad, quadrants, crossings, steps
+  std::array<double, count> part;      // of each edge, by the chosen method
+  std::array<double, count> crosses;   // 1 if the edge meets the level of p, by the chosen method
+  std::array<double, count> crossing;  // its x there
+  std::array<double, cells> inside;    // 1 where the chosen method's rule has inside
+  std::array<double, cells> missed;    // 1 where the chosen method is wrong
+  double grid_wrong;                   // how many
+  // Of the vertices in order, whatever is chosen, for a reader's function that takes whole numbers:
+  // everything in eighths of a metre.
+  double inside_in_order;               // by the even-odd rule, in double
+  double in_order_clear;                // 1 if the eighths are whole and p is not on the boundary
+  double where_in_pentagon;             // of a to e
+  double pentagon_clear;                // 1 if the eighths are whole, and a to e are convex and
+                                        // counter-clockwise
   double ends_wrong, edge_tests_wrong;  // goals of questions: methods 4 and 1 are wrong here
 };
 
 namespace {
+
+std::array<Point, count> vertices_of(const Input& in) {
+  return {in.a, in.b, in.c, in.d, in.e, in.f, in.g, in.h};
+}
 
 /// The outline, and the hole if there is one, with the ends of all edges. The hole goes round the
 /// other way, so that winding numbers and the methods' sums can be added up.
@@ -205,7 +216,7 @@ Edge part_of(int method, const contact::Vector2<S>& a, const contact::Vector2<S>
 
 template <class S>
 void compute_in(const Input& in, Output& out) {
-  const std::array<Point, count> vertices{in.a, in.b, in.c, in.d, in.e, in.f, in.g, in.h};
+  const auto vertices = vertices_of(in);
   const Shape<S> shape = joined<S>(vertices, in.joined);
   const contact::Vector2<S> p = in.p.cast<S>();
   const Rule rule = in.rule == 1 ? Rule::non_zero : Rule::even_odd;
@@ -261,6 +272,24 @@ void compute_in(const Input& in, Output& out) {
   }
 }
 
+void compute_in_order(const Input& in, Output& out) {
+  const auto vertices = vertices_of(in);
+  const auto whole = [](const Point& p) {
+    return (8 * p).eval() == (8 * p).array().round().matrix();
+  };
+  const contact::Polygon<double> all(vertices.begin(), vertices.end());
+  const contact::Polygon<double> pentagon(vertices.begin(), vertices.begin() + 5);
+  const Where where = contact::where(all, in.p);
+  out.inside_in_order = where == Where::inside ? 1 : 0;
+  out.in_order_clear =
+      where != Where::on && whole(in.p) && std::all_of(all.begin(), all.end(), whole) ? 1 : 0;
+  out.where_in_pentagon = double(static_cast<int>(contact::where(pentagon, in.p)));
+  out.pentagon_clear = contact::is_convex(pentagon) && contact::area_sign(pentagon) > 0 &&
+                               whole(in.p) && std::all_of(pentagon.begin(), pentagon.end(), whole)
+                           ? 1
+                           : 0;
+}
+
 }  // namespace
 
 Output compute(const Input& in) {
@@ -271,9 +300,11 @@ Output compute(const Input& in) {
   }
   if (out.problem != 0) return out;
   in.single == 1 ? compute_in<float>(in, out) : compute_in<double>(in, out);
+  compute_in_order(in, out);
   return out;
 }
 
 FIGURE(Input, FIELDS(a, b, c, d, e, f, g, h, p, method, joined, rule, single), Output,
        FIELDS(problem, from, to, where, says, wrong, winding, sum, part, crosses, crossing, inside,
-              missed, grid_wrong, ends_wrong, edge_tests_wrong))
+              missed, grid_wrong, inside_in_order, in_order_clear, where_in_pentagon,
+              pentagon_clear, ends_wrong, edge_tests_wrong))

@@ -53,6 +53,9 @@ const ROWS = 29;
 const SPACING = 0.25;
 const FAR = 8;
 
+/** Dragged points move in tenths of this, in eighths of a metre, which are stored without rounding. */
+const GRIP_STEP = 1.25;
+
 const signed = (value = 0): string => (value > 0 ? `+${value}` : pretty(value));
 const degrees = (value = 0): string => `${pretty(Math.round(value * DEGREES))}°`;
 const middle = (from: Vec2, to: Vec2): Vec2 => [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
@@ -91,9 +94,9 @@ export default defineFigure<Input, Output>({
   aspect: 1.3,
   initial: {
     a: [-3, -2.5],
-    b: [3.5, -3],
+    b: [3, -3],
     c: [4, 1.5],
-    d: [0.5, 3],
+    d: [0, 3],
     e: [-4, 2],
     f: [0, 1],
     g: [2, -0.5],
@@ -110,7 +113,7 @@ export default defineFigure<Input, Output>({
       field,
       label: `${field}, a vertex of the polygon`,
       role: "surface" as const,
-      step: 0.5,
+      step: GRIP_STEP,
       limit: [-4.75, 4.75] as const,
     })),
     {
@@ -118,7 +121,7 @@ export default defineFigure<Input, Output>({
       field: "p",
       label: "p, the point",
       role: "ray",
-      step: 0.5,
+      step: GRIP_STEP,
       limit: [-4.75, 4.75],
     },
   ],
