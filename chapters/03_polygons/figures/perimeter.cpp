@@ -1,4 +1,4 @@
-// A box and a floor with a peak: what collision points and collision segments on their perimeters
+// A plank and a floor with a peak: what collision points and collision segments on their perimeters
 // find, and the normal by three rules.
 #include <algorithm>
 #include <array>
@@ -19,9 +19,9 @@ struct Input {
                    // nearer end, as in the lecture, 3 of least penetration, the book's
 };
 
-constexpr double half_length = 1.5, half_width = 0.5;
+constexpr double half_length = 1.5, half_width = 0.3;
 constexpr double floor_level = -0.75, floor_left = -4.5, floor_right = 4.5, floor_bottom = -3;
-constexpr double peak_left = -4, peak_right = -1;
+constexpr double peak_left = -3.25, peak_right = -1.75;
 constexpr int max_tiles = 12, max_floor = 6 + max_tiles, max_hits = 16;
 constexpr int max_box_points = 60, max_floor_points = 240;
 constexpr double min_spacing = 0.2;

@@ -1,4 +1,4 @@
-// A box that enters a floor with a peak: the points or the segments that find it, and the normal
+// A plank that enters a floor with a peak: the points or the segments that find it, and the normal
 // by the chosen rule. An arrow of another face than the book's is red.
 
 import { defineFigure, pretty, type Role, type Value, type Vec2 } from "@contact/figure";
@@ -62,7 +62,7 @@ export default defineFigure<Input, Output>({
   view: { kind: "2d", x: [-5, 5], y: [-3.3, 3.3] },
   aspect: 1.35,
   initial: {
-    centre: [1.4, 0.1],
+    centre: [1.4, 0],
     front: [1.6, 0.9],
     peak: [-2.5, 0.75],
     tiles: 6,
@@ -82,7 +82,7 @@ export default defineFigure<Input, Output>({
       kind: "point",
       field: "front",
       from: "centre",
-      label: "the direction of the box",
+      label: "the direction of the plank",
       role: "a",
       step: 0.25,
       limit: [-2, 2],
@@ -90,7 +90,7 @@ export default defineFigure<Input, Output>({
     {
       kind: "point",
       field: "centre",
-      label: "the middle of the box",
+      label: "the middle of the plank",
       role: "a",
       step: 0.25,
       limit: [-4, 4],
@@ -110,13 +110,13 @@ export default defineFigure<Input, Output>({
     },
     { kind: "slider", field: "tiles", label: "tiles", min: 1, max: 12, step: 1 },
     { kind: "slider", field: "spacing", label: "spacing", min: 0.2, max: 4, step: 0.2, unit: "m" },
-    { kind: "numbers", field: "centre", label: "box", role: "a", step: 0.25 },
+    { kind: "numbers", field: "centre", label: "plank", role: "a", step: 0.25 },
     { kind: "numbers", field: "front", label: "direction", role: "a", step: 0.25 },
     { kind: "numbers", field: "peak", label: "peak", role: "b", step: 0.25 },
   ],
   draw(scene, input, output) {
     if (output.problem) {
-      scene.label(input.centre, "the box", { role: "a", offset: [0, -18], anchor: "middle" });
+      scene.label(input.centre, "the plank", { role: "a", offset: [0, -18], anchor: "middle" });
       return;
     }
     const box = list(output.box, 4);
@@ -174,14 +174,13 @@ export default defineFigure<Input, Output>({
       const tip = ahead(point, normal, ARROW);
       scene.arrow(point, tip, { role, width: 3, dashed: other[i] === 1 });
       scene.dot(point, role, 5, other[i] === 1);
-      if (other[i])
-        scene.label(tip, "other face", {
-          role,
-          offset: [8 * normal[0], 5 - 14 * normal[1]],
-          anchor: normal[0] < -0.1 ? "end" : normal[0] > 0.1 ? "start" : "middle",
-          size: "small",
-        });
     }
+    const differing = [0, output.hit_differing, output.end_differing, 0][input.method] ?? 0;
+    if (differing)
+      scene.label([0, 2.9], `the normal of another face at ${differing} of ${output.hits} points`, {
+        role: "miss",
+        anchor: "middle",
+      });
     if (input.method === 3 && output.has_face) {
       const tip = ahead(output.contact_point, output.normal, ARROW);
       scene.arrow(output.contact_point, tip, { role: "hit", width: 3 });
@@ -215,7 +214,7 @@ export default defineFigure<Input, Output>({
       {
         name: "n",
         meaning: output.has_face
-          ? `the book’s, of the ${output.face_of_box ? "box" : "floor"}`
+          ? `the book’s, of the ${output.face_of_box ? "plank" : "floor"}`
           : "the book’s",
         value: output.has_face ? output.normal : "–",
         role: "hit",
@@ -230,12 +229,12 @@ export default defineFigure<Input, Output>({
     ];
   },
   describe(_input, output) {
-    if (!output.meets) return "The box and the floor do not meet.";
+    if (!output.meets) return "The plank and the floor do not meet.";
     if (output.segments_miss)
       return `One is inside the other: no segments meet, and ${output.points_hit} points are inside.`;
     const points = output.points_miss
       ? "no point is inside"
       : `${output.points_hit} points are hit`;
-    return `They meet at ${output.hits} pairs of segments; ${points}. The face is one of the ${output.face_of_box ? "box" : "floor"}, ${pretty(output.depth)} m deep. The segment hit gives another face at ${output.hit_differing} of the common points, the nearer end at ${output.end_differing}.`;
+    return `They meet at ${output.hits} pairs of segments; ${points}. The face is one of the ${output.face_of_box ? "plank" : "floor"}, ${pretty(output.depth)} m deep. The segment hit gives another face at ${output.hit_differing} of the common points, the nearer end at ${output.end_differing}.`;
   },
 });
