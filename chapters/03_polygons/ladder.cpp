@@ -236,7 +236,8 @@ ladder::Example shown(const Input& input, const Answer& got, const Answer& truth
   example.facts.push_back({"this method", words(got.where)});
   example.facts.push_back({"exact", words(right_by(got.rule, truth))});
 
-  double low = std::numeric_limits<double>::infinity(), high = -low, size = 0;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  double size = input.p_in_double.cwiseAbs().maxCoeff();
   for (const Point& v : input.polygon_in_double) {
     size = std::max(size, v.cwiseAbs().maxCoeff());
     low = std::min(low, v.x());
@@ -253,7 +254,7 @@ ladder::Example shown(const Input& input, const Answer& got, const Answer& truth
     example.note = "So far from the origin, the figure would show the polygon as one point.";
   } else {
     // The largest coordinate becomes 1.75 to 3.5.
-    const double scale = std::ldexp(1.0, 1 - std::ilogb(size / 1.75));
+    const double scale = std::ldexp(1.0, -std::ilogb(size / 1.75));
     example.figure = "where";
     for (std::size_t i = 0; i < shown_vertices; ++i) {
       example.fields.push_back(
