@@ -29,6 +29,8 @@ const ZERO = FRAME.bottom - 12;
 const LOWEST = ZERO - 22;
 const HIGHEST = FRAME.top + 12;
 const LETTER = 7.2;
+/** Half the size of a mark. */
+const MARK = 5;
 
 export interface Cell {
   readonly method: LadderMethod;
@@ -64,13 +66,32 @@ function ticks(low: number, high: number, at: (power: number) => number, apart: 
 }
 
 function mark(kind: string, x: number, y: number, classes: string, title: string): string {
-  const size = 5;
+  const size = MARK;
   const shapes: Record<string, string> = {
     float: `<path d="M${px(x)},${px(y - size)}l${size},${1.8 * size}h${-2 * size}z"`,
     double: `<circle cx="${px(x)}" cy="${px(y)}" r="${size - 0.5}"`,
     exact: `<rect x="${px(x - size + 0.5)}" y="${px(y - size + 0.5)}" width="${2 * size - 1}" height="${2 * size - 1}"`,
   };
   return `${shapes[kind]} class="${classes}"><title>${escapeText(title)}</title></${kind === "float" ? "path" : kind === "double" ? "circle" : "rect"}>`;
+}
+
+type Point = readonly [number, number];
+
+/** The middle of a name of this width, on its line: where it covers the fewest marks, near its own if possible. */
+function nameAt([x, y]: Point, marks: readonly Point[], width: number, axisName: string): Point {
+  const half = width / 2;
+  const within = (at: number): number =>
+    Math.min(Math.max(at, FRAME.left + half + 4), FRAME.right - half - 4);
+  const covered = ([at, line]: Point): number =>
+    marks.filter(
+      ([p, q]) => Math.abs(p - at) < half + MARK && q > line - 9 - MARK && q < line + 3 + MARK,
+    ).length;
+  const places: Point[] = [y - 11, y + 21]
+    .filter((line) => line > FRAME.top + 10 && line < FRAME.bottom - 2)
+    .flatMap((line) => [x, x + half, x - half].map((at): Point => [within(at), line]));
+  // Above the frame there are no marks, but the axis has its name there.
+  if (width < FRAME.right - 8 - 6 * axisName.length) places.push([FRAME.right - half, 14]);
+  return places.reduce((best, next) => (covered(next) < covered(best) ? next : best));
 }
 
 /** All methods on the family of the cell; only the cell's method is named. */
@@ -92,6 +113,7 @@ export function scatter(result: LadderResult, here: readonly LadderRow[], cell: 
   const yOf = (value: number | null): number =>
     value === null ? HIGHEST : value === 0 ? ZERO : level(Math.log10(value));
 
+  const axisName = measure === "wrong" ? "↑ % wrong" : "↑ largest error";
   const text = (x: number, y: number, words: string, anchor: string, name = ""): string =>
     `<text x="${px(x)}" y="${px(y)}" text-anchor="${anchor}"${name ? ` class="${name}"` : ""}>${escapeText(words)}</text>`;
   const parts = [
@@ -115,7 +137,7 @@ export function scatter(result: LadderResult, here: readonly LadderRow[], cell: 
     );
   }
   parts.push(
-    text(4, 14, measure === "wrong" ? "↑ % wrong" : "↑ largest error", "start"),
+    text(4, 14, axisName, "start"),
     text(FRAME.right, HEIGHT - 5, "time of one answer →", "end"),
   );
   const points = (rows: readonly LadderRow[], name: string): string[] =>
@@ -135,13 +157,12 @@ export function scatter(result: LadderResult, here: readonly LadderRow[], cell: 
       return `<g data-method="${quoted(row.method)}">${shape}</g>`;
     });
   parts.push(...points(own, "own"), ...points(book, "book"));
-  const x = xOf(Math.log10(cell.row.ns_median));
-  const y = yOf(cellValue(cell.row, measure));
-  const half = (cell.method.title.length * LETTER) / 2;
-  const middle = Math.min(Math.max(x, FRAME.left + half + 4), FRAME.right - half - 4);
-  parts.push(
-    text(middle, y - 9 < FRAME.top + 12 ? y + 20 : y - 9, cell.method.title, "middle", "name"),
+  const marks = all.map(
+    (row): Point => [xOf(Math.log10(row.ns_median)), yOf(cellValue(row, measure))],
   );
+  const chosen: Point = [xOf(Math.log10(cell.row.ns_median)), yOf(cellValue(cell.row, measure))];
+  const name = nameAt(chosen, marks, cell.method.title.length * LETTER, axisName);
+  parts.push(text(name[0], name[1], cell.method.title, "middle", "name"));
   const label = `${family.title}: ${measure === "wrong" ? "wrong answers" : "largest error"} against time, plotted.`;
   return `<svg class="scatter" viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label="${quoted(label)}">${parts.join("")}</svg>`;
 }

@@ -8,6 +8,9 @@ import path from "node:path";
 import test from "node:test";
 import { fileURLToPath } from "node:url";
 import { parseHTML } from "linkedom";
+import { load } from "./load.mjs";
+
+const { cellOf, scatter } = await load("ladder-cell.ts");
 
 const program = fileURLToPath(new URL("../ladder_picture.mjs", import.meta.url));
 const row = (family, method, wrong, ns, error = 0) => ({
@@ -189,6 +192,14 @@ test("where nothing is decided, the smaller error is the more often right", () =
   assert.deepEqual(names(document, "tr.frontier"), ["plain", "lucky", "sure"]);
 });
 
+/** The book's measurements. */
+function measured() {
+  const folder = fileURLToPath(new URL("../../../benchmarks/results/", import.meta.url));
+  const ladders = fs.readdirSync(folder).filter((name) => /^\d\d_.*\.json$/.test(name));
+  assert.ok(ladders.length >= 11);
+  return ladders.map((name) => JSON.parse(fs.readFileSync(path.join(folder, name), "utf8")));
+}
+
 /** The labels of the time axis, each between two positions. @param {any} document */
 function axisLabels(document) {
   return [...document.querySelectorAll(".axis text")].map((text) => {
@@ -221,12 +232,40 @@ test("the time axis has two labels or more; none leaves it or overlaps another",
     }
 });
 
+/** @param {any} mark its middle */
+function middleOf(mark) {
+  const of = (/** @type {string} */ name) => Number(mark.getAttribute(name));
+  const name = mark.tagName.toLowerCase();
+  if (name === "circle") return [of("cx"), of("cy")];
+  if (name === "rect") return [of("x") + of("width") / 2, of("y") + of("height") / 2];
+  const [x = 0, y = 0] = mark
+    .getAttribute("d")
+    .match(/[\d.]+/g)
+    .map(Number);
+  return [x, y + 5];
+}
+
+test("the name in the plot of a cell covers no other method", () => {
+  let plots = 0;
+  for (const data of measured())
+    for (const { method, family } of data.results) {
+      const drawn = scatter(data, [], cellOf(data, [], method, family));
+      const { document } = parseHTML(`<!doctype html><html><body>${drawn}</body></html>`);
+      const name = document.querySelector("text.name");
+      const [x, y] = ["x", "y"].map((at) => Number(name.getAttribute(at)));
+      const half = name.textContent.length * 3;
+      for (const mark of document.querySelectorAll("g[data-method] > *")) {
+        const [p, q] = middleOf(mark);
+        const covers = Math.abs(p - x) < half + 3 && q > y - 12 && q < y + 6;
+        assert.ok(!covers, `${data.ladder}: ${method}, ${family}`);
+      }
+      plots += 1;
+    }
+  assert.ok(plots > 500);
+});
+
 test("every measured ladder has a time axis with two labels or more", () => {
-  const folder = fileURLToPath(new URL("../../../benchmarks/results/", import.meta.url));
-  const ladders = fs.readdirSync(folder).filter((name) => /^\d\d_.*\.json$/.test(name));
-  assert.ok(ladders.length >= 11);
-  for (const name of ladders)
-    checkAxis(draw(JSON.parse(fs.readFileSync(path.join(folder, name), "utf8"))));
+  for (const data of measured()) checkAxis(draw(data));
 });
 
 test("the line between the quartiles lies under no dot", () => {
