@@ -111,7 +111,6 @@ TEST_CASE("for overlapping boxes the least penetration is that of the separating
     const PerimeterContact<double> contact = contact::perimeter_contact(moved(unit, x, y), unit);
     const auto face = contact::face_of_least_penetration(contact);
     REQUIRE(face.has_value());
-    // The depth needs the first body's vertices, which the common points bound.
     const double least = std::min(1 - std::abs(x), 1 - std::abs(y));
     if (std::abs(std::abs(x) - std::abs(y)) < 1e-9) continue;
     ++boxes;
@@ -121,6 +120,16 @@ TEST_CASE("for overlapping boxes the least penetration is that of the separating
     CHECK(face->normal == right);
   }
   CHECK(boxes > generators::tried(4000));
+}
+
+TEST_CASE("a thin tip does not take its own side for the face") {
+  // The tip's width at the floor is far less than its depth.
+  const Polygon<double> floor{{-5, -1}, {5, -1}, {5, 0}, {-5, 0}};
+  const Polygon<double> tip{{0, -0.5}, {0.125, 2}, {-0.125, 2}};
+  const auto face = contact::face_of_least_penetration(contact::perimeter_contact(tip, floor));
+  REQUIRE(face.has_value());
+  CHECK(face->normal == Vector2<double>(0, 1));
+  CHECK(face->depth == 0.5);
 }
 
 TEST_CASE("no contact, no face; a contact of points has none either") {

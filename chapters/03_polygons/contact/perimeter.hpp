@@ -211,59 +211,78 @@ struct ContactFace {
   Vector2<S> point = Vector2<S>::Zero();  ///< m; the mean of the common points
 };
 
+namespace perimeter_detail {
+
+/// Which edges of the first or the second polygon were hit.
+template <std::floating_point S>
+std::vector<bool> edges_hit(const PerimeterContact<S>& contact, bool of_first) {
+  std::vector<bool> hit((of_first ? contact.first : contact.second).size(), false);
+  for (const SegmentHit<S>& h : contact.found.hits) {
+    hit[static_cast<std::size_t>(of_first ? h.first : h.second)] = true;
+  }
+  return hit;
+}
+
+/// The other polygon's vertices in or on the polygon, and both ends of its edges that were hit.
+template <std::floating_point S>
+std::vector<Vector2<S>> points_that_count(const std::vector<Segment2<S>>& own,
+                                          const std::vector<Segment2<S>>& other,
+                                          const std::vector<bool>& other_hit) {
+  Polygon<S> polygon;
+  for (const Segment2<S>& edge : own) polygon.push_back(edge.a);
+  std::vector<Vector2<S>> points;
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    if (other_hit[i]) points.push_back(other[i].b);
+    if (other_hit[i] || where(polygon, other[i].a) != Where::outside) points.push_back(other[i].a);
+  }
+  return points;
+}
+
+/// The mean of the points that the edges have in common; an overlap counts with both its ends.
+template <std::floating_point S>
+Vector2<S> mean_of_common_points(const PerimeterContact<S>& contact) {
+  Vector2<S> mean = Vector2<S>::Zero();
+  const S count = static_cast<S>(2 * contact.found.hits.size());
+  for (const SegmentHit<S>& h : contact.found.hits) {
+    mean += h.crossing.overlap.a / count + h.crossing.overlap.b / count;
+  }
+  return mean;
+}
+
+}  // namespace perimeter_detail
+
 // [least-penetration]
 /// The book's rule: of all edges that were hit, the face is the one behind which the other polygon
 /// is least deep. Moving the first polygon by depth along the normal takes all points that count to
-/// the front of the face or onto it.
+/// the front of the face's line or onto it.
 ///
-/// The points that count are the other polygon's vertices inside, and the common points. Of equal
-/// depths, the second polygon's edge with the lowest index is the face, then the first polygon's.
-/// Nothing if no edges meet, or if all edges that meet are points.
+/// The points that count are the other polygon's vertices that are inside (or on the boundary), and
+/// both ends of its edges that were hit. Of equal depths, the second polygon's edge with the lowest
+/// index is the face, then the first polygon's. Nothing if no edges meet, or if all edges that meet
+/// are points.
 ///
 /// Limits: depths are rounded, so two faces whose depths differ by rounding may be exchanged; the
 /// decisions which edges meet and which vertices are inside are exact. It is a rule for one moment:
 /// a body that moved too far in a step may be least deep behind the wrong face.
 template <std::floating_point S>
 std::optional<ContactFace<S>> face_of_least_penetration(const PerimeterContact<S>& contact) {
-  const auto vertices = [](const std::vector<Segment2<S>>& edges) {
-    Polygon<S> polygon;
-    for (const Segment2<S>& edge : edges) polygon.push_back(edge.a);
-    return polygon;
-  };
-  std::vector<Vector2<S>> common;
-  for (const SegmentHit<S>& hit : contact.found.hits) {
-    common.push_back(hit.crossing.overlap.a);
-    common.push_back(hit.crossing.overlap.b);
-  }
   std::optional<ContactFace<S>> best;
   for (const bool of_first : {false, true}) {
-    const auto& edges = of_first ? contact.first : contact.second;
-    const Polygon<S> own = vertices(edges);
-    std::vector<Vector2<S>> points = common;
-    for (const Vector2<S>& v : vertices(of_first ? contact.second : contact.first)) {
-      if (where(own, v) != Where::outside) points.push_back(v);
-    }
-    std::vector<int> hit_edges;
-    for (const SegmentHit<S>& hit : contact.found.hits) {
-      hit_edges.push_back(of_first ? hit.first : hit.second);
-    }
-    std::sort(hit_edges.begin(), hit_edges.end());
-    hit_edges.erase(std::unique(hit_edges.begin(), hit_edges.end()), hit_edges.end());
-    for (const int e : hit_edges) {
-      const Segment2<S>& edge = edges[static_cast<std::size_t>(e)];
-      const Vector2<S> normal = right_normal(edge);
-      if (normal == Vector2<S>::Zero()) continue;
+    const auto& own = of_first ? contact.first : contact.second;
+    const auto& other = of_first ? contact.second : contact.first;
+    const std::vector<bool> hit = perimeter_detail::edges_hit(contact, of_first);
+    const std::vector<Vector2<S>> points = perimeter_detail::points_that_count(
+        own, other, perimeter_detail::edges_hit(contact, !of_first));
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      const Vector2<S> normal = right_normal(own[i]);
+      if (!hit[i] || normal == Vector2<S>::Zero()) continue;
       S depth = S(0);
-      for (const Vector2<S>& p : points) depth = std::max(depth, normal.dot(edge.a - p));
+      for (const Vector2<S>& p : points) depth = std::max(depth, normal.dot(own[i].a - p));
       if (best && !(depth < best->depth)) continue;
-      best = ContactFace<S>{of_first, e, of_first ? Vector2<S>(-normal) : normal, depth,
-                            Vector2<S>::Zero()};
+      best = ContactFace<S>{of_first, static_cast<int>(i), of_first ? Vector2<S>(-normal) : normal,
+                            depth, perimeter_detail::mean_of_common_points(contact)};
     }
   }
-  if (!best) return best;
-  Vector2<S> mean = Vector2<S>::Zero();
-  for (const Vector2<S>& p : common) mean += p / S(common.size());
-  best->point = mean;
   return best;
 }
 // [/least-penetration]
