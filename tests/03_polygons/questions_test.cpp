@@ -1,8 +1,12 @@
 #include "support/questions.hpp"
 
+#define CONTACT_FIGURE_NO_MAIN
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <contact/arc.hpp>
 #include <contact/convex_polygon.hpp>
+#include <contact/figure.hpp>
 #include <contact/perimeter.hpp>
 #include <contact/point_in_polygon.hpp>
 #include <contact/polygon_in_space.hpp>
@@ -11,6 +15,10 @@
 #include <set>
 #include <string>
 #include <vector>
+
+namespace where_figure {
+#include "figures/where.cpp"
+}
 
 namespace {
 
@@ -85,6 +93,17 @@ KEY("opposite-quadrant") {
 KEY("vertex-at-the-height") {
   const Polygon<double> on_a_corner{{-1, 0}, {0, -1}, {1, 0}, {0, 1}};
   return static_cast<double>(contact::crossings_with_ends(on_a_corner, Vector2<double>(0, 0)));
+}
+
+KEY("both-ends-wrong") {
+  // A square that stands on a corner, with corners in between, and p at the height of two of them.
+  where_figure::Input in{};
+  in.a = {0, -3}, in.b = {1.5, -1.5}, in.c = {3, 0}, in.d = {1.5, 1.5};
+  in.e = {0, 3}, in.f = {-1.5, 1.5}, in.g = {-3, 0}, in.h = {-1.5, -1.5};
+  in.p = {0, 0};
+  const double winning = where_figure::compute(in).ends_wrong;
+  in.p.y() = 0.5;
+  return questions::Construct{winning, where_figure::compute(in).ends_wrong};
 }
 
 KEY("why-half-open") {
