@@ -119,6 +119,7 @@ int crossings(const Polygon<S>& polygon, const Vector2<S>& p) {
   });
   return count;
 }
+// [/crossings]
 
 /// Inside if the number of crossings is odd: the even-odd rule. Two answers.
 ///
@@ -130,7 +131,6 @@ template <Scalar S>
 Where where_by_crossings(const Polygon<S>& polygon, const Vector2<S>& p) {
   return crossings(polygon, p) % 2 != 0 ? Where::inside : Where::outside;
 }
-// [/crossings]
 
 // [scanline]
 /// Where a horizontal line crosses an edge of a polygon.
@@ -196,7 +196,6 @@ bool touches_level_edge(const Polygon<S>& polygon, const Vector2<S>& p) {
 
 }  // namespace polygon_detail
 
-// [winding-number]
 /// How often the polygon winds around p, counter-clockwise; nothing if p is on an edge or a vertex.
 ///
 /// Right for every finite input. A polygon without edges, or a point that is not finite: 0.
@@ -213,6 +212,7 @@ std::optional<int> winding_number(const Polygon<S>& polygon, const Vector2<S>& p
   using polygon_detail::in_double;
   if (polygon.empty()) return 0;
   const Vector2<double> to = in_double(p);
+  // [winding-number]
   int winding = 0;
   bool at_level = false;  // whether a vertex is at the level of p
   const Vector2<S>* a = &polygon.back();
@@ -237,8 +237,8 @@ std::optional<int> winding_number(const Polygon<S>& polygon, const Vector2<S>& p
   }
   if (at_level && polygon_detail::touches_level_edge(polygon, p)) return std::nullopt;
   return winding;
+  // [/winding-number]
 }
-// [/winding-number]
 
 // [where]
 /// Where p is: the book's choice. On means on an edge or a vertex, also if both sides of that edge
