@@ -13,7 +13,7 @@ int main() {
     std::printf("%-8g  %.3g m/s  %5g     %.4f s    %.2g s\n", height, slow, rest.bounces, at,
                 end - at);
   }
-  const auto endless = contact::follow_bounces(ball, end, 0.0);
+  const auto endless = contact::follow_bounces(ball, 2 * end, 0.0);
   std::printf("no rest speed: in double the sum stops growing after %g impacts\n", endless.bounces);
   // Box2D leaves out bounces slower than 1 m/s, unless told otherwise.
   std::printf("1 m/s leaves out bounces of up to %.1f cm\n", 100 * 1.0 / (2 * 9.81));

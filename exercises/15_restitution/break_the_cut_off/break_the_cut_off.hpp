@@ -15,7 +15,8 @@ struct Drop {
 /// A drop of which given::rest_after_cut_off is wrong by more than 10 %, although k is at most 0.5.
 Drop weak_bounces();
 
-/// A drop from 1 m to 100 m of which given::rest_after_cut_off is wrong by more than 10 %.
+/// A drop of a height from 1 m to 100 m for which given::rest_after_cut_off is wrong by more
+/// than 10 %.
 Drop from_high_up();
 
 /// A drop from at most 1 m of which given::rest_after_cut_off is wrong by more than a minute.
