@@ -85,7 +85,9 @@ void check_refused(const Body& first, const Body& second, double restitution) {
       .given("second", second)
       .given("restitution", restitution)
       .suspect_if("restitution-not-refused",
-                  [restitution](const After&) { return !(restitution >= 0 && restitution <= 1); })
+                  [restitution](const After&) { return restitution < 0 || restitution > 1; })
+      .suspect_if("restitution-nan-accepted",
+                  [restitution](const After&) { return std::isnan(restitution); })
       .suspect_if("mass-not-refused",
                   [&](const After&) { return !(first.mass > 0 && second.mass > 0); })
       .answer([&] { return exercise::collide(first, second, restitution); })
