@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 
+#include <contact/quaternion.hpp>
 #include <contact/rigid_body.hpp>
 #include <contact/rotation.hpp>
 

@@ -2,7 +2,7 @@
 /// Random points, directions and rotations of convex bodies.
 #pragma once
 
-#include <contact/rotation.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/vector.hpp>
 
 #include "support/generators.hpp"

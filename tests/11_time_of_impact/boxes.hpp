@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 #include <contact/box_sweep.hpp>
-#include <contact/rotation.hpp>
+#include <contact/quaternion.hpp>
 #include <optional>
 #include <vector>
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <contact/impact_friction.hpp>
 #include <contact/inertia.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/rigid_impulse.hpp>
 #include <contact/rotation.hpp>
 #include <vector>

@@ -2,8 +2,8 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/inertia.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/rigid_body.hpp>
-#include <contact/rotation.hpp>
 #include <limits>
 #include <vector>
 

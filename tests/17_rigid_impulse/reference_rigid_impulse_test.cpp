@@ -3,9 +3,9 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <contact/inertia.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/rigid_body.hpp>
 #include <contact/rigid_impulse.hpp>
-#include <contact/rotation.hpp>
 #include <vector>
 
 #include "reference.hpp"

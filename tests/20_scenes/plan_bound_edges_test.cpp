@@ -6,7 +6,7 @@
 #include <cmath>
 #include <contact/plan/plan.hpp>
 #include <contact/plan/plan_bounds.hpp>
-#include <contact/rotation.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/scene/scene_runs.hpp>
 
 #include "plan_at_edge.hpp"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <contact/plan/plan.hpp>
 #include <contact/plan/plan_costs.hpp>
-#include <contact/rotation.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/scene/scene_runs.hpp>
 #include <contact/scene/scene_solids.hpp>
 

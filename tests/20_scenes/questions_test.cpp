@@ -11,7 +11,6 @@
 #include <contact/figure.hpp>
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/plan/plan_rules.hpp>
-#include <contact/rotation.hpp>
 #include <contact/scene/scene_file.hpp>
 namespace passing {
 #include "figures/passing.cpp"

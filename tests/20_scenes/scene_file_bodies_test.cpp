@@ -2,7 +2,8 @@
 #include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <contact/rotation.hpp>
+#include <contact/inertia.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_file.hpp>
 #include <nlohmann/json.hpp>

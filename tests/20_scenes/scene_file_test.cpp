@@ -1,7 +1,7 @@
 // Scenes as files: the book's own, a table of broken ones, and random scenes there and back.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <contact/rotation.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_check.hpp>
 #include <contact/scene/scene_file.hpp>

@@ -13,7 +13,8 @@
 #include <contact/frame.hpp>
 #include <contact/invalid_argument.hpp>
 #include <contact/plane.hpp>
-#include <contact/rotation.hpp>
+#include <contact/pose.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/tolerance.hpp>
 #include <contact/vector.hpp>
 
@@ -104,10 +105,8 @@ struct RotatingBox {
 /// @param t s
 template <std::floating_point S>
 CoordinateFrame<S> frame_at(const RotatingBox<S>& box, S t) {
-  CoordinateFrame<S> frame;
-  frame.origin = box.position + box.velocity * t;
-  frame.axes = matrix_of(normalised(exponential_step<S>(box.orientation, box.angular_velocity, t)));
-  return frame;
+  const Quaternion<S> rotation = exponential<S>(box.angular_velocity * t);
+  return frame_of<S>({box.position + box.velocity * t, normalised(rotation * box.orientation)});
 }
 
 // [approach-bound]

@@ -3,60 +3,13 @@
 /// exponential map.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <concepts>
 
-#include <contact/inertia.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {
-
-/// A sine and a cosine.
-template <std::floating_point S>
-struct SineCosine {
-  S sine = S(0);    ///< from −1 to 1
-  S cosine = S(1);  ///< from −1 to 1
-};
-
-// [sine-cosine]
-/// sin x and cos x from additions and products alone, so that the bits are the same on every
-/// machine.
-///
-/// x is reduced by full turns without rounding, then by quarter turns; the remainder is at most an
-/// eighth of a turn, for which a short series is enough. The stored 2π is off by at most half an
-/// ulp, so the result is that of an x that is off by at most u of itself.
-/// @param x rad, finite
-/// @return off by a few u, and by u |x|
-template <std::floating_point S>
-SineCosine<S> sine_cosine(const S& x) {
-  constexpr double two_pi = 6.283185307179586;
-  constexpr double quarter = 1.5707963267948966;
-  constexpr double quarter_rest = 6.123233995736766e-17;
-  const double turned = std::remainder(static_cast<double>(x), two_pi);
-  const double n = std::nearbyint(turned / quarter);
-  const double r = (turned - n * quarter) - n * quarter_rest;
-  const double r2 = r * r;
-  double s = 0;
-  double c = 0;
-  for (int k = 9; k >= 1; --k) {
-    s = -r2 * (1 + s) / (2 * k * (2 * k + 1));
-    c = -r2 * (1 + c) / (2 * k * (2 * k - 1));
-  }
-  const double sine = r * (1 + s);
-  const double cosine = 1 + c;
-  switch (static_cast<int>(n) & 3) {
-    case 0:
-      return {S(sine), S(cosine)};
-    case 1:
-      return {S(cosine), S(-sine)};
-    case 2:
-      return {S(-sine), S(-cosine)};
-    default:
-      return {S(-cosine), S(sine)};
-  }
-}
-// [/sine-cosine]
 
 /// The matrix of ω×: its product with r is ω × r.
 template <Ring S>
@@ -93,40 +46,6 @@ Matrix3<S> orthonormalised(const Matrix3<S>& m) {
 }
 // [/matrix-step]
 
-/// A rotation as a quaternion of length 1: w, and the vector part x, y, z.
-template <Ring S>
-struct Quaternion {
-  S w = S(1);                         ///< cosine of half the angle
-  Vector3<S> v = Vector3<S>::Zero();  ///< sine of half the angle, along the axis
-};
-
-/// The product of two quaternions: first b's rotation, then a's.
-template <Ring S>
-Quaternion<S> operator*(const Quaternion<S>& a, const Quaternion<S>& b) {
-  return {a.w * b.w - a.v.dot(b.v), Vector3<S>(b.v * a.w + a.v * b.w) + Vector3<S>(a.v.cross(b.v))};
-}
-
-/// A quaternion divided by its length.
-template <std::floating_point S>
-Quaternion<S> normalised(const Quaternion<S>& q) {
-  const S length = std::sqrt(q.w * q.w + q.v.dot(q.v));
-  return {q.w / length, Vector3<S>(q.v / length)};
-}
-
-/// The rotation matrix of a unit quaternion.
-template <Ring S>
-Matrix3<S> matrix_of(const Quaternion<S>& q) {
-  const S two(2);
-  const S x = q.v.x();
-  const S y = q.v.y();
-  const S z = q.v.z();
-  Matrix3<S> m;
-  m << S(1) - two * (y * y + z * z), two * (x * y - q.w * z), two * (x * z + q.w * y),
-      two * (x * y + q.w * z), S(1) - two * (x * x + z * z), two * (y * z - q.w * x),
-      two * (x * z - q.w * y), two * (y * z + q.w * x), S(1) - two * (x * x + y * y);
-  return m;
-}
-
 // [quaternion-step]
 /// A quaternion after a time h at the angular velocity ω, by explicit Euler, q + ½ h ω q,
 /// normalised.
@@ -143,21 +62,7 @@ Quaternion<S> quaternion_step(const Quaternion<S>& q, const Vector3<S>& angular_
 }
 // [/quaternion-step]
 
-// [exponential]
-/// The rotation by the angle |a| about a: the exponential map, as a quaternion
-/// (cos ½|a|, sin ½|a| · a/|a|).
-/// @param a rotation vector, rad, finite
-/// @return of length 1 up to a few u; the identity for a = 0
-template <std::floating_point S>
-Quaternion<S> exponential(const Vector3<S>& a) {
-  const S largest = a.cwiseAbs().maxCoeff();
-  if (largest == S(0)) return {};
-  const Vector3<S> share = a / largest;  // so that no square over- or underflows
-  const S length = std::sqrt(share.dot(share));
-  const auto half = sine_cosine<S>(largest * length / S(2));
-  return {half.cosine, share * (half.sine / length)};
-}
-
+// [exponential-step]
 /// A quaternion after a time h at the angular velocity ω, by the exponential map: exact for any h
 /// if ω is constant.
 template <std::floating_point S>
@@ -165,7 +70,7 @@ Quaternion<S> exponential_step(const Quaternion<S>& q, const Vector3<S>& angular
                                const S& h) {
   return exponential<S>(angular_velocity * h) * q;
 }
-// [/exponential]
+// [/exponential-step]
 
 // [free-spin]
 /// The angular velocity of a body with the orientation R and the angular momentum L:

@@ -1,5 +1,6 @@
 // A ball and a top rotate freely. The error of the orientation after a while, and the length of the
 // longest column of a matrix that is not orthonormalised.
+#include <contact/quaternion.hpp>
 #include <contact/rotation.hpp>
 #include <cstdio>
 

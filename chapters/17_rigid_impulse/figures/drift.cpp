@@ -1,6 +1,8 @@
 // A body rotates freely: the error of each method of integrating its orientation, against time.
 #include <contact/figure.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/rotation.hpp>
+#include <contact/sine_cosine.hpp>
 #include <numbers>
 
 struct Input {

@@ -1,7 +1,7 @@
 // A ball hits a rod at rest on ice: the point of the hit decides how the rod moves and rotates.
 #include <contact/figure.hpp>
 #include <contact/rigid_impulse.hpp>
-#include <contact/rotation.hpp>
+#include <contact/sine_cosine.hpp>
 
 using Vector = contact::Vector3<double>;
 

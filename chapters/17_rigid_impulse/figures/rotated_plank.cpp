@@ -1,6 +1,7 @@
 // A rotated plank floats and is hit from above: its angular velocity by the tensor in the axes of
 // the world, by the tensor in its own axes, which ignores its orientation, and as for a sphere.
 #include <contact/figure.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/rigid_body.hpp>
 #include <contact/rotation.hpp>
 

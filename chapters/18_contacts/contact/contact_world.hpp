@@ -14,6 +14,8 @@
 #include <contact/frame.hpp>
 #include <contact/inertia.hpp>
 #include <contact/invalid_argument.hpp>
+#include <contact/pose.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/rigid_body.hpp>
 #include <contact/rotation.hpp>
 #include <contact/vector.hpp>
@@ -113,7 +115,7 @@ std::vector<BodyContact<S>> find_contacts(const std::vector<ShapedBody<S>>& bodi
   std::vector<BodyContact<S>> contacts;
   std::vector<BodyShape<S>> shapes;
   for (const ShapedBody<S>& body : bodies) {
-    const CoordinateFrame<S> frame{body.motion.position, matrix_of(body.orientation)};
+    const auto frame = frame_of<S>({body.motion.position, body.orientation});
     shapes.push_back(std::visit(
         [&](const auto& shape) { return BodyShape<S>(transformed(shape, frame)); }, body.shape));
   }

@@ -7,7 +7,7 @@
 
 #include <contact/integrators.hpp>
 #include <contact/invalid_argument.hpp>
-#include <contact/rotation.hpp>
+#include <contact/sine_cosine.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <contact/figure.hpp>
 #include <contact/plan/plan_bounds.hpp>
-#include <contact/rotation.hpp>
+#include <contact/sine_cosine.hpp>
 
 struct Input {
   double height;            // of the body's centre over the plate's middle, m

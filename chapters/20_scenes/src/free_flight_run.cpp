@@ -6,7 +6,6 @@
 #include <memory>
 
 #include <contact/plan/plan_types.hpp>
-#include <contact/rotation.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_run.hpp>

@@ -19,7 +19,7 @@
 #include <contact/plan/plan.hpp>
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/plan/plan_types.hpp>
-#include <contact/rotation.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/free_flight_run.hpp>
 #include <contact/scene/scene.hpp>

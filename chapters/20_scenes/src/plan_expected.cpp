@@ -14,7 +14,7 @@
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/plan/plan_costs.hpp>
 #include <contact/plan/plan_types.hpp>
-#include <contact/rotation.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_solids.hpp>

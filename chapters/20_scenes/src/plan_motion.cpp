@@ -11,7 +11,6 @@
 
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/plan/plan_types.hpp>
-#include <contact/rotation.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/vector.hpp>

@@ -12,7 +12,6 @@
 #include <contact/plan/plan_bounds.hpp>
 #include <contact/plan/plan_costs.hpp>
 #include <contact/plan/plan_types.hpp>
-#include <contact/rotation.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/stepped/stepped_state.hpp>
 

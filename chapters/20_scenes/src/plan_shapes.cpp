@@ -4,7 +4,7 @@
 #include <cmath>
 #include <variant>
 
-#include <contact/rotation.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/vector.hpp>

@@ -11,9 +11,10 @@
 #include <optional>
 #include <string>
 
-#include <contact/rotation.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_solids.hpp>
+#include <contact/sine_cosine.hpp>
 #include <contact/vector.hpp>
 
 #include "json_tree.hpp"
@@ -152,10 +153,8 @@ class BodyFieldReader : protected FieldReader {
       return {};
     }
     if (!angle) return {};
-    const Vector3<double> share = axis / largest;
-    const double length = std::sqrt(share.dot(share));
-    const auto [sine, cosine] = degrees ? half_of_degrees(*angle) : sine_cosine<double>(*angle / 2);
-    return {cosine, share * (sine / length)};
+    return degrees ? from_axis_half_angle(axis, half_of_degrees(*angle))
+                   : from_axis_angle(axis, *angle);
   }
 
   std::optional<std::uint64_t> whole(const JsonNode& from, const std::string& path,

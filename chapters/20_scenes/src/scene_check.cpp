@@ -16,7 +16,6 @@
 #include <contact/convex_hull.hpp>
 #include <contact/gap.hpp>
 #include <contact/inertia.hpp>
-#include <contact/rotation.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_solids.hpp>

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include <contact/rotation.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/vector.hpp>

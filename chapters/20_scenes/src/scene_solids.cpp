@@ -13,7 +13,8 @@
 #include <contact/convex_hull.hpp>
 #include <contact/gap.hpp>
 #include <contact/inertia.hpp>
-#include <contact/rotation.hpp>
+#include <contact/pose.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/vector.hpp>
@@ -120,11 +121,11 @@ CONTACT_SCENES_INLINE double scene_point_gap(const Vector3<double>& point, const
 using SceneSolid = std::variant<OrientedBox<double>, Capsule<double>>;
 
 CONTACT_SCENES_INLINE SceneSolid scene_solid(const SceneBody& body) {
-  const Matrix3<double> axes = matrix_of(body.orientation);
+  const auto frame = frame_of<double>({body.position, body.orientation});
   if (const auto* box = std::get_if<BoxShape>(&body.shape))
-    return OrientedBox<double>{body.position, axes, box->half_lengths};
+    return OrientedBox<double>{frame.origin, frame.axes, box->half_lengths};
   const auto& capsule = std::get<CapsuleShape>(body.shape);
-  return capsule_along_z<double>({body.position, axes}, capsule.half_length, capsule.radius);
+  return capsule_along_z<double>(frame, capsule.half_length, capsule.radius);
 }
 
 /// A body as the points whose hull is its core, and the distance of its surface from the core.

@@ -16,7 +16,6 @@
 #include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/plan/plan_bounds.hpp>
-#include <contact/rotation.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/stepped/stage_pairs.hpp>
 #include <contact/stepped/stepped_state.hpp>

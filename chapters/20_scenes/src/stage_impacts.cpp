@@ -11,6 +11,7 @@
 #include <contact/contact_world.hpp>
 #include <contact/gap.hpp>
 #include <contact/inertia.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/rigid_body.hpp>
 #include <contact/rigid_impulse.hpp>
 #include <contact/rotation.hpp>

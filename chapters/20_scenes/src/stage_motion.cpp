@@ -10,6 +10,7 @@
 #include <contact/contact_solver.hpp>
 #include <contact/gap.hpp>
 #include <contact/inertia.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/rotation.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/stepped/stepped_state.hpp>

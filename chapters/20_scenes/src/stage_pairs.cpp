@@ -20,7 +20,7 @@
 #include <contact/inertia.hpp>
 #include <contact/oriented_box.hpp>
 #include <contact/plan/plan_bounds.hpp>
-#include <contact/rotation.hpp>
+#include <contact/pose.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/stepped/stepped_state.hpp>
 #include <contact/vector.hpp>
@@ -65,8 +65,8 @@ CONTACT_SCENES_INLINE double swept_margin(const SteppedSetup& setup, const Stepp
 
 CONTACT_SCENES_INLINE Aabb<double> swept_box(const SteppedSetup& setup, const SteppedState& state,
                                              const Substep& substep, std::size_t slot) {
-  const CoordinateFrame<double> frame{position_of(setup, state, slot),
-                                      matrix_of(orientation_of(setup, state, slot))};
+  const auto frame =
+      frame_of<double>({position_of(setup, state, slot), orientation_of(setup, state, slot)});
   const double radius = setup.bodies[slot].bounding_radius;
   const Aabb<double> box =
       std::visit([&](const auto& shape) { return detail::box_of(shape, frame, radius); },

@@ -11,7 +11,6 @@
 #include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/plan/plan_types.hpp>
-#include <contact/rotation.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/stepped/stepped_state.hpp>
 #include <contact/vector.hpp>

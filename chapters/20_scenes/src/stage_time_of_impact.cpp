@@ -16,6 +16,7 @@
 #include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/plan/plan_bounds.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/rotation.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/stepped/stage_contacts.hpp>

@@ -12,8 +12,8 @@
 #include <contact/contact_solver.hpp>
 #include <contact/gap.hpp>
 #include <contact/inertia.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/rigid_body.hpp>
-#include <contact/rotation.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene_run.hpp>
 #include <contact/stepped/stepped_state.hpp>

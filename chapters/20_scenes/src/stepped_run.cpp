@@ -13,6 +13,7 @@
 #include <contact/invalid_argument.hpp>
 #include <contact/plan/plan_rules.hpp>
 #include <contact/plan/plan_types.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/rotation.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>

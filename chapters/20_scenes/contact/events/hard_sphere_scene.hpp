@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <contact/events/hard_sphere_run.hpp>
-#include <contact/rotation.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_run.hpp>
 #include <contact/vector.hpp>

@@ -16,6 +16,7 @@
 #include <contact/inertia.hpp>
 #include <contact/invalid_argument.hpp>
 #include <contact/plan/plan_types.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/rotation.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_run.hpp>

@@ -15,7 +15,7 @@
 #include <contact/events/hard_sphere_scene.hpp>
 #include <contact/gap.hpp>
 #include <contact/plan/plan_types.hpp>
-#include <contact/rotation.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_run.hpp>
 #include <contact/vector.hpp>

@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include <contact/rotation.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <contact/rotation.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/vector.hpp>
 

@@ -12,7 +12,8 @@
 #include <contact/frame.hpp>
 #include <contact/gap.hpp>
 #include <contact/inertia.hpp>
-#include <contact/rotation.hpp>
+#include <contact/pose.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/stepped/stepped_state.hpp>
 #include <contact/vector.hpp>
 
@@ -39,7 +40,7 @@ ContactManifold<double> manifold_of_shapes(const StepShape& a, const StepShape& 
 /// A body's shape in its present pose.
 inline StepShape shape_in_world(const SteppedBody& body, const Vector3<double>& position,
                                 const Quaternion<double>& orientation) {
-  const CoordinateFrame<double> frame{position, matrix_of(orientation)};
+  const auto frame = frame_of<double>({position, orientation});
   return std::visit([&](const auto& shape) { return StepShape(transformed(shape, frame)); },
                     body.shape);
 }

@@ -10,6 +10,7 @@
 #include <contact/contact_manifold.hpp>
 #include <contact/gap.hpp>
 #include <contact/inertia.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/rotation.hpp>
 #include <contact/stepped/stepped_state.hpp>
 #include <contact/vector.hpp>

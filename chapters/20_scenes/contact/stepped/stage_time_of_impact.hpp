@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <optional>
 
-#include <contact/rotation.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/stepped/stepped_state.hpp>
 #include <contact/vector.hpp>
 

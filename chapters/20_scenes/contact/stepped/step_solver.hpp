@@ -11,7 +11,6 @@
 #include <contact/contact_solver.hpp>
 #include <contact/inertia.hpp>
 #include <contact/rigid_body.hpp>
-#include <contact/rotation.hpp>
 #include <contact/stepped/stepped_state.hpp>
 #include <contact/vector.hpp>
 

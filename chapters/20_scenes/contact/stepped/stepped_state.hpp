@@ -18,6 +18,7 @@
 #include <contact/gap.hpp>
 #include <contact/inertia.hpp>
 #include <contact/plan/plan_bounds.hpp>
+#include <contact/quaternion.hpp>
 #include <contact/rotation.hpp>
 #include <contact/scene/scene.hpp>
 #include <contact/scene/scene_run.hpp>
