@@ -218,6 +218,12 @@ describe("ladders", { skip }, () => {
         for (const [field, values] of Object.entries(failure.fields ?? {}))
           assert.deepEqual([input[field]].flat(), values, `${what}: ${field}`);
         assert.equal(output.problem, 0, what);
+        // A choice that shows nothing hides the number.
+        const choices = figure.locator("select");
+        for (const shown of await choices.evaluateAll((/** @type {HTMLSelectElement[]} */ all) =>
+          all.map((each) => each.selectedOptions[0]?.textContent ?? ""),
+        ))
+          assert.notEqual(shown, "", `${what}: a choice is empty`);
         const method = methods.find(({ id }) => id === row.method);
         if (method)
           assert.ok(fails[failure.figure]?.(output, method, row) ?? true, `${what} is right`);

@@ -135,7 +135,12 @@ function choice(
     select.append(html("option", { value: String(value) }, label));
   select.addEventListener("change", () => model.setNumber(control.field, 0, Number(select.value)));
   refreshers.push(() => {
-    select.value = String(model.numbers(control.field)[0]);
+    const value = String(model.numbers(control.field)[0]);
+    // A ladder or a link may give a number that is none of the choices; it is shown as it is.
+    select.querySelector("option.given")?.remove();
+    if (![...select.options].some((option) => option.value === value))
+      select.append(html("option", { value, class: "given" }, value));
+    select.value = value;
   });
   return html("div", { class: "row" }, html("span", { class: "name" }, control.label), select);
 }
