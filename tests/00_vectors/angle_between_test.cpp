@@ -46,7 +46,12 @@ void check(const Vector& u, const Vector& v) {
       .given("u", u)
       .given("v", v)
       .suspects(by_acos(u, v))
-      .suspect("lengths-forgotten", [&]() -> double { return std::acos(u.dot(v)); })
+      .suspect("lengths-forgotten",
+               [&]() -> double {
+                 // A NaN has many causes, so it is no sign of this one.
+                 if (std::abs(u.dot(v)) > 1) throw std::domain_error("no arccosine");
+                 return std::acos(u.dot(v));
+               })
       .suspect("angle-by-asin", [&]() -> double { return std::asin(std::min(sine, 1.0)); })
       .suspect("quadrant-lost", [&]() -> double { return std::atan(sine / cosine); })
       .suspect("degrees-returned", [&]() -> double { return right * 180 / std::numbers::pi; })
@@ -79,8 +84,8 @@ TEST_CASE("obtuse angles") {
 }
 
 TEST_CASE("the lengths do not count") {
-  check({3, 0, 0}, {5, 5, 0});
   check({0.25, 0, 0}, {0.25, 0.125, 0});
+  check({3, 0, 0}, {5, 5, 0});
   check({1e-9, 0, 0}, {1e9, 1e9, 1e9});
 }
 
