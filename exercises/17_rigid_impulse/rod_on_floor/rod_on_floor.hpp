@@ -25,11 +25,10 @@ struct Motion {
 /// restitution.
 ///
 /// Throughout the impact friction obeys Coulomb's law. While the point slips, each further
-/// normal impulse brings μ times as much friction, against the slip. While it does not slip, from
-/// the first touch or after the slip has stopped, it brings as much friction as sticking needs, up
-/// to μ times as much; if that is not enough, the point slips to where the normal impulse drives
-/// it. After greatest compression the normal impulse gives back e² of the work that it has
-/// absorbed.
+/// normal impulse brings μ times as much friction, against the slip. While it sticks, from the
+/// first touch or later, the normal impulse brings the friction that sticking needs, at most μ
+/// times itself; if that is not enough, the point slips to where the normal impulse drives it.
+/// After greatest compression the normal impulse gives back e² of the work that it has absorbed.
 ///
 /// @param body before
 /// @param point of the body that touches the floor, m. If it does not move down, nothing happens
