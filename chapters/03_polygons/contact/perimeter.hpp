@@ -16,6 +16,20 @@
 
 namespace contact {
 
+/// The length of a vector, rounded, without overflow or underflow of the squares. The same on every
+/// machine to the last bit, which `std::hypot` is not.
+template <std::floating_point S>
+S length_of(const Vector2<S>& v) {
+  const S square = v.x() * v.x() + v.y() * v.y();
+  constexpr S tiny = std::numeric_limits<S>::min() / std::numeric_limits<S>::epsilon();
+  if (square >= tiny && square <= std::numeric_limits<S>::max()) return std::sqrt(square);
+  const S size = std::max(std::abs(v.x()), std::abs(v.y()));
+  if (!(size > S(0)) || !std::isfinite(v.x()) || !std::isfinite(v.y())) return square;
+  const int power = std::ilogb(size);
+  const S x = std::scalbn(v.x(), -power), y = std::scalbn(v.y(), -power);
+  return std::scalbn(std::sqrt(x * x + y * y), power);
+}
+
 /// The edges of a polygon as segments, in order; edge i leaves vertex i.
 template <Ring S>
 std::vector<Segment2<S>> perimeter_segments(const Polygon<S>& polygon) {
@@ -39,7 +53,7 @@ std::vector<Vector2<S>> perimeter_points(const Polygon<S>& polygon, S spacing) {
   std::vector<Vector2<S>> points;
   for (const Segment2<S>& edge : perimeter_segments(polygon)) {
     const Vector2<S> along = edge.b - edge.a;
-    const S parts = spacing > S(0) ? std::ceil(std::hypot(along.x(), along.y()) / spacing) : S(1);
+    const S parts = spacing > S(0) ? std::ceil(length_of<S>(along) / spacing) : S(1);
     const int count = parts >= S(1) && parts <= S(1000000) ? static_cast<int>(parts) : 1;
     for (int i = 0; i < count; ++i) points.push_back(edge.a + S(i) / S(count) * along);
   }
@@ -142,7 +156,7 @@ bool polygons_meet(const Polygon<S>& first, const Polygon<S>& second) {
 template <std::floating_point S>
 Vector2<S> right_normal(const Segment2<S>& edge) {
   const Vector2<S> along = edge.b - edge.a;
-  const S length = std::hypot(along.x(), along.y());
+  const S length = length_of<S>(along);
   if (!(length > S(0)) || !std::isfinite(length)) return Vector2<S>::Zero();
   return {along.y() / length, -along.x() / length};
 }
@@ -179,7 +193,7 @@ Vector2<S> normal_of_hit_segment(const PerimeterContact<S>& contact, const Segme
 template <std::floating_point S>
 S distance_to_end(const Segment2<S>& segment, const Vector2<S>& p) {
   const Vector2<S> to_a = segment.a - p, to_b = segment.b - p;
-  return std::min(std::hypot(to_a.x(), to_a.y()), std::hypot(to_b.x(), to_b.y()));
+  return std::min(length_of<S>(to_a), length_of<S>(to_b));
 }
 
 /// The lecture's rule: the segment that has an end nearer to the common point is the one that

@@ -90,6 +90,7 @@ namespace space_detail {
 template <std::floating_point S>
 class PlaneSide {
  public:
+  /// Keeps a reference to the polygon.
   explicit PlaneSide(const SpacePolygon<S>& polygon) : polygon_(polygon) {}
 
   /// The value at p with its bound: each tetrahedron's, and for each of n additions half an ulp of

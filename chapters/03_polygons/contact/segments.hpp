@@ -130,6 +130,7 @@ Segment2<double> in_double(const Segment2<S>& s) {
   return {polygon_detail::in_double(s.a), polygon_detail::in_double(s.b)};
 }
 
+/// Whether both ends are finite.
 template <std::floating_point S>
 bool is_finite(const Segment2<S>& s) {
   return all_finite(s.a) && all_finite(s.b);
