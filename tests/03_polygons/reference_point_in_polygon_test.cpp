@@ -71,6 +71,26 @@ TEST_CASE("the winding number is right for hard polygons of doubles and floats")
   compare_points<float>(70000, 2);
 }
 
+TEST_CASE("the winding number is right where vertices are taken 64 at a time") {
+  Random random(3);
+  int on = 0;
+  for (int i = 0; i < generators::tried(3000); ++i) {
+    const int kind = i % kinds, count = 64 * random.integer(1, 2) + random.integer(-1, 2);
+    Polygon<double> polygon = polygons::polygon<double>(random, kind, count, count);
+    const Vector2<double> p = point_near<double>(random, kind, polygon);
+    const std::optional<int> right = winding(exact(polygon), exact(p));
+    INFO("kind " << kind << ", case " << i << ", " << polygon.size() << " vertices");
+    REQUIRE(contact::winding_number(polygon, p) == right);
+    // The edge that matters comes last and first in a round.
+    for (int turns = 0; turns < 64; ++turns) {
+      std::rotate(polygon.begin(), polygon.begin() + 1, polygon.end());
+      REQUIRE(contact::winding_number(polygon, p) == right);
+    }
+    on += right ? 0 : 1;
+  }
+  CHECK(on > generators::tried(3000) / 10);
+}
+
 TEST_CASE("a star has a middle that is inside by one rule and outside by the other") {
   const Vector2<double> middle(0, 0), arm(0, 2), outside(2, 0);
   CHECK(*contact::winding_number(star, middle) == -2);
