@@ -145,6 +145,29 @@ TEST_CASE("no contact, no face; a contact of points has none either") {
       contact::face_of_least_penetration(contact::perimeter_contact(point, point)).has_value());
 }
 
+TEST_CASE("a length is right at every scale") {
+  Random random(24);
+  for (int i = 0; i < generators::tried(20000); ++i) {
+    const double x = random.magnitude(-1070, 1020);
+    const double y = random.chance(0.3) ? x * random.uniform() : random.magnitude(-1070, 1020);
+    const double length = contact::length_of<double>({x, y});
+    // Two roundings of the squares, one of their sum and one of the root: 2u, below two ulps. Below
+    // the smallest normal number the unscaled result is rounded once more.
+    const Rational square =
+        oracle::exact(x) * oracle::exact(x) + oracle::exact(y) * oracle::exact(y);
+    const Rational room = oracle::exact(2 * contact::ulp(length));
+    const Rational low = oracle::exact(length) - room, high = oracle::exact(length) + room;
+    REQUIRE((low <= 0 || low * low <= square));
+    REQUIRE(square <= high * high);
+  }
+  CHECK(contact::length_of<double>({3, 4}) == 5);
+  CHECK(contact::length_of<double>({0, 0}) == 0);
+  CHECK(contact::length_of<double>({3e300, 4e300}) == Catch::Approx(5e300));
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  CHECK(contact::length_of<double>({infinity, 0}) == infinity);
+  CHECK(std::isnan(contact::length_of<double>({std::nan(""), 0})));
+}
+
 TEST_CASE("a normal is perpendicular, outward and of length 1") {
   Random random(22);
   for (int i = 0; i < 1000; ++i) {
