@@ -4,6 +4,7 @@
 #include <cmath>
 #include <variant>
 
+#include <contact/inertia.hpp>
 #include <contact/quaternion.hpp>
 #include <contact/scene/compiled.hpp>
 #include <contact/scene/scene.hpp>
