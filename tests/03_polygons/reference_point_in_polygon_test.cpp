@@ -49,6 +49,7 @@ void compare_points(int count, std::uint64_t seed) {
     const std::optional<int> right = winding(exact(polygon), exact(p));
     INFO("kind " << kind << ", case " << i);
     REQUIRE(contact::winding_number(polygon, p) == right);
+    REQUIRE(contact::winding_by_edges<Rational>(exact(polygon), exact(p)) == right);
     for (const Rule rule : {Rule::even_odd, Rule::non_zero}) {
       REQUIRE(contact::where(polygon, p, rule) == where(exact(polygon), exact(p), rule));
     }

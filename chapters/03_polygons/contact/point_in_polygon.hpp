@@ -184,6 +184,26 @@ Where where_by_scanline(const Polygon<S>& polygon, const Vector2<S>& p,
 }
 // [/scanline]
 
+// [winding-by-edges]
+/// How often the polygon winds around p, edge by edge; nothing if p is on an edge or a vertex.
+///
+/// Limits: exact for S = Exact and for rationals. In floating point the rounded orientation puts a
+/// point near an edge on either side or on it. `winding_number` decides the same without error.
+template <Ring S>
+std::optional<int> winding_by_edges(const Polygon<S>& polygon, const Vector2<S>& p) {
+  int winding = 0;
+  bool on = false;
+  for_each_edge(polygon, [&](const Vector2<S>& a, const Vector2<S>& b) {
+    const S side = orientation<S>(a, b, p);
+    if (side == S(0) && polygon_detail::in_box(a, b, p)) on = true;
+    const bool up = b.y() > p.y();
+    if ((a.y() > p.y()) == up) return;
+    if (up ? side > S(0) : side < S(0)) winding += up ? 1 : -1;
+  });
+  return on ? std::nullopt : std::optional<int>(winding);
+}
+// [/winding-by-edges]
+
 namespace polygon_detail {
 
 /// How up to 64 edges lie to a level, one bit each; bit k is the edge that ends in vertex k.
