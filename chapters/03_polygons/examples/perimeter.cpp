@@ -21,7 +21,7 @@ int main() {
   std::printf("%-22s %7lld %7zu\n\n", "segments", static_cast<long long>(contact.found.tests),
               contact.found.hits.size());
 
-  std::printf("%-22s %-16s %s\n", "common point", "hit segment", "nearer end");
+  std::printf("%-22s %-16s %s\n", "common point", "by the floor", "nearer end");
   for (const auto& hit : contact.found.hits) {
     const Vector2<double> of_hit = contact::normal_of_hit_segment(contact, hit);
     const Vector2<double> by_end = contact::normal_by_nearer_end(contact, hit);
