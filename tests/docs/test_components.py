@@ -226,7 +226,7 @@ def test_hard_cases_show_each_method_right_or_wrong(lesson: BeautifulSoup) -> No
     table = one(lesson, "table.hard-cases")
     assert one(table, ".verdict.wrong").get_text() == "wrong"
     assert one(table, ".verdict.right").get_text() == "right"
-    assert "1 of 2 answers are wrong" in one(table, "caption").get_text()
+    assert "1 hard case; 1 of 2 answers are wrong" in one(table, "caption").get_text()
 
 
 def test_an_exercise_shows_contract_points_commands_and_folded_hints(lesson: BeautifulSoup) -> None:

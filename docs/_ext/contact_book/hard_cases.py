@@ -91,9 +91,8 @@ class HardCases(BookDirective):
     def group(self, methods: tuple[str, ...], cases: list[dict[str, Any]]) -> list[nodes.Node]:
         rows = [self.row(methods, case) for case in cases]
         wrong = sum(1 for c in cases for m in methods if c["verdicts"][m] != "right")
-        words = (
-            f"{len(cases)} hard cases; {wrong} of {len(cases) * len(methods)} answers are wrong"
-        )
+        count = "1 hard case" if len(cases) == 1 else f"{len(cases)} hard cases"
+        words = f"{count}; {wrong} of {len(cases) * len(methods)} answers are wrong"
         heads = ["Case", "Exact answer", *methods]
         label = f"Hard cases of {', '.join(methods)}"
         return [scrolled(table(heads, rows, words, ["hard-cases"]), label)]
