@@ -20,7 +20,7 @@ struct Ball {
 /// the end of the step belongs to it.
 ///
 /// @param ball at the start of the step; a resting ball is returned unchanged; a ball on the floor
-/// that does not rest moves up
+/// that does not rest is given with a velocity above 0
 /// @param gravity m/s², greater than 0
 /// @param k coefficient of restitution, 0 to 1
 /// @param rest_speed m/s, greater than 0
