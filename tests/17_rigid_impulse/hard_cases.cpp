@@ -4,9 +4,8 @@
 // cases of closing, the motion after a frictionless collision or an impact by Newton's or Poisson's
 // law, the moments of a mesh. Those of class (b) hold the square root of Stronge's law; those of
 // class (c) the sine of an angle. A decision is right if it is the same; a velocity or an angular
-// velocity if it is off by at most 2^-36 of those that went in and came out: mass ratios lose
-// nothing here, but the ratio of two moments may cost a tensor all digits. Whether bodies separate
-// afterwards is the sign of v_n, computed without rounding.
+// velocity if it is off by at most 2^-36 of those that went in and came out. Whether bodies
+// separate afterwards is the sign of v_n, computed without rounding.
 #include "support/hard_cases.hpp"
 
 #include <algorithm>
