@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <contact/angle.hpp>
+#include <contact/orientation.hpp>
 #include <contact/products.hpp>
 #include <vector>
 
@@ -146,8 +147,7 @@ void add_side(hard_cases::Runner& runner) {
       return contact::Vector2<Rational>(oracle::exact(p.x()), oracle::exact(p.y()));
     };
     return Json{{"class", "a"},
-                {"side", oracle::sign(contact::orientation_by_differences(exact("a"), exact("b"),
-                                                                          exact("p")))}};
+                {"side", oracle::sign(contact::orientation(exact("a"), exact("b"), exact("p")))}};
   });
   const auto method = [&runner](const char* name, auto side) {
     runner.method("side", name, [side](const Case& c, const Json& answer) {
@@ -159,14 +159,14 @@ void add_side(hard_cases::Runner& runner) {
     return sign(contact::orientation_expanded(a, b, p));
   });
   method("differences first", [](const Point& a, const Point& b, const Point& p) {
-    return sign(contact::orientation_by_differences(a, b, p));
+    return sign(contact::orientation(a, b, p));
   });
   method("differences first, zero below 1e-9", [](const Point& a, const Point& b, const Point& p) {
-    const double left = contact::orientation_by_differences(a, b, p);
+    const double left = contact::orientation(a, b, p);
     return std::abs(left) < 1e-9 ? 0 : sign(left);
   });
   method("book", [](const Point& a, const Point& b, const Point& p) {
-    return contact::orientation_exactly(a, b, p);
+    return contact::orient_2d_exactly(a, b, p);
   });
 }
 

@@ -6,7 +6,7 @@
 #include <support/exercise.hpp>
 #include <support/generators.hpp>
 
-#include <contact/products.hpp>
+#include <contact/orientation.hpp>
 
 namespace {
 
@@ -20,7 +20,7 @@ double plain(const Point& a, const Point& b, const Point& c) {
 }
 
 void check(const Point& a, const Point& b, const Point& c) {
-  const int right = contact::orientation_exactly<double>(a, b, c);
+  const int right = contact::orient_2d_exactly(a, b, c);
   ask("In which direction does the path turn at b?")
       .given("a", a)
       .given("b", b)

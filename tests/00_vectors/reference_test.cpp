@@ -9,6 +9,7 @@
 #include <contact/arc.hpp>
 #include <contact/error_free.hpp>
 #include <contact/frame.hpp>
+#include <contact/orientation.hpp>
 #include <contact/products.hpp>
 #include <limits>
 #include <stdexcept>
@@ -255,21 +256,21 @@ TEST_CASE("the orientation predicate is exact") {
     const auto exact = [](const Vector2<double>& v) {
       return contact::Vector2<Rational>(oracle::exact(v.x()), oracle::exact(v.y()));
     };
-    const Rational right = contact::orientation_by_differences(exact(a), exact(b), exact(p));
+    const Rational right = contact::orientation(exact(a), exact(b), exact(p));
     CHECK(right == contact::orientation_expanded(exact(a), exact(b), exact(p)));
-    CHECK(contact::orientation_exactly(a, b, p) == oracle::sign(right));
-    CHECK(contact::orientation_exactly(b, a, p) == -oracle::sign(right));
-    CHECK(contact::orientation_exactly(b, p, a) == oracle::sign(right));
+    CHECK(contact::orient_2d_exactly(a, b, p) == oracle::sign(right));
+    CHECK(contact::orient_2d_exactly(b, a, p) == -oracle::sign(right));
+    CHECK(contact::orient_2d_exactly(b, p, a) == oracle::sign(right));
     const double size =
         std::abs((b.x() - a.x()) * (p.y() - a.y())) + std::abs((b.y() - a.y()) * (p.x() - a.x()));
-    CHECK(within(contact::orientation_by_differences(a, b, p), right,
+    CHECK(within(contact::orientation(a, b, p), right,
                  gamma<double>(5) * oracle::exact(size) * (1 + 8 * u<double>())));
     const double expanded = contact::orientation_expanded(a, b, p);
     expanded_wrong += (expanded > 0) - (expanded < 0) != oracle::sign(right);
   }
   CHECK(expanded_wrong > 300);
-  CHECK(contact::orientation_exactly<double>({0, 0}, {1, 0}, {0, 1}) == 1);
-  CHECK(contact::orientation_exactly<double>({3, 4}, {3, 4}, {0, 1}) == 0);
+  CHECK(contact::orient_2d_exactly({0, 0}, {1, 0}, {0, 1}) == 1);
+  CHECK(contact::orient_2d_exactly({3, 4}, {3, 4}, {0, 1}) == 0);
 }
 
 TEMPLATE_TEST_CASE("the error of an angle is within its bound", "", float, double) {

@@ -15,20 +15,34 @@
 
 namespace contact {
 
-/// Twice the signed area of the triangle a, b, c, as the scalar rounds it: positive if the path
-/// from a over b to c turns left.
+/// The orientation of a, b and c from products of the coordinates themselves: twice the signed area
+/// of the triangle a, b, c, positive if the path from a over b to c turns left, that is, if c is to
+/// the left of the line from a to b.
 ///
-/// Limits: rounded, the sign may be wrong if the three points are nearly collinear. With S = Exact
-/// it is exact.
+/// Limits: six products as large as |a||b|. Far from the origin they are much larger than the area,
+/// and the sign of the rounded result is not reliable. Exact if S is exact.
+// [line-side]
+template <Ring S>
+S orientation_expanded(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& c) {
+  return (a.x() * b.y() - a.y() * b.x()) + (b.x() * c.y() - b.y() * c.x()) +
+         (c.x() * a.y() - c.y() * a.x());
+}
+
+/// The same, with the differences taken first: (b − a) × (c − a).
+///
+/// Limits: the differences of near points have little or no error. The result, a difference of two
+/// products, is off by at most γ(5) times the sum of their magnitudes. Exact if S is exact.
 template <Ring S>
 S orientation(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& c) {
-  return cross2<S>(b - a, c - a);
+  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
+// [/line-side]
 
 /// Six times the signed volume of the tetrahedron a, b, c, d, as the scalar rounds it: positive if
 /// d is in front of the triangle a, b, c, where its vertices run counter-clockwise.
 ///
-/// Limits: as `orientation`.
+/// Limits: rounded, the sign may be wrong if the four points are nearly in a plane. Exact if S is
+/// exact.
 // [rounded-3d]
 template <Ring S>
 S signed_volume(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c,

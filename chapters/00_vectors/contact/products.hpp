@@ -182,38 +182,4 @@ Vector3<S> cross_exactly(const Vector3<S>& u, const Vector3<S>& v) {
           difference_of_products_exactly(u.x(), v.y(), u.y(), v.x())};
 }
 
-/// The orientation of a, b and p: positive if p is to the left of the line from a to b, negative if
-/// it is to the right. Twice the signed area of the triangle a, b, p, from products of the
-/// coordinates themselves.
-///
-/// Limits: six products as large as |a||b|. Far from the origin they are much larger than the area,
-/// and the sign of the rounded result is not reliable. Exact if S is exact.
-// [line-side]
-template <Ring S>
-S orientation_expanded(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& p) {
-  return (a.x() * b.y() - a.y() * b.x()) + (b.x() * p.y() - b.y() * p.x()) +
-         (p.x() * a.y() - p.y() * a.x());
-}
-
-/// The same, with the differences taken first: (b − a) × (p − a).
-///
-/// Limits: the differences of near points have little or no error. The result, a difference of two
-/// products, is off by at most γ(5) times the sum of their magnitudes. Exact if S is exact.
-template <Ring S>
-S orientation_by_differences(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& p) {
-  return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
-}
-// [/line-side]
-
-/// The orientation predicate: +1 if p is to the left of the line from a to b, −1 to its right, 0 on
-/// it (or if a = b). Exact for all finite input.
-template <std::floating_point S>
-int orientation_exactly(const Vector2<S>& a, const Vector2<S>& b, const Vector2<S>& p) {
-  static_assert(std::numeric_limits<S>::digits <= 53, "Exact holds floats and doubles");
-  const auto exact = [](const Vector2<S>& v) {
-    return Vector2<Exact>(Exact(double(v.x())), Exact(double(v.y())));
-  };
-  return orientation_by_differences(exact(a), exact(b), exact(p)).sign();
-}
-
 }  // namespace contact

@@ -1,6 +1,6 @@
 // The same orientation predicate near the origin and far from it.
 #include <cmath>
-#include <contact/products.hpp>
+#include <contact/orientation.hpp>
 #include <cstdio>
 
 int main() {
@@ -12,7 +12,6 @@ int main() {
     const Point b = place + Point(1, 1);
     const Point p = place + Point(0.5, 0.5009765625);  // a little to the left
     std::printf("%9g m %17.10g %20.10g %7d\n", far, contact::orientation_expanded(a, b, p),
-                contact::orientation_by_differences(a, b, p),
-                contact::orientation_exactly(a, b, p));
+                contact::orientation(a, b, p), contact::orient_2d_exactly(a, b, p));
   }
 }

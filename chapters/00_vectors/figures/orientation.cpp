@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 #include <contact/figure.hpp>
-#include <contact/products.hpp>
+#include <contact/orientation.hpp>
 
 inline constexpr int cells = 17;
 
@@ -40,11 +40,10 @@ Output compute(const Input& in) {
   for (int row = 0; row < cells; ++row) {
     for (int column = 0; column < cells; ++column) {
       const Point p(x + 1 + column * step, y + 1 + row * step);
-      const double truth = contact::orientation_exactly(a, b, p);
-      const std::array said{
-          sign(contact::orientation_expanded(a, b, p)),
-          sign(contact::orientation_by_differences(a, b, p)),
-          sign(double(contact::orientation_by_differences(narrow(a), narrow(b), narrow(p))))};
+      const double truth = contact::orient_2d_exactly(a, b, p);
+      const std::array said{sign(contact::orientation_expanded(a, b, p)),
+                            sign(contact::orientation(a, b, p)),
+                            sign(double(contact::orientation(narrow(a), narrow(b), narrow(p))))};
       out.wrong_expanded += said[0] != truth;
       out.wrong_by_differences += said[1] != truth;
       out.wrong_in_float += said[2] != truth;
