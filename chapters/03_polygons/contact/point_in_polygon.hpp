@@ -206,9 +206,9 @@ std::optional<int> winding_by_edges(const Polygon<S>& polygon, const Vector2<S>&
 
 namespace polygon_detail {
 
-/// How up to 64 edges lie to a level, one bit each; bit k is the edge that ends in vertex k.
+/// How up to 64 edges lie to a level, one bit each; bit k is the edge that ends in the vertex k
+/// before the last.
 struct EdgesAtLevel {
-  std::uint64_t above = 0;     ///< whether the end is above the level
   std::uint64_t crossing = 0;  ///< whether the start is above and the end not, or the reverse
   std::uint64_t ending = 0;    ///< whether the end is at the level
 };
@@ -218,26 +218,26 @@ struct EdgesAtLevel {
 ///
 /// Which edges cross a level is hard to predict, and a wrong prediction costs more time than
 /// several edges without one. So nothing branches on a comparison, and the next loop gets bits.
-/// Four vertices at a time save an eighth of the time.
+/// Four vertices at a time save an eighth of the time. They are read in the order of memory:
+/// backwards, with the first edge in the lowest bit, polygons outside of the cache take twice as
+/// long.
 template <std::floating_point S>
-EdgesAtLevel edges_at_level(const Vector2<S>& before, const Vector2<S>* vertices, std::size_t count,
-                            S y) {
+EdgesAtLevel edges_at_level(const Vector2<S>& before, const Vector2<S>* vertices, int count, S y) {
   std::uint64_t above = 0, not_below = 0;
   const auto compare = [&](const Vector2<S>& v) {
     above = 2 * above + std::uint64_t{v.y() > y};
     not_below = 2 * not_below + std::uint64_t{v.y() >= y};
   };
-  const Vector2<S>* v = vertices + count;  // from the last vertex to the first, which gets bit 0
-  for (; v - vertices >= 4; v -= 4) {
-    compare(v[-1]);
-    compare(v[-2]);
-    compare(v[-3]);
-    compare(v[-4]);
+  const Vector2<S>*v = vertices, *end = vertices + count;
+  for (; end - v >= 4; v += 4) {
+    compare(v[0]);
+    compare(v[1]);
+    compare(v[2]);
+    compare(v[3]);
   }
-  while (v != vertices) compare(*--v);
-  const std::uint64_t start_above = 2 * above + std::uint64_t{before.y() > y};
-  const std::uint64_t edges = ~std::uint64_t{0} >> (64 - count);
-  return {above, (above ^ start_above) & edges, above ^ not_below};
+  for (; v != end; ++v) compare(*v);
+  const std::uint64_t start_above = (above >> 1) | (std::uint64_t{before.y() > y} << (count - 1));
+  return {above ^ start_above, above ^ not_below};
 }
 // [/edges-at-level]
 
@@ -271,14 +271,14 @@ std::optional<int> winding_number(const Polygon<S>& polygon, const Vector2<S>& p
   const Vector2<S>* before = &polygon.back();
   for (std::size_t first = 0; first < polygon.size(); first += 64) {
     const Vector2<S>* v = &polygon[first];
-    const std::size_t count = std::min(polygon.size() - first, std::size_t{64});
+    const int count = static_cast<int>(std::min(polygon.size() - first, std::size_t{64}));
     const EdgesAtLevel edges = edges_at_level(*before, v, count, p.y());
     for (std::uint64_t left = edges.ending; left != 0; left &= left - 1) {
-      const int k = std::countr_zero(left);
+      const int k = count - 1 - std::countr_zero(left);
       if (touches_at_level(k == 0 ? *before : v[k - 1], v[k], p)) return std::nullopt;
     }
     for (std::uint64_t left = edges.crossing; left != 0; left &= left - 1) {
-      const int k = std::countr_zero(left);
+      const int k = count - 1 - std::countr_zero(left);
       const Vector2<S>&a = k == 0 ? *before : v[k - 1], &b = v[k];
       auto [side, bound] = bounded_orientation(in_double(a), in_double(b), to);
       if (!(std::abs(side) > bound)) {
@@ -287,7 +287,7 @@ std::optional<int> winding_number(const Polygon<S>& polygon, const Vector2<S>& p
         if (side == 0) return std::nullopt;
       }
       // +1: up, and p on the left. −1: down, and p on the right. Otherwise 0.
-      winding += int{side > 0} + int((edges.above >> k) & 1) - 1;
+      winding += int{side > 0} + int{b.y() > p.y()} - 1;
     }
     before = v + count - 1;
   }
