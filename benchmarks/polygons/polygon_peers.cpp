@@ -145,11 +145,8 @@ void compare(const char* family, const std::vector<Points>& polygons, const Poin
         if (is_wrong(methods[m], places[i], right[i])) ++wrong[m];
     }
   }
-  std::printf(
-      "%s: %zu polygons of %zu vertices, %zu points, %zu of them on the boundary\n"
-      "  %-28s %10s %19s %9s\n",
-      family, polygons.size(), polygons[0].size(), points.size(), on, "", "ns a point",
-      "least - most", "wrong");
+  std::printf("%s, %zu vertices, %zu points, %zu on the boundary\n  %-28s %10s %19s %9s\n", family,
+              polygons[0].size(), points.size(), on, "", "ns a point", "least - most", "wrong");
   for (std::size_t m = 0; m < methods.size(); ++m) {
     std::sort(times[m].begin(), times[m].end());
     std::printf("  %-28s %10.1f %8.1f - %8.1f %9zu\n", methods[m].name.c_str(),
@@ -178,25 +175,25 @@ int main(int argc, char** argv) {
     return static_cast<std::size_t>(dice.integer(0, static_cast<int>(polygon.size()) - 1));
   };
   const std::vector<Points> of_16 = stars(1000, 16), of_256 = stars(100, 256);
-  compare("random", of_16, each(of_16, count, anywhere), runs);
-  compare("random", of_256, each(of_256, count, anywhere), runs);
+  compare("random, 1,000 polygons", of_16, each(of_16, count, anywhere), runs);
+  compare("random, 100 polygons", of_256, each(of_256, count, anywhere), runs);
   const std::vector<Points> single = stars(1, 16);
-  compare("random", single, each(single, count, anywhere), runs);
+  compare("random, one polygon", single, each(single, count, anywhere), runs);
   const auto on_edge = [&](const Points& polygon) {
     const std::size_t i = any_vertex(polygon);
     const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
     return Point(a + dice.uniform() * (b - a));
   };
-  compare("on an edge, rounded", of_16, each(of_16, count, on_edge), runs);
+  compare("on an edge, rounded, 1,000 polygons", of_16, each(of_16, count, on_edge), runs);
   const auto at_level = [&](const Points& polygon) {
     const double y = polygon[any_vertex(polygon)].y();
     return Point(dice.uniform(-1, 1), y);
   };
-  compare("at the level of a vertex", of_16, each(of_16, count, at_level), runs);
+  compare("at the level of a vertex, 1,000 polygons", of_16, each(of_16, count, at_level), runs);
   const std::vector<Points> combs{comb()};
   const auto on_grid = [](const Points&) {
     const double x = dice.integer(-1, 16);
     return Point(x, dice.integer(-2, 9));
   };
-  compare("whole numbers", combs, each(combs, count, on_grid), runs);
+  compare("whole numbers, one polygon", combs, each(combs, count, on_grid), runs);
 }
