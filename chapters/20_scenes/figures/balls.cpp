@@ -31,7 +31,7 @@ struct Output {
   std::array<double, samples> apart;   // the largest distance of a ball from where it should be, m
   double read;                         // the same at the time
   double hits, right_hits;             // in all
-  double error;                        // the largest distance at the end, m
+  double at_the_end;                   // the largest distance at the end, m
   double overlap;                      // the deepest that occurred, m
   double energy_change, right_change;  // relative
 };
@@ -169,7 +169,7 @@ Output compute(const Input& in) {
   out.hits = course.hits;
   out.right_hits = truth.hits;
   for (std::size_t i = 0; i < count; ++i)
-    out.error = std::max(out.error, (course.positions[i] - truth.positions[i]).norm());
+    out.at_the_end = std::max(out.at_the_end, (course.positions[i] - truth.positions[i]).norm());
   out.overlap = course.overlap;
   out.energy_change = course.energy_change;
   out.right_change = truth.energy_change;
@@ -177,5 +177,5 @@ Output compute(const Input& in) {
 }
 
 FIGURE(Input, FIELDS(motion, method, balls, at), Output,
-       FIELDS(problem, count, room, seconds, got, right, apart, read, hits, right_hits, error,
+       FIELDS(problem, count, room, seconds, got, right, apart, read, hits, right_hits, at_the_end,
               overlap, energy_change, right_change))

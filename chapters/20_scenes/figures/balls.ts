@@ -20,7 +20,7 @@ interface Output {
   read: number;
   hits: number;
   right_hits: number;
-  error: number;
+  at_the_end: number;
   overlap: number;
   energy_change: number;
 }
@@ -154,7 +154,7 @@ export default defineFigure<Input, Output>({
       unit: "m",
       role: "ink" as Role,
     },
-    { name: "distance", meaning: "the same at the end", value: output.error, unit: "m" },
+    { name: "distance", meaning: "the same at the end", value: output.at_the_end, unit: "m" },
     {
       name: "overlap",
       meaning: "the deepest by the method",
@@ -168,6 +168,6 @@ export default defineFigure<Input, Output>({
     },
   ],
   describe(input, output) {
-    return `By ${METHODS[input.method] ?? "the method"} there are ${pretty(output.hits)} hits instead of ${pretty(output.right_hits)}. At ${pretty(input.at, 2)} s a ball is up to ${pretty(output.read, 2)} m from where it should be, at the end up to ${pretty(output.error, 2)} m.`;
+    return `By ${METHODS[input.method] ?? "the method"} there are ${pretty(output.hits)} hits instead of ${pretty(output.right_hits)}. At ${pretty(input.at, 2)} s a ball is up to ${pretty(output.read, 2)} m from where it should be, at the end up to ${pretty(output.at_the_end, 2)} m.`;
   },
 });

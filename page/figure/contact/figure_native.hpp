@@ -61,8 +61,15 @@ std::string answer(const std::string& line) {
   return text + "}";
 }
 
+template <typename Fields>
+constexpr bool has_error(const Fields& fields) {
+  return std::apply([](const auto&... field) { return (... || (field.name == "error")); }, fields);
+}
+
 template <typename TheFigure>
 int native_main(int argc, char** argv) {
+  static_assert(!has_error(TheFigure::outputs),
+                "an output called `error` would be read as the message of an exception");
   if (argc == 2 && std::string_view(argv[1]) == "--layout") {
     std::puts(TheFigure::layout.data());
     return 0;
