@@ -13,8 +13,17 @@ using namespace contact::testing;
 using exercise::Ball;
 using exercise::Run;
 
-/// Its mistakes.
-enum class Way { heights_by_k, one_bounce, no_zeno, finite_anyway, to_the_end, seconds, half };
+/// The right rule, and its mistakes.
+enum class Way {
+  right,
+  heights_by_k,
+  one_bounce,
+  no_zeno,
+  finite_anyway,
+  to_the_end,
+  seconds,
+  half
+};
 
 Run followed(const Ball& ball, double duration, double tolerance, int budget, Way way) {
   const Run steps{false, 0, 0, 0};
@@ -61,6 +70,11 @@ void check(const Ball& ball, double duration, double tolerance, int budget, cons
       .suspect("first-impact-not-counted",
                [&right] {
                  return Run{right.events, right.impacts - 1, right.error, right.early};
+               })
+      .suspect("end-excluded",
+               [&] {
+                 return followed(ball, std::nextafter(duration, -1.0), tolerance, budget,
+                                 Way::right);
                })
       .answer([&] { return exercise::plan_run(ball, duration, tolerance, budget); })
       // Powers of k by some thirty products, or by a power; a quotient that grows with 1 / (1 − k).
