@@ -78,6 +78,8 @@ TEST_CASE("steep and backward paths turn as others do") {
   check({0, 0}, {-4, 1}, {-6, -5});
   check({0, 0}, {3, 1}, {-2, 2});
   check({0, 0}, {3, 1}, {-2, -2});
+  // Straight back: the angles of the two steps differ by −π, and slopes give the same sign.
+  check({-2, -2}, {-2, 2}, {-2, 0});
 }
 
 TEST_CASE("an area of one counts on a long path") {
