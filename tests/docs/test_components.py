@@ -229,6 +229,17 @@ def test_hard_cases_show_each_method_right_or_wrong(lesson: BeautifulSoup) -> No
     assert "1 hard case; 1 of 2 answers are wrong" in one(table, "caption").get_text()
 
 
+def test_each_table_of_hard_cases_has_a_name_of_its_own(sample: Sample) -> None:
+    both = ":::{hard-cases}\n:::\n\n:::{hard-cases}\n:::\n"
+    sample.edit("chapters/01_lines/lesson.md", ":::{hard-cases}\n:::\n", both)
+    made = sample.make()
+    assert made.returncode == 0, made.stdout + made.stderr
+    page = BeautifulSoup(sample.page("chapters/01_lines.html"), "html.parser")
+    names = [region["aria-label"] for region in page.select('[role="region"]:has(.hard-cases)')]
+    assert len(names) == 2
+    assert len(set(names)) == 2
+
+
 def test_an_exercise_shows_contract_points_commands_and_folded_hints(lesson: BeautifulSoup) -> None:
     section = one(lesson, "section.exercise")
     words = section.get_text()

@@ -94,7 +94,9 @@ class HardCases(BookDirective):
         count = "1 hard case" if len(cases) == 1 else f"{len(cases)} hard cases"
         words = f"{count}; {wrong} of {len(cases) * len(methods)} answers are wrong"
         heads = ["Case", "Exact answer", *methods]
-        label = f"Hard cases of {', '.join(methods)}"
+        # A page may show some cases and, in a box, all: regions need names of their own.
+        number = self.env.new_serialno("hard-cases") + 1
+        label = f"Hard cases, table {number}: {', '.join(methods)}"
         return [scrolled(table(heads, rows, words, ["hard-cases"]), label)]
 
     def row(self, methods: tuple[str, ...], case: dict[str, Any]) -> list[Any]:
