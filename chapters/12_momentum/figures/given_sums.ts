@@ -57,7 +57,7 @@ export default defineFigure<Input, Output>({
       (_, k) => Math.round(1000 * (4 * Math.abs(((k / 11) % 1) - 0.5) - 1)) / 1000,
     ),
     type: 0,
-    count: TERMS,
+    count: 100,
   },
   handles: [
     {
