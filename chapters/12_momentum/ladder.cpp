@@ -169,9 +169,8 @@ ladder::Ladder<Input, Answer> experiment() {
         const Sum& told = got.of_floats ? got.in_float : got.in_double;
         const Sum& truth = got.of_floats ? right.in_float : right.in_double;
         ladder::Example example;
-        example.facts = {got.of_floats ? ladder::numbers("impulses, N·s", input.in_float)
-                                       : ladder::numbers("impulses, N·s", input.in_double),
-                         ladder::number("sum by this method, N·s", told.nearest),
+        // The figure lists the impulses.
+        example.facts = {ladder::number("sum by this method, N·s", told.nearest),
                          ladder::number("exact, then rounded, N·s", truth.nearest)};
         const std::vector<double> impulses =
             got.of_floats ? std::vector<double>(input.in_float.begin(), input.in_float.end())
