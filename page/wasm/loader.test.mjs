@@ -64,9 +64,10 @@ function random(seed) {
 const special = [0, -0, 1, -1, 0.5, 2, -3, 0.1, 1e-9, 1e-160, -5e-324, 1e9, -1e160, 1.7e308];
 
 /** What a reader comes to from `start`: each number left alone, or moved by up to about its size, on a grid or off it.
- * @param {() => number} next @param {number} start */
-function near(next, start) {
-  if (next() < 0.6) return start;
+ * Of many numbers about six are moved: balls that all move at once overlap.
+ * @param {() => number} next @param {number} start @param {number} count of the figure's numbers */
+function near(next, start, count) {
+  if (next() < Math.max(0.6, 1 - 6 / count)) return start;
   const moved = start + (2 * next() - 1) * Math.max(1, Math.abs(start));
   return next() < 0.5 ? Math.round(moved) : moved;
 }
@@ -119,12 +120,13 @@ describe("every figure computes what its native program computes, bit for bit", 
       // Half of them anywhere; half near where the figure begins, since some answer nowhere else.
       const next = random(20);
       const start = (await initial).get(name) ?? {};
+      const count = figure.layout.inputs.reduce((sum, { size }) => sum + size, 0);
       const inputs = Array.from({ length: 2000 }, (_, i) =>
         Object.fromEntries(
           figure.layout.inputs.map(({ name, size }) => [
             name,
             Array.from({ length: size }, (_, k) =>
-              i % 2 === 0 ? number(next) : near(next, [start[name] ?? 0].flat()[k] ?? 0),
+              i % 2 === 0 ? number(next) : near(next, [start[name] ?? 0].flat()[k] ?? 0, count),
             ),
           ]),
         ),
