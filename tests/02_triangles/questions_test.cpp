@@ -9,7 +9,6 @@
 #include <contact/ray_triangle.hpp>
 #include <contact/watertight.hpp>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -63,30 +62,12 @@ KEY("weight-of-v2") {
 KEY("edge-test-steps") {
   // What each step makes, and what it needs of the others; the order follows, and it must be the
   // only one.
-  struct Step {
-    std::string makes;
-    std::vector<std::string> needs;
-  };
-  const std::vector<Step> steps{
-      {"inside", {"point", "normal"}}, {"normal", {}},   {"t", {"distances", "divisor not 0"}},
-      {"distances", {"normal"}},       {"point", {"t"}}, {"divisor not 0", {"distances"}}};
-  std::set<std::string> made;
-  std::vector<int> order;
-  while (order.size() < steps.size()) {
-    int next = -1;
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      if (made.count(steps[i].makes) != 0) continue;
-      bool ready = true;
-      for (const std::string& need : steps[i].needs) ready = ready && made.count(need) != 0;
-      if (!ready) continue;
-      CHECK(next == -1);
-      next = static_cast<int>(i);
-    }
-    if (next < 0) break;
-    made.insert(steps[static_cast<std::size_t>(next)].makes);
-    order.push_back(next);
-  }
-  return order;
+  return questions::only_order({{"inside", {"point", "normal"}},
+                                {"normal", {}},
+                                {"t", {"distances", "divisor not 0"}},
+                                {"distances", {"normal"}},
+                                {"point", {"t"}},
+                                {"divisor not 0", {"distances"}}});
 }
 
 KEY("in-the-plane") {

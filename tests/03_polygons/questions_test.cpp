@@ -12,7 +12,6 @@
 #include <contact/polygon_in_space.hpp>
 #include <contact/segments.hpp>
 #include <numbers>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -208,29 +207,8 @@ KEY("nearer-end") {
 
 KEY("order-for-a-wall") {
   // What each step makes, and what it needs of the others.
-  struct Step {
-    std::string makes;
-    std::vector<std::string> needs;
-  };
-  const std::vector<Step> steps{{"where", {"dropped"}},
+  return questions::only_order({{"where", {"dropped"}},
                                 {"area vector", {}},
                                 {"dropped", {"area vector", "point"}},
-                                {"point", {"area vector"}}};
-  std::set<std::string> made;
-  std::vector<int> order;
-  while (order.size() < steps.size()) {
-    int next = -1;
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      if (made.count(steps[i].makes) != 0) continue;
-      bool ready = true;
-      for (const std::string& need : steps[i].needs) ready = ready && made.count(need) != 0;
-      if (!ready) continue;
-      CHECK(next == -1);
-      next = static_cast<int>(i);
-    }
-    if (next < 0) break;
-    made.insert(steps[static_cast<std::size_t>(next)].makes);
-    order.push_back(next);
-  }
-  return order;
+                                {"point", {"area vector"}}});
 }

@@ -289,4 +289,24 @@ int count(const std::string& chapter) {
   return array == nullptr ? 0 : static_cast<int>(array->size());
 }
 
+std::vector<int> only_order(const std::vector<Step>& steps) {
+  std::set<std::string> made;
+  std::vector<int> order;
+  while (order.size() < steps.size()) {
+    int next = -1;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      if (made.count(steps[i].makes) != 0) continue;
+      bool ready = true;
+      for (const std::string& need : steps[i].needs) ready = ready && made.count(need) != 0;
+      if (!ready) continue;
+      CHECK(next == -1);
+      next = static_cast<int>(i);
+    }
+    if (next < 0) break;
+    made.insert(steps[static_cast<std::size_t>(next)].makes);
+    order.push_back(next);
+  }
+  return order;
+}
+
 }  // namespace questions

@@ -56,6 +56,15 @@ struct Claim {
   bool without_reason;
 };
 
+/// A step of an "order" question: what it makes, and what it needs that other steps make.
+struct Step {
+  std::string makes;
+  std::vector<std::string> needs;
+};
+
+/// The order of the steps, each after those that make what it needs. CHECKs that there is only one.
+std::vector<int> only_order(const std::vector<Step>& steps);
+
 using Key = std::variant<double, int, std::vector<int>, Construct, Gaps, Claim>;
 using Keys = std::map<std::string, std::vector<std::function<Key()>>>;
 
