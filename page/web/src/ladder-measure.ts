@@ -154,9 +154,8 @@ export function proven(result: LadderResult): { name: string; words: string } | 
       `the fastest of the ${alike.length} methods that are ${exact ? "never wrong by design" : "no more often wrong"}`,
     );
   const ratio = Number((chosen.time.median / fastest.time.median).toPrecision(2));
-  parts.push(
-    chosen === fastest ? "the fastest of all" : `${ratio}\u00a0× the time of the fastest of all`,
-  );
+  const times = ratio === 1 ? "about" : `${ratio}\u00a0×`;
+  parts.push(chosen === fastest ? "the fastest of all" : `${times} the time of the fastest of all`);
   const against = rivals(all, chosen, counted, wrong > 0);
   return { name: fullName(chosen.method), words: `${parts.join(", ")}${against}.` };
 }
