@@ -24,7 +24,7 @@ from pathlib import Path
 from typing import Any
 
 from marks import MARK, MarkError, Part, parts_of, without_marks
-from wrong_answers import HEADER_LINES, PatchError, sources, text_of
+from wrong_answers import PatchError, header_size, sources, text_of
 
 ROOT = Path(__file__).resolve().parents[2]
 MOST_DISTRACTORS = 3
@@ -87,7 +87,8 @@ def distractors(exercise: str, parts: Sequence[Part], root: Path = ROOT) -> list
     for source in sources(exercise, root):
         text = text_of(source)
         header, *_ = text.splitlines()
-        body = "".join(text.splitlines(keepends=True)[HEADER_LINES:])
+        lines = text.splitlines(keepends=True)
+        body = "".join(lines[header_size(lines) :])
         changed = _changed_piece(parts, body)
         if changed is None or changed[0] in found or tuple(_code(changed[1])) in own:
             continue

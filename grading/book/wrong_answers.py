@@ -7,9 +7,10 @@ solution.
     wrong_answers.py --as-patch FILE.cpp...
         keeps these as patches from now on
 
-`solutions/NN_slug/NAME/wrong/x.patch` begins with the two lines that every wrong answer begins with
-(`// misconception: ID`, `// caught by: TEST`), and a unified diff follows them. The wrong answer is
-those two lines, then the solution with the diff applied, without the marks (marks.py).
+`solutions/NN_slug/NAME/wrong/x.patch` begins with the lines that every wrong answer begins with
+(`// misconception: ID`, `// caught by: TEST`, `// seen: WHERE`, the last with further lines that
+begin with three spaces), and a unified diff follows them. The wrong answer is those lines, then the
+solution with the diff applied, without the marks (marks.py).
 
 Only this file applies patches: `contact dev check` and the tests all ask it. It needs nothing but
 Python.
@@ -29,12 +30,20 @@ from pathlib import Path
 from marks import without_marks
 
 ROOT = Path(__file__).resolve().parents[2]
-HEADER_LINES = 2
+_HEADER = ("// misconception: ", "// caught by: ", "// seen: ", "//   ")
 _HUNK = re.compile(r"@@ -(\d+)(?:,(\d+))? \+(\d+)(?:,(\d+))? @@")
 
 
 class PatchError(Exception):
     """A patch that cannot be applied, and why."""
+
+
+def header_size(lines: Sequence[str]) -> int:
+    """How many lines of a wrong answer stand before its code."""
+    for index, line in enumerate(lines):
+        if not line.startswith(_HEADER):
+            return index
+    return len(lines)
 
 
 def _split(hunk: Sequence[str]) -> tuple[list[str], list[str]]:
@@ -70,11 +79,14 @@ def _position(lines: Sequence[str], part: Sequence[str], begin: int, said: int) 
 def apply(patch: str, solution: str) -> str:
     """The wrong answer that a patch describes."""
     lines = patch.splitlines(keepends=True)
-    header, rest = lines[:HEADER_LINES], lines[HEADER_LINES:]
-    if not all(line.startswith("// ") for line in header):
+    size = header_size(lines)
+    header, rest = lines[:size], lines[size:]
+    if [line.startswith(mark) for line, mark in zip(header, _HEADER, strict=False)][:2] != [
+        True
+    ] * 2:
         raise PatchError("it must begin with `// misconception: ...` and `// caught by: ...`")
     if len(rest) < 2 or not (rest[0].startswith("--- ") and rest[1].startswith("+++ ")):
-        raise PatchError("after its first two lines it must go on with `--- ...` and `+++ ...`")
+        raise PatchError("after these lines it must go on with `--- ...` and `+++ ...`")
     begins = [index for index, line in enumerate(rest) if line.startswith("@@ ")]
     if begins[:1] != [2]:
         raise PatchError("after `+++ ...` it must go on with `@@ -... +... @@`")
@@ -104,8 +116,9 @@ def apply(patch: str, solution: str) -> str:
 def as_patch(wrong: str, solution: str, names: tuple[str, str]) -> str:
     """The patch that describes a wrong answer."""
     lines = wrong.splitlines(keepends=True)
-    made = difflib.unified_diff(solution.splitlines(keepends=True), lines[HEADER_LINES:], *names)
-    patch = "".join(lines[:HEADER_LINES]) + "".join(made).replace("\n \n", "\n\n")
+    size = header_size(lines)
+    made = difflib.unified_diff(solution.splitlines(keepends=True), lines[size:], *names)
+    patch = "".join(lines[:size]) + "".join(made).replace("\n \n", "\n\n")
     # Twice, for empty lines one after the other.
     patch = patch.replace("\n \n", "\n\n")
     if apply(patch, solution) != wrong:

@@ -23,7 +23,7 @@ from forms import (  # noqa: E402
     solution_file,
 )
 from marks import MarkError, parts_of, without_marks  # noqa: E402
-from wrong_answers import HEADER_LINES, as_patch, sources, text_of  # noqa: E402
+from wrong_answers import as_patch, header_size, sources, text_of  # noqa: E402
 
 REF = "01_lines/double"
 MARKED = """#include "double.hpp"
@@ -203,7 +203,8 @@ def test_a_distractor_in_its_position_is_a_wrong_answer(exercise: str) -> None:
     parts = parts_of(solution_file(exercise).read_text(encoding="utf-8"))
     bodies = []
     for source in sources(exercise):
-        bodies.append(code("".join(text_of(source).splitlines(keepends=True)[HEADER_LINES:])))
+        lines = text_of(source).splitlines(keepends=True)
+        bodies.append(code("".join(lines[header_size(lines) :])))
     for item in distractors(exercise, parts):
         texts = [item.text + "\n" if at == item.of else part.text for at, part in enumerate(parts)]
         assert code("".join(texts)) in bodies

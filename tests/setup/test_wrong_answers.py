@@ -13,17 +13,17 @@ PROGRAM = ROOT / "grading" / "book" / "wrong_answers.py"
 sys.path.append(str(PROGRAM.parent))
 
 from wrong_answers import (  # noqa: E402
-    HEADER_LINES,
     PatchError,
     apply,
     as_patch,
+    header_size,
     sources,
     text_of,
     write_whole,
     wrong_answers,
 )
 
-HEADER = "// misconception: sign\n// caught by: a test\n"
+HEADER = "// misconception: sign\n// caught by: a test\n// seen: https://a.b/c\n//   there\n"
 SOLUTION = "".join(f"line {n};\n\n" for n in range(1, 13))
 WRONG = HEADER + SOLUTION.replace("line 4;", "line -4;").replace("line 12;\n\n", "line 12;\n")
 PATCH = as_patch(WRONG, SOLUTION, ("a", "b"))
@@ -43,13 +43,14 @@ def test_every_wrong_answer_of_the_book_can_be_had_whole(exercise: str) -> None:
         assert text.startswith("// misconception: ")
         assert text.partition("\n")[2].startswith("// caught by: ")
         if source.suffix == ".patch":
-            assert text.splitlines(keepends=True)[HEADER_LINES:] != solution.splitlines(True)
+            lines = text.splitlines(keepends=True)
+            assert lines[header_size(lines) :] != solution.splitlines(True)
 
 
 def test_a_patch_is_what_an_answer_changes() -> None:
     assert apply(PATCH, SOLUTION) == WRONG
     assert PATCH.startswith(HEADER + "--- a\n+++ b\n@@ ")
-    changed = [line for line in PATCH.splitlines()[4:] if line[:1] in ("-", "+")]
+    changed = [line for line in PATCH.splitlines()[6:] if line[:1] in ("-", "+")]
     assert changed == ["-line 4;", "+line -4;", "-"]
 
 
