@@ -1,0 +1,98 @@
+/// @file
+/// Where a line enters and leaves a convex body, and what of that a ray or a segment sees first.
+#pragma once
+
+#include <contact/shapes.hpp>
+#include <contact/vector.hpp>
+#include <optional>
+
+namespace contact {
+
+// [passage]
+/// The part of an unbounded line inside a convex body: all points origin + t direction with entry ≤
+/// t ≤ exit.
+///
+/// Bodies are solid and closed, so touching counts: then entry = exit. A line that does not meet
+/// the body has no Passage; functions return an empty optional.
+template <Ring S>
+struct Passage {
+  /// In multiples of the direction; −∞ where the body is unbounded in this direction or the line
+  /// has no direction.
+  S entry = S(0);
+  S exit = S(0);  ///< the same, +∞
+  /// Outward normal of the surface where the line enters, unit except where a function says
+  /// otherwise; 0 if entry is infinite.
+  Vector3<S> entry_normal = Vector3<S>::Zero();
+  Vector3<S> exit_normal = Vector3<S>::Zero();  ///< where it leaves
+  int entry_face = -1;  ///< number of the face, as the function says; −1 for a curved surface
+  int exit_face = -1;   ///< where it leaves
+};
+
+/// The first point of a solid body that a ray or a segment meets.
+template <Ring S>
+struct BodyHit {
+  S t = S(0);  ///< in multiples of the direction; for a segment, from 0 to 1; 0 if inside
+  Vector3<S> point = Vector3<S>::Zero();   ///< m
+  Vector3<S> normal = Vector3<S>::Zero();  ///< outward, where it enters; 0 if inside
+  int face = -1;        ///< as in Passage; −1 for a curved surface and if inside
+  bool inside = false;  ///< the line starts in the body without entering it there: entry < 0 ≤ exit
+};
+// [/passage]
+
+/// A segment as a ray: t = 1 is its end. The direction is rounded.
+template <Ring S>
+Ray<S> ray_of(const Segment<S>& segment) {
+  return {segment.start, Vector3<S>(segment.end - segment.start)};
+}
+/// A ray as it is, for templates.
+template <Ring S>
+const Ray<S>& ray_of(const Ray<S>& ray) {
+  return ray;
+}
+
+namespace detail {
+
+/// The hit of a line with a passage; `last` bounds t if it is finite.
+template <Ring S>
+std::optional<BodyHit<S>> first_of_passage(const Ray<S>& ray, const Passage<S>& passage,
+                                           const S* last) {
+  if (!(S(0) <= passage.exit)) return std::nullopt;  // behind, or NaN
+  if (passage.entry < S(0)) {
+    BodyHit<S> hit;
+    hit.point = ray.origin;
+    hit.inside = true;
+    return hit;
+  }
+  if (!(passage.entry <= passage.exit) || (last != nullptr && *last < passage.entry)) {
+    return std::nullopt;
+  }
+  return BodyHit<S>{passage.entry, Vector3<S>(ray.origin + ray.direction * passage.entry),
+                    passage.entry_normal, passage.entry_face, false};
+}
+
+}  // namespace detail
+
+// [first-of-passage]
+/// What a ray meets first of a body that its line passes: the entry, or the start if that is
+/// inside.
+///
+/// Nothing if the body is behind the start (exit < 0), and nothing for a NaN. A line that only
+/// touches at the start (entry = 0) hits there and is not inside; one that leaves there (entry < 0
+/// = exit) is. The comparisons are exact for the numbers of the passage; if these are rounded, a
+/// body that ends next to the start may be found or missed.
+/// @return its point is origin + t direction as rounded, off by at most γ(2) of the sum of the
+/// absolute values of both terms in each coordinate, and by the error of t times the direction
+template <Ring S>
+std::optional<BodyHit<S>> first_hit(const Ray<S>& ray, const Passage<S>& passage) {
+  return detail::first_of_passage<S>(ray, passage, nullptr);
+}
+
+/// The same for a segment: also nothing if entry > 1. The passage is that of ray_of(segment).
+template <Ring S>
+std::optional<BodyHit<S>> first_hit(const Segment<S>& segment, const Passage<S>& passage) {
+  const S last(1);
+  return detail::first_of_passage<S>(ray_of(segment), passage, &last);
+}
+// [/first-of-passage]
+
+}  // namespace contact
