@@ -2,6 +2,11 @@
 /// Where a line enters and leaves a convex body, and what of that a ray or a segment sees first.
 #pragma once
 
+#include <concepts>
+#include <contact/exact.hpp>
+#include <contact/exact_ray_triangle.hpp>
+#include <contact/plane.hpp>
+#include <contact/ray_triangle.hpp>
 #include <contact/shapes.hpp>
 #include <contact/vector.hpp>
 #include <optional>
@@ -39,16 +44,49 @@ struct BodyHit {
 };
 // [/passage]
 
-/// A segment as a ray: t = 1 is its end. The direction is rounded.
-template <Ring S>
-Ray<S> ray_of(const Segment<S>& segment) {
-  return {segment.start, Vector3<S>(segment.end - segment.start)};
-}
+// [line-of]
 /// A ray as it is, for templates.
 template <Ring S>
 const Ray<S>& ray_of(const Ray<S>& ray) {
   return ray;
 }
+/// A segment as a ray: t = 1 is its end. The direction is rounded.
+template <Ring S>
+Ray<S> ray_of(const Segment<S>& segment) {
+  return {segment.start, Vector3<S>(segment.end - segment.start)};
+}
+
+/// A ray of floats or doubles in exact numbers.
+template <std::floating_point S>
+Ray<Exact> exact_ray_of(const Ray<S>& ray) {
+  return {exact_vector(ray.origin), exact_vector(ray.direction)};
+}
+/// A segment as a ray in exact numbers: the direction is end − start without rounding, so t = 1 is
+/// exactly the stored end.
+template <std::floating_point S>
+Ray<Exact> exact_ray_of(const Segment<S>& segment) {
+  const Vector3<Exact> start = exact_vector(segment.start);
+  return {start, Vector3<Exact>(exact_vector(segment.end) - start)};
+}
+
+/// Whether the line ends at t = 1.
+template <class Line>
+inline constexpr bool has_end = false;
+/// A segment does.
+template <Ring S>
+inline constexpr bool has_end<Segment<S>> = true;
+
+/// Whether every coordinate is finite.
+template <Ring S>
+bool is_finite(const Ray<S>& ray) {
+  return all_finite(ray.origin) && all_finite(ray.direction);
+}
+/// The same for a segment.
+template <Ring S>
+bool is_finite(const Segment<S>& segment) {
+  return all_finite(segment.start) && all_finite(segment.end);
+}
+// [/line-of]
 
 namespace detail {
 
