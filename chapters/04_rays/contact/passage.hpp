@@ -69,6 +69,17 @@ Ray<Exact> exact_ray_of(const Segment<S>& segment) {
   return {start, Vector3<Exact>(exact_vector(segment.end) - start)};
 }
 
+/// Where a ray starts.
+template <Ring S>
+const Vector3<S>& start_of(const Ray<S>& ray) {
+  return ray.origin;
+}
+/// Where a segment starts.
+template <Ring S>
+const Vector3<S>& start_of(const Segment<S>& segment) {
+  return segment.start;
+}
+
 /// Whether the line ends at t = 1.
 template <class Line>
 inline constexpr bool has_end = false;
@@ -89,6 +100,16 @@ bool is_finite(const Segment<S>& segment) {
 // [/line-of]
 
 namespace detail {
+
+/// Whether the direction is 0.
+template <Ring S>
+bool is_point(const Ray<S>& ray) {
+  return ray.direction == Vector3<S>::Zero();
+}
+template <Ring S>
+bool is_point(const Segment<S>& segment) {
+  return segment.start == segment.end;
+}
 
 /// The hit of a line with a passage; `last` bounds t if it is finite.
 template <Ring S>

@@ -9,6 +9,7 @@
 #include <contact/exact.hpp>
 #include <contact/passage.hpp>
 #include <contact/shapes.hpp>
+#include <contact/tolerance.hpp>
 #include <contact/vector.hpp>
 #include <limits>
 #include <optional>
@@ -114,21 +115,11 @@ enum class LineMeets {
 template <Ring T>
 struct SphereTerms {
   T a;      ///< d·d
-  T b;      ///< d·m
+  T b;      ///< d·m: negative while the line approaches the centre
   T c;      ///< m·m − r²: the start is outside (> 0), on the surface, or inside (< 0)
   T depth;  ///< b² − a c = r² a − |d × m|²: the line misses (< 0), touches, or crosses
 };
 // [/terms]
-
-/// The terms of a line in exact numbers.
-inline SphereTerms<Exact> exact_sphere_terms(const Ray<Exact>& ray, const Sphere<double>& sphere) {
-  const Vector3<Exact> m = ray.origin - exact_vector(sphere.centre);
-  const Exact r(sphere.radius);
-  const Exact a = ray.direction.dot(ray.direction);
-  const Exact b = ray.direction.dot(m);
-  const Exact c = m.dot(m) - r * r;
-  return {a, b, c, b * b - a * c};
-}
 
 /// A sphere of floats or doubles, unchanged, as doubles.
 template <FloatOrDouble S>
@@ -142,60 +133,355 @@ bool is_ball(const Sphere<S>& sphere) {
   return all_finite(sphere.centre) && is_finite(sphere.radius) && sphere.radius >= S(0);
 }
 
-/// How the unbounded line through a ray or a segment meets a ball. Right for every finite input. A
-/// direction of 0 is a point: crosses if that is in the ball, else misses. An input that is not
-/// finite, and a negative radius: misses.
+namespace detail {
+
+inline constexpr double sphere_u = tolerance::unit_roundoff<double>;
+inline constexpr double sphere_floor = 0x1p-1000;
+
+// [rough-terms]
+/// The terms in double, with bounds on their errors.
+///
+/// Each coordinate of m and of d is rounded once (d of a segment is). Then a is off by γ(5) a, b by
+/// γ(5) √(a m·m), c by γ(6) s with s = m·m + r², and b² − a c, the textbook's discriminant, by less
+/// than 28 u a s: one multiplication bounds it, because no term exceeds a s. Underflow adds less
+/// than 2^-1000 (1 + a + s). If anything overflows, the bound is infinite or NaN.
+struct RoughSphere {
+  Vector3<double> m;  ///< from the centre to the start
+  Vector3<double> d;  ///< direction
+  double radius;
+  double radius_squared;
+  double s;  ///< m·m + r²
+  SphereTerms<double> x;
+  double c_bound;      ///< of x.c
+  double depth_bound;  ///< of x.depth
+
+  RoughSphere(const Ray<double>& ray, const Sphere<double>& sphere)
+      : m(ray.origin - sphere.centre), d(ray.direction), radius(sphere.radius) {
+    radius_squared = radius * radius;
+    const double distance_squared = m.dot(m);
+    s = distance_squared + radius_squared;
+    x.a = d.dot(d);
+    x.b = d.dot(m);
+    x.c = distance_squared - radius_squared;
+    x.depth = x.b * x.b - x.a * x.c;
+    c_bound = 8 * sphere_u * s + sphere_floor;
+    depth_bound = 16 * sphere_u * (x.a * (s + s)) + sphere_floor * (1 + x.a + s);
+  }
+};
+// [/rough-terms]
+
+/// The discriminant of the nearest point, r² a − |d × m|², with its error bound: sharp where the
+/// line passes near the ball, also from far away.
+///
+/// A coordinate of d × m has four roundings, so it is off by e = 5 u of the sum of its two absolute
+/// products, and its square by (2 |d × m| + e) e, which is small if d × m is. All else is relative
+/// to r² a + |d × m|².
+inline Bounded depth_by_cross(const RoughSphere& rough) {
+  const double of_radius = rough.radius_squared * rough.x.a;
+  double across = 0, error = 0;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const double left = rough.d[j] * rough.m[k];
+    const double right = rough.d[k] * rough.m[j];
+    const double off = 5 * sphere_u * (std::abs(left) + std::abs(right)) + sphere_floor;
+    const double entry = left - right;
+    across += entry * entry;
+    error += (2 * std::abs(entry) + off) * off;
+  }
+  return {of_radius - across, 10 * sphere_u * (of_radius + across) + 1.001 * error +
+                                  sphere_floor * (1 + rough.x.a + rough.radius_squared)};
+}
+
+/// The terms of a line in exact numbers.
+inline SphereTerms<Exact> exact_terms(const Ray<Exact>& ray, const Sphere<double>& sphere) {
+  const Vector3<Exact> m = ray.origin - exact_vector(sphere.centre);
+  const Exact r(sphere.radius);
+  const Exact a = ray.direction.dot(ray.direction);
+  const Exact b = ray.direction.dot(m);
+  const Exact c = m.dot(m) - r * r;
+  return {a, b, c, b * b - a * c};
+}
+
+/// Whether the line meets the ball, by signs alone.
+inline bool hits_exactly(const SphereTerms<Exact>& x, bool ends) {
+  if (x.c.sign() <= 0) return true;
+  if (x.b.sign() >= 0 || x.depth.sign() < 0) return false;
+  // Outside and approaching. A segment must get to the nearest point or end in the ball.
+  return !ends || (x.a + x.b).sign() >= 0 || (x.a + x.b + x.b + x.c).sign() <= 0;
+}
+
+/// The same for lines that floating point cannot decide, and for those that are not finite.
+template <class Line>
+[[gnu::noinline]] bool hits_exactly(const Line& line, const Sphere<double>& sphere) {
+  if (!is_finite(line) || !is_ball(sphere)) return false;
+  return hits_exactly(exact_terms(exact_ray_of(line), sphere), has_end<Line>);
+}
+
+/// The sign of the discriminant of finite input.
+template <class Line>
+int depth_sign(const Line& line, const Sphere<double>& sphere, const RoughSphere& rough) {
+  int sign = Bounded{rough.x.depth, rough.depth_bound}.certain_sign();
+  if (sign == 0) sign = depth_by_cross(rough).certain_sign();
+  return sign != 0 ? sign : exact_terms(exact_ray_of(line), sphere).depth.sign();
+}
+
+/// Whether finite input meets; the discriminant is not certain to be positive or negative at first
+/// glance.
+template <class Line>
+[[gnu::noinline]] bool hits_sphere_closely(const Line& line, const Sphere<double>& sphere,
+                                           const RoughSphere& rough) {
+  if (rough.x.c > rough.c_bound && depth_by_cross(rough).certain_sign() < 0) return false;
+  return hits_exactly(line, sphere);
+}
+
+// [decide-sphere]
+/// Whether a line meets a ball. Where c and the discriminant are certain to be positive, b² is at
+/// least a c, far more than the error of b squared, so the sign of b is certain as well; likewise
+/// for the end of a segment.
+template <class Line>
+bool decide_sphere(const Line& line, const Sphere<double>& sphere, const RoughSphere& rough) {
+  if (rough.x.depth < -rough.depth_bound) return false;
+  if (rough.x.c < -rough.c_bound && rough.x.a <= 0x1p1000) return sphere.radius > 0;
+  if (!(rough.x.depth > rough.depth_bound && rough.x.c > rough.c_bound)) {
+    return hits_sphere_closely(line, sphere, rough);
+  }
+  if (rough.x.b > 0) return false;
+  if constexpr (has_end<Line>) {
+    const Vector3<double> from_end = line.end - sphere.centre;
+    const double size = from_end.dot(from_end);
+    const double beyond = size - rough.radius_squared;
+    const double bound = 8 * sphere_u * (size + rough.radius_squared) + sphere_floor;
+    if (beyond > bound) return rough.d.dot(from_end) > 0 && sphere.radius >= 0;
+    if (!(beyond < -bound)) return hits_exactly(line, sphere);
+  }
+  return sphere.radius >= 0;
+}
+// [/decide-sphere]
+
+/// A passage in double, whose direction has been divided by 2^scale.
+struct SphereRoots {
+  double entry = 0;
+  double exit = 0;
+  Vector3<double> entry_normal = Vector3<double>::Zero();
+  Vector3<double> exit_normal = Vector3<double>::Zero();
+};
+
+// [rough-roots]
+/// Both t of a line that meets the ball, each within 2^-40 of the larger magnitude of the two; or
+/// nothing if that is not certain.
+///
+/// With q = −b ∓ √ in which nothing cancels, the far root is q/a and the near one c/q. An error e
+/// of the discriminant changes its root by at most e/√, an error of c the near root by e/q.
+inline std::optional<SphereRoots> rough_roots(const RoughSphere& rough) {
+  const auto& [a, b, c, unused] = rough.x;
+  const Bounded depth = depth_by_cross(rough);
+  const double root = std::sqrt(depth.value);
+  const double size = std::abs(b) + root;  // |q|
+  const double off = 6 * sphere_u * rough.d.cwiseAbs().dot(rough.m.cwiseAbs()) + sphere_floor;
+  if (!(depth.bound + off * root <= 0x1p-42 * (size * root) &&
+        a * rough.c_bound <= 0x1p-42 * (size * size) && size < 0x1p1000)) {
+    return std::nullopt;
+  }
+  SphereRoots found;
+  const double far = size / a;
+  const double near = c / size;
+  found.entry = b > 0 ? -far : std::min(near, far);
+  found.exit = b > 0 ? std::max(-near, -far) : far;
+  // From the centre to the nearest point, and from there along the line.
+  const auto normal = [&](double t) {
+    const Vector3<double> offset = rough.m + rough.d * t;
+    const double length = offset.norm();
+    return Vector3<double>(length > 0 ? Vector3<double>(offset / length) : offset);
+  };
+  found.entry_normal = normal(found.entry);
+  found.exit_normal = normal(found.exit);
+  return found;
+}
+// [/rough-roots]
+
+/// x 2^n, for the n of a double's exponents.
+inline Exact times_power_of_two(const Exact& x, int n) {
+  const int half = n / 2;
+  return x * Exact(std::ldexp(1.0, half)) * Exact(std::ldexp(1.0, n - half));
+}
+
+/// A direction in exact numbers, not 0, divided by a power of two so that its largest component is
+/// from 1/2 to 2.
+struct ScaledDirection {
+  Vector3<Exact> direction;
+  int exponent = 0;  ///< the direction is 2^exponent times this one
+
+  explicit ScaledDirection(const Vector3<Exact>& d) {
+    const Exact largest = std::max({abs(d.x()), abs(d.y()), abs(d.z())});
+    const double size = rounded<double>(largest);
+    exponent = std::isinf(size) ? std::numeric_limits<double>::max_exponent : std::ilogb(size);
+    for (int k = 0; k < 3; ++k) direction(k) = times_power_of_two(d(k), -exponent);
+  }
+};
+
+// [exact-roots]
+/// Both t of terms whose discriminant is not negative and whose a is not 0, each with a relative
+/// error of at most 5 u, without underflow.
+///
+/// The radicand is the quotient of the discriminant and b², or its inverse: whichever is below 1.
+/// Neither root subtracts: the near one is c divided by what the far one is made of.
+inline SphereRoots exact_roots(const SphereTerms<Exact>& x) {
+  SphereRoots found;
+  const int side = x.b.sign();
+  const Exact b_squared = x.b * x.b;
+  double far = 0, near = 0;  // magnitude of the far root; the near one, for b < 0
+  if (x.depth <= b_squared && side != 0) {
+    const double factor = 1 + std::sqrt(quotient<double>(x.depth, b_squared));
+    far = quotient<double>(abs(x.b), x.a) * factor;
+    near = quotient<double>(x.c, abs(x.b)) / factor;
+  } else if (x.depth.sign() != 0) {
+    const double factor = 1 + std::sqrt(quotient<double>(b_squared, x.depth));
+    far = std::sqrt(quotient<double>(x.depth, x.a * x.a)) * factor;
+    near = x.c.sign() * (std::sqrt(quotient<double>(x.c * x.c, x.depth)) / factor);
+  }
+  found.entry = side > 0 ? -far : std::min(near, far);
+  found.exit = side > 0 ? std::max(-near, -far) : far;
+  return found;
+}
+
+/// The same with normals: (f ± √(discriminant)/a d)/r, where a f = a m − b d goes from the centre
+/// to the nearest point. Every term is rounded from its exact value, so nothing cancels.
+[[gnu::noinline]] inline SphereRoots exact_roots(const Ray<Exact>& ray,
+                                                 const Sphere<double>& sphere) {
+  const ScaledDirection scaled(ray.direction);
+  const Vector3<Exact>& d = scaled.direction;
+  const SphereTerms<Exact> x = exact_terms({ray.origin, d}, sphere);
+  SphereRoots found = exact_roots(x);
+  const Vector3<Exact> m = ray.origin - exact_vector(sphere.centre);
+  const Exact a_r = x.a * Exact(sphere.radius);
+  const Vector3<double> along(rounded<double>(d.x()), rounded<double>(d.y()),
+                              rounded<double>(d.z()));
+  Vector3<double> middle = Vector3<double>::Zero();
+  double half = 1;  // a ball of radius 0 has no normal: take the one that faces the line
+  if (a_r.sign() != 0) {
+    half = std::sqrt(quotient<double>(x.depth, a_r * a_r));
+    for (int k = 0; k < 3; ++k) middle(k) = quotient<double>(x.a * m(k) - x.b * d(k), a_r);
+  }
+  found.entry_normal = Vector3<double>(middle - along * half).normalized();
+  found.exit_normal = Vector3<double>(middle + along * half).normalized();
+  found.entry = std::ldexp(found.entry, -scaled.exponent);
+  found.exit = std::ldexp(found.exit, -scaled.exponent);
+  return found;
+}
+// [/exact-roots]
+
+/// Both t of a line that meets the ball and whose direction is not 0.
+template <class Line>
+SphereRoots sphere_roots(const Line& line, const Sphere<double>& sphere, const RoughSphere& rough) {
+  if (const std::optional<SphereRoots> found = rough_roots(rough)) return *found;
+  return exact_roots(exact_ray_of(line), sphere);
+}
+
+}  // namespace detail
+
+// [sphere-crossing]
+/// How the unbounded line through a ray or a segment meets a ball.
+///
+/// Right for every finite input: the sign of the discriminant from floating point if its error
+/// bound allows, else from exact arithmetic. A direction of 0 is a point: crosses if that is in the
+/// ball, else misses. An input that is not finite, and a negative radius: misses.
 template <FloatOrDouble S, LineOf<S> Line>
 LineMeets sphere_crossing(const Line& line, const Sphere<S>& sphere) {
   if (!is_finite(line) || !is_ball(sphere)) return LineMeets::misses;
-  const SphereTerms<Exact> x = exact_sphere_terms(exact_ray_of(line), in_double(sphere));
-  if (x.a.sign() == 0) return x.c.sign() > 0 ? LineMeets::misses : LineMeets::crosses;
-  return x.depth.sign() < 0 ? LineMeets::misses
-                            : (x.depth.sign() == 0 ? LineMeets::touches : LineMeets::crosses);
+  const auto stored = in_double(line);
+  const Sphere<double> ball = in_double(sphere);
+  const detail::RoughSphere rough(ray_of(stored), ball);
+  const int sign = detail::depth_sign(stored, ball, rough);
+  if (sign != 0) return sign < 0 ? LineMeets::misses : LineMeets::crosses;
+  const SphereTerms<Exact> x = detail::exact_terms(exact_ray_of(stored), ball);
+  if (x.a.sign() != 0) return LineMeets::touches;
+  return x.c.sign() > 0 ? LineMeets::misses : LineMeets::crosses;
 }
+// [/sphere-crossing]
 
+// [hits-sphere]
 /// Whether a ray or a segment meets a solid ball. Touching counts.
 ///
 /// Right for every finite input: only signs are computed, no root. A line that starts inside meets
-/// it; a direction of 0 and a segment of one point are points. An input that is not finite, and a
-/// negative radius: no.
+/// it; a direction of 0 and a segment of one point are points; a ball of radius 0 is a point. An
+/// input that is not finite, and a negative radius: no.
 template <FloatOrDouble S, LineOf<S> Line>
 bool hits_sphere(const Line& line, const Sphere<S>& sphere) {
-  if (!is_finite(line) || !is_ball(sphere)) return false;
-  const SphereTerms<Exact> x = exact_sphere_terms(exact_ray_of(line), in_double(sphere));
-  if (x.c.sign() <= 0) return true;
-  if (x.b.sign() >= 0 || x.depth.sign() < 0) return false;
-  return !has_end<Line> || (x.a + x.b).sign() >= 0 || (x.a + x.b + x.b + x.c).sign() <= 0;
+  const auto stored = in_double(line);
+  const Sphere<double> ball = in_double(sphere);
+  return detail::decide_sphere(stored, ball, detail::RoughSphere(ray_of(stored), ball));
 }
+// [/hits-sphere]
 
+// [sphere-passage]
 /// Where the unbounded line through a ray or a segment enters and leaves a ball: the book's choice.
 ///
-/// The decision is right for every finite input, as that of sphere_crossing. No face numbers; a
-/// direction of 0 in the ball has entry −∞, exit ∞ and normals 0.
+/// The decision is that of sphere_crossing. No face numbers. A direction of 0 in the ball has entry
+/// −∞, exit ∞ and normals 0; a ball of radius 0 has normals along the line.
+///
+/// Limits: each t is within 2^-40 of the larger magnitude of both, and then rounded to S; a tangent
+/// has entry = exit. A t beyond the largest number is infinite. The normals are unit vectors; they
+/// are off by about the error of t in radii.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<Passage<S>> passage(const Line& line, const Sphere<S>& sphere) {
-  if (sphere_crossing(line, sphere) == LineMeets::misses) return std::nullopt;
-  const Ray<Exact> ray = exact_ray_of(line);
-  const SphereTerms<Exact> x = exact_sphere_terms(ray, in_double(sphere));
+  const LineMeets meets = sphere_crossing(line, sphere);
+  if (meets == LineMeets::misses) return std::nullopt;
+  const auto stored = in_double(line);
+  const Sphere<double> ball = in_double(sphere);
   Passage<S> found;
-  if (x.a.sign() == 0) {
+  if (detail::is_point(stored)) {
     found.exit = std::numeric_limits<S>::infinity();
     found.entry = -found.exit;
     return found;
   }
-  const S root = std::sqrt(quotient<S>(x.depth, x.a * x.a));
-  const S middle = quotient<S>(-x.b, x.a);
-  const Ray<S>& rounded = ray_of(line);
-  return detail::passage_of_roots<S>(Vector3<S>(rounded.origin - sphere.centre), rounded.direction,
-                                     middle - root, middle + root);
+  const detail::SphereRoots roots =
+      detail::sphere_roots(stored, ball, detail::RoughSphere(ray_of(stored), ball));
+  found.entry = static_cast<S>(roots.entry);
+  found.exit = static_cast<S>(roots.exit);
+  found.entry_normal = roots.entry_normal.template cast<S>();
+  found.exit_normal = roots.exit_normal.template cast<S>();
+  return found;
 }
+// [/sphere-passage]
 
-/// What a ray or a segment meets first of a solid ball. The decision is that of hits_sphere, also
-/// `inside`.
+// [first-hit-sphere]
+/// What a ray or a segment meets first of a solid ball.
+///
+/// The decision is that of hits_sphere. `inside` is exact too: the start is inside, or on the
+/// surface while the line leaves. From the surface inwards, or along it: t = 0 and not inside.
+///
+/// Limits: t as in passage, from 0 and, for a segment, to 1. The point is off by the error of t
+/// times the direction and by a few roundings of its coordinates; the normal by that in radii.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit(const Line& line, const Sphere<S>& sphere) {
-  if (!hits_sphere(line, sphere)) return std::nullopt;
-  return first_hit(line, *passage(line, sphere));
+  const auto stored = in_double(line);
+  const Sphere<double> ball = in_double(sphere);
+  const Ray<double> ray = ray_of(stored);
+  const detail::RoughSphere rough(ray, ball);
+  if (!detail::decide_sphere(stored, ball, rough)) return std::nullopt;
+  bool inside = rough.x.c < -rough.c_bound;
+  if (!inside && !(rough.x.c > rough.c_bound)) {
+    const SphereTerms<Exact> x = detail::exact_terms(exact_ray_of(stored), ball);
+    inside = x.c.sign() < 0 || (x.c.sign() == 0 && (x.b.sign() > 0 || x.a.sign() == 0));
+  }
+  BodyHit<S> hit;
+  hit.inside = inside;
+  hit.point = start_of(line);
+  if (inside) return hit;
+  const detail::SphereRoots roots = detail::sphere_roots(stored, ball, rough);
+  const double last = has_end<Line> ? 1.0 : std::numeric_limits<double>::infinity();
+  const double t = std::clamp(roots.entry, 0.0, last);
+  hit.t = static_cast<S>(t);
+  hit.normal = roots.entry_normal.template cast<S>();
+  // Far beyond the number range of t the point is found from the centre.
+  const Vector3<double> offset = ray.direction * t;
+  const Vector3<double> point =
+      all_finite(offset) && t >= std::numeric_limits<double>::min()
+          ? Vector3<double>(ray.origin + offset)
+          : Vector3<double>(ball.centre + roots.entry_normal * ball.radius);
+  hit.point = t == 0 && roots.entry == 0 ? start_of(line) : Vector3<S>(point.template cast<S>());
+  return hit;
 }
+// [/first-hit-sphere]
 
 }  // namespace contact
