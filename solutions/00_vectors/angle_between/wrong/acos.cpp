@@ -1,5 +1,7 @@
 // misconception: angle-by-acos
 // caught by: small angles, and angles near π, are accurate
+// seen: https://github.com/godotengine/godot/pull/8132
+//   the arccosine of a quotient is replaced by atan2
 #include "angle_between.hpp"
 
 namespace exercise {

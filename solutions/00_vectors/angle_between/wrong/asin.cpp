@@ -1,5 +1,7 @@
 // misconception: angle-by-asin
 // caught by: obtuse angles
+// seen: https://imathworks.com/math/angle-between-vectors-by-using-cross-product
+//   the arcsine gives 18.42 degrees for an angle of 161.44
 #include "angle_between.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: quadrant-lost
 // caught by: obtuse angles
+// seen: https://james-bern.github.io/notes.html the arctangent of y / x is 45° for (−1, −1) too
 #include "angle_between.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: degrees-returned
 // caught by: right angles, and none
+// seen: https://github.com/CreedVI/Raylib-J/issues/55
 #include "angle_between.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: lengths-forgotten
 // caught by: obtuse angles
+// seen: https://github.com/raysan5/raylib/pull/2831 the arccosine of a dot product
 #include "angle_between.hpp"
 
 namespace exercise {

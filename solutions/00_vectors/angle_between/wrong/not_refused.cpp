@@ -1,5 +1,6 @@
 // misconception: zero-angle-not-refused
 // caught by: a vector without length is refused
+// seen: https://github.com/compas-dev/compas/issues/1528
 #include "angle_between.hpp"
 
 namespace exercise {

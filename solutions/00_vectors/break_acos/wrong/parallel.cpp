@@ -1,5 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: the angle of whole numbers is wrong by more than 1 %
+// seen: not found
 #include "break_acos.hpp"
 
 namespace exercise {

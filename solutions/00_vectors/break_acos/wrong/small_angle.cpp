@@ -1,5 +1,7 @@
 // misconception: break-within-rounding
 // caught by: the angle of whole numbers is wrong by more than 1 %
+// seen: https://github.com/luanti-org/luanti/pull/7738
+//   an angle that the arccosine gets wrong in the seventh digit
 #include "break_acos.hpp"
 
 namespace exercise {

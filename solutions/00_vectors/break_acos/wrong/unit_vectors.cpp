@@ -1,5 +1,7 @@
 // misconception: break-acos-at-most-one
 // caught by: the angle of short vectors is NaN
+// seen: https://github.com/biojava/biojava/issues/275
+//   says that parallel vectors give NaN; not all of them do
 #include "break_acos.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: place-not-subtracted
 // caught by: ahead is ahead
+// seen: https://github.com/groops-dev/groops/issues/59
+//   a position is rotated into a local frame and not moved
 #include "in_the_wagon.hpp"
 
 namespace exercise {

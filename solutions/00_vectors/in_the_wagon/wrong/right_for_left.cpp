@@ -1,5 +1,6 @@
 // misconception: left-for-right
 // caught by: left is positive
+// seen: https://github.com/PX4/PX4-Devguide/pull/289 a body's y axis that did not point to its left
 #include "in_the_wagon.hpp"
 
 namespace exercise {

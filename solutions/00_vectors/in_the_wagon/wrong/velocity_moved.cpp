@@ -1,5 +1,6 @@
 // misconception: place-subtracted-from-velocity
 // caught by: a velocity has no position
+// seen: https://github.com/ros/geometry2/issues/124 a translation is applied to a direction
 #include "in_the_wagon.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: fused-once
 // caught by: parallel vectors give zero, and nearly parallel ones do not
+// seen: https://github.com/dotnet/runtime/issues/114361
+//   n × n is not zero since a fused multiply-add
 #include "last_digits.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: products-rounded
 // caught by: the difference of nearly equal products is accurate
+// seen: https://github.com/mosra/magnum/pull/435 cross products that cancel
 #include "last_digits.hpp"
 
 namespace exercise {

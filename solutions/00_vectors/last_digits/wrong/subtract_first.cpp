@@ -1,5 +1,6 @@
 // misconception: differences-cure-all
 // caught by: parallel vectors give zero, and nearly parallel ones do not
+// seen: not found
 #include "last_digits.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: angles-subtracted
 // caught by: left, right and straight on
+// seen: https://github.com/pygame/pygame/pull/4689 a signed angle as the difference of two atan2
 #include "orientation_sign.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: dot-for-cross
 // caught by: left, right and straight on
+// seen: https://github.com/libgdx/libgdx/issues/1657
+//   asks a dot product whether vectors are on one line
 #include "orientation_sign.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: absolute-epsilon
 // caught by: a tiny path turns like a large one
+// seen: https://github.com/cgogn/CGoGN_2/pull/285 a side that is compared with 1e-6
 #include "orientation_sign.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: products-before-differences
 // caught by: a path far from the origin turns like one near it
+// seen: https://github.com/felt/tippecanoe/pull/19 areas get the wrong sign far from the origin
 #include "orientation_sign.hpp"
 
 namespace exercise {

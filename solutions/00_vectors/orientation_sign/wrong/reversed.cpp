@@ -1,5 +1,7 @@
 // misconception: turn-reversed
 // caught by: left, right and straight on
+// seen: https://github.com/cp-algorithms/cp-algorithms/pull/632
+//   the area's sign was stated as positive for clockwise
 #include "orientation_sign.hpp"
 
 namespace exercise {

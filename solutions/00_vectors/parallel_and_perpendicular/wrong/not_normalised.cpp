@@ -1,5 +1,7 @@
 // misconception: direction-not-normalised
 // caught by: the length of the direction does not count
+// seen: https://github.com/juj/MathGeoLib/issues/73
+//   a projection on a direction that is not normalised
 #include "parallel_and_perpendicular.hpp"
 
 namespace exercise {

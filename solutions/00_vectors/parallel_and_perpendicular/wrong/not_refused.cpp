@@ -1,5 +1,6 @@
 // misconception: zero-direction-not-refused
 // caught by: a direction without length is refused
+// seen: https://github.com/mrdoob/three.js/pull/18510 projections on a zero vector were NaN
 #include "parallel_and_perpendicular.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: speed-along-without-sign
 // caught by: a speed along a direction has a sign
+// seen: https://github.com/tawnkramer/gym-donkeycar/issues/43
+//   the speed is positive although the car reverses
 #include "parallel_and_perpendicular.hpp"
 
 namespace exercise {
