@@ -1,5 +1,6 @@
 // misconception: break-area-is-large
 // caught by: a plane through distant points is refused
+// seen: not found
 #include "break_the_epsilon.hpp"
 
 namespace exercise {

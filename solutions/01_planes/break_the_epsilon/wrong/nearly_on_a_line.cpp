@@ -1,5 +1,7 @@
 // misconception: break-outside-the-region
 // caught by: a line is accepted
+// seen: https://github.com/JuliaGeometry/GeometricalPredicates.jl/issues/12
+//   takes a point beside a line for one on it
 #include "break_the_epsilon.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: a plane through a triangle without small angles is refused
+// seen: not found
 #include "break_the_epsilon.hpp"
 
 namespace exercise {

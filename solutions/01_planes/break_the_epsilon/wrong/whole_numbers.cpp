@@ -1,5 +1,6 @@
 // misconception: break-differences-are-exact
 // caught by: a line is accepted
+// seen: not found
 #include "break_the_epsilon.hpp"
 
 namespace exercise {

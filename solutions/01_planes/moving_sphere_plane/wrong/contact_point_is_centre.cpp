@@ -1,5 +1,7 @@
 // misconception: contact-point-is-centre
 // caught by: a falling sphere touches when its centre is at the distance of its radius
+// seen: https://github.com/Facepunch/sbox-issues/issues/4586
+//   the hit of a moved sphere is its centre
 #include "moving_sphere_plane.hpp"
 
 namespace exercise {

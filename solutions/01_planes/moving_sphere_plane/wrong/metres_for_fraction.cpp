@@ -1,5 +1,7 @@
 // misconception: metres-for-fraction
 // caught by: a falling sphere touches when its centre is at the distance of its radius
+// seen: L20, slide "Line-Sphere Intersection"
+//   D is a unit vector, later the displacement with 0 < t < 1
 #include "moving_sphere_plane.hpp"
 
 namespace exercise {

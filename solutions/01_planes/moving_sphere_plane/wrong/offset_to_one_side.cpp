@@ -1,5 +1,6 @@
 // misconception: offset-to-one-side
 // caught by: a sphere can come from behind
+// seen: FCA, slide "Sphere-Plane Collision", the surface is moved along its normal
 #include "moving_sphere_plane.hpp"
 
 namespace exercise {

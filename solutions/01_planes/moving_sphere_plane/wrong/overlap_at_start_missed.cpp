@@ -1,5 +1,7 @@
 // misconception: overlap-at-start-missed
 // caught by: a sphere that meets the plane at the start touches at once
+// seen: https://github.com/bulletphysics/bullet3/issues/1250
+//   a sweep does not reliably report what it overlaps at its start
 #include "moving_sphere_plane.hpp"
 
 namespace exercise {

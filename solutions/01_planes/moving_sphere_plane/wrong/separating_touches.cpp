@@ -1,5 +1,7 @@
 // misconception: separating-touches
 // caught by: a sphere that moves away, along or not far enough does not touch
+// seen: https://github.com/JakeManfre/object-physics/issues/1
+//   circles that leave a wall bounce again
 #include "moving_sphere_plane.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: sphere-as-point
 // caught by: a falling sphere touches when its centre is at the distance of its radius
+// seen: https://github.com/uic-evl/omegalib/issues/68 objects are culled by their centres
 #include "moving_sphere_plane.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: absolute-epsilon
 // caught by: a tiny triangle has a plane
+// seen: https://github.com/func-godot/func_godot_plugin/pull/73
+//   planes with a small cross product are skipped
 #include "plane_from_points.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: degenerate-not-refused
 // caught by: points on one line are refused
+// seen: https://github.com/mathnet/mathnet-spatial/pull/20
+//   points are only compared with each other, and a reviewer asks for the line
 #include "plane_from_points.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: normal-not-normalised
 // caught by: the normal is a unit vector
+// seen: L20, slide "Triangle vs. Triangle", cross products as normals of planes, and distances
 #include "plane_from_points.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: normal-reversed
 // caught by: the normal is on the side from which the points are counter-clockwise
+// seen: https://github.com/OHIF/VTKPlugin/pull/25 the factors of a cross product are exchanged
 #include "plane_from_points.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: offset-sign
 // caught by: the offset is the signed distance of the plane from the origin
+// seen: https://github.com/cheind/parsley/issues/3
+//   the plane keeps its constant with the opposite sign
 #include "plane_from_points.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: absolute-epsilon
 // caught by: tiny distances keep their signs
+// seen: https://github.com/RiSearcher/GeometRi.CSharp/issues/1
+//   a threshold of 1e-9 takes segments for parallel
 #include "segment_plane.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: division-by-zero
 // caught by: a segment in the plane, or of no length, has no single point
+// seen: https://github.com/libgdx/libgdx/pull/5286 the hit of a parallel segment is NaN
 #include "segment_plane.hpp"
 
 namespace exercise {

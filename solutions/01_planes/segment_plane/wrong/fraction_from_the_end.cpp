@@ -1,5 +1,6 @@
 // misconception: fraction-from-the-end
 // caught by: a segment through the plane meets it at a fraction of its length
+// seen: not found
 #include "segment_plane.hpp"
 
 namespace exercise {

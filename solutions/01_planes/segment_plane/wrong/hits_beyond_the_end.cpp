@@ -1,5 +1,7 @@
 // misconception: hits-beyond-the-end
 // caught by: a segment through the plane meets it at a fraction of its length
+// seen: https://github.com/sympy/sympy/issues/15069
+//   a segment is cut with a plane as if it were a line
 #include "segment_plane.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: metres-for-fraction
 // caught by: a segment through the plane meets it at a fraction of its length
+// seen: https://github.com/jrouwe/JoltPhysics.js/issues/154
+//   a fraction is to be multiplied by a normalised direction
 #include "segment_plane.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: one-sided
 // caught by: the plane is met from the front and from the back
+// seen: https://github.com/RadicalCSG/Chisel.Prototype/pull/25
+//   a ray that comes from behind the plane does not hit it
 #include "segment_plane.hpp"
 
 namespace exercise {

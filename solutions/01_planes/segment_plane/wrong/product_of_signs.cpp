@@ -1,5 +1,7 @@
 // misconception: product-of-signs
 // caught by: tiny distances keep their signs
+// seen: https://github.com/mas-bandwidth/fixed3d/issues/36
+//   signs are compared by products that become zero
 #include "segment_plane.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: touching-rejected
 // caught by: an end on the plane counts
+// seen: https://github.com/nicklockwood/Euclid/issues/112
+//   an end on the plane is found in one direction only
 #include "segment_plane.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: absolute-epsilon
 // caught by: a point near the plane is not on it
+// seen: https://github.com/DavidArayan/ezy-slice/issues/11
+//   small triangles are not cut, because of the test of the side
 #include "signed_distance.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: distance-without-sign
 // caught by: behind the plane the distance is negative
+// seen: https://github.com/cinder/Cinder/issues/1057 asks whether a distance should not be positive
 #include "signed_distance.hpp"
 
 namespace exercise {

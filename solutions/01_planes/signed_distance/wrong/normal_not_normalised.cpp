@@ -1,5 +1,6 @@
 // misconception: normal-not-normalised
 // caught by: the distance is in metres, whatever the length of the normal
+// seen: https://github.com/bagherilab/ARCADE/pull/52 a division by the normal's length is added
 #include "signed_distance.hpp"
 
 namespace exercise {

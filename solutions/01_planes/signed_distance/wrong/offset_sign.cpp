@@ -1,5 +1,6 @@
 // misconception: offset-sign
 // caught by: the constant of the equation is on its left-hand side
+// seen: https://github.com/mrdoob/three.js/issues/11818 the constant is subtracted instead of added
 #include "signed_distance.hpp"
 
 namespace exercise {

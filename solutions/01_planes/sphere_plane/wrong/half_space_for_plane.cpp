@@ -1,5 +1,6 @@
 // misconception: half-space-for-plane
 // caught by: the plane has two sides
+// seen: https://github.com/mrdoob/three.js/pull/7438 the absolute value was forgotten
 #include "sphere_plane.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: square-on-one-side
 // caught by: the length of a loose plane's normal is taken into account
+// seen: https://github.com/ggambetta/computer-graphics-from-scratch/issues/9
+//   a distance is compared with the square of a radius
 #include "sphere_plane.hpp"
 
 namespace exercise {

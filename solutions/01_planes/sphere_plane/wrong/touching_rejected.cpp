@@ -1,5 +1,6 @@
 // misconception: touching-rejected
 // caught by: a sphere that touches meets the plane
+// seen: L20, slide "Sphere-Plane Intersection", |n · C − k| < r
 #include "sphere_plane.hpp"
 
 namespace exercise {
