@@ -1,5 +1,6 @@
 // misconception: break-ray-starts-away
 // caught by: a hit of whole numbers is missed
+// seen: not found
 #include "break_the_determinant.hpp"
 
 namespace exercise {

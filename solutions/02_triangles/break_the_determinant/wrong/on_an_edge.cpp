@@ -1,5 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: a hit in the middle of a triangle of 4 m is missed
+// seen: not found
 #include "break_the_determinant.hpp"
 
 namespace exercise {

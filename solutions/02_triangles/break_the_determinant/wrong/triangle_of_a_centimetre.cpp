@@ -1,5 +1,7 @@
 // misconception: break-determinant-is-large
 // caught by: a hit in the middle of a small triangle is missed
+// seen: https://github.com/jbikker/tinybvh/pull/283
+//   names details of millimetres; its example has 0.2 mm
 #include "break_the_determinant.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: absolute-epsilon
 // caught by: a tiny triangle is hit like a large one
+// seen: https://github.com/jbikker/tinybvh/pull/283
 #include "ray_triangle.hpp"
 
 namespace exercise {

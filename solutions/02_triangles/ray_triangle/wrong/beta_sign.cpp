@@ -1,5 +1,6 @@
 // misconception: beta-sign
 // caught by: a ray hits where it passes inside the triangle and misses beside it
+// seen: L20, slide "Faster Way"
 #include "ray_triangle.hpp"
 
 namespace exercise {

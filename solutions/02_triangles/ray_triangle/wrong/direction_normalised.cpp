@@ -1,5 +1,7 @@
 // misconception: direction-normalised
 // caught by: t is in multiples of the direction as it is given
+// seen: https://github.com/BabylonJS/Babylon.js/pull/1783
+//   a transformed ray's direction was normalised
 #include "ray_triangle.hpp"
 
 namespace exercise {

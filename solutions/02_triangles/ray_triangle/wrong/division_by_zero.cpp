@@ -1,5 +1,6 @@
 // misconception: division-by-zero
 // caught by: a parallel ray, a direction of length zero and a triangle without area give no hit
+// seen: https://github.com/assimp/assimp/pull/456 weights are divided by an area of zero
 #include "ray_triangle.hpp"
 
 namespace exercise {

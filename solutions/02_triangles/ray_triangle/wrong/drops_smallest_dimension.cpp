@@ -1,5 +1,6 @@
 // misconception: drops-smallest-dimension
 // caught by: a triangle is hit in every orientation
+// seen: L20, slide "Faster Way"
 #include "ray_triangle.hpp"
 
 namespace exercise {

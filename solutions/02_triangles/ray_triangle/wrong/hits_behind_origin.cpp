@@ -1,5 +1,6 @@
 // misconception: hits-behind-origin
 // caught by: a triangle behind the origin is not hit
+// seen: https://github.com/xeolabs/xeogl/issues/119
 #include "ray_triangle.hpp"
 
 namespace exercise {

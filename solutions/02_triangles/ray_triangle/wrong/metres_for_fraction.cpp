@@ -1,5 +1,7 @@
 // misconception: metres-for-fraction
 // caught by: t is in multiples of the direction as it is given
+// seen: L20, slide "Line-Sphere Intersection"
+//   D is a unit vector, later the displacement with 0 < t < 1
 #include "ray_triangle.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: one-sided
 // caught by: a triangle is hit from both sides
+// seen: https://github.com/JOML-CI/JOML/issues/118
+//   the test of both sides called the test of the front
 #include "ray_triangle.hpp"
 
 namespace exercise {

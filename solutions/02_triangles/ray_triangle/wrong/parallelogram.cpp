@@ -1,5 +1,6 @@
 // misconception: parallelogram
 // caught by: a ray hits where it passes inside the triangle and misses beside it
+// seen: https://github.com/wynss/kesko/pull/18 v > 1 was tested instead of u + v > 1
 #include "ray_triangle.hpp"
 
 namespace exercise {

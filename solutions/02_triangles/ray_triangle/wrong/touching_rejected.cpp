@@ -1,5 +1,6 @@
 // misconception: touching-rejected
 // caught by: touching an edge, a vertex or the origin counts as a hit
+// seen: L20, slide "Segment vs. Triangle"
 #include "ray_triangle.hpp"
 
 namespace exercise {
