@@ -1,5 +1,7 @@
 // misconception: nearest-segment-at-the-end
 // caught by: a fast vertex comes in where it came from
+// seen: https://github.com/liabru/matter-js/issues/810
+//   a body far inside is pushed out of the opposite side
 #include "perimeter_normal.hpp"
 
 namespace exercise {
