@@ -180,12 +180,18 @@ export async function loadFigure(source: Source): Promise<Figure> {
 
 export interface LadderLayout {
   readonly question: string;
-  readonly families: readonly { readonly id: string; readonly title: string }[];
+  readonly families: readonly {
+    readonly id: string;
+    readonly title: string;
+    /** The question, if the ladder has several: a method answers those of its part. */
+    readonly part: string;
+  }[];
   readonly methods: readonly {
     readonly id: string;
     readonly title: string;
     readonly scalar: string;
     readonly exact: boolean;
+    readonly part: string;
   }[];
 }
 

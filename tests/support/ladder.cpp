@@ -6,7 +6,6 @@
 
 #include <array>
 #include <charconv>
-#include <chrono>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
@@ -95,10 +94,17 @@ std::string now() {
   return text;
 }
 
+/// The processor's time, in nanoseconds: what other programs take meanwhile does not count.
+double processor_time() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) * 1e9 + static_cast<double>(now.tv_nsec);
+}
+
 double timed_pass(ladder::Experiment& experiment, std::size_t method) {
-  const auto start = std::chrono::steady_clock::now();
+  const double start = processor_time();
   experiment.pass(method);
-  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+  return processor_time() - start;
 }
 
 // JSON has no NaN: no value is null.
@@ -173,18 +179,23 @@ int ladder::run_program(Experiment& experiment, const char* chapter, int argc, c
     experiment.prepare(family, options->size);
     families.push_back({{"id", about.id}, {"title", about.title}, {"n", options->size}});
     if (about.by_error) families.back()["by_error"] = true;
+    if (!about.part.empty()) families.back()["part"] = about.part;
+    std::vector<std::size_t> asked;
+    for (std::size_t method = 0; method < methods.size(); ++method) {
+      if (methods[method].part == about.part) asked.push_back(method);
+    }
 
     // First every method once, to judge it and to warm up. Then in turns, so that a slow moment of
     // the machine does not fall on one method only.
-    std::vector<Judgement> judged;
-    for (std::size_t method = 0; method < methods.size(); ++method) {
+    std::vector<Judgement> judged(methods.size());
+    for (const std::size_t method : asked) {
       experiment.pass(method);
-      judged.push_back(experiment.judge());
+      judged[method] = experiment.judge();
     }
     // A family on which some method is wrong keeps wrong answers, the others the largest errors.
     const bool by_error = about.by_error || (!any_wrong(judged) && has_errors(judged));
     std::vector<std::optional<Failure>> failures(methods.size());
-    for (std::size_t method = 0; method < methods.size(); ++method) {
+    for (const std::size_t method : asked) {
       if (methods[method].exact && judged[method].wrong > 0) {
         std::fprintf(stderr, "%s is declared exact, and is wrong on %zu of %zu inputs of %s\n",
                      methods[method].id.c_str(), judged[method].wrong, judged[method].n,
@@ -197,11 +208,11 @@ int ladder::run_program(Experiment& experiment, const char* chapter, int argc, c
     }
     std::vector<std::vector<double>> ns(methods.size());
     for (std::size_t repeat = 0; repeat < options->repeats; ++repeat) {
-      for (std::size_t method = 0; method < methods.size(); ++method) {
+      for (const std::size_t method : asked) {
         ns[method].push_back(timed_pass(experiment, method) / static_cast<double>(options->size));
       }
     }
-    for (std::size_t method = 0; method < methods.size(); ++method) {
+    for (const std::size_t method : asked) {
       const Judgement& verdict = judged[method];
       const Spread times = spread(ns[method]);
       results.push_back({{"family", about.id},
@@ -232,6 +243,7 @@ int ladder::run_program(Experiment& experiment, const char* chapter, int argc, c
                         {"scalar", method.scalar},
                         {"exact", method.exact},
                         {"recommended", method.recommended}});
+      if (!method.part.empty()) listed.back()["part"] = method.part;
     }
     std::ofstream out(options->json_file);
     out << json{{"ladder", chapter},

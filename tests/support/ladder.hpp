@@ -15,12 +15,14 @@
 ///     }
 ///     LADDER(experiment)
 ///
+/// A chapter with several questions makes a ladder for each and returns ladder::Parts of them.
+///
 /// Natively this is a program: `--size N` inputs a family, `--repeats R` timed passes, `--json
 /// FILE`. It fails if a method that is declared exact gives a wrong answer. In WebAssembly it
 /// exports
-/// - `layout()`: address of a JSON text, ended by a 0: {"question", "families": [{id, title}],
-/// "methods": [{id, title, scalar,
-///   exact}]};
+/// - `layout()`: address of a JSON text, ended by a 0: {"question", "families": [{id, title,
+/// part}], "methods": [{id, title, scalar, exact, part}]}, where `part` is the question of a ladder
+/// of Parts and otherwise empty; a method is only asked about families of its own part;
 /// - `prepare(family, n)`: makes n inputs of the family with that number, and the true answers;
 /// - `pass(method)`: answers each once, so that the page can tell what n it has time for;
 /// - `run(method)`: address of nine doubles: n, wrong, undecided, error_median, error_max,
@@ -38,6 +40,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -59,12 +62,14 @@ struct Method {
   std::string scalar;        ///< the type that it computes in
   bool exact = false;        ///< whether its decision is never wrong
   bool recommended = false;  ///< set by recommend()
+  std::string part = {};     ///< set by Parts: the question that it answers
 };
 
 struct Family {
   std::string id;
   std::string title;
   bool by_error = false;  ///< shown by its largest error even if some method is wrong
+  std::string part = {};  ///< set by Parts: the question
 };
 
 /// What a method made of one family.
@@ -325,6 +330,56 @@ class Ladder : public Experiment {
   std::vector<Answer> truths_, answers_;
 };
 
+/// Several ladders as one, each with its own question, inputs and methods.
+class Parts : public Experiment {
+ public:
+  /// @param question what all of them are about
+  explicit Parts(std::string question) : question_(std::move(question)) {}
+
+  /// Adds a ladder. The ids of its families and methods must differ from those of the others.
+  template <class Part>
+  void add(Part part) {
+    for (Family family : part.families()) {
+      family.part = part.question();
+      families_.push_back(std::move(family));
+      of_family_.push_back({parts_.size(), of_family_.size() - first_family_});
+    }
+    for (Method method : part.methods()) {
+      method.part = part.question();
+      methods_.push_back(std::move(method));
+      of_method_.push_back({parts_.size(), of_method_.size() - first_method_});
+    }
+    first_family_ = of_family_.size();
+    first_method_ = of_method_.size();
+    parts_.push_back(std::make_unique<Part>(std::move(part)));
+  }
+
+  const std::string& question() const override { return question_; }
+  const std::vector<Family>& families() const override { return families_; }
+  const std::vector<Method>& methods() const override { return methods_; }
+  void prepare(std::size_t family, std::size_t n) override {
+    current_ = parts_[of_family_[family].part].get();
+    current_->prepare(of_family_[family].index, n);
+  }
+  void pass(std::size_t method) override { current_->pass(of_method_[method].index); }
+  Judgement judge() const override { return current_->judge(); }
+  std::optional<Failure> failure(std::size_t method, bool by_error) const override {
+    return current_->failure(of_method_[method].index, by_error);
+  }
+
+ private:
+  struct Place {
+    std::size_t part, index;
+  };
+  std::string question_;
+  std::vector<Family> families_;
+  std::vector<Method> methods_;
+  std::vector<Place> of_family_, of_method_;
+  std::size_t first_family_ = 0, first_method_ = 0;
+  std::vector<std::unique_ptr<Experiment>> parts_;
+  Experiment* current_ = nullptr;
+};
+
 /// The program (ladder.cpp): runs every method of a chapter's ladder on every family and writes a
 /// table, or JSON.
 int run_program(Experiment& experiment, const char* chapter, int argc, char** argv);
@@ -344,14 +399,16 @@ inline std::string layout(const Experiment& experiment) {
   std::string text = "{\"question\":" + quoted(experiment.question()) + ",\"families\":[";
   for (const Family& family : experiment.families()) {
     if (text.back() == '}') text += ",";
-    text += "{\"id\":" + quoted(family.id) + ",\"title\":" + quoted(family.title) + "}";
+    text += "{\"id\":" + quoted(family.id) + ",\"title\":" + quoted(family.title) +
+            ",\"part\":" + quoted(family.part) + "}";
   }
   text += "],\"methods\":[";
   for (const Method& method : experiment.methods()) {
     if (text.back() == '}') text += ",";
     text += "{\"id\":" + quoted(method.id) + ",\"title\":" + quoted(method.title) +
             ",\"scalar\":" + quoted(method.scalar) +
-            ",\"exact\":" + (method.exact ? "true" : "false") + "}";
+            ",\"exact\":" + (method.exact ? "true" : "false") + ",\"part\":" + quoted(method.part) +
+            "}";
   }
   return text + "]}";
 }

@@ -133,6 +133,45 @@ TEST_CASE("one method is recommended") {
   CHECK_FALSE(ladder.methods()[wrong_method].recommended);
 }
 
+TEST_CASE("of several ladders each method is asked about the families of its own") {
+  // The question is whether a number is even.
+  ladder::Ladder<int, bool> parity(
+      "Is it even?", [](const int& x) { return x % 2 == 0; },
+      [](const bool& got, const bool& right) {
+        ladder::Verdict verdict;
+        verdict.wrong = got != right;
+        return verdict;
+      });
+  parity.family("any", "any", [](generators::Random& random) { return random.integer(0, 9); });
+  parity.method({.id = "always", .title = "always", .scalar = "int", .exact = false},
+                [](const int&) { return true; });
+  ladder::Parts both("How is a number?");
+  both.add(experiment(false));
+  both.add(std::move(parity));
+  REQUIRE(both.families().size() == 3);
+  REQUIRE(both.methods().size() == 3);
+  CHECK(both.families()[2].part == "Is it even?");
+  CHECK(both.methods()[1].part == "How large is the sum?");
+  both.prepare(2, 200);
+  both.pass(2);
+  CHECK(both.judge().wrong > 50);
+  both.prepare(with, 200);
+  both.pass(right_method);
+  CHECK(both.judge().wrong == 0);
+
+  const auto file = std::filesystem::temp_directory_path() / "contact-ladder-parts-test.json";
+  std::string name = file.string();
+  std::array<std::string, 7> words{"ladder", "--size", "50", "--repeats", "1", "--json", name};
+  std::array<char*, 7> arguments{};
+  for (std::size_t i = 0; i < words.size(); ++i) arguments[i] = words[i].data();
+  CHECK(ladder::run_program(both, "00_trial", 7, arguments.data()) == 0);
+  const auto kept = nlohmann::json::parse(std::ifstream(file));
+  std::filesystem::remove(file);
+  CHECK(kept["results"].size() == 5);
+  CHECK(kept["methods"][2]["part"] == "Is it even?");
+  CHECK(kept["families"][0]["part"] == "How large is the sum?");
+}
+
 TEST_CASE("the program keeps failures, and fails if an exact method is wrong") {
   const auto file = std::filesystem::temp_directory_path() / "contact-ladder-test.json";
   for (const bool declared_exact : {false, true}) {

@@ -84,9 +84,10 @@ export class ContactLadder extends HTMLElement {
     const { activeElement } = document;
     const at =
       activeElement && this.#picture?.contains(activeElement) ? where(activeElement) : undefined;
-    const scrolled = this.#picture?.querySelector(".scrolling")?.scrollLeft ?? 0;
+    const tables = (): Element[] => [...this.#picture!.querySelectorAll(".scrolling")];
+    const scrolled = tables().map(({ scrollLeft }) => scrollLeft);
     this.#picture!.innerHTML = ladderPicture(this.#result!, { here: this.#rows, pressable: true });
-    this.#picture!.querySelector(".scrolling")!.scrollLeft = scrolled;
+    for (const [i, table] of tables().entries()) table.scrollLeft = scrolled[i] ?? 0;
     this.#apply();
     if (at) this.#cell(at.method, at.family)?.focus();
   }

@@ -6,6 +6,8 @@ export interface LadderFamily {
   readonly n?: number;
   /** Shown by its largest error even if some method is wrong. */
   readonly by_error?: boolean;
+  /** The question, if the ladder has several. */
+  readonly part?: string;
 }
 
 export interface LadderMethod {
@@ -14,6 +16,8 @@ export interface LadderMethod {
   readonly scalar: string;
   readonly exact: boolean;
   readonly recommended?: boolean;
+  /** The question that it answers, if the ladder has several. */
+  readonly part?: string;
 }
 
 /** An input on which a method fails, as the ladder's C++ shows it. */
@@ -68,4 +72,16 @@ export function kindOf({ scalar, exact }: LadderMethod): Kind {
 
 export function methodName({ title, scalar }: LadderMethod): string {
   return title.toLowerCase().includes(scalar.toLowerCase()) ? title : `${title}, ${scalar}`;
+}
+
+/** The ladders of one question each that this one consists of. */
+export function partsOf(result: LadderResult): readonly LadderResult[] {
+  const questions = [...new Set(result.families.map(({ part }) => part))];
+  if (questions.length < 2) return [result];
+  return questions.map((question) => {
+    const families = result.families.filter(({ part }) => part === question);
+    const methods = result.methods.filter(({ part }) => part === question);
+    const results = result.results.filter(({ family }) => families.some(({ id }) => id === family));
+    return { ...result, question: question ?? "", families, methods, results };
+  });
 }

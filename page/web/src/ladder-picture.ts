@@ -8,6 +8,7 @@ import {
   type LadderResult,
   type LadderRow,
   methodName,
+  partsOf,
 } from "./ladder-data.ts";
 import {
   cellValue,
@@ -211,13 +212,18 @@ export interface PictureOptions {
   readonly pressable?: boolean;
 }
 
-const REGION = 'role="region" tabindex="0" aria-label="Accuracy against time, may scroll sideways"';
+/** Each table of several is a region with a name of its own. */
+function region(question: string, single: boolean): string {
+  const name = `Accuracy against time${single ? "" : `, ${question}`}`;
+  return `role="region" tabindex="0" aria-label="${quoted(name)}, may scroll sideways"`;
+}
 
-/** The picture as HTML that is also XML. */
-export function ladderPicture(result: LadderResult, options: PictureOptions = {}): string {
+/** The table of one question. */
+function one(result: LadderResult, single: boolean, options: PictureOptions): string {
   const { here = [], pressable = false } = options;
   const all = rungs(result);
-  const scale = scaleOf([...result.results, ...here].map((row) => row.ns_median));
+  const own = here.filter(({ family }) => result.families.some(({ id }) => id === family));
+  const scale = scaleOf([...result.results, ...own].map((row) => row.ns_median));
   const many = result.families.length > 6 ? " many" : "";
   const heads = result.families.map(({ id, title }) => {
     const unit = measureOf(result, id) === "wrong" ? "% wrong" : "error";
@@ -226,16 +232,23 @@ export function ladderPicture(result: LadderResult, options: PictureOptions = {}
       `<small>${unit}</small></th>`
     );
   });
-  const rows = all.map((rung) => rowOf(rung, result, here, scale, pressable));
+  const rows = all.map((rung) => rowOf(rung, result, own, scale, pressable));
   const said = proven(result);
   const sentence = said
     ? `<p class="proven"><span aria-hidden="true">★ </span><strong>${escapeText(said.name)}:</strong> ${escapeText(said.words)}</p>`
     : "";
   return (
-    `${sentence}<div class="scrolling" ${REGION}><table class="ladder-picture${many}">` +
+    `${sentence}<div class="scrolling" ${region(result.question, single)}><table class="ladder-picture${many}">` +
     `<caption><span>${escapeText(result.question)}</span></caption>` +
     `<thead><tr><th scope="col" class="method">Method, by time</th>${heads.join("")}` +
     `<th scope="col" class="ns">Time</th><td class="bars">${axis(scale)}</td></tr></thead>` +
-    `<tbody>${rows.join("")}</tbody></table></div>${legend(result, here.length > 0)}`
+    `<tbody>${rows.join("")}</tbody></table></div>`
   );
+}
+
+/** The picture as HTML that is also XML: a table for each question. */
+export function ladderPicture(result: LadderResult, options: PictureOptions = {}): string {
+  const parts = partsOf(result);
+  const tables = parts.map((part) => one(part, parts.length === 1, options)).join("");
+  return `${tables}${legend(result, (options.here ?? []).length > 0)}`;
 }

@@ -24,26 +24,38 @@ async function measure(url: string): Promise<void> {
   const seconds = (): number => (performance.now() - began) / 1000;
   const ladder = await loadLadder(url);
   const { families, methods } = ladder.layout;
-  const of = families.length * methods.length;
+  const asked = families.map((family) => indicesOf(methods, family));
+  const of = asked.reduce((sum, indices) => sum + indices.length, 0);
   let done = 0;
   for (const [f, family] of families.entries()) {
     const share = (SECONDS - seconds()) / (families.length - f);
-    ladder.prepare(f, inputsFor(ladder, f, share));
-    for (const [m, method] of methods.entries()) {
+    ladder.prepare(f, inputsFor(ladder, f, asked[f]!, share));
+    for (const m of asked[f]!) {
       done += 1;
-      const row = rowFrom(ladder.run(m), family.id, method.id);
+      const row = rowFrom(ladder.run(m), family.id, methods[m]!.id);
       scope.postMessage({ kind: "row", row, done, of });
     }
   }
   scope.postMessage({ kind: "end", seconds: seconds() });
 }
 
+type OfPart = { readonly part: string };
+
+/** The methods that answer the question of the family. */
+const indicesOf = (methods: readonly OfPart[], { part }: OfPart): number[] =>
+  [...methods.keys()].filter((m) => methods[m]!.part === part);
+
 /** How many inputs of a family there is time for, from one pass of each method over the fewest. */
-function inputsFor(ladder: Ladder, family: number, share: number): number {
+function inputsFor(
+  ladder: Ladder,
+  family: number,
+  methods: readonly number[],
+  share: number,
+): number {
   const start = performance.now();
   ladder.prepare(family, FEWEST_INPUTS);
   const prepared = performance.now();
-  for (const m of ladder.layout.methods.keys()) ladder.pass(m);
+  for (const m of methods) ladder.pass(m);
   const cost = (prepared - start + PASSES * (performance.now() - prepared)) / 1000;
   const n = Math.floor((FEWEST_INPUTS * Math.max(0, share)) / cost);
   return Math.min(MOST_INPUTS, Math.max(FEWEST_INPUTS, n));

@@ -155,6 +155,35 @@ test("the book's choice is marked, with a sentence that the numbers prove", () =
   );
 });
 
+test("a ladder of two questions has a table and a sentence for each, and one legend", () => {
+  const other = (each, ids) => ({ ...each, ...ids, part: "Does it hit twice?" });
+  const two = {
+    ...result,
+    families: [
+      ...result.families.map((each) => ({ ...each, part: result.question })),
+      other(result.families[0], { id: "other" }),
+    ],
+    methods: [
+      ...result.methods.map((each) => ({ ...each, part: result.question })),
+      other(method("twice", "double", true, true), {}),
+    ],
+    results: [...result.results, row("other", "twice", 0, 5000)],
+  };
+  const document = draw(two);
+  const captions = [...document.querySelectorAll("caption")].map((each) => each.textContent);
+  assert.deepEqual(captions, ["Does the ray hit?", "Does it hit twice?"]);
+  assert.equal(document.querySelectorAll(".proven").length, 2);
+  assert.equal(document.querySelectorAll(".legend").length, 1);
+  const [first, second] = document.querySelectorAll("table");
+  assert.equal(first.outerHTML, draw(result).querySelector("table").outerHTML);
+  assert.equal(second.querySelectorAll("tbody tr").length, 1);
+  assert.equal(second.querySelectorAll("thead th.family").length, 1);
+  const names = [...document.querySelectorAll("[role=region]")].map((each) =>
+    each.getAttribute("aria-label"),
+  );
+  assert.equal(new Set(names).size, 2);
+});
+
 test("without a recommended method there is no sentence", () => {
   const methods = result.methods.map((each) => ({ ...each, recommended: false }));
   const document = draw({ ...result, methods });
