@@ -1,0 +1,148 @@
+/// @file
+/// The first hit in a scene of many bodies, and the bullet: a fast body as a segment.
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include <contact/aabb.hpp>
+#include <contact/capsule.hpp>
+#include <contact/exact_ray_triangle.hpp>
+#include <contact/oriented_box.hpp>
+#include <contact/passage.hpp>
+#include <contact/ray_box.hpp>
+#include <contact/ray_capsule.hpp>
+#include <contact/ray_cone.hpp>
+#include <contact/ray_cylinder.hpp>
+#include <contact/ray_sphere.hpp>
+#include <contact/shapes.hpp>
+#include <contact/vector.hpp>
+
+namespace contact {
+
+/// A body of a scene.
+template <Ring S>
+using Primitive =
+    std::variant<Sphere<S>, Aabb<S>, OrientedBox<S>, Cylinder<S>, Capsule<S>, Cone<S>, Triangle<S>>;
+
+/// What a ray or a segment meets first of a triangle. It is a surface: `inside` is false, the face
+/// is 0, and the normal is on the side that the line comes from. The decision is that of
+/// intersect_exact: a line in the plane of the triangle gives nothing.
+template <FloatOrDouble S, LineOf<S> Line>
+std::optional<BodyHit<S>> first_hit(const Line& line, const Triangle<S>& triangle) {
+  const std::optional<TriangleHit<S>> met = intersect_exact<S>(line, triangle);
+  if (!met) return std::nullopt;
+  const detail::DoubleLine in_double(line);
+  const Vector3<double> a = triangle.a.template cast<double>();
+  Vector3<double> normal = detail::unit_or_zero(
+      detail::unit_or_zero(triangle.b.template cast<double>() - a)
+          .cross(detail::unit_or_zero(triangle.c.template cast<double>() - a)));
+  const Vector3<double> along = in_double.extent == detail::Extent::segment
+                                    ? Vector3<double>(in_double.second - in_double.start)
+                                    : in_double.second;
+  if (normal.dot(along) > 0) normal = -normal;
+  const double t = static_cast<double>(met->t);
+  BodyHit<S> hit;
+  hit.t = met->t;
+  hit.point = in_double.at(t, Vector3<double>::Zero()).template cast<S>();
+  hit.normal = normal.template cast<S>();
+  hit.face = 0;
+  return hit;
+}
+
+/// What a ray or a segment meets first of a body of any kind.
+template <FloatOrDouble S, LineOf<S> Line>
+std::optional<BodyHit<S>> first_hit(const Line& line, const Primitive<S>& body) {
+  return std::visit([&line](const auto& shape) { return first_hit(line, shape); }, body);
+}
+
+// [first-in-scene]
+/// A hit, and which body.
+template <Ring S>
+struct SceneHit {
+  std::size_t index = 0;  ///< of the body in the scene
+  BodyHit<S> hit;
+};
+
+/// The body that a ray or a segment meets first: smallest t; of equal t, the lowest index.
+///
+/// Whether a body is met is exact for each. Which of two is first is decided by the t as rounded,
+/// so bodies whose t differ by less than their error may change places. A body that the line starts
+/// in has t = 0.
+template <FloatOrDouble S, LineOf<S> Line>
+std::optional<SceneHit<S>> first_in_scene(const Line& line, std::span<const Primitive<S>> scene) {
+  std::optional<SceneHit<S>> first;
+  for (std::size_t i = 0; i < scene.size(); ++i) {
+    const std::optional<BodyHit<S>> hit = first_hit(line, scene[i]);
+    if (hit && (!first || hit->t < first->hit.t)) first = SceneHit<S>{i, *hit};
+  }
+  return first;
+}
+
+/// All bodies that the line meets, by t; of equal t, by index.
+template <FloatOrDouble S, LineOf<S> Line>
+std::vector<SceneHit<S>> all_in_scene(const Line& line, std::span<const Primitive<S>> scene) {
+  std::vector<SceneHit<S>> hits;
+  for (std::size_t i = 0; i < scene.size(); ++i) {
+    if (const auto hit = first_hit(line, scene[i])) hits.push_back({i, *hit});
+  }
+  std::stable_sort(hits.begin(), hits.end(),
+                   [](const SceneHit<S>& a, const SceneHit<S>& b) { return a.hit.t < b.hit.t; });
+  return hits;
+}
+// [/first-in-scene]
+
+// [bullet]
+/// What a body meets that moves by a displacement in each step.
+template <Ring S>
+struct BulletHit {
+  int step = 0;           ///< the step in which it meets the body, from 0
+  std::size_t index = 0;  ///< of the body
+  BodyHit<S> hit;         ///< t within the step, from 0 to 1; in samples 1 and `inside`
+};
+
+/// A bullet sampled at the end of each step: it meets a body if a sample is in it. The positions
+/// are start + (k + 1) displacement.
+///
+/// Limits: what is thinner than a displacement may be between two samples and is missed. Triangles,
+/// which have no inside, are never met.
+template <FloatOrDouble S>
+std::optional<BulletHit<S>> bullet_by_samples(const Vector3<S>& start,
+                                              const Vector3<S>& displacement, int steps,
+                                              std::span<const Primitive<S>> scene) {
+  for (int k = 0; k < steps; ++k) {
+    const Vector3<S> sample = start + displacement * S(k + 1);
+    const auto met = first_in_scene<S>(Ray<S>{sample, Vector3<S>::Zero()}, scene);
+    if (!met) continue;
+    BulletHit<S> found{k, met->index, met->hit};
+    found.hit.t = S(1);
+    return found;
+  }
+  return std::nullopt;
+}
+
+/// The same with the segment of each step as a line: nothing on the path is missed, because each
+/// step starts at the stored point where the one before ended.
+///
+/// What it leaves out: the radius of the bullet (ball_first_hit), its rotation, the motion of the
+/// walls, and everything that bends the path within a step (chapter *Time of impact*).
+template <FloatOrDouble S>
+std::optional<BulletHit<S>> bullet_by_segments(const Vector3<S>& start,
+                                               const Vector3<S>& displacement, int steps,
+                                               std::span<const Primitive<S>> scene) {
+  for (int k = 0; k < steps; ++k) {
+    const Segment<S> path{start + displacement * S(k), start + displacement * S(k + 1)};
+    if (const auto met = first_in_scene<S>(path, scene)) {
+      return BulletHit<S>{k, met->index, met->hit};
+    }
+  }
+  return std::nullopt;
+}
+// [/bullet]
+
+}  // namespace contact
