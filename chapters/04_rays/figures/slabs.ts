@@ -56,7 +56,7 @@ const FIRST = -1;
 const LAST = 4;
 const LEFT = -4.2;
 const TOP = -3.35;
-const HEIGHT = 0.36;
+const HEIGHT = 0.5;
 
 const across = (t: number): number =>
   LEFT + ((Math.min(LAST, Math.max(FIRST, t)) - FIRST) / (LAST - FIRST)) * (4.9 - LEFT);
@@ -75,8 +75,8 @@ const interval = (from = 0, to = 0): string => `${pretty(from)} to ${pretty(to)}
 
 export default defineFigure<Input, Output>({
   title: "Is the ray in all slabs at once?",
-  view: { kind: "2d", x: [-5, 5], y: [-5.05, 3.1] },
-  aspect: 1.15,
+  view: { kind: "2d", x: [-5, 5], y: [-5.7, 3.1] },
+  aspect: 1.1,
   initial: {
     low: [-0.5, -1],
     high: [2, 1.25],

@@ -46,8 +46,9 @@ interface Output {
 }
 
 const METHODS = ["the book’s", "the lecture’s", "the textbook’s", "nearest point"];
-const SQUARES = ["r²", "(D·M)²", "B²", "r²"];
-const COMPARED = ["distance²", "|M|² − r²", "4 A C", "distance²"];
+/** The two numbers that each method compares. */
+const FIRST = ["r²", "(D·M)²", "B²", "r²"];
+const SECOND = ["distance² of line and c", "|M|² − r²", "4 A C", "distance² of line and c"];
 const MEETS = ["misses the ball", "touches the ball", "crosses the ball"];
 /** An entry that is off by less than this is not seen in the drawing, m. */
 const VISIBLE = 0.02;
@@ -192,16 +193,18 @@ export default defineFigure<Input, Output>({
       const entry = at(output.entry_at, method);
       const exit = at(output.exit_at, method);
       const label = (t = 0, past = 0): string =>
-        output.moved ? `${pretty(past)} m past o` : `t = ${pretty(t)}`;
-      scene.dot(exit, role, 5, true).dot(entry, role, 6);
+        output.moved ? `${pretty(past)} m` : `t = ${pretty(t)}`;
+      scene.dot(exit, role, 5, true).dot(entry, role, 6, (output.entry[method] ?? 0) < 0);
       scene.label(entry, label(output.entry[method], output.entry_past[method]), {
         role,
         offset: [-6, -16],
         anchor: "end",
       });
       const leaves = label(output.exit[method], output.exit_past[method]);
-      scene.label(exit, leaves, { role, offset: [12, 20] });
+      const side = exit[0] > 2.8 ? ([-12, 20, "end"] as const) : ([12, 20, "start"] as const);
+      scene.label(exit, leaves, { role, offset: [side[0], side[1]], anchor: side[2] });
     }
+    if (output.inside) scene.dot(output.point, "hit", 13, true);
     if (wrong) {
       const words = output.says[method] ? "hit, where there is none" : "no hit, where there is one";
       scene.label([0, 2.85], words, { role: "miss", anchor: "middle" });
@@ -230,13 +233,13 @@ export default defineFigure<Input, Output>({
     const { rays_wrong: missed } = output;
     return [
       ...METHODS.map(judged),
-      { name: SQUARES[method] ?? "", meaning: METHODS[method] ?? "", value: output.square },
-      { name: COMPARED[method] ?? "", meaning: "is subtracted", value: output.compared },
+      { name: "first", meaning: FIRST[method] ?? "", value: output.square },
+      { name: "second", meaning: SECOND[method] ?? "", value: output.compared },
       {
         name: "difference",
-        meaning: "its sign decides",
+        meaning: "negative: no hit",
         value: output.difference,
-        role: output.difference < 0 ? "muted" : "ink",
+        role: output.difference < 0 ? "miss" : "ink",
       },
       {
         name: "outline",
