@@ -10,20 +10,12 @@
 #include <contact/exact.hpp>
 #include <contact/plane.hpp>
 #include <contact/shapes.hpp>
+#include <contact/sign_with_root.hpp>
 #include <contact/vector.hpp>
 
 namespace contact {
 
 namespace detail {
-
-/// The sign of a + b √d, for d ≥ 0: by squaring.
-inline int sign_with_root(const Exact& a, const Exact& b, const Exact& d) {
-  const int of_a = a.sign();
-  const int of_b = d.sign() == 0 ? 0 : b.sign();
-  if (of_a * of_b >= 0) return of_a != 0 ? of_a : of_b;
-  const int larger = (a * a - b * b * d).sign();
-  return larger >= 0 ? (larger == 0 ? 0 : of_a) : of_b;
-}
 
 /// The problem: a point that moves from m (relative to the segment's start) by w, against all
 /// points at most R from the segment from 0 to e.
