@@ -1,0 +1,10 @@
+#include "ray_sphere.hpp"
+
+namespace exercise {
+
+std::optional<Inside> ray_sphere(const contact::Ray<double>& /*ray*/,
+                                 const contact::Sphere<double>& /*sphere*/) {
+  contact::todo();
+}
+
+}  // namespace exercise
