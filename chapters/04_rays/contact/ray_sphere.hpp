@@ -279,7 +279,8 @@ inline std::optional<SphereRoots> rough_roots(const RoughSphere& rough) {
   const double size = std::abs(b) + root;  // |q|
   const double off = 6 * sphere_u * rough.d.cwiseAbs().dot(rough.m.cwiseAbs()) + sphere_floor;
   if (!(depth.bound + off * root <= 0x1p-42 * (size * root) &&
-        a * rough.c_bound <= 0x1p-42 * (size * size) && size < 0x1p1000)) {
+        a * rough.c_bound <= 0x1p-42 * (size * size) && size < 0x1p1000 &&
+        depth.bound <= 0x1p-26 * depth.value && rough.s <= 0x1p50 * rough.radius_squared)) {
     return std::nullopt;
   }
   SphereRoots found;
@@ -290,8 +291,7 @@ inline std::optional<SphereRoots> rough_roots(const RoughSphere& rough) {
   // From the centre to the nearest point, and from there along the line.
   const auto normal = [&](double t) {
     const Vector3<double> offset = rough.m + rough.d * t;
-    const double length = offset.norm();
-    return Vector3<double>(length > 0 ? Vector3<double>(offset / length) : offset);
+    return Vector3<double>(offset / offset.norm());
   };
   found.entry_normal = normal(found.entry);
   found.exit_normal = normal(found.exit);
@@ -319,6 +319,18 @@ struct ScaledDirection {
   }
 };
 
+/// √(n/d), also where the quotient is out of a double's range but its root is not.
+inline double root_of_quotient(Exact n, const Exact& d) {
+  constexpr int step = 1200;  // even
+  int k = 0;
+  double q = quotient<double>(n, d);
+  for (; std::isinf(q); k += step) q = quotient<double>(n = times_power_of_two(n, -step), d);
+  for (; q < 0x1p-900 && n.sign() != 0; k -= step) {
+    q = quotient<double>(n = times_power_of_two(n, step), d);
+  }
+  return std::ldexp(std::sqrt(q), k / 2);
+}
+
 // [exact-roots]
 /// Both t of terms whose discriminant is not negative and whose a is not 0, each with a relative
 /// error of at most 5 u, without underflow.
@@ -331,13 +343,13 @@ inline SphereRoots exact_roots(const SphereTerms<Exact>& x) {
   const Exact b_squared = x.b * x.b;
   double far = 0, near = 0;  // magnitude of the far root; the near one, for b < 0
   if (x.depth <= b_squared && side != 0) {
-    const double factor = 1 + std::sqrt(quotient<double>(x.depth, b_squared));
+    const double factor = 1 + root_of_quotient(x.depth, b_squared);
     far = quotient<double>(abs(x.b), x.a) * factor;
     near = quotient<double>(x.c, abs(x.b)) / factor;
   } else if (x.depth.sign() != 0) {
-    const double factor = 1 + std::sqrt(quotient<double>(b_squared, x.depth));
-    far = std::sqrt(quotient<double>(x.depth, x.a * x.a)) * factor;
-    near = x.c.sign() * (std::sqrt(quotient<double>(x.c * x.c, x.depth)) / factor);
+    const double factor = 1 + root_of_quotient(b_squared, x.depth);
+    far = root_of_quotient(x.depth, x.a * x.a) * factor;
+    near = x.c.sign() * (root_of_quotient(x.c * x.c, x.depth) / factor);
   }
   found.entry = side > 0 ? -far : std::min(near, far);
   found.exit = side > 0 ? std::max(-near, -far) : far;
@@ -359,7 +371,7 @@ inline SphereRoots exact_roots(const SphereTerms<Exact>& x) {
   Vector3<double> middle = Vector3<double>::Zero();
   double half = 1;  // a ball of radius 0 has no normal: take the one that faces the line
   if (a_r.sign() != 0) {
-    half = std::sqrt(quotient<double>(x.depth, a_r * a_r));
+    half = root_of_quotient(x.depth, a_r * a_r);
     for (int k = 0; k < 3; ++k) middle(k) = quotient<double>(x.a * m(k) - x.b * d(k), a_r);
   }
   found.entry_normal = Vector3<double>(middle - along * half).normalized();
@@ -420,8 +432,8 @@ bool hits_sphere(const Line& line, const Sphere<S>& sphere) {
 /// −∞, exit ∞ and normals 0; a ball of radius 0 has normals along the line.
 ///
 /// Limits: each t is within 2^-40 of the larger magnitude of both, and then rounded to S; a tangent
-/// has entry = exit. A t beyond the largest number is infinite. The normals are unit vectors; they
-/// are off by about the error of t in radii.
+/// has entry = exit. A t beyond the largest number is infinite. The normals are unit vectors to a
+/// few u, and each of their coordinates is within 2^-20 of the exact one.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<Passage<S>> passage(const Line& line, const Sphere<S>& sphere) {
   const LineMeets meets = sphere_crossing(line, sphere);
@@ -450,8 +462,8 @@ std::optional<Passage<S>> passage(const Line& line, const Sphere<S>& sphere) {
 /// The decision is that of hits_sphere. `inside` is exact too: the start is inside, or on the
 /// surface while the line leaves. From the surface inwards, or along it: t = 0 and not inside.
 ///
-/// Limits: t as in passage, from 0 and, for a segment, to 1. The point is off by the error of t
-/// times the direction and by a few roundings of its coordinates; the normal by that in radii.
+/// Limits: t and the normal as in passage; t is from 0 and, for a segment, to 1. The point is off
+/// by at most 2^-20 radii, and by a few roundings of its coordinates.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit(const Line& line, const Sphere<S>& sphere) {
   const auto stored = in_double(line);
@@ -473,12 +485,7 @@ std::optional<BodyHit<S>> first_hit(const Line& line, const Sphere<S>& sphere) {
   const double t = std::clamp(roots.entry, 0.0, last);
   hit.t = static_cast<S>(t);
   hit.normal = roots.entry_normal.template cast<S>();
-  // Far beyond the number range of t the point is found from the centre.
-  const Vector3<double> offset = ray.direction * t;
-  const Vector3<double> point =
-      all_finite(offset) && t >= std::numeric_limits<double>::min()
-          ? Vector3<double>(ray.origin + offset)
-          : Vector3<double>(ball.centre + roots.entry_normal * ball.radius);
+  const Vector3<double> point = ball.centre + roots.entry_normal * ball.radius;
   hit.point = t == 0 && roots.entry == 0 ? start_of(line) : Vector3<S>(point.template cast<S>());
   return hit;
 }
