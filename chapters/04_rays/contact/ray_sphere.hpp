@@ -320,7 +320,7 @@ struct ScaledDirection {
 };
 
 /// √(n/d), also where the quotient is out of a double's range but its root is not.
-inline double root_of_quotient(Exact n, const Exact& d) {
+inline double root_of_ratio(Exact n, const Exact& d) {
   constexpr int step = 1200;  // even
   int k = 0;
   double q = quotient<double>(n, d);
@@ -343,13 +343,13 @@ inline SphereRoots exact_roots(const SphereTerms<Exact>& x) {
   const Exact b_squared = x.b * x.b;
   double far = 0, near = 0;  // magnitude of the far root; the near one, for b < 0
   if (x.depth <= b_squared && side != 0) {
-    const double factor = 1 + root_of_quotient(x.depth, b_squared);
+    const double factor = 1 + root_of_ratio(x.depth, b_squared);
     far = quotient<double>(abs(x.b), x.a) * factor;
     near = quotient<double>(x.c, abs(x.b)) / factor;
   } else if (x.depth.sign() != 0) {
-    const double factor = 1 + root_of_quotient(b_squared, x.depth);
-    far = root_of_quotient(x.depth, x.a * x.a) * factor;
-    near = x.c.sign() * (root_of_quotient(x.c * x.c, x.depth) / factor);
+    const double factor = 1 + root_of_ratio(b_squared, x.depth);
+    far = root_of_ratio(x.depth, x.a * x.a) * factor;
+    near = x.c.sign() * (root_of_ratio(x.c * x.c, x.depth) / factor);
   }
   found.entry = side > 0 ? -far : std::min(near, far);
   found.exit = side > 0 ? std::max(-near, -far) : far;
@@ -371,7 +371,7 @@ inline SphereRoots exact_roots(const SphereTerms<Exact>& x) {
   Vector3<double> middle = Vector3<double>::Zero();
   double half = 1;  // a ball of radius 0 has no normal: take the one that faces the line
   if (a_r.sign() != 0) {
-    half = root_of_quotient(x.depth, a_r * a_r);
+    half = root_of_ratio(x.depth, a_r * a_r);
     for (int k = 0; k < 3; ++k) middle(k) = quotient<double>(x.a * m(k) - x.b * d(k), a_r);
   }
   found.entry_normal = Vector3<double>(middle - along * half).normalized();
