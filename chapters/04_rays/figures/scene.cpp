@@ -51,11 +51,11 @@ struct Output {
   std::array<double, 2> met_body;  // which
   std::array<double, 2> met_frame;
   std::array<Point, 2> met_at;
-  double samples_wrong;  // 1 if the samples find another first body than the path, or none
+  double skipped;  // 1 if the path meets a body first in which no sample is
   // The bullet as a ball with its radius, against the wall alone.
   double line_meets_wall, ball_meets_wall, enlarged_meets_wall;
   Point ball_at;            // its centre, where it touches first
-  double through_the_wall;  // goals of questions: the path meets the wall first, the samples do not
+  double through_the_wall;  // goals of questions: the wall is met first, and no sample is in it
   double grazes;            // the line passes beside the wall, and the ball touches it
 };
 
@@ -126,9 +126,15 @@ void shoot(const Input& in, const std::vector<Body>& scene, Output& out) {
     out.met_frame[i] = found[i]->step + 1;
     out.met_at[i] = plane(found[i]->hit.point);
   }
-  out.samples_wrong = out.met[0] != out.met[1] || out.met_body[0] != out.met_body[1] ? 1 : 0;
-  const bool wall_first = out.met[1] != 0 && out.met_body[1] == 0;
-  out.through_the_wall = wall_first && out.samples_wrong != 0 ? 1 : 0;
+  if (found[1]) {
+    const Body& body = scene[found[1]->index];
+    out.skipped = 1;
+    for (int k = 0; k < frames; ++k) {
+      const Vector sample = space(out.sample[static_cast<std::size_t>(k)]);
+      if (contact::first_hit(contact::Ray<double>{sample, Vector::Zero()}, body)) out.skipped = 0;
+    }
+    out.through_the_wall = out.skipped != 0 && found[1]->index == 0 ? 1 : 0;
+  }
 
   const contact::Segment<double> path{start, space(out.path_end)};
   const auto& wall = std::get<contact::Aabb<double>>(scene[0]);
@@ -173,5 +179,5 @@ Output compute(const Input& in) {
 FIGURE(Input, FIELDS(origin, through, ball, box, thickness, speed, radius, test), Output,
        FIELDS(problem, wall, box_outline, ball_radius, cylinder, cylinder_radius, capsule,
               capsule_radius, cone, triangle, hits, body, t, at, normal, inside, frames, sample,
-              path_end, met, met_body, met_frame, met_at, samples_wrong, line_meets_wall,
-              ball_meets_wall, enlarged_meets_wall, ball_at, through_the_wall, grazes))
+              path_end, met, met_body, met_frame, met_at, skipped, line_meets_wall, ball_meets_wall,
+              enlarged_meets_wall, ball_at, through_the_wall, grazes))

@@ -37,7 +37,7 @@ interface Output {
   met_body: readonly number[];
   met_frame: readonly number[];
   met_at: readonly number[];
-  samples_wrong: number;
+  skipped: number;
   line_meets_wall: number;
   ball_meets_wall: number;
   enlarged_meets_wall: number;
@@ -81,7 +81,7 @@ export default defineFigure<Input, Output>({
   aspect: 1.35,
   initial: {
     origin: [-4.25, -0.25],
-    through: [-2.75, -0.25],
+    through: [-2, -0.25],
     ball: [3.6, -0.25],
     box: [-0.75, 1.5],
     thickness: 0.25,
@@ -158,7 +158,7 @@ export default defineFigure<Input, Output>({
 
     const first = test === 0 ? (output.hits ? output.body[0] : -1) : -1;
     const met = test > 0 && output.met[test - 1] ? output.met_body[test - 1] : first;
-    const missed = test === 1 && output.samples_wrong && output.met[1] ? output.met_body[1] : -1;
+    const missed = test === 1 && output.skipped ? output.met_body[1] : -1;
     const style = (body: number) => {
       const role: Role = body === missed ? "miss" : body === met ? "hit" : "surface";
       return { role, fill: role === "surface" ? 0.14 : 0.3 };
@@ -200,6 +200,7 @@ export default defineFigure<Input, Output>({
           size: "small",
         });
       }
+      if (output.inside) scene.dot(origin, "hit", 13, true);
       if (output.hits && !output.inside) {
         const at = point(output.at, 0);
         scene.arrow(at, ahead(at, point(output.normal, 0), 0.7), { role: "normal", width: 2 });
@@ -227,7 +228,7 @@ export default defineFigure<Input, Output>({
       scene.dot(point(output.met_at, by), "hit", 5);
     }
     if (missed >= 0)
-      scene.label([0, 2.85], `passed through the ${name(missed)} between two frames`, {
+      scene.label([0, 2.85], `no frame has the bullet in the ${name(missed)}`, {
         role: "miss",
         anchor: "middle",
       });
@@ -261,7 +262,7 @@ export default defineFigure<Input, Output>({
         name: "samples",
         meaning: "once a frame, the bullet meets",
         value: found(output, 0),
-        role: output.samples_wrong ? "miss" : "hit",
+        role: output.skipped ? "miss" : "hit",
       },
       {
         name: "path",
@@ -269,7 +270,6 @@ export default defineFigure<Input, Output>({
         value: found(output, 1),
         role: "hit",
       },
-      { name: "frames", meaning: "until the bullet is out of sight", value: output.frames },
       { name: "line", meaning: "of the centre, and the wall", value: says(output.line_meets_wall) },
       {
         name: "ball",

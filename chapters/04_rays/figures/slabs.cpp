@@ -48,8 +48,11 @@ struct Output {
   std::array<double, starts> seen;    // 1 if from this start the box is hit
   std::array<double, starts> missed;  // 1 if from this start the chosen method is wrong
   double starts_wrong;                // how many
-  double in_a_face;                   // goals of questions: a quotient is 0/0,
-  double says_wrongly;                // the chosen method is wrong
+  // For a reader's function: what is stored, and the face of the first hit, as box_face, or −1.
+  contact::Vector3<double> start, along, corner_low, corner_high;
+  double face;
+  double in_a_face;     // goals of questions: a quotient is 0/0,
+  double says_wrongly;  // the chosen method is wrong
 };
 
 namespace {
@@ -136,12 +139,17 @@ void compute_in(const Input& in, Output& out) {
     }
   }
 
-  out.entry_axis = out.exit_axis = -1;
+  out.start = ray.origin.template cast<double>();
+  out.along = ray.direction.template cast<double>();
+  out.corner_low = box.low.template cast<double>();
+  out.corner_high = box.high.template cast<double>();
+  out.entry_axis = out.exit_axis = out.face = -1;
   out.hit = given.hits(box) ? 1 : 0;
   if (const auto hit =
           ends ? contact::first_hit(given.segment, box) : contact::first_hit(ray, box)) {
     out.inside = hit->inside ? 1 : 0;
     out.t = double(hit->t);
+    out.face = hit->face;
     out.point = drawn(hit->point);
     out.normal = hit->normal.template cast<double>().template head<2>();
   }
@@ -197,5 +205,5 @@ Output compute(const Input& in) {
 FIGURE(Input, FIELDS(low, high, origin, through, z, segment, method, divided, single), Output,
        FIELDS(problem, box_low, box_high, first_quotient, second_quotient, slab_some, slab_entry,
               slab_exit, passes, entry, exit, entry_axis, exit_axis, hit, inside, t, point, normal,
-              says, wrong, finds, method_entry, method_exit, seen, missed, starts_wrong, in_a_face,
-              says_wrongly))
+              says, wrong, finds, method_entry, method_exit, seen, missed, starts_wrong, start,
+              along, corner_low, corner_high, face, in_a_face, says_wrongly))

@@ -55,8 +55,12 @@ struct Output {
   std::array<double, rays> ray_wrong;  // 1 if it finds what is not there, or not what is there
   std::array<Point, rays> ray_entry;   // m; if it finds nothing, the point nearest to the centre
   std::array<Point, rays> ray_exit;
-  double rays_wrong;       // how many
-  double rays_off;         // largest error of an entry that was found rightly, m
+  double rays_wrong;  // how many
+  double rays_off;    // largest error of an entry that was found rightly, m
+  // For a reader's function: what is stored, and whether every good method gives the same.
+  contact::Vector3<double> start, along, ball;
+  double clear;            // 1 for a ray with r/4 or more between the line and a tangent
+  double hit_clear;        // 1 if it also hits
   double missed;           // goals of questions: the chosen method misses a ball that is hit,
   double found_wrongly;    // hits one that is missed,
   double entered_wrongly;  // has an entry that is off by 0.1 m or more
@@ -199,6 +203,14 @@ void compute_in(const Input& in, Output& out) {
     out.normal = plane(hit->normal);
   }
 
+  out.start = ray.origin.template cast<double>();
+  out.along = ray.direction.template cast<double>();
+  out.ball = ball.centre.template cast<double>();
+  const double radius = double(ball.radius);
+  const double distance = (foot - plane(ball.centre)).norm();
+  out.clear = !ends && std::abs(distance - radius) >= radius / 4 && out.moved <= 1e9 * radius;
+  out.hit_clear = out.clear != 0 && out.hit != 0 ? 1 : 0;
+
   for (int i = 0; i < methods; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const Found<S> found = ask(i, ray, ball);
@@ -250,4 +262,5 @@ FIGURE(Input, FIELDS(origin, through, centre, radius, far, direction, method, si
        FIELDS(problem, moved, drawn_from, drawn_to, meets, hit, inside, t, point, normal, length,
               square, compared, difference, finds, says, wrong, entry, exit, entry_at, exit_at,
               entry_past, exit_past, off, ray_finds, ray_wrong, ray_entry, ray_exit, rays_wrong,
-              rays_off, missed, found_wrongly, entered_wrongly))
+              rays_off, start, along, ball, clear, hit_clear, missed, found_wrongly,
+              entered_wrongly))
