@@ -1,5 +1,6 @@
 // misconception: break-no-equal-angles
 // caught by: a vertex is lost, and every coordinate is a whole number up to 10
+// seen: not found
 #include "break_angles.hpp"
 
 namespace exercise {

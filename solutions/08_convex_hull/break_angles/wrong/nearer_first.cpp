@@ -1,5 +1,7 @@
 // misconception: break-nearer-point-first
 // caught by: no vertex is lost, and a point of an edge is returned
+// seen: https://github.com/cp-algorithms/cp-algorithms/pull/1023
+//   of equal angles the order that matters is reversed on the last ray
 #include "break_angles.hpp"
 
 namespace exercise {

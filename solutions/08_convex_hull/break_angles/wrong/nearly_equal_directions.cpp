@@ -1,5 +1,6 @@
 // misconception: break-angles-far-apart
 // caught by: no two points are in the same direction from the lowest
+// seen: not found
 #include "break_angles.hpp"
 
 namespace exercise {

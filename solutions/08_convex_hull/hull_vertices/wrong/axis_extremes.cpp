@@ -1,5 +1,6 @@
 // misconception: axis-extremes-only
 // caught by: vertices are found in every direction
+// seen: not found
 #include "hull_vertices.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: ties-dropped
 // caught by: the corners of a box are vertices, and inner points are not
+// seen: https://github.com/mrdoob/three.js/pull/13014
+//   a strict comparison passes over a point in the plane
 #include "hull_vertices.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // misconception: none
 // caught by: steep and backward paths turn as others do
+// seen: not found
 #include "orientation.hpp"
 
 namespace exercise {

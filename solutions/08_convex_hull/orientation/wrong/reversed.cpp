@@ -1,5 +1,6 @@
 // misconception: turn-reversed
 // caught by: left is plus and right is minus
+// seen: https://github.com/cp-algorithms/cp-algorithms/pull/632 a text had plus for clockwise
 #include "orientation.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: turn-by-slopes
 // caught by: steep and backward paths turn as others do
+// seen: https://cs.stackexchange.com/questions/74944
 #include "orientation.hpp"
 
 namespace exercise {

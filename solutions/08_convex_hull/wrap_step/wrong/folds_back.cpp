@@ -1,5 +1,7 @@
 // misconception: fold-back
 // caught by: the next face of a box and of a pyramid is found
+// seen: L20, slide "Convex Hull"
+//   step 5 minimises the angle with a plane
 #include "wrap_step.hpp"
 
 namespace exercise {

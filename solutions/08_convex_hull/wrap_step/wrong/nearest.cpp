@@ -1,5 +1,6 @@
 // misconception: nearest-point
 // caught by: the next face of a box and of a pyramid is found
+// seen: not found
 #include "wrap_step.hpp"
 
 namespace exercise {

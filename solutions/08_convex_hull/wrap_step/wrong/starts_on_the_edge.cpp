@@ -1,5 +1,7 @@
 // misconception: starts-on-the-edge
 // caught by: points on the edge's line make no face
+// seen: L20, slide "Convex Hull"
+//   step 5 does not exclude points on the edge's line
 #include "wrap_step.hpp"
 
 namespace exercise {
