@@ -1,5 +1,6 @@
 // misconception: change-reversed
 // caught by: a stop takes all the momentum away
+// seen: https://www2.dbl.id/lock-code/20531236 J = 0.025 (4 − 0) for a ball that stops from 4 m/s
 #include "bounce_impulse.hpp"
 
 namespace exercise {

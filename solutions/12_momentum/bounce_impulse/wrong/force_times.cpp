@@ -1,5 +1,6 @@
 // misconception: force-times-for-force-over
 // caught by: a longer time makes a smaller force
+// seen: not found
 #include "bounce_impulse.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: momentum-after-only
 // caught by: a stop takes all the momentum away
+// seen: not found
 #include "bounce_impulse.hpp"
 
 namespace exercise {

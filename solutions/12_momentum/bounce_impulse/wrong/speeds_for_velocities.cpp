@@ -1,5 +1,7 @@
 // misconception: speeds-for-velocities
 // caught by: a bounce takes more than a stop
+// seen: https://wikis.mit.edu/confluence/display/RELATE/Off+the+Wall
+//   equal magnitudes "can easily lead to the conclusion that there has been no change"
 #include "bounce_impulse.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: the sum of positive numbers is wrong by 100
+// seen: not found
 #include "break_the_sum.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: break-within-rounding
 // caught by: the sum of numbers up to 1 is wrong by half of itself
+// seen: https://github.com/python/cpython/pull/29635 takes 0.30000000000000004 for a bug
 #include "break_the_sum.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: three whole numbers have the sum zero, and should not
+// seen: not found
 #include "break_the_sum.hpp"
 
 namespace exercise {

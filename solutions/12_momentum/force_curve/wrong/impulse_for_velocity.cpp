@@ -1,5 +1,6 @@
 // misconception: impulse-for-velocity
 // caught by: the velocity changes by impulse over mass
+// seen: https://github.com/appsinacup/godot-box2d/issues/41
 #include "force_curve.hpp"
 
 namespace exercise {

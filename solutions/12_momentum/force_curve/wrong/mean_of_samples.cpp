@@ -1,5 +1,6 @@
 // misconception: mean-of-samples
 // caught by: the area under a rising and falling force is that of trapezoids
+// seen: https://github.com/AirChem/F0AM/issues/17
 #include "force_curve.hpp"
 
 namespace exercise {

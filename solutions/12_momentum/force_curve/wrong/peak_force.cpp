@@ -1,5 +1,6 @@
 // misconception: peak-force
 // caught by: the area under a rising and falling force is that of trapezoids
+// seen: https://mistakemaster.com/topics/4.2 the second trap: the peak instead of the area
 #include "force_curve.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: mass-of-one
 // caught by: the players move on slowly, in the lighter one's direction
+// seen: https://www.physicsforums.com/threads/energy-conservation-of-a-car-collision.173914/
 #include "stick_together.hpp"
 
 namespace exercise {

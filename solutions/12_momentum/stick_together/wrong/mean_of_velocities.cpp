@@ -1,5 +1,6 @@
 // misconception: mean-of-velocities
 // caught by: the players move on slowly, in the lighter one's direction
+// seen: not found
 #include "stick_together.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: float-accumulator
 // caught by: a few impulses add up
+// seen: https://github.com/numpy/numpy/issues/5681
 #include "sum_of_impulses.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: rounding-added-up
 // caught by: small impulses beside a large one are not lost
+// seen: https://github.com/rust-lang/rust/pull/10927 the sum of 1e20, 1 and −1e20 was 0
 #include "sum_of_impulses.hpp"
 
 namespace exercise {

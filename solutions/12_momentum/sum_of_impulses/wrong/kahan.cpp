@@ -1,5 +1,6 @@
 // misconception: kahan-large-term
 // caught by: small impulses beside a large one are not lost
+// seen: https://github.com/SauersML/gam/issues/4306
 #include "sum_of_impulses.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: sorting-for-accuracy
 // caught by: small impulses beside a large one are not lost
+// seen: https://stackoverflow.com/questions/6699066
+//   sorting is proposed, and outwitted with negative numbers
 #include "sum_of_impulses.hpp"
 
 #include <algorithm>

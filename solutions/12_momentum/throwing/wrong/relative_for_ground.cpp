@@ -1,5 +1,7 @@
 // misconception: relative-for-ground
 // caught by: a throw pushes the thrower in the opposite direction
+// seen: https://brainmass.com/physics/conservation-of-momentum/the-conservation-of-momentum-4407
+//   case a: M V = N m u, where u is relative to the car
 #include "throwing.hpp"
 
 namespace exercise {

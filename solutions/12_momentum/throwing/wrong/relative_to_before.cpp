@@ -1,5 +1,7 @@
 // misconception: relative-to-before
 // caught by: a throw pushes the thrower in the opposite direction
+// seen: https://www.jiskha.com/questions/1064593
+//   B: 16 + 2.15, the player's velocity before the throw
 #include "throwing.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: carried-mass-forgotten
 // caught by: each throw starts from a smaller mass
+// seen: not found
 #include "throwing.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: thrown-at-once
 // caught by: each throw starts from a smaller mass
+// seen: not found
 #include "throwing.hpp"
 
 namespace exercise {
