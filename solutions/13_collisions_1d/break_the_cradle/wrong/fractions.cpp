@@ -1,5 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: only one pair approaches
+// seen: not found
 #include "break_the_cradle.hpp"
 
 namespace exercise {

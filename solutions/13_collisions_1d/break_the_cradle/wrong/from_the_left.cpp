@@ -1,5 +1,6 @@
 // misconception: break-cradle-from-the-left
 // caught by: no ball moves to the left
+// seen: not found
 #include "break_the_cradle.hpp"
 
 namespace exercise {

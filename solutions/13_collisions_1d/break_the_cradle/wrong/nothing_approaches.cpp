@@ -1,5 +1,6 @@
 // misconception: break-cradle-at-rest
 // caught by: one of three balls moves
+// seen: not found
 #include "break_the_cradle.hpp"
 
 namespace exercise {

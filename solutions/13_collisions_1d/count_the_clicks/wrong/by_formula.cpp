@@ -1,5 +1,7 @@
 // misconception: count-by-rounded-formula
 // caught by: close cases
+// seen: https://codegolf.stackexchange.com/questions/198615/elastic-collisions-between-blocks
+//   an answer with the rounded formula
 #include "count_the_clicks.hpp"
 
 #include <cmath>

@@ -1,5 +1,6 @@
 // misconception: count-by-rounded-velocities
 // caught by: close cases
+// seen: https://possiblywrong.wordpress.com/2021/06/30/counting-collisions/
 #include "count_the_clicks.hpp"
 
 #include <cmath>

@@ -1,5 +1,7 @@
 // misconception: digits-of-pi
 // caught by: equal blocks make three collisions
+// seen: https://github.com/DinantKistemaker/Bouncing-Pi/blob/6d85aaec/bounce_with_pi.m
+//   floor(pi*sqrt(m)), there for large ratios
 #include "count_the_clicks.hpp"
 
 #include <cmath>

@@ -1,5 +1,6 @@
 // misconception: floor-for-ceiling
 // caught by: equal blocks make three collisions
+// seen: not found
 #include "count_the_clicks.hpp"
 
 #include <cmath>

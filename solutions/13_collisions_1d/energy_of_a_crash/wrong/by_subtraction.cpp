@@ -1,5 +1,7 @@
 // misconception: energy-by-subtraction
 // caught by: the loss in docking is accurate at orbital speeds
+// seen: https://github.com/cusp-ai-oss/kUPS/pull/267
+//   a small change of energy is lost in the difference of totals
 #include "energy_of_a_crash.hpp"
 
 namespace exercise {

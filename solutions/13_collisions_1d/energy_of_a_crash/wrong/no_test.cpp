@@ -1,5 +1,7 @@
 // misconception: no-approach-test
 // caught by: bodies that do not approach lose nothing
+// seen: FCA, slide "Collisions Between Spheres (1)"
+//   no test in the steps a to d
 #include "energy_of_a_crash.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: fraction-of-everything
 // caught by: the truck and the parked car
+// seen: https://imathworks.com/physics/relation-between-coefficient-of-restitution-and-k-e
 #include "energy_of_a_crash.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: all-pairs-at-once
 // caught by: balls that come in from both sides
+// seen: https://github.com/keenon/nimblephysics/issues/143
+//   two collisions of one ball at once double the energy
 #include "newtons_cradle.hpp"
 
 namespace exercise {

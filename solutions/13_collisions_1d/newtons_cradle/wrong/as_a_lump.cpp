@@ -1,5 +1,6 @@
 // misconception: row-as-a-lump
 // caught by: one in, one out
+// seen: not found
 #include "newtons_cradle.hpp"
 
 namespace exercise {

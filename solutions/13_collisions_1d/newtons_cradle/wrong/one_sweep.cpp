@@ -1,5 +1,6 @@
 // misconception: one-sweep
 // caught by: one in, one out
+// seen: https://github.com/erincatto/box3d/issues/83 a second pass over the contacts made it better
 #include "newtons_cradle.hpp"
 
 namespace exercise {

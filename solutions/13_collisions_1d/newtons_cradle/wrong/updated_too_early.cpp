@@ -1,5 +1,7 @@
 // misconception: updated-too-early
 // caught by: one in, one out
+// seen: https://github.com/hunar4321/particle-life/issues/18
+//   later rules see what earlier ones have changed
 #include "newtons_cradle.hpp"
 
 namespace exercise {

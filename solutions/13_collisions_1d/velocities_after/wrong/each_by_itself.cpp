@@ -1,5 +1,6 @@
 // misconception: restitution-of-each-body
 // caught by: equal bodies exchange their velocities
+// seen: https://github.com/kaplayjs/kaplay/issues/958 each as if the other did not move
 #include "velocities_after.hpp"
 
 namespace exercise {

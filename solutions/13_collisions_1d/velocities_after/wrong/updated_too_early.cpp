@@ -1,5 +1,7 @@
 // misconception: updated-too-early
 // caught by: equal bodies exchange their velocities
+// seen: https://github.com/hunar4321/particle-life/issues/18
+//   later rules see what earlier ones have changed
 #include "velocities_after.hpp"
 
 namespace exercise {
