@@ -1,5 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: discs that overlap and approach touch now
+// seen: not found
 #include "break_first_touch.hpp"
 
 #include "time_of_touch.hpp"

@@ -1,5 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: head-on discs are said to miss
+// seen: not found
 #include "break_first_touch.hpp"
 
 namespace exercise {

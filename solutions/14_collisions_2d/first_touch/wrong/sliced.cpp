@@ -1,5 +1,6 @@
 // misconception: sliced-time
 // caught by: one disc meets one at rest
+// seen: FCA, slide "How About 2 MOVING spheres?"
 #include "first_touch.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: mass-not-refused
 // caught by: an invalid mass of the piece is refused
+// seen: https://github.com/notgiven688/jitterphysics2/issues/55
+//   an invalid mass gives NaN velocities
 #include "fly_apart.hpp"
 
 namespace exercise {

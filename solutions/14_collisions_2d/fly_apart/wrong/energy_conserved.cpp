@@ -1,5 +1,7 @@
 // misconception: energy-taken-for-conserved
 // caught by: from rest the two pieces leave in opposite directions
+// seen: L20, slide "Elastic Collisions"
+//   its example is a nuclear decay
 #include "fly_apart.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: separating-discs-reflected
 // caught by: discs approach or they do not
+// seen: not found
 #include "two_discs.hpp"
 
 namespace exercise {

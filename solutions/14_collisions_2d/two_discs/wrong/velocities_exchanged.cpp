@@ -1,5 +1,7 @@
 // misconception: whole-velocities-exchanged
 // caught by: an oblique collision changes only the normal components
+// seen: https://github.com/CleverRaven/Cataclysm-DDA/pull/28540
+//   a collision in a plane is computed along a velocity
 #include "two_discs.hpp"
 
 namespace exercise {

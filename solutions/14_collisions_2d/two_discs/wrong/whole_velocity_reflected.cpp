@@ -1,5 +1,6 @@
 // misconception: whole-velocity-reflected
 // caught by: head-on it is a collision on a line
+// seen: not found
 #include "two_discs.hpp"
 
 namespace exercise {
