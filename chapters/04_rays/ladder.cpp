@@ -16,14 +16,15 @@ using Point = contact::Vector3<double>;
 
 struct Answer {
   bool hit = false;
-  double t = std::nan("");  ///< of the hit; NaN if there is none, or the method only decides
+  double t = std::nan("");     ///< of the hit; NaN if there is none, or the method only decides
+  double unit = std::nan("");  ///< of the true answer: the t in which errors are counted
 };
 
-/// Wrong is a hit where there is none, or none where there is one. The error is that of t, by the
-/// distance of the points as a share of the body's size.
+/// Wrong is a hit where there is none, or none where there is one. The error is that of t.
 ladder::Verdict judge(const Answer& got, const Answer& right) {
   ladder::Verdict verdict;
   verdict.wrong = got.hit != right.hit;
+  if (got.hit && right.hit) verdict.error = std::abs(got.t - right.t) / right.unit;
   return verdict;
 }
 
@@ -71,7 +72,8 @@ Input both_types(const families::AtSphere& aimed) {
           aimed.through};
 }
 
-/// The signs of the quadratic and of its derivative at the start, and of its discriminant.
+/// The signs of the quadratic and of its derivative at the start, and of its discriminant; t to
+/// four roundings, and errors in radii.
 Answer truth(const Input& input) {
   const auto in_exact = [](const Point& v) {
     return contact::Vector3<Exact>(Exact(v.x()), Exact(v.y()), Exact(v.z()));
@@ -81,9 +83,14 @@ Answer truth(const Input& input) {
   const contact::Vector3<Exact> d = in_exact(input.ray_in_double.direction);
   const Exact radius(input.body_in_double.radius);
   const Exact c = m.dot(m) - radius * radius;
-  if (c.sign() <= 0) return {true};
+  const Exact a = d.dot(d);
+  const double unit = input.body_in_double.radius / std::sqrt(rounded<double>(a));
+  if (c.sign() <= 0) return {true, 0, unit};
   const Exact b = m.dot(d);
-  return {b.sign() < 0 && (b * b - d.dot(d) * c).sign() >= 0};
+  const Exact depth = b * b - a * c;
+  if (b.sign() >= 0 || depth.sign() < 0) return {};
+  return {true, rounded<double>(c) / (rounded<double>(-b) + std::sqrt(rounded<double>(depth))),
+          unit};
 }
 
 /// The number of a method in the figure, or −1.
@@ -120,6 +127,10 @@ ladder::Example shown(const Input& input, const Answer& got, const Answer& right
   const double number = in_figure(method.id);
   if (number < 0) {
     example.note = "The figure does not have this method.";
+    return example;
+  }
+  if (method.id == "lecture-double" && input.quarter > 0) {
+    example.note = "The direction is a unit vector only as far as floats can store one.";
     return example;
   }
   if (input.ray.origin.z() != 0 || input.ray.direction.z() != 0 || input.body.centre.z() != 0) {
@@ -168,7 +179,10 @@ ladder::Ladder<Input, Answer> experiment() {
   };
   family("ball-random", "random", families::sphere_random);
   family("ball-tangent", "tangents, rounded", families::sphere_tangent);
-  family("ball-far", "from 100 to 1,000,000 m away", families::sphere_far);
+  family("ball-far", "100 to 1,000,000 m away", families::sphere_far);
+  ladder.family(
+      "ball-far-t", "the same, t in radii",
+      [](generators::Random& random) { return both_types(families::sphere_far(random)); }, true);
   family("ball-lengths", "directions of every length", families::sphere_lengths);
   family("ball-surface", "start on the surface, rounded", families::sphere_surface);
   family("ball-inside", "start inside", families::sphere_inside);
@@ -319,7 +333,7 @@ ladder::Ladder<Input, Answer> experiment() {
   family("box-random", "random", families::box_random);
   family("box-edge", "through an edge, rounded", families::box_edge);
   family("box-face", "in the plane of a face", families::box_face);
-  family("box-far", "from 1,000 to 1,000,000 m away, at an edge", families::box_far);
+  family("box-far", "at an edge, far away", families::box_far);
   family("box-lengths", "directions of every length", families::box_lengths);
   family("box-surface", "start on the surface", families::box_surface);
   family("box-inside", "start inside", families::box_inside);
