@@ -1,5 +1,6 @@
 // misconception: break-cut-off-is-small
 // caught by: the time is wrong by 10 % with k at most a half
+// seen: not found
 #include "break_the_cut_off.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: the time is wrong by 10 % from at least 1 m
+// seen: not found
 #include "break_the_cut_off.hpp"
 
 namespace exercise {

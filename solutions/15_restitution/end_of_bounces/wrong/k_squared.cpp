@@ -1,5 +1,6 @@
 // misconception: times-go-with-k-squared
 // caught by: the ball rests after a finite time
+// seen: not found
 #include "end_of_bounces.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: bounce-reverses-all
 // caught by: the tangential component is unchanged
+// seen: https://github.com/NTaylorMullen/ShootR/issues/23 a ship bounces directly back
 #include "floor_bounce.hpp"
 
 namespace exercise {

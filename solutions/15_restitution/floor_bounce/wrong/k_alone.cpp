@@ -1,5 +1,6 @@
 // misconception: one-of-one-plus-k
 // caught by: a ball that falls vertically leaves with k times its speed
+// seen: not found
 #include "floor_bounce.hpp"
 
 namespace exercise {

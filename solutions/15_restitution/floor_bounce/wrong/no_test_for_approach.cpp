@@ -1,5 +1,6 @@
 // misconception: bounce-when-separating
 // caught by: a body that moves away is left alone
+// seen: https://github.com/JakeManfre/object-physics/issues/1 slow circles vibrate at a wall
 #include "floor_bounce.hpp"
 
 namespace exercise {

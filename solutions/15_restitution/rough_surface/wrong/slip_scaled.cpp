@@ -1,5 +1,7 @@
 // misconception: slip-scaled-by-friction
 // caught by: friction acts during the whole change of the normal velocity
+// seen: https://github.com/IMP-Engine/Engine/pull/56
+//   the tangential velocity is multiplied by a coefficient
 #include "rough_surface.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: friction-of-the-stop-alone
 // caught by: friction acts during the whole change of the normal velocity
+// seen: not found
 #include "rough_surface.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: friction-turns-back
 // caught by: friction stops the slip and does not reverse it
+// seen: https://github.com/joshuaange/LSPIS/issues/3 friction sometimes reverses the velocity
 #include "rough_surface.hpp"
 
 namespace exercise {

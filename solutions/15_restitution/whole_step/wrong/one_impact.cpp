@@ -1,5 +1,6 @@
 // misconception: one-impact-a-step
 // caught by: a step with several impacts
+// seen: https://github.com/BLAST-WarpX/warpx/issues/7089 lists it as a limitation
 #include "whole_step.hpp"
 
 namespace exercise {
