@@ -1,5 +1,7 @@
 // misconception: break-equal-moments
 // caught by: the value is wrong by more than a half
+// seen: https://github.com/idmillington/cyclone-physics/issues/27
+//   tests values for which the rotation changes nothing
 #include "break_body_inertia.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: break-no-torque
 // caught by: it is wrong for similar moments
+// seen: not found
 #include "break_body_inertia.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: it is wrong after a small rotation
+// seen: not found
 #include "break_body_inertia.hpp"
 
 namespace exercise {

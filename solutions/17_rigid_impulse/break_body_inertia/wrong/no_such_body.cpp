@@ -1,5 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: the value is wrong by more than a half
+// seen: not found
 #include "break_body_inertia.hpp"
 
 namespace exercise {

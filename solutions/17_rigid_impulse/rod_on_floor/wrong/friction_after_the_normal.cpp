@@ -1,5 +1,6 @@
 // misconception: friction-after-the-normal
 // caught by: the slip stops and the end sticks
+// seen: https://github.com/RandyGaul/ImpulseEngine/blob/359fecf88b11bccca8b3e2c400e2e5a0d527ea18/Manifold.cpp
 #include "rod_on_floor.hpp"
 
 namespace exercise {
