@@ -1,5 +1,6 @@
 // misconception: break-one-impact-at-most
 // caught by: a short step ends at the wrong position
+// seen: not found
 #include "break_one_reflection.hpp"
 
 namespace exercise {

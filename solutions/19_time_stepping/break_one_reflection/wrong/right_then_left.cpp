@@ -1,5 +1,6 @@
 // misconception: break-right-wall-first
 // caught by: a step with two impacts ends at the wrong position
+// seen: not found
 #include "break_one_reflection.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: a step with two impacts ends at the wrong position
+// seen: not found
 #include "break_one_reflection.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: stale-meetings-kept
 // caught by: a chain of three
+// seen: https://github.com/hannorein/rebound/issues/440
+//   entries of a list of collisions become outdated by earlier ones
 #include "in_order.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: from-the-start-alone
 // caught by: a chain of three
+// seen: https://github.com/hannorein/rebound/issues/440
+//   all collisions are listed before the first is resolved
 #include "in_order.hpp"
 
 namespace exercise {

@@ -1,5 +1,7 @@
 // misconception: step-left-out
 // caught by: from rest, explicit Euler stays and symplectic Euler moves
+// seen: https://github.com/dilevin/CSC417-a5-rigid-bodies/issues/4
+//   a torque without the step, in an assignment
 #include "two_eulers.hpp"
 
 namespace exercise {

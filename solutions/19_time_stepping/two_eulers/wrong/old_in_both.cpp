@@ -1,5 +1,6 @@
 // misconception: old-velocity-in-both
 // caught by: from rest, explicit Euler stays and symplectic Euler moves
+// seen: https://github.com/SciML/OrdinaryDiffEq.jl/issues/577
 #include "two_eulers.hpp"
 
 namespace exercise {

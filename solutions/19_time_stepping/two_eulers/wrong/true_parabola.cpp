@@ -1,5 +1,7 @@
 // misconception: half-a-t-squared
 // caught by: from rest, explicit Euler stays and symplectic Euler moves
+// seen: https://github.com/gbaliarda/dinamica-molecular-dt/blob/6026fc727042256f92d7c6116d91578cad0a1b82/src/main/java/Integrals.java
+//   EulerPosition() has the square of the step
 #include "two_eulers.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: euler-for-verlet
 // caught by: one step from the turning point
+// seen: https://github.com/TeamAtomECS/AtomECS/issues/8 its author thought that Verlet was in use
 #include "verlet_step.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: push-from-the-start-twice
 // caught by: one step from the turning point
+// seen: not found
 #include "verlet_step.hpp"
 
 namespace exercise {

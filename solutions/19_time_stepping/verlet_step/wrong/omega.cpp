@@ -1,5 +1,6 @@
 // misconception: omega-not-squared
 // caught by: one step from the turning point
+// seen: https://github.com/RedPointyJackson/Brooglie/issues/4 in the potential of an oscillator
 #include "verlet_step.hpp"
 
 namespace exercise {

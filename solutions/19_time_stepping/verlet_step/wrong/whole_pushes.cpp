@@ -1,5 +1,7 @@
 // misconception: whole-push-twice
 // caught by: one step from the turning point
+// seen: https://github.com/headmyshoulder/odeint-v2/issues/150
+//   a whole dt² in the position for a half
 #include "verlet_step.hpp"
 
 namespace exercise {
