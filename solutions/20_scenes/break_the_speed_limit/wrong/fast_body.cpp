@@ -1,5 +1,6 @@
 // misconception: break-step-is-refused
 // caught by: a body at constant speed may pass
+// seen: not found
 #include "break_the_speed_limit.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: break-step-is-safe
 // caught by: a body that starts at rest may pass
+// seen: not found
 #include "break_the_speed_limit.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: a body whose centre is at rest may pass
+// seen: not found
 #include "break_the_speed_limit.hpp"
 
 namespace exercise {

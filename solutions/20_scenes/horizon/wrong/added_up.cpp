@@ -1,5 +1,6 @@
 // misconception: errors-added-up
 // caught by: from pillar to pillar
+// seen: not found
 #include "horizon.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: horizon-at-a-hit
 // caught by: from pillar to pillar
+// seen: not found
 #include "horizon.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: cosine-left-out
 // caught by: an oblique hit
+// seen: not found
 #include "horizon.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: normal-turned-once
 // caught by: one pillar, head on
+// seen: not found
 #include "horizon.hpp"
 
 namespace exercise {

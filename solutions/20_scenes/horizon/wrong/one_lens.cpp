@@ -1,5 +1,6 @@
 // misconception: angle-of-one-hit-alone
 // caught by: from pillar to pillar
+// seen: not found
 #include "horizon.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: wall-makes-parallel
 // caught by: flat walls
+// seen: not found
 #include "horizon.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: speeds-subtracted
 // caught by: both move
+// seen: not found
 #include "nothing_passes.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: absolute-epsilon
 // caught by: the smallest component counts
+// seen: https://github.com/flow123d/flow123d/issues/374 velocities below 1e-8 are taken for zero
 #include "stays_in_a_plane.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: forces-left-out
 // caught by: one ball and gravity
+// seen: https://github.com/erincatto/box2d/issues/906 bodies fall asleep at their highest point
 #include "stays_in_a_plane.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: walls-left-out
 // caught by: walls push along their normals
+// seen: not found
 #include "stays_in_a_plane.hpp"
 
 namespace exercise {

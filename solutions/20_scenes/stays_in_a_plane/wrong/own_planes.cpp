@@ -1,5 +1,6 @@
 // misconception: centres-left-out
 // caught by: balls push along the line of their centres
+// seen: not found
 #include "stays_in_a_plane.hpp"
 
 namespace exercise {

@@ -1,5 +1,6 @@
 // misconception: balanced-for-still
 // caught by: each ball is its own image
+// seen: not found
 #include "stays_in_a_plane.hpp"
 
 namespace exercise {
