@@ -1,0 +1,151 @@
+#include <04_rays/round_bodies.hpp>
+#include <contact/first_in_scene.hpp>
+#include <variant>
+
+namespace {
+
+using namespace bodies;
+using contact::Aabb;
+using contact::Capsule;
+using contact::Cone;
+using contact::Cylinder;
+using contact::Matrix3;
+using contact::OrientedBox;
+using contact::Primitive;
+using contact::Sphere;
+using contact::Triangle;
+using Scene = std::vector<Primitive<double>>;
+
+Scene random_scene(Random& random, int kind, int count) {
+  Scene scene;
+  for (int i = 0; i < count; ++i) {
+    const RoundCase<double> c = round_case<double>(random, kind);
+    const Vector3<double> a = c.core.start, b = c.core.end;
+    switch (random.integer(0, 6)) {
+      case 0:
+        scene.push_back(Sphere<double>{a, c.radius});
+        break;
+      case 1:
+        scene.push_back(Aabb<double>{a.cwiseMin(b), a.cwiseMax(b)});
+        break;
+      case 2:
+        scene.push_back(OrientedBox<double>{a, Matrix3<double>::Identity(),
+                                            Vector3<double>::Constant(c.radius + 0.01)});
+        break;
+      case 3:
+        scene.push_back(Cylinder<double>{c.core, c.radius});
+        break;
+      case 4:
+        scene.push_back(Capsule<double>{c.core, c.radius});
+        break;
+      case 5:
+        scene.push_back(Cone<double>{a, b, c.radius});
+        break;
+      default:
+        scene.push_back(Triangle<double>{a, b, vector<double>(random, kind)});
+    }
+    if (random.chance(0.1)) scene.push_back(scene.back());  // a tie
+  }
+  return scene;
+}
+
+TEST_CASE("the first hit of a scene is the least t, of equal ones the lowest index") {
+  Random random(61);
+  int met = 0, ties = 0;
+  for (int i = 0; i < generators::tried(2000); ++i) {
+    const int kind = i % 2;
+    const Scene scene = random_scene(random, kind, 12);
+    const RoundCase<double> c = round_case<double>(random, kind);
+    const Segment<double> segment{c.ray.origin, c.ray.origin + c.ray.direction * 1.5};
+    const auto check = [&](const auto& line) {
+      const auto first = contact::first_in_scene<double>(line, scene);
+      const auto all = contact::all_in_scene<double>(line, scene);
+      REQUIRE(first.has_value() == !all.empty());
+      std::size_t hits = 0;
+      for (const auto& body : scene) hits += contact::first_hit(line, body) ? 1 : 0;
+      REQUIRE(hits == all.size());
+      if (!first) return;
+      ++met;
+      REQUIRE(first->index == all[0].index);
+      REQUIRE(first->hit.t == all[0].hit.t);
+      for (std::size_t k = 1; k < all.size(); ++k) {
+        const bool ordered = all[k - 1].hit.t < all[k].hit.t ||
+                             (all[k - 1].hit.t == all[k].hit.t && all[k - 1].index < all[k].index);
+        REQUIRE(ordered);
+        ties += all[k - 1].hit.t == all[k].hit.t ? 1 : 0;
+      }
+    };
+    check(c.ray);
+    check(segment);
+  }
+  CHECK(met > generators::tried(1000));
+  CHECK(ties > generators::tried(100));
+}
+
+TEST_CASE("a scene of one body of each kind, a triangle's side, an empty scene") {
+  const Scene scene{
+      Sphere<double>{{0, 0, 0}, 1},
+      Aabb<double>{{3, -1, -1}, {4, 1, 1}},
+      OrientedBox<double>{{7, 0, 0}, Matrix3<double>::Identity(), {1, 1, 1}},
+      Cylinder<double>{{{10, 0, -1}, {10, 0, 1}}, 1},
+      Capsule<double>{{{13, 0, -1}, {13, 0, 1}}, 1},
+      Cone<double>{{15, 0, 0}, {16, 0, 0}, 1},
+      Triangle<double>{{18, -1, -1}, {18, 2, -1}, {18, -1, 2}},
+  };
+  const auto all = contact::all_in_scene<double>(Ray<double>{{-4, 0, 0}, {2, 0, 0}}, scene);
+  REQUIRE(all.size() == 7);
+  const double at[] = {1.5, 3.5, 5, 6.5, 8, 9.5, 11};
+  for (std::size_t k = 0; k < 7; ++k) {
+    CHECK(all[k].index == k);
+    CHECK(std::abs(all[k].hit.t - at[k]) < 1e-12);
+    CHECK((all[k].hit.normal - Vector3<double>(-1, 0, 0)).norm() < 1e-12);
+  }
+  const auto back = contact::first_in_scene<double>(Ray<double>{{30, 0, 0}, {-2, 0, 0}}, scene);
+  REQUIRE(back);
+  CHECK(back->index == 6);
+  CHECK(back->hit.normal == Vector3<double>(1, 0, 0));
+  CHECK_FALSE(contact::first_in_scene<double>(Ray<double>{{0, 5, 0}, {0, 1, 0}}, scene));
+  CHECK_FALSE(contact::first_in_scene<double>(Ray<double>{{0, 0, 0}, {0, 1, 0}}, Scene{}));
+}
+
+TEST_CASE("samples miss a thin wall that segments find") {
+  const Scene scene{Aabb<double>{{9.9, -5, -5}, {9.95, 5, 5}}, Sphere<double>{{40, 0, 0}, 6}};
+  const Vector3<double> start(0, 0, 0), displacement(4, 0, 0);
+  const auto sampled = contact::bullet_by_samples<double>(start, displacement, 20, scene);
+  const auto swept = contact::bullet_by_segments<double>(start, displacement, 20, scene);
+  REQUIRE(sampled);
+  CHECK(sampled->index == 1);  // it has passed the wall
+  CHECK(sampled->step == 8);
+  CHECK(sampled->hit.inside);
+  REQUIRE(swept);
+  CHECK(swept->index == 0);
+  CHECK(swept->step == 2);
+  CHECK(std::abs(swept->hit.t - (9.9 - 8) / 4) < 1e-12);
+  CHECK_FALSE(contact::bullet_by_segments<double>(start, displacement, 2, scene));
+  CHECK_FALSE(contact::bullet_by_segments<double>(start, displacement, 0, scene));
+  // Slower than the wall is thick, samples find it.
+  const auto slow = contact::bullet_by_samples<double>(start, {0.04, 0, 0}, 1000, scene);
+  REQUIRE(slow);
+  CHECK(slow->index == 0);
+  // A start inside a body is met in step 0.
+  CHECK(contact::bullet_by_segments<double>({40, 0, 0}, displacement, 3, scene)->hit.inside);
+}
+
+TEST_CASE("no segment of a path is missed: whatever a sample is in, a segment has met before") {
+  Random random(62);
+  int found = 0;
+  for (int i = 0; i < generators::tried(1000); ++i) {
+    Scene scene = random_scene(random, i % 2, 6);
+    const RoundCase<double> c = round_case<double>(random, i % 2);
+    const Vector3<double> step = c.ray.direction / 8;
+    const auto sampled = contact::bullet_by_samples<double>(c.ray.origin, step, 12, scene);
+    if (!sampled) continue;
+    ++found;
+    const auto swept = contact::bullet_by_segments<double>(c.ray.origin, step, 12, scene);
+    REQUIRE(swept);
+    REQUIRE(swept->step <= sampled->step);
+  }
+  CHECK(found > generators::tried(200));
+}
+
+}  // namespace
