@@ -63,7 +63,7 @@ namespace {
 
 using Body = contact::Primitive<double>;
 
-constexpr double wall_left = 2.4, wall_low = -2.2, wall_high = 1.2, height = 1;
+constexpr double wall_left = 2.4, wall_low = -2.2, wall_high = 0.75, height = 1;
 
 Vector space(const Point& p, double z = 0) { return {p.x(), p.y(), z}; }
 Point plane(const Vector& v) { return v.head<2>(); }

@@ -83,7 +83,7 @@ export default defineFigure<Input, Output>({
     origin: [-4.25, -0.25],
     through: [-2, -0.25],
     ball: [3.6, -0.25],
-    box: [-0.75, 1.5],
+    box: [-0.75, 1.9],
     thickness: 0.25,
     speed: 1.5,
     radius: 0.15,
@@ -234,12 +234,12 @@ export default defineFigure<Input, Output>({
       });
     else if (!output.line_meets_wall && output.ball_meets_wall) {
       scene.ball(output.ball_at, input.radius, { role: "miss", fill: 0.3 });
-      scene.label([0, 2.85], "the bullet touches the wall, its centre’s path does not", {
+      scene.label([0, 2.85], "the bullet’s rim touches the wall", {
         role: "miss",
         anchor: "middle",
       });
     } else if (output.enlarged_meets_wall && !output.ball_meets_wall)
-      scene.label([0, 2.85], "the enlarged wall would be hit, the wall is not", {
+      scene.label([0, 2.85], "only the enlarged wall is touched", {
         role: "miss",
         anchor: "middle",
       });
@@ -289,8 +289,8 @@ export default defineFigure<Input, Output>({
     const ray = output.hits
       ? `The ray meets ${output.hits === 1 ? "one body" : `${output.hits} bodies`}, first the ${name(output.body[0])} at t = ${pretty(output.t[0] ?? 0)}.`
       : "The ray meets nothing.";
-    const path = output.met[1] ? `the ${name(output.met_body[1])}` : "nothing";
-    const samples = output.met[0] ? `the ${name(output.met_body[0])}` : "nothing";
-    return `${ray} The bullet’s path meets ${path} first; sampled once a frame, the bullet meets ${samples}.`;
+    const path = output.met[1] ? `meets the ${name(output.met_body[1])} first` : "meets nothing";
+    const samples = output.met[0] ? `is in the ${name(output.met_body[0])}` : "is in no body";
+    return `${ray} The bullet’s path ${path}; sampled once a frame, the bullet ${samples}.`;
   },
 });

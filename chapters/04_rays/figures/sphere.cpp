@@ -190,6 +190,10 @@ void compute_in(const Input& in, Output& out) {
   };
 
   out.length = std::sqrt(plane(ray.direction).squaredNorm());
+  if (!(out.length > 0)) {  // the ends of the segment were rounded to one point
+    out.problem = contact::figure::zero_direction;
+    return;
+  }
   const Point foot = nearest(ray, ball), along = plane(ray.direction) / out.length;
   const double drawn = 30 + (foot - in.origin).norm();
   out.drawn_from = foot - drawn * along;
