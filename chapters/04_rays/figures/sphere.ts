@@ -243,7 +243,7 @@ export default defineFigure<Input, Output>({
       },
       {
         name: "outline",
-        meaning: `of ${output.ray_finds.length} parallel rays, wrong`,
+        meaning: `of ${output.ray_finds.length} parallel rays, decided wrongly`,
         value: missed,
         role: missed ? "miss" : "ink",
       },
@@ -265,6 +265,8 @@ export default defineFigure<Input, Output>({
       : `the ${part}${far} does not hit it`;
     const wrong = METHODS.filter((_, i) => output.wrong[i] || off(output, i));
     const others = wrong.length ? `Wrong here: ${wrong.join(", ")}.` : "All methods agree.";
-    return `The line ${MEETS[output.meets]}, and ${found}. ${others} By the chosen method, ${output.rays_wrong} of ${output.ray_finds.length} parallel rays are wrong.`;
+    const rays = `${output.rays_wrong} of ${output.ray_finds.length} parallel rays`;
+    const outline = `The chosen method decides wrongly about ${rays}, and has the others enter up to ${metres(output.rays_off)} away from where they do.`;
+    return `The line ${MEETS[output.meets]}, and ${found}. ${others} ${outline}`;
   },
 });
