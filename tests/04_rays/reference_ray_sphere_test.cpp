@@ -116,7 +116,7 @@ void compare(const Line& line, const Sphere<S>& ball, std::map<int, int>& seen) 
   if (!(sizes < 1e150) || !contact::all_finite(p) || !(sizes > 1e-150)) return;
   const double room = (std::is_same_v<S, float> ? 0x1p-22 : 0x1p-51) *
                           (ball.centre.template cast<double>().norm() + double(ball.radius)) +
-                      0x1p-20 * double(ball.radius);
+                      0x1p-20 * double(ball.radius) + double(std::numeric_limits<S>::denorm_min());
   const Vector3<Rational> from_centre = oracle::exact(p) - body.centre;
   const Rational squared = from_centre.dot(from_centre);
   const Rational low = std::max<Rational>(Rational(0), body.radius - oracle::exact(room));
@@ -168,6 +168,51 @@ TEST_CASE("a ray against a ball is decided as in fractions, in double") {
 }
 TEST_CASE("a ray against a ball is decided as in fractions, in float") {
   compare_all<float>(21000, 2);
+}
+
+TEST_CASE("numbers that are not finite are no hit of a ball, and no ball") {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const Sphere<double> ball{{0, 0, 0}, 2};
+  for (const double bad : {inf, -inf, nan}) {
+    for (int k = 0; k < 3; ++k) {
+      for (const double start : {0.5, -3.0}) {  // inside and outside
+        Ray<double> ray{{start, 0.25, 0.125}, {1, 0.0625, 0.03125}};
+        CHECK(contact::hits_sphere(ray, ball));
+        ray.direction(k) = bad;
+        CHECK_FALSE(contact::hits_sphere(ray, ball));
+        CHECK_FALSE(contact::first_hit(ray, ball));
+        CHECK_FALSE(contact::passage(ray, ball));
+        ray.direction(k) = 1;
+        ray.origin(k) = bad;
+        CHECK_FALSE(contact::hits_sphere(ray, ball));
+        Segment<double> segment{{start, 0, 0}, {3, 3, 3}};
+        segment.end(k) = bad;
+        CHECK_FALSE(contact::hits_sphere(segment, ball));
+      }
+      Sphere<double> other = ball;
+      other.centre(k) = bad;
+      CHECK_FALSE(contact::hits_sphere(Ray<double>{{0, 0, 0}, {1, 0, 0}}, other));
+    }
+    CHECK_FALSE(contact::hits_sphere(Ray<double>{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, bad}));
+  }
+  CHECK_FALSE(contact::hits_sphere(Ray<double>{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, -2.0}));
+  CHECK_FALSE(contact::hits_sphere(Ray<double>{{-5, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, -2.0}));
+}
+
+TEST_CASE("a start on the surface: inwards, along it and outwards") {
+  const Sphere<double> ball{{0, 0, 0}, 5};
+  const Vector3<double> start(3, 4, 0);
+  const auto inwards = contact::first_hit(Ray<double>{start, {-3, -4, 0}}, ball);
+  REQUIRE(inwards);
+  CHECK((inwards->t == 0 && !inwards->inside && inwards->point == start));
+  CHECK((inwards->normal - start / 5).norm() < 1e-15);
+  const auto along = contact::first_hit(Ray<double>{start, {-4, 3, 0}}, ball);
+  REQUIRE(along);
+  CHECK((along->t == 0 && !along->inside));
+  const auto outwards = contact::first_hit(Ray<double>{start, {1, 0, 0}}, ball);
+  REQUIRE(outwards);
+  CHECK((outwards->t == 0 && outwards->inside));
 }
 
 }  // namespace

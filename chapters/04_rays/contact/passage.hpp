@@ -111,6 +111,26 @@ bool is_point(const Segment<S>& segment) {
   return segment.start == segment.end;
 }
 
+/// origin + t direction, computed in double and rounded once more in float. A component 0
+/// stays where it is.
+template <std::floating_point S>
+Vector3<S> point_at(const Ray<S>& ray, double t) {
+  const Vector3<double> d = ray.direction.template cast<double>();
+  Vector3<double> offset = d * t;
+  for (int k = 0; k < 3; ++k) {
+    if (d(k) == 0) offset(k) = 0;  // also for an infinite t
+  }
+  return (ray.origin.template cast<double>() + offset).template cast<S>();
+}
+/// The same for a segment; t from 0 to 1. Halves cannot overflow.
+template <std::floating_point S>
+Vector3<S> point_at(const Segment<S>& segment, double t) {
+  const Vector3<double> start = segment.start.template cast<double>();
+  const Vector3<double> end = segment.end.template cast<double>();
+  if (t == 1) return segment.end;
+  return (start + (end / 2 - start / 2) * (t + t)).template cast<S>();
+}
+
 /// The hit of a line with a passage; `last` bounds t if it is finite.
 template <Ring S>
 std::optional<BodyHit<S>> first_of_passage(const Ray<S>& ray, const Passage<S>& passage,

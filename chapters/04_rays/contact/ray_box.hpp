@@ -8,13 +8,17 @@
 #include <cmath>
 #include <concepts>
 #include <contact/aabb.hpp>
+#include <contact/error_free.hpp>
 #include <contact/exact.hpp>
 #include <contact/oriented_box.hpp>
 #include <contact/passage.hpp>
+#include <contact/products.hpp>
+#include <contact/running_error.hpp>
 #include <contact/shapes.hpp>
 #include <contact/slabs.hpp>
 #include <contact/tolerance.hpp>
 #include <contact/vector.hpp>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -52,7 +56,8 @@ std::optional<Passage<S>> passage_by_slabs_with_division(const Ray<S>& ray, cons
     }
     if (found.entry > found.exit) return std::nullopt;
   }
-  detail::set_box_normals(found);
+  found.entry_normal = detail::axis_normal<S>(found.entry_face);
+  found.exit_normal = detail::axis_normal<S>(found.exit_face);
   return found;
 }
 // [/with-division]
@@ -87,7 +92,7 @@ std::optional<Passage<S>> passage_by_branchless_slabs(const Ray<S>& ray, const A
 /// near miss may be reported.
 ///
 /// Limits: only a positive exit is enlarged, so the guarantee is for rays (t ≥ 0), without
-/// underflow and overflow. 0 · ∞ as above.
+/// underflow and overflow. 0 · ∞ as above, also for a component so small that 1/d is infinite.
 ///
 /// Source: Ize, *Robust BVH Ray Traversal*, Journal of Computer Graphics Techniques 2 (2013).
 template <std::floating_point S>
@@ -118,49 +123,213 @@ Aabb<double> in_double(const Aabb<S>& box) {
 
 namespace detail {
 
-/// A box as slabs of a line: low − origin ≤ t direction ≤ high − origin.
-inline std::array<Slab<Exact>, 3> exact_slabs(const Ray<Exact>& ray, const Aabb<double>& box) {
-  std::array<Slab<Exact>, 3> slabs;
+// [rough-box]
+/// Whether a line hits a box, by the branchless slabs: 1 or −1 if that is certain, else 0.
+///
+/// Difference, reciprocal, product and, for a segment, direction are rounded: each t is off by at
+/// most 4 u of itself. So entry < exit (1 − 10 u) is a hit and entry (1 − 10 u) > exit a miss.
+/// 2^-1000 covers underflow. Components of the direction that are 0, or beyond 2^±500, and t beyond
+/// 2^1000 are left to the other test, so no NaN arises and no reciprocal is subnormal.
+template <bool ends>
+int box_at_a_glance(const Ray<double>& ray, const Aabb<double>& box) {
+  constexpr double shorter = 1 - 10 * tolerance::unit_roundoff<double>;
+  constexpr double floor = 0x1p-1000;
+  double entry = 0;
+  double exit = ends ? 1.0 : std::numeric_limits<double>::infinity();
+  double sizes = 0;
   for (int k = 0; k < 3; ++k) {
-    slabs[std::size_t(k)] = {Exact(box.low(k)) - ray.origin(k), Exact(box.high(k)) - ray.origin(k),
-                             ray.direction(k)};
+    const double inverse = 1 / ray.direction(k);
+    sizes += std::abs(ray.direction(k)) + std::abs(inverse);
+    const double to_low = (box.low(k) - ray.origin(k)) * inverse;
+    const double to_high = (box.high(k) - ray.origin(k)) * inverse;
+    entry = std::max(entry, std::min(to_low, to_high));
+    exit = std::min(exit, std::max(to_low, to_high));
   }
-  return slabs;
+  if (!(sizes <= 0x1p500 && entry <= 0x1p1000)) return 0;
+  if (entry + floor < exit * shorter) {
+    const double sum = ray.origin.sum();
+    return sum == sum ? 1 : 0;  // a NaN was dropped by min and max
+  }
+  return entry * shorter > exit + floor ? -1 : 0;
+}
+// [/rough-box]
+
+// [box-time]
+/// The t at which a line crosses the plane of a face: (plane − start)/(to − from), where to − from
+/// is the component of the direction.
+struct BoxTime {
+  double plane = 0, start = 0;
+  double to = 0, from = 0;  ///< the ends of a segment; a ray's component and 0
+  int face = -1;
+
+  bool forwards() const { return to > from; }
+  /// Within 3 u of itself, without underflow.
+  double t() const {
+    const double above = plane - start, below = to - from;
+    if (std::isfinite(above) && std::isfinite(below)) return above / below;
+    return quotient<double>(Exact(plane) - Exact(start), Exact(to) - Exact(from));
+  }
+  /// Sign of t: a comparison of stored numbers.
+  int sign() const {
+    const int ahead = plane > start ? 1 : (plane < start ? -1 : 0);
+    return forwards() ? ahead : -ahead;
+  }
+  /// Whether t ≤ 1, for a segment: the same.
+  bool in_time() const { return forwards() ? plane <= to : plane >= to; }
+};
+
+/// Sign of x − y. Quotients that are rounded by at most 3 u decide if they are apart. Else, if all
+/// differences are exact, as for whole numbers, two products and their difference in double: its
+/// sign is right. Else exact arithmetic.
+inline int compare(const BoxTime& x, const BoxTime& y) {
+  const auto sign = [](const auto& z) { return z > 0 ? 1 : (z < 0 ? -1 : 0); };
+  const double tx = x.t(), ty = y.t();
+  const double gap = tx - ty;
+  const double bound =
+      10 * tolerance::unit_roundoff<double> * (std::abs(tx) + std::abs(ty)) + 0x1p-1000;
+  if (gap > bound || gap < -bound) return sign(gap);
+  const int turned = x.forwards() == y.forwards() ? 1 : -1;
+  const auto above_x = two_sum(x.plane, -x.start), above_y = two_sum(y.plane, -y.start);
+  const auto below_x = two_sum(x.to, -x.from), below_y = two_sum(y.to, -y.from);
+  if (above_x.error == 0 && above_y.error == 0 && below_x.error == 0 && below_y.error == 0 &&
+      product_keeps_its_digits(above_x.value, below_y.value) &&
+      product_keeps_its_digits(above_y.value, below_x.value)) {
+    return turned *
+           sign(difference_of_products(above_x.value, below_y.value, above_y.value, below_x.value));
+  }
+  const Exact first = (Exact(x.plane) - Exact(x.start)) * (Exact(y.to) - Exact(y.from));
+  const Exact second = (Exact(y.plane) - Exact(y.start)) * (Exact(x.to) - Exact(x.from));
+  return turned * (first - second).sign();
+}
+// [/box-time]
+
+inline double to_of(const Ray<double>& ray, int k) { return ray.direction(k); }
+inline double to_of(const Segment<double>& segment, int k) { return segment.end(k); }
+inline double from_of(const Ray<double>&, int) { return 0; }
+inline double from_of(const Segment<double>& segment, int k) { return segment.start(k); }
+
+// [box-times]
+/// The latest entry and the earliest exit, compared without error; of equal ones the lowest axis.
+struct BoxTimes {
+  bool meets = true;     ///< whether the unbounded line has a point in the box
+  bool bounded = false;  ///< whether the direction is not 0
+  BoxTime entry, exit;
+
+  /// Whether a ray, or a line that ends at t = 1, meets the box.
+  bool hits(bool ends) const {
+    return meets && (!bounded || (exit.sign() >= 0 && (!ends || entry.in_time())));
+  }
+  bool starts_inside() const { return !bounded || entry.sign() < 0; }
+};
+
+/// Computes them for a finite line.
+template <class Line>
+[[gnu::noinline]] BoxTimes box_times(const Line& line, const Aabb<double>& box) {
+  BoxTimes times;
+  const Vector3<double>& start = start_of(line);
+  for (int k = 0; k < 3; ++k) {
+    const double to = to_of(line, k), from = from_of(line, k);
+    if (to == from) {
+      if (!(box.low(k) <= start(k) && start(k) <= box.high(k))) return {false, false, {}, {}};
+      continue;
+    }
+    const bool forwards = to > from;
+    const BoxTime lower{box.low(k), start(k), to, from, box_face(k, false)};
+    const BoxTime upper{box.high(k), start(k), to, from, box_face(k, true)};
+    const BoxTime& entry = forwards ? lower : upper;
+    const BoxTime& exit = forwards ? upper : lower;
+    if (!times.bounded || compare(entry, times.entry) > 0) times.entry = entry;
+    if (!times.bounded || compare(exit, times.exit) < 0) times.exit = exit;
+    times.bounded = true;
+  }
+  times.meets = !times.bounded || compare(times.entry, times.exit) <= 0;
+  return times;
+}
+// [/box-times]
+
+/// A point of a face, with its coordinate as stored and the others not outside the box.
+template <std::floating_point S>
+Vector3<S> onto_face(const Vector3<S>& point, const Aabb<S>& box, int face) {
+  const int k = face / 2;
+  Vector3<S> result = point.cwiseMax(box.low).cwiseMin(box.high);
+  result(k) = face % 2 == 1 ? box.high(k) : box.low(k);
+  return result;
 }
 
 }  // namespace detail
 
+// [hits-box]
 /// Whether a ray or a segment meets a solid box. Touching counts.
 ///
-/// Right for every finite input. A component of 0 is compared, not divided by; a line in a face, an
-/// edge or a corner meets the box. A direction of 0 is a point. A line that is not finite: no. A
-/// box with low > high is empty: no.
+/// Right for every finite input: the branchless slabs decide if entry and exit are further apart
+/// than their errors, else products are compared without error. A component of 0 is compared, not
+/// divided by; a line in a face, an edge or a corner meets the box. A direction of 0 is a point. A
+/// line that is not finite: no. A box with low > high or a number that is not finite is an error of
+/// the program, as in Aabb, and gets any answer.
 template <FloatOrDouble S, LineOf<S> Line>
 bool hits_box(const Line& line, const Aabb<S>& box) {
-  if (!is_finite(line)) return false;
-  return hits_slabs(detail::exact_slabs(exact_ray_of(line), in_double(box)), has_end<Line>);
+  const auto stored = in_double(line);
+  const Aabb<double> body = in_double(box);
+  const int at_a_glance = detail::box_at_a_glance<has_end<Line>>(ray_of(stored), body);
+  if (at_a_glance != 0) return at_a_glance > 0;
+  return is_finite(line) && detail::box_times(stored, body).hits(has_end<Line>);
 }
+// [/hits-box]
 
+// [box-passage]
 /// Where the unbounded line through a ray or a segment enters and leaves a box: the book's choice.
 ///
-/// The decision is right as that of hits_box. Faces as box_face; of faces that are entered at the
-/// same t the one of the lowest axis, decided exactly; −1 and normal 0 where t is infinite (a
-/// direction of 0).
+/// The decision is right for every finite line. Faces as box_face; of faces that are entered at the
+/// same t that of the lowest axis, decided exactly; −1 and normal 0 where t is infinite (a
+/// direction of 0). Each t has a relative error of at most 3 u (of double, and then rounded to S),
+/// without underflow.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<Passage<S>> passage(const Line& line, const Aabb<S>& box) {
   if (!is_finite(line)) return std::nullopt;
-  std::optional<Passage<S>> found =
-      slabs_passage<S>(detail::exact_slabs(exact_ray_of(line), in_double(box)));
-  if (found) detail::set_box_normals(*found);
-  return found;
+  const detail::BoxTimes times = detail::box_times(in_double(line), in_double(box));
+  if (!times.meets) return std::nullopt;
+  Passage<double> found;
+  found.exit = std::numeric_limits<double>::infinity();
+  found.entry = -found.exit;
+  if (times.bounded) {
+    found.exit = times.exit.t();
+    found.entry = std::min(times.entry.t(), found.exit);
+    found.entry_face = times.entry.face;
+    found.exit_face = times.exit.face;
+  }
+  return detail::with_normals<S>(found, detail::axis_normal<S>);
 }
+// [/box-passage]
 
-/// What a ray or a segment meets first of a solid box. Decision, face and `inside` are exact.
+// [first-hit-box]
+/// What a ray or a segment meets first of a solid box.
+///
+/// Decision, face and `inside` are exact: inside if the start is in the box and not on a face that
+/// the line enters. On the face from which it enters t = 0.
+///
+/// The point's coordinate on the face is the stored one; the others are off by at most 6 u of their
+/// two terms, and never outside the box. t as in passage.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit(const Line& line, const Aabb<S>& box) {
-  if (!hits_box(line, box)) return std::nullopt;
-  return first_hit(line, *passage(line, box));
+  const auto stored = in_double(line);
+  const Aabb<double> body = in_double(box);
+  if (detail::box_at_a_glance<has_end<Line>>(ray_of(stored), body) < 0) return std::nullopt;
+  if (!is_finite(line)) return std::nullopt;
+  const detail::BoxTimes times = detail::box_times(stored, body);
+  if (!times.hits(has_end<Line>)) return std::nullopt;
+  BodyHit<S> hit;
+  hit.point = start_of(line);
+  hit.inside = times.starts_inside();
+  if (hit.inside) return hit;
+  const double last = has_end<Line> ? 1.0 : std::numeric_limits<double>::infinity();
+  const double t = std::clamp(times.entry.t(), 0.0, last) + 0.0;  // not −0
+  hit.t = static_cast<S>(t);
+  hit.face = times.entry.face;
+  hit.normal = detail::axis_normal<S>(hit.face);
+  hit.point = detail::onto_face<S>(detail::point_at(line, t), box, hit.face);
+  return hit;
 }
+// [/first-hit-box]
 
 // [by-frame]
 /// The line through an oriented box by slabs in the box's frame: rotated there, then as
@@ -182,24 +351,33 @@ std::optional<Passage<S>> passage_by_frame(const Ray<S>& ray, const OrientedBox<
 }
 // [/by-frame]
 
-namespace detail {
-
-/// The stored body of an oriented box as slabs: with n the cross product of the other two axes and
-/// det the volume of the axes, |n · (x − centre)| ≤ det h.
-inline std::array<Slab<Exact>, 3> exact_slabs(const Ray<Exact>& ray,
-                                              const OrientedBox<double>& box) {
-  std::array<Vector3<Exact>, 3> axes;
-  for (int k = 0; k < 3; ++k) axes[std::size_t(k)] = exact_vector(Vector3<double>(box.axes.col(k)));
-  const Vector3<Exact> m = ray.origin - exact_vector(box.centre);
-  std::array<Slab<Exact>, 3> slabs;
+// [oriented-slabs]
+/// The stored body of an oriented box as slabs: with n the cross product of the other two axes, |n
+/// · (x − centre)| ≤ h |n · axis|.
+template <class T, class Line>
+std::array<Slab<T>, 3> slabs_of(const Line& line, const OrientedBox<double>& box) {
+  using namespace detail;
+  const std::array<Triple<T>, 3> axes{triple<T>(box.axes.col(0)), triple<T>(box.axes.col(1)),
+                                      triple<T>(box.axes.col(2))};
+  const Triple<T> from_centre = minus(triple<T>(start_of(line)), triple<T>(box.centre));
+  const Triple<T> direction = direction_of<T>(line);
+  std::array<Slab<T>, 3> slabs;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Vector3<Exact> n = axes[(k + 1) % 3].cross(axes[(k + 2) % 3]);
-    const Exact half = abs(Exact(n.dot(axes[k]))) * Exact(box.half_lengths(int(k)));
-    const Exact from_centre = n.dot(m);
-    slabs[k] = {-half - from_centre, half - from_centre, n.dot(ray.direction)};
+    const Triple<T> n = cross(axes[(k + 1) % 3], axes[(k + 2) % 3]);
+    const T height = dot(n, axes[k]) * T(box.half_lengths(int(k)));
+    const T at = dot(n, from_centre);
+    const T speed = dot(n, direction);
+    // A left-handed frame has a negative volume: then n points against the axis.
+    bool sure = true;
+    const bool turned = sign_of(height, sure) < 0;
+    slabs[k] = turned ? Slab<T>{height + at, at - height, -speed}
+                      : Slab<T>{-height - at, height - at, speed};
   }
   return slabs;
 }
+// [/oriented-slabs]
+
+namespace detail {
 
 template <FloatOrDouble S>
 OrientedBox<double> in_double(const OrientedBox<S>& box) {
@@ -212,37 +390,49 @@ bool is_finite(const OrientedBox<S>& box) {
   return all_finite(box.centre) && all_finite(box.axes) && all_finite(box.half_lengths);
 }
 
+/// The unit outward normals of a box's faces: the stored axes.
+template <FloatOrDouble S>
+auto normals_of(const OrientedBox<S>& box) {
+  return [&box](int face) {
+    const Vector3<S> axis = box.axes.col(face / 2);
+    return face % 2 == 1 ? axis : Vector3<S>(-axis);
+  };
+}
+
 }  // namespace detail
 
+// [hits-oriented-box]
 /// Whether a ray or a segment meets a solid oriented box. Touching counts.
 ///
-/// Right for every finite input, about the stored body: the parallelepiped that the stored axes
-/// span. Not finite: no.
+/// Right for every finite input, about the stored body, the parallelepiped that the stored axes
+/// span; axes in one plane and half lengths that are negative make an error of the program, and get
+/// any answer. A number that is not finite: no.
 template <FloatOrDouble S, LineOf<S> Line>
 bool hits_box(const Line& line, const OrientedBox<S>& box) {
   if (!is_finite(line) || !detail::is_finite(box)) return false;
-  return hits_slabs(detail::exact_slabs(exact_ray_of(line), detail::in_double(box)), has_end<Line>);
+  return detail::hits_slabs(in_double(line), detail::in_double(box));
 }
+// [/hits-oriented-box]
 
-/// Where the unbounded line through a ray or a segment enters and leaves an oriented box. Faces as
-/// box_face; normals are the stored axes.
+/// Where the unbounded line through a ray or a segment enters and leaves an oriented box.
+///
+/// The decision is that of hits_box. Faces as box_face, of the box's axes; ties as for an Aabb.
+/// Normals are the stored axes. Each t is within 2^-40 of the larger magnitude of both.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<Passage<S>> passage(const Line& line, const OrientedBox<S>& box) {
   if (!is_finite(line) || !detail::is_finite(box)) return std::nullopt;
-  std::optional<Passage<S>> found =
-      slabs_passage<S>(detail::exact_slabs(exact_ray_of(line), detail::in_double(box)));
-  if (!found) return found;
-  detail::set_box_normals(*found);
-  found->entry_normal = box.axes * found->entry_normal;
-  found->exit_normal = box.axes * found->exit_normal;
-  return found;
+  const auto found = detail::slabs_passage(in_double(line), detail::in_double(box));
+  if (!found) return std::nullopt;
+  return detail::with_normals<S>(found->passage, detail::normals_of(box));
 }
 
-/// What a ray or a segment meets first of a solid oriented box.
+/// What a ray or a segment meets first of a solid oriented box. Decision, face and `inside` are
+/// exact; t as in passage, and the point off by that times the direction and by 6 u of its terms.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit(const Line& line, const OrientedBox<S>& box) {
-  if (!hits_box(line, box)) return std::nullopt;
-  return first_hit(line, *passage(line, box));
+  if (!is_finite(line) || !detail::is_finite(box)) return std::nullopt;
+  const auto found = detail::slabs_passage(in_double(line), detail::in_double(box));
+  return detail::first_of_slabs<S>(line, found, detail::normals_of(box));
 }
 
 }  // namespace contact

@@ -92,18 +92,33 @@ Kdop<S> kdop_of_points(const std::vector<Vector3<S>>& normals, std::span<const V
   return dop;
 }
 
+/// A k-DOP of doubles as slabs of a line, in bounded or exact numbers.
+template <class T, class Line>
+std::vector<Slab<T>> slabs_of(const Line& line, const Kdop<double>& dop) {
+  using namespace detail;
+  std::vector<Slab<T>> slabs;
+  slabs.reserve(dop.normals.size());
+  const Triple<T> start = triple<T>(start_of(line));
+  const Triple<T> direction = direction_of<T>(line);
+  for (std::size_t k = 0; k < dop.normals.size(); ++k) {
+    const Triple<T> n = triple<T>(dop.normals[k]);
+    const T at = dot(n, start);
+    slabs.push_back({T(dop.low[k]) - at, T(dop.high[k]) - at, dot(n, direction)});
+  }
+  return slabs;
+}
+
 namespace detail {
 
 template <FloatOrDouble S>
-std::vector<Slab<Exact>> exact_slabs(const Ray<Exact>& ray, const Kdop<S>& dop) {
-  std::vector<Slab<Exact>> slabs;
+Kdop<double> in_double(const Kdop<S>& dop) {
+  Kdop<double> result;
   for (std::size_t k = 0; k < dop.normals.size(); ++k) {
-    const Vector3<Exact> n = exact_vector(dop.normals[k]);
-    const Exact start = n.dot(ray.origin);
-    slabs.push_back({Exact(double(dop.low[k])) - start, Exact(double(dop.high[k])) - start,
-                     n.dot(ray.direction)});
+    result.normals.push_back(dop.normals[k].template cast<double>());
+    result.low.push_back(static_cast<double>(dop.low[k]));
+    result.high.push_back(static_cast<double>(dop.high[k]));
   }
-  return slabs;
+  return result;
 }
 
 template <FloatOrDouble S>
@@ -117,40 +132,50 @@ bool is_finite(const Kdop<S>& dop) {
   return true;
 }
 
+/// The unit outward normals of a k-DOP's faces.
+template <FloatOrDouble S>
+auto normals_of(const Kdop<S>& dop) {
+  return [&dop](int face) {
+    const Vector3<S> n = dop.normals[static_cast<std::size_t>(face / 2)].stableNormalized();
+    return face % 2 == 1 ? n : Vector3<S>(-n);
+  };
+}
+
 }  // namespace detail
 
-/// Whether a ray or a segment meets a solid k-DOP. Touching counts. Right for every finite input;
-/// not finite: no.
+// [hits-kdop]
+/// Whether a ray or a segment meets a solid k-DOP. Touching counts.
+///
+/// Right for every finite input: the slabs' signs from bounded numbers, else from exact ones. A
+/// k-DOP with low > high is empty: no. One without normals is all of space. A number that is not
+/// finite: no.
 template <FloatOrDouble S, LineOf<S> Line>
 bool hits_kdop(const Line& line, const Kdop<S>& dop) {
   if (!is_finite(line) || !detail::is_finite(dop)) return false;
-  return hits_slabs(detail::exact_slabs(exact_ray_of(line), dop), has_end<Line>);
+  return detail::hits_slabs(in_double(line), detail::in_double(dop));
 }
+// [/hits-kdop]
 
 /// Where the unbounded line through a ray or a segment enters and leaves a k-DOP.
 ///
-/// Face 2 j is the lower one of normal j, 2 j + 1 the upper one; equal entries: the lowest j,
-/// exactly.
+/// The decision is right for every finite input. Face 2 j is the lower one of normal j, 2 j + 1 the
+/// upper one; of faces that are entered at the same t the lowest j, decided exactly. Unit normals.
+/// Each t is within 2^-40 of the larger magnitude of both.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<Passage<S>> passage(const Line& line, const Kdop<S>& dop) {
   if (!is_finite(line) || !detail::is_finite(dop)) return std::nullopt;
-  std::optional<Passage<S>> found = slabs_passage<S>(detail::exact_slabs(exact_ray_of(line), dop));
-  if (!found) return found;
-  const auto normal = [&](int face) {
-    if (face < 0) return Vector3<S>(Vector3<S>::Zero());
-    const Vector3<S> n = dop.normals[std::size_t(face / 2)].stableNormalized();
-    return face % 2 == 1 ? n : Vector3<S>(-n);
-  };
-  found->entry_normal = normal(found->entry_face);
-  found->exit_normal = normal(found->exit_face);
-  return found;
+  const auto found = detail::slabs_passage(in_double(line), detail::in_double(dop));
+  if (!found) return std::nullopt;
+  return detail::with_normals<S>(found->passage, detail::normals_of(dop));
 }
 
-/// What a ray or a segment meets first of a solid k-DOP.
+/// What a ray or a segment meets first of a solid k-DOP. Decision, face and `inside` are exact; t
+/// as in passage, and the point off by that times the direction and by 6 u of its terms.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit(const Line& line, const Kdop<S>& dop) {
-  if (!hits_kdop(line, dop)) return std::nullopt;
-  return first_hit(line, *passage(line, dop));
+  if (!is_finite(line) || !detail::is_finite(dop)) return std::nullopt;
+  const auto found = detail::slabs_passage(in_double(line), detail::in_double(dop));
+  return detail::first_of_slabs<S>(line, found, detail::normals_of(dop));
 }
 
 }  // namespace contact
