@@ -160,6 +160,27 @@ std::vector<Region> regions(const Line& line, const contact::Capsule<S>& capsule
   return {before, middle, after};
 }
 
+/// The first point of the wall in fractions: all roots tried.
+inline std::optional<Surd> first_on_wall(const Line& line, const Core& core, bool has_end) {
+  const Quadratic q = wall(line, core);
+  Region ends;
+  between(ends, (line.origin - core.start).dot(core.axis), line.direction.dot(core.axis), 0,
+          core.axis.dot(core.axis));
+  ends.push_back({0, -1, 0});
+  if (has_end) ends.push_back({0, 1, -1});
+  if (q.a == 0 && q.b == 0) {
+    if (q.c != 0) return std::nullopt;
+    const Found found = find(ends);
+    return found.met ? std::optional(found.low) : std::nullopt;
+  }
+  for (const Surd& t : q.roots()) {
+    bool in = true;
+    for (const Quadratic& end : ends) in = in && sign_at(end, t) <= 0;
+    if (in) return t;
+  }
+  return std::nullopt;
+}
+
 /// |x|² h·h ≤ (1 + r²/h·h) (x·h)².
 template <class S>
 std::vector<Region> regions(const Line& line, const contact::Cone<S>& cone) {

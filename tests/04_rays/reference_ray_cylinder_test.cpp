@@ -19,27 +19,6 @@ TEST_CASE("lines that are hard meet cylinders as they do in fractions, doubles a
   compare_round<float>(7000, 22, cylinder_of<float>, hits);
 }
 
-/// The first point of the wall in fractions: all roots tried.
-std::optional<Surd> first_on_wall(const Line& line, const Core& core, bool has_end) {
-  const Quadratic q = wall(line, core);
-  Region ends;
-  between(ends, (line.origin - core.start).dot(core.axis), line.direction.dot(core.axis), 0,
-          core.axis.dot(core.axis));
-  ends.push_back({0, -1, 0});
-  if (has_end) ends.push_back({0, 1, -1});
-  if (q.a == 0 && q.b == 0) {
-    if (q.c != 0) return std::nullopt;
-    const Found found = find(ends);
-    return found.met ? std::optional(found.low) : std::nullopt;
-  }
-  for (const Surd& t : q.roots()) {
-    bool in = true;
-    for (const Quadratic& end : ends) in = in && sign_at(end, t) <= 0;
-    if (in) return t;
-  }
-  return std::nullopt;
-}
-
 template <class S>
 void compare_open(int count, std::uint64_t seed) {
   Random random(seed);
