@@ -194,10 +194,13 @@ TEST_CASE("numbers that are not finite are no hit of a ball, and no ball") {
       other.centre(k) = bad;
       CHECK_FALSE(contact::hits_sphere(Ray<double>{{0, 0, 0}, {1, 0, 0}}, other));
     }
-    CHECK_FALSE(contact::hits_sphere(Ray<double>{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, bad}));
+    CHECK_FALSE(
+        contact::hits_sphere(Ray<double>{{0, 0, 0}, {1, 0, 0}}, Sphere<double>{{0, 0, 0}, bad}));
   }
-  CHECK_FALSE(contact::hits_sphere(Ray<double>{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, -2.0}));
-  CHECK_FALSE(contact::hits_sphere(Ray<double>{{-5, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, -2.0}));
+  CHECK_FALSE(
+      contact::hits_sphere(Ray<double>{{0, 0, 0}, {1, 0, 0}}, Sphere<double>{{0, 0, 0}, -2.0}));
+  CHECK_FALSE(
+      contact::hits_sphere(Ray<double>{{-5, 0, 0}, {1, 0, 0}}, Sphere<double>{{0, 0, 0}, -2.0}));
 }
 
 TEST_CASE("a start on the surface: inwards, along it and outwards") {
