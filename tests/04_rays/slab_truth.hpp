@@ -103,7 +103,7 @@ void compare_slabs(const Line& line, const Body& body, const std::vector<ExactSl
     const double size = std::abs(oracle::nearest(exact.origin(k))) + step;
     if (!(size < 1e290) || !std::isfinite(double(hit->point(k)))) continue;
     const double room = (std::is_same_v<S, float> ? 0x1p-23 : 0x1p-50) * size + share * step +
-                        0x1p-1074 * std::abs(oracle::nearest(exact.direction(k))) +
+                        0x1p-1072 * (1 + std::abs(oracle::nearest(exact.direction(k)))) +
                         double(std::numeric_limits<S>::denorm_min());
     REQUIRE(oracle::error(double(hit->point(k)), coordinate) <= room);
   }
