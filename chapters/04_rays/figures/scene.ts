@@ -158,7 +158,7 @@ export default defineFigure<Input, Output>({
 
     const first = test === 0 ? (output.hits ? output.body[0] : -1) : -1;
     const met = test > 0 && output.met[test - 1] ? output.met_body[test - 1] : first;
-    const missed = test === 1 && output.skipped ? output.met_body[1] : -1;
+    const missed = test === 1 && output.skipped ? (output.met_body[1] ?? -1) : -1;
     const style = (body: number) => {
       const role: Role = body === missed ? "miss" : body === met ? "hit" : "surface";
       return { role, fill: role === "surface" ? 0.14 : 0.3 };
