@@ -7,11 +7,13 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include <contact/aabb.hpp>
 #include <contact/capsule.hpp>
+#include <contact/entry_order.hpp>
 #include <contact/exact_ray_triangle.hpp>
 #include <contact/oriented_box.hpp>
 #include <contact/passage.hpp>
@@ -24,11 +26,6 @@
 #include <contact/vector.hpp>
 
 namespace contact {
-
-/// A body of a scene.
-template <Ring S>
-using Primitive =
-    std::variant<Sphere<S>, Aabb<S>, OrientedBox<S>, Cylinder<S>, Capsule<S>, Cone<S>, Triangle<S>>;
 
 /// What a ray or a segment meets first of a triangle. It is a surface: `inside` is false, the face
 /// is 0, and the normal is on the side that the line comes from. The decision is that of
@@ -71,28 +68,39 @@ struct SceneHit {
 
 /// The body that a ray or a segment meets first: smallest t; of equal t, the lowest index.
 ///
-/// Whether a body is met is exact for each. Which of two is first is decided by the t as rounded,
-/// so bodies whose t differ by less than their error may change places. A body that the line starts
-/// in has t = 0.
+/// Whether a body is met is exact for each, and so is the order: entries that are closer than their
+/// errors are compared without rounding. A body that the line starts in has t = 0.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<SceneHit<S>> first_in_scene(const Line& line, std::span<const Primitive<S>> scene) {
+  const detail::DoubleLine in_double(line);
   std::optional<SceneHit<S>> first;
+  Entered<S> earliest{nullptr, 0};
   for (std::size_t i = 0; i < scene.size(); ++i) {
     const std::optional<BodyHit<S>> hit = first_hit(line, scene[i]);
-    if (hit && (!first || hit->t < first->hit.t)) first = SceneHit<S>{i, *hit};
+    if (!hit) continue;
+    const Entered<S> entered{&scene[i], detail::entry_key<S>(in_double, scene[i])};
+    if (first && !entered_before<S>(in_double, entered, earliest)) continue;
+    first = SceneHit<S>{i, *hit};
+    earliest = entered;
   }
   return first;
 }
 
-/// All bodies that the line meets, by t; of equal t, by index.
+/// All bodies that the line meets, in the order in which it enters them; of equal t, by index.
 template <FloatOrDouble S, LineOf<S> Line>
 std::vector<SceneHit<S>> all_in_scene(const Line& line, std::span<const Primitive<S>> scene) {
-  std::vector<SceneHit<S>> hits;
+  const detail::DoubleLine in_double(line);
+  std::vector<std::pair<Entered<S>, SceneHit<S>>> met;
   for (std::size_t i = 0; i < scene.size(); ++i) {
-    if (const auto hit = first_hit(line, scene[i])) hits.push_back({i, *hit});
+    if (const auto hit = first_hit(line, scene[i])) {
+      met.push_back({{&scene[i], detail::entry_key<S>(in_double, scene[i])}, {i, *hit}});
+    }
   }
-  std::stable_sort(hits.begin(), hits.end(),
-                   [](const SceneHit<S>& a, const SceneHit<S>& b) { return a.hit.t < b.hit.t; });
+  std::stable_sort(met.begin(), met.end(), [&in_double](const auto& a, const auto& b) {
+    return entered_before<S>(in_double, a.first, b.first);
+  });
+  std::vector<SceneHit<S>> hits;
+  for (const auto& [entered, hit] : met) hits.push_back(hit);
   return hits;
 }
 // [/first-in-scene]
