@@ -48,9 +48,11 @@ struct Output {
   std::array<double, starts> seen;    // 1 if from this start the box is hit
   std::array<double, starts> missed;  // 1 if from this start the chosen method is wrong
   double starts_wrong;                // how many
-  // For a reader's function: what is stored, and the face of the first hit, as box_face, or −1.
+  // For a reader's function: what is stored, and the axis of the face of the first hit, or −1.
   contact::Vector3<double> start, along, corner_low, corner_high;
-  double face;
+  double axis;
+  double clear;         // 1 for a ray that is stored in double as it is given
+  double hit_clear;     // 1 if it also hits
   double in_a_face;     // goals of questions: a quotient is 0/0,
   double says_wrongly;  // the chosen method is wrong
 };
@@ -143,16 +145,18 @@ void compute_in(const Input& in, Output& out) {
   out.along = ray.direction.template cast<double>();
   out.corner_low = box.low.template cast<double>();
   out.corner_high = box.high.template cast<double>();
-  out.entry_axis = out.exit_axis = out.face = -1;
+  out.entry_axis = out.exit_axis = out.axis = -1;
   out.hit = given.hits(box) ? 1 : 0;
   if (const auto hit =
           ends ? contact::first_hit(given.segment, box) : contact::first_hit(ray, box)) {
     out.inside = hit->inside ? 1 : 0;
     out.t = double(hit->t);
-    out.face = hit->face;
+    if (hit->face >= 0) out.axis = hit->face / 2;
     out.point = drawn(hit->point);
     out.normal = hit->normal.template cast<double>().template head<2>();
   }
+  out.clear = !ends && in.divided != 10 && in.single != 1 ? 1 : 0;
+  out.hit_clear = out.clear != 0 && out.hit != 0 ? 1 : 0;
   for (int i = 0; i < methods; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const Found<S> found = ask(i, ray, box);
@@ -206,4 +210,4 @@ FIGURE(Input, FIELDS(low, high, origin, through, z, segment, method, divided, si
        FIELDS(problem, box_low, box_high, first_quotient, second_quotient, slab_some, slab_entry,
               slab_exit, passes, entry, exit, entry_axis, exit_axis, hit, inside, t, point, normal,
               says, wrong, finds, method_entry, method_exit, seen, missed, starts_wrong, start,
-              along, corner_low, corner_high, face, in_a_face, says_wrongly))
+              along, corner_low, corner_high, axis, clear, hit_clear, in_a_face, says_wrongly))

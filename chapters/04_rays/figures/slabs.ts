@@ -51,6 +51,7 @@ const COLUMNS = 41;
 const ROWS = 25;
 const SPACING = 0.25;
 const FAR = 12;
+const BOTTOM = -3.1;
 /** The bars: t from −1 to 4 along the lower edge, one bar below another. */
 const FIRST = -1;
 const LAST = 4;
@@ -196,7 +197,10 @@ export default defineFigure<Input, Output>({
     const corners: Vec2[] = [low, [high[0], low[1]], high, [low[0], high[1]]];
     scene.face(corners, { role: output.hit ? "hit" : "surface", fill: 0.14 });
 
-    const far = input.segment ? through : on(origin, through, FAR);
+    const down = through[1] - origin[1];
+    // Not into the bars.
+    const last = down < 0 ? Math.min(FAR, (BOTTOM - origin[1]) / down) : FAR;
+    const far = input.segment ? through : on(origin, through, last);
     scene.line(origin, far, { role: "ray", width: 2, arrow: input.segment === 0 });
     if (output.hit && output.passes) {
       const from = on(origin, through, Math.max(0, output.entry));
@@ -226,9 +230,9 @@ export default defineFigure<Input, Output>({
     }
     scene.label([LEFT, level(3)], "all", { role: "hit", offset: [-6, 5], anchor: "end" });
     if (output.passes && output.exit >= FIRST && output.entry <= LAST) {
-      const from: Vec2 = [across(output.entry), level(3)];
-      scene.line(from, [across(output.exit), level(3)], { role: "hit", width: 7 });
-      scene.dot(from, "hit", 4);
+      const to: Vec2 = [across(output.exit), level(3)];
+      scene.line([across(output.entry), level(3)], to, { role: "hit", width: 7 });
+      if (output.hit) scene.dot([across(output.t), level(3)], "hit", 5);
     }
     for (const t of [0, 1, 2, 3]) {
       scene.line([across(t), TOP], [across(t), level(3) - 0.12], {

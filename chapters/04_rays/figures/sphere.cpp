@@ -212,7 +212,10 @@ void compute_in(const Input& in, Output& out) {
   out.ball = ball.centre.template cast<double>();
   const double radius = double(ball.radius);
   const double distance = (foot - plane(ball.centre)).norm();
-  out.clear = !ends && std::abs(distance - radius) >= radius / 4 && out.moved <= 1e9 * radius;
+  out.clear = !ends && radius == in.radius && std::abs(distance - radius) >= radius / 4 &&
+                      out.moved <= 1e9 * radius
+                  ? 1
+                  : 0;
   out.hit_clear = out.clear != 0 && out.hit != 0 ? 1 : 0;
 
   for (int i = 0; i < methods; ++i) {
