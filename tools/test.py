@@ -468,7 +468,7 @@ def tidy() -> Iterator[Check]:
     command += ["-isystem", "/usr/include/eigen3", "-c", str(everything)]
     judging = {
         name: entry
-        for entry in commands
+        for entry in file_by_file(commands)
         if (name := os.path.relpath(entry["file"], ROOT)).startswith("grading/")
     }
     taken = sample(sorted(judging), 3, "clang-tidy of the library that judges", kind="tidy")
@@ -484,6 +484,18 @@ def tidy() -> Iterator[Check]:
     listed = write_list(folder / "files", files)
     command = ["xargs", "-a", str(listed), "-n", "1", "-P", workers]
     yield once("clang-tidy", [*command, "clang-tidy", "--quiet", "-p", str(folder)])
+
+
+def file_by_file(commands: Sequence[dict[str, str]]) -> Iterator[dict[str, str]]:
+    """The commands of a build as if it compiled no files together."""
+    for entry in commands:
+        together = Path(entry["file"])
+        if together.parent.name != "Unity":
+            yield entry
+            continue
+        for name in re.findall(r'^#include "(.+\.cpp)"$', together.read_text(), re.MULTILINE):
+            command = entry["command"].replace(str(together), name)
+            yield {**entry, "command": command, "file": name}
 
 
 def write_list(file: Path, names: Sequence[str]) -> Path:

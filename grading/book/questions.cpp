@@ -16,9 +16,9 @@ constexpr std::array<std::string_view, 6> kinds{"predict",   "choose",   "order"
                                                 "construct", "complete", "say-why"};
 
 // One question's table, and how to name it in a complaint.
-class Reader {
+class QuestionReader {
  public:
-  Reader(const fs::path& file, const toml::table& table) : file_(file), table_(table) {}
+  QuestionReader(const fs::path& file, const toml::table& table) : file_(file), table_(table) {}
 
   [[noreturn]] void fail(const std::string& what) const {
     const std::string id = table_["id"].value_or(std::string());
@@ -87,7 +87,7 @@ class Reader {
   const toml::table& table_;
 };
 
-void read_gaps(const Reader& reader, Question& question) {
+void read_gaps(const QuestionReader& reader, Question& question) {
   question.lines = reader.texts("lines");
   std::string texts;
   for (const std::string& line : question.lines) texts += line + "\n";
@@ -113,7 +113,7 @@ void read_gaps(const Reader& reader, Question& question) {
       [&](const QuestionGap& a, const QuestionGap& b) { return position(a) < position(b); });
 }
 
-Question read_question(const Chapter& chapter, const Reader& reader) {
+Question read_question(const Chapter& chapter, const QuestionReader& reader) {
   Question question;
   question.chapter = chapter.slug;
   question.id = reader.text("id");
@@ -172,7 +172,7 @@ std::vector<Question> read_questions(const Chapter& chapter) {
     std::set<std::string> ids;
     for (const toml::node& node : *list) {
       if (node.as_table() == nullptr) throw BookError(file.string() + ": [[question]] is a table");
-      const Reader reader(file, *node.as_table());
+      const QuestionReader reader(file, *node.as_table());
       questions.push_back(read_question(chapter, reader));
       if (!ids.insert(questions.back().id).second) reader.fail("the id is used twice");
     }

@@ -19,17 +19,12 @@ struct Entry {
   std::string problem;
 };
 
-std::string lower(std::string text) {
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-  return text;
-}
-
 Kind kind_of(const fs::directory_entry& entry) {
   const fs::file_status status = entry.symlink_status();
   if (fs::is_symlink(status)) return Kind::link;
   if (fs::is_directory(status)) return Kind::folder;
   if (!fs::is_regular_file(status)) return Kind::special;
-  const std::string name = lower(entry.path().filename().string());
+  const std::string name = ascii_lower(entry.path().filename().string());
   if (is_archive_name(name)) return Kind::archive;
   return name.ends_with(".cpp") ? Kind::file : Kind::other_file;
 }
@@ -38,7 +33,7 @@ Kind kind_of(const fs::directory_entry& entry) {
 bool is_handed_in(const std::string& name) {
   static const std::set<std::string> endings{".7z",  ".rar", ".tar", ".gz",  ".bz2", ".xz",
                                              ".zst", ".c",   ".cc",  ".cxx", ".h",   ".hpp"};
-  const std::string ending = lower(fs::path(name).extension().string());
+  const std::string ending = ascii_lower(fs::path(name).extension().string());
   return endings.count(ending) != 0;
 }
 
@@ -168,7 +163,8 @@ Intake take_in(const Book& book, const fs::path& submissions, const IdTable* ids
   Intake intake;
   const std::vector<Entry> entries = entries_in(book, submissions, ids, only, intake);
   std::map<std::string, std::vector<const Entry*>> students;
-  for (const Entry& entry : entries) students[lower(safe_id(entry.identity.id))].push_back(&entry);
+  for (const Entry& entry : entries)
+    students[ascii_lower(safe_id(entry.identity.id))].push_back(&entry);
 
   for (const auto& [student, theirs] : students) {
     if (theirs.size() == 1 || of_one_student(theirs)) {

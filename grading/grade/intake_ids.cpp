@@ -83,12 +83,6 @@ class CsvReader {
   int line_ = 1;
 };
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return text;
-}
-
 // What a table may call an entry, composed as it is there.
 std::vector<std::string> names_of(const std::string& entry) {
   const std::string name = as_utf8(entry);
@@ -102,6 +96,12 @@ std::string trimmed(const std::string& text) {
 }
 
 }  // namespace
+
+std::string ascii_lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return text;
+}
 
 std::vector<std::vector<std::string>> parse_csv(std::string_view text, const std::string& file) {
   std::vector<std::vector<std::string>> records;
@@ -130,7 +130,7 @@ IdTable::IdTable(const fs::path& file) : file_(file) {
   std::size_t id_column = none;
   std::size_t name_column = none;
   for (std::size_t i = 0; i < records.front().size(); ++i) {
-    const std::string column = lower(trimmed(records.front()[i]));
+    const std::string column = ascii_lower(trimmed(records.front()[i]));
     std::size_t* place = column == "entry"  ? &entry_column
                          : column == "id"   ? &id_column
                          : column == "name" ? &name_column
@@ -184,7 +184,7 @@ std::vector<std::string> IdTable::missing_in(const std::vector<std::string>& ent
 
 std::string without_suffix(const std::string& entry) {
   for (const std::string_view suffix : {".zip", ".tar.gz", ".tgz", ".cpp"}) {
-    if (entry.size() > suffix.size() && lower(entry).ends_with(suffix))
+    if (entry.size() > suffix.size() && ascii_lower(entry).ends_with(suffix))
       return entry.substr(0, entry.size() - suffix.size());
   }
   return entry;

@@ -12,6 +12,9 @@
 
 namespace contact::grading {
 
+/// A to Z as a to z; everything else as it is.
+std::string ascii_lower(std::string text);
+
 /// Records of a CSV file as RFC 4180 has it: commas, quoted fields, "" for a quote in one. A byte
 /// order mark is passed over, and so are empty lines.
 /// @throws BookError with the line of what is not so

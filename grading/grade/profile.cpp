@@ -26,7 +26,7 @@ struct Key {
   double most;
 };
 
-constexpr double mebibyte = 1 << 20;
+constexpr double mib = 1 << 20;
 
 // What a profile may say, and within what: beyond these a number is a slip of the pen.
 const std::array<Key, 19> keys{{
@@ -37,16 +37,16 @@ const std::array<Key, 19> keys{{
     {"idle_seconds_in_all", &GradeLimits::idle_seconds_in_all, 0.0, 3600.0},
     {"memory_mb", &GradeLimits::memory_mb, 32, 65536},
     {"processes", &GradeLimits::processes, 1, 1024},
-    {"output_bytes", &GradeLimits::output_bytes, 0, 64 * mebibyte},
+    {"output_bytes", &GradeLimits::output_bytes, 0, 64 * mib},
     {"files_mb", &GradeLimits::files_mb, 1, 4096},
     {"files", &GradeLimits::files, 16, 100000},
     {"compile_cpu_seconds", &GradeLimits::compile_cpu_seconds, 1.0, 3600.0},
     {"compile_idle_seconds", &GradeLimits::compile_idle_seconds, 1.0, 3600.0},
     {"compile_memory_mb", &GradeLimits::compile_memory_mb, 256, 65536},
     {"compile_processes", &GradeLimits::compile_processes, 4, 1024},
-    {"diagnostics_bytes", &GradeLimits::diagnostics_bytes, 1024, 16 * mebibyte},
+    {"diagnostics_bytes", &GradeLimits::diagnostics_bytes, 1024, 16 * mib},
     {"object_mb", &GradeLimits::object_mb, 1, 4096},
-    {"answer_bytes", &GradeLimits::answer_bytes, 1024, 256 * mebibyte},
+    {"answer_bytes", &GradeLimits::answer_bytes, 1024, 256 * mib},
     {"calls", &GradeLimits::calls, 1, 1e9},
     {"unit_seconds", &GradeLimits::unit_seconds, 0.0, 86400.0},
 }};
