@@ -2,6 +2,7 @@
 /// A ball that moves along a segment, against a box: the enlarged box, and the rounded one.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <optional>
 
@@ -109,7 +110,14 @@ bool ball_hits_box(const Segment<S>& path, const S& radius, const Aabb<S>& box) 
       radius < S(0) || !boxes_touch(box, box)) {
     return false;
   }
-  const detail::RoundedBoxParts parts{line, wide, static_cast<double>(radius)};
+  const double r = static_cast<double>(radius);
+  for (int k = 0; k < 3; ++k) {  // beside the box: rounded outwards, so nothing is lost
+    if (std::max(line.start(k), line.second(k)) < sum_down(wide.low(k), -r) ||
+        sum_up(wide.high(k), r) < std::min(line.start(k), line.second(k))) {
+      return false;
+    }
+  }
+  const detail::RoundedBoxParts parts{line, wide, r};
   return detail::meets_parts(parts.count, parts, detail::Extent::segment);
 }
 

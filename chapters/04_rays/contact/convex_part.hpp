@@ -258,14 +258,27 @@ bool meets_parts(int n, const Make& make, Extent extent) {
 }
 // [/filter-and-fallback]
 
-/// The passage through n parts whose union is convex: the first entry and the last exit.
+/// The passage through n parts whose union is convex: the first entry and the last exit. Nothing if
+/// the line of this extent meets no part; each part is computed once for both.
 template <class Make>
-std::optional<PartPassage> passage_in_parts(int n, const Make& make) {
+std::optional<PartPassage> passage_in_parts(int n, const Make& make, Extent extent = Extent::line) {
   std::optional<PartPassage> all;
+  bool met = extent == Extent::line;
   for (int k = 0; k < n; ++k) {
-    bool sure = true;
-    std::optional<PartPassage> one = passage_in(make.template part<RunningError>(k), sure);
-    if (!sure) one = passage_in(make.template part<Exact>(k), sure = true);
+    bool decided = true, settled = true;
+    std::optional<PartPassage> one;
+    {
+      const auto part = make.template part<RunningError>(k);
+      one = passage_in(part, settled);
+      if (settled && !one) continue;
+      if (!met) met = meets(part, extent, decided) && decided;
+    }
+    if (!decided || !settled) {
+      const auto part = make.template part<Exact>(k);
+      bool sure = true;
+      if (!settled) one = passage_in(part, sure);
+      if (!met && one) met = meets(part, extent, sure);
+    }
     if (!one) continue;
     if (!all) {
       all = one;
@@ -274,6 +287,7 @@ std::optional<PartPassage> passage_in_parts(int n, const Make& make) {
     if (one->entry.t < all->entry.t) all->entry = one->entry;
     if (all->exit.t < one->exit.t) all->exit = one->exit;
   }
+  if (!met) return std::nullopt;
   if (all && all->exit.t < all->entry.t) all->exit.t = all->entry.t;
   return all;
 }

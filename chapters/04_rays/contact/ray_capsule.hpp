@@ -139,11 +139,9 @@ template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit(const Line& line, const Capsule<S>& capsule) {
   return detail::ask_capsule(
       line, capsule, [](const detail::CapsuleParts& parts) -> std::optional<BodyHit<S>> {
-        const int n = parts.count();
-        if (!detail::meets_parts(n, parts, parts.line.extent)) return std::nullopt;
-        auto hit =
-            detail::hit_with_normal<S>(parts.line, detail::passage_in_parts(n, parts),
-                                       [&](double t, int face) { return parts.normal(t, face); });
+        auto hit = detail::hit_with_normal<S>(
+            parts.line, detail::passage_in_parts(parts.count(), parts, parts.line.extent),
+            [&](double t, int face) { return parts.normal(t, face); });
         if (hit) hit->face = -1;
         return hit;
       });

@@ -148,15 +148,15 @@ std::optional<Passage<S>> passage(const Line& line, const Cone<S>& cone) {
 /// What a ray or a segment meets first of a solid cone. Decision and `inside` are exact.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit(const Line& line, const Cone<S>& cone) {
-  return detail::ask_cone(
-      line, cone, [](const detail::ConeParts& parts) -> std::optional<BodyHit<S>> {
-        if (!detail::meets_parts(1, parts, parts.line.extent)) return std::nullopt;
-        auto hit =
-            detail::hit_with_normal<S>(parts.line, detail::passage_in_parts(1, parts),
-                                       [&](double t, int face) { return parts.normal(t, face); });
-        if (hit && !hit->inside) hit->face = parts.numbered({0, hit->face}).face;
-        return hit;
-      });
+  return detail::ask_cone(line, cone,
+                          [](const detail::ConeParts& parts) -> std::optional<BodyHit<S>> {
+                            auto hit = detail::hit_with_normal<S>(
+                                parts.line, detail::passage_in_parts(1, parts, parts.line.extent),
+                                [&](double t, int face) { return parts.normal(t, face); });
+                            if (hit && !hit->inside)
+                              hit->face = parts.numbered({0, hit->face}).face;
+                            return hit;
+                          });
 }
 
 }  // namespace contact
