@@ -59,7 +59,7 @@ struct Output {
   double rays_off;    // largest error of an entry that was found rightly, m
   // For a reader's function: what is stored, and whether every good method gives the same.
   contact::Vector3<double> start, along, ball;
-  double clear;            // 1 for a ray with r/4 or more between the line and a tangent
+  double clear;            // 1 for a ray in double, r/4 or more from touching
   double hit_clear;        // 1 if it also hits
   double missed;           // goals of questions: the chosen method misses a ball that is hit,
   double found_wrongly;    // hits one that is missed,
@@ -212,7 +212,7 @@ void compute_in(const Input& in, Output& out) {
   out.ball = ball.centre.template cast<double>();
   const double radius = double(ball.radius);
   const double distance = (foot - plane(ball.centre)).norm();
-  out.clear = !ends && radius == in.radius && std::abs(distance - radius) >= radius / 4 &&
+  out.clear = !ends && in.single != 1 && std::abs(distance - radius) >= radius / 4 &&
                       out.moved <= 1e9 * radius
                   ? 1
                   : 0;
