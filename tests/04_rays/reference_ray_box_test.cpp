@@ -67,7 +67,9 @@ std::vector<ExactSlab> slabs(const Line& line, const OrientedBox<S>& box) {
   return result;
 }
 
-const auto hits = [](const auto& line, const auto& box) { return contact::hits_box(line, box); };
+const auto meets_box = [](const auto& line, const auto& box) {
+  return contact::hits_box(line, box);
+};
 
 template <class S, class Use>
 void lines_at(Random& random, int kind, const Aabb<S>& box, S scale, const Use& use) {
@@ -98,7 +100,7 @@ void compare_boxes(int count, std::uint64_t seed) {
     const Aabb<S> box = random_box<S>(random, kind, scale);
     if (!contact::all_finite(box.low) || !contact::all_finite(box.high)) continue;
     lines_at<S>(random, kind, box, scale, [&](const auto& line) {
-      compare_slabs<S>(line, box, slabs<S>(line, box), hits, 3 * u, seen);
+      compare_slabs<S>(line, box, slabs<S>(line, box), meets_box, 3 * u, seen);
       const auto hit = contact::first_hit(line, box);
       if (!hit || hit->inside) return;
       const int k = hit->face / 2;
@@ -149,7 +151,7 @@ void compare_oriented(int count, std::uint64_t seed) {
         there = {moved(line.origin), Vector3<S>(box.axes * line.direction)};
       }
       if (!contact::is_finite(there)) return;
-      compare_slabs<S>(there, box, slabs<S>(there, box), hits, 0x1p-40, seen);
+      compare_slabs<S>(there, box, slabs<S>(there, box), meets_box, 0x1p-40, seen);
     });
   }
   for (const int what : {0, 1, 2, 3}) CHECK(seen[what] > generators::tried(count) / 400);
@@ -206,6 +208,21 @@ TEST_CASE("numbers that are not finite are no hit of a box") {
       CHECK_FALSE(contact::hits_box(Ray<double>{{0, 0, 0}, {1, 0, 0}}, turned));
     }
   }
+}
+
+TEST_CASE("a difference that overflows decides nothing") {
+  // Along x the box is left at 1.5 × 2^525; along y it is reached at 2^600, or at 2^500.
+  const Aabb<double> box{{-1, 0x1p600, -1}, {0x1.8p1023, 0x1p700, 1}};
+  const Ray<double> ray{{-0x1.8p1023, 0, 0}, {0x1p499, 1, 0x1p-490}};
+  const Aabb<double> wide{{-1, 0x1p600, -1}, {0x1.8p1023, 0x1p700, 0x1p300}};
+  CHECK_FALSE(contact::hits_box(ray, wide));
+  CHECK_FALSE(contact::first_hit(ray, wide));
+  CHECK_FALSE(contact::hits_box(ray, box));
+  const Aabb<double> nearer{{-1, 0x1p500, -1}, {0x1.8p1023, 0x1p700, 1}};
+  CHECK_FALSE(contact::hits_box(ray, nearer));
+  const Ray<double> level{{-0x1.8p1023, 0, 0}, {0x1p499, 1, 0}};
+  CHECK_FALSE(contact::hits_box(level, box));
+  CHECK(contact::hits_box(level, nearer));
 }
 
 TEST_CASE("0 times infinity: a ray in the plane of a face") {

@@ -5,15 +5,17 @@ namespace {
 using namespace bodies;
 using contact::Cone;
 
-const auto hits = [](const auto& line, const auto& body) { return contact::hits_cone(line, body); };
+const auto meets_cone = [](const auto& line, const auto& body) {
+  return contact::hits_cone(line, body);
+};
 template <class S>
 Cone<S> cone_of(const RoundCase<S>& c) {
   return {c.core.start, c.core.end, c.radius};
 }
 
 TEST_CASE("lines that are hard meet cones as they do in fractions, doubles and floats") {
-  compare_round<double>(7000, 41, cone_of<double>, hits);
-  compare_round<float>(7000, 42, cone_of<float>, hits);
+  compare_round<double>(7000, 41, cone_of<double>, meets_cone);
+  compare_round<float>(7000, 42, cone_of<float>, meets_cone);
 }
 
 /// Whole numbers: lines through the apex, along a generator, parallel to one, in tangent planes.
@@ -44,9 +46,9 @@ void compare_generators(int count, std::uint64_t seed) {
     if (random.chance(0.3)) ray.origin = nudged<S>(random, ray.origin);
     const Cone<S> cone{apex, base, S(r)};
     INFO("case " << i);
-    compare<S>(ray, cone, cone, hits, seen);
-    compare<S>(Segment<S>{ray.origin, Vector3<S>(ray.origin + ray.direction)}, cone, cone, hits,
-               seen);
+    compare<S>(ray, cone, cone, meets_cone, seen);
+    compare<S>(Segment<S>{ray.origin, Vector3<S>(ray.origin + ray.direction)}, cone, cone,
+               meets_cone, seen);
   }
   for (int what = 0; what <= 3; ++what) CHECK(seen[what] > generators::tried(count) / 100);
 }

@@ -6,7 +6,7 @@ namespace {
 using namespace bodies;
 using contact::Cylinder;
 
-const auto hits = [](const auto& line, const auto& body) {
+const auto meets_cylinder = [](const auto& line, const auto& body) {
   return contact::hits_cylinder(line, body);
 };
 template <class S>
@@ -15,8 +15,8 @@ Cylinder<S> cylinder_of(const RoundCase<S>& c) {
 }
 
 TEST_CASE("lines that are hard meet cylinders as they do in fractions, doubles and floats") {
-  compare_round<double>(7000, 21, cylinder_of<double>, hits);
-  compare_round<float>(7000, 22, cylinder_of<float>, hits);
+  compare_round<double>(7000, 21, cylinder_of<double>, meets_cylinder);
+  compare_round<float>(7000, 22, cylinder_of<float>, meets_cylinder);
 }
 
 template <class S>

@@ -19,7 +19,9 @@ std::vector<ExactSlab> slabs(const Line& line, const Kdop<S>& dop) {
   return result;
 }
 
-const auto hits = [](const auto& line, const auto& dop) { return contact::hits_kdop(line, dop); };
+const auto meets_kdop = [](const auto& line, const auto& dop) {
+  return contact::hits_kdop(line, dop);
+};
 
 template <class S>
 void compare_kdops(int count, std::uint64_t seed) {
@@ -52,10 +54,10 @@ void compare_kdops(int count, std::uint64_t seed) {
     const Vector3<S> target = points[0] + (points.back() - points[0]) * S(0.5);
     const Ray<S> ray = ray_towards<S>(random, kind, random.chance(0.5) ? points[0] : target, scale);
     if (!usable(ray)) continue;
-    compare_slabs<S>(ray, dop, slabs<S>(ray, dop), hits, 0x1p-40, seen);
+    compare_slabs<S>(ray, dop, slabs<S>(ray, dop), meets_kdop, 0x1p-40, seen);
     const Segment<S> segment{random.chance(0.1) ? target : ray.origin, points[0]};
     if (contact::is_finite(segment))
-      compare_slabs<S>(segment, dop, slabs<S>(segment, dop), hits, 0x1p-40, seen);
+      compare_slabs<S>(segment, dop, slabs<S>(segment, dop), meets_kdop, 0x1p-40, seen);
   }
   for (const int what : {0, 1, 2, 3}) CHECK(seen[what] > generators::tried(count) / 200);
 }

@@ -124,33 +124,59 @@ Aabb<double> in_double(const Aabb<S>& box) {
 namespace detail {
 
 // [rough-box]
-/// Whether a line hits a box, by the branchless slabs: 1 or −1 if that is certain, else 0.
+/// A decision, if it is certain.
+struct Glance {
+  bool certain = false;
+  bool hit = false;
+};
+
+/// Whether a line hits a box, by the branchless slabs.
 ///
 /// Difference, reciprocal, product and, for a segment, direction are rounded: each t is off by at
 /// most 4 u of itself. So entry < exit (1 − 10 u) is a hit and entry (1 − 10 u) > exit a miss.
-/// 2^-1000 covers underflow. Components of the direction that are 0, or beyond 2^±500, and t beyond
-/// 2^1000 are left to the other test, so no NaN arises and no reciprocal is subnormal.
-template <bool ends>
-int box_at_a_glance(const Ray<double>& ray, const Aabb<double>& box) {
+/// 2^-1000 covers underflow. Not certain are components of the direction that are 0, or beyond
+/// 2^±500, an entry beyond 2^1000, and a start beyond 2^960: so no NaN arises, no reciprocal is
+/// subnormal, and no difference overflows, because 2^960 is less than half the last place of the
+/// largest number. All conditions are computed and joined by &: only a branch on the certainty can
+/// be predicted.
+/// @tparam closer what costs more time as well, but no rounding: a component of 0 is compared, and
+/// a line that starts in the box hits it
+template <bool ends, bool closer>
+Glance box_at_a_glance(const Ray<double>& ray, const Aabb<double>& box) {
   constexpr double shorter = 1 - 10 * tolerance::unit_roundoff<double>;
   constexpr double floor = 0x1p-1000;
+  constexpr double endless = std::numeric_limits<double>::infinity();
   double entry = 0;
-  double exit = ends ? 1.0 : std::numeric_limits<double>::infinity();
+  double exit = ends ? 1.0 : endless;
   double sizes = 0;
+  int inside = 1, apart = 0;
   for (int k = 0; k < 3; ++k) {
-    const double inverse = 1 / ray.direction(k);
-    sizes += std::abs(ray.direction(k)) + std::abs(inverse);
-    const double to_low = (box.low(k) - ray.origin(k)) * inverse;
-    const double to_high = (box.high(k) - ray.origin(k)) * inverse;
-    entry = std::max(entry, std::min(to_low, to_high));
-    exit = std::min(exit, std::max(to_low, to_high));
+    const double start = ray.origin(k);
+    double rate = ray.direction(k);
+    bool level = false;
+    if constexpr (closer) {
+      const int in_slab = (box.low(k) <= start) & (start <= box.high(k));
+      level = rate == 0;
+      inside &= in_slab;
+      apart |= int(level) & (1 - in_slab);
+      rate = level ? 1 : rate;
+    }
+    const double inverse = 1 / rate;
+    sizes += std::abs(rate) + std::abs(inverse);
+    const double to_low = (box.low(k) - start) * inverse;
+    const double to_high = (box.high(k) - start) * inverse;
+    const double first = std::min(to_low, to_high), last = std::max(to_low, to_high);
+    entry = std::max(entry, level ? 0 : first);
+    exit = std::min(exit, level ? endless : last);
   }
-  if (!(sizes <= 0x1p500 && entry <= 0x1p1000)) return 0;
-  if (entry + floor < exit * shorter) {
-    const double sum = ray.origin.sum();
-    return sum == sum ? 1 : 0;  // a NaN was dropped by min and max
+  const double reach = ray.origin.cwiseAbs().sum();  // of NaN too, which min and max may drop
+  const int tame = (sizes <= 0x1p500) & (entry <= 0x1p1000) & (reach <= 0x1p960);
+  const bool hit = entry + floor < exit * shorter;
+  const bool miss = entry * shorter > exit + floor;
+  if constexpr (closer) {
+    if ((inside | apart) != 0) return {tame != 0, inside != 0};
   }
-  return entry * shorter > exit + floor ? -1 : 0;
+  return {((hit | miss) & tame) != 0, hit};
 }
 // [/rough-box]
 
@@ -247,6 +273,14 @@ template <class Line>
 }
 // [/box-times]
 
+/// Whether a line hits a box that is not decided at a glance.
+template <class Line>
+[[gnu::noinline]] bool hits_box_closely(const Line& line, const Aabb<double>& box) {
+  const Glance seen = box_at_a_glance<has_end<Line>, true>(ray_of(line), box);
+  if (seen.certain) return seen.hit;
+  return is_finite(line) && box_times(line, box).hits(has_end<Line>);
+}
+
 /// A point of a face, with its coordinate as stored and the others not outside the box.
 template <std::floating_point S>
 Vector3<S> onto_face(const Vector3<S>& point, const Aabb<S>& box, int face) {
@@ -262,7 +296,8 @@ Vector3<S> onto_face(const Vector3<S>& point, const Aabb<S>& box, int face) {
 /// Whether a ray or a segment meets a solid box. Touching counts.
 ///
 /// Right for every finite input: the branchless slabs decide if entry and exit are further apart
-/// than their errors, else products are compared without error. A component of 0 is compared, not
+/// than their errors. Else the same is tried with comparisons for a start in the box and for
+/// components of 0; else products are compared without error. A component of 0 is compared, not
 /// divided by; a line in a face, an edge or a corner meets the box. A direction of 0 is a point. A
 /// line that is not finite: no. A box with low > high or a number that is not finite is an error of
 /// the program, as in Aabb, and gets any answer.
@@ -270,9 +305,8 @@ template <FloatOrDouble S, LineOf<S> Line>
 bool hits_box(const Line& line, const Aabb<S>& box) {
   const auto stored = in_double(line);
   const Aabb<double> body = in_double(box);
-  const int at_a_glance = detail::box_at_a_glance<has_end<Line>>(ray_of(stored), body);
-  if (at_a_glance != 0) return at_a_glance > 0;
-  return is_finite(line) && detail::box_times(stored, body).hits(has_end<Line>);
+  const detail::Glance seen = detail::box_at_a_glance<has_end<Line>, false>(ray_of(stored), body);
+  return seen.certain ? seen.hit : detail::hits_box_closely(stored, body);
 }
 // [/hits-box]
 
@@ -313,7 +347,8 @@ template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit(const Line& line, const Aabb<S>& box) {
   const auto stored = in_double(line);
   const Aabb<double> body = in_double(box);
-  if (detail::box_at_a_glance<has_end<Line>>(ray_of(stored), body) < 0) return std::nullopt;
+  const detail::Glance seen = detail::box_at_a_glance<has_end<Line>, false>(ray_of(stored), body);
+  if (seen.certain && !seen.hit) return std::nullopt;
   if (!is_finite(line)) return std::nullopt;
   const detail::BoxTimes times = detail::box_times(stored, body);
   if (!times.hits(has_end<Line>)) return std::nullopt;

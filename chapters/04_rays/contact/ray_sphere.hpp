@@ -7,6 +7,7 @@
 #include <cmath>
 #include <concepts>
 #include <contact/exact.hpp>
+#include <contact/few_digits.hpp>
 #include <contact/passage.hpp>
 #include <contact/shapes.hpp>
 #include <contact/tolerance.hpp>
@@ -230,6 +231,10 @@ int depth_sign(const Line& line, const Sphere<double>& sphere, const RoughSphere
 template <class Line>
 [[gnu::noinline]] bool hits_sphere_closely(const Line& line, const Sphere<double>& sphere,
                                            const RoughSphere& rough) {
+  if constexpr (!has_end<Line>) {
+    const auto& [a, b, c, depth] = rough.x;
+    if (terms_are_exact(line, sphere)) return c <= 0 || (b < 0 && depth >= 0);
+  }
   if (rough.x.c > rough.c_bound && depth_by_cross(rough).certain_sign() < 0) return false;
   return hits_exactly(line, sphere);
 }
