@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
 #include <sstream>
 
 #include "../python.hpp"
@@ -212,6 +213,13 @@ WrongAnswer read_wrong_answer(const fs::path& file) {
   };
   wrong.misconception = value("// misconception: ");
   wrong.caught_by = value("// caught by: ");
+  wrong.seen = value("// seen: ");
+  static const std::regex names(
+      R"(https?://\S+.*|(L20|FCA|GP3), (a )?slide.*|a first reader .*|this book before [0-9a-f]{8,}.*|not found)");
+  if (!std::regex_match(wrong.seen, names))
+    throw grading::BookError("`// seen: " + wrong.seen +
+                             "` names no place: an address, a lecture and its slide, `a first "
+                             "reader of ...`, `this book before COMMIT`, or `not found`");
   return wrong;
 }
 

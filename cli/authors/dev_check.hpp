@@ -24,15 +24,17 @@ struct DevResult {
 /// Instead of an ID in a wrong answer: no known mistake, so none may be recognised.
 inline constexpr const char* no_misconception = "none";
 
-/// First lines of a wrong answer: `// misconception: ID` and `// caught by: TEST`, the first test
-/// that fails.
+/// First lines of a wrong answer: `// misconception: ID`, `// caught by: TEST`, the first test that
+/// fails, and `// seen: WHERE`, where somebody made this mistake: a public address, a lecture's
+/// slide, a first reader or an earlier commit of this book, or `not found`.
 struct WrongAnswer {
   std::filesystem::path file;
   std::string misconception;
   std::string caught_by;
+  std::string seen;
 };
 
-/// @throws grading::BookError if the two lines are not there.
+/// @throws grading::BookError if one of the three lines is not there, or the third names nothing.
 WrongAnswer read_wrong_answer(const std::filesystem::path& file);
 /// As they are kept: whole (.cpp), or as patches against the solution (.patch).
 std::vector<std::filesystem::path> wrong_answer_files(const grading::Exercise& exercise);

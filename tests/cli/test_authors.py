@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -191,7 +192,7 @@ def test_dev_check_says_which_patch_does_not_apply_and_why(clone: Path) -> None:
     wrong = solution.parent / "wrong"
     kept = (wrong / "equal_steps.patch", wrong / "rectangles.patch")
     assert all(file.is_file() for file in kept)
-    kept[0].write_text("// misconception: of nobody\n" + kept[0].read_text())
+    kept[0].write_text(kept[0].read_text().replace("--- ", "of nobody\n--- ", 1))
     done = contact(clone, "dev", "check", "--files", exercise, "--json")
     assert done.returncode == 1
     failed = {
@@ -205,6 +206,28 @@ def test_dev_check_says_which_patch_does_not_apply_and_why(clone: Path) -> None:
         for problem in failed[f"{exercise}/rectangles"]
     )
     assert any("it must go on with `--- ...`" in text for text in failed[f"{exercise}/equal_steps"])
+
+
+@pytest.mark.parametrize(
+    ("seen", "problem"),
+    [
+        ("", "it must begin with `// seen: ...`, but the line is `"),
+        ("// seen: \n", "it must begin with `// seen: ...`"),
+        ("// seen: somewhere\n", "`// seen: somewhere` names no place: an address, a lecture"),
+        ("// seen: https://\n", "`// seen: https://` names no place"),
+    ],
+)
+def test_dev_check_wants_to_know_where_a_wrong_answer_was_seen(
+    clone: Path, seen: str, problem: str
+) -> None:
+    exercise = "12_momentum/force_curve"
+    wrong = clone / f"solutions/{exercise}/wrong/peak_force.cpp"
+    text = re.sub(r"// seen: .*\n", "// seen: not found\n", wrong.read_text(), count=1)
+    wrong.write_text(text.replace("// seen: not found\n", seen))
+    done = contact(clone, "dev", "check", "--files", exercise, "--json")
+    assert done.returncode == 1
+    problems = [p for r in json.loads(done.stdout)["results"] for p in r["problems"]]
+    assert any("wrong/peak_force.cpp: " + problem in p for p in problems), problems
 
 
 def test_dev_check_proves_one_exercise_whatever_is_in_work(contact: Run, work: Path) -> None:
