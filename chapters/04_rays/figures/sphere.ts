@@ -69,6 +69,13 @@ const roots = (output: Output, i: number): string =>
     ? `${pretty(output.entry_past[i] ?? 0)} and ${pretty(output.exit_past[i] ?? 0)} m past o`
     : `t = ${pretty(output.entry[i] ?? 0)} and ${pretty(output.exit[i] ?? 0)}`;
 
+/** Whether a point is in the drawing, and a label on one side of it, but not over the edge. */
+const seen = ([x, y]: Vec2): boolean => Math.abs(x) < 5 && Math.abs(y) < 3.2;
+const beside = ([x]: Vec2, left: boolean, down: number) =>
+  x > -2.4 && (left || x > 2.4)
+    ? ({ offset: [-8, down], anchor: "end" } as const)
+    : ({ offset: [10, down], anchor: "start" } as const);
+
 export default defineFigure<Input, Output>({
   title: "Does the ray hit the ball?",
   view: { kind: "2d", x: [-5, 5], y: [-3.2, 3.2], grid: 1 },
@@ -169,9 +176,7 @@ export default defineFigure<Input, Output>({
     scene.ball(centre, radius, { role: "ball", fill: 0.16 });
     scene.label(centre, "c", { role: "ball", offset: [0, 26], anchor: "middle" });
     scene.label(through, "q", { role: "ray", offset: [0, -18], anchor: "middle" });
-    const behind =
-      output.problem || !output.moved ? "" : `, the start ${metres(output.moved)} behind`;
-    scene.label(origin, `o${behind}`, { role: "ray", offset: [-10, 27] });
+    scene.label(origin, "o", { role: "ray", offset: [0, 27], anchor: "middle" });
     if (output.problem) return;
 
     for (const [i, finds] of output.ray_finds.entries()) {
@@ -195,15 +200,18 @@ export default defineFigure<Input, Output>({
       const label = (t = 0, past = 0): string =>
         output.moved ? `${pretty(past)} m` : `t = ${pretty(t)}`;
       scene.dot(exit, role, 5, true).dot(entry, role, 6, (output.entry[method] ?? 0) < 0);
-      scene.label(entry, label(output.entry[method], output.entry_past[method]), {
-        role,
-        offset: [-6, -16],
-        anchor: "end",
-      });
+      const left = entry[0] <= exit[0];
+      const enters = label(output.entry[method], output.entry_past[method]);
       const leaves = label(output.exit[method], output.exit_past[method]);
-      const side = exit[0] > 2.8 ? ([-12, 20, "end"] as const) : ([12, 20, "start"] as const);
-      scene.label(exit, leaves, { role, offset: [side[0], side[1]], anchor: side[2] });
+      if (seen(entry)) scene.label(entry, enters, { role, ...beside(entry, left, -16) });
+      if (seen(exit)) scene.label(exit, leaves, { role, ...beside(exit, !left, 20) });
     }
+    if (output.moved)
+      scene.label([0, -3], `the start is ${metres(output.moved)} behind o`, {
+        role: "ray",
+        anchor: "middle",
+        size: "small",
+      });
     if (output.inside) scene.dot(output.point, "hit", 13, true);
     if (wrong) {
       const words = output.says[method] ? "hit, where there is none" : "no hit, where there is one";
