@@ -72,7 +72,7 @@ const roots = (output: Output, i: number): string =>
 /** Whether a point is in the drawing, and a label on one side of it, but not over the edge. */
 const seen = ([x, y]: Vec2): boolean => Math.abs(x) < 5 && Math.abs(y) < 3.2;
 const beside = ([x]: Vec2, left: boolean, down: number) =>
-  x > -2.4 && (left || x > 2.4)
+  x > -2.7 && (left || x > 2.7)
     ? ({ offset: [-8, down], anchor: "end" } as const)
     : ({ offset: [10, down], anchor: "start" } as const);
 
