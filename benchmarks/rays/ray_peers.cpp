@@ -8,6 +8,7 @@
 #include <04_rays/families.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <contact/ray_box.hpp>
 #include <contact/ray_sphere.hpp>
 #include <cstdint>
@@ -15,6 +16,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -188,6 +190,27 @@ auto first_of(Call call) {
   };
 }
 
+/// The textbook's formula as a decision alone: no passage is made of it.
+bool bare_textbook(const Ray<double>& ray, const Sphere<double>& ball) {
+  const Point m = ray.origin - ball.centre;
+  const double a = ray.direction.dot(ray.direction), b = 2 * ray.direction.dot(m);
+  const double discriminant = b * b - 4 * a * (m.dot(m) - ball.radius * ball.radius);
+  return discriminant >= 0 && (-b + std::sqrt(discriminant)) / (2 * a) >= 0;
+}
+
+/// The same of the branchless slabs.
+bool bare_slabs(const Ray<double>& ray, const Box& box) {
+  double entry = 0, exit = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    const double inverse = 1 / ray.direction(k);
+    const double to_low = (box.low(k) - ray.origin(k)) * inverse;
+    const double to_high = (box.high(k) - ray.origin(k)) * inverse;
+    entry = std::max(entry, std::min(to_low, to_high));
+    exit = std::min(exit, std::max(to_low, to_high));
+  }
+  return entry <= exit;
+}
+
 void compare(const std::string& title, const Balls& family, int runs) {
   const auto textbook = [](const auto& ray, const auto& ball) {
     return contact::passage_by_textbook(ray, ball);
@@ -199,6 +222,7 @@ void compare(const std::string& title, const Balls& family, int runs) {
       passes("Contact Hours, textbook, float", family.rays_in_float, family.bodies_in_float,
              textbook),
       passes("Contact Hours, textbook", family.rays, family.bodies, textbook),
+      decides("textbook, decision alone", family.rays, family.bodies, bare_textbook),
       passes("Contact Hours, nearest point", family.rays, family.bodies, nearest),
       decides("Contact Hours, hits_sphere", family.rays, family.bodies,
               [](const auto& ray, const auto& ball) { return contact::hits_sphere(ray, ball); }),
@@ -225,6 +249,7 @@ void compare(const std::string& title, const Boxes& family, int runs) {
       passes("Contact Hours, branchless, float", family.rays_in_float, family.bodies_in_float,
              branchless),
       passes("Contact Hours, branchless", family.rays, family.bodies, branchless),
+      decides("branchless, decision alone", family.rays, family.bodies, bare_slabs),
       passes("Contact Hours, divided", family.rays, family.bodies,
              [](const auto& ray, const auto& box) {
                return contact::passage_by_slabs_with_division(ray, box);
