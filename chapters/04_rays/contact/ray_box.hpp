@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <concepts>
 #include <contact/aabb.hpp>
@@ -19,6 +20,7 @@
 #include <contact/tolerance.hpp>
 #include <contact/vector.hpp>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -134,21 +136,22 @@ struct Glance {
 ///
 /// Difference, reciprocal, product and, for a segment, direction are rounded: each t is off by at
 /// most 4 u of itself. So entry < exit (1 − 10 u) is a hit and entry (1 − 10 u) > exit a miss.
-/// 2^-1000 covers underflow. Not certain are components of the direction that are 0, or beyond
-/// 2^±500, an entry beyond 2^1000, and a start beyond 2^960: so no NaN arises, no reciprocal is
-/// subnormal, and no difference overflows, because 2^960 is less than half the last place of the
-/// largest number. All conditions are computed and joined by &: only a branch on the certainty can
-/// be predicted.
+/// 2^-1000 covers underflow. Not certain are components of the direction that are 0, below 2^-511
+/// or from 2^513 on (only exponents between set bit 62 when 512 is added to them), an entry beyond
+/// 2^1000, and a start beyond 2^960: so no NaN arises, no reciprocal is subnormal, and no
+/// difference overflows, because 2^960 is less than half the last place of the largest number. All
+/// conditions are computed and joined by &: only a branch on the certainty can be predicted.
 /// @tparam closer what costs more time as well, but no rounding: a component of 0 is compared, and
 /// a line that starts in the box hits it
 template <bool ends, bool closer>
-Glance box_at_a_glance(const Ray<double>& ray, const Aabb<double>& box) {
+[[gnu::always_inline]] inline Glance box_at_a_glance(const Ray<double>& ray,
+                                                     const Aabb<double>& box) {
   constexpr double shorter = 1 - 10 * tolerance::unit_roundoff<double>;
   constexpr double floor = 0x1p-1000;
   constexpr double endless = std::numeric_limits<double>::infinity();
   double entry = 0;
   double exit = ends ? 1.0 : endless;
-  double sizes = 0;
+  std::uint64_t middle = ~std::uint64_t{0};
   int inside = 1, apart = 0;
   for (int k = 0; k < 3; ++k) {
     const double start = ray.origin(k);
@@ -162,7 +165,7 @@ Glance box_at_a_glance(const Ray<double>& ray, const Aabb<double>& box) {
       rate = level ? 1 : rate;
     }
     const double inverse = 1 / rate;
-    sizes += std::abs(rate) + std::abs(inverse);
+    middle &= std::bit_cast<std::uint64_t>(rate) + (std::uint64_t{512} << 52);
     const double to_low = (box.low(k) - start) * inverse;
     const double to_high = (box.high(k) - start) * inverse;
     const double first = std::min(to_low, to_high), last = std::max(to_low, to_high);
@@ -170,7 +173,7 @@ Glance box_at_a_glance(const Ray<double>& ray, const Aabb<double>& box) {
     exit = std::min(exit, level ? endless : last);
   }
   const double reach = ray.origin.cwiseAbs().sum();  // of NaN too, which min and max may drop
-  const int tame = (sizes <= 0x1p500) & (entry <= 0x1p1000) & (reach <= 0x1p960);
+  const int tame = int(middle >> 62 & 1) & (entry <= 0x1p1000) & (reach <= 0x1p960);
   const bool hit = entry + floor < exit * shorter;
   const bool miss = entry * shorter > exit + floor;
   if constexpr (closer) {
@@ -273,12 +276,15 @@ template <class Line>
 }
 // [/box-times]
 
-/// Whether a line hits a box that is not decided at a glance.
-template <class Line>
-[[gnu::noinline]] bool hits_box_closely(const Line& line, const Aabb<double>& box) {
-  const Glance seen = box_at_a_glance<has_end<Line>, true>(ray_of(line), box);
+/// Whether a line hits a box that is not decided at a glance. It converts to double once more, so
+/// that the caller need not keep the numbers in memory.
+template <std::floating_point S, class Line>
+[[gnu::noinline]] bool hits_box_closely(const Line& line, const Aabb<S>& box) {
+  const auto stored = contact::in_double(line);
+  const Aabb<double> body = contact::in_double(box);
+  const Glance seen = box_at_a_glance<has_end<Line>, true>(ray_of(stored), body);
   if (seen.certain) return seen.hit;
-  return is_finite(line) && box_times(line, box).hits(has_end<Line>);
+  return is_finite(stored) && box_times(stored, body).hits(has_end<Line>);
 }
 
 /// A point of a face, with its coordinate as stored and the others not outside the box.
@@ -303,10 +309,9 @@ Vector3<S> onto_face(const Vector3<S>& point, const Aabb<S>& box, int face) {
 /// the program, as in Aabb, and gets any answer.
 template <FloatOrDouble S, LineOf<S> Line>
 bool hits_box(const Line& line, const Aabb<S>& box) {
-  const auto stored = in_double(line);
-  const Aabb<double> body = in_double(box);
-  const detail::Glance seen = detail::box_at_a_glance<has_end<Line>, false>(ray_of(stored), body);
-  return seen.certain ? seen.hit : detail::hits_box_closely(stored, body);
+  const detail::Glance seen =
+      detail::box_at_a_glance<has_end<Line>, false>(ray_of(in_double(line)), in_double(box));
+  return seen.certain ? seen.hit : detail::hits_box_closely(line, box);
 }
 // [/hits-box]
 
