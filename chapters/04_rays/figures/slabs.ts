@@ -131,7 +131,7 @@ export default defineFigure<Input, Output>({
       options: [
         { value: 2, label: "branchless, times 1/d" },
         { value: 1, label: "slabs with division" },
-        { value: 3, label: "padded: never a miss" },
+        { value: 3, label: "padded: with a later exit" },
         { value: 0, label: "the book’s: exact decision" },
       ],
     },
