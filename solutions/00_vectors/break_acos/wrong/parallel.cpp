@@ -1,6 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: the angle of whole numbers is wrong by more than 1 %
-// seen: not found
+// seen: https://github.com/mikera/vectorz/issues/102 reports the angle of two parallel vectors
 #include "break_acos.hpp"
 
 namespace exercise {
