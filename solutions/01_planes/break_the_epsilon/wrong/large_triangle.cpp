@@ -1,6 +1,7 @@
 // misconception: break-area-is-large
 // caught by: a plane through distant points is refused
-// seen: not found
+// seen: https://github.com/bevyengine/bevy/pull/12508
+//   a reviewer: nearly collinear points are above such a threshold
 #include "break_the_epsilon.hpp"
 
 namespace exercise {

@@ -1,6 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: a plane through a triangle without small angles is refused
-// seen: not found
+// seen: https://github.com/jrouwe/JoltPhysics/pull/607 thinks of slivers where an area is compared
 #include "break_the_epsilon.hpp"
 
 namespace exercise {
