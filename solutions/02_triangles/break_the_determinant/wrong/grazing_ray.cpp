@@ -1,6 +1,7 @@
 // misconception: break-ray-starts-away
 // caught by: a hit of whole numbers is missed
-// seen: not found
+// seen: https://github.com/google/vector_math.dart/pull/43
+//   a glancing ray is taken for a parallel one
 #include "break_the_determinant.hpp"
 
 namespace exercise {

@@ -1,6 +1,7 @@
 // misconception: break-outside-the-region
 // caught by: a hit in the middle of a triangle of 4 m is missed
-// seen: not found
+// seen: https://github.com/mrdoob/three.js/pull/33661
+//   rays through an edge or a vertex are those that miss
 #include "break_the_determinant.hpp"
 
 namespace exercise {
