@@ -1,6 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: a vertex is lost, and every coordinate is a whole number up to 10
-// seen: not found
+// seen: https://github.com/opencv/opencv/issues/14521 a hull is wrong if coordinates are large
 #include "break_angles.hpp"
 
 namespace exercise {

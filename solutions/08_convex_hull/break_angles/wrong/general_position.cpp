@@ -1,6 +1,7 @@
 // misconception: break-no-equal-angles
 // caught by: a vertex is lost, and every coordinate is a whole number up to 10
-// seen: not found
+// seen: https://github.com/brian3kb/graham_scan_js/issues/8
+//   four points in general position; it was not the sort
 #include "break_angles.hpp"
 
 namespace exercise {

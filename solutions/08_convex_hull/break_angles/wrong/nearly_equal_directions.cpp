@@ -1,6 +1,6 @@
 // misconception: break-angles-far-apart
 // caught by: no two points are in the same direction from the lowest
-// seen: not found
+// seen: https://github.com/libgeos/geos/issues/722 points that are close to each other
 #include "break_angles.hpp"
 
 namespace exercise {

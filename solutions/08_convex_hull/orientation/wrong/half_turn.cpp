@@ -1,6 +1,6 @@
 // misconception: none
 // caught by: steep and backward paths turn as others do
-// seen: not found
+// seen: a first reader of this book
 #include "orientation.hpp"
 
 namespace exercise {

@@ -1,6 +1,6 @@
 // misconception: none
 // caught by: the next face of a box and of a pyramid is found
-// seen: not found
+// seen: a first reader of this book
 #include "wrap_step.hpp"
 
 namespace exercise {
