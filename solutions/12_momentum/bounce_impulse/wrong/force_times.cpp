@@ -1,6 +1,7 @@
 // misconception: force-times-for-force-over
 // caught by: a longer time makes a smaller force
-// seen: not found
+// seen: https://github.com/wreck02/wreck02/blob/44a826edbedc3f0bbdd52c0830820e578bda6da9/src/generators/forces/momentum.ts
+//   a quiz's trap: multiplied by the time instead of dividing
 #include "bounce_impulse.hpp"
 
 namespace exercise {

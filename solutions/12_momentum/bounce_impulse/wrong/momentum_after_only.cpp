@@ -1,6 +1,7 @@
 // misconception: momentum-after-only
 // caught by: a stop takes all the momentum away
-// seen: not found
+// seen: https://github.com/wreck02/wreck02/blob/44a826edbedc3f0bbdd52c0830820e578bda6da9/src/generators/forces/momentum.ts
+//   a quiz's trap: mv instead of the change in momentum
 #include "bounce_impulse.hpp"
 
 namespace exercise {

@@ -1,6 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: the sum of positive numbers is wrong by 100
-// seen: not found
+// seen: https://github.com/factor/factor/issues/948 its example has a large negative number
 #include "break_the_sum.hpp"
 
 namespace exercise {

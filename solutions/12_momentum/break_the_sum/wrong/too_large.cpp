@@ -1,6 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: three whole numbers have the sum zero, and should not
-// seen: not found
+// seen: https://github.com/rust-lang/rust/pull/10927 the example there is 1e20, 1 and −1e20
 #include "break_the_sum.hpp"
 
 namespace exercise {
