@@ -1,6 +1,6 @@
 // misconception: break-cradle-from-the-left
 // caught by: no ball moves to the left
-// seen: not found
+// seen: https://physics.stackexchange.com/questions/778791 begins with one ball from the left
 #include "break_the_cradle.hpp"
 
 namespace exercise {

@@ -1,6 +1,6 @@
 // misconception: break-cradle-at-rest
 // caught by: one of three balls moves
-// seen: not found
+// seen: https://github.com/Famous/famous/pull/526 spheres that move apart, in a cradle too
 #include "break_the_cradle.hpp"
 
 namespace exercise {

@@ -1,6 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: one of three balls moves
-// seen: not found
+// seen: https://physics.stackexchange.com/questions/778791 then two balls from the left
 #include "break_the_cradle.hpp"
 
 namespace exercise {

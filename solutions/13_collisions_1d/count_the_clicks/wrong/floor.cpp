@@ -1,6 +1,7 @@
 // misconception: floor-for-ceiling
 // caught by: equal blocks make three collisions
-// seen: not found
+// seen: https://augustge.com/animations/elastic-collisions
+//   floor, where the inequality before it is strict
 #include "count_the_clicks.hpp"
 
 #include <cmath>
