@@ -1,6 +1,7 @@
 // misconception: break-outside-the-region
 // caught by: discs that overlap and approach touch now
-// seen: not found
+// seen: https://github.com/HaliteChallenge/Halite-II/pull/199
+//   ships that move apart: a negative time
 #include "break_first_touch.hpp"
 
 #include "time_of_touch.hpp"

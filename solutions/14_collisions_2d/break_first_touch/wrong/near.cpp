@@ -1,6 +1,6 @@
 // misconception: break-disc-is-near
 // caught by: head-on discs are said to miss
-// seen: not found
+// seen: https://github.com/ziotom78/pytracer/issues/22 says that nearer the test passes
 #include "break_first_touch.hpp"
 
 namespace exercise {

@@ -1,6 +1,6 @@
 // misconception: separating-discs-reflected
 // caught by: discs approach or they do not
-// seen: not found
+// seen: https://github.com/Famous/famous/pull/526 spheres that moved apart got an impulse
 #include "two_discs.hpp"
 
 namespace exercise {

@@ -1,6 +1,6 @@
 // misconception: whole-velocity-reflected
 // caught by: head-on it is a collision on a line
-// seen: not found
+// seen: https://github.com/NTaylorMullen/ShootR/issues/23 a ship bounces directly back
 #include "two_discs.hpp"
 
 namespace exercise {
