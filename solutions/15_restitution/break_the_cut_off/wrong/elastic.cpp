@@ -1,6 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: the time is wrong by 10 % from at least 1 m
-// seen: not found
+// seen: https://github.com/avianphysics/avian/issues/200 a ball with k = 1 bounces once and stops
 #include "break_the_cut_off.hpp"
 
 namespace exercise {

@@ -1,6 +1,7 @@
 // misconception: break-cut-off-is-small
 // caught by: the time is wrong by 10 % from at least 1 m
-// seen: not found
+// seen: https://github.com/dimforge/rapier/pull/114
+//   shows a ball with k = 0.9 that a threshold stops
 #include "break_the_cut_off.hpp"
 
 namespace exercise {

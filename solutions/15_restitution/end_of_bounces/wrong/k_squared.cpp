@@ -1,6 +1,7 @@
 // misconception: times-go-with-k-squared
 // caught by: the ball rests after a finite time
-// seen: not found
+// seen: https://github.com/codegenbot/seidr-solutions/blob/00162bcc8467acfdcd4ca59d3fe86ff4b2ad269a/bouncing-balls.cpp
+//   flights shrink by the square of their factor
 #include "end_of_bounces.hpp"
 
 namespace exercise {
