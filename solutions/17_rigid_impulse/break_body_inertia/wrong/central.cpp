@@ -1,6 +1,6 @@
 // misconception: break-no-torque
 // caught by: it is wrong for similar moments
-// seen: not found
+// seen: https://github.com/schteppe/cannon.js/issues/35 a kick at the centre, without rotation
 #include "break_body_inertia.hpp"
 
 namespace exercise {
