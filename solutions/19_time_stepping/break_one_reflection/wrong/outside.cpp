@@ -1,6 +1,7 @@
 // misconception: break-outside-the-region
 // caught by: a slow point ends at the wrong position
-// seen: not found
+// seen: https://github.com/JakeManfre/object-physics/issues/1
+//   a circle whose centre is past the wall
 #include "break_one_reflection.hpp"
 
 namespace exercise {

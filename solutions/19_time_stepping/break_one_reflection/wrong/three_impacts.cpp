@@ -1,6 +1,7 @@
 // misconception: break-outside-the-region
 // caught by: a step with two impacts ends at the wrong position
-// seen: not found
+// seen: https://github.com/BLAST-WarpX/warpx/issues/7089
+//   several reflections in a step, however many
 #include "break_one_reflection.hpp"
 
 namespace exercise {

@@ -1,6 +1,6 @@
 // misconception: push-from-the-start-twice
 // caught by: one step from the turning point
-// seen: not found
+// seen: https://github.com/TeamAtomECS/AtomECS/pull/18 the velocity is made to use the new force
 #include "verlet_step.hpp"
 
 namespace exercise {
