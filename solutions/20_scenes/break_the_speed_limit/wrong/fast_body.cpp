@@ -1,6 +1,7 @@
 // misconception: break-step-is-refused
 // caught by: a body at constant speed may pass
-// seen: not found
+// seen: https://github.com/godotengine/godot/issues/6664
+//   a fast body at constant speed passes a wall
 #include "break_the_speed_limit.hpp"
 
 namespace exercise {

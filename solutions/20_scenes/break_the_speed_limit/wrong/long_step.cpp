@@ -1,6 +1,6 @@
 // misconception: break-outside-the-region
 // caught by: a body that starts at rest may pass
-// seen: not found
+// seen: https://github.com/Steken3344/kubborama/issues/8 a body falls through in a step of 5 s
 #include "break_the_speed_limit.hpp"
 
 namespace exercise {

@@ -1,6 +1,6 @@
 // misconception: break-step-is-safe
 // caught by: a body that starts at rest may pass
-// seen: not found
+// seen: https://github.com/candirugame/candiru/issues/64 a fall of 2 m at 30 steps a second
 #include "break_the_speed_limit.hpp"
 
 namespace exercise {

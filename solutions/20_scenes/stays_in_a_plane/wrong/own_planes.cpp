@@ -1,6 +1,7 @@
 // misconception: centres-left-out
 // caught by: balls push along the line of their centres
-// seen: not found
+// seen: https://github.com/godotengine/godot/issues/12500
+//   bodies push each other out of the plane of a game
 #include "stays_in_a_plane.hpp"
 
 namespace exercise {
