@@ -180,6 +180,8 @@ const Cylinder kOblique{{1, 0, -1}, {4, 6, 5}, 3};
 }  // namespace
 
 TEST_CASE("a ray enters through the wall") {
+  // So short that each mistaken formula has a hit, and each another one.
+  check({{-2, -1, 1.25}, {2, 0, 0.125}}, {{2, -1, 1}, {2, -1, 3}, 2});
   check({{-4, -1, 2}, {2, 0, 0.5}}, kUpright);
   check({{3, 8, 4.5}, {0, -1, -0.25}}, kUpright);
   check({{-8, 6, 1}, {4, -1, 0.5}}, kOblique);

@@ -118,6 +118,8 @@ const Sphere kBall{{6, -2, 3}, 3};
 }  // namespace
 
 TEST_CASE("a ray passes through the ball or beside it") {
+  // So near that each mistaken formula has a hit, and each another one.
+  check({{2.875, -1.5, 3}, {1, 0, 0}}, kBall);
   check({{0, 0, 3}, {1, 0, 0}}, kBall);
   check({{6, -2, -5}, {0, 0, 1}}, kBall);
   check({{0, 2, 3}, {1, 0, 0}}, kBall);
