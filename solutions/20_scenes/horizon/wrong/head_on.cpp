@@ -1,6 +1,6 @@
 // misconception: cosine-left-out
 // caught by: an oblique hit
-// seen: not found
+// seen: https://github.com/SmileiPIC/Smilei/issues/577 what is right head on lacks a cosine at 45°
 #include "horizon.hpp"
 
 namespace exercise {
