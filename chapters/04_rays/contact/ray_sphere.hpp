@@ -74,7 +74,6 @@ std::optional<Passage<S>> passage_by_textbook(const Ray<S>& ray, const Sphere<S>
 }
 // [/by-textbook]
 
-// [by-nearest-point]
 /// The same by the point of the line nearest to the centre: the discriminant is a (r² − f·f), with
 /// f from the centre to that point; then q = −(b + sign(b) √), t = q/a and c/q.
 ///
@@ -86,6 +85,7 @@ std::optional<Passage<S>> passage_by_textbook(const Ray<S>& ray, const Sphere<S>
 ///
 /// Source: Haines, Günther and Akenine-Möller, *Precision Improvements for Ray/Sphere
 /// Intersection*, Ray Tracing Gems (2019), chapter 7.
+// [by-nearest-point]
 template <std::floating_point S>
 std::optional<Passage<S>> passage_by_nearest_point(const Ray<S>& ray, const Sphere<S>& sphere) {
   const Vector3<S> m = ray.origin - sphere.centre;
