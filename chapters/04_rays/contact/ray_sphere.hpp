@@ -36,7 +36,7 @@ Passage<S> passage_of_roots(const Vector3<S>& m, const Vector3<S>& d, const S& l
 /// origin: the formula for a unit direction.
 ///
 /// Limits: with a direction of another length it is wrong. From a distance of m radii the
-/// difference of squares has lost 2 log₂ m bits: at m = 10⁸ in double, 3000 in float, none is left,
+/// difference of squares has lost 2 log₂ m bits: at m = 10⁸ in double, 4000 in float, none is left,
 /// and the line is said to miss, or to touch anywhere. Squares of numbers beyond 1e154 overflow.
 /// Nothing for a negative radicand and for NaN; a sphere of radius 0 by luck only.
 ///
