@@ -328,10 +328,11 @@ struct DoubleLine {
   }
 };
 
-/// v divided by its length, whatever its range; 0 if it has none.
+/// v divided by its length, whatever its range; 0 if it has none, or if v is a difference that
+/// overflowed.
 inline Vector3<double> unit_or_zero(const Vector3<double>& v) {
   const double largest = v.cwiseAbs().maxCoeff();
-  if (!(largest > 0) || !std::isfinite(largest)) return Vector3<double>::Zero();
+  if (!all_finite(v) || !(largest > 0)) return Vector3<double>::Zero();
   int power = 0;
   std::frexp(largest, &power);
   const Vector3<double> near_one(std::ldexp(v.x(), -power), std::ldexp(v.y(), -power),

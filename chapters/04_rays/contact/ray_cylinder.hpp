@@ -193,7 +193,8 @@ bool hits_cylinder(const Line& line, const Cylinder<S>& cylinder) {
 /// its sign, and is rounded to S; beyond the largest number it is that number. Faces as
 /// CylinderFace; on a rim the cap, but the wall for a line in the plane of the cap. The normal of
 /// the wall is computed from the point, so its error is that of the point over the radius; 0 for a
-/// radius of 0. A direction of 0 in the cylinder has entry −∞, exit ∞.
+/// radius of 0 and where a difference of coordinates overflows. A direction of 0 in the cylinder
+/// has entry −∞, exit ∞.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<Passage<S>> passage(const Line& line, const Cylinder<S>& cylinder) {
   return detail::ask_cylinder(line, cylinder, true, [](const detail::CylinderParts& parts) {
