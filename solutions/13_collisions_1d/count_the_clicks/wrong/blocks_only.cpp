@@ -1,6 +1,6 @@
 // misconception: wall-not-counted
 // caught by: equal blocks make three collisions
-// seen: not found
+// seen: https://t.xtos.us/v/yt/HEfHFsfGXjs says that another film counts the blocks alone
 #include "count_the_clicks.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // misconception: floor-for-ceiling
 // caught by: equal blocks make three collisions
-// seen: https://augustge.com/animations/elastic-collisions
-//   floor, where the inequality before it is strict
+// seen: https://tizarne.com/youtube/video/brU5yLm9DZM
+//   3Blue1Brown's own correction: a ceiling minus 1 where the film had a floor
 #include "count_the_clicks.hpp"
 
 #include <cmath>
