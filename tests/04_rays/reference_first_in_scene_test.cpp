@@ -163,6 +163,59 @@ TEST_CASE("a scene of one body of each kind, a triangle's side, an empty scene")
   CHECK_FALSE(contact::first_in_scene<double>(Ray<double>{{0, 0, 0}, {0, 1, 0}}, Scene{}));
 }
 
+/// Zeros, whole numbers, the largest and smallest numbers, and any others.
+template <class S>
+Vector3<S> wild(Random& random) {
+  Vector3<S> v;
+  for (int k = 0; k < 3; ++k) {
+    const S x = generators::any_finite<S>(random);
+    const S choices[] = {S(0), std::copysign(std::numeric_limits<S>::max(), x),
+                         std::copysign(std::numeric_limits<S>::denorm_min(), x),
+                         S(random.integer(-2, 2)), x};
+    v(k) = choices[random.integer(0, 4)];
+  }
+  return v;
+}
+
+template <class S>
+void no_nan(int count, std::uint64_t seed) {
+  Random random(seed);
+  int met = 0;
+  const auto check = [&met](const std::optional<BodyHit<S>>& hit) {
+    if (!hit) return;
+    ++met;
+    REQUIRE(hit->t >= 0);
+    for (int k = 0; k < 3; ++k) {
+      REQUIRE_FALSE(std::isnan(hit->point(k)));
+      REQUIRE(std::isfinite(hit->normal(k)));
+    }
+  };
+  for (int i = 0; i < generators::tried(count); ++i) {
+    const Vector3<S> a = wild<S>(random), b = wild<S>(random);
+    const S radius = std::abs(wild<S>(random)(0));
+    const Ray<S> ray{wild<S>(random), wild<S>(random)};
+    const Segment<S> segment{ray.origin, ray.direction};
+    const std::vector<Primitive<S>> scene{Cylinder<S>{{a, b}, radius}, Capsule<S>{{a, b}, radius},
+                                          Cone<S>{a, b, radius},
+                                          Triangle<S>{a, b, wild<S>(random)}};
+    INFO("case " << i);
+    for (const auto& body : scene) {
+      check(contact::first_hit(ray, body));
+      check(contact::first_hit(segment, body));
+    }
+    const Cylinder<S> tube{{a, b}, radius};
+    check(contact::first_hit_open(ray, tube));
+    check(contact::first_hit_open(segment, tube));
+    check(contact::ball_first_hit(segment, radius, Aabb<S>{a.cwiseMin(b), a.cwiseMax(b)}));
+  }
+  CHECK(met > generators::tried(count) / 4);
+}
+
+TEST_CASE("finite input never gives NaN, whatever overflows") {
+  no_nan<double>(800, 63);
+  no_nan<float>(2000, 64);
+}
+
 TEST_CASE("samples miss a thin wall that segments find") {
   const Scene scene{Aabb<double>{{9.9, -5, -5}, {9.95, 5, 5}}, Sphere<double>{{40, 0, 0}, 6}};
   const Vector3<double> start(0, 0, 0), displacement(4, 0, 0);

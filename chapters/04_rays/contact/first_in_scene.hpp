@@ -29,7 +29,8 @@ namespace contact {
 
 /// What a ray or a segment meets first of a triangle. It is a surface: `inside` is false, the face
 /// is 0, and the normal is on the side that the line comes from. The decision is that of
-/// intersect_exact: a line in the plane of the triangle gives nothing.
+/// intersect_exact: a line in the plane of the triangle gives nothing. A t beyond the largest
+/// number is that number.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit(const Line& line, const Triangle<S>& triangle) {
   const std::optional<TriangleHit<S>> met = intersect_exact<S>(line, triangle);
@@ -43,9 +44,9 @@ std::optional<BodyHit<S>> first_hit(const Line& line, const Triangle<S>& triangl
                                     ? Vector3<double>(in_double.second - in_double.start)
                                     : in_double.second;
   if (normal.dot(along) > 0) normal = -normal;
-  const double t = static_cast<double>(met->t);
+  const double t = detail::in_range(static_cast<double>(met->t), 0);
   BodyHit<S> hit;
-  hit.t = met->t;
+  hit.t = detail::to_scalar<S>(t);
   hit.point = in_double.at(t, Vector3<double>::Zero()).template cast<S>();
   hit.normal = normal.template cast<S>();
   hit.face = 0;
