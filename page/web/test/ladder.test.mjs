@@ -234,18 +234,23 @@ function measured() {
   return ladders.map((name) => JSON.parse(fs.readFileSync(path.join(folder, name), "utf8")));
 }
 
-/** The labels of the time axis, each between two positions. @param {any} document */
-function axisLabels(document) {
-  return [...document.querySelectorAll(".axis text")].map((text) => {
+/** The labels of a time axis, each between two positions. @param {any} axis */
+function axisLabels(axis) {
+  return [...axis.querySelectorAll("text")].map((text) => {
     const half = text.textContent.length * 3;
     const x = Number(text.getAttribute("x"));
     return { words: text.textContent, from: x - half, to: x + half };
   });
 }
 
-/** @param {any} document */
+/** The axis of each table. @param {any} document */
 function checkAxis(document) {
-  const labels = axisLabels(document);
+  for (const axis of document.querySelectorAll(".axis")) checkOneAxis(axis);
+}
+
+/** @param {any} axis */
+function checkOneAxis(axis) {
+  const labels = axisLabels(axis);
   let free = 0;
   for (const { words, from, to } of labels) {
     assert.ok(from >= free && to <= 120, `${words} from ${from} to ${to}`);
