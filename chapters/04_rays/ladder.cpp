@@ -115,6 +115,23 @@ bool made_by_figure(const Input& input, double scale, bool unit) {
          direction.template cast<double>() == (unit ? 1 : scale) * input.ray_in_double.direction;
 }
 
+/// What a method of the figure says of the ray and the ball with all coordinates multiplied.
+template <class S>
+bool hits_scaled(int method, const Ray<S>& given, const Sphere<S>& body, S scale) {
+  const Ray<S> ray{given.origin * scale, given.direction * scale};
+  const Sphere<S> ball{body.centre * scale, body.radius * scale};
+  switch (method) {
+    case 1:
+      return first_of(ray, contact::passage_by_lecture(ray, ball)).hit;
+    case 2:
+      return first_of(ray, contact::passage_by_textbook(ray, ball)).hit;
+    case 3:
+      return first_of(ray, contact::passage_by_nearest_point(ray, ball)).hit;
+    default:
+      return contact::hits_sphere(ray, ball);
+  }
+}
+
 ladder::Example shown(const Input& input, const Answer& got, const Answer& right,
                       const ladder::Method& method) {
   ladder::Example example;
@@ -151,6 +168,13 @@ ladder::Example shown(const Input& input, const Answer& got, const Answer& right
     const bool same = single ? made_by_figure<float>(input, scale, unit)
                              : made_by_figure<double>(input, scale, unit);
     if (!same || size * scale > 1e6) continue;
+    const bool hit =
+        single ? hits_scaled<float>(int(number), input.ray, input.body, float(scale))
+               : hits_scaled<double>(int(number), input.ray_in_double, input.body_in_double, scale);
+    if (hit != got.hit) {
+      example.note = "Divided by a power of two, to fit into the figure, they do not overflow.";
+      return example;
+    }
     const auto plane = [scale](const Point& v) {
       return contact::Vector2<double>(v.x() * scale, v.y() * scale);
     };
@@ -296,10 +320,13 @@ ladder::Example shown(const Input& input, const Answer& got, const Answer& right
   const bool same = single ? contact::Vector3<float>(through.cast<float>() - input.ray.origin) ==
                                  input.ray.direction
                            : Point(through - ray.origin) == ray.direction;
+  const auto minus_zero = [](double x) { return x == 0 && std::signbit(x); };
   if (number < 0) {
     example.note = "The figure does not have this method.";
   } else if (!same) {
     example.note = "In the figure's form, with two points of the ray, this direction is rounded.";
+  } else if (std::any_of(ray.direction.begin(), ray.direction.end(), minus_zero)) {
+    example.note = "In the figure's form, with two points of the ray, −0 becomes 0.";
   } else if ((body.high - body.low).maxCoeff() < size / 256) {
     example.note = "So far from the box, the figure would show it as one point.";
   } else {
