@@ -99,8 +99,8 @@ inline AtSphere at_sphere(const Point& start, const Point& direction, const Sphe
           start,
           start + direction};
 }
-/// From a start towards a point of the plane across its axis, this many radii from the centre. The
-/// direction is a unit vector, as rounded.
+/// From a start towards a point of the plane perpendicular to its axis, this many radii from the
+/// centre. The direction is a unit vector, as rounded.
 inline AtSphere aside(Random& random, const Sphere<double>& ball, double distance, double radii,
                       bool flat) {
   const Point start = rounded(ball.centre + distance * ball.radius * direction(random, flat));
@@ -122,7 +122,8 @@ inline AtSphere sphere_tangent(Random& random) {
   const bool flat = in_a_plane(random);
   const Sphere<double> ball = any_sphere(random, flat);
   const double distance = random.uniform(1.5, 6);
-  // The tangent from this distance passes the plane across its axis further out than the radius.
+  // The tangent from this distance passes the plane perpendicular to its axis further out than the
+  // radius.
   const double radii = distance / std::sqrt(distance * distance - 1);
   return aside(random, ball, distance, radii, flat);
 }
