@@ -82,7 +82,7 @@ TEST_CASE("steep and backward paths turn as others do") {
   check({-2, -2}, {-2, 2}, {-2, 0});
 }
 
-TEST_CASE("an area of one counts on a long path") {
+TEST_CASE("a cross product of 1 counts on a long path") {
   check({0, 0}, {kFar - 1, kFar - 2}, {kFar, kFar - 1});
   check({0, 0}, {kFar, kFar - 1}, {kFar - 1, kFar - 2});
   check({-kFar, -kFar}, {0, 0}, {kFar, kFar - 1});

@@ -29,17 +29,20 @@ KEY("grid-border") {
   return static_cast<double>(contact::convex_hull_2d(grid).size());
 }
 
-KEY("twelve-corners") {
+KEY("all-quadrilaterals") {
+  // The rhombic dodecahedron.
   std::vector<Solid> points;
-  for (const double x : {-0.625, 0.625}) {
+  for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {
-      points.push_back({0, x, y});
-      points.push_back({x, y, 0});
-      points.push_back({y, 0, x});
+      points.push_back({x, y, -1});
+      points.push_back({x, y, 1});
     }
+    points.push_back({2 * x, 0, 0});
+    points.push_back({0, 2 * x, 0});
+    points.push_back({0, 0, 2 * x});
   }
   const contact::Hull hull = contact::convex_hull(points);
-  return hull.vertices.size() == 12 ? static_cast<double>(hull.face_count()) : -1.0;
+  return hull.vertices.size() == 14 ? static_cast<double>(hull.face_count()) : -1.0;
 }
 
 KEY("wrapping-a-sphere") {

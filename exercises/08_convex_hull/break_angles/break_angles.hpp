@@ -6,13 +6,13 @@
 
 namespace exercise {
 
-/// Points of which given::hull_by_angles loses a vertex of the hull.
+/// Points for which given::hull_by_angles loses a vertex of the hull.
 ///
-/// For all three functions: at most 50 points, different from one another, not all on one
-/// line. Here every coordinate is a whole number from -10 to 10.
+/// For all three functions: at most 50 points, different from one another, not all on one line.
+/// For this one: every coordinate is a whole number from -10 to 10.
 std::vector<Eigen::Vector2d> points_that_lose_a_vertex();
 
-/// Points of which given::hull_by_angles returns every vertex, and another point as well. Every
+/// Points for which given::hull_by_angles returns every vertex, and another point as well. Every
 /// coordinate is a whole number from -10 to 10.
 std::vector<Eigen::Vector2d> points_with_an_extra_vertex();
 

@@ -10,9 +10,9 @@ namespace exercise {
 /// outside, the vertices of that face run counter-clockwise, through `from` and then `to`. Find the
 /// face on the other side of the edge.
 ///
-/// The result is the index i of a point such that the triangle to, from, i has an area and no point
-/// of the set lies in front of its plane (on the side from which to, from, i run
-/// counter-clockwise). If there are several, it is the smallest such index.
+/// The result is the index i of a point such that the triangle (`to`, `from`, i) has an area, and
+/// its plane has no point of the set in front (on the side from which `to`, `from`, i run
+/// counter-clockwise). If there are several such indices, it is the smallest.
 ///
 /// @param points whole numbers from -1000 to 1000, not all in one plane; points may be equal, or on
 ///   one line with the edge

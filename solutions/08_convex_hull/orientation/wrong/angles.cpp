@@ -1,5 +1,5 @@
 // misconception: angles-by-atan2
-// caught by: an area of one counts on a long path
+// caught by: a cross product of 1 counts on a long path
 // seen: https://github.com/firemodels/fds/pull/4924 replaces an angle by a cross product
 #include "orientation.hpp"
 

@@ -1,5 +1,5 @@
 // misconception: epsilon-orientation
-// caught by: an area of one counts on a long path
+// caught by: a cross product of 1 counts on a long path
 // seen: https://github.com/jhasse/poly2tri/issues/39 a tolerance takes a slight turn for none
 #include "orientation.hpp"
 
