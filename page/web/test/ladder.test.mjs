@@ -119,7 +119,7 @@ test("the book's choice is marked, with a sentence that the numbers prove", () =
   const said = () => draw(result).querySelector(".proven").textContent;
   assert.equal(
     said(),
-    "★ sure (double, then exact): the fastest of the 2 methods that are never wrong by design, 5 × the time of the " +
+    "★ sure (double, then exact): the fastest of the 2 methods that by design are never wrong, 5 × the time of the " +
       "fastest of all; lucky (double) is faster and was not wrong on these inputs, but is not so by design.",
   );
   // Other numbers, another sentence.
@@ -221,7 +221,7 @@ test("where nothing is decided, the smaller error is the more often right", () =
   );
   assert.match(
     document.querySelector(".proven").textContent,
-    /: no error above 0, the fastest of the 2 methods that are never wrong by design, 5 × the time of the fastest of all\.$/,
+    /: no error above 0, the fastest of the 2 methods that by design are never wrong, 5 × the time of the fastest of all\.$/,
   );
   assert.deepEqual(names(document, "tr.frontier"), ["plain", "lucky", "sure"]);
 });
