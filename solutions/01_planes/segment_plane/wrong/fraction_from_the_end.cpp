@@ -1,6 +1,7 @@
 // misconception: fraction-from-the-end
 // caught by: a segment through the plane meets it at a fraction of its length
-// seen: not found
+// seen: https://vidaara.org/cat/quant/coordinate-geometry/learn/section-formula
+//   the trap of the section formula: a ratio taken from the other end
 #include "segment_plane.hpp"
 
 namespace exercise {
