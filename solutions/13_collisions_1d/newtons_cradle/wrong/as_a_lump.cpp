@@ -1,6 +1,7 @@
 // misconception: row-as-a-lump
 // caught by: one in, one out
-// seen: not found
+// seen: https://byjus.com/question-answer/two-identical-balls-marked-2-and-3-in-contact-with-each-other-and-at-rest-1/
+//   a test offers that the balls that are hit roll off together
 #include "newtons_cradle.hpp"
 
 namespace exercise {
