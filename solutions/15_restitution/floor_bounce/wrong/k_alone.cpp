@@ -1,6 +1,7 @@
 // misconception: one-of-one-plus-k
 // caught by: a ball that falls vertically leaves with k times its speed
-// seen: not found
+// seen: https://huggingface.co/datasets/nvidia/Nemotron-CC-Math-v1
+//   the thread "Realtime Bouncing, Independent of Angles": the factor 2, for k = 1, is forgotten
 #include "floor_bounce.hpp"
 
 namespace exercise {
