@@ -1,6 +1,7 @@
 // misconception: normal-turned-once
 // caught by: one pillar, head on
-// seen: not found
+// seen: https://meritnation.sg/ask-answer/question/if-the-light-ray-incidents-ona-mirror-and-the-mirror-is-rota/work-and-energy/13985653
+//   a quiz offers that a reflected ray turns by the angle of the mirror
 #include "horizon.hpp"
 
 namespace exercise {

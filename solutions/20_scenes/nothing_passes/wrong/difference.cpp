@@ -1,6 +1,7 @@
 // misconception: speeds-subtracted
 // caught by: both move
-// seen: not found
+// seen: https://physics.it.com/en/classical-mechanics/motion-in-a-straight-line/problems/motion-in-a-straight-line-challenge-two-trains-meeting
+//   the most common error there: the difference of the speeds
 #include "nothing_passes.hpp"
 
 namespace exercise {

@@ -1,6 +1,7 @@
 // misconception: balanced-for-still
 // caught by: each ball is its own image
-// seen: not found
+// seen: https://www.shaalaa.com/question-bank-solutions/consider-following-two-statements-a-linear-momentum-system-particles-zero-b-kinetic-energy-system-particles-zero-momentum-conservation-centre-mass-motion_66734
+//   a test offers that all are at rest if the momenta add up to zero
 #include "stays_in_a_plane.hpp"
 
 namespace exercise {
