@@ -15,8 +15,8 @@ Capsule<S> capsule_of(const RoundCase<S>& c) {
 }
 
 TEST_CASE("lines that are hard meet capsules as they do in fractions, doubles and floats") {
-  compare_round<double>(5000, 31, capsule_of<double>, meets_capsule);
-  compare_round<float>(5000, 32, capsule_of<float>, meets_capsule);
+  compare_round<double>(2500, 31, capsule_of<double>, meets_capsule);
+  compare_round<float>(2500, 32, capsule_of<float>, meets_capsule);
 }
 
 TEST_CASE("the normal of a capsule points away from its core") {

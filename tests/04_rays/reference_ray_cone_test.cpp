@@ -14,8 +14,8 @@ Cone<S> cone_of(const RoundCase<S>& c) {
 }
 
 TEST_CASE("lines that are hard meet cones as they do in fractions, doubles and floats") {
-  compare_round<double>(7000, 41, cone_of<double>, meets_cone);
-  compare_round<float>(7000, 42, cone_of<float>, meets_cone);
+  compare_round<double>(3500, 41, cone_of<double>, meets_cone);
+  compare_round<float>(3500, 42, cone_of<float>, meets_cone);
 }
 
 /// Whole numbers: lines through the apex, along a generator, parallel to one, in tangent planes.

@@ -15,8 +15,8 @@ Cylinder<S> cylinder_of(const RoundCase<S>& c) {
 }
 
 TEST_CASE("lines that are hard meet cylinders as they do in fractions, doubles and floats") {
-  compare_round<double>(7000, 21, cylinder_of<double>, meets_cylinder);
-  compare_round<float>(7000, 22, cylinder_of<float>, meets_cylinder);
+  compare_round<double>(3500, 21, cylinder_of<double>, meets_cylinder);
+  compare_round<float>(3500, 22, cylinder_of<float>, meets_cylinder);
 }
 
 template <class S>
