@@ -1,6 +1,7 @@
 // misconception: break-outside-the-region
 // caught by: the angle of whole numbers is wrong by more than 1 %
-// seen: not found
+// seen: https://github.com/matrixorigin/matrixone/issues/29083
+//   a report on cosines has vectors whose squares overflow
 #include "break_acos.hpp"
 
 namespace exercise {
