@@ -1,6 +1,7 @@
 // misconception: break-sum-is-exact
 // caught by: three whole numbers have the sum zero, and should not
-// seen: not found
+// seen: https://github.com/tc39/test262/pull/4049
+//   a test of an exact sum begins with 1 + 2 + 3, which every sum gets right
 #include "break_the_sum.hpp"
 
 namespace exercise {
