@@ -1,6 +1,7 @@
 // misconception: break-outside-the-region
 // caught by: the time is wrong by 10 % with k at most a half
-// seen: not found
+// seen: https://github.com/Famous/famous/issues/257
+//   a report on bounces that end too early has a restitution of 1
 #include "break_the_cut_off.hpp"
 
 namespace exercise {
