@@ -1,6 +1,7 @@
 // misconception: break-one-impact-at-most
 // caught by: a short step ends at the wrong position
-// seen: not found
+// seen: https://github.com/Farama-Foundation/PettingZoo/pull/1453
+//   one reflection is tested with steps of 40 in an area of 300
 #include "break_one_reflection.hpp"
 
 namespace exercise {
