@@ -194,16 +194,16 @@ ladder::Ladder<Input, Answer> experiment() {
                   });
   };
   using contact::StepRule;
-  in_steps("flip-60", "flipped if below the floor, 1/60 s", StepRule::flip_below, 60);
-  in_steps("flip-960", "flipped if below the floor, 1/960 s", StepRule::flip_below, 960);
-  in_steps("clamp-60", "put on the floor, 1/60 s", StepRule::clamp, 60);
-  in_steps("clamp-960", "put on the floor, 1/960 s", StepRule::clamp, 960);
-  in_steps("lecture-60", "the lecture's loop, 1/60 s", StepRule::new_velocity, 60);
-  in_steps("lecture-960", "the lecture's loop, 1/960 s", StepRule::new_velocity, 960);
-  in_steps("end-60", "velocity of the step's end, 1/60 s", StepRule::end_velocity, 60);
-  in_steps("end-960", "velocity of the step's end, 1/960 s", StepRule::end_velocity, 960);
-  in_steps("impact-60", "velocity of the impact, 1/60 s", StepRule::impact_velocity, 60);
-  in_steps("impact-960", "velocity of the impact, 1/960 s", StepRule::impact_velocity, 960);
+  in_steps("flip-60", "steps of 1/60 s, flip below", StepRule::flip_below, 60);
+  in_steps("flip-960", "steps of 1/960 s, flip below", StepRule::flip_below, 960);
+  in_steps("clamp-60", "steps of 1/60 s, on the floor", StepRule::clamp, 60);
+  in_steps("clamp-960", "steps of 1/960 s, on the floor", StepRule::clamp, 960);
+  in_steps("lecture-60", "steps of 1/60 s, the lecture's loop", StepRule::new_velocity, 60);
+  in_steps("lecture-960", "steps of 1/960 s, the lecture's loop", StepRule::new_velocity, 960);
+  in_steps("end-60", "steps of 1/60 s, step's end", StepRule::end_velocity, 60);
+  in_steps("end-960", "steps of 1/960 s, step's end", StepRule::end_velocity, 960);
+  in_steps("impact-60", "steps of 1/60 s, at the impact", StepRule::impact_velocity, 60);
+  in_steps("impact-960", "steps of 1/960 s, at the impact", StepRule::impact_velocity, 960);
 
   ladder.method(
       {.id = "events-float", .title = "flight by flight", .scalar = "float", .exact = false},

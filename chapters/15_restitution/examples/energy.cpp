@@ -26,5 +26,5 @@ int main() {
   show("on the floor", StepRule::clamp);
   show("the lecture's loop", StepRule::new_velocity);
   show("step's end", StepRule::end_velocity);
-  show("velocity of the impact", StepRule::impact_velocity);
+  show("at the impact", StepRule::impact_velocity);
 }

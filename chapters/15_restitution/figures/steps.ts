@@ -49,13 +49,13 @@ export default defineFigure<Input, Output>({
     {
       kind: "choice",
       field: "rule",
-      label: "at the floor",
+      label: "rule",
       options: [
-        { value: 4, label: "impact velocity" },
-        { value: 3, label: "end-of-step velocity" },
+        { value: 4, label: "at the impact" },
+        { value: 3, label: "step's end" },
         { value: 2, label: "the lecture's loop" },
-        { value: 1, label: "put on the floor" },
-        { value: 0, label: "flip whatever is below" },
+        { value: 1, label: "on the floor" },
+        { value: 0, label: "flip below" },
       ],
     },
     { kind: "slider", field: "step", label: "Δt", min: 0.002, max: 0.1, step: 0.001, unit: "s" },

@@ -6,15 +6,15 @@
 
 namespace exercise {
 
-/// The time after which a dropped ball is at rest, in s since the drop. It bounces infinitely often
-/// before.
+/// The time after which a dropped ball is at rest, in s since the drop. Until then it bounces
+/// infinitely often.
 ///
 /// @param drop height of the drop, m, greater than 0
 /// @param gravity m/s², greater than 0
 /// @param k coefficient of restitution, greater than 0 and less than 1
 double rest_time(double drop, double gravity, double k);
 
-/// The number of impacts by a time before the ball rests. An impact at exactly that time counts.
+/// The number of impacts up to a time before the rest. An impact at exactly that time counts.
 ///
 /// @param drop, gravity, k as above
 /// @param time s since the drop, 0 or more and less than rest_time. Times so close to rest_time

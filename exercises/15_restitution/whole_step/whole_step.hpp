@@ -11,7 +11,7 @@ struct Ball {
   double height = 0;     ///< of its lowest point, m, not negative
   double velocity = 0;   ///< upwards, m/s
   int bounces = 0;       ///< impacts so far
-  bool resting = false;  ///< then height and velocity are 0
+  bool resting = false;  ///< if true, height and velocity are 0
 };
 
 /// The ball one step later. Between impacts it falls freely; at an impact it leaves the floor with
