@@ -150,8 +150,8 @@ ladder::Example shown(const Input& input, const Answer& got, const Answer& right
   const double way = in_figure(method.id);
   if (input.points.size() != shown_points) {
     example.note =
-        "The figure shows eight points, and on any eight of these that were tried the method is "
-        "right.";
+        "The figure shows eight points, and the method is right on all sets of eight of these that "
+        "were tried.";
   } else if (way < 0) {
     example.note = "The figure does not have this method.";
   } else if (got.closed && got.corners == right.corners && got.triangles == right.triangles) {
