@@ -114,10 +114,10 @@ void compare(const Line& line, const Sphere<S>& ball, std::map<int, int>& seen) 
   const double sizes = ball.centre.template cast<double>().norm() + double(ball.radius) +
                        contact::start_of(line).template cast<double>().norm() + reach;
   if (!(sizes < 1e150) || !contact::all_finite(p) || !(sizes > 1e-150)) return;
-  const double room = (std::is_same_v<S, float> ? 0x1p-22 : 0x1p-51) *
-                          (ball.centre.template cast<double>().norm() + double(ball.radius)) +
-                      0x1p-20 * double(ball.radius) +
-                      4 * double(std::numeric_limits<S>::denorm_min());
+  const double room =
+      (std::is_same_v<S, float> ? 0x1p-22 : 0x1p-51) *
+          (ball.centre.template cast<double>().cwiseAbs().sum() + double(ball.radius)) +
+      0x1p-20 * double(ball.radius) + 4 * double(std::numeric_limits<S>::denorm_min());
   const Vector3<Rational> from_centre = oracle::exact(p) - body.centre;
   const Rational squared = from_centre.dot(from_centre);
   const Rational low = std::max<Rational>(Rational(0), body.radius - oracle::exact(room));
