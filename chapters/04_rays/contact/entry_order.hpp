@@ -187,8 +187,8 @@ EntryRoot exact_entry(const DoubleLine& line, const Primitive<S>& body) {
 /// A body that a line hits, and its t as a double.
 template <FloatOrDouble S>
 struct Entered {
-  const Primitive<S>* body;
-  double t;  ///< within 2^-40 of itself
+  const Primitive<S>* body;  ///< not owned
+  double t;                  ///< within 2^-40 of itself
 };
 
 /// Whether the line enters the first body before the second: exact. Only if the two t are closer

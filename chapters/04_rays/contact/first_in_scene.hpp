@@ -62,9 +62,9 @@ std::optional<BodyHit<S>> first_hit(const Line& line, const Primitive<S>& body) 
 // [first-in-scene]
 /// A hit, and which body.
 template <Ring S>
-struct SceneHit {
+struct IndexedHit {
   std::size_t index = 0;  ///< of the body in the scene
-  BodyHit<S> hit;
+  BodyHit<S> hit;         ///< where the line meets it
 };
 
 /// The body that a ray or a segment meets first: smallest t; of equal t, the lowest index.
@@ -72,16 +72,16 @@ struct SceneHit {
 /// Whether a body is met is exact for each, and so is the order: entries that are closer than their
 /// errors are compared without rounding. A body that the line starts in has t = 0.
 template <FloatOrDouble S, LineOf<S> Line>
-std::optional<SceneHit<S>> first_in_scene(const Line& line, std::span<const Primitive<S>> scene) {
+std::optional<IndexedHit<S>> first_in_scene(const Line& line, std::span<const Primitive<S>> scene) {
   const detail::DoubleLine in_double(line);
-  std::optional<SceneHit<S>> first;
+  std::optional<IndexedHit<S>> first;
   Entered<S> earliest{nullptr, 0};
   for (std::size_t i = 0; i < scene.size(); ++i) {
     const std::optional<BodyHit<S>> hit = first_hit(line, scene[i]);
     if (!hit) continue;
     const Entered<S> entered{&scene[i], detail::entry_key<S>(in_double, scene[i])};
     if (first && !entered_before<S>(in_double, entered, earliest)) continue;
-    first = SceneHit<S>{i, *hit};
+    first = IndexedHit<S>{i, *hit};
     earliest = entered;
   }
   return first;
@@ -89,9 +89,9 @@ std::optional<SceneHit<S>> first_in_scene(const Line& line, std::span<const Prim
 
 /// All bodies that the line meets, in the order in which it enters them; of equal t, by index.
 template <FloatOrDouble S, LineOf<S> Line>
-std::vector<SceneHit<S>> all_in_scene(const Line& line, std::span<const Primitive<S>> scene) {
+std::vector<IndexedHit<S>> all_in_scene(const Line& line, std::span<const Primitive<S>> scene) {
   const detail::DoubleLine in_double(line);
-  std::vector<std::pair<Entered<S>, SceneHit<S>>> met;
+  std::vector<std::pair<Entered<S>, IndexedHit<S>>> met;
   for (std::size_t i = 0; i < scene.size(); ++i) {
     if (const auto hit = first_hit(line, scene[i])) {
       met.push_back({{&scene[i], detail::entry_key<S>(in_double, scene[i])}, {i, *hit}});
@@ -100,7 +100,7 @@ std::vector<SceneHit<S>> all_in_scene(const Line& line, std::span<const Primitiv
   std::stable_sort(met.begin(), met.end(), [&in_double](const auto& a, const auto& b) {
     return entered_before<S>(in_double, a.first, b.first);
   });
-  std::vector<SceneHit<S>> hits;
+  std::vector<IndexedHit<S>> hits;
   for (const auto& [entered, hit] : met) hits.push_back(hit);
   return hits;
 }

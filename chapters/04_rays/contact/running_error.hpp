@@ -21,19 +21,25 @@ namespace contact {
 /// roundings of the bound itself, and 2^-1000 all underflow. A 0 that is known exactly stays exact.
 /// If anything overflows, the bound is infinite or NaN, and no sign is certain.
 struct RunningError {
-  double value = 0;
-  double bound = 0;
+  double value = 0;  ///< as computed
+  double bound = 0;  ///< of its error; infinite or NaN after an overflow
 
   RunningError() = default;
+  /// A number without error.
   RunningError(double exact) : value(exact) {}
+  /// A computed number and a bound on its error.
   RunningError(double computed, double error) : value(computed), bound(error) {}
 
+  /// Whether the exact number is known to be 0.
   bool is_zero() const { return value == 0 && bound == 0; }
   /// The sign of the exact number if it is certain, else 0.
   int certain_sign() const { return value > bound ? 1 : (value < -bound ? -1 : 0); }
 
+  /// The unit roundoff.
   static constexpr double u = std::numeric_limits<double>::epsilon() / 2;
+  /// More than all that underflow can take from one operation and its bound.
   static constexpr double floor = 0x1p-1000;
+  /// A bound that covers the roundings with which it was computed.
   static double up(double error) { return error * (1 + 8 * u); }
 
   friend RunningError operator-(const RunningError& x) { return {-x.value, x.bound}; }
