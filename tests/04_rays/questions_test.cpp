@@ -69,7 +69,7 @@ KEY("why-the-nearest-point") {
   const auto worst = [](auto passage_by) {
     double error = 0;
     for (int k = 1; k <= 6; ++k) {
-      const Ray<double> ray{{-std::pow(10.0, k), 0.5, 0.25}, {1, 0.0, 0.0}};
+      const Ray<double> ray{{-std::pow(10.0, k), 0.3, 0.1}, {1, 0, 0}};
       const Sphere<double> unit{{0, 0, 0}, 1};
       const auto found = passage_by(ray, unit);
       const auto right = contact::passage(ray, unit);
@@ -122,7 +122,7 @@ KEY("branchless-wrong") {
   in.z = {-1, 1, 0, 0};
   in.method = 2;
   in.divided = 1;
-  in.origin = {-1, -3}, in.through = {-1, 0};  // in the plane of the left face
+  in.origin = {1, -3}, in.through = {1, 0};  // in the plane of the right face
   const double winning = slabs_figure::compute(in).says_wrongly;
   in.origin.x() = in.through.x() = 0;
   return questions::Construct{winning, slabs_figure::compute(in).says_wrongly};

@@ -64,12 +64,12 @@ std::optional<Passage<S>> passage_by_slabs_with_division(const Ray<S>& ray, cons
 }
 // [/with-division]
 
-// [branchless]
 /// The same as it is copied everywhere: three reciprocals, then products, minima and maxima without
 /// a branch. No faces and normals.
 ///
 /// Limits: 0 · ∞ is NaN for a line in the plane of a face, and std::min and std::max then return
 /// their first argument. Rounded, as above; 1/d is infinite for |d| < 2^-1024.
+// [branchless]
 template <std::floating_point S>
 std::optional<Passage<S>> passage_by_branchless_slabs(const Ray<S>& ray, const Aabb<S>& box) {
   S entry = -std::numeric_limits<S>::infinity();
