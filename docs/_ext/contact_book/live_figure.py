@@ -46,7 +46,8 @@ class LiveFigure(BookDirective):
             self.missing_figure(f"the picture of figure {data['name']} is not built: {picture}")
         caption: list[nodes.Node] = []
         if self.content:
-            caption = self.inline_markdown("\n".join(self.content))
+            # A link must stand in an element of text.
+            caption = [nodes.inline("", "", *self.inline_markdown("\n".join(self.content)))]
         return [make_component("live-figure", data, [make_slot("caption", caption)])]
 
 
