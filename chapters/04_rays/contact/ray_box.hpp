@@ -158,7 +158,7 @@ template <bool ends, bool closer>
     double rate = ray.direction(k);
     bool level = false;
     if constexpr (closer) {
-      const int in_slab = (box.low(k) <= start) & (start <= box.high(k));
+      const int in_slab = int(box.low(k) <= start) & int(start <= box.high(k));
       level = rate == 0;
       inside &= in_slab;
       apart |= int(level) & (1 - in_slab);
@@ -173,13 +173,13 @@ template <bool ends, bool closer>
     exit = std::min(exit, level ? endless : last);
   }
   const double reach = ray.origin.cwiseAbs().sum();  // of NaN too, which min and max may drop
-  const int tame = int(middle >> 62 & 1) & (entry <= 0x1p1000) & (reach <= 0x1p960);
+  const int tame = int(middle >> 62 & 1) & int(entry <= 0x1p1000) & int(reach <= 0x1p960);
   const bool hit = entry + floor < exit * shorter;
   const bool miss = entry * shorter > exit + floor;
   if constexpr (closer) {
     if ((inside | apart) != 0) return {tame != 0, inside != 0};
   }
-  return {((hit | miss) & tame) != 0, hit};
+  return {((int(hit) | int(miss)) & tame) != 0, hit};
 }
 // [/rough-box]
 
