@@ -204,6 +204,15 @@ TEST_CASE("numbers that are not finite are no hit of a ball, and no ball") {
       contact::hits_sphere(Ray<double>{{-5, 0, 0}, {1, 0, 0}}, Sphere<double>{{0, 0, 0}, -2.0}));
 }
 
+TEST_CASE("a square that overflows leaves the normal alone") {
+  // m·m and 2^50 r² are both infinite.
+  const Ray<double> ray{{0, 0, 0x1p614}, {0, 0, 1}};
+  const auto found = contact::passage(ray, Sphere<double>{{0, 0, 0}, 0x1p487});
+  REQUIRE(found);
+  CHECK(found->entry_normal == Vector3<double>(0, 0, -1));
+  CHECK(found->exit_normal == Vector3<double>(0, 0, 1));
+}
+
 TEST_CASE("a start on the surface: inwards, along it and outwards") {
   const Sphere<double> ball{{0, 0, 0}, 5};
   const Vector3<double> start(3, 4, 0);

@@ -198,7 +198,8 @@ inline std::optional<SphereRoots> rough_roots(const RoughSphere& rough) {
   const double off = 6 * sphere_u * rough.d.cwiseAbs().dot(rough.m.cwiseAbs()) + sphere_floor;
   if (!(depth.bound + off * root <= 0x1p-42 * (size * root) &&
         a * rough.c_bound <= 0x1p-42 * (size * size) && size < 0x1p1000 &&
-        depth.bound <= 0x1p-26 * depth.value && rough.s <= 0x1p50 * rough.radius_squared)) {
+        depth.bound <= 0x1p-26 * depth.value && rough.s <= 0x1p50 * rough.radius_squared &&
+        rough.s < 0x1p1000)) {
     return std::nullopt;
   }
   SphereRoots found;
