@@ -128,13 +128,18 @@ function cell(
   name: string,
   family: string,
   pressable: boolean,
+  exact: boolean,
 ): string {
   if (!row) return `<td data-family="${quoted(family)}">–</td>`;
   const value = cellValue(row, measure);
   const label = labelOf(value, measure);
-  const attributes = `class="level-${levelOf(value, measure)}" data-family="${quoted(row.family)}"`;
+  // What is never wrong does not overflow: without an error it computes no number.
+  const decidesOnly = value === null && exact;
+  const level = decidesOnly ? "level-none" : `level-${levelOf(value, measure)}`;
+  const attributes = `class="${level}" data-family="${quoted(row.family)}"`;
   if (!pressable) return `<td ${attributes}>${label}</td>`;
-  const told = quoted(`${inWords(value, measure)}: ${name}, ${family}`);
+  const words = decidesOnly ? "no number, it only decides" : inWords(value, measure);
+  const told = quoted(`${words}: ${name}, ${family}`);
   return `<td ${attributes}><button type="button" tabindex="-1" aria-label="${told}" title="${told}">${label}</button></td>`;
 }
 
@@ -168,6 +173,7 @@ function rowOf(
       name,
       family,
       pressable,
+      method.exact,
     ),
   );
   const words = `${duration(time.median)}, quartiles ${duration(time.q1)} to ${duration(time.q3)}`;

@@ -106,6 +106,23 @@ test("a cell is labelled and coloured by the share of wrong answers, or by the e
   ]);
 });
 
+test("what only decides has no error, and what has overflowed the worst", () => {
+  const results = result.results.map((each) => ({ ...each }));
+  for (const each of results) {
+    if (["sure", "slow"].includes(each.method)) each.error_max = each.error_median = null;
+  }
+  const document = draw({ ...result, results });
+  const first = (/** @type {string} */ id) =>
+    document.querySelector(`tr[data-method="${id}"] td[data-family]`);
+  for (const [id, level] of [
+    ["sure", "level-none"],
+    ["slow", "level-5"],
+  ]) {
+    assert.equal(first(id).textContent, "–");
+    assert.equal(first(id).className, level);
+  }
+});
+
 test("the frontier is bold: no other method is both faster and more often right", () => {
   // `slow` loses to `lucky`, `unfiltered` to `sure`; that `sure` can never be wrong is worth its time.
   assert.deepEqual(names(draw(result), "tr.frontier"), ["plain", "lucky", "sure"]);
