@@ -240,6 +240,24 @@ def test_each_table_of_hard_cases_has_a_name_of_its_own(sample: Sample) -> None:
     assert len(set(names)) == 2
 
 
+def test_a_page_shows_its_own_chapters_file_and_a_link_in_a_caption(sample: Sample) -> None:
+    other = sample.root / "chapters/00_numbers/examples/far.out"
+    other.parent.mkdir()
+    other.write_text("3 m\n")
+    lesson = "chapters/01_lines/lesson.md"
+    sample.edit(
+        lesson, ":::{example} far\n", ":::{code} examples/far.out\n:::\n\n:::{example} far\n"
+    )
+    sample.edit(lesson, "changes sign as it crosses.", "changes sign: see [below](#the-player).")
+    made = sample.make()
+    assert made.returncode == 0, made.stdout + made.stderr
+    page = BeautifulSoup(sample.page("chapters/01_lines.html"), "html.parser")
+    shown = [box.get_text() for box in page.select(".listing") if "2 m" in box.get_text()]
+    assert shown
+    assert "3 m" not in page.get_text()
+    assert one(page, "figure.live > figcaption a")["href"] == "#the-player"
+
+
 def test_an_exercise_shows_contract_points_commands_and_folded_hints(lesson: BeautifulSoup) -> None:
     section = one(lesson, "section.exercise")
     words = section.get_text()

@@ -40,15 +40,16 @@ class Code(BookDirective):
     final_argument_whitespace = False
 
     def find(self, name: str) -> Path:
-        header = self.book.header(name)
-        if header is not None:
-            return header
+        # The chapter's own file first: examples of two chapters may have one name.
         if self.here is not None:
             path = self.book.chapter(self.here, self.source).folder / name
             if path.is_file():
                 return path
         elif (self.book.root / name).is_file():
             return self.book.root / name
+        header = self.book.header(name)
+        if header is not None:
+            return header
         known = [
             path.relative_to(chapter.folder).as_posix()
             for chapter in self.book.chapters.values()
