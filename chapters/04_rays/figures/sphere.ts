@@ -273,8 +273,7 @@ export default defineFigure<Input, Output>({
       : `the ${part}${far} does not hit it`;
     const wrong = METHODS.filter((_, i) => output.wrong[i] || off(output, i));
     const others = wrong.length ? `Wrong here: ${wrong.join(", ")}.` : "All methods agree.";
-    const rays = `${output.rays_wrong} of ${output.ray_finds.length} parallel rays`;
-    const outline = `The chosen method decides wrongly about ${rays}, and has the others enter up to ${metres(output.rays_off)} away from where they do.`;
+    const outline = `Of ${output.ray_finds.length} parallel rays the chosen method decides ${output.rays_wrong} wrongly; the other entries are off by up to ${metres(output.rays_off)}.`;
     return `The line ${MEETS[output.meets]}, and ${found}. ${others} ${outline}`;
   },
 });
