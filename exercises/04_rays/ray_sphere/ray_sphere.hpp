@@ -17,11 +17,14 @@ struct Inside {
 /// The part of the ray that is in the sphere, which is a solid ball. Nothing, if the ray misses it.
 ///
 /// - Touching counts: then entry and exit are equal. The same holds for a ray that starts on the
-///   sphere and leads away from it: both are 0.
-/// - The ball may be far away. If the ray passes it, or passes through it, by at least a quarter of
-///   a radius, the answer must be right for a distance of up to 10⁹ radii.
-/// - If origin, centre and radius are whole numbers of at most 10⁶, then entry and exit have nine
-///   correct digits, also if they are small.
+///   sphere and leads away from it: both are 0. Rounding may turn a touch into a miss or a
+///   crossing, so the tests ask for it only with whole numbers of at most 100, for a ray that
+///   starts on the sphere, or whose direction has one component, a power of two, and zeros.
+/// - The ball may be far away. If the line passes the centre at 3/4 of the radius or nearer, or at
+///   5/4 or further, the answer must be right for a distance of up to 10⁹ radii.
+/// - If origin, centre and radius are whole numbers of at most 10⁶, the radius is positive, and the
+///   line passes the centre at 3/4 of the radius or nearer, then entry and exit have nine correct
+///   digits, also if they are small.
 ///
 /// @param ray origin in m; direction of any length but not zero, in m for each unit of t
 /// @param sphere centre and radius in m; the radius may be 0
