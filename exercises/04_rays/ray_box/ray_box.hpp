@@ -27,7 +27,8 @@ struct Entry {
 ///
 /// - Touching counts: a corner, an edge, or a ray in the plane of a face.
 /// - A ray that enters through an edge or a corner enters through two or three faces: axis is the
-///   lowest of theirs.
+///   lowest of theirs. A face that is parallel to the ray is not entered, also by a ray in its
+///   plane.
 /// - A ray that starts on a face and leads into the box enters there, at t = 0.
 ///
 /// @param ray origin in m; direction of any length but not zero, in m for each unit of t; some of
