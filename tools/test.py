@@ -23,6 +23,7 @@ import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 import landing
 import lanes
@@ -486,7 +487,7 @@ def tidy() -> Iterator[Check]:
     yield once("clang-tidy", [*command, "clang-tidy", "--quiet", "-p", str(folder)])
 
 
-def file_by_file(commands: Sequence[dict[str, str]]) -> Iterator[dict[str, str]]:
+def file_by_file(commands: Sequence[dict[str, Any]]) -> Iterator[dict[str, Any]]:
     """The commands of a build as if it compiled no files together."""
     for entry in commands:
         together = Path(entry["file"])
