@@ -128,7 +128,6 @@ KEY("branchless-wrong") {
   return questions::Construct{winning, slabs_figure::compute(in).says_wrongly};
 }
 
-
 KEY("into-a-cylinder") {
   const contact::Cylinder<double> tube{{{0, 0, 0}, {0, 1, 0}}, 3};
   const Ray<double> ray{{-5, 7, 0}, {1, 2, 0}};
@@ -198,10 +197,8 @@ KEY("share-of-the-bullets") {
 }
 
 KEY("the-first-of-a-scene") {
-  return questions::only_order({{"first", {"kept"}},
-                                {"segment", {}},
-                                {"kept", {"passages"}},
-                                {"passages", {"segment"}}});
+  return questions::only_order(
+      {{"first", {"kept"}}, {"segment", {}}, {"kept", {"passages"}}, {"passages", {"segment"}}});
 }
 
 KEY("what-a-ray-leaves-out") {
