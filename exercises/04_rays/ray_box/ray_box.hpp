@@ -18,7 +18,7 @@ struct Box {
 /// Where a ray enters a box.
 struct Entry {
   double t;  ///< in multiples of the direction as given; 0 if the ray starts in the box
-  /// The axis to which the face is perpendicular through which the ray enters: 0, 1 or 2 for x, y
+  /// The axis perpendicular to the face through which the ray enters: 0, 1 or 2 for x, y
   /// or z. It is -1 if the ray starts in the box and enters through no face.
   int axis;
 };
@@ -27,7 +27,7 @@ struct Entry {
 ///
 /// - Touching counts: a corner, an edge, or a ray in the plane of a face.
 /// - A ray that enters through an edge or a corner enters through two or three faces: axis is the
-///   lowest of theirs. A face that is parallel to the ray is not entered, also by a ray in its
+///   lowest of theirs. A face that is parallel to the ray is not entered, not even by a ray in its
 ///   plane.
 /// - A ray that starts on a face and leads into the box enters there, at t = 0.
 ///

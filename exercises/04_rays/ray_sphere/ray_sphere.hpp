@@ -18,8 +18,8 @@ struct Inside {
 ///
 /// - Touching counts: then entry and exit are equal. The same holds for a ray that starts on the
 ///   sphere and leads away from it: both are 0. Rounding may turn a touch into a miss or a
-///   crossing, so the tests ask for it only with whole numbers of at most 100, for a ray that
-///   starts on the sphere, or whose direction has one component, a power of two, and zeros.
+///   crossing, so the tests ask for it only with whole numbers of at most 100, and a ray that
+///   starts on the sphere or whose direction is a power of two along one axis.
 /// - The ball may be far away. If the line passes the centre at 3/4 of the radius or nearer, or at
 ///   5/4 or further, the answer must be right for a distance of up to 10⁹ radii.
 /// - If origin, centre and radius are whole numbers of at most 10⁶, the radius is positive, and the
