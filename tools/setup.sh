@@ -1,6 +1,6 @@
 # shellcheck shell=sh
-# Sourced by ./contact, which defines root, say and fail. `setup program|book|test` installs what is missing for that
-# level and those below it. Nothing is installed, and no network touched, when nothing is missing.
+# Sourced by ./contact, which defines root, say and fail. `setup program|book|test|benchmarks` installs what is missing for
+# that level and those below it; only the peers of the benchmarks are no part of `test`. Nothing is installed, and no network touched, when nothing is missing.
 : "${root:?this file is sourced by ./contact}"
 
 # level|Debian package|how to see that it is there|Homebrew|what it is
@@ -38,6 +38,13 @@ test|git|command git|git|Git: the checks look only at files that are in it
 test|clang-tidy|command clang-tidy|llvm|clang-tidy: a second reading of the C++
 test|shellcheck|command shellcheck|shellcheck|ShellCheck: the same for shell scripts
 test|valgrind|command valgrind|-|Valgrind: counts the instructions of a run
+benchmarks|libcgal-dev|header CGAL/version.h|cgal|CGAL: hulls, polygons and rays, decided exactly
+benchmarks|libqhull-dev|header libqhull_r/qhull_ra.h|qhull|Qhull: convex hulls
+benchmarks|libbullet-dev|header bullet/btBulletDynamicsCommon.h|bullet|Bullet: convex hulls and scenes
+benchmarks|libode-dev|header ode/ode.h|ode|ODE: scenes
+benchmarks|libbox2d-dev|header box2d/box2d.h|box2d|Box2D: scenes in the plane
+benchmarks|libgeos++-dev|header geos/algorithm/PointLocation.h|geos|GEOS: points in polygons
+benchmarks|libembree-dev|header embree3/rtcore.h embree4/rtcore.h|embree|Embree 3: rays
 END
 }
 
@@ -58,7 +65,7 @@ setup_there() {
   shift
   case $kind in
     command) for setup_word in "$@"; do command -v "$setup_word" > /dev/null 2>&1 && return; done; return 1 ;;
-    header) setup_header_there "$1" ;;
+    header) for setup_word in "$@"; do setup_header_there "$setup_word" && return; done; return 1 ;;
     file) for setup_word in "$@"; do [ -e "$setup_word" ] && return; done; return 1 ;;
     node) command -v node > /dev/null 2>&1 && node -e 'process.exit(parseInt(process.versions.node) < 18 ? 1 : 0)' ;;
     python) setup_new_enough python3 ;;
@@ -85,8 +92,9 @@ setup_python() {
 
 setup_at_or_below() {
   case $2 in
-    test) return 0 ;;
-    book) [ "$1" != test ] ;;
+    test) [ "$1" != benchmarks ] ;;
+    benchmarks) [ "$1" != test ] ;;
+    book) [ "$1" = program ] || [ "$1" = book ] ;;
     program) [ "$1" = program ] ;;
   esac
 }

@@ -313,3 +313,28 @@ def test_it_works_through_a_link_and_from_elsewhere(clone: Path, tmp_path: Path)
     done = subprocess.run([str(link), "serv"], capture_output=True, text=True, cwd="/")
     assert done.returncode == 2
     assert 'no command "serv"' in done.stderr
+
+
+def wanted(level: str) -> set[str]:
+    """The packages that a level installs where there is nothing yet."""
+    script = 'root=.; . tools/setup.sh; setup_there() { return 1; }; setup_missing "$0"'
+    done = subprocess.run(
+        ["sh", "-c", script, level], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    return {line.split("|")[0] for line in done.stdout.splitlines()}
+
+
+def test_the_peers_of_the_benchmarks_are_installed_where_they_are_asked_for() -> None:
+    program, book, test, benchmarks = map(wanted, ("program", "book", "test", "benchmarks"))
+    assert program < book < test
+    assert book < benchmarks
+    assert "libcgal-dev" in benchmarks - test
+    assert "valgrind" in test - benchmarks
+
+
+def test_setup_names_its_levels_when_it_does_not_know_one() -> None:
+    done = subprocess.run(
+        [str(ROOT / "contact"), "setup", "--for", "benchmark"], capture_output=True, text=True
+    )
+    assert done.returncode == 2
+    assert 'takes program, book, test or benchmarks, not "benchmark"' in done.stderr
