@@ -1,6 +1,7 @@
 // misconception: differences-cure-all
 // caught by: parallel vectors give zero, and nearly parallel ones do not
-// seen: not found
+// seen: https://github.com/libgeos/geos/pull/1184
+//   subtracts first, and points on a line have a determinant of -2e-16
 #include "last_digits.hpp"
 
 namespace exercise {
