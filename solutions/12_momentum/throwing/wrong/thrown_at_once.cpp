@@ -1,6 +1,7 @@
 // misconception: thrown-at-once
 // caught by: each throw starts from a smaller mass
-// seen: not found
+// seen: https://brainmass.com/physics/conservation-of-momentum/conservation-momentum-problem-17397
+//   an answer throws two bricks as one
 #include "throwing.hpp"
 
 namespace exercise {
