@@ -1,6 +1,7 @@
 // misconception: horizon-at-a-hit
 // caught by: from pillar to pillar
-// seen: not found
+// seen: https://github.com/arbor-sim/arbor/issues/717
+//   the time of a crossing is reported at the end of its step
 #include "horizon.hpp"
 
 namespace exercise {
