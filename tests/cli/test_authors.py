@@ -256,7 +256,7 @@ def test_dev_check_reports_answers_that_get_what_they_must_not(
         shutil.copytree(ROOT / name, root / name)
     wrong = root / "solutions/02_triangles/ray_triangle/wrong"
     uncaught, remarked = wrong / "beta_sign.cpp", wrong / "one_sided.cpp"
-    uncaught.write_text("".join(uncaught.read_text().splitlines(keepends=True)[:2]) + solution)
+    uncaught.write_text("".join(uncaught.read_text().splitlines(keepends=True)[:3]) + solution)
     begin, body, rest = remarked.read_text().partition("& triangle) {\n")
     remarked.write_text(begin + body + "double x = 1.0; if (x = 0.0) return std::nullopt;\n" + rest)
     # In place of the answer that knows nothing: one that knows all.
