@@ -36,6 +36,7 @@ from contact_book.listing import Code, Example, Measured
 from contact_book.live_figure import LiveFigure
 from contact_book.locations import name_authors_files
 from contact_book.maths import visit_block, visit_inline
+from contact_book.minify import minify
 from contact_book.mutants import Mutants
 from contact_book.nodes import component, slot
 from contact_book.offline import write_offline
@@ -116,5 +117,6 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.connect("html-page-context", plain_captions, priority=900)
     app.connect("build-finished", name_columns)
     app.connect("build-finished", subset_fonts)
+    app.connect("build-finished", minify, priority=800)
     app.connect("build-finished", write_offline, priority=900)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}
