@@ -159,12 +159,12 @@ describe("ladders", { skip }, () => {
           await cellOf(ladder, row).evaluate((/** @type {HTMLElement} */ cell) => cell.click());
           assert.deepEqual(await collisions(ladder), [], `${row.method}, ${row.family}`);
         }
-        const table = await ladder.locator("table.ladder-picture").boundingBox();
         if (options === phone) {
           // The methods' column stays where it is while the others scroll.
           const head = ladder.locator("tbody th").first();
           const before = await head.boundingBox();
-          await ladder.locator(".scrolling").evaluate((/** @type {HTMLElement} */ box) => {
+          const scrolling = ladder.locator(".scrolling").first();
+          await scrolling.evaluate((/** @type {HTMLElement} */ box) => {
             box.scrollLeft = box.scrollWidth;
           });
           assert.equal((await head.boundingBox())?.x, before?.x);
@@ -173,7 +173,10 @@ describe("ladders", { skip }, () => {
           );
           assert.ok(sideways <= 0, `the page scrolls ${sideways} px sideways`);
         } else {
-          assert.ok(table && table.height <= 720, `the picture is ${table?.height} px high`);
+          for (const picture of await ladder.locator("table.ladder-picture").all()) {
+            const table = await picture.boundingBox();
+            assert.ok(table && table.height <= 720, `the picture is ${table?.height} px high`);
+          }
         }
         await close();
       });
@@ -318,7 +321,8 @@ describe("ladders", { skip }, () => {
       const rows = await ladder.evaluate((/** @type {any} */ element) => element.rows);
       // GMP's rational numbers are not in the page.
       const here = data.methods.filter(({ scalar }) => scalar !== "rational");
-      assert.equal(rows.length, data.families.length * here.length);
+      const asked = data.families.flatMap(({ part }) => here.filter((each) => each.part === part));
+      assert.equal(rows.length, asked.length);
       for (const row of rows) {
         assert.ok(row.ns_median > 0 && row.ns_q1 <= row.ns_median && row.ns_median <= row.ns_q3);
         const method = data.methods.find((each) => each.id === row.method);
