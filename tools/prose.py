@@ -208,7 +208,8 @@ _TS = Language(tree_sitter_typescript.language_typescript())
 
 # Directives to tools, markers of regions, keys of wrong answers, and names of parameters.
 _FOR_TOOLS = re.compile(
-    r"/\*\w+\*/|//\s*(NOLINT|clang-format|\[/?[\w-]+\]|biome-ignore|@ts-|caught by:|misconception:)"
+    r"/\*\w+\*/|//\s*(NOLINT|clang-format|\[/?[\w-]+\]|biome-ignore|@ts-"
+    r"|caught by:|misconception:|seen:)"
 )
 
 
