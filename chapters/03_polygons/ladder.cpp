@@ -170,7 +170,7 @@ Input on_grid(generators::Random& random) {
 /// A million metres from the origin, where floats are a sixteenth or an eighth apart.
 Input far(generators::Random& random) {
   std::vector<Point> vertices = star(random, usual);
-  const Point offset(random.magnitude(19, 19), random.magnitude(19, 20));
+  const Point offset{random.magnitude(19, 19), random.magnitude(19, 20)};
   for (Point& v : vertices) v = 8 * v + offset;
   return narrowed(vertices, 8 * in_square(random) + offset);
 }
