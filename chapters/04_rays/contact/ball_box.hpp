@@ -118,7 +118,7 @@ bool ball_hits_box(const Segment<S>& path, const S& radius, const Aabb<S>& box) 
     }
   }
   const detail::RoundedBoxParts parts{line, wide, r};
-  return detail::meets_parts(parts.count, parts, detail::Extent::segment);
+  return detail::meets_parts(parts.count, parts, detail::LineExtent::segment);
 }
 
 /// Where on its path it touches first. The decision is that of ball_hits_box; t is within 2^-40 of

@@ -41,7 +41,7 @@ struct ConvexPart {
 };
 
 /// Which t of a line are asked about: all, t ≥ 0, or 0 ≤ t ≤ 1.
-enum class Extent { line, ray, segment };
+enum class LineExtent { line, ray, segment };
 
 /// The end of an interval: above/below with below > 0; face = 2 slab + (1 for its far side).
 template <class T>
@@ -59,7 +59,7 @@ struct Clipped {
 };
 
 template <class T>
-Clipped<T> clip(const ConvexPart<T>& part, Extent extent, bool& sure) {
+Clipped<T> clip(const ConvexPart<T>& part, LineExtent extent, bool& sure) {
   Clipped<T> left;
   const auto less = [&sure](const Cut<T>& x, const Cut<T>& y) {
     return sign_of(x.above * y.below - y.above * x.below, sure) < 0;
@@ -70,8 +70,8 @@ Clipped<T> clip(const ConvexPart<T>& part, Extent extent, bool& sure) {
   const auto lower = [&](const Cut<T>& cut) {
     if (!left.high || less(cut, *left.high)) left.high = cut;
   };
-  if (extent != Extent::line) left.low = Cut<T>{T(0.0), T(1.0), -1};
-  if (extent == Extent::segment) left.high = Cut<T>{T(1.0), T(1.0), -1};
+  if (extent != LineExtent::line) left.low = Cut<T>{T(0.0), T(1.0), -1};
+  if (extent == LineExtent::segment) left.high = Cut<T>{T(1.0), T(1.0), -1};
   for (int i = 0; i < part.slabs; ++i) {
     const LineSlab<T>& slab = part.slab[static_cast<std::size_t>(i)];
     const T rest = slab.length - slab.along;
@@ -121,7 +121,7 @@ bool dips(const ConvexPart<T>& part, const Clipped<T>& in, bool& sure) {
 
 /// Whether a line of this extent meets the part.
 template <class T>
-bool meets(const ConvexPart<T>& part, Extent extent, bool& sure) {
+bool meets(const ConvexPart<T>& part, LineExtent extent, bool& sure) {
   const Clipped<T> in = clip(part, extent, sure);
   if (in.empty || !part.round || !sure) return !in.empty;
   if (round_sign(part, in.low, -1, sure) <= 0) return true;
@@ -224,7 +224,7 @@ inline double settled_root(const ConvexPart<Exact>& part, bool rises, bool&) {
 template <class T>
 std::optional<PartPassage> passage_in(const ConvexPart<T>& part, bool& sure) {
   constexpr double endless = std::numeric_limits<double>::infinity();
-  const Clipped<T> in = clip(part, Extent::line, sure);
+  const Clipped<T> in = clip(part, LineExtent::line, sure);
   if (in.empty || !sure) return std::nullopt;
   const int at_low = part.round ? round_sign(part, in.low, -1, sure) : -1;
   const int at_high = part.round ? round_sign(part, in.high, +1, sure) : -1;
@@ -247,7 +247,7 @@ std::optional<PartPassage> passage_in(const ConvexPart<T>& part, bool& sure) {
 /// Whether a line meets one of n parts: with a bound on every error first, and without error for
 /// those parts for which that does not decide. make.part<T>(k) is part k in the arithmetic of T.
 template <class Make>
-bool meets_parts(int n, const Make& make, Extent extent) {
+bool meets_parts(int n, const Make& make, LineExtent extent) {
   for (int k = 0; k < n; ++k) {
     bool sure = true;
     bool met = meets(make.template part<RunningError>(k), extent, sure);
@@ -261,9 +261,10 @@ bool meets_parts(int n, const Make& make, Extent extent) {
 /// The passage through n parts whose union is convex: the first entry and the last exit. Nothing if
 /// the line of this extent meets no part; each part is computed once for both.
 template <class Make>
-std::optional<PartPassage> passage_in_parts(int n, const Make& make, Extent extent = Extent::line) {
+std::optional<PartPassage> passage_in_parts(int n, const Make& make,
+                                            LineExtent extent = LineExtent::line) {
   std::optional<PartPassage> all;
-  bool met = extent == Extent::line;
+  bool met = extent == LineExtent::line;
   for (int k = 0; k < n; ++k) {
     bool decided = true, settled = true;
     std::optional<PartPassage> one;
@@ -295,18 +296,18 @@ std::optional<PartPassage> passage_in_parts(int n, const Make& make, Extent exte
 /// A ray or a segment in double: its start, and its direction or its end.
 struct DoubleLine {
   Vector3<double> start, second;
-  Extent extent;
+  LineExtent extent;
 
   template <std::floating_point S>
   explicit DoubleLine(const Ray<S>& ray)
       : start(ray.origin.template cast<double>()),
         second(ray.direction.template cast<double>()),
-        extent(Extent::ray) {}
+        extent(LineExtent::ray) {}
   template <std::floating_point S>
   explicit DoubleLine(const Segment<S>& segment)
       : start(segment.start.template cast<double>()),
         second(segment.end.template cast<double>()),
-        extent(Extent::segment) {}
+        extent(LineExtent::segment) {}
 
   bool finite() const { return all_finite(start) && all_finite(second); }
   /// The start, relative to a point.
@@ -316,12 +317,12 @@ struct DoubleLine {
   }
   template <class T>
   Triple<T> direction() const {
-    return extent == Extent::segment ? minus(triple<T>(second), triple<T>(start))
-                                     : triple<T>(second);
+    return extent == LineExtent::segment ? minus(triple<T>(second), triple<T>(start))
+                                         : triple<T>(second);
   }
   /// The point at t, relative to a point, rounded.
   Vector3<double> at(double t, const Vector3<double>& point) const {
-    if (extent == Extent::segment) {
+    if (extent == LineExtent::segment) {
       return (start - point) * (1 - t) + (second - point) * t;
     }
     return (start - point) + second * t;
@@ -379,7 +380,8 @@ std::optional<BodyHit<S>> hit_with_normal(const DoubleLine& line,
     hit.inside = true;
     return hit;
   }
-  const double t = line.extent == Extent::segment ? std::min(found->entry.t, 1.0) : found->entry.t;
+  const double t =
+      line.extent == LineExtent::segment ? std::min(found->entry.t, 1.0) : found->entry.t;
   hit.t = to_scalar<S>(t);
   hit.point = line.at(t, Vector3<double>::Zero()).template cast<S>();
   hit.normal = normal(t, found->entry.face).template cast<S>();

@@ -54,7 +54,7 @@ inline int compare(const EntryRoot& x, const EntryRoot& y) {
 /// Where an unbounded line enters a part; 0 if it has no first point; nothing if it misses.
 inline std::optional<EntryRoot> exact_entry(const ConvexPart<Exact>& part) {
   bool sure = true;
-  const Clipped<Exact> in = clip(part, Extent::line, sure);
+  const Clipped<Exact> in = clip(part, LineExtent::line, sure);
   if (in.empty) return std::nullopt;
   const int at_low = part.round ? round_sign(part, in.low, -1, sure) : -1;
   if (at_low <= 0) return in.low ? EntryRoot{in.low->above, {}, {}, in.low->below} : EntryRoot{};

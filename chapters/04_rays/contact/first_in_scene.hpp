@@ -40,7 +40,7 @@ std::optional<BodyHit<S>> first_hit(const Line& line, const Triangle<S>& triangl
   Vector3<double> normal = detail::unit_or_zero(
       detail::unit_or_zero(triangle.b.template cast<double>() - a)
           .cross(detail::unit_or_zero(triangle.c.template cast<double>() - a)));
-  const Vector3<double> along = in_double.extent == detail::Extent::segment
+  const Vector3<double> along = in_double.extent == detail::LineExtent::segment
                                     ? Vector3<double>(in_double.second - in_double.start)
                                     : in_double.second;
   if (normal.dot(along) > 0) normal = -normal;

@@ -114,7 +114,7 @@ bool is_point(const Segment<S>& segment) {
 /// origin + t direction, computed in double and rounded once more in float. A component 0
 /// stays where it is.
 template <std::floating_point S>
-Vector3<S> point_at(const Ray<S>& ray, double t) {
+Vector3<S> point_of_line(const Ray<S>& ray, double t) {
   const Vector3<double> d = ray.direction.template cast<double>();
   Vector3<double> offset = d * t;
   for (int k = 0; k < 3; ++k) {
@@ -124,7 +124,7 @@ Vector3<S> point_at(const Ray<S>& ray, double t) {
 }
 /// The same for a segment; t from 0 to 1. Halves cannot overflow.
 template <std::floating_point S>
-Vector3<S> point_at(const Segment<S>& segment, double t) {
+Vector3<S> point_of_line(const Segment<S>& segment, double t) {
   const Vector3<double> start = segment.start.template cast<double>();
   const Vector3<double> end = segment.end.template cast<double>();
   if (t == 1) return segment.end;

@@ -366,7 +366,7 @@ std::optional<BodyHit<S>> first_hit(const Line& line, const Aabb<S>& box) {
   hit.t = static_cast<S>(t);
   hit.face = times.entry.face;
   hit.normal = detail::axis_normal<S>(hit.face);
-  hit.point = detail::onto_face<S>(detail::point_at(line, t), box, hit.face);
+  hit.point = detail::onto_face<S>(detail::point_of_line(line, t), box, hit.face);
   return hit;
 }
 // [/first-hit-box]
@@ -426,7 +426,7 @@ OrientedBox<double> in_double(const OrientedBox<S>& box) {
 }
 
 template <FloatOrDouble S>
-bool is_finite(const OrientedBox<S>& box) {
+bool box_is_finite(const OrientedBox<S>& box) {
   return all_finite(box.centre) && all_finite(box.axes) && all_finite(box.half_lengths);
 }
 
@@ -449,7 +449,7 @@ auto normals_of(const OrientedBox<S>& box) {
 /// any answer. A number that is not finite: no.
 template <FloatOrDouble S, LineOf<S> Line>
 bool hits_box(const Line& line, const OrientedBox<S>& box) {
-  if (!is_finite(line) || !detail::is_finite(box)) return false;
+  if (!is_finite(line) || !detail::box_is_finite(box)) return false;
   return detail::hits_slabs(in_double(line), detail::in_double(box));
 }
 // [/hits-oriented-box]
@@ -460,7 +460,7 @@ bool hits_box(const Line& line, const OrientedBox<S>& box) {
 /// Normals are the stored axes. Each t is within 2^-40 of the larger magnitude of both.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<Passage<S>> passage(const Line& line, const OrientedBox<S>& box) {
-  if (!is_finite(line) || !detail::is_finite(box)) return std::nullopt;
+  if (!is_finite(line) || !detail::box_is_finite(box)) return std::nullopt;
   const auto found = detail::slabs_passage(in_double(line), detail::in_double(box));
   if (!found) return std::nullopt;
   return detail::with_normals<S>(found->passage, detail::normals_of(box));
@@ -470,7 +470,7 @@ std::optional<Passage<S>> passage(const Line& line, const OrientedBox<S>& box) {
 /// exact; t as in passage, and the point off by that times the direction and by 6 u of its terms.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit(const Line& line, const OrientedBox<S>& box) {
-  if (!is_finite(line) || !detail::is_finite(box)) return std::nullopt;
+  if (!is_finite(line) || !detail::box_is_finite(box)) return std::nullopt;
   const auto found = detail::slabs_passage(in_double(line), detail::in_double(box));
   return detail::first_of_slabs<S>(line, found, detail::normals_of(box));
 }

@@ -234,18 +234,18 @@ namespace detail {
 
 /// Where the wall of a cylinder with ends but without caps is met first: which root, or in the
 /// wall.
-enum class WallMeeting { none, entering, leaving, along };
+enum class TubeMeeting { none, entering, leaving, along };
 
-inline WallMeeting wall_meeting(const CylinderParts& parts) {
+inline TubeMeeting tube_meeting(const CylinderParts& parts) {
   const ConvexPart<Exact> x = parts.part<Exact>(0);
   const LineSlab<Exact>& caps = x.slab[0];
-  const bool segment = parts.line.extent == Extent::segment;
+  const bool segment = parts.line.extent == LineExtent::segment;
   if (x.a.sign() == 0) {
-    if (x.c.sign() != 0) return WallMeeting::none;
+    if (x.c.sign() != 0) return TubeMeeting::none;
     bool sure = true;
-    return meets(x, parts.line.extent, sure) ? WallMeeting::along : WallMeeting::none;
+    return meets(x, parts.line.extent, sure) ? TubeMeeting::along : TubeMeeting::none;
   }
-  if (x.depth.sign() < 0) return WallMeeting::none;
+  if (x.depth.sign() < 0) return TubeMeeting::none;
   for (const int which : {-1, 1}) {  // t = (−b + which √depth)/a
     const Exact root(double{1} * which);
     if (sign_with_root(-x.b, root, x.depth) < 0) continue;
@@ -253,9 +253,9 @@ inline WallMeeting wall_meeting(const CylinderParts& parts) {
     const Exact at = x.a * caps.along - x.b * caps.rate, by = root * caps.rate;
     if (sign_with_root(at, by, x.depth) < 0) continue;
     if (sign_with_root(at - x.a * caps.length, by, x.depth) > 0) continue;
-    return which < 0 ? WallMeeting::entering : WallMeeting::leaving;
+    return which < 0 ? TubeMeeting::entering : TubeMeeting::leaving;
   }
-  return WallMeeting::none;
+  return TubeMeeting::none;
 }
 
 }  // namespace detail
@@ -273,16 +273,16 @@ template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit_open(const Line& line, const Cylinder<S>& cylinder) {
   return detail::ask_cylinder(
       line, cylinder, true, [](const detail::CylinderParts& parts) -> std::optional<BodyHit<S>> {
-        const detail::WallMeeting meeting = detail::wall_meeting(parts);
-        if (meeting == detail::WallMeeting::none) return std::nullopt;
+        const detail::TubeMeeting meeting = detail::tube_meeting(parts);
+        if (meeting == detail::TubeMeeting::none) return std::nullopt;
         bool sure = true;
         const detail::ConvexPart<Exact> x = parts.part<Exact>(0);
         double t = 0;
-        if (meeting == detail::WallMeeting::along) {
+        if (meeting == detail::TubeMeeting::along) {
           const auto in = detail::clip(x, parts.line.extent, sure);
           t = detail::settled_cut(*in.low, sure);
         } else {
-          t = detail::settled_root(x, meeting == detail::WallMeeting::leaving, sure);
+          t = detail::settled_root(x, meeting == detail::TubeMeeting::leaving, sure);
         }
         detail::PartPassage found{{t, cylinder_wall}, {t, cylinder_wall}};
         return detail::hit_with_normal<S>(

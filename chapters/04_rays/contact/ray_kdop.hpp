@@ -122,7 +122,7 @@ Kdop<double> in_double(const Kdop<S>& dop) {
 }
 
 template <FloatOrDouble S>
-bool is_finite(const Kdop<S>& dop) {
+bool dop_is_finite(const Kdop<S>& dop) {
   for (std::size_t k = 0; k < dop.normals.size(); ++k) {
     if (!all_finite(dop.normals[k]) || !contact::is_finite(dop.low[k]) ||
         !contact::is_finite(dop.high[k])) {
@@ -151,7 +151,7 @@ auto normals_of(const Kdop<S>& dop) {
 /// finite: no.
 template <FloatOrDouble S, LineOf<S> Line>
 bool hits_kdop(const Line& line, const Kdop<S>& dop) {
-  if (!is_finite(line) || !detail::is_finite(dop)) return false;
+  if (!is_finite(line) || !detail::dop_is_finite(dop)) return false;
   return detail::hits_slabs(in_double(line), detail::in_double(dop));
 }
 // [/hits-kdop]
@@ -163,7 +163,7 @@ bool hits_kdop(const Line& line, const Kdop<S>& dop) {
 /// Each t is within 2^-40 of the larger magnitude of both.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<Passage<S>> passage(const Line& line, const Kdop<S>& dop) {
-  if (!is_finite(line) || !detail::is_finite(dop)) return std::nullopt;
+  if (!is_finite(line) || !detail::dop_is_finite(dop)) return std::nullopt;
   const auto found = detail::slabs_passage(in_double(line), detail::in_double(dop));
   if (!found) return std::nullopt;
   return detail::with_normals<S>(found->passage, detail::normals_of(dop));
@@ -173,7 +173,7 @@ std::optional<Passage<S>> passage(const Line& line, const Kdop<S>& dop) {
 /// as in passage, and the point off by that times the direction and by 6 u of its terms.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<BodyHit<S>> first_hit(const Line& line, const Kdop<S>& dop) {
-  if (!is_finite(line) || !detail::is_finite(dop)) return std::nullopt;
+  if (!is_finite(line) || !detail::dop_is_finite(dop)) return std::nullopt;
   const auto found = detail::slabs_passage(in_double(line), detail::in_double(dop));
   return detail::first_of_slabs<S>(line, found, detail::normals_of(dop));
 }

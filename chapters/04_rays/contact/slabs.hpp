@@ -187,7 +187,7 @@ std::optional<BodyHit<S>> first_of_slabs(const Line& line, const std::optional<S
   hit.t = static_cast<S>(t);
   hit.face = found->passage.entry_face;
   hit.normal = normal(hit.face);
-  hit.point = point_at(line, t);
+  hit.point = point_of_line(line, t);
   return hit;
 }
 
