@@ -50,7 +50,7 @@ void compare_kdops(int count, std::uint64_t seed) {
         if (std::isfinite(dop.high[k])) REQUIRE(oracle::exact(dop.high[k]) >= at);
       }
     }
-    if (!contact::detail::is_finite(dop)) continue;
+    if (!contact::detail::dop_is_finite(dop)) continue;
     const Vector3<S> target = points[0] + (points.back() - points[0]) * S(0.5);
     const Ray<S> ray = ray_towards<S>(random, kind, random.chance(0.5) ? points[0] : target, scale);
     if (!usable(ray)) continue;
