@@ -300,8 +300,10 @@ TEST_CASE("random rays agree with exact arithmetic") {
     const Cylinder cylinder{start, end, random.uniform(0.1, 4)};
     const Vector middle = (start + end) / 2;
     const Vector origin = asked % 5 == 0 ? Vector(middle + vector(2)) : vector(16);
-    const Vector aim =
-        middle + random.uniform(-0.6, 0.6) * (end - start) + 1.2 * cylinder.radius * vector(1);
+    // One draw a statement: clang and gcc evaluate the terms of a sum in different orders.
+    const Vector along = random.uniform(-0.6, 0.6) * (end - start);
+    const Vector beside = 1.2 * cylinder.radius * vector(1);
+    const Vector aim = middle + along + beside;
     const Ray ray{origin, random.magnitude(-3, 3) * (aim - origin)};
     if (!beyond_doubt(ray, cylinder)) continue;
     ++asked;
