@@ -186,7 +186,7 @@ TEST_CASE("random convex polygons agree with whole-number arithmetic") {
                 polygon.begin() + random.integer(0, static_cast<int>(polygon.size()) - 1),
                 polygon.end());
     Point p{shift.x() + number(5 * size), shift.y() + number(5 * size)};
-    if (asked % 3 == 0) p = map * Point(number(4), number(4)) + shift;
+    if (asked % 3 == 0) p = map * Point{number(4), number(4)} + shift;
     if (!judged(polygon, p)) continue;
     ++asked;
     shrinkable(check, judged, polygon, p);
