@@ -25,7 +25,7 @@ function* families() {
     const end = bytes.indexOf("\n", at);
     const [title, count] = bytes.toString("utf8", at, end).split("\t");
     const size = NUMBERS * 4 * Number(count);
-    // A copy, since its place in the file need not be a multiple of 4.
+    // A copy, since its position in the file need not be a multiple of 4.
     const numbers = new Float32Array(
       bytes.buffer.slice(bytes.byteOffset + end + 1, bytes.byteOffset + end + 1 + size),
     );

@@ -1,6 +1,13 @@
 // Two segments and how they meet: the book's answer is filled, those of the textbook are rings.
 
-import { defineFigure, pretty, type Role, type Value, type Vec2 } from "@contact/figure";
+import {
+  defineFigure,
+  floatOrDouble,
+  pretty,
+  type Role,
+  type Value,
+  type Vec2,
+} from "@contact/figure";
 
 interface Input {
   a: Vec2;
@@ -70,15 +77,7 @@ export default defineFigure<Input, Output>({
       ],
     },
     { kind: "slider", field: "far", label: "k, moved by 2ᵏ m", min: 0, max: 50, step: 1 },
-    {
-      kind: "choice",
-      field: "single",
-      label: "Numbers",
-      options: [
-        { value: 0, label: "double" },
-        { value: 1, label: "float" },
-      ],
-    },
+    floatOrDouble,
     ...ENDS.map((field, i) => ({
       kind: "numbers" as const,
       field,

@@ -1,7 +1,14 @@
 // A polygon and a point. The chosen method shows what it counts; a red dot is a position at which
 // it is wrong.
 
-import { defineFigure, pretty, type Role, type Value, type Vec2 } from "@contact/figure";
+import {
+  defineFigure,
+  floatOrDouble,
+  pretty,
+  type Role,
+  type Value,
+  type Vec2,
+} from "@contact/figure";
 
 interface Input {
   a: Vec2;
@@ -159,15 +166,7 @@ export default defineFigure<Input, Output>({
         { value: 1, label: "non-zero" },
       ],
     },
-    {
-      kind: "choice",
-      field: "single",
-      label: "Numbers",
-      options: [
-        { value: 0, label: "double" },
-        { value: 1, label: "float" },
-      ],
-    },
+    floatOrDouble,
     { kind: "numbers", field: "p", label: "p", role: "ray", step: 0.5 },
     ...NAMES.map((field) => ({
       kind: "numbers" as const,

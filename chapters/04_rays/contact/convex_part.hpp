@@ -15,6 +15,7 @@
 #include <contact/passage.hpp>
 #include <contact/running_error.hpp>
 #include <contact/shapes.hpp>
+#include <contact/sign_with_root.hpp>
 #include <contact/vector.hpp>
 
 namespace contact::detail {
@@ -129,25 +130,6 @@ bool meets(const ConvexPart<T>& part, LineExtent extent, bool& sure) {
   return dips(part, in, sure);
 }
 // [/round-part]
-
-/// √(n/d) for n ≥ 0 and d > 0, to two roundings, whatever the range of n/d.
-inline double root_of_quotient(Exact n, Exact d) {
-  if (n.sign() == 0) return 0;
-  const Exact scale(0x1p600);
-  int power = 0;
-  double q = quotient<double>(n, d);
-  while (q > 0x1p900 || q < 0x1p-900) {
-    if (q > 1) {
-      d *= scale;
-      power += 300;
-    } else {
-      n *= scale;
-      power -= 300;
-    }
-    q = quotient<double>(n, d);
-  }
-  return std::ldexp(std::sqrt(q), power);
-}
 
 // [stable-root]
 /// The root at which the quadratic falls, (−b − √depth)/a = c/(−b + √depth): the form in which

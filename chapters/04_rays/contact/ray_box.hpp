@@ -64,14 +64,11 @@ std::optional<Passage<S>> passage_by_slabs_with_division(const Ray<S>& ray, cons
 }
 // [/with-division]
 
-/// The same as it is copied everywhere: three reciprocals, then products, minima and maxima without
-/// a branch. No faces and normals.
-///
-/// Limits: 0 · ∞ is NaN for a line in the plane of a face, and std::min and std::max then return
-/// their first argument. Rounded, as above; 1/d is infinite for |d| < 2^-1024.
+/// The latest entry into the slabs of a box and the earliest exit, as the test is copied
+/// everywhere: three reciprocals, then products, minima and maxima without a branch.
 // [branchless]
 template <std::floating_point S>
-std::optional<Passage<S>> passage_by_branchless_slabs(const Ray<S>& ray, const Aabb<S>& box) {
+std::pair<S, S> branchless_times(const Ray<S>& ray, const Aabb<S>& box) {
   S entry = -std::numeric_limits<S>::infinity();
   S exit = std::numeric_limits<S>::infinity();
   for (int k = 0; k < 3; ++k) {
@@ -81,13 +78,33 @@ std::optional<Passage<S>> passage_by_branchless_slabs(const Ray<S>& ray, const A
     entry = std::max(entry, std::min(to_low, to_high));
     exit = std::min(exit, std::max(to_low, to_high));
   }
+  return {entry, exit};
+}
+// [/branchless]
+
+namespace detail {
+
+/// The passage between two t, without faces and normals; none if they are out of order or NaN.
+template <std::floating_point S>
+std::optional<Passage<S>> passage_between(const S& entry, const S& exit) {
   if (!(entry <= exit)) return std::nullopt;
   Passage<S> found;
   found.entry = entry;
   found.exit = exit;
   return found;
 }
-// [/branchless]
+
+}  // namespace detail
+
+/// The line through a box by branchless_times(). No faces and normals.
+///
+/// Limits: 0 · ∞ is NaN for a line in the plane of a face, and std::min and std::max then return
+/// their first argument. Rounded, as above; 1/d is infinite for |d| < 2^-1024.
+template <std::floating_point S>
+std::optional<Passage<S>> passage_by_branchless_slabs(const Ray<S>& ray, const Aabb<S>& box) {
+  const auto [entry, exit] = branchless_times(ray, box);
+  return detail::passage_between(entry, exit);
+}
 
 // [padded]
 /// The same, with the exit multiplied by 1 + 2 γ(3): no hit is lost to the rounding of t, and a
@@ -99,21 +116,8 @@ std::optional<Passage<S>> passage_by_branchless_slabs(const Ray<S>& ray, const A
 /// Source: Ize, *Robust BVH Ray Traversal*, Journal of Computer Graphics Techniques 2 (2013).
 template <std::floating_point S>
 std::optional<Passage<S>> passage_by_padded_slabs(const Ray<S>& ray, const Aabb<S>& box) {
-  S entry = -std::numeric_limits<S>::infinity();
-  S exit = std::numeric_limits<S>::infinity();
-  for (int k = 0; k < 3; ++k) {
-    const S inverse = S(1) / ray.direction(k);
-    const S to_low = (box.low(k) - ray.origin(k)) * inverse;
-    const S to_high = (box.high(k) - ray.origin(k)) * inverse;
-    entry = std::max(entry, std::min(to_low, to_high));
-    exit = std::min(exit, std::max(to_low, to_high));
-  }
-  exit *= S(1) + S(2) * tolerance::gamma<S>(3);
-  if (!(entry <= exit)) return std::nullopt;
-  Passage<S> found;
-  found.entry = entry;
-  found.exit = exit;
-  return found;
+  const auto [entry, exit] = branchless_times(ray, box);
+  return detail::passage_between(entry, S(exit * (S(1) + S(2) * tolerance::gamma<S>(3))));
 }
 // [/padded]
 

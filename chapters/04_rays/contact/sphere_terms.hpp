@@ -11,6 +11,7 @@
 #include <contact/filter.hpp>
 #include <contact/passage.hpp>
 #include <contact/shapes.hpp>
+#include <contact/sign_with_root.hpp>
 #include <contact/tolerance.hpp>
 #include <contact/vector.hpp>
 #include <limits>
@@ -218,12 +219,6 @@ inline std::optional<SphereRoots> rough_roots(const RoughSphere& rough) {
 }
 // [/rough-roots]
 
-/// x 2^n, for the n of a double's exponents.
-inline Exact times_power_of_two(const Exact& x, int n) {
-  const int half = n / 2;
-  return x * Exact(std::ldexp(1.0, half)) * Exact(std::ldexp(1.0, n - half));
-}
-
 /// A direction in exact numbers, not 0, divided by a power of two so that its largest component is
 /// from 1/2 to 2.
 struct ScaledDirection {
@@ -238,18 +233,6 @@ struct ScaledDirection {
   }
 };
 
-/// √(n/d), also where the quotient is out of a double's range but its root is not.
-inline double root_of_ratio(Exact n, const Exact& d) {
-  constexpr int step = 1200;  // even
-  int k = 0;
-  double q = quotient<double>(n, d);
-  for (; std::isinf(q); k += step) q = quotient<double>(n = times_power_of_two(n, -step), d);
-  for (; q < 0x1p-900 && n.sign() != 0; k -= step) {
-    q = quotient<double>(n = times_power_of_two(n, step), d);
-  }
-  return std::ldexp(std::sqrt(q), k / 2);
-}
-
 // [exact-roots]
 /// Both t of terms whose discriminant is not negative and whose a is not 0, each with a relative
 /// error of at most 5 u, without underflow.
@@ -262,13 +245,13 @@ inline SphereRoots exact_roots(const SphereTerms<Exact>& x) {
   const Exact b_squared = x.b * x.b;
   double far = 0, near = 0;  // magnitude of the far root; the near one, for b < 0
   if (x.depth <= b_squared && side != 0) {
-    const double factor = 1 + root_of_ratio(x.depth, b_squared);
+    const double factor = 1 + root_of_quotient(x.depth, b_squared);
     far = quotient<double>(abs(x.b), x.a) * factor;
     near = quotient<double>(x.c, abs(x.b)) / factor;
   } else if (x.depth.sign() != 0) {
-    const double factor = 1 + root_of_ratio(b_squared, x.depth);
-    far = root_of_ratio(x.depth, x.a * x.a) * factor;
-    near = x.c.sign() * (root_of_ratio(x.c * x.c, x.depth) / factor);
+    const double factor = 1 + root_of_quotient(b_squared, x.depth);
+    far = root_of_quotient(x.depth, x.a * x.a) * factor;
+    near = x.c.sign() * (root_of_quotient(x.c * x.c, x.depth) / factor);
   }
   found.entry = side > 0 ? -far : std::min(near, far);
   found.exit = side > 0 ? std::max(-near, -far) : far;
@@ -290,7 +273,7 @@ inline SphereRoots exact_roots(const SphereTerms<Exact>& x) {
   Vector3<double> middle = Vector3<double>::Zero();
   double half = 1;  // a ball of radius 0 has no normal: take the one that faces the line
   if (a_r.sign() != 0) {
-    half = root_of_ratio(x.depth, a_r * a_r);
+    half = root_of_quotient(x.depth, a_r * a_r);
     for (int k = 0; k < 3; ++k) middle(k) = quotient<double>(x.a * m(k) - x.b * d(k), a_r);
   }
   found.entry_normal = Vector3<double>(middle - along * half).normalized();

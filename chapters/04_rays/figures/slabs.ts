@@ -1,7 +1,14 @@
 // A ray and a box: bars show when the ray is in each slab, and small squares and red dots from which
 // starts it hits the box and where the chosen method is wrong about it.
 
-import { defineFigure, pretty, type Role, type Value, type Vec2 } from "@contact/figure";
+import {
+  defineFigure,
+  floatOrDouble,
+  pretty,
+  type Role,
+  type Value,
+  type Vec2,
+} from "@contact/figure";
 
 interface Input {
   low: Vec2;
@@ -153,15 +160,7 @@ export default defineFigure<Input, Output>({
         { value: 10, label: "divided by 10" },
       ],
     },
-    {
-      kind: "choice",
-      field: "single",
-      label: "Numbers",
-      options: [
-        { value: 0, label: "double" },
-        { value: 1, label: "float" },
-      ],
-    },
+    floatOrDouble,
     { kind: "numbers", field: "origin", label: "o", role: "ray", step: 0.25 },
     { kind: "numbers", field: "through", label: "q", role: "ray", step: 0.25 },
     { kind: "numbers", field: "low", label: "corner", role: "surface", step: 0.25 },

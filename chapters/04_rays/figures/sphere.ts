@@ -1,7 +1,14 @@
 // A ball and a ray: where the chosen method has it enter and leave, and the outline that parallel
 // rays find by this method. Red is what the method gets wrong.
 
-import { defineFigure, pretty, type Role, type Value, type Vec2 } from "@contact/figure";
+import {
+  defineFigure,
+  floatOrDouble,
+  pretty,
+  type Role,
+  type Value,
+  type Vec2,
+} from "@contact/figure";
 
 interface Input {
   origin: Vec2;
@@ -157,15 +164,7 @@ export default defineFigure<Input, Output>({
         { value: 2, label: "from o to q, and no farther" },
       ],
     },
-    {
-      kind: "choice",
-      field: "single",
-      label: "Numbers",
-      options: [
-        { value: 0, label: "double" },
-        { value: 1, label: "float" },
-      ],
-    },
+    floatOrDouble,
     { kind: "numbers", field: "radius", label: "r", step: 0.25, unit: "m" },
     { kind: "numbers", field: "origin", label: "o", role: "ray", step: 0.25 },
     { kind: "numbers", field: "through", label: "q", role: "ray", step: 0.25 },

@@ -108,6 +108,17 @@ export type Control<Input> =
       readonly options: readonly { readonly value: number; readonly label: string }[];
     };
 
+/** The choice of the type in which a figure stores and computes: `single` is 1 for float. */
+export const floatOrDouble = {
+  kind: "choice",
+  field: "single",
+  label: "Numbers",
+  options: [
+    { value: 0, label: "double" },
+    { value: 1, label: "float" },
+  ],
+} as const;
+
 /** One number that the C++ gave, named as the lesson names it. `_` begins a subscript. */
 export interface Value {
   readonly name: string;
