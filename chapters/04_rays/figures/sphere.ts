@@ -244,7 +244,7 @@ export default defineFigure<Input, Output>({
       { name: "second", meaning: SECOND[method] ?? "", value: output.compared },
       {
         name: "difference",
-        meaning: "negative: no hit",
+        meaning: "no hit if negative",
         value: output.difference,
         role: output.difference < 0 ? "miss" : "ink",
       },
