@@ -123,7 +123,8 @@ bool ball_hits_box(const Segment<S>& path, const S& radius, const Aabb<S>& box) 
 
 /// Where on its path it touches first. The decision is that of ball_hits_box; t is within 2^-40 of
 /// itself. The point is the centre of the ball then, its normal points from the nearest point of
-/// the box to it; faces have no number. `inside` if the ball overlaps the box at the start.
+/// the box to it, and is 0 for a radius of 0 and where a difference of coordinates overflows; faces
+/// have no number. `inside` if the ball overlaps the box at the start.
 template <FloatOrDouble S>
 std::optional<BodyHit<S>> ball_first_hit(const Segment<S>& path, const S& radius,
                                          const Aabb<S>& box) {

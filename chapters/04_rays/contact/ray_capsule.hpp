@@ -120,7 +120,7 @@ bool hits_capsule(const Line& line, const Capsule<S>& capsule) {
 
 /// Where the unbounded line through a ray or a segment enters and leaves a capsule: the book's
 /// choice. Decision and t as for a cylinder; no face has a number. The normal points away from the
-/// nearest point of the core; 0 for a radius of 0.
+/// nearest point of the core; 0 for a radius of 0 and where a difference of coordinates overflows.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<Passage<S>> passage(const Line& line, const Capsule<S>& capsule) {
   return detail::ask_capsule(line, capsule, [](const detail::CapsuleParts& parts) {

@@ -130,7 +130,8 @@ bool hits_cone(const Line& line, const Cone<S>& cone) {
 
 /// Where the unbounded line through a ray or a segment enters and leaves a solid cone: the book's
 /// choice. Decision and t as for a cylinder. Faces as ConeFace; on the rim the base, but the wall
-/// for a line in its plane. The normal at the apex is the direction from the base to it.
+/// for a line in its plane. The normal at the apex is the direction from the base to it; 0 where a
+/// difference of coordinates overflows.
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<Passage<S>> passage(const Line& line, const Cone<S>& cone) {
   return detail::ask_cone(line, cone, [](const detail::ConeParts& parts) {
