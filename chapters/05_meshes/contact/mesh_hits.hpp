@@ -1,0 +1,404 @@
+/// @file
+/// Ray and segment against every triangle of a mesh: the first hit, any hit, all hits. Decisions
+/// and the order of hits are exact.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <contact/exact.hpp>
+#include <contact/exact_ray_triangle.hpp>
+#include <contact/filter.hpp>
+#include <contact/mesh.hpp>
+#include <contact/passage.hpp>
+#include <contact/ray_triangle.hpp>
+#include <contact/shapes.hpp>
+#include <contact/vector.hpp>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace contact {
+
+// [mesh-hit]
+/// What of a triangle a line meets.
+enum class MeshFeature { face, edge, vertex };
+
+/// A point in which a line meets a mesh.
+///
+/// If several triangles have this point, the one with the lowest index is named: at an edge, at a
+/// vertex, or where parts of the mesh touch, cross or coincide.
+template <Ring S>
+struct MeshHit {
+  int triangle = -1;   ///< index in the mesh
+  TriangleHit<S> hit;  ///< that of intersect_exact with this triangle
+  /// m. At a vertex the stored vertex; else origin + t direction as rounded, moved into the
+  /// bounding box of the triangle.
+  Vector3<S> point = Vector3<S>::Zero();
+  MeshFeature feature = MeshFeature::face;  ///< of the named triangle; exact
+  /// The vertices of the edge in increasing order, or the vertex and −1; −1 twice for a face.
+  std::array<int, 2> feature_vertices{-1, -1};
+};
+// [/mesh-hit]
+
+namespace detail {
+
+/// 1/2 ulp in 1.
+inline constexpr double mesh_u = std::numeric_limits<double>::epsilon() / 2;
+
+/// The differences of a query in double or without error: those of ExactQuery.
+template <Ring T, class Line>
+LineAndTriangle<T> differences_of(const Line& line, const Triangle<double>& triangle) {
+  const auto as = [](const Vector3<double>& v) { return Vector3<T>(T(v.x()), T(v.y()), T(v.z())); };
+  const Vector3<T> start = as(start_of(line));
+  const Vector3<T> a = as(triangle.a), b = as(triangle.b), c = as(triangle.c);
+  LineAndTriangle<T> x;
+  x.a = a - start;
+  x.b = b - start;
+  x.c = c - start;
+  x.ab = b - a;
+  x.ac = c - a;
+  if constexpr (has_end<Line>) {
+    x.direction = as(line.end) - start;
+    x.end_a = a - as(line.end);
+  } else {
+    x.direction = as(line.direction);
+  }
+  return x;
+}
+
+/// A determinant without error.
+inline Exact exact_determinant(const LineAndTriangle<Exact>& x, Determinant which) {
+  return evaluate(x, which, [](const auto& p, const auto& q, const auto& r) {
+    return Exact(p.dot(Vector3<Exact>(q.cross(r))));
+  });
+}
+
+// [mesh-time]
+/// A triangle that a line meets, and its t as far as double gives it.
+struct MeshMeeting {
+  int triangle = -1;
+  double t = 0;
+  double bound = 0;       ///< the exact t differs by at most this; infinite or NaN: unknown
+  bool interior = false;  ///< whether it is certain that the line passes inside all edges
+
+  /// An upper bound of the exact t; infinite or NaN if there is none.
+  double latest() const { return t + bound; }
+};
+
+/// The sign of t_x − t_y, where a line meets both triangles: t is a quotient of two determinants.
+template <class Line>
+[[gnu::noinline]] int compare_times(const Line& line, const Triangle<double>& x,
+                                    const Triangle<double>& y) {
+  const LineAndTriangle<Exact> at_x = differences_of<Exact>(line, x);
+  const LineAndTriangle<Exact> at_y = differences_of<Exact>(line, y);
+  const Exact below_x = exact_determinant(at_x, Determinant::denominator);
+  const Exact below_y = exact_determinant(at_y, Determinant::denominator);
+  const Exact above_x = exact_determinant(at_x, Determinant::start);
+  const Exact above_y = exact_determinant(at_y, Determinant::start);
+  return (above_x * below_y - above_y * below_x).sign() * below_x.sign() * below_y.sign();
+}
+
+/// The same for two meetings: exact arithmetic only if the intervals of t overlap.
+template <class Line, class TriangleAt>
+int compare_meetings(const Line& line, const MeshMeeting& x, const MeshMeeting& y,
+                     const TriangleAt& triangle_at) {
+  if (x.t + x.bound < y.t - y.bound) return -1;
+  if (x.t - x.bound > y.t + y.bound) return 1;
+  return compare_times(line, triangle_at(x.triangle), triangle_at(y.triangle));
+}
+// [/mesh-time]
+
+// [mesh-line]
+/// A line prepared for many triangles: for most of them double decides, with one bound for all
+/// determinants of a triangle.
+template <class Line>
+class MeshLine {
+ public:
+  explicit MeshLine(const Line& line)
+      : line_(line), start_(start_of(line)), direction_(ray_of(line).direction) {
+    meets_any_ = is_finite(line) && !is_point(line);
+    size_ = sum_of_sizes(direction_);
+  }
+
+  /// Whether it can meet anything: finite, with a direction.
+  bool meets_any() const { return meets_any_; }
+  const Line& line() const { return line_; }
+
+  /// Whether the line meets a triangle, exactly; the index is left to the caller.
+  ///
+  /// With r = a − start and q = direction × r, of_c = ab·q, of_b = −ac·q, denominator = direction·n
+  /// and start = r·n with n = ab × ac; of_a is the rest of the denominator. As in bounded_volume
+  /// each of the six terms of a determinant has at most eight roundings, and the terms' magnitudes
+  /// sum to at most the product of the 1-norms of its three rows. These are rounded too, six times
+  /// each at most: 12 u covers 8 u/(1 − 8u) and that. of_a adds the errors of three determinants
+  /// and two roundings of numbers that are at most the same products: 16 u. Underflow is far below
+  /// 2^-1000 times 1 + the rows that multiply it; overflow makes the bound infinite or NaN, and
+  /// then no comparison with it is true.
+  std::optional<MeshMeeting> meet(const Triangle<double>& triangle) const {
+    const Vector3<double> ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
+    const Vector3<double> r = triangle.a - start_;
+    const Vector3<double> q = cross_of(direction_, r);
+    const Vector3<double> n = cross_of(ab, ac);
+    const double of_c = dot_of(ab, q), of_b = -dot_of(ac, q);
+    const double denominator = dot_of(direction_, n);
+    const double of_a = denominator - of_b - of_c;
+    const double edges = std::max(sum_of_sizes(ab), sum_of_sizes(ac));
+    const double far = sum_of_sizes(r);
+    const double room =
+        16 * mesh_u * (edges * size_) * (edges + 2 * far) + 0x1p-1000 * (1 + edges + size_);
+    const double least = std::min(std::min(of_a, of_b), of_c);
+    const double most = std::max(std::max(of_a, of_b), of_c);
+    if (least < -room && most > room) return std::nullopt;
+
+    // Inside all edges or outside all, and far enough from parallel: t with its bound.
+    if (least > room || most < -room) {
+      const double above = dot_of(r, n);
+      const double above_room = 16 * mesh_u * (edges * edges) * far + 0x1p-1000 * (1 + edges + far);
+      const double sign = denominator < 0 ? -1 : 1;
+      if (sign * above < -above_room) return std::nullopt;
+      const bool starts = sign * above > above_room;
+      const double beyond = sign * (above - denominator);
+      if (has_end<Line> && beyond > above_room + room) return std::nullopt;
+      const bool ends = !has_end<Line> || beyond < -(above_room + room);
+      if (starts && ends) {
+        const double t = above / denominator;
+        const double error = (above_room + t * room) / (std::abs(denominator) - room);
+        return MeshMeeting{-1, t, 2 * error + 8 * mesh_u * t + 0x1p-1000, true};
+      }
+    }
+    return meet_closely(triangle);
+  }
+
+ private:
+  Line line_;
+  Vector3<double> start_, direction_;
+  double size_ = 0;
+  bool meets_any_ = false;
+
+  static double sum_of_sizes(const Vector3<double>& v) {
+    return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
+  }
+  static double dot_of(const Vector3<double>& x, const Vector3<double>& y) {
+    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+  }
+  static Vector3<double> cross_of(const Vector3<double>& x, const Vector3<double>& y) {
+    return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+  }
+
+  /// Decides in doubt.
+  [[gnu::noinline]] std::optional<MeshMeeting> meet_closely(
+      const Triangle<double>& triangle) const {
+    ExactQuery query(line_, triangle, true);
+    if (!query.finite() || !query.meets()) return std::nullopt;
+    const LineAndTriangle<double> x = differences_of<double>(line_, triangle);
+    const Bounded above = evaluate(x, Determinant::start, bounded_volume);
+    const Bounded below = evaluate(x, Determinant::denominator, bounded_volume);
+    const double t = above.value / below.value;
+    const double least = std::abs(below.value) - below.bound;
+    if (least > 0 && std::isfinite(t)) {
+      const double error = (above.bound + std::abs(t) * below.bound) / least;
+      return MeshMeeting{-1, t, 2 * error + 8 * mesh_u * std::abs(t) + 0x1p-1000, false};
+    }
+    const LineAndTriangle<Exact> exact = differences_of<Exact>(line_, triangle);
+    const double rounded = quotient<double>(exact_determinant(exact, Determinant::start),
+                                            exact_determinant(exact, Determinant::denominator));
+    return MeshMeeting{-1, rounded, 8 * mesh_u * rounded + 0x1p-1000, false};
+  }
+};
+// [/mesh-line]
+
+// [mesh-answer]
+/// The hit of a meeting, from the stored triangle: t and weights as those of intersect_exact.
+template <FloatOrDouble S, class Line, class DoubleLine>
+MeshHit<S> mesh_answer(const Line& line, const DoubleLine& in_doubles, const MeshMeeting& met,
+                       const Triangle<S>& triangle, const std::array<int, 3>& vertices) {
+  ExactQuery query(in_doubles, contact::in_double(triangle), true);
+  MeshHit<S> answer;
+  answer.triangle = met.triangle;
+  answer.hit = query.hit<S>();
+  const double t = std::is_same_v<S, double> ? double(answer.hit.t) : query.hit<double>().t;
+  answer.point = point_of_line(line, t)
+                     .cwiseMax(triangle.a.cwiseMin(triangle.b).cwiseMin(triangle.c))
+                     .cwiseMin(triangle.a.cwiseMax(triangle.b).cwiseMax(triangle.c));
+  if (met.interior) return answer;
+  const LineAndTriangle<double> rough =
+      differences_of<double>(in_doubles, contact::in_double(triangle));
+  std::optional<LineAndTriangle<Exact>> exact;
+  const auto is_zero = [&](Determinant which) {
+    if (evaluate(rough, which, bounded_volume).certain_sign() != 0) return false;
+    if (!exact) exact = differences_of<Exact>(in_doubles, contact::in_double(triangle));
+    return exact_determinant(*exact, which).sign() == 0;
+  };
+  const std::array<bool, 3> zero{is_zero(Determinant::of_a), is_zero(Determinant::of_b),
+                                 is_zero(Determinant::of_c)};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3, last = (k + 2) % 3;
+    if (zero[next] && zero[last]) {
+      const std::array<const Vector3<S>*, 3> corners{&triangle.a, &triangle.b, &triangle.c};
+      answer.feature = MeshFeature::vertex;
+      answer.feature_vertices = {vertices[k], -1};
+      answer.point = *corners[k];
+      return answer;
+    }
+    if (zero[k] && !zero[next] && !zero[last]) {
+      answer.feature = MeshFeature::edge;
+      answer.feature_vertices =
+          std::minmax(vertices[next], vertices[last]) == std::pair(vertices[next], vertices[last])
+              ? std::array{vertices[next], vertices[last]}
+              : std::array{vertices[last], vertices[next]};
+    }
+  }
+  return answer;
+}
+// [/mesh-answer]
+
+/// Whether x is before y: by t, then by index.
+template <class Line, class TriangleAt>
+bool meets_earlier(const Line& line, const MeshMeeting& x, const MeshMeeting& y,
+                   const TriangleAt& triangle_at) {
+  const int order = compare_meetings(line, x, y, triangle_at);
+  return order < 0 || (order == 0 && x.triangle < y.triangle);
+}
+
+/// Sorts by t and index, and leaves the first of each t.
+template <class Line, class TriangleAt>
+void sort_meetings(const Line& line, std::vector<MeshMeeting>& all, const TriangleAt& triangle_at) {
+  std::sort(all.begin(), all.end(), [&](const MeshMeeting& x, const MeshMeeting& y) {
+    return meets_earlier(line, x, y, triangle_at);
+  });
+  const auto same = [&](const MeshMeeting& x, const MeshMeeting& y) {
+    return compare_meetings(line, x, y, triangle_at) == 0;
+  };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+}
+
+/// Triangle i of a mesh, in double.
+template <FloatOrDouble S>
+Triangle<double> double_triangle(const Mesh<S>& mesh, int i) {
+  return contact::in_double(triangle_of(mesh, static_cast<std::size_t>(i)));
+}
+
+/// Calls each(meeting) for each triangle that the line meets; stops if it returns true.
+template <FloatOrDouble S, class Line, class Each>
+void each_meeting(const MeshLine<Line>& line, const Mesh<S>& mesh, const Each& each) {
+  if (!line.meets_any()) return;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    std::optional<MeshMeeting> met = line.meet(contact::in_double(triangle_of(mesh, i)));
+    if (!met) continue;
+    met->triangle = static_cast<int>(i);
+    if (each(*met)) return;
+  }
+}
+
+/// The answer of a mesh's triangle.
+template <FloatOrDouble S, class Line, class DoubleLine>
+MeshHit<S> mesh_answer(const Line& line, const DoubleLine& in_doubles, const MeshMeeting& met,
+                       const Mesh<S>& mesh) {
+  const auto at = static_cast<std::size_t>(met.triangle);
+  return mesh_answer<S>(line, in_doubles, met, triangle_of(mesh, at), mesh.triangles[at]);
+}
+
+}  // namespace detail
+
+// [first-mesh-hit]
+/// The first point in which a ray or a segment meets a mesh; every triangle is tested.
+///
+/// Right for every finite input, as intersect_exact is, and so is which of two triangles comes
+/// first. Touching counts, from either side. A triangle without area, or with a coordinate that is
+/// not finite, is not met; nor is anything by a line that is not finite or has no direction. A
+/// triangle in whose plane the line lies is not met either, but its neighbours across an edge are,
+/// if they lie in another plane: such a line enters and leaves a flat region of a closed mesh at
+/// the region's edges. A segment that ends inside the region has no hit there.
+/// @param line a Ray or a Segment; t as in TriangleHit
+template <FloatOrDouble S, LineOf<S> Line>
+std::optional<MeshHit<S>> first_mesh_hit(const Line& line, const Mesh<S>& mesh) {
+  const detail::MeshLine prepared(in_double(line));
+  const auto triangle_at = [&mesh](int i) { return detail::double_triangle(mesh, i); };
+  std::optional<detail::MeshMeeting> first;
+  detail::each_meeting(prepared, mesh, [&](const detail::MeshMeeting& met) {
+    if (!first || detail::meets_earlier(prepared.line(), met, *first, triangle_at)) first = met;
+    return false;
+  });
+  if (!first) return std::nullopt;
+  return detail::mesh_answer<S>(line, prepared.line(), *first, mesh);
+}
+// [/first-mesh-hit]
+
+// [any-mesh-hit]
+/// Whether a ray or a segment meets a mesh anywhere: stops at the first triangle that is met.
+template <FloatOrDouble S, LineOf<S> Line>
+bool any_mesh_hit(const Line& line, const Mesh<S>& mesh) {
+  bool found = false;
+  detail::each_meeting(detail::MeshLine(in_double(line)), mesh,
+                       [&found](const detail::MeshMeeting&) { return found = true; });
+  return found;
+}
+// [/any-mesh-hit]
+
+// [all-mesh-hits]
+/// All points in which a ray or a segment meets a mesh, by increasing t.
+///
+/// A point on an edge or at a vertex counts once, however many triangles have it: triangles with
+/// exactly the same t are one hit. So the number of hits of a closed mesh can be odd where the line
+/// only touches an edge or a vertex, and it says nothing of inside and outside.
+template <FloatOrDouble S, LineOf<S> Line>
+std::vector<MeshHit<S>> all_mesh_hits(const Line& line, const Mesh<S>& mesh) {
+  const detail::MeshLine prepared(in_double(line));
+  std::vector<detail::MeshMeeting> all;
+  detail::each_meeting(prepared, mesh, [&](const detail::MeshMeeting& met) {
+    all.push_back(met);
+    return false;
+  });
+  detail::sort_meetings(prepared.line(), all,
+                        [&mesh](int i) { return detail::double_triangle(mesh, i); });
+  std::vector<MeshHit<S>> hits;
+  hits.reserve(all.size());
+  for (const detail::MeshMeeting& met : all) {
+    hits.push_back(detail::mesh_answer<S>(line, prepared.line(), met, mesh));
+  }
+  return hits;
+}
+// [/all-mesh-hits]
+
+// [hits-by-triangles]
+/// All hits as the triangles give them one by one: sorted by the rounded t, then by index.
+///
+/// An edge that the line meets appears once for each of its triangles, or not at all: the answer is
+/// as good as the method. The feature is that of the rounded weights.
+/// @param method (const Line&, const Triangle<S>&) → std::optional<TriangleHit<S>>, such as
+/// intersect_moller_trumbore or intersect_watertight
+template <Scalar S, LineOf<S> Line, class Method>
+std::vector<MeshHit<S>> all_hits_by_triangles(const Line& line, const Mesh<S>& mesh,
+                                              const Method& method) {
+  std::vector<MeshHit<S>> hits;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const std::optional<TriangleHit<S>> hit = method(line, triangle_of(mesh, i));
+    if (!hit) continue;
+    const auto& vertices = mesh.triangles[i];
+    MeshHit<S> found;
+    found.triangle = static_cast<int>(i);
+    found.hit = *hit;
+    found.point = start_of(line) + hit->t * ray_of(line).direction;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (hit->barycentric[int(k)] != S(0)) continue;
+      const int next = vertices[(k + 1) % 3], last = vertices[(k + 2) % 3];
+      found.feature = MeshFeature::edge;
+      found.feature_vertices = {std::min(next, last), std::max(next, last)};
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (hit->barycentric[int(k)] != S(1)) continue;
+      found.feature = MeshFeature::vertex;
+      found.feature_vertices = {vertices[k], -1};
+    }
+    hits.push_back(found);
+  }
+  std::stable_sort(hits.begin(), hits.end(),
+                   [](const MeshHit<S>& x, const MeshHit<S>& y) { return x.hit.t < y.hit.t; });
+  return hits;
+}
+// [/hits-by-triangles]
+
+}  // namespace contact
