@@ -23,6 +23,8 @@ class ExactFraction {
   ExactFraction(int value) : ExactFraction(static_cast<double>(value)) {}
   /// The value of a finite double, unchanged.
   ExactFraction(double value) : above_(value), below_(1.0) {}
+  /// The value of an exact number, unchanged.
+  explicit ExactFraction(const Exact& value) : above_(value), below_(1.0) {}
 
   /// -1, 0 or +1.
   int sign() const { return above_.sign(); }
