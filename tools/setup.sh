@@ -38,13 +38,14 @@ test|git|command git|git|Git: the checks look only at files that are in it
 test|clang-tidy|command clang-tidy|llvm|clang-tidy: a second reading of the C++
 test|shellcheck|command shellcheck|shellcheck|ShellCheck: the same for shell scripts
 test|valgrind|command valgrind|-|Valgrind: counts the instructions of a run
-benchmarks|libcgal-dev|header CGAL/version.h|cgal|CGAL: hulls, polygons and rays, decided exactly
+benchmarks|libcgal-dev|header CGAL/version.h|cgal|CGAL: hulls, polygons, rays and meshes, decided exactly
 benchmarks|libqhull-dev|header libqhull_r/qhull_ra.h|qhull|Qhull: convex hulls
 benchmarks|libbullet-dev|header bullet/btBulletDynamicsCommon.h|bullet|Bullet: convex hulls and scenes
 benchmarks|libode-dev|header ode/ode.h|ode|ODE: scenes
 benchmarks|libbox2d-dev|header box2d/box2d.h|box2d|Box2D: scenes in the plane
 benchmarks|libgeos++-dev|header geos/algorithm/PointLocation.h|geos|GEOS: points in polygons
 benchmarks|libembree-dev|header embree3/rtcore.h embree4/rtcore.h|embree|Embree 3: rays
+benchmarks|libfcl-dev|header fcl/fcl.h|fcl|FCL: segments and meshes
 END
 }
 
@@ -251,21 +252,23 @@ setup_by_hand() { # the missing rows on standard input
   exit 3
 }
 
-setup_venv() {
-  [ -f "$root/docs/requirements.txt" ] || return 0
-  setup_stamp=$root/build/venv/contact-requirements.txt
-  if cmp -s "$root/docs/requirements.txt" "$setup_stamp" && "$root/build/venv/bin/python" -c '' 2> /dev/null; then
+setup_venv() { # the folder of requirements.txt, and the one of build/ where what it pins goes
+  setup_pins=$root/$1/requirements.txt
+  setup_place=$root/build/$2
+  [ -f "$setup_pins" ] || return 0
+  setup_stamp=$setup_place/contact-requirements.txt
+  if cmp -s "$setup_pins" "$setup_stamp" && "$setup_place/bin/python" -c '' 2> /dev/null; then
     return 0
   fi
-  say "Installing the Python packages of docs/requirements.txt into build/venv:" \
-    "$(sed -n 's/^\([A-Za-z0-9._-]*==[^ ;\\]*\).*/\1/p' "$root/docs/requirements.txt" | tr '\n' ' ')"
+  say "Installing the Python packages of $1/requirements.txt into build/$2:" \
+    "$(sed -n 's/^\([A-Za-z0-9._-]*==[^ ;\\]*\).*/\1/p' "$setup_pins" | tr '\n' ' ')"
   setup_log=$root/build/logs/setup-python.log
   mkdir -p "$root/build/logs"
-  rm -rf "$root/build/venv"
+  rm -rf "$setup_place"
   if ! {
-    "$(setup_python)" -m venv "$root/build/venv" &&
-      "$root/build/venv/bin/python" -m pip install --disable-pip-version-check --no-input --retries 2 \
-        -r "$root/docs/requirements.txt"
+    "$(setup_python)" -m venv "$setup_place" &&
+      "$setup_place/bin/python" -m pip install --disable-pip-version-check --no-input --retries 2 \
+        -r "$setup_pins"
   } > "$setup_log" 2>&1 < /dev/null; then
     tail -n 8 "$setup_log" >&2
     if setup_unreachable; then
@@ -274,19 +277,20 @@ point pip at a mirror with PIP_INDEX_URL, then run ./contact setup again. All of
     fi
     fail 3 "pip could not install the Python packages. Its own words are above; all of them: $setup_log"
   fi
-  cp "$root/docs/requirements.txt" "$setup_stamp"
+  cp "$setup_pins" "$setup_stamp"
 }
 
-setup_npm() {
-  [ -f "$root/page/package-lock.json" ] || return 0
-  setup_stamp=$root/page/node_modules/.contact-package-lock.json
-  cmp -s "$root/page/package-lock.json" "$setup_stamp" && return 0
-  say "Installing the npm packages of page/package-lock.json into page/node_modules:" \
+setup_npm() { # the folder of package-lock.json
+  setup_pins=$root/$1/package-lock.json
+  [ -f "$setup_pins" ] || return 0
+  setup_stamp=$root/$1/node_modules/.contact-package-lock.json
+  cmp -s "$setup_pins" "$setup_stamp" && return 0
+  say "Installing the npm packages of $1/package-lock.json into $1/node_modules:" \
     "$(sed -n '/"\(dependencies\|devDependencies\)": {/,/}/s/^ *"\([^"]*\)": "\([0-9][^"]*\)".*/\1@\2/p' \
-      "$root/page/package.json" | tr '\n' ' ')"
+      "$root/$1/package.json" | tr '\n' ' ')"
   setup_log=$root/build/logs/setup-npm.log
   mkdir -p "$root/build/logs"
-  if ! (cd "$root/page" && npm ci --no-audit --no-fund --fetch-retries=1 --fetch-retry-mintimeout=2000) \
+  if ! (cd "$root/$1" && npm ci --no-audit --no-fund --fetch-retries=1 --fetch-retry-mintimeout=2000) \
     > "$setup_log" 2>&1 < /dev/null; then
     tail -n 8 "$setup_log" >&2
     if setup_unreachable; then
@@ -295,7 +299,7 @@ setup_npm() {
     fi
     fail 3 "npm could not install its packages. Its own words are above; all of them: $setup_log"
   fi
-  cp "$root/page/package-lock.json" "$setup_stamp"
+  cp "$setup_pins" "$setup_stamp"
 }
 
 setup() {
@@ -323,6 +327,10 @@ setup() {
       exit 3
     fi
   fi
-  setup_venv
-  [ "$setup_level" = program ] || setup_npm
+  setup_venv docs venv
+  [ "$setup_level" = program ] || setup_npm page
+  if [ "$setup_level" = benchmarks ]; then
+    setup_venv benchmarks venv-benchmarks
+    setup_npm benchmarks
+  fi
 }

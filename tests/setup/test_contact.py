@@ -30,6 +30,9 @@ def clone(tmp_path: Path) -> Path:
         "page/package.json",
         "page/package-lock.json",
         "docs/requirements.txt",
+        "benchmarks/package.json",
+        "benchmarks/package-lock.json",
+        "benchmarks/requirements.txt",
         "CMakeLists.txt",
         "CMakePresets.json",
     ):
@@ -328,8 +331,85 @@ def test_the_peers_of_the_benchmarks_are_installed_where_they_are_asked_for() ->
     program, book, test, benchmarks = map(wanted, ("program", "book", "test", "benchmarks"))
     assert program < book < test
     assert book < benchmarks
-    assert "libcgal-dev" in benchmarks - test
+    assert {"libcgal-dev", "libembree-dev", "libfcl-dev"} <= benchmarks - test
     assert "valgrind" in test - benchmarks
+
+
+PIN = re.compile(r"[A-Za-z0-9._-]+==[0-9][A-Za-z0-9.]*")
+
+
+def test_the_peers_of_the_benchmarks_are_pinned() -> None:
+    def pins(name: str) -> list[str]:
+        lines = (ROOT / "benchmarks" / name).read_text().splitlines()
+        return [line for line in lines if not line.startswith("#")]
+
+    asked = pins("requirements.in")
+    assert {"coacd", "libcoal", "libigl", "vhacdx"} == {line.split("==")[0] for line in asked}
+    # With all that they need, each in one version.
+    assert set(asked) < set(pins("requirements.txt"))
+    assert [line for line in pins("requirements.txt") if not PIN.fullmatch(line)] == []
+
+    wanted = json.loads((ROOT / "benchmarks/package.json").read_text())["dependencies"]
+    locked = json.loads((ROOT / "benchmarks/package-lock.json").read_text())["packages"]
+    assert "three-mesh-bvh" in wanted
+    for name, version in wanted.items():
+        assert locked[f"node_modules/{name}"]["version"] == version
+        assert locked[f"node_modules/{name}"]["integrity"].startswith("sha512-")
+    # The comparison and the page have the same three.js.
+    page = json.loads((ROOT / "page/package.json").read_text())["dependencies"]
+    assert wanted["three"] == page["three"]
+
+
+@pytest.mark.parametrize(
+    ("level", "expected"),
+    [
+        ("program", ["venv docs venv"]),
+        ("book", ["venv docs venv", "npm page"]),
+        ("test", ["venv docs venv", "npm page"]),
+        (
+            "benchmarks",
+            [
+                "venv docs venv",
+                "npm page",
+                "venv benchmarks venv-benchmarks",
+                "npm benchmarks",
+            ],
+        ),
+    ],
+)
+def test_what_a_level_installs_besides_system_packages(level: str, expected: list[str]) -> None:
+    script = """root=.; . tools/setup.sh
+setup_missing() { :; }
+setup_browser() { :; }
+setup_venv() { echo "venv $*"; }
+setup_npm() { echo "npm $*"; }
+setup "$0"
+"""
+    done = subprocess.run(
+        ["sh", "-c", script, level], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    assert done.stdout.splitlines() == expected
+
+
+def test_peers_of_the_benchmarks_out_of_reach(clone: Path) -> None:
+    script = """root=.; . tools/setup.sh
+say() { echo "$*" >&2; }
+fail() { code=$1; shift; say "$*"; exit "$code"; }
+setup_venv benchmarks venv-benchmarks
+"""
+    done = subprocess.run(
+        ["sh", "-c", script],
+        cwd=clone,
+        capture_output=True,
+        text=True,
+        env={**os.environ, **NO_PACKAGE_INDEX},
+    )
+    assert done.returncode == 3, done.stderr
+    assert "libigl==" in done.stderr.split("out of reach")[0]
+    assert "Python packages are out of reach" in done.stderr
+    # The book's own packages are left as they are.
+    assert not (clone / "build/venv").exists()
+    assert not (clone / "build/venv-benchmarks/contact-requirements.txt").exists()
 
 
 def test_setup_names_its_levels_when_it_does_not_know_one() -> None:
