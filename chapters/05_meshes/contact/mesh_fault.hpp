@@ -86,8 +86,10 @@ std::string text(const MeshFault& fault, const Mesh<S>& mesh) {
       return edge() + " belongs to " + std::to_string(fault.triangles.size()) +
              " triangles: " + list(fault.triangles);
     case MeshFaultKind::same_direction:
-      return triangles + " do not run through " + edge() +
-             " in opposite directions: one of them is reversed";
+      return fault.triangles.size() == 2
+                 ? triangles + " run through " + edge() + " in the same direction"
+                 : "of " + triangles + " not as many run through " + edge() +
+                       " one way as the other";
     case MeshFaultKind::several_fans:
       return "the triangles at " + vertices + " " + position(fault.vertices[0]) + " form " +
              std::to_string(fault.triangles.size()) +
