@@ -38,31 +38,29 @@ namespace detail {
 /// The longest path from the root to a leaf is less than this.
 inline constexpr int box_tree_depth = 96;
 
-/// An item while the tree is built: its box in float, moved and scaled to about [−1, 1].
+/// Four floats, of which the last is not used: loops over four become one instruction each.
+using FourFloats = std::array<float, 4>;
+
+/// A box while the tree is built, in float, moved and scaled to about [−1, 1].
 ///
 /// These numbers only choose where to split, so they need no bound. The nodes' boxes are made from
 /// the boxes as given.
-struct BuildItem {
-  std::array<float, 3> low{}, high{};
-  int item = 0;
-
-  float twice_centre(std::size_t k) const { return low[k] + high[k]; }
-};
-
-/// A box in float that grows.
-struct BuildBox {
+struct alignas(16) BuildBox {
   static constexpr float infinity = std::numeric_limits<float>::infinity();
-  std::array<float, 3> low{infinity, infinity, infinity};
-  std::array<float, 3> high{-infinity, -infinity, -infinity};
+  FourFloats low{infinity, infinity, infinity, infinity};
+  FourFloats high{-infinity, -infinity, -infinity, -infinity};
 
-  template <class Box>
-  void add(const Box& box) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], box.low[k]);
-      high[k] = std::max(high[k], box.high[k]);
-    }
+  void add(FourFloats lower, FourFloats upper) {
+    for (std::size_t k = 0; k < 4; ++k) low[k] = lower[k] < low[k] ? lower[k] : low[k];
+    for (std::size_t k = 0; k < 4; ++k) high[k] = upper[k] > high[k] ? upper[k] : high[k];
   }
-  /// Half of its surface; negative infinity, or NaN, for an empty box is never used.
+  void add(const BuildBox& box) { add(box.low, box.high); }
+  FourFloats twice_centre() const {
+    FourFloats sum;
+    for (std::size_t k = 0; k < 4; ++k) sum[k] = low[k] + high[k];
+    return sum;
+  }
+  /// Half of its surface; NaN for an empty box.
   float half_surface() const {
     const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
     return x * y + y * z + z * x;
@@ -80,48 +78,48 @@ class BoxTreeBuilder {
     scale_items(boxes, items);
     tree_.nodes.reserve(items.size());
     tree_.nodes.push_back({});
-    build(0, 0, static_cast<int>(items.size()), 0);
-    tree_.order.reserve(items.size());
-    for (const BuildItem& item : items_) tree_.order.push_back(item.item);
+    build(0, 0, items.size(), 0);
     enclose(boxes);
   }
 
   BoxTree<S> take() { return std::move(tree_); }
 
  private:
-  static constexpr int bin_count = 16;
+  static constexpr int max_bins = 16;
   /// From this depth on ranges are halved, so that no arrangement makes the tree deep: 2^32 items
   /// end 32 levels further down.
   static constexpr int halved_from = box_tree_depth - 34;
 
-  struct Bin {
-    BuildBox box;
-    int count = 0;
-  };
   struct Split {
     float cost = std::numeric_limits<float>::infinity();
     std::size_t axis = 0;
     int bin = 0;  ///< the first of the second half
   };
-  /// Maps the centres of a range to bins.
+  /// Maps the centres of a range to bins: few for few items.
   struct Binning {
-    std::array<float, 3> from{}, scale{};
+    int count;
+    FourFloats from, scale;
 
-    Binning(const BuildBox& centres) {
-      for (std::size_t k = 0; k < 3; ++k) {
+    Binning(const BuildBox& centres, int items)
+        : count(std::min(max_bins, 4 + items / 16)), from(centres.low) {
+      for (std::size_t k = 0; k < 4; ++k) {
         const float width = centres.high[k] - centres.low[k];
-        from[k] = centres.low[k];
-        scale[k] = width > 0x1p-100f ? bin_count * (1 - 0x1p-20f) / width : 0.0f;
+        const float bins = static_cast<float>(count) * (1 - 0x1p-20f);
+        scale[k] = width > 0x1p-100f ? bins / width : 0.0f;
       }
     }
-    int bin(const BuildItem& item, std::size_t k) const {
-      return static_cast<int>((item.twice_centre(k) - from[k]) * scale[k]);
+    std::array<int, 4> bins(const BuildBox& box) const {
+      const FourFloats centre = box.twice_centre();
+      std::array<int, 4> bin;
+      for (std::size_t k = 0; k < 4; ++k)
+        bin[k] = static_cast<int>((centre[k] - from[k]) * scale[k]);
+      return bin;
     }
   };
 
   int max_leaf_;
   BoxTree<S> tree_;
-  std::vector<BuildItem> items_;
+  std::vector<BuildBox> boxes_;  ///< of the items in the order of tree_.order
 
   void scale_items(std::span<const Aabb<S>> boxes, std::span<const int> items) {
     const auto box_of = [&](int item) -> const Aabb<S>& {
@@ -136,48 +134,59 @@ class BoxTreeBuilder {
     const double size = (high - low).maxCoeff();
     const int exponent = size > 0x1p-1000 ? std::ilogb(size) + 1 : -1000;
     const double scale = std::ldexp(1.0, -exponent);
-    items_.reserve(items.size());
+    tree_.order.assign(items.begin(), items.end());
+    boxes_.reserve(items.size());
     for (const int item : items) {
       const Aabb<S>& box = box_of(item);
-      BuildItem made;
+      FourFloats lower{}, upper{};
       for (int k = 0; k < 3; ++k) {
-        made.low[std::size_t(k)] = static_cast<float>((box.low(k) - centre(k)) * scale);
-        made.high[std::size_t(k)] = static_cast<float>((box.high(k) - centre(k)) * scale);
+        lower[std::size_t(k)] = static_cast<float>((box.low[k] - centre[k]) * scale);
+        upper[std::size_t(k)] = static_cast<float>((box.high[k] - centre[k]) * scale);
       }
-      made.item = item;
-      items_.push_back(made);
+      boxes_.push_back({lower, upper});
     }
   }
 
   // [binned-split]
   /// The cheapest of the splits between bins: the sum over both halves of surface × number.
-  Split best_split(int begin, int end, const Binning& binning) const {
-    std::array<std::array<Bin, bin_count>, 3> bins;
-    for (int i = begin; i < end; ++i) {
-      const BuildItem& item = items_[static_cast<std::size_t>(i)];
+  Split best_split(std::size_t begin, std::size_t end, const Binning& binning) const {
+    const auto bin_count = static_cast<std::size_t>(binning.count);
+    std::array<std::array<BuildBox, max_bins>, 3> boxes;
+    std::array<std::array<int, max_bins>, 3> counts;
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t b = 0; b < bin_count; ++b) {
+        boxes[k][b] = BuildBox{};
+        counts[k][b] = 0;
+      }
+    }
+    for (std::size_t i = begin; i < end; ++i) {
+      const BuildBox box = boxes_[i];
+      const std::array<int, 4> bins = binning.bins(box);
       for (std::size_t k = 0; k < 3; ++k) {
-        Bin& bin = bins[k][static_cast<std::size_t>(binning.bin(item, k))];
-        bin.box.add(item);
-        ++bin.count;
+        const auto b = static_cast<std::size_t>(bins[k]);
+        boxes[k][b].add(box);
+        ++counts[k][b];
       }
     }
     Split best;
+    const auto number = static_cast<int>(end - begin);
     for (std::size_t k = 0; k < 3; ++k) {
-      std::array<float, bin_count> cost_after{};
+      if (counts[k][0] == number) continue;  // all in one bin
+      std::array<float, max_bins> cost_after;
       BuildBox box;
       int count = 0;
       for (std::size_t b = bin_count - 1; b > 0; --b) {
-        box.add(bins[k][b].box);
-        count += bins[k][b].count;
+        box.add(boxes[k][b]);
+        count += counts[k][b];
         cost_after[b] = count == 0 ? 0.0f : box.half_surface() * static_cast<float>(count);
       }
       box = BuildBox{};
-      int before = 0;
+      count = 0;
       for (std::size_t b = 1; b < bin_count; ++b) {
-        box.add(bins[k][b - 1].box);
-        before += bins[k][b - 1].count;
-        if (before == 0 || before == end - begin) continue;
-        const float cost = box.half_surface() * static_cast<float>(before) + cost_after[b];
+        box.add(boxes[k][b - 1]);
+        count += counts[k][b - 1];
+        if (count == 0 || count == number) continue;
+        const float cost = box.half_surface() * static_cast<float>(count) + cost_after[b];
         if (cost < best.cost) best = {cost, k, static_cast<int>(b)};
       }
     }
@@ -185,37 +194,40 @@ class BoxTreeBuilder {
   }
   // [/binned-split]
 
+  /// Moves those in lower bins to the front; returns how many these are.
+  std::size_t partition(std::size_t begin, std::size_t end, const Binning& binning,
+                        const Split& split) {
+    std::size_t middle = begin;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (binning.bins(boxes_[i])[split.axis] >= split.bin) continue;
+      std::swap(boxes_[i], boxes_[middle]);
+      std::swap(tree_.order[i], tree_.order[middle]);
+      ++middle;
+    }
+    return middle;
+  }
+
   /// Makes a node of a range, and its children.
-  void build(std::size_t node, int begin, int end, int depth) {
-    const int count = end - begin;
+  void build(std::size_t node, std::size_t begin, std::size_t end, int depth) {
+    const auto count = static_cast<int>(end - begin);
     if (count == 1) return make_leaf(node, begin, count);
     BuildBox box, centres;
-    for (int i = begin; i < end; ++i) {
-      const BuildItem& item = items_[static_cast<std::size_t>(i)];
-      box.add(item);
-      for (std::size_t k = 0; k < 3; ++k) {
-        centres.low[k] = std::min(centres.low[k], item.twice_centre(k));
-        centres.high[k] = std::max(centres.high[k], item.twice_centre(k));
-      }
+    for (std::size_t i = begin; i < end; ++i) {
+      const FourFloats centre = boxes_[i].twice_centre();
+      box.add(boxes_[i]);
+      centres.add(centre, centre);
     }
-    const Binning binning(centres);
+    const Binning binning(centres, count);
     const Split split = depth < halved_from ? best_split(begin, end, binning) : Split{};
-    // A split costs as much as one item.
+    // A split costs as much as two items.
     if (count <= max_leaf_) {
       const float surface = box.half_surface();
-      if (!(split.cost + surface < surface * static_cast<float>(count))) {
+      if (!(split.cost + 2 * surface < surface * static_cast<float>(count))) {
         return make_leaf(node, begin, count);
       }
     }
-    int middle = begin + count / 2;
-    if (split.cost < std::numeric_limits<float>::infinity()) {
-      const auto first = items_.begin();
-      middle = static_cast<int>(std::partition(first + begin, first + end,
-                                               [&](const BuildItem& item) {
-                                                 return binning.bin(item, split.axis) < split.bin;
-                                               }) -
-                                first);
-    }
+    std::size_t middle = begin + (end - begin) / 2;
+    if (split.cost < BuildBox::infinity) middle = partition(begin, end, binning, split);
     const std::size_t children = tree_.nodes.size();
     tree_.nodes.resize(children + 2);
     tree_.nodes[node].first = static_cast<int>(children);
@@ -223,8 +235,8 @@ class BoxTreeBuilder {
     build(children + 1, middle, end, depth + 1);
   }
 
-  void make_leaf(std::size_t node, int begin, int count) {
-    tree_.nodes[node].first = begin;
+  void make_leaf(std::size_t node, std::size_t begin, int count) {
+    tree_.nodes[node].first = static_cast<int>(begin);
     tree_.nodes[node].count = count;
   }
 

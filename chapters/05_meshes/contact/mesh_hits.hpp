@@ -32,8 +32,10 @@ enum class MeshFeature { face, edge, vertex };
 /// vertex, or where parts of the mesh touch, cross or coincide.
 template <Ring S>
 struct MeshHit {
-  int triangle = -1;   ///< index in the mesh
-  TriangleHit<S> hit;  ///< that of intersect_exact with this triangle
+  int triangle = -1;  ///< index in the mesh
+  /// t within 2^-40 max(1, |t|) of the exact one, and in its range; weights within 2^-30, from 0 to
+  /// 1, and 0 exactly where the exact one is. Float: then rounded.
+  TriangleHit<S> hit;
   /// m. At a vertex the stored vertex; else origin + t direction as rounded, moved into the
   /// bounding box of the triangle.
   Vector3<S> point = Vector3<S>::Zero();
@@ -47,6 +49,11 @@ namespace detail {
 
 /// 1/2 ulp in 1.
 inline constexpr double mesh_u = std::numeric_limits<double>::epsilon() / 2;
+
+/// The 1-norm.
+inline double sum_of_sizes(const Vector3<double>& v) {
+  return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
+}
 
 /// The differences of a query in double or without error: those of ExactQuery.
 template <Ring T, class Line>
@@ -102,12 +109,12 @@ template <class Line>
 }
 
 /// The same for two meetings: exact arithmetic only if the intervals of t overlap.
-template <class Line, class TriangleAt>
+template <class Line>
 int compare_meetings(const Line& line, const MeshMeeting& x, const MeshMeeting& y,
-                     const TriangleAt& triangle_at) {
+                     const Triangle<double>& triangle_x, const Triangle<double>& triangle_y) {
   if (x.t + x.bound < y.t - y.bound) return -1;
   if (x.t - x.bound > y.t + y.bound) return 1;
-  return compare_times(line, triangle_at(x.triangle), triangle_at(y.triangle));
+  return compare_times(line, triangle_x, triangle_y);
 }
 // [/mesh-time]
 
@@ -178,9 +185,6 @@ class MeshLine {
   double size_ = 0;
   bool meets_any_ = false;
 
-  static double sum_of_sizes(const Vector3<double>& v) {
-    return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
-  }
   static double dot_of(const Vector3<double>& x, const Vector3<double>& y) {
     return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
   }
@@ -210,75 +214,133 @@ class MeshLine {
 };
 // [/mesh-line]
 
-// [mesh-answer]
-/// The hit of a meeting, from the stored triangle: t and weights as those of intersect_exact.
-template <FloatOrDouble S, class Line, class DoubleLine>
-MeshHit<S> mesh_answer(const Line& line, const DoubleLine& in_doubles, const MeshMeeting& met,
-                       const Triangle<S>& triangle, const std::array<int, 3>& vertices) {
-  ExactQuery query(in_doubles, contact::in_double(triangle), true);
-  MeshHit<S> answer;
-  answer.triangle = met.triangle;
-  answer.hit = query.hit<S>();
-  const double t = std::is_same_v<S, double> ? double(answer.hit.t) : query.hit<double>().t;
-  answer.point = point_of_line(line, t)
-                     .cwiseMax(triangle.a.cwiseMin(triangle.b).cwiseMin(triangle.c))
-                     .cwiseMin(triangle.a.cwiseMax(triangle.b).cwiseMax(triangle.c));
-  if (met.interior) return answer;
-  const LineAndTriangle<double> rough =
-      differences_of<double>(in_doubles, contact::in_double(triangle));
+// [mesh-feature]
+/// Sets the feature: the line meets a face if none of the three weights is exactly 0, an edge if
+/// one is, a vertex if two are. Weights that are 0 become 0.
+template <FloatOrDouble S, class Line>
+void name_feature(MeshHit<S>& answer, const Line& line, const Triangle<S>& triangle,
+                  const std::array<int, 3>& vertices) {
+  const Triangle<double> stored = contact::in_double(triangle);
+  const LineAndTriangle<double> rough = differences_of<double>(line, stored);
   std::optional<LineAndTriangle<Exact>> exact;
   const auto is_zero = [&](Determinant which) {
     if (evaluate(rough, which, bounded_volume).certain_sign() != 0) return false;
-    if (!exact) exact = differences_of<Exact>(in_doubles, contact::in_double(triangle));
+    if (!exact) exact = differences_of<Exact>(line, stored);
     return exact_determinant(*exact, which).sign() == 0;
   };
   const std::array<bool, 3> zero{is_zero(Determinant::of_a), is_zero(Determinant::of_b),
                                  is_zero(Determinant::of_c)};
+  const std::array<const Vector3<S>*, 3> corners{&triangle.a, &triangle.b, &triangle.c};
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t next = (k + 1) % 3, last = (k + 2) % 3;
+    if (zero[k]) answer.hit.barycentric[int(k)] = S(0);
     if (zero[next] && zero[last]) {
-      const std::array<const Vector3<S>*, 3> corners{&triangle.a, &triangle.b, &triangle.c};
       answer.feature = MeshFeature::vertex;
       answer.feature_vertices = {vertices[k], -1};
       answer.point = *corners[k];
-      return answer;
+      answer.hit.barycentric = Vector3<S>::Unit(int(k));
+      return;
     }
     if (zero[k] && !zero[next] && !zero[last]) {
       answer.feature = MeshFeature::edge;
-      answer.feature_vertices =
-          std::minmax(vertices[next], vertices[last]) == std::pair(vertices[next], vertices[last])
-              ? std::array{vertices[next], vertices[last]}
-              : std::array{vertices[last], vertices[next]};
+      answer.feature_vertices = {std::min(vertices[next], vertices[last]),
+                                 std::max(vertices[next], vertices[last])};
     }
+  }
+}
+// [/mesh-feature]
+
+/// numerator/denominator, which is between 0 and `high`, if it is certain to within `room`.
+inline std::optional<double> certain_ratio(const Bounded& numerator, const Bounded& denominator,
+                                           double high, double room) {
+  const double value = numerator.value / denominator.value;
+  const double error = numerator.bound + std::abs(value) * denominator.bound;
+  const double least = std::abs(denominator.value) - denominator.bound;
+  if (!(error < room / 2 * least * std::max(1.0, std::abs(value)))) return std::nullopt;
+  return std::clamp(value, 0.0, high) + 0.0;  // not −0
+}
+
+// [mesh-answer]
+/// t and the weights of a line that meets a triangle.
+///
+/// t = start/denominator. For the weights the line is taken to start at t, next to the triangle:
+/// r = a − (start + t direction) is off by at most 4 u (|a − start| + |t direction|), and the error
+/// of t has no effect, because r only occurs in direction × r. Far from the start this is much
+/// better than the determinants of the decision. In doubt exact quotients, rounded once.
+template <FloatOrDouble S, class Line>
+TriangleHit<S> mesh_triangle_hit(const Line& line, const Triangle<double>& triangle) {
+  const LineAndTriangle<double> x = differences_of<double>(line, triangle);
+  const Bounded above = evaluate(x, Determinant::start, bounded_volume);
+  const Bounded below = evaluate(x, Determinant::denominator, bounded_volume);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::optional<double> t =
+      certain_ratio(above, below, has_end<Line> ? 1.0 : infinity, 0x1p-40);
+  if (t) {
+    const Vector3<double> offset = *t * x.direction;
+    const Vector3<double> r = x.a - offset;
+    const Vector3<double> q = x.direction.cross(r);
+    const double edges = std::max(sum_of_sizes(x.ab), sum_of_sizes(x.ac));
+    const double size = sum_of_sizes(x.direction);
+    const double room = 16 * mesh_u * (edges * size) *
+                            (sum_of_sizes(r) + sum_of_sizes(x.a) + sum_of_sizes(offset)) +
+                        0x1p-1000 * (1 + edges + size);
+    const std::optional<double> of_b = certain_ratio({-x.ac.dot(q), room}, below, 1.0, 0x1p-32);
+    const std::optional<double> of_c = certain_ratio({x.ab.dot(q), room}, below, 1.0, 0x1p-32);
+    if (of_b && of_c) {
+      const double of_a = std::max(1 - *of_b - *of_c, 0.0);
+      return {static_cast<S>(*t),
+              {static_cast<S>(of_a), static_cast<S>(*of_b), static_cast<S>(*of_c)}};
+    }
+  }
+  const LineAndTriangle<Exact> exact = differences_of<Exact>(line, triangle);
+  const Exact denominator = exact_determinant(exact, Determinant::denominator);
+  const auto ratio = [&](Determinant numerator) {
+    return quotient<S>(exact_determinant(exact, numerator), denominator);
+  };
+  const S at = t ? static_cast<S>(*t) : ratio(Determinant::start);
+  const S of_a = ratio(Determinant::of_a), of_b = ratio(Determinant::of_b);
+  return {at, {of_a, of_b, ratio(Determinant::of_c)}};
+}
+
+/// The hit of a meeting with a triangle of a mesh.
+template <FloatOrDouble S, class Line, class DoubleLine>
+MeshHit<S> mesh_answer(const Line& line, const DoubleLine& in_doubles, const MeshMeeting& met,
+                       const Triangle<S>& triangle, const Mesh<S>& mesh) {
+  const TriangleHit<double> hit =
+      mesh_triangle_hit<double>(in_doubles, contact::in_double(triangle));
+  MeshHit<S> answer;
+  answer.triangle = met.triangle;
+  answer.hit = {static_cast<S>(hit.t), hit.barycentric.template cast<S>()};
+  answer.point = point_of_line(line, hit.t)
+                     .cwiseMax(triangle.a.cwiseMin(triangle.b).cwiseMin(triangle.c))
+                     .cwiseMin(triangle.a.cwiseMax(triangle.b).cwiseMax(triangle.c));
+  if (!met.interior) {
+    name_feature(answer, in_doubles, triangle,
+                 mesh.triangles[static_cast<std::size_t>(met.triangle)]);
   }
   return answer;
 }
 // [/mesh-answer]
 
-/// Whether x is before y: by t, then by index.
-template <class Line, class TriangleAt>
-bool meets_earlier(const Line& line, const MeshMeeting& x, const MeshMeeting& y,
-                   const TriangleAt& triangle_at) {
-  const int order = compare_meetings(line, x, y, triangle_at);
-  return order < 0 || (order == 0 && x.triangle < y.triangle);
-}
-
-/// Sorts by t and index, and leaves the first of each t.
-template <class Line, class TriangleAt>
-void sort_meetings(const Line& line, std::vector<MeshMeeting>& all, const TriangleAt& triangle_at) {
-  std::sort(all.begin(), all.end(), [&](const MeshMeeting& x, const MeshMeeting& y) {
-    return meets_earlier(line, x, y, triangle_at);
-  });
-  const auto same = [&](const MeshMeeting& x, const MeshMeeting& y) {
-    return compare_meetings(line, x, y, triangle_at) == 0;
-  };
-  all.erase(std::unique(all.begin(), all.end(), same), all.end());
-}
-
 /// Triangle i of a mesh, in double.
 template <FloatOrDouble S>
 Triangle<double> double_triangle(const Mesh<S>& mesh, int i) {
   return contact::in_double(triangle_of(mesh, static_cast<std::size_t>(i)));
+}
+
+/// The sign of t_x − t_y for two triangles of a mesh.
+template <FloatOrDouble S, class Line>
+int compare_meetings(const Line& line, const MeshMeeting& x, const MeshMeeting& y,
+                     const Mesh<S>& mesh) {
+  return compare_meetings(line, x, y, double_triangle(mesh, x.triangle),
+                          double_triangle(mesh, y.triangle));
+}
+/// Whether x is before y: by t, then by index.
+template <FloatOrDouble S, class Line>
+bool meets_earlier(const Line& line, const MeshMeeting& x, const MeshMeeting& y,
+                   const Mesh<S>& mesh) {
+  const int order = compare_meetings(line, x, y, mesh);
+  return order < 0 || (order == 0 && x.triangle < y.triangle);
 }
 
 /// Calls each(meeting) for each triangle that the line meets; stops if it returns true.
@@ -291,14 +353,6 @@ void each_meeting(const MeshLine<Line>& line, const Mesh<S>& mesh, const Each& e
     met->triangle = static_cast<int>(i);
     if (each(*met)) return;
   }
-}
-
-/// The answer of a mesh's triangle.
-template <FloatOrDouble S, class Line, class DoubleLine>
-MeshHit<S> mesh_answer(const Line& line, const DoubleLine& in_doubles, const MeshMeeting& met,
-                       const Mesh<S>& mesh) {
-  const auto at = static_cast<std::size_t>(met.triangle);
-  return mesh_answer<S>(line, in_doubles, met, triangle_of(mesh, at), mesh.triangles[at]);
 }
 
 }  // namespace detail
@@ -316,14 +370,14 @@ MeshHit<S> mesh_answer(const Line& line, const DoubleLine& in_doubles, const Mes
 template <FloatOrDouble S, LineOf<S> Line>
 std::optional<MeshHit<S>> first_mesh_hit(const Line& line, const Mesh<S>& mesh) {
   const detail::MeshLine prepared(in_double(line));
-  const auto triangle_at = [&mesh](int i) { return detail::double_triangle(mesh, i); };
   std::optional<detail::MeshMeeting> first;
   detail::each_meeting(prepared, mesh, [&](const detail::MeshMeeting& met) {
-    if (!first || detail::meets_earlier(prepared.line(), met, *first, triangle_at)) first = met;
+    if (!first || detail::meets_earlier(prepared.line(), met, *first, mesh)) first = met;
     return false;
   });
   if (!first) return std::nullopt;
-  return detail::mesh_answer<S>(line, prepared.line(), *first, mesh);
+  return detail::mesh_answer<S>(line, prepared.line(), *first,
+                                triangle_of(mesh, static_cast<std::size_t>(first->triangle)), mesh);
 }
 // [/first-mesh-hit]
 
@@ -352,12 +406,16 @@ std::vector<MeshHit<S>> all_mesh_hits(const Line& line, const Mesh<S>& mesh) {
     all.push_back(met);
     return false;
   });
-  detail::sort_meetings(prepared.line(), all,
-                        [&mesh](int i) { return detail::double_triangle(mesh, i); });
+  std::sort(all.begin(), all.end(), [&](const auto& x, const auto& y) {
+    return detail::meets_earlier(prepared.line(), x, y, mesh);
+  });
   std::vector<MeshHit<S>> hits;
   hits.reserve(all.size());
-  for (const detail::MeshMeeting& met : all) {
-    hits.push_back(detail::mesh_answer<S>(line, prepared.line(), met, mesh));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i > 0 && detail::compare_meetings(prepared.line(), all[i - 1], all[i], mesh) == 0) continue;
+    const auto at = static_cast<std::size_t>(all[i].triangle);
+    hits.push_back(
+        detail::mesh_answer<S>(line, prepared.line(), all[i], triangle_of(mesh, at), mesh));
   }
   return hits;
 }

@@ -9,8 +9,13 @@
 #include <contact/exact_ray_triangle.hpp>
 #include <contact/invalid_argument.hpp>
 #include <contact/mesh.hpp>
+#include <contact/mesh_hits.hpp>
+#include <contact/ray_triangle.hpp>
+#include <contact/shapes.hpp>
 #include <contact/vector.hpp>
+#include <contact/wide_tree.hpp>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,6 +56,7 @@ class MeshTree {
       items.push_back(static_cast<int>(i));
     }
     tree_ = build_box_tree<S>(boxes, items, max_leaf);
+    wide_ = detail::WideTree(tree_);
     triangles_.reserve(tree_.order.size());
     for (const int i : tree_.order) {
       triangles_.push_back(triangle_of(mesh_, static_cast<std::size_t>(i)));
@@ -83,12 +89,109 @@ class MeshTree {
     return visit_box_tree<S>(tree_, enters, ask, counts == nullptr ? nullptr : &counts->boxes);
   }
 
+  // [tree-hits]
+  /// The same as first_mesh_hit of the mesh, to the last bit.
+  template <LineOf<S> Line>
+  std::optional<MeshHit<S>> first(const Line& line, TreeCounts* counts = nullptr) const {
+    const detail::MeshLine prepared(in_double(line));
+    std::optional<Found> first;
+    each_meeting(prepared, counts, [&](const Found& found, double& latest) {
+      if (!first || earlier(prepared.line(), found, *first)) {
+        first = found;
+        latest = found.met.latest();
+      }
+      return false;
+    });
+    if (!first) return std::nullopt;
+    return answer(line, prepared.line(), *first);
+  }
+
+  /// The same as any_mesh_hit.
+  template <LineOf<S> Line>
+  bool any(const Line& line, TreeCounts* counts = nullptr) const {
+    bool any = false;
+    each_meeting(detail::MeshLine(in_double(line)), counts,
+                 [&any](const Found&, double&) { return any = true; });
+    return any;
+  }
+
+  /// The same as all_mesh_hits, to the last bit.
+  template <LineOf<S> Line>
+  std::vector<MeshHit<S>> all(const Line& line, TreeCounts* counts = nullptr) const {
+    const detail::MeshLine prepared(in_double(line));
+    std::vector<Found> all;
+    each_meeting(prepared, counts, [&](const Found& found, double&) {
+      all.push_back(found);
+      return false;
+    });
+    std::sort(all.begin(), all.end(),
+              [&](const Found& x, const Found& y) { return earlier(prepared.line(), x, y); });
+    std::vector<MeshHit<S>> hits;
+    hits.reserve(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (i > 0 && order(prepared.line(), all[i - 1], all[i]) == 0) continue;
+      hits.push_back(answer(line, prepared.line(), all[i]));
+    }
+    return hits;
+  }
+  // [/tree-hits]
+
  private:
+  /// A triangle that is met, and its position in the order.
+  struct Found {
+    detail::MeshMeeting met;
+    std::size_t at = 0;
+  };
+
   static constexpr int max_leaf = 4;
 
   Mesh<S> mesh_;
   BoxTree<S> tree_;
+  detail::WideTree wide_;
   std::vector<Triangle<S>> triangles_;  ///< in the order of the tree
+
+  /// Calls each(found, latest) for the triangles that the line meets, about from front to back;
+  /// `each` may decrease `latest` to a t after which nothing matters.
+  template <class Line, class Each>
+  void each_meeting(const detail::MeshLine<Line>& line, TreeCounts* counts,
+                    const Each& each) const {
+    if (!line.meets_any()) return;
+    const detail::WideLine wide = detail::wide_line(line.line(), wide_.frame());
+    const auto test = [&](int first, int count, float& last) {
+      if (counts != nullptr) counts->triangles += static_cast<std::size_t>(count);
+      for (int i = first; i < first + count; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        std::optional<detail::MeshMeeting> met = line.meet(in_double(triangles_[at]));
+        if (!met) continue;
+        met->triangle = tree_.order[at];
+        double latest = -1;
+        if (each(Found{*met, at}, latest)) return true;
+        if (latest >= 0) last = std::min(last, wide.after(latest));
+      }
+      return false;
+    };
+    float last = 0;
+    if (wide.tame) {
+      wide_.walk(wide, test, counts == nullptr ? nullptr : &counts->boxes);
+    } else {
+      test(0, static_cast<int>(triangles_.size()), last);
+    }
+  }
+
+  template <class Line>
+  int order(const Line& line, const Found& x, const Found& y) const {
+    return detail::compare_meetings(line, x.met, y.met, in_double(triangles_[x.at]),
+                                    in_double(triangles_[y.at]));
+  }
+  template <class Line>
+  bool earlier(const Line& line, const Found& x, const Found& y) const {
+    const int sign = order(line, x, y);
+    return sign < 0 || (sign == 0 && x.met.triangle < y.met.triangle);
+  }
+  template <class Line, class DoubleLine>
+  MeshHit<S> answer(const Line& line, const DoubleLine& in_doubles, const Found& found) const {
+    return detail::mesh_answer<S>(line, in_doubles, found.met, triangles_[found.at], mesh_);
+  }
 };
 // [/mesh-tree]
 
