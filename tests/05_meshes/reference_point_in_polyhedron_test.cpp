@@ -2,13 +2,13 @@
 // against the other five axes.
 #include <05_meshes/families.hpp>
 #include <05_meshes/polycubes.hpp>
+#include <05_meshes/polyhedra_truth.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <contact/mesh_columns.hpp>
 #include <contact/mesh_shapes.hpp>
 #include <contact/mesh_tree.hpp>
 #include <contact/point_in_polyhedron.hpp>
 #include <map>
-#include <support/oracle.hpp>
 
 namespace {
 
@@ -20,47 +20,9 @@ using contact::Triangle;
 using contact::Vector3;
 using contact::Where;
 using generators::Random;
-using oracle::Rational;
 using polycubes::Point;
 
-// ---------------------------------------------------------------- truth
-
-/// The winding number by a ray in a direction of whole numbers that is drawn again until it meets
-/// no edge, in fractions; nothing if the point is on the surface. Triangles without area are left
-/// out.
-std::optional<int> winding_in_fractions(Random& random, const Point& point,
-                                        const Mesh<double>& mesh) {
-  const oracle::Vector p = oracle::exact(point);
-  const auto volume = [](const oracle::Vector& a, const oracle::Vector& b,
-                         const oracle::Vector& c) { return oracle::sign(a.dot(b.cross(c))); };
-  for (;;) {
-    oracle::Vector d;
-    for (int k = 0; k < 3; ++k) d(k) = random.integer(-1000000, 1000000);
-    int winding = 0;
-    bool again = false;
-    for (std::size_t i = 0; i < mesh.triangles.size() && !again; ++i) {
-      const auto t = oracle::exact(contact::triangle_of(mesh, i));
-      const oracle::Vector a = t.a - p, b = t.b - p, c = t.c - p;
-      const oracle::Vector n = (b - a).cross(c - a);
-      const int height = oracle::sign(n.dot(a));
-      if (height == 0) {  // the point is in the plane
-        if (n == oracle::Vector(0, 0, 0)) continue;
-        const int ab = oracle::sign(n.dot(a.cross(b))), bc = oracle::sign(n.dot(b.cross(c))),
-                  ca = oracle::sign(n.dot(c.cross(a)));
-        if (ab >= 0 && bc >= 0 && ca >= 0) return std::nullopt;
-        if (oracle::sign(n.dot(d)) == 0) again = true;
-        continue;
-      }
-      const int ab = volume(d, a, b), bc = volume(d, b, c), ca = volume(d, c, a);
-      const int along = oracle::sign(n.dot(d));
-      if (along == 0) continue;  // parallel and not in the plane
-      if (std::min({ab, bc, ca}) < 0 && std::max({ab, bc, ca}) > 0) continue;
-      if (ab * bc * ca == 0) again = true;
-      if (height == along) winding += along;
-    }
-    if (!again) return winding;
-  }
-}
+// ---------------------------------------------------------------- views
 
 /// The mesh and the point with x, y and z exchanged in a cycle.
 Point cycled(const Point& p, int by) { return {p(by % 3), p((by + 1) % 3), p((by + 2) % 3)}; }
@@ -186,7 +148,7 @@ TEST_CASE("the location is that of a ray in fractions that meets no edge") {
     const mesh_families::PointAt at = families[std::size_t(i) % std::size(families)](random);
     const Point p = perhaps_moved(random, at.point.cast<double>());
     const Mesh<double>& mesh = at.body->in_double;
-    const std::optional<int> right = winding_in_fractions(random, p, mesh);
+    const std::optional<int> right = polyhedra_truth::winding(random, p, mesh);
     const MeshLocation found = contact::locate_in_mesh(p, mesh);
     INFO("case " << i << ": " << p.transpose());
     REQUIRE((found.where == Where::on) == !right.has_value());
@@ -202,7 +164,7 @@ TEST_CASE("extreme scales change no location") {
     for (int i = 0; i < generators::tried(240); ++i) {
       Point p = mesh_families::any_vertex(random, mesh);
       if (i % 3 != 0) p(random.integer(0, 2)) *= random.uniform(-1, 1);
-      const std::optional<int> right = winding_in_fractions(random, p, mesh);
+      const std::optional<int> right = polyhedra_truth::winding(random, p, mesh);
       const MeshLocation found = contact::locate_in_mesh(p, mesh);
       INFO("2^" << power << ", case " << i);
       REQUIRE((found.where == Where::on) == !right.has_value());

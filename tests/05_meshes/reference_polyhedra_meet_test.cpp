@@ -1,12 +1,12 @@
 // Whether polyhedra meet: against cubes, whose boxes are compared, and edges against faces by
 // separating axes in whole numbers.
 #include <05_meshes/polycubes.hpp>
+#include <05_meshes/polyhedra_truth.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <contact/mesh_shapes.hpp>
 #include <contact/polyhedra_meet.hpp>
 #include <limits>
 #include <map>
-#include <support/oracle.hpp>
 
 namespace {
 
@@ -18,33 +18,10 @@ using contact::Segment;
 using contact::Triangle;
 using generators::Random;
 using polycubes::Point;
-
-/// Of whole numbers too.
-template <class T>
-using Three = Eigen::Matrix<T, 3, 1>;
+using polyhedra_truth::meet_by_axes;
+using polyhedra_truth::Three;
 
 // ---------------------------------------------------------------- edges and faces
-
-/// Whether a segment and a triangle with an area meet: no axis separates them. The candidates are
-/// the normals of the faces of their Minkowski difference.
-template <class T>
-bool meet_by_axes(const std::array<Three<T>, 2>& s, const std::array<Three<T>, 3>& t) {
-  const Three<T> d = s[1] - s[0];
-  const std::array<Three<T>, 3> e{t[1] - t[0], t[2] - t[1], t[0] - t[2]};
-  const Three<T> n = e[0].cross(e[1]);
-  std::vector<Three<T>> axes{n, n.cross(d)};
-  for (const auto& edge : e) {
-    axes.push_back(d.cross(edge));
-    axes.push_back(n.cross(edge));
-  }
-  for (const auto& axis : axes) {
-    const T a0 = axis.dot(s[0]), a1 = axis.dot(s[1]);
-    const T b0 = axis.dot(t[0]), b1 = axis.dot(t[1]), b2 = axis.dot(t[2]);
-    if (std::max(a0, a1) < std::min({b0, b1, b2})) return false;
-    if (std::max({b0, b1, b2}) < std::min(a0, a1)) return false;
-  }
-  return true;
-}
 
 TEST_CASE("an edge and a face meet unless an axis separates them") {
   using Whole = std::int64_t;
@@ -81,7 +58,6 @@ TEST_CASE("an edge and a face meet unless an axis separates them") {
 TEST_CASE("an edge that ends a last digit from a face is decided without error") {
   Random random(2);
   std::map<bool, int> seen;
-  const auto exact = [](const Point& p) { return oracle::exact(p); };
   for (int i = 0; i < generators::tried(3000); ++i) {
     std::array<Point, 5> p;
     for (Point& v : p) v = Point{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform()};
@@ -94,8 +70,7 @@ TEST_CASE("an edge that ends a last digit from a face is decided without error")
     for (Point& x : p) x *= scale;
     const bool met = contact::edge_meets_face(Segment<double>{p[0], p[1]}, {p[2], p[3], p[4]});
     INFO("case " << i);
-    REQUIRE(met == meet_by_axes<oracle::Rational>({exact(p[0]), exact(p[1])},
-                                                  {exact(p[2]), exact(p[3]), exact(p[4])}));
+    REQUIRE(met == polyhedra_truth::edge_meets_face({p[0], p[1]}, {p[2], p[3], p[4]}));
     ++seen[met];
   }
   CHECK(seen[true] > generators::tried(300));

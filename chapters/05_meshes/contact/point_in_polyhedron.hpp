@@ -160,9 +160,8 @@ struct RandomRays {
 ///
 /// Limits: no proof. The margin is one of barycentric weights, and their rounding errors may be
 /// larger: for a triangle that is nearly parallel to the ray, or far away in multiples of its size.
-/// Near an edge or on the surface all directions of one side are close to it. A mesh of many small
-/// triangles spoils most rays: with n of them along a ray about n margins. On the surface each vote
-/// is a matter of chance. NaN: outside.
+/// Close to an edge most directions are within the margin of it. The more triangles a ray meets,
+/// the more rays are replaced. On the surface each vote is a matter of chance. NaN: outside.
 /// @param margin of the barycentric weights
 /// @param seed of the directions: the same seed, the same answer on every machine
 template <std::floating_point S>

@@ -254,7 +254,8 @@ struct PolyhedraTest {
 /// not closed: only what edges against faces find means anything. A mesh without triangles, or with
 /// a vertex that is not finite: they do not meet.
 ///
-/// Limits: every edge against every face, without a tree; for large meshes use two trees.
+/// Limits: the time grows as the product of the numbers of edges and faces, because no tree is
+/// used.
 ///
 /// Source: *Interaction and Normals*, slides "Collision detection: polyhedra": the tests in the
 /// order of their cost and of their power.
