@@ -409,6 +409,7 @@ inline std::optional<ScaledQuestion> scaled_question(const Segment<double>& path
 ///   crossed the surface, even if at an edge.
 /// - Undecided: a contact within the margin, such as touching, to which no number of chords leads.
 ///
+/// A contact at the start is decided exactly.
 /// Without rotation the path is straight, its ends are exact, and so is the decision: touching is a
 /// hit, and nothing is undecided. Triangles without area are then left out.
 ///
@@ -432,6 +433,9 @@ inline MotionAnswer certified_moving_hit(const Segment<double>& path, const Mesh
   if (motion.rotation == Vector3<double>::Zero()) {
     return detail::decide_translation(motion, path, mesh);
   }
+  const RigidMotion<double> none{motion.start, Vector3<double>::Zero(), Vector3<double>::Zero()};
+  const MotionAnswer start = detail::decide_translation(none, {path.start, path.start}, mesh);
+  if (start.verdict == MotionVerdict::hit) return {start.verdict, 0, 0, start.triangle, 1};
   const auto scaled = detail::scaled_question(path, mesh, motion);
   if (!scaled) return detail::MotionCertifier(motion, path, mesh, max_chords).decide();
   return detail::MotionCertifier(scaled->motion, scaled->path, scaled->mesh, max_chords).decide();
