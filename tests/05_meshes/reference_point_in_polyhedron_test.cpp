@@ -161,6 +161,7 @@ TEST_CASE("extreme scales change no location") {
   const Mesh<double> star = contact::star_mesh(0.5, 1, 0);
   for (const int power : {-1040, -1000, -500, 0, 500, 1000}) {
     const Mesh<double> mesh = scaled(star, std::ldexp(1.0, power));
+    const MeshColumns<double> columns(mesh);
     for (int i = 0; i < generators::tried(240); ++i) {
       Point p = mesh_families::any_vertex(random, mesh);
       if (i % 3 != 0) p(random.integer(0, 2)) *= random.uniform(-1, 1);
@@ -169,6 +170,52 @@ TEST_CASE("extreme scales change no location") {
       INFO("2^" << power << ", case " << i);
       REQUIRE((found.where == Where::on) == !right.has_value());
       REQUIRE(found.winding == right.value_or(0));
+      REQUIRE(contact::locate_in_mesh(p, columns) == found);
+      REQUIRE(contact::locate_in_mesh(p, columns.tree()) == found);
+    }
+  }
+}
+
+TEST_CASE("columns and the tree locate points as all triangles do, in large and odd meshes") {
+  constexpr double most = std::numeric_limits<double>::max();
+  std::vector<Mesh<double>> meshes{
+      contact::ball_mesh(1, 4),
+      contact::torus_mesh(0.7, 0.3, 60, 30),
+      contact::star_mesh(0.5, 1, 2),
+      contact::box_mesh({-most, -most, -most}, {most, most, most}),
+      contact::box_mesh({1, 1, 1}, {1 + 0x1p-52, 1 + 0x1p-52, 1 + 0x1p-51}),
+      contact::box_mesh({0, 0, 0}, {5e-324, 1e-323, 5e-324}),
+      contact::box_mesh({-1e300, -5e-324, -1}, {1e300, 5e-324, 1})};
+  Mesh<double> far = contact::ball_mesh(1, 3);  // columns thinner than the spacing of numbers
+  for (Point& v : far.vertices) v += Point(0x1p51, -0x1p50, 0x1p49);
+  meshes.push_back(far);
+  Mesh<double> flat = contact::ball_mesh(1, 2);
+  for (Point& v : flat.vertices) v.x() = 0.5;
+  meshes.push_back(flat);
+  // 200 long triangles on end: a column lists most of them, and the tree is asked.
+  Mesh<double> fan = contact::box_mesh({-4, -4, -4}, {4, 4, 4});
+  for (int i = 0; i < 50; ++i) {
+    const Mesh<double> thin{{{-3, -3, i / 50.0}, {3, -3, 0.5}, {-3, 3, i / 40.0}, {3, 3, -2}},
+                            {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
+    fan = contact::joined(fan, thin);
+  }
+  meshes.push_back(fan);
+  Random random(11);
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    const Mesh<double>& mesh = meshes[m];
+    const MeshColumns<double> columns(mesh);
+    for (int i = 0; i < generators::tried(2000); ++i) {
+      Point p = mesh_families::any_vertex(random, mesh);
+      const Point q = mesh_families::any_vertex(random, mesh);
+      const double share = random.integer(0, 8) / 8.0;
+      if (i % 4 == 1) p = p * (1 - share) + q * share;
+      if (i % 4 == 2) p(random.integer(0, 2)) = q(random.integer(0, 2));
+      if (i % 4 == 3) p(random.integer(0, 2)) *= random.uniform(-1, 1);
+      p = perhaps_moved(random, p);
+      INFO("mesh " << m << ", case " << i << ": " << p.transpose());
+      const MeshLocation right = contact::locate_in_mesh(p, mesh);
+      REQUIRE(contact::locate_in_mesh(p, columns.tree()) == right);
+      REQUIRE(contact::locate_in_mesh(p, columns) == right);
     }
   }
 }
