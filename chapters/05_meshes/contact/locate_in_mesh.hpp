@@ -182,8 +182,9 @@ MeshLocation locate(const Vector3<S>& point, const Mesh<S>& mesh, Rule rule, lon
 
 /// Where a point is, relative to a closed and oriented mesh: the book's choice.
 ///
-/// **On the surface.** The point is on it if a triangle contains it. Only triangles whose box
-/// contains the point are asked, and each answer is exact (`on_triangle`).
+/// **On the surface.** The point is on it if a triangle contains it: if its projection along z is
+/// in that of the triangle and `orient_3d` is 0; for a vertical triangle `on_triangle` decides. The
+/// ray starts in the box of such a triangle, so no comparison of boxes leaves it out.
 ///
 /// **Off the surface** the winding number is the number of triangles through which a ray from the
 /// point leaves, minus the number of those through which it enters; for the ray along +z a triangle
