@@ -1,6 +1,6 @@
 /// @file
 /// Whether a mesh bounds a solid: closed, oriented, manifold, with an answer that says what is
-/// wrong where; its edges and its volume.
+/// wrong where.
 #pragma once
 
 #include <algorithm>
@@ -40,7 +40,7 @@ struct MeshReport {
                          ///< one fan, and no two triangles have the same three vertices
   int euler_characteristic = 0;           ///< used vertices − edges + triangles
   std::vector<MeshComponent> components;  ///< in the order of their first triangles
-  std::vector<MeshFault> faults;          ///< by kind, and in each kind in increasing order
+  std::vector<MeshFault> faults;          ///< by kind; edges by their vertices, others by index
 
   /// Whether nothing was found.
   bool ok() const { return faults.empty(); }
@@ -360,8 +360,9 @@ class MeshCheck {
 /// closed component with a negative volume is inside out, unless its box is in the box of a
 /// component with a positive one: then it is taken for a cavity.
 ///
-/// What it does not see: a surface that crosses itself, and whether a component is inside another
-/// (that needs a test of a point in a polyhedron). Triangle pairs are chapter 06.
+/// What it does not see: a surface that crosses itself (triangle pairs are chapter 06), and whether
+/// a component is inside another (that needs a test of a point in a polyhedron). So a box inside of
+/// a box, both with the front outside, passes; its inner region counts twice.
 template <std::floating_point S>
 MeshReport check_mesh(const Mesh<S>& mesh) {
   return mesh_check_detail::MeshCheck<S>(mesh).run();
