@@ -165,7 +165,7 @@ struct MotionAnswer {
   MotionVerdict verdict = MotionVerdict::undecided;
   double from = 0;    ///< no contact before this fraction of the step; 1 if free
   double to = 1;      ///< if hit: there is a contact at or before this fraction
-  int triangle = -1;  ///< that is crossed, if one triangle proves it
+  int triangle = -1;  ///< that is crossed between from and to, if one triangle proves it
   int chords = 0;     ///< how many were tested
 };
 
@@ -176,8 +176,8 @@ namespace detail {
 class MotionCertifier {
  public:
   MotionCertifier(const RigidMotion<double>& motion, const Segment<double>& path,
-                  const Mesh<double>& mesh, int max_chords)
-      : path_(motion, path), mesh_(mesh), max_chords_(max_chords) {}
+                  const Mesh<double>& mesh, int max_chords, double resolution)
+      : path_(motion, path), mesh_(mesh), max_chords_(max_chords), resolution_(resolution) {}
 
   MotionAnswer decide() {
     std::vector<std::size_t> all(mesh_.triangles.size());
@@ -188,6 +188,10 @@ class MotionCertifier {
       Part part = std::move(open_.back());
       open_.pop_back();
       if (settle(part)) return answer_;
+    }
+    if (answer_.verdict == MotionVerdict::hit) {
+      answer_.from = std::min(answer_.from, gap_.value_or(1.0));
+      return answer_;
     }
     if (close_gap(1)) return answer_;
     answer_.verdict = undecided_ ? MotionVerdict::undecided : MotionVerdict::free;
@@ -204,6 +208,7 @@ class MotionCertifier {
   EnclosedPath path_;
   const Mesh<double>& mesh_;
   int max_chords_;
+  double resolution_;
   MotionAnswer answer_;
   std::vector<Part> open_;
   std::optional<bool> balanced_;  ///< found when it is first needed
@@ -226,21 +231,29 @@ class MotionCertifier {
     if (part.triangles.empty()) return close_gap(part.s0);
     for (const std::size_t i : part.triangles) {
       if (!usable || !certainly_crosses(chord, triangle_of(mesh_, i), margin)) continue;
-      answer_.from = std::min(answer_.from, gap_.value_or(part.s0));
       answer_.to = part.s1;
       answer_.triangle = static_cast<int>(i);
       answer_.verdict = MotionVerdict::hit;
-      return true;
-    }
-    const double middle = (part.s0 + part.s1) / 2;
-    if (usable && answer_.chords + static_cast<int>(open_.size()) + 2 <= max_chords_ &&
-        part.s1 - part.s0 > 0x1p-30) {
-      open_.push_back({middle, part.s1, part.triangles});
-      open_.push_back({part.s0, middle, std::move(part.triangles)});
+      open_.clear();  // what is later does not matter any more
+      if (part.s1 - part.s0 <= resolution_ || !divide(part)) {
+        answer_.from = std::min(answer_.from, gap_.value_or(part.s0));
+        return true;
+      }
       return false;
     }
+    if (usable && divide(part)) return false;
     if (!gap_) gap_ = part.s0;
     return false;
+  }
+
+  /// Replaces a part by its halves, the left one first, unless the limit is reached.
+  bool divide(Part& part) {
+    if (answer_.chords + static_cast<int>(open_.size()) + 2 > max_chords_) return false;
+    if (part.s1 - part.s0 <= 0x1p-30) return false;
+    const double middle = (part.s0 + part.s1) / 2;
+    open_.push_back({middle, part.s1, part.triangles});
+    open_.push_back({part.s0, middle, std::move(part.triangles)});
+    return true;
   }
 
   /// Ends a run of undecided parts. If its ends are off the surface and the winding numbers differ,
@@ -256,6 +269,7 @@ class MotionCertifier {
     const std::optional<int> before = winding_at(begin), after = winding_at(end);
     if (!before || !after || *before == *after) return false;
     answer_.to = end;
+    answer_.triangle = -1;
     answer_.verdict = MotionVerdict::hit;
     return true;
   }
@@ -416,6 +430,8 @@ inline std::optional<ScaledQuestion> scaled_question(const Segment<double>& path
 /// @param path of the point, in the world, m
 /// @param mesh in the body's frame, m; any triangles
 /// @param max_chords limit of the refinement
+/// @param resolution a hit is refined until the first contact is known to this fraction of the
+/// step, if the limit allows and no earlier part stays undecided
 /// @return undecided if a number is not finite. Lengths are scaled by a power of two; if their
 /// magnitudes are so different that this would round one, or by more than about 1e±60, more is
 /// undecided
@@ -423,7 +439,8 @@ inline std::optional<ScaledQuestion> scaled_question(const Segment<double>& path
 /// Limits: the time is proportional to the triangles near the path times the chords. Point and body
 /// move as `chord_bound` requires.
 inline MotionAnswer certified_moving_hit(const Segment<double>& path, const Mesh<double>& mesh,
-                                         const RigidMotion<double>& motion, int max_chords = 1024) {
+                                         const RigidMotion<double>& motion, int max_chords = 1024,
+                                         double resolution = 0x1p-20) {
   const bool finite = all_finite(path.start) && all_finite(path.end) &&
                       all_finite(motion.start.origin) && all_finite(motion.start.axes) &&
                       all_finite(motion.displacement) && all_finite(motion.rotation) &&
@@ -437,8 +454,9 @@ inline MotionAnswer certified_moving_hit(const Segment<double>& path, const Mesh
   const MotionAnswer start = detail::decide_translation(none, {path.start, path.start}, mesh);
   if (start.verdict == MotionVerdict::hit) return {start.verdict, 0, 0, start.triangle, 1};
   const auto scaled = detail::scaled_question(path, mesh, motion);
-  if (!scaled) return detail::MotionCertifier(motion, path, mesh, max_chords).decide();
-  return detail::MotionCertifier(scaled->motion, scaled->path, scaled->mesh, max_chords).decide();
+  if (!scaled) return detail::MotionCertifier(motion, path, mesh, max_chords, resolution).decide();
+  return detail::MotionCertifier(scaled->motion, scaled->path, scaled->mesh, max_chords, resolution)
+      .decide();
 }
 // [/certified]
 
