@@ -141,9 +141,12 @@ class MeshLine {
   /// each of the six terms of a determinant has at most eight roundings, and the terms' magnitudes
   /// sum to at most the product of the 1-norms of its three rows. These are rounded too, six times
   /// each at most: 12 u covers 8 u/(1 − 8u) and that. of_a adds the errors of three determinants
-  /// and two roundings of numbers that are at most the same products: 16 u. Underflow is far below
-  /// 2^-1000 times 1 + the rows that multiply it; overflow makes the bound infinite or NaN, and
-  /// then no comparison with it is true.
+  /// and two roundings of numbers that are at most the same products: 16 u.
+  ///
+  /// Underflow of a product of two is at most 2^-1074, and is multiplied by the third row: far
+  /// below 2^-1000 times 1 + that row. The products of the norms are formed in an order for which
+  /// the same holds. Only if all products are below 2^1000, so that nothing overflows, they are
+  /// used.
   std::optional<MeshMeeting> meet(const Triangle<double>& triangle) const {
     const Vector3<double> ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
     const Vector3<double> r = triangle.a - start_;
@@ -154,8 +157,10 @@ class MeshLine {
     const double of_a = denominator - of_b - of_c;
     const double edges = std::max(sum_of_sizes(ab), sum_of_sizes(ac));
     const double far = sum_of_sizes(r);
+    const double squares = (edges + far) * (edges + far + size_);
+    if (!(squares < 0x1p1000 && edges * squares < 0x1p1000)) return meet_closely(triangle);
     const double room =
-        16 * mesh_u * (edges * size_) * (edges + 2 * far) + 0x1p-1000 * (1 + edges + size_);
+        16 * mesh_u * (edges * (size_ * (edges + 2 * far))) + 0x1p-1000 * (1 + edges + size_);
     const double least = std::min(std::min(of_a, of_b), of_c);
     const double most = std::max(std::max(of_a, of_b), of_c);
     if (least < -room && most > room) return std::nullopt;
@@ -163,7 +168,8 @@ class MeshLine {
     // Inside all edges or outside all, and far enough from parallel: t with its bound.
     if (least > room || most < -room) {
       const double above = dot_of(r, n);
-      const double above_room = 16 * mesh_u * (edges * edges) * far + 0x1p-1000 * (1 + edges + far);
+      const double above_room =
+          16 * mesh_u * (far * (edges * edges)) + 0x1p-1000 * (1 + edges + far);
       const double sign = denominator < 0 ? -1 : 1;
       if (sign * above < -above_room) return std::nullopt;
       const bool starts = sign * above > above_room;
@@ -281,9 +287,8 @@ TriangleHit<S> mesh_triangle_hit(const Line& line, const Triangle<double>& trian
     const Vector3<double> q = x.direction.cross(r);
     const double edges = std::max(sum_of_sizes(x.ab), sum_of_sizes(x.ac));
     const double size = sum_of_sizes(x.direction);
-    const double room = 16 * mesh_u * (edges * size) *
-                            (sum_of_sizes(r) + sum_of_sizes(x.a) + sum_of_sizes(offset)) +
-                        0x1p-1000 * (1 + edges + size);
+    const double reach = sum_of_sizes(r) + sum_of_sizes(x.a) + sum_of_sizes(offset);
+    const double room = 16 * mesh_u * (edges * (2 * size * reach)) + 0x1p-1000 * (1 + edges + size);
     const std::optional<double> of_b = certain_ratio({-x.ac.dot(q), room}, below, 1.0, 0x1p-32);
     const std::optional<double> of_c = certain_ratio({x.ab.dot(q), room}, below, 1.0, 0x1p-32);
     if (of_b && of_c) {
