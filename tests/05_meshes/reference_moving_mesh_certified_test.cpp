@@ -326,7 +326,7 @@ TEST_CASE("any finite numbers give an answer") {
     REQUIRE(answer.from >= 0);
     REQUIRE(answer.to <= 1);
     REQUIRE(answer.chords <= 16);
-    (void)contact::chord_bound(motion, path);
+    REQUIRE(contact::chord_bound(motion, path) >= 0);
     motion.rotation = Vector3<double>::Zero();
     REQUIRE(contact::certified_moving_hit(path, box, motion).verdict != MotionVerdict::undecided);
   }

@@ -198,6 +198,30 @@ TEST_CASE(
   CHECK(invented > 10);
 }
 
+TEST_CASE("in float and in double the chords give the same hits, except next to an edge") {
+  const Mesh<double> mesh = contact::box_mesh({-1, -1, -1}, {1, 1, 1});
+  const Mesh<float> mesh_in_float = contact::rounded_mesh<float>(mesh);
+  Random random(509);
+  int hits = 0, different = 0;
+  for (int i = 0; i < 400; ++i) {
+    const RigidMotion<double> motion = drawn_motion(random, 1);
+    const Segment<double> path = drawn_path(random, 3);
+    const RigidMotion<float> motion_in_float{
+        {motion.start.origin.cast<float>(), motion.start.axes.cast<float>()},
+        motion.displacement.cast<float>(),
+        motion.rotation.cast<float>()};
+    const auto hit = contact::moving_by_substeps<double>(path, mesh, motion, 5);
+    const auto hit_in_float = contact::moving_by_substeps<float>(generators::rounded<float>(path),
+                                                                 mesh_in_float, motion_in_float, 5);
+    hits += hit ? 1 : 0;
+    different += hit.has_value() != hit_in_float.has_value() ? 1 : 0;
+    if (hit && hit_in_float) CHECK(std::abs(hit->time - double(hit_in_float->time)) < 1e-3);
+  }
+  CHECK(hits > 50);
+  CHECK(different <= 1);
+  CHECK_FALSE(contact::moving_by_substeps<double>({}, mesh, RigidMotion<double>{}, 0));
+}
+
 // ---------------------------------------------------------------- motions and paths
 
 TEST_CASE("motion_between leads from one pose to the other, and equal axes do not rotate") {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <limits>
 #include <optional>
 
 #include <contact/arc.hpp>
@@ -250,8 +251,8 @@ S chord_bound(const S& angle, const S& distance, const S& displacement, int subs
   return angle * (angle * distance + S(2) * displacement) / S(8) / (S(substeps) * S(substeps));
 }
 
-/// The same for a motion and a path, with distances from the axis. Off by a few u; exactly 0 for a
-/// translation.
+/// The same for a motion and a path, with distances from the axis. Off by a few u of the distances
+/// from the origin; exactly 0 for a translation, infinite if something overflows.
 template <std::floating_point S>
 S chord_bound(const RigidMotion<S>& motion, const Segment<S>& path, int substeps = 1) {
   const S largest = motion.rotation.cwiseAbs().maxCoeff();
@@ -266,7 +267,8 @@ S chord_bound(const RigidMotion<S>& motion, const Segment<S>& path, int substeps
   const Vector3<S> start = path.start - motion.start.origin;
   const Vector3<S> travel = Vector3<S>(path.end - path.start) - motion.displacement;
   const S distance = std::max(off_axis(start), off_axis(start + travel));
-  return chord_bound<S>(largest * length, distance, off_axis(travel), substeps);
+  const S bound = chord_bound<S>(largest * length, distance, off_axis(travel), substeps);
+  return bound >= S(0) ? bound : std::numeric_limits<S>::infinity();
 }
 // [/chord-bound]
 
