@@ -139,7 +139,7 @@ void check_bound(const Motion& a, const Motion& b, const Vector& vertex,
       .suspect_if("angle-from-the-trace",
                   [&](const double& got) {
                     if (smallest > 0.01) return false;
-                    return std::isnan(got) || std::abs(got - right) < doubtful * moved_by / 4;
+                    return std::abs(got - right) < doubtful * moved_by / 4;
                   })
       .answer([&] { return exercise::chord_bound(a, b, vertex); })
       .close_to(right, within(tolerance));
