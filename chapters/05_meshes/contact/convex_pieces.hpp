@@ -409,10 +409,10 @@ class SolidCutter {
 /// that a convex solid stays in one piece. Then follow planes at notches (Chazelle's cuts,
 /// restricted to the planes of the faces).
 ///
-/// The number of pieces is not the smallest possible: to find that is NP-hard. A cut passes through
-/// the whole cell, also where there is no notch. With r notches there may be of the order of r²
-/// pieces and more; the time grows with the planes times the fragments. For meshes of a few hundred
-/// triangles.
+/// The number of pieces is not the smallest possible: to find that is NP-hard. Chazelle's algorithm
+/// makes O(r²) pieces from r notches; here a cut passes through its whole cell, also where there is
+/// no notch, so there may be more. The time grows with the planes times the fragments: for meshes
+/// of a few hundred triangles.
 /// @param mesh m, closed and oriented, without self-intersections; several components, cavities,
 /// tunnels, coplanar triangles and solids that touch are allowed; triangles without area are
 /// ignored
