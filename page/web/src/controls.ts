@@ -25,6 +25,7 @@ export function makeControls(model: FigureModel): ControlsPart {
   const element = html("div", { class: "inputs" });
   for (const control of controls) {
     if (control.kind === "choice") element.append(choice(control, model, refreshers));
+    else if (control.kind === "states") element.append(states(control, model));
     else if (model.size(control.field) === 1) element.append(row(control, model, refreshers));
   }
   const groups = new Map<string, Kind<"numbers">[]>();
@@ -143,6 +144,19 @@ function choice(
     select.value = value;
   });
   return html("div", { class: "row" }, html("span", { class: "name" }, control.label), select);
+}
+
+function states(control: Kind<"states">, model: FigureModel): HTMLElement {
+  const name = html("span", { class: "name" }, control.label);
+  const buttons = control.options.map(({ label, fields }) =>
+    button(label, () => model.set(fields as Fields)),
+  );
+  return html(
+    "div",
+    { class: "row states", role: "group", "aria-label": control.label },
+    name,
+    ...buttons,
+  );
 }
 
 /** Plays a slider from where it is to its end. Where motion is unwelcome there is no such button. */

@@ -39,8 +39,8 @@ export interface PointHandle<Input> {
   readonly role: Role;
   /** The field where the vector begins, when it is an arrow and not a place. */
   readonly from?: keyof Input & string;
-  /** In 3D: along the picture, or kept at its height. In 2D of no effect. */
-  readonly move?: "picture" | "level";
+  /** In 3D: along the picture, kept at its height, or at its y. In 2D of no effect. */
+  readonly move?: "picture" | "level" | "upright";
   readonly step?: number;
   /** Dragging and arrow keys stay within; typing does not. */
   readonly limit?: readonly [min: number, max: number];
@@ -106,6 +106,12 @@ export type Control<Input> =
       readonly field: keyof Input & string;
       readonly label: string;
       readonly options: readonly { readonly value: number; readonly label: string }[];
+    }
+  | {
+      /** Buttons that put the figure into states worth seeing; what they leave out stays. */
+      readonly kind: "states";
+      readonly label: string;
+      readonly options: readonly { readonly label: string; readonly fields: Partial<Input> }[];
     };
 
 /** The choice of the type in which a figure stores and computes: `single` is 1 for float. */

@@ -110,10 +110,11 @@ export class Grip {
     const point = this.#view.dragged(grab.from as Point, to, handle.move ?? "picture");
     if (!point) return;
     const origin = this.#origin();
-    // A level move leaves the height exactly as it was, not rounded.
-    const height = handle.move === "level" ? this.#model.numbers(handle.field)[2] : undefined;
+    // What a move keeps stays exactly as it was, not rounded.
+    const kept = { picture: -1, level: 2, upright: 1 }[handle.move ?? "picture"];
+    const before = this.#model.numbers(handle.field);
     const numbers = point.map((value, i) =>
-      i === 2 && height !== undefined ? height : this.#tidy(value - (origin[i] ?? 0)),
+      i === kept ? before[i]! : this.#tidy(value - (origin[i] ?? 0)),
     );
     this.#model.set({ [handle.field]: numbers });
   }

@@ -4,6 +4,9 @@ import type { Vec2 } from "./numbers.ts";
 import type { Point, Scene } from "./scene.ts";
 import type { Shape } from "./shapes.ts";
 
+/** Along the picture, in the horizontal plane, or in the vertical plane of constant y. */
+export type Move = "picture" | "level" | "upright";
+
 export interface View {
   /** The size of the picture in pixels. */
   resize(width: number, height: number): void;
@@ -12,7 +15,7 @@ export interface View {
   /** Where a point of the world is in the picture; nothing if it is behind the eye. */
   toScreen(point: Point): Vec2 | undefined;
   /** The point of the world at a place in the picture that `from` is dragged to. */
-  dragged(from: Point, place: Vec2, move: "picture" | "level"): Point | undefined;
+  dragged(from: Point, place: Vec2, move: Move): Point | undefined;
   /** One step in the world for an arrow key, along an axis; nothing for other keys. */
   keyStep(key: string): Point | undefined;
 }

@@ -8,7 +8,7 @@ import { ballHider, faceHider, type Hider, visibility } from "./hidden.ts";
 import type { Vec2, Vec3 } from "./numbers.ts";
 import type { FaceStyle, LineStyle, Point, Role, Scene, Thing } from "./scene.ts";
 import { type Shape, stripShapes } from "./shapes.ts";
-import type { View } from "./view.ts";
+import type { Move, View } from "./view.ts";
 
 const FIELD_OF_VIEW = 28;
 const DEGREE = Math.PI / 180;
@@ -97,15 +97,16 @@ export class SpaceView implements View {
     return inFront(this.camera, inCamera) >= 0 ? this.#pixel(inCamera) : undefined;
   }
 
-  dragged(from: Point, place: Vec2, move: "picture" | "level"): Vec3 | undefined {
+  dragged(from: Point, place: Vec2, move: Move): Vec3 | undefined {
     const start = vector(from);
     const depth = start.clone().project(this.camera).z;
     const at = this.#unproject(place, depth);
     if (move === "picture") return at.toArray();
     const near = this.#unproject(place, -1);
     const way = at.sub(near).normalize();
-    if (Math.abs(way.z) < 0.05) return undefined;
-    const reach = (start.z - near.z) / way.z;
+    const kept = move === "level" ? "z" : "y";
+    if (Math.abs(way[kept]) < 0.05) return undefined;
+    const reach = (start[kept] - near[kept]) / way[kept];
     return reach > 0 ? near.addScaledVector(way, reach).toArray() : undefined;
   }
 

@@ -4,7 +4,7 @@
 import { DARK, drawingRules, LIGHT, variables } from "../../palette.mjs";
 import { startEngine } from "../engine.ts";
 import type { AnyFigure } from "../figure.ts";
-import type { Layout } from "../layout.ts";
+import type { Fields, Layout } from "../layout.ts";
 import { FigureModel, sentence } from "../model.ts";
 import { Scene } from "../scene.ts";
 import { escapeText, shapesToSvg, subscripted } from "../shapes.ts";
@@ -78,7 +78,11 @@ function checkFields(figure: AnyFigure, layout: Layout): void {
     if (length !== size)
       throw new Error(`initial.${name} must be ${size} number(s), as in the C++`);
   }
-  const used = [...figure.handles, ...figure.controls].map(({ field }) => field);
+  const used = [...figure.handles, ...figure.controls].flatMap((one) =>
+    one.kind === "states"
+      ? one.options.flatMap(({ fields }: { fields: Fields }) => Object.keys(fields))
+      : [one.field],
+  );
   for (const name of [...Object.keys(figure.initial), ...used])
     if (!known.has(name)) throw new Error(`the C++ has no input ${name}`);
 }
