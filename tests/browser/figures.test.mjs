@@ -198,6 +198,8 @@ describe("figures", { skip }, () => {
   const sketch = { page: "chapters/12_momentum.html", name: "12_momentum/force_time" };
   /** A figure in space. */
   const solid = { page: "chapters/02_triangles.html", name: "02_triangles/ray_triangle" };
+  /** A figure whose points move in a section, with buttons for states. */
+  const section = { page: "chapters/05_meshes.html", name: "05_meshes/inside" };
   /** Draws through points of the sheet, given as shares of its width and height. */
   async function draw(/** @type {any} */ shown, /** @type {[number, number][]} */ points) {
     const sheet = await shown.figure.locator(".sheet").boundingBox();
@@ -307,6 +309,35 @@ describe("figures", { skip }, () => {
     await shown.figure.getByRole("button", { name: "Reset" }).click();
     await shown.page.waitForTimeout(50);
     assert.equal(await picture(), start);
+    await shown.close();
+  });
+
+  ofAll("a button puts a figure into a state, and leaves the rest as it is", async () => {
+    const shown = await show(section);
+    const start = await shown.input();
+    await shown.figure.getByLabel("Coordinates").selectOption("divided by 10");
+    await shown.figure.getByRole("button", { name: "a vertex" }).click();
+    const state = await shown.input();
+    assert.notDeepStrictEqual(state["direction"], start["direction"]);
+    assert.equal(state["divided"], 10);
+    await agrees(section.name, shown);
+    await shown.close();
+  });
+
+  ofAll("a point that moves upright stays in its section", async () => {
+    const shown = await show(section);
+    const start = /** @type {number[]} */ ((await shown.input())["p"]);
+    const box = await shown.figure.locator('.grip[data-field="p"] .knob').boundingBox();
+    assert.ok(box);
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    await shown.page.mouse.move(x, y);
+    await shown.page.mouse.down();
+    await shown.page.mouse.move(x + 40, y + 30, { steps: 4 });
+    await shown.page.mouse.up();
+    const end = /** @type {number[]} */ ((await shown.input())["p"]);
+    assert.equal(end[1], start[1]);
+    assert.ok(/** @type {number} */ (end[0]) > /** @type {number} */ (start[0]));
+    assert.ok(/** @type {number} */ (end[2]) < /** @type {number} */ (start[2]));
     await shown.close();
   });
 
