@@ -1,0 +1,51 @@
+// A box, and lines through its faces, edges, vertices and along them: the first hit, any hit, all
+// hits, and what each triangle says by itself. Then how little of a fine mesh a tree tests.
+#include <contact/mesh_hits.hpp>
+#include <contact/mesh_shapes.hpp>
+#include <contact/mesh_tree.hpp>
+#include <cstdio>
+
+using namespace contact;
+
+int main() {
+  // [first-any-all]
+  const Mesh<double> box = box_mesh({0, 0, 0}, {2, 2, 2});
+  const auto show = [&box](const char* name, const auto& line) {
+    std::printf("%-26s any: %-5sall:", name, any_mesh_hit(line, box) ? "yes," : "no,");
+    const auto all = all_mesh_hits(line, box);
+    for (const MeshHit<double>& hit : all) {
+      const char* feature = hit.feature == MeshFeature::face   ? "face"
+                            : hit.feature == MeshFeature::edge ? "edge"
+                                                               : "vertex";
+      std::printf(" t = %g %s,", hit.hit.t, feature);
+    }
+    const auto alone = all_hits_by_triangles(line, box, [](const auto& l, const auto& triangle) {
+      return intersect_moller_trumbore(l, triangle);
+    });
+    std::printf("%s by triangles: %zu\n", all.empty() ? " none," : "", alone.size());
+  };
+  show("through two faces", Ray<double>{{0.5, 0.75, 5}, {0, 0, -1}});
+  show("through a diagonal", Ray<double>{{1, 1, 5}, {0, 0, -1}});
+  show("through two edges", Ray<double>{{-1, -1, 1}, {1, 1, 0}});
+  show("through two vertices", Ray<double>{{-1, -1, -1}, {1, 1, 1}});
+  show("touches an edge", Ray<double>{{-1, 1, 1}, {1, -1, 0}});
+  show("in the plane of a face", Ray<double>{{-1, 0.5, 2}, {1, 0, 0}});
+  show("a segment that ends there", Segment<double>{{0.5, 0.75, 5}, {0.5, 0.75, 2}});
+  show("a segment inside", Segment<double>{{0.5, 0.5, 0.5}, {1.5, 1.5, 1.5}});
+  // [/first-any-all]
+
+  // [tree]
+  std::printf("\n%-18s %s\n", "triangles", "tested for a first hit");
+  for (int subdivisions = 2; subdivisions <= 6; ++subdivisions) {
+    const MeshTree<double> tree(ball_mesh(1.0, subdivisions));
+    TreeCounts counts;
+    constexpr int lines = 1000;
+    for (int k = 0; k < lines; ++k) {
+      const Vector3<double> start(3, (k % 40) / 20.0 - 1, (k / 40) / 12.5 - 1);
+      tree.first(Ray<double>{start, {-1, 0.0625, 0.03125}}, &counts);
+    }
+    std::printf("%-18zu %.1f boxes, %.1f triangles\n", tree.mesh().triangles.size(),
+                double(counts.boxes) / lines, double(counts.triangles) / lines);
+  }
+  // [/tree]
+}
