@@ -45,6 +45,7 @@ def book_takes(folder: Path, family: str) -> float:
 
 
 def spread(values: list[float], digits: int) -> str:
+    """Median, least and most."""
     low, high = min(values), max(values)
     median = statistics.median(values)
     return f"{median:9.{digits}f} {low:9.{digits}f} - {high:9.{digits}f}"
@@ -68,29 +69,30 @@ def compare(folder: Path, runs: int) -> None:
         points = numpy.fromfile(folder / f"{name}.f32", "<f4").reshape(-1, 3).astype(float)
         right = numpy.fromfile(folder / f"{name}.right.i32", "<i4")
         decided = right != 0
-        print(f"{title}, {len(points)} points, {len(points) - decided.sum()} on the surface")
+        on = len(points) - decided.sum()
+        print(f"{title}, {len(points)} points, {on} on the surface, which are left out")
+        print(f"  {'':28} {'ns a point':>9} {'least - most':>21} {'book / this':>9}", end="")
+        print(f" {'least - most':>19} {'wrong':>9} {'ms of a tree':>12}")
         for method, ask in methods.items():
             inside = ask(points) > 0.5
             wrong = int(((inside != (right > 0)) & decided).sum())
             ns: list[float] = []
             shares: list[float] = []
-            trees: list[float] = []
+            tree = statistics.median(took(ask, points[:1]) for _ in range(runs))
             for _ in range(runs):
-                tree = took(ask, points[:1])
                 each = (took(ask, points) - tree) / (len(points) - 1)
-                trees.append(tree / 1e6)
                 ns.append(each)
                 shares.append(book_takes(folder, name) / each)
-            print(f"  libigl, {method:20} ns a point {spread(ns, 1)}")
-            print(f"    book / this {spread(shares, 3)}   tree, ms {spread(trees, 1)}")
-            print(f"    wrong {wrong}, those on the surface left out", flush=True)
+            print(f"  libigl, {method:20} {spread(ns, 1)} {spread(shares, 3)}", end="")
+            print(f" {wrong:9} {tree / 1e6:12.1f}")
+        print(flush=True)
 
 
 def main() -> None:
     if len(sys.argv) < 2:
         sys.exit(__doc__)
     runs = int(sys.argv[2]) if len(sys.argv) > 2 else 9
-    print(f"libigl {importlib.metadata.version('libigl')}, one thread")
+    print(f"libigl {importlib.metadata.version('libigl')}, one thread\n")
     for folder in sorted(Path(sys.argv[1]).iterdir()):
         compare(folder, runs)
 

@@ -93,7 +93,7 @@ def main() -> None:
     coacd.set_log_level("error")
     subprocess.run([PROGRAM, folder, str(runs)], check=True)
     versions = [f"{name} {importlib.metadata.version(name)}" for name in ("vhacdx", "coacd")]
-    print(", ".join(versions))
+    print(", ".join(versions) + "\n")
     for line in (folder / "bodies.tsv").read_text().splitlines():
         name, faces, notches, pieces, middle, low, high, exact, volume = line.split("\t")
         print(f"{name}, {faces} triangles, {notches} notches")
@@ -107,6 +107,7 @@ def main() -> None:
         body = vertices, triangles, float(volume)
         compare("V-HACD", by_vhacd, runs, body)
         compare("CoACD", by_coacd, runs, body)
+        print(flush=True)
 
 
 if __name__ == "__main__":

@@ -55,8 +55,8 @@ for (const scene of fs.readdirSync(folder).sort()) {
   }
   const [median, least, most] = spread(builds);
   console.log(
-    `${scene}, ${triangles.length / 3} triangles: building the tree ${shown(median, 0)} ms, ` +
-      `${shown(least, 0)} - ${shown(most, 0)}`,
+    `\n${scene}, ${triangles.length / 3} triangles: building the tree ${median.toFixed(1)} ms, ` +
+      `${least.toFixed(1)} - ${most.toFixed(1)}`,
   );
 
   const neighbours = (one, other) => {
@@ -103,10 +103,9 @@ for (const scene of fs.readdirSync(folder).sort()) {
     const later = count((got, triangle) => got >= 0 && triangle >= 0 && !neighbours(got, triangle));
     const [time, from, to] = spread(times);
     const [share, low, high] = spread(shares);
-    console.log(
-      `  ${title.padEnd(34)} ${shown(time, 8)} ns a ray ${shown(from, 8)} - ${shown(to, 8)}` +
-        `   book / this ${shown(share, 6, 3)} ${shown(low, 6, 3)} - ${shown(high, 6, 3)}` +
-        `   missed ${missed}, invented ${invented}, later ${later}`,
-    );
+    console.log(`
+${title}, ${rays.length} rays: the first hit
+  ${"".padEnd(34)} ns a ray       least - most book / this    least - most    missed  invented     later
+  ${"three-mesh-bvh, raycastFirst".padEnd(32)} ${shown(time, 10)} ${shown(from, 8)} - ${shown(to, 8)} ${shown(share, 11, 3)} ${shown(low, 6, 3)} - ${shown(high, 6, 3)} ${shown(missed, 9, 0)} ${shown(invented, 9, 0)} ${shown(later, 9, 0)}`);
   }
 }
