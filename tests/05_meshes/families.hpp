@@ -119,7 +119,7 @@ inline const Bodies& convex() {
   return bodies;
 }
 
-/// Whole numbers: boxes, octahedra, prisms over polygons with edges along the axes and across.
+/// Whole numbers: boxes, octahedra, prisms over polygons with edges along the axes and others.
 inline const Bodies& whole() {
   static const Bodies bodies = [] {
     using P = contact::Vector2<double>;
