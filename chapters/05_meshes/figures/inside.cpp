@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 #include <concepts>
-#include <contact/arc.hpp>
 #include <contact/figure.hpp>
 #include <contact/mesh_edges.hpp>
 #include <contact/mesh_shapes.hpp>
 #include <contact/orientation.hpp>
 #include <contact/point_in_polyhedron.hpp>
 #include <contact/ray_triangle.hpp>
+#include <contact/solid_angle.hpp>
 #include <numbers>
 #include <vector>
 
@@ -51,6 +51,9 @@ struct Output {
   std::array<double, std::size_t(columns* rows)> missed;  // 1 where the chosen method is wrong
   double missed_points;
   double parity_wrong;  // goal of a question
+  // For a reader's function that takes whole numbers: everything in eighths of a metre.
+  std::array<Vector, vertices> eighths;
+  double whole;  // 1 if p is in whole eighths, too
 };
 
 namespace {
@@ -95,24 +98,10 @@ Where locate(const Stored<S>& mesh, const contact::Vector3<S>& p) {
   return contact::locate_in_mesh(Vector(p.template cast<double>()), mesh.exact).where;
 }
 
-/// As the summands of `contact::winding_by_solid_angles`, with an arc tangent that is the same on
-/// every machine.
+/// One of the summands of `contact::winding_by_solid_angles`.
 template <class S>
 double solid_angle(const contact::Vector3<S>& p, const contact::Triangle<S>& t) {
-  const contact::Vector3<S> a = t.a - p, b = t.b - p, c = t.c - p;
-  const S la = std::sqrt(a.dot(a)), lb = std::sqrt(b.dot(b)), lc = std::sqrt(c.dot(c));
-  const S volume = a.dot(b.cross(c));
-  const S below = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-  const S half = S(contact::portable_angle(double(std::abs(volume)), double(below)));
-  return volume < S(0) ? -2 * double(half) : 2 * double(half);
-}
-
-template <class S>
-double winding(const contact::Vector3<S>& p, const contact::Mesh<S>& mesh) {
-  double sum = 0;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    sum += solid_angle<S>(p, contact::triangle_of(mesh, i));
-  return sum / (4 * std::numbers::pi);
+  return contact::solid_angle_detail::solid_angle<S>(t.a - p, t.b - p, t.c - p).value;
 }
 
 struct Answer {
@@ -127,7 +116,7 @@ Answer ask(bool parity, const contact::Vector3<S>& p, const contact::Vector3<S>&
     const int count = contact::crossings_by_triangles<S>(p, mesh, direction);
     return {count % 2 != 0 ? Where::inside : Where::outside, double(count)};
   }
-  const double w = winding<S>(p, mesh);
+  const double w = contact::winding_by_solid_angles<S>(p, mesh).winding;
   return {std::abs(w) > 0.5 ? Where::inside : Where::outside, w};
 }
 
@@ -246,9 +235,13 @@ Output compute(const Input& in) {
   compute_in<float>(in, method, mesh, out);
   compute_exactly(in, method, mesh, out);
   out.parity_wrong = out.wrong[0];
+  std::transform(mesh.vertices.begin(), mesh.vertices.end(), out.eighths.begin(),
+                 [](const Vector& v) { return Vector(8 * v); });
+  const auto is_whole = [](double x) { return 8 * x == std::round(8 * x) && std::abs(x) <= 125; };
+  out.whole = is_whole(in.p.x()) && is_whole(in.p.y()) && is_whole(in.p.z()) ? 1 : 0;
   return out;
 }
 
 FIGURE(Input, FIELDS(p, direction, method, divided), Output,
        FIELDS(problem, vertex, triangle, edge, flat, where, says, wrong, decided_by, hits, at,
-              hit_triangle, step, share, missed, missed_points, parity_wrong))
+              hit_triangle, step, share, missed, missed_points, parity_wrong, eighths, whole))
