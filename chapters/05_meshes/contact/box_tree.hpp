@@ -27,7 +27,7 @@ struct BoxNode {
 
 /// A tree of boxes over items that are known by their numbers.
 template <FloatOrDouble S>
-struct BoxTree {
+struct BoxHierarchy {
   std::vector<BoxNode<S>> nodes;  ///< the root is nodes[0]; children follow their parent
   std::vector<int> order;         ///< the items; each leaf has a contiguous range
 };
@@ -82,7 +82,7 @@ class BoxTreeBuilder {
     enclose(boxes);
   }
 
-  BoxTree<S> take() { return std::move(tree_); }
+  BoxHierarchy<S> take() { return std::move(tree_); }
 
  private:
   static constexpr int max_bins = 16;
@@ -118,7 +118,7 @@ class BoxTreeBuilder {
   };
 
   int max_leaf_;
-  BoxTree<S> tree_;
+  BoxHierarchy<S> tree_;
   std::vector<BuildBox> boxes_;  ///< of the items in the order of tree_.order
 
   void scale_items(std::span<const Aabb<S>> boxes, std::span<const int> items) {
@@ -273,8 +273,8 @@ class BoxTreeBuilder {
 ///
 /// Source: Wald, *On Fast Construction of SAH-based Bounding Volume Hierarchies*, 2007.
 template <FloatOrDouble S>
-BoxTree<S> build_box_tree(std::span<const Aabb<S>> boxes, std::span<const int> items,
-                          int max_leaf) {
+BoxHierarchy<S> build_box_hierarchy(std::span<const Aabb<S>> boxes, std::span<const int> items,
+                                    int max_leaf) {
   return detail::BoxTreeBuilder<S>(boxes, items, max_leaf).take();
 }
 // [/build-box-tree]
@@ -287,8 +287,8 @@ BoxTree<S> build_box_tree(std::span<const Aabb<S>> boxes, std::span<const int> i
 /// @param boxes if not null, the number of boxes asked is added to it
 /// @return whether visit stopped
 template <FloatOrDouble S, class Enters, class Visit>
-bool visit_box_tree(const BoxTree<S>& tree, const Enters& enters, const Visit& visit,
-                    std::size_t* boxes = nullptr) {
+bool visit_box_hierarchy(const BoxHierarchy<S>& tree, const Enters& enters, const Visit& visit,
+                         std::size_t* boxes = nullptr) {
   if (tree.nodes.empty()) return false;
   if (boxes != nullptr) ++*boxes;
   if (!enters(tree.nodes[0].box)) return false;

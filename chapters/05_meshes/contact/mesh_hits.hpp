@@ -34,7 +34,7 @@ template <Ring S>
 struct MeshHit {
   int triangle = -1;  ///< index in the mesh
   /// t within 2^-40 max(1, |t|) of the exact one, and in its range; weights within 2^-30, from 0 to
-  /// 1, and 0 exactly where the exact one is. Float: then rounded.
+  /// 1, and 0 wherever the exact one is 0. Float: rounded once more; t may be infinite.
   TriangleHit<S> hit;
   /// m. At a vertex the stored vertex; else origin + t direction as rounded, moved into the
   /// bounding box of the triangle.
@@ -47,7 +47,7 @@ struct MeshHit {
 
 namespace detail {
 
-/// 1/2 ulp in 1.
+/// The unit roundoff of double.
 inline constexpr double mesh_u = std::numeric_limits<double>::epsilon() / 2;
 
 /// The 1-norm.

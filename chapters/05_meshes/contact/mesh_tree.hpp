@@ -3,6 +3,7 @@
 /// grows with the logarithm of the number of triangles.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <contact/aabb.hpp>
 #include <contact/box_tree.hpp>
@@ -55,7 +56,7 @@ class MeshTree {
       boxes[i] = {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
       items.push_back(static_cast<int>(i));
     }
-    tree_ = build_box_tree<S>(boxes, items, max_leaf);
+    tree_ = build_box_hierarchy<S>(boxes, items, max_leaf);
     wide_ = detail::WideTree(tree_);
     triangles_.reserve(tree_.order.size());
     for (const int i : tree_.order) {
@@ -66,7 +67,7 @@ class MeshTree {
   /// The mesh as given.
   const Mesh<S>& mesh() const { return mesh_; }
   /// The tree of boxes; its items are the triangles.
-  const BoxTree<S>& boxes() const { return tree_; }
+  const BoxHierarchy<S>& boxes() const { return tree_; }
 
   /// Visits each triangle in the boxes that `enters` accepts; for queries of every kind.
   /// @param enters (const Aabb<S>&) → bool: whether triangles in the box can matter. The box is
@@ -86,7 +87,7 @@ class MeshTree {
         return visit(tree_.order[at]);
       }
     };
-    return visit_box_tree<S>(tree_, enters, ask, counts == nullptr ? nullptr : &counts->boxes);
+    return visit_box_hierarchy<S>(tree_, enters, ask, counts == nullptr ? nullptr : &counts->boxes);
   }
 
   // [tree-hits]
@@ -146,7 +147,7 @@ class MeshTree {
   static constexpr int max_leaf = 4;
 
   Mesh<S> mesh_;
-  BoxTree<S> tree_;
+  BoxHierarchy<S> tree_;
   detail::WideTree wide_;
   std::vector<Triangle<S>> triangles_;  ///< in the order of the tree
 

@@ -59,10 +59,10 @@ struct WideFrame {
 /// Source: Ize, *Robust BVH Ray Traversal*, Journal of Computer Graphics Techniques 2 (2013), for
 /// the factor; the rest is needed because the boxes are in float and the start is moved.
 struct WideLine {
-  bool tame = false;    ///< whether the numbers are in the range of the floats; else ask each box
+  bool tame = false;    ///< whether the numbers are in a range for floats; else the tree is no help
   bool misses = false;  ///< whether it is certain that the line misses the root
-  std::array<float, 3> near_origin, far_origin, inverse;
-  std::array<std::size_t, 3> near_side;  ///< 0: the low plane is met first
+  std::array<float, 3> near_origin{}, far_origin{}, inverse{};
+  std::array<std::size_t, 3> near_side{};  ///< 0: the low plane is met first
   double rate = 0, shift = 0;
   float last = 0;  ///< no hit is beyond
 
@@ -119,13 +119,13 @@ WideLine wide_line(const Line& line, const WideFrame& frame) {
 }
 // [/wide-line]
 
-/// A tree of wide nodes over the positions of a BoxTree, of which it shares the order.
+/// A tree of wide nodes over the positions of a BoxHierarchy, of which it shares the order.
 class WideTree {
  public:
   WideTree() = default;
   /// @param tree not kept
   template <FloatOrDouble S>
-  explicit WideTree(const BoxTree<S>& tree) {
+  explicit WideTree(const BoxHierarchy<S>& tree) {
     if (tree.nodes.empty()) return;
     const Vector3<double> low = tree.nodes[0].box.low.template cast<double>() / 2;
     const Vector3<double> high = tree.nodes[0].box.high.template cast<double>() / 2;
@@ -221,7 +221,7 @@ class WideTree {
   /// Adds the node for four descendants of an inner node: the children, of which that with the
   /// largest surface is replaced by its own, twice.
   template <FloatOrDouble S>
-  int add(const BoxTree<S>& tree, std::size_t root) {
+  int add(const BoxHierarchy<S>& tree, std::size_t root) {
     std::array<std::size_t, 4> boxes{root};
     std::size_t count = 1;
     const auto surface = [&](std::size_t n) {

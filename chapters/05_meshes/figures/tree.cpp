@@ -129,7 +129,7 @@ class Walk {
   std::vector<int> tested_, hit_;
 };
 
-int depth_of(const contact::BoxTree<double>& tree, std::size_t node) {
+int depth_of(const contact::BoxHierarchy<double>& tree, std::size_t node) {
   if (tree.nodes[node].count > 0) return 0;
   const auto first = static_cast<std::size_t>(tree.nodes[node].first);
   return 1 + std::max(depth_of(tree, first), depth_of(tree, first + 1));
