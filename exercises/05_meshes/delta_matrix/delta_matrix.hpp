@@ -21,8 +21,8 @@ struct Motion {
 /// The delta matrix of a body: it takes a point of the world that is attached to the body from
 /// where it is at the beginning of the step to where it is at the end.
 ///
-/// It lets the body be at its later pose all the time: a point that goes from p to q is, seen from
-/// the body, at the same positions at both ends of the step as one that goes from delta p to q.
+/// With it the body can be taken to be at its later pose all the time: seen from the body, a point
+/// that goes from p to q is at both ends of the step where a point that goes from delta p to q is.
 Eigen::Matrix4d delta_matrix(const Motion& body);
 
 /// The segment from where B sees a vertex of A at the beginning of the step to where B sees it at
@@ -37,16 +37,16 @@ contact::Segment<double> segment_seen(const Motion& a, const Motion& b,
 /// the body rotates about an axis through its origin, at a constant rate, by the angle between its
 /// two orientations. It is α for A and β for B, less than π.
 ///
-/// A path with accelerations of at most K (in m, with the step as the unit of time) is at most K /
-/// 8 from the segment between its ends. As B sees it, the acceleration of the vertex is at most the
-/// sum of three terms:
-/// - that of the rotation of A: α² times the distance of the vertex from A's origin;
-/// - Coriolis: 2 β times the speed of the vertex relative to B's origin. That is at most the
-/// distance
-///   between the displacements of the two origins, plus the speed of the rotation of A;
-/// - centrifugal: β² times the distance of the vertex from B's origin. That is at most the larger
-/// of
-///   the distances at the beginning and at the end, plus an eighth of the first term.
+/// If the acceleration of a path is at most K (in m, with the step as the unit of time), the path
+/// is at most K / 8 from the segment between its ends. As B sees it, the acceleration of the vertex
+/// is at most the sum of three terms:
+///
+/// - that of the rotation of A, α² times the distance of the vertex from A's origin;
+/// - Coriolis, 2 β times the speed of the vertex relative to B's origin. That is at most the length
+///   of the difference of the displacements of the two origins, plus α times the distance of the
+///   vertex from A's origin;
+/// - centrifugal, β² times the distance of the vertex from B's origin. That is at most the larger
+///   one of its values at the beginning and at the end, plus an eighth of the first term.
 ///
 /// @return K / 8 with K the sum of these, within rounding: 0 if no body rotates, and accurate for
 ///   small angles too
