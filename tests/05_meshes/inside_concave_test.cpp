@@ -97,7 +97,7 @@ void check(const Mesh& mesh, const Point& p) {
       .equals(right);
 }
 
-/// A U of height 10: a base with two arms, open in +y.
+/// A U of height 10: a base with two walls, open in +y.
 Mesh u_shape() {
   return solids::prism({{0, 0}, {30, 0}, {30, 20}, {20, 20}, {20, 8}, {10, 8}, {10, 20}, {0, 20}},
                        {{0, 1, 4}, {0, 4, 5}, {1, 2, 3}, {1, 3, 4}, {0, 5, 6}, {0, 6, 7}}, 0, 10);

@@ -207,6 +207,10 @@ TEST_CASE("in the plane of a face is not yet on the face") {
     check(kBox, beside);
   check(kTetrahedron, {0, 0, 10});
   check(kTetrahedron, {90, 30, 10});
+  // Where normals and products are as small as they can be.
+  const Mesh small = solids::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+  for (const Point& beside : {Point(0, 0, -1), Point(-1, 0, 0), Point(0, -1, 0), Point(1, 1, 0)})
+    check(small, beside);
 }
 
 TEST_CASE("a triangle without area bounds nothing") {

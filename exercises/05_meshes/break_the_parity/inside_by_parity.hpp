@@ -10,9 +10,9 @@
 
 namespace given {
 
-/// 8 triangles; its vertices are on the axes.
+/// 8 triangles; its centre is (4, 3, 2), and each vertex is 6 from it along an axis.
 inline contact::Mesh<double> octahedron() {
-  return {{{6, 0, 0}, {-6, 0, 0}, {0, 6, 0}, {0, -6, 0}, {0, 0, 6}, {0, 0, -6}},
+  return {{{10, 3, 2}, {-2, 3, 2}, {4, 9, 2}, {4, -3, 2}, {4, 3, 8}, {4, 3, -4}},
           {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
 }
 

@@ -2,8 +2,8 @@
 
 namespace exercise {
 
-// The ray leaves through the edge from (6, 0, 0) to (0, 0, 6), which counts twice.
-Eigen::Vector3d inside_the_octahedron() { return {1, 0, 2}; }
+// The ray leaves through the edge from (10, 3, 2) to (4, 3, 8), which counts twice.
+Eigen::Vector3d inside_the_octahedron() { return {5, 3, 4}; }
 
 // In through the diagonal of the left wall, which counts twice, and out through a triangle.
 Eigen::Vector3d left_of_the_house() { return {-5, 2, 2}; }

@@ -2,19 +2,25 @@
 
 namespace exercise {
 
+Eigen::Vector3d normal_of(const contact::Triangle<double>& triangle) {
+  //? Perpendicular to two edges. Its length does not matter.
+  //? gap: (triangle.b - triangle.a).cross(triangle.c - triangle.a)
+  return (triangle.b - triangle.a).cross(triangle.c - triangle.a);
+}
+
 bool on_triangle(const Eigen::Vector3d& point, const contact::Triangle<double>& triangle) {
   //? First the plane: the product with the normal is 0 in it.
-  //? gap: normal.dot(point - a) != 0
-  const auto& [a, b, c] = triangle;
-  const Eigen::Vector3d normal = (b - a).cross(c - a);
-  if (normal.dot(point - a) != 0) return false;
+  //? gap: normal.dot(point - triangle.a) != 0
+  const Eigen::Vector3d normal = normal_of(triangle);
+  if (normal.dot(point - triangle.a) != 0) return false;
   //? Then the triangle: in the plane, the point is on the inner side of each edge, or on it.
   //? gap: (to - from).cross(point - from)
   //? gap: >= 0
   const auto is_inner = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
     return normal.dot((to - from).cross(point - from)) >= 0;
   };
-  return is_inner(a, b) && is_inner(b, c) && is_inner(c, a);
+  return is_inner(triangle.a, triangle.b) && is_inner(triangle.b, triangle.c) &&
+         is_inner(triangle.c, triangle.a);
 }
 
 // Whether the line through the point along z crosses the triangle. If it meets an edge, it is
@@ -25,12 +31,13 @@ bool line_crosses(const Eigen::Vector3d& point, const contact::Triangle<double>&
   for (const auto& [from, to] :
        {std::pair(triangle.a, triangle.b), {triangle.b, triangle.c}, {triangle.c, triangle.a}}) {
     //? By the same comparison for every end, a vertex belongs to one of two edges that go on.
-    //? gap: (from.y() > point.y()) == (to.y() > point.y())
-    if ((from.y() > point.y()) == (to.y() > point.y())) continue;
+    //? gap: (from.y() > point.y()) == goes_up
+    const bool goes_up = to.y() > point.y();
+    if ((from.y() > point.y()) == goes_up) continue;
     //? Both triangles of an edge must compute the same: from its lower end to its upper one.
-    //? gap: from.y() < to.y()
-    const Eigen::Vector3d low = from.y() < to.y() ? from : to;
-    const Eigen::Vector3d high = from.y() < to.y() ? to : from;
+    //? gap: goes_up ? from : to
+    const Eigen::Vector3d low = goes_up ? from : to;
+    const Eigen::Vector3d high = goes_up ? to : from;
     //? Positive if the point is to the left of the edge.
     //? gap: left > 0
     const double left =
@@ -52,7 +59,7 @@ Where inside_concave(const contact::Mesh<double>& mesh, const Eigen::Vector3d& p
     //? behind it, or if its normal points down and the point is in front.
     //? gap: line_crosses(point, triangle)
     //? gap: is_behind == (normal.z() > 0)
-    const Eigen::Vector3d normal = (triangle.b - triangle.a).cross(triangle.c - triangle.a);
+    const Eigen::Vector3d normal = normal_of(triangle);
     const bool is_behind = normal.dot(triangle.a - point) > 0;
     if (line_crosses(point, triangle) && is_behind == (normal.z() > 0)) inside = !inside;
   }
