@@ -78,7 +78,7 @@ struct Method {
   std::string name;
   std::function<void(const Portion&, peers::Answers&)> ask;
   std::size_t at_most = std::numeric_limits<std::size_t>::max();  ///< rays
-  std::size_t asked = 0, missed = 0, elsewhere = 0;
+  std::size_t asked = 0, leaked = 0;
 };
 
 template <class S>
@@ -173,21 +173,17 @@ void count(const Scene& scene, bool convex, std::size_t rays) {
       method.ask(next, answers);
       method.asked += portion;
       for (std::size_t i = 0; i < portion; ++i) {
-        if (answers[i] < 0) {
-          ++method.missed;
-        } else if (convex &&
-                   !mesh_truth::share_a_vertex(scene.body.in_double, answers[i], next.targets[i])) {
-          ++method.elsewhere;
-        }
+        const bool elsewhere =
+            convex && answers[i] >= 0 &&
+            !mesh_truth::share_a_vertex(scene.body.in_double, answers[i], next.targets[i]);
+        method.leaked += answers[i] < 0 || elsewhere;
       }
     }
   }
   std::printf("%s, %zu triangles, %zu rays from inside at edges and vertices: leaked\n",
               scene.title.c_str(), scene.plain.triangles.size(), asked);
   for (const Method& method : methods) {
-    std::printf("  %-34s %9zu of %9zu", method.name.c_str(), method.missed, method.asked);
-    if (convex) std::printf(", elsewhere %zu", method.elsewhere);
-    std::printf("\n");
+    std::printf("  %-34s %9zu of %9zu\n", method.name.c_str(), method.leaked, method.asked);
   }
   std::printf("\n");
   std::fflush(stdout);
