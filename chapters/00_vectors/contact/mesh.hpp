@@ -12,7 +12,8 @@
 namespace contact {
 
 // [mesh]
-/// An indexed triangle mesh: each vertex is stored once, and the triangles refer to it by its index.
+/// An indexed triangle mesh: each vertex is stored once, and the triangles refer to it by its
+/// index.
 ///
 /// Seen from outside, the vertices of a triangle are counter-clockwise. A mesh need not be closed;
 /// functions that require it say so, and `check_mesh` finds what is wrong and where. An index that
@@ -31,5 +32,22 @@ Triangle<S> triangle_of(const Mesh<S>& mesh, std::size_t i) {
   return {at(a), at(b), at(c)};
 }
 // [/mesh]
+
+/// A mesh from two lists of numbers: x, y and z of each vertex, and three indices for each
+/// triangle.
+/// @param coordinates m, three for each vertex; numbers beyond the last whole vertex are left out
+/// @param indices whole numbers, three for each triangle; the same
+template <class Coordinates, class Indices>
+Mesh<double> mesh_from_lists(const Coordinates& coordinates, const Indices& indices) {
+  Mesh<double> mesh;
+  for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3) {
+    mesh.vertices.push_back({coordinates[i], coordinates[i + 1], coordinates[i + 2]});
+  }
+  const auto index = [&indices](std::size_t i) { return static_cast<int>(indices[i]); };
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+    mesh.triangles.push_back({index(i), index(i + 1), index(i + 2)});
+  }
+  return mesh;
+}
 
 }  // namespace contact
