@@ -44,9 +44,13 @@ struct Output {
   Point path_at;
   double chord_hit, chord_s;
   Point chord_at;
-  double present_hit;                    // of a b and the mesh at the end
-  Point present_at;                      // in the world
-  double verdict;                        // certified: 0 hit, 1 free, 2 undecided
+  double present_hit;  // of a b and the mesh at the end
+  Point present_at;    // in the world
+  double verdict;      // certified: 0 hit, 1 free, 2 undecided
+  // For a reader's function: the matrices of the poses and of the point's displacement, column by
+  // column, and the ends of the chord.
+  std::array<double, 16> pose_before, pose_after, displaced;
+  Vector seen_from, seen_to;
   std::array<double, 16> columns, rows;  // the matrices, row by row
   Point mixed;              // M₀⁻¹ M₁ of matrices for columns, applied to the column a
   double mixed_off;         // its distance from a'
@@ -115,6 +119,14 @@ Output compute(const Input& in) {
   const Matrix rows = contact::delta_matrix_rows<double>(m0.transpose(), m1.transpose());
   out.columns = entries(columns);
   out.rows = entries(rows);
+  out.pose_before = entries(m0.transpose());
+  out.pose_after = entries(m1.transpose());
+  contact::CoordinateFrame<double> displaced;
+  displaced.origin = path.end - path.start;
+  out.displaced = entries(contact::homogeneous_matrix(displaced).transpose());
+  const contact::Segment<double> chord = contact::chord_in_body(path, pose0, pose1);
+  out.seen_from = chord.start;
+  out.seen_to = chord.end;
   const Vector carried = contact::carried_column(columns, path.start);
   out.carried = plane(carried);
   out.carried_by_rows = plane(contact::carried_row(path.start, rows));
@@ -162,5 +174,5 @@ Output compute(const Input& in) {
 FIGURE(Input, FIELDS(a, b, start, end, turned, turn, time, substeps), Output,
        FIELDS(problem, before, after, now, point_now, carried, carried_by_rows, outline, path,
               path_now, chords, used, bound, deviation, path_hit, path_s, path_at, chord_hit,
-              chord_s, chord_at, present_hit, present_at, verdict, columns, rows, mixed, mixed_off,
-              missed, invented))
+              chord_s, chord_at, present_hit, present_at, verdict, pose_before, pose_after,
+              displaced, seen_from, seen_to, columns, rows, mixed, mixed_off, missed, invented))
