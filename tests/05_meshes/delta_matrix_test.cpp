@@ -1,5 +1,5 @@
-// The poses of most tests have whole numbers, or 0.6 and 0.8. A tolerance of 1e-10 is some ten
-// thousand times what rounding makes of numbers below 100 in a dozen operations.
+// The poses of most tests have whole numbers, or 0.6 and 0.8. A tolerance of 1e-10 is several
+// hundred times what rounding makes of numbers below 100 in a dozen operations.
 #include "delta_matrix.hpp"
 
 #include <support/exercise.hpp>
