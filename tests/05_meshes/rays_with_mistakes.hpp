@@ -78,7 +78,7 @@ inline int crossings(const Triangles& all, const Point& p, int axis, bool by_dir
   int met = 0;
   for (const Triangle& t : all) {
     bool inside = false;
-    for (const auto& [from, to] : {std::pair(t.a, t.b), {t.b, t.c}, {t.c, t.a}}) {
+    for (const auto& [from, to] : {std::pair{t.a, t.b}, std::pair{t.b, t.c}, std::pair{t.c, t.a}}) {
       const bool ends_above = to[up] > p[up];
       if ((from[up] > p[up]) == ends_above) continue;
       const std::int64_t left = area(from, to, p, along) * (by_direction || ends_above ? 1 : -1);

@@ -29,7 +29,8 @@ bool line_crosses(const Eigen::Vector3d& point, const contact::Triangle<double>&
   //? Seen along z, a ray in +x from a point inside crosses one or three edges of the triangle.
   bool inside = false;
   for (const auto& [from, to] :
-       {std::pair(triangle.a, triangle.b), {triangle.b, triangle.c}, {triangle.c, triangle.a}}) {
+       {std::pair{triangle.a, triangle.b}, std::pair{triangle.b, triangle.c},
+        std::pair{triangle.c, triangle.a}}) {
     //? By the same comparison for every end, a vertex belongs to one of two edges that go on.
     //? gap: (from.y() > point.y()) == goes_up
     const bool goes_up = to.y() > point.y();
