@@ -172,6 +172,25 @@ TEST_CASE("nothing is met by nothing") {
   CHECK(contact::all_mesh_hits(Ray<double>{{1, 1, 5}, {0, 0, -1}}, Mesh<double>{}).empty());
 }
 
+TEST_CASE("a determinant that overflows is not a t of 0") {
+  // The products of the larger triangle are beyond the largest double, those of the smaller are
+  // not.
+  Mesh<double> mesh;
+  for (const double size : {0x1p291, 0x1p288}) {
+    const int at = static_cast<int>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(),
+                         {{size, -size, -size}, {size, 2 * size, -size}, {size, -size, 2 * size}});
+    mesh.triangles.push_back({at, at + 1, at + 2});
+  }
+  const Ray<double> ray{{0, 0, 0}, {0x1p444, 0, 0}};
+  const auto all = contact::all_mesh_hits(ray, mesh);
+  REQUIRE(all.size() == 2);
+  CHECK(all[0].triangle == 1);
+  CHECK(all[0].hit.t == 0x1p-156);
+  CHECK(all[1].hit.t == 0x1p-153);
+  CHECK(same(*contact::first_mesh_hit(ray, mesh), all[0]));
+}
+
 TEST_CASE("triangles one by one leak or count twice where the mesh is met once") {
   Random random(83);
   const Mesh<double> ball = contact::ball_mesh(1.0, 2);
