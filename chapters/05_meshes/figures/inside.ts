@@ -39,8 +39,7 @@ const METHODS = ["parity", "parity in float", "solid angles", "angles in float",
 const WHERE = ["outside", "on the surface", "inside"];
 const GROUND = -2;
 /** The section of the C++. */
-const COLUMNS = 61;
-const SPACING = 0.125;
+const COLUMNS = 31;
 const FIRST_X = -3.75;
 const FIRST_Z = -2.375;
 const FAR = 40;
@@ -176,8 +175,8 @@ export default defineFigure<Input, Output>({
       });
     for (const [cell, missed] of output.missed.entries()) {
       if (!missed) continue;
-      const x = FIRST_X + SPACING * (cell % COLUMNS);
-      const z = FIRST_Z + SPACING * Math.floor(cell / COLUMNS);
+      const x = FIRST_X + 0.25 * (cell % COLUMNS);
+      const z = FIRST_Z + 0.125 * Math.floor(cell / COLUMNS);
       scene.dot([x, p[1], z], "miss", 2);
     }
 
