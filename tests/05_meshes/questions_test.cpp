@@ -74,7 +74,7 @@ KEY("which-fault") {
 }
 
 KEY("any-is-cheaper") {
-  // Each of the three finds out whether the point is in shadow; any() tests the fewest triangles.
+  // Each of the three finds out whether the lamp is hidden; any() tests the fewest triangles.
   const contact::MeshTree<double> tree(contact::ball_mesh(1.0, 4));
   const Segment<double> to_the_lamp{at(-3, 0.1, 0.2), at(3, 0.3, 0.1)};
   std::array<contact::TreeCounts, 3> counts;
