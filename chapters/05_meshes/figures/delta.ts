@@ -214,7 +214,7 @@ export default defineFigure<Input, Output>({
         role: judged(output.present_hit),
       },
       { name: "certified", meaning: "", value: VERDICTS[output.verdict] ?? "" },
-      { name: "distance", meaning: "path–chord", value: rounded(output.deviation), unit: "m" },
+      { name: "distance", meaning: "of both", value: rounded(output.deviation), unit: "m" },
       { name: "bound", meaning: "of it", value: output.bound, unit: "m", role: "b" },
       { name: "M₁M₀⁻¹", meaning: "row x", value: row(output.columns, 0, [0, 1, 3]) },
       { name: "M₁M₀⁻¹", meaning: "row y", value: row(output.columns, 1, [0, 1, 3]) },

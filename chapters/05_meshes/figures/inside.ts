@@ -71,7 +71,7 @@ function labels(output: Output): { at: Vec3; text: string }[] {
 function reason(i: number, output: Output): string {
   const by = output.decided_by[i] ?? 0;
   const wrong = output.wrong[i] ? ", wrong" : "";
-  if (i < 2) return `${by} crossing${by === 1 ? "" : "s"}${wrong}`;
+  if (i < 2) return `counts ${by}${wrong}`;
   if (i < 4) return `sum ${pretty(Math.round(by * 1e6) / 1e6)}${wrong}`;
   return `winding number ${pretty(by)}`;
 }
@@ -211,7 +211,7 @@ export default defineFigure<Input, Output>({
     ),
     {
       name: "red",
-      meaning: "points where the chosen method is wrong",
+      meaning: "points decided wrongly",
       value: count(output.missed_points),
       role: output.missed_points ? "miss" : "ink",
     },
