@@ -324,7 +324,7 @@ describe("figures", { skip }, () => {
     await shown.close();
   });
 
-  ofAll("a point that moves upright stays in its section", async () => {
+  ofAll("a point that moves vertically stays in its section", async () => {
     const shown = await show(section);
     const start = /** @type {number[]} */ ((await shown.input())["p"]);
     const box = await shown.figure.locator('.grip[data-field="p"] .knob').boundingBox();

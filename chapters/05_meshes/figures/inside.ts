@@ -50,19 +50,19 @@ const GRIP_STEP = 1.25;
 const count = (n: number): string => n.toLocaleString("en-US");
 const add = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 
-/** Numbers the hits, or signs them; those at the same place share a label. */
+/** Numbers the hits, or signs them; those at the same position share a label. */
 function labels(output: Output): { at: Vec3; text: string }[] {
-  const places: { at: Vec3; names: string[] }[] = [];
+  const positions: { at: Vec3; names: string[] }[] = [];
   for (let i = 0; i < output.hits; i++) {
     const at = vectorAt(output.at, i);
     const step = output.step[i] ?? 0;
     const name = step ? (step > 0 ? "+1" : "−1") : String(i + 1);
-    const last = places.at(-1);
+    const last = positions.at(-1);
     if (last && Math.hypot(...last.at.map((x, k) => x - (at[k] ?? 0))) < 1e-6)
       last.names.push(name);
-    else places.push({ at, names: [name] });
+    else positions.push({ at, names: [name] });
   }
-  return places.map(({ at, names }) => ({
+  return positions.map(({ at, names }) => ({
     at,
     text: names.length > 2 ? `${names[0]}–${names.at(-1)}` : names.join(", "),
   }));
@@ -95,7 +95,7 @@ export default defineFigure<Input, Output>({
       from: "p",
       label: "direction of the ray",
       role: "ray",
-      move: "upright",
+      move: "vertical",
       step: GRIP_STEP,
       limit: [-4, 4],
     },
@@ -104,7 +104,7 @@ export default defineFigure<Input, Output>({
       field: "p",
       label: "p, the point",
       role: "ray",
-      move: "upright",
+      move: "vertical",
       step: GRIP_STEP,
       limit: [-3.75, 3.75],
     },

@@ -40,7 +40,7 @@ export interface PointHandle<Input> {
   /** The field where the vector begins, when it is an arrow and not a place. */
   readonly from?: keyof Input & string;
   /** In 3D: along the picture, kept at its height, or at its y. In 2D of no effect. */
-  readonly move?: "picture" | "level" | "upright";
+  readonly move?: "picture" | "level" | "vertical";
   readonly step?: number;
   /** Dragging and arrow keys stay within; typing does not. */
   readonly limit?: readonly [min: number, max: number];

@@ -111,7 +111,7 @@ export class Grip {
     if (!point) return;
     const origin = this.#origin();
     // What a move keeps stays exactly as it was, not rounded.
-    const kept = { picture: -1, level: 2, upright: 1 }[handle.move ?? "picture"];
+    const kept = { picture: -1, level: 2, vertical: 1 }[handle.move ?? "picture"];
     const before = this.#model.numbers(handle.field);
     const numbers = point.map((value, i) =>
       i === kept ? before[i]! : this.#tidy(value - (origin[i] ?? 0)),

@@ -5,7 +5,7 @@ import type { Point, Scene } from "./scene.ts";
 import type { Shape } from "./shapes.ts";
 
 /** Along the picture, in the horizontal plane, or in the vertical plane of constant y. */
-export type Move = "picture" | "level" | "upright";
+export type Move = "picture" | "level" | "vertical";
 
 export interface View {
   /** The size of the picture in pixels. */

@@ -49,7 +49,7 @@ test("the span fits the smaller side, also in a tall picture", () => {
   near(deep.toScreen([3, 2, 3]), [200, 300]);
 });
 
-test("a point dragged to where it is stays there; a level move keeps the height, an upright one y", () => {
+test("a point dragged to where it is stays there; a level move keeps the height, a vertical one y", () => {
   const view = space();
   const point = [0.3, 1.4, 2.2];
   near(view.dragged(point, view.toScreen(point), "picture"), point);
@@ -58,9 +58,9 @@ test("a point dragged to where it is stays there; a level move keeps the height,
   const moved = view.dragged(point, [x + 25, y - 8], "level");
   near([moved[2]], [2.2]);
   near(view.toScreen(moved), [x + 25, y - 8]);
-  const upright = view.dragged(point, [x + 25, y - 8], "upright");
-  near([upright[1]], [1.4]);
-  near(view.toScreen(upright), [x + 25, y - 8]);
+  const vertical = view.dragged(point, [x + 25, y - 8], "vertical");
+  near([vertical[1]], [1.4]);
+  near(view.toScreen(vertical), [x + 25, y - 8]);
   near(view.toScreen(view.dragged(point, [x - 30, y + 12], "picture")), [x - 30, y + 12]);
 });
 
