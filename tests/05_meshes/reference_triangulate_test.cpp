@@ -225,7 +225,7 @@ TEST_CASE("a polygon in space has triangles with its own front") {
 }
 
 TEST_CASE("a polygon in space that is not quite flat is triangulated in its main projection") {
-  // Without z it would be upright and thin.
+  // Without z it would be vertical and thin.
   const std::vector<SpacePolygon<double>> rings{
       {{0, 0, 0}, {4, 0, 0x1p-50}, {4, 4, -0x1p-51}, {2, 1, 0}, {0, 4, 0x1p-52}}};
   CHECK(contact::triangulate_in_space(rings).size() == 3);

@@ -164,7 +164,7 @@ class MeshCheck {
         });
   }
 
-  /// The number in corners_ of triangle i at vertex v.
+  /// Which element of corners_ belongs to vertex v in triangle i.
   int corner(int i, int v) const {
     const std::array<int, 3>& t = triangle(i);
     return 3 * i + (t[0] == v ? 0 : t[1] == v ? 1 : 2);
