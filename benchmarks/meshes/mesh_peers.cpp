@@ -143,8 +143,9 @@ void compare_building(Trees& trees, int runs) {
 /// The peers that have this question.
 template <class Question, class Asked>
 void add(std::vector<Method>& methods, const Trees& trees, const char* what, Question question,
-         const Asked& asked) {
+         const Asked& asked, bool from_far = false) {
   for (const auto& [name, tree] : trees.peers) {
+    if (from_far && tree.near_only) continue;
     if (const auto& ask = tree.*question; ask) {
       methods.push_back({name + what, [&ask, &asked](Answers& answers) { ask(asked, answers); }});
     }
@@ -220,7 +221,7 @@ void compare(const Trees& trees, const Rays& rays, int runs) {
   };
   methods = {book("Contact Hours, any", rays.segments,
                   [&](const auto& segment, double&) { return of_double.any(segment); })};
-  add(methods, trees, ", any", &peers::Tree::segment, rays.plain);
+  add(methods, trees, ", any", &peers::Tree::segment, rays.plain, rays.name == "rays_far");
   compare(titled("any hit of a segment"), count, "ns a ray", per, methods,
           {{"missed", no_segment}, {"invented", wrong_segment}}, runs);
 }

@@ -17,6 +17,7 @@ fcl::Vector3d vector(const peers::Floats& v) { return {v[0], v[1], v[2]}; }
 peers::Tree peers::fcl(const MeshOfFloats& mesh) {
   auto model = std::make_shared<std::shared_ptr<Model>>();
   Tree tree;
+  tree.near_only = true;
   tree.build = [model, &mesh] {
     std::vector<::fcl::Vector3d> vertices;
     std::vector<::fcl::Triangle> triangles;

@@ -35,6 +35,8 @@ struct Tree {
   Ask any;        ///< whether a ray meets a triangle
   Ask segment;    ///< whether a segment meets a triangle
   Locate locate;  ///< where a point is
+  /// Left out of rays from far away: FCL 0.7's solver does not end for some of these segments.
+  bool near_only = false;
 };
 
 /// rtcIntersect1 and rtcOccluded1. Embree is float.
