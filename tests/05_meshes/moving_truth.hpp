@@ -8,6 +8,7 @@
 #include <contact/mesh.hpp>
 #include <contact/moving_mesh.hpp>
 #include <optional>
+#include <support/generators.hpp>
 #include <support/oracle.hpp>
 #include <vector>
 
@@ -148,6 +149,13 @@ inline std::optional<bool> hit(const RigidMotion<double>& motion, const Segment<
   }
   if (!all_decided) return std::nullopt;
   return false;
+}
+
+/// A vector with each coordinate up to a size.
+inline contact::Vector3<double> drawn(generators::Random& random, double size) {
+  const double x = random.uniform(-size, size);
+  const double y = random.uniform(-size, size);
+  return {x, y, random.uniform(-size, size)};
 }
 
 }  // namespace moving_truth

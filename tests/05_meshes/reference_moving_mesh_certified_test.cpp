@@ -1,5 +1,6 @@
 // The certified answer for a moving point and a moving mesh: never wrong, exact for translations,
 // undecided only next to a contact.
+#include <05_meshes/moving_truth.hpp>
 #include <05_meshes/solid_truth.hpp>
 #include <contact/mesh_shapes.hpp>
 #include <contact/moving_mesh_certified.hpp>
@@ -22,14 +23,10 @@ using contact::RigidMotion;
 using contact::Segment;
 using contact::Vector3;
 using generators::Random;
+using moving_truth::drawn;
 using oracle::Rational;
 using Long = Vector3<long double>;
 
-Vector3<double> drawn(Random& random, double size) {
-  const double x = random.uniform(-size, size);
-  const double y = random.uniform(-size, size);
-  return {x, y, random.uniform(-size, size)};
-}
 Vector3<double> whole(Random& random, int most) {
   const int x = random.integer(-most, most);
   const int y = random.integer(-most, most);

@@ -1,5 +1,6 @@
 // A segment against a moving mesh: the delta matrix, the chord bound and its hypotheses, and the
 // certified answer, against fractions, intervals of many bits and finely sampled paths.
+#include <05_meshes/moving_truth.hpp>
 #include <05_meshes/solid_truth.hpp>
 #include <contact/mesh_shapes.hpp>
 #include <contact/moving_mesh.hpp>
@@ -26,17 +27,13 @@ using contact::RigidMotion;
 using contact::Segment;
 using contact::Vector3;
 using generators::Random;
+using moving_truth::drawn;
 using oracle::Interval;
 using oracle::Rational;
 using Long = Vector3<long double>;
 
 // ---------------------------------------------------------------- input
 
-Vector3<double> drawn(Random& random, double size) {
-  const double x = random.uniform(-size, size);
-  const double y = random.uniform(-size, size);
-  return {x, y, random.uniform(-size, size)};
-}
 Matrix3<double> turned(const Vector3<double>& rotation) {
   return contact::matrix_of(contact::exponential<double>(rotation));
 }

@@ -106,7 +106,8 @@ class Region {
       }
     }
     for (const auto& [edge, count] : edges) {
-      if (edges.count({edge.second, edge.first}) != std::size_t(count)) return "an edge without a neighbour";
+      if (edges.count({edge.second, edge.first}) != std::size_t(count))
+        return "an edge without a neighbour";
     }
     if (sum != doubled_area()) return "the sum of the areas";
     for (std::size_t i = 0; i < triangles.size(); ++i) {

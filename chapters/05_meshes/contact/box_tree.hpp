@@ -282,7 +282,7 @@ BoxHierarchy<S> build_box_hierarchy(std::span<const Aabb<S>> boxes, std::span<co
 // [visit-tree]
 /// Calls visit(position) for each position of the order in each leaf whose box, and all boxes above
 /// it, `enters` accepts.
-/// @param enters (const Aabb<S>&) → bool: whether what is below the box can matter
+/// @param enters called with a box, an `Aabb<S>`; returns whether what is below it can matter
 /// @param visit (int position) → bool: whether to stop
 /// @param boxes if not null, the number of boxes asked is added to it
 /// @return whether visit stopped

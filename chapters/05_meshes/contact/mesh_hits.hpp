@@ -431,8 +431,8 @@ std::vector<MeshHit<S>> all_mesh_hits(const Line& line, const Mesh<S>& mesh) {
 ///
 /// An edge that the line meets appears once for each of its triangles, or not at all: the answer is
 /// as good as the method. The feature is that of the rounded weights.
-/// @param method (const Line&, const Triangle<S>&) → std::optional<TriangleHit<S>>, such as
-/// intersect_moller_trumbore or intersect_watertight
+/// @param method called with the line and a triangle; returns an optional `TriangleHit<S>`, as
+/// intersect_moller_trumbore and intersect_watertight do
 template <Scalar S, LineOf<S> Line, class Method>
 std::vector<MeshHit<S>> all_hits_by_triangles(const Line& line, const Mesh<S>& mesh,
                                               const Method& method) {
