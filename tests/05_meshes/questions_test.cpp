@@ -72,26 +72,6 @@ KEY("which-fault") {
   return !report.closed ? 0 : !report.oriented ? 1 : !report.manifold ? 2 : 3;
 }
 
-KEY("any-is-cheaper") {
-  // All three find out whether the lamp is hidden. How many triangles does a loop test for each?
-  const Mesh<double> torus = contact::torus_mesh(2.0, 0.5, 24, 12);
-  std::array<std::size_t, 3> tested{};
-  for (int k = 0; k < 100; ++k) {
-    const Segment<double> to_the_lamp{at(-4, 0.03 * k - 1.5, 0.1), at(4, 0.02 * k - 1, 0.2)};
-    const bool hidden = contact::any_mesh_hit(to_the_lamp, torus);
-    CHECK(contact::first_mesh_hit(to_the_lamp, torus).has_value() == hidden);
-    CHECK(contact::all_mesh_hits(to_the_lamp, torus).empty() != hidden);
-    std::size_t i = 0;
-    while (i < torus.triangles.size() &&
-           !contact::intersect_exact(to_the_lamp, contact::triangle_of(torus, i)))
-      ++i;
-    tested[0] += torus.triangles.size();
-    tested[1] += std::min(i + 1, torus.triangles.size());
-    tested[2] += torus.triangles.size();
-  }
-  return static_cast<int>(std::min_element(tested.begin(), tested.end()) - tested.begin());
-}
-
 KEY("hits-at-a-vertex") {
   Mesh<double> mesh;
   mesh.vertices = {at(2, 0, 0),   at(1, 2, 0),  at(-1, 2, 0), at(-2, 0, 0),
@@ -228,10 +208,31 @@ KEY("triangles-with-a-hole") {
   return static_cast<double>(contact::triangulate(ring).size());
 }
 
-KEY("notches-of-a-u") {
-  const contact::Polygon<double> outline{{0, 0}, {6, 0}, {6, 6}, {4, 6},
-                                         {4, 2}, {2, 2}, {2, 6}, {0, 6}};
-  const Mesh<double> u = contact::prism_mesh(outline, 0, 2);
-  CHECK(contact::convex_pieces(u).size() == 3);
-  return static_cast<double>(contact::notches(u).size());
+KEY("notches-of-a-tray") {
+  // The walls and the floor as a prism with a hole on a box, without the common face.
+  contact::PolygonWithHoles<double> ring;
+  ring.outer = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  ring.holes = {{{1, 1}, {3, 1}, {3, 3}, {1, 3}}};
+  Mesh<double> tray;
+  for (const double z : {0.0, 1.0, 3.0}) {
+    for (const auto& p : ring.outer) tray.vertices.push_back(at(p.x(), p.y(), z));
+    for (const auto& p : ring.holes.front()) tray.vertices.push_back(at(p.x(), p.y(), z));
+  }
+  const auto quad = [&tray](int a, int b, int c, int d) {
+    tray.triangles.push_back({a, b, c});
+    tray.triangles.push_back({a, c, d});
+  };
+  quad(0, 3, 2, 1);      // below
+  quad(12, 13, 14, 15);  // the floor of the hollow
+  for (int i = 0; i < 4; ++i) {
+    const int j = (i + 1) % 4;
+    quad(i, j, 16 + j, 16 + i);            // outside
+    quad(12 + j, 12 + i, 20 + i, 20 + j);  // inside
+    quad(16 + i, 16 + j, 20 + j, 20 + i);  // the rim
+  }
+  const auto report = contact::check_mesh(tray);
+  CHECK(report.closed);
+  CHECK(report.oriented);
+  CHECK(contact::mesh_volume_exactly(tray) == contact::ExactFraction(40));
+  return static_cast<double>(contact::notches(tray).size());
 }

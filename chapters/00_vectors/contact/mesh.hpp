@@ -23,6 +23,7 @@ struct Mesh {
   std::vector<Vector3<S>> vertices;           ///< m
   std::vector<std::array<int, 3>> triangles;  ///< three indices of vertices each
 };
+// [/mesh]
 
 /// Triangle i with its vertices.
 template <Ring S>
@@ -31,7 +32,6 @@ Triangle<S> triangle_of(const Mesh<S>& mesh, std::size_t i) {
   const auto at = [&mesh](int vertex) { return mesh.vertices[static_cast<std::size_t>(vertex)]; };
   return {at(a), at(b), at(c)};
 }
-// [/mesh]
 
 /// A mesh from two lists of numbers: x, y and z of each vertex, and three indices for each
 /// triangle.

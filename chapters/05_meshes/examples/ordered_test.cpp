@@ -68,16 +68,18 @@ int main() {
   }
   // [/ordered-test]
   const auto row = [&tallies](const char* name, const auto& number) {
-    std::printf("%-22s", name);
-    for (const Tally& tally : tallies) std::printf("%12ld", static_cast<long>(number(tally)));
+    constexpr std::array widths{10, 14, 16, 13};
+    std::printf("%-24s", name);
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      std::printf("%*ld", widths[i], static_cast<long>(number(tallies[i])));
     std::printf("\n");
   };
-  std::printf("%-22s%12s%12s%12s%12s\n", "1,000 pairs", "lecture", "edges first", "vertices",
-              "edges");
-  row("apart by boxes", [](const Tally& t) { return t.decided[0]; });
-  row("a vertex is inside", [](const Tally& t) { return t.decided[1] + t.decided[2]; });
-  row("an edge meets a face", [](const Tally& t) { return t.decided[3] + t.decided[4]; });
-  row("no test finds a point", [](const Tally& t) { return t.decided[5]; });
+  std::printf("%-24s%10s%14s%16s%13s\n", "1,000 pairs", "lecture", "edges first", "only vertices",
+              "only edges");
+  row("decided by boxes", [](const Tally& t) { return t.decided[0]; });
+  row("... by a vertex inside", [](const Tally& t) { return t.decided[1] + t.decided[2]; });
+  row("... by edge and face", [](const Tally& t) { return t.decided[3] + t.decided[4]; });
+  row("... by none: apart", [](const Tally& t) { return t.decided[5]; });
   row("pairs missed", [](const Tally& t) { return t.missed; });
   row("box tests", [](const Tally& t) { return t.counts.boxes; });
   row("crossing tests", [](const Tally& t) { return t.counts.crossings; });

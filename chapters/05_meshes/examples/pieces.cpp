@@ -11,7 +11,6 @@ int main() {
   const auto prism = [](const std::vector<Vector2<double>>& outline) {
     return prism_mesh(Polygon<double>{outline}, 0, 1);
   };
-  const Mesh<double> ell = prism({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
   const Mesh<double> box = box_mesh({0, 0, 0}, {4, 4, 4});
   const auto cavity = inside_out(box_mesh({1, 1, 1}, {3, 3, 3}));
 
@@ -26,30 +25,9 @@ int main() {
   };
   // [/pieces]
   show("box", box);
-  show("ball", ball_mesh(1, 1));
-  show("L", ell);
   show("U", prism({{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}));
-  show("plus", prism({{1, 0},
-                      {2, 0},
-                      {2, 1},
-                      {3, 1},
-                      {3, 2},
-                      {2, 2},
-                      {2, 3},
-                      {1, 3},
-                      {1, 2},
-                      {0, 2},
-                      {0, 1},
-                      {1, 1}}));
   show("cavity", joined(box, cavity));
   show("star", star_mesh(1, 2, 0));
-  show("dents", star_mesh(1, 0.5, 0));
   show("torus", torus_mesh(2, 0.5, 6, 5));
   show("crossing itself", joined(box, box_mesh({2, 2, 2}, {6, 6, 6})));
-
-  std::printf("\nthe pieces of the L:\n");
-  for (const ConvexPiece& piece : convex_pieces(ell)) {
-    std::printf("%d facets, %d vertices, %g m^3\n", static_cast<int>(piece.facets.size()),
-                static_cast<int>(piece.vertices.size()), piece.volume().nearest());
-  }
 }
