@@ -70,10 +70,10 @@ class MeshTree {
   const BoxHierarchy<S>& boxes() const { return tree_; }
 
   /// Visits each triangle in the boxes that `enters` accepts; for queries of every kind.
-  /// @param enters (const Aabb<S>&) → bool: whether triangles in the box can matter. The box is
-  /// exact: the smallest one of the triangles below.
-  /// @param visit (int triangle) → bool or (int triangle, const Triangle<S>&) → bool: whether to
-  /// stop
+  /// @param enters called with a box, an `Aabb<S>`; returns whether triangles in it can matter. The
+  /// box is exact: the smallest one of the triangles below.
+  /// @param visit called with the number of a triangle, or with it and its `Triangle<S>`; returns
+  /// whether to stop
   /// @param counts if not null, what was looked at is added to it
   /// @return whether visit stopped
   template <class Enters, class Visit>

@@ -171,7 +171,7 @@ std::optional<MeshHit<S>> segment_against_present_mesh(const Segment<S>& path, c
 /// + s · displacement, and it has rotated by s · |rotation| about the fixed axis along `rotation`.
 template <Ring S>
 struct RigidMotion {
-  CoordinateFrame<S> start;
+  CoordinateFrame<S> start;                      ///< the body's frame at s = 0
   Vector3<S> displacement = Vector3<S>::Zero();  ///< of the body's origin, in the world, m
   Vector3<S> rotation = Vector3<S>::Zero();      ///< rotation vector, in the body's axes, rad
 };

@@ -163,7 +163,7 @@ enum class MotionVerdict {
 
 /// The answer with what it proves.
 struct MotionAnswer {
-  MotionVerdict verdict = MotionVerdict::undecided;
+  MotionVerdict verdict = MotionVerdict::undecided;  ///< what is proved
   double from = 0;    ///< no contact before this fraction of the step; 1 if free
   double to = 1;      ///< if hit: there is a contact at or before this fraction
   int triangle = -1;  ///< that is crossed between from and to, if one triangle proves it
