@@ -15,8 +15,8 @@ namespace exercise {
 /// Where a point is of a polyhedron.
 enum class Where { outside, on, inside };
 
-/// The outward normal of a face: perpendicular to it, pointing out of the polyhedron, and as long as
-/// twice the face's area. Zero, if the three vertices are on one line.
+/// The outward normal of a face: perpendicular to it, pointing out of the polyhedron, and as long
+/// as twice the face's area. Zero, if the three vertices are on one line.
 ///
 /// @param face a, b and c are counter-clockwise, seen from outside
 Eigen::Vector3d outward_normal(const contact::Triangle<double>& face);
