@@ -178,7 +178,7 @@ ladder::Ladder<Input, Answer> experiment() {
       return contact::intersect_moller_trumbore(segment, triangle);
     });
   });
-  in_both("epsilon", "the same, with an ε of 10⁻⁶", [](const auto& segment, const auto& mesh) {
+  in_both("epsilon", "Möller–Trumbore, ε = 10⁻⁶", [](const auto& segment, const auto& mesh) {
     return least(mesh, [&](const auto& triangle) { return with_epsilon(segment, triangle); });
   });
   in_both("watertight", "watertight, each triangle", [](const auto& segment, const auto& mesh) {

@@ -29,7 +29,8 @@ struct Notch {
 };
 
 // [notches]
-/// The notches of a mesh, decided exactly. A solid of one component is convex if it has none.
+/// The notches of a mesh, decided exactly. A solid whose surface is one closed, oriented manifold
+/// component, without triangles without area, is convex if it has none.
 ///
 /// An edge is a notch if the vertex opposite to it in one triangle is in front of the other's
 /// plane. Edges that do not belong to exactly two triangles in opposite directions are left out,
@@ -111,7 +112,7 @@ namespace detail {
 /// binary space partition).
 class SolidCutter {
  public:
-  explicit SolidCutter(const Mesh<double>& mesh) {
+  explicit SolidCutter(const Mesh<double>& mesh) : mesh_(mesh) {
     require_closed(mesh);
     for (const Vector3<double>& vertex : mesh.vertices) all_.add(vertex);
     if (mesh.triangles.empty()) return;
@@ -122,7 +123,7 @@ class SolidCutter {
   std::vector<ConvexPiece> cut() {
     std::vector<ConvexPiece> pieces;
     std::vector<Node> open;
-    if (!box_.empty()) open.push_back({box_, fragments_, starts_inside_});
+    if (!box_.empty()) open.push_back({box_, fragments_, fragments_.empty() && surrounded(box_)});
     while (!open.empty()) {
       const Node node = std::move(open.back());
       open.pop_back();
@@ -144,10 +145,10 @@ class SolidCutter {
     std::vector<CellFacet> fragments;
     bool inside = false;
   };
+  const Mesh<double>& mesh_;
   CutArrangement all_;
   ConvexCell box_;
   std::vector<CellFacet> fragments_;
-  bool starts_inside_ = false;
   std::set<int> at_notch_;  // planes across the edges that are notches
 
   static void require_closed(const Mesh<double>& mesh) {
@@ -231,10 +232,7 @@ class SolidCutter {
           if (all_.side(2 * k + end, v[0]) == 0) plane = 2 * k + end;
         }
       }
-      if (plane >= 0) {  // in a face of the box, so not inside the first cell
-        starts_inside_ = (view.orientation > 0) == (plane % 2 == 1);
-        continue;
-      }
+      if (plane >= 0) continue;  // in a face of the box, so not inside the first cell
       bool reversed = false;
       for (std::size_t i = 0; i < of_plane.size() && plane < 0; ++i) {
         const auto& [p, q, r] = of_plane[i];
@@ -339,17 +337,20 @@ class SolidCutter {
       CellFacet part = clip_facet(fragment, plane, side, all_);
       if (!part.vertices.empty()) made.fragments.push_back(std::move(part));
     }
-    if (made.fragments.empty()) made.inside = is_inside(in_plane, plane, side);
+    if (made.fragments.empty()) made.inside = is_inside(made.cell, in_plane, plane, side);
     return made;
   }
 
   /// Whether a cell that has no fragment in it is in the solid, by the triangles in the plane that
   /// cut it off: their front is outside.
   ///
-  /// Where solids touch, triangles of both orientations are in the plane. Behind it the cell is
-  /// outside if more area has its back in front than not: with w = 0 or 1 behind the plane and 0 ≤
-  /// v ≤ 1 in front of it, the signed area is that of the facet times w − (mean of v).
-  bool is_inside(const std::vector<CellFacet>& in_plane, int plane, int side) {
+  /// Where solids touch, or where the mesh has a flat part without volume, triangles of both
+  /// orientations are in the plane. With the winding number w = 0 or 1 in a cell behind the plane
+  /// and 0 ≤ v ≤ 1 in front of it, the signed area is that of the facet times w − (mean of v): w is
+  /// 1 if it is positive, and 0 if it is negative. If it is 0, w = v, and both may be 0 or 1; then
+  /// a ray decides. In front of the plane it is the same with the signs reversed.
+  bool is_inside(const ConvexCell& cell, const std::vector<CellFacet>& in_plane, int plane,
+                 int side) const {
     const auto looks_back = [](const CellFacet& fragment) { return fragment.reversed; };
     const bool back = std::any_of(in_plane.begin(), in_plane.end(), looks_back);
     if (std::all_of(in_plane.begin(), in_plane.end(), looks_back)) return side > 0;
@@ -358,7 +359,60 @@ class SolidCutter {
     for (const CellFacet& fragment : in_plane) {
       area += signed_area(fragment, plane);
     }
-    return side < 0 ? area.sign() >= 0 : area.sign() <= 0;
+    if (area.sign() == 0) return surrounded(cell);
+    return (area.sign() > 0) == (side < 0);
+  }
+
+  /// Whether the winding number of a cell that has no triangle in it is greater than 0.
+  ///
+  /// A ray starts at a mean of the vertices, which is inside the cell. Its direction (1, k, k²) is
+  /// in the plane of the ray's start and an edge for at most two k (or for every k, if the edge's
+  /// line contains the start; then the triangle's other two edges say that it is missed), so one of
+  /// the first k meets no edge.
+  bool surrounded(const ConvexCell& cell) const {
+    HomogeneousPoint start;
+    start.weight = Exact();
+    for (const CellFacet& facet : cell) {
+      for (const int vertex : facet.vertices) {
+        start.scaled += all_.vertex(vertex).scaled;
+        start.weight += all_.vertex(vertex).weight;
+      }
+    }
+    for (double k = 0;; ++k) {
+      const Vector3<Exact> direction(Exact(1.0), Exact(k), Exact(k * k));
+      if (const auto winding = winding_along(start, direction)) return *winding > 0;
+    }
+  }
+
+  /// The signed number of triangles that a ray leaves through; nothing if it meets an edge.
+  std::optional<int> winding_along(const HomogeneousPoint& start,
+                                   const Vector3<Exact>& direction) const {
+    int winding = 0;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      if (flat_view(used(mesh_, t, 0), used(mesh_, t, 1), used(mesh_, t, 2)).orientation == 0) {
+        continue;
+      }
+      std::array<Vector3<Exact>, 3> corner;  // from the start, times its weight
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vector3<double> v = used(mesh_, t, i);
+        for (int k = 0; k < 3; ++k) {
+          corner[i][k] = Exact(v[k]) * start.weight - start.scaled[k];
+        }
+      }
+      int least = 1, most = -1;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vector3<Exact> across = corner[i].cross(corner[(i + 1) % 3]);
+        const int side = Exact(direction.dot(across)).sign();
+        least = std::min(least, side);
+        most = std::max(most, side);
+      }
+      if (least < 0 && most > 0) continue;
+      if (least != most) return std::nullopt;
+      if (least == 0) return std::nullopt;
+      const Vector3<Exact> across = corner[1].cross(corner[2]);
+      if (Exact(corner[0].dot(across)).sign() == least) winding += least;
+    }
+    return winding;
   }
 
   /// Twice the area of a fragment's projection along an axis, positive if it looks to the front of
@@ -413,11 +467,12 @@ class SolidCutter {
 /// makes O(r²) pieces from r notches; here a cut passes through its whole cell, also where there is
 /// no notch, so there may be more. The time grows with the planes times the fragments: for meshes
 /// of a few hundred triangles.
-/// @param mesh m, closed and oriented, without self-intersections; several components, cavities,
-/// tunnels, coplanar triangles and solids that touch are allowed; triangles without area are
-/// ignored
-/// @return no pieces for a mesh without volume. For a mesh that intersects itself the pieces mean
-/// nothing; then `volume_of_pieces` differs from `mesh_volume_exactly`, except by accident
+/// @param mesh m, closed and oriented with the front outside, without self-intersections; several
+/// components, cavities, tunnels, coplanar triangles and solids that touch are allowed; triangles
+/// without area are ignored
+/// @return no pieces for a mesh without volume. For a mesh that intersects itself or is inside out
+/// the pieces mean nothing; then `volume_of_pieces` differs from `mesh_volume_exactly`, except by
+/// accident
 /// @throws std::invalid_argument if a vertex is not finite, an index has no vertex, or the mesh is
 /// not closed and oriented
 ///

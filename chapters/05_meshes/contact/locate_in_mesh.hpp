@@ -211,7 +211,7 @@ MeshLocation locate(const Vector3<S>& point, const Mesh<S>& mesh, Rule rule, lon
 ///
 /// A mesh that is closed and oriented but crosses itself, or has several components, is allowed:
 /// then `rule` says which winding numbers are inside. Components inside out subtract. If all
-/// triangles are reversed, the winding number is negative, and `where` is the same. For a mesh that
+/// triangles are reversed, the winding number is negated, and `where` is the same. For a mesh that
 /// is not closed, `winding` is the signed number of triangles above the point, which depends on the
 /// direction: it means nothing. No triangles, or a point that is not finite: outside. A vertex that
 /// is not finite is an error of the program: the result then means nothing.

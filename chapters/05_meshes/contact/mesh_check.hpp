@@ -44,10 +44,11 @@ struct MeshReport {
 
   /// Whether nothing was found.
   bool ok() const { return faults.empty(); }
-  /// Whether the mesh bounds a solid, provided that the surface does not cross itself and that what
-  /// is taken for a cavity is one: it is closed, oriented and manifold, every component has a
-  /// volume and none is inside out. Triangles without area, unused and equal vertices do not matter
-  /// here.
+  /// Whether the mesh bounds a solid, provided that the surface does not cross itself, that what is
+  /// taken for a cavity is one, and that no component lies inside another with the same side
+  /// outwards (a box in a box, both with the front outside, is accepted): it is closed, oriented
+  /// and manifold, every component has a volume and none is inside out. Triangles without area,
+  /// unused finite vertices and equal vertices do not matter here.
   bool bounds_solid() const {
     return closed && oriented && manifold && !components.empty() &&
            std::none_of(faults.begin(), faults.end(), [](const MeshFault& f) {

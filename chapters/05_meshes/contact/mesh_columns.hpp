@@ -34,8 +34,8 @@ namespace contact {
 /// below and above it, and in all columns it meets.
 ///
 /// Limits: if most triangles are as large as the mesh, columns are few, and the tree does the work.
-/// Memory: at most 16 entries of 4 bytes for each triangle and 32 bytes for each layer, besides the
-/// tree.
+/// Memory: at most 16 entries of 4 bytes for each triangle, 32 bytes for each layer and 4 bytes for
+/// each column, besides the tree.
 template <FloatOrDouble S>
 class MeshColumns {
  public:

@@ -34,7 +34,8 @@ template <Ring S>
 struct MeshHit {
   int triangle = -1;  ///< index in the mesh
   /// t within 2^-40 max(1, |t|) of the exact one, and in its range; weights within 2^-30, from 0 to
-  /// 1, and 0 wherever the exact one is 0. Float: rounded once more; t may be infinite.
+  /// 1, and 0 wherever the exact one is 0. Float: rounded once more. A ray's t may be beyond the
+  /// largest number of S; then it is infinite.
   TriangleHit<S> hit;
   /// m. At a vertex the stored vertex; else origin + t direction as rounded, moved into the
   /// bounding box of the triangle.
@@ -429,8 +430,8 @@ std::vector<MeshHit<S>> all_mesh_hits(const Line& line, const Mesh<S>& mesh) {
 // [hits-by-triangles]
 /// All hits as the triangles give them one by one: sorted by the rounded t, then by index.
 ///
-/// An edge that the line meets appears once for each of its triangles, or not at all: the answer is
-/// as good as the method. The feature is that of the rounded weights.
+/// An edge that the line meets may appear for both of its triangles, for one, or for none: the
+/// answer is as good as the method. The feature is that of the rounded weights.
 /// @param method called with the line and a triangle; returns an optional `TriangleHit<S>`, as
 /// intersect_moller_trumbore and intersect_watertight do
 template <Scalar S, LineOf<S> Line, class Method>

@@ -165,8 +165,8 @@ inline Mesh<double> ball_mesh(double radius, int subdivisions) {
 
 /// A star: `ball_mesh` with a spike on every triangle, a vertex above its centre at the distance
 /// `outer` from the origin. 60·4^subdivisions triangles. The origin sees all of it, so it never
-/// crosses itself; with outer ≥ inner it is concave along every edge of the ball, and with a
-/// smaller outer the spikes are dents.
+/// crosses itself. With outer ≥ inner it is concave along every edge of the ball; if outer is less
+/// than the distance of the triangles from the origin, the spikes are dents.
 /// @param inner,outer m, from the origin
 /// @param subdivisions from 0 to 8
 /// @throws std::invalid_argument unless inner and outer are finite and greater than 0 and
@@ -202,14 +202,15 @@ inline Mesh<double> star_mesh(double inner, double outer, int subdivisions) {
 /// @param ring m, from the axis to the middle of the tube
 /// @param tube m, the tube's radius, less than ring
 /// @param m,n vertices around the axis and around the tube, from 3 to 10,000
-/// @throws std::invalid_argument unless 0 < tube < ring, both finite, and m and n are in their
-/// range
+/// @throws std::invalid_argument unless 0 < tube < ring, both finite and their sum too, and m and n
+/// are in their range
 inline Mesh<double> torus_mesh(double ring, double tube, int m, int n) {
   mesh_shapes_detail::require_positive("tube", tube);
   require_finite("ring", ring);
   if (!(ring > tube)) {
     throw_invalid_argument("ring", number_text(ring), "must be greater than tube");
   }
+  require_finite("ring + tube", ring + tube);
   mesh_shapes_detail::require_in_range("m", m, 3, 10000);
   mesh_shapes_detail::require_in_range("n", n, 3, 10000);
   constexpr double turn = 6.283185307179586;

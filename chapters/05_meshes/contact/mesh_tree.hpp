@@ -1,6 +1,6 @@
 /// @file
-/// A tree of boxes over the triangles of a mesh: the same answers as without it, in a time that
-/// grows with the logarithm of the number of triangles.
+/// A tree of boxes over the triangles of a mesh: the same answers as without it, for most meshes
+/// and rays in a time that grows with the logarithm of the number of triangles.
 #pragma once
 
 #include <algorithm>
@@ -34,6 +34,9 @@ struct TreeCounts {
 ///
 /// Any mesh will do: open, with triangles that cross, without area or twice the same. A triangle
 /// with a coordinate that is not finite is left out of the tree, and no query finds it.
+///
+/// Limits: a ray that starts about 10^12 mesh sizes away, or one through many parallel slivers along
+/// a diagonal, whose boxes overlap, tests every triangle.
 template <FloatOrDouble S>
 class MeshTree {
  public:

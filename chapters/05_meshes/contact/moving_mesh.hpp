@@ -59,7 +59,8 @@ Matrix4<S> delta_matrix(const Matrix4<S>& m0, const Matrix4<S>& m1) {
 
 /// M_Δ = M₀⁻¹ M₁ for row vectors, as the lecture writes it: a' = a · M_Δ. It is the transpose of
 /// the matrix for columns. With matrices for columns the product M₀⁻¹ M₁ is another motion: the
-/// same one in the coordinates of the body at pose 0, so it is right only for points given in them.
+/// same one in the coordinates of the body at pose 0, so it is right only for points given in them,
+/// unless M₀ and M₁ commute.
 /// @param m0,m1 matrices for row vectors, the transposes of `homogeneous_matrix`
 template <Ring S>
 Matrix4<S> delta_matrix_rows(const Matrix4<S>& m0, const Matrix4<S>& m1) {
@@ -242,7 +243,7 @@ Vector3<S> path_in_body(const RigidMotion<S>& motion, const Segment<S>& path, S 
 /// and θ is the whole angle, not modulo a turn.
 /// @param angle θ, rad, not negative
 /// @param distance r, m: the largest distance of the point from the body's origin, or from the axis
-/// through it, at the start or the end (between them it is smaller)
+/// through it, at the start or the end (between them it is not larger)
 /// @param displacement d, m: |displacement of the point − that of the body's origin|, or the part
 /// of it that is perpendicular to the axis
 /// @return m; 0 if the angle is 0. Attained in the limit of small angles by either term alone
@@ -252,23 +253,34 @@ S chord_bound(const S& angle, const S& distance, const S& displacement, int subs
 }
 
 /// The same for a motion and a path, with distances from the axis. Off by a few u of the distances
-/// from the origin; exactly 0 for a translation, infinite if something overflows.
+/// from the origin, at every scale, unless the bound itself is below the normal numbers of S;
+/// exactly 0 for a translation, infinite if something overflows or is not finite.
 template <std::floating_point S>
 S chord_bound(const RigidMotion<S>& motion, const Segment<S>& path, int substeps = 1) {
+  constexpr S endless = std::numeric_limits<S>::infinity();
+  const Vector3<S> start = path.start - motion.start.origin;
+  const Vector3<S> travel = Vector3<S>(path.end - path.start) - motion.displacement;
+  const Vector3<S> end = start + travel;
+  if (!all_finite(motion.rotation) || !all_finite(motion.start.axes) || !all_finite(start) ||
+      !all_finite(travel) || !all_finite(end)) {
+    return endless;
+  }
   const S largest = motion.rotation.cwiseAbs().maxCoeff();
   if (!(largest > S(0))) return S(0);
   const Vector3<S> share = motion.rotation / largest;
   const S length = std::sqrt(share.dot(share));
   const Vector3<S> k = share / length;
-  const auto off_axis = [&](const Vector3<S>& v) {
+  // Scaled by a power of two, so that no square overflows or underflows.
+  const auto off_axis = [&](Vector3<S> v) {
+    int power = 0;
+    std::frexp(v.cwiseAbs().maxCoeff(), &power);
+    for (int i = 0; i < 3; ++i) v[i] = std::ldexp(v[i], -power);
     const Vector3<S> across = perpendicular_part<S>(motion.start.axes.transpose() * v, k);
-    return std::sqrt(across.dot(across));
+    return std::ldexp(std::sqrt(across.dot(across)), power);
   };
-  const Vector3<S> start = path.start - motion.start.origin;
-  const Vector3<S> travel = Vector3<S>(path.end - path.start) - motion.displacement;
-  const S distance = std::max(off_axis(start), off_axis(start + travel));
+  const S distance = std::max(off_axis(start), off_axis(end));
   const S bound = chord_bound<S>(largest * length, distance, off_axis(travel), substeps);
-  return bound >= S(0) ? bound : std::numeric_limits<S>::infinity();
+  return bound >= S(0) ? bound : endless;
 }
 // [/chord-bound]
 

@@ -422,17 +422,20 @@ inline std::optional<ScaledQuestion> scaled_question(const Segment<double>& path
 /// or,
 ///   for a closed mesh, the winding number differs between two times, so that the path must have
 ///   crossed the surface, even if at an edge.
-/// - Undecided: a contact within the margin, such as touching, to which no number of chords leads.
+/// - Undecided: neither is proved before a limit is reached. Touching stays undecided for every
+///   limit.
 ///
-/// A contact at the start is decided exactly.
+/// A contact at the start with a triangle that has area is decided exactly. With rotation,
+/// triangles without area near the path leave the answer undecided.
 /// Without rotation the path is straight, its ends are exact, and so is the decision: touching is a
 /// hit, and nothing is undecided. Triangles without area are then left out.
 ///
 /// @param path of the point, in the world, m
 /// @param mesh in the body's frame, m; any triangles
-/// @param max_chords limit of the refinement
+/// @param max_chords limit of the refinement; another is that no part of the step shorter than
+/// 2^-30 of it is divided
 /// @param resolution a hit is refined until the first contact is known to this fraction of the
-/// step, if the limit allows and no earlier part stays undecided
+/// step, not below 2^-30, if the limits allow and no earlier part stays undecided
 /// @return undecided if a number is not finite. Lengths are scaled by a power of two; if their
 /// magnitudes are so different that this would round one, or by more than about 1e±60, more is
 /// undecided

@@ -25,9 +25,10 @@ namespace contact {
 ///
 /// Limits: rounded. n·p and k are of the size |n||p|, so far from the origin E keeps few digits or
 /// none, and a point near a face is on either side of it. A concave mesh: inside is only what is
-/// behind every face, so most points inside are called outside. A mesh without volume: every point
-/// of its plane is on it. Triangles whose rounded normal is 0 are left out. No triangles, or NaN:
-/// outside.
+/// behind every face, so points inside are called outside. A mesh without volume: every point of
+/// its plane is on it. Triangles whose rounded normal is 0 are left out; if all planes are left
+/// out, every point is inside. No triangles, or a point with NaN: outside. A vertex with NaN: the
+/// answer means nothing.
 ///
 /// Source: *Interaction and Normals*, slide "Collision detection: polyhedra": a vertex is inside a
 /// convex polyhedron if it is on the inside of all faces.
@@ -52,8 +53,8 @@ Where in_convex_by_planes(const Vector3<S>& point, const Mesh<S>& mesh) {
 /// volume.
 ///
 /// Triangles without area are left out. Coplanar triangles agree exactly. The first face with the
-/// point in front of it decides, so a point outside costs few tests, and a point inside one for
-/// each triangle. A point or a vertex that is not finite: outside.
+/// point in front of it decides, so a point far outside costs few tests; one just in front of a face
+/// may cost as many as a point inside: one for each triangle. A point or a vertex that is not finite: outside.
 template <FloatOrDouble S>
 Where in_convex(const Vector3<S>& point, const Mesh<S>& mesh) {
   const Vector3<double> p = point.template cast<double>();
@@ -91,9 +92,10 @@ int crossings_by_triangles(const Vector3<S>& point, const Mesh<S>& mesh,
 
 /// Inside if that number is odd: two answers.
 ///
-/// Limits: wrong where the ray meets an edge or a vertex, or comes so close that the triangles
-/// disagree by rounding; on the surface by chance. A ray in the plane of a triangle does not meet
-/// it. NaN and a zero direction: outside.
+/// Limits: may be wrong where the ray meets an edge or a vertex, or comes so close that the
+/// triangles disagree by rounding; on the surface by chance. A ray in the plane of a triangle does
+/// not meet it. A point or direction with NaN and a zero direction: outside. A vertex with NaN: its
+/// triangles are not counted, so the answer means nothing.
 ///
 /// Source: *Interaction and Normals*, slide "Collision detection: polyhedra": a semi-infinite ray
 /// from the vertex intersects an odd number of faces.
@@ -156,12 +158,14 @@ struct RandomRays {
 
 // [random-rays]
 /// The parities of rays in random directions: a ray that comes closer to an edge of a triangle than
-/// the margin is replaced, at most 32 times for each vote, and the majority of three votes decides.
+/// the margin is replaced, until 32 have been cast for a vote; then the last one is counted as
+/// `crossings_by_triangles` does. The majority of three votes decides.
 ///
 /// Limits: no proof. The margin is one of barycentric weights, and their rounding errors may be
 /// larger: for a triangle that is nearly parallel to the ray, or far away in multiples of its size.
 /// Close to an edge most directions are within the margin of it. The more triangles a ray meets,
-/// the more rays are replaced. On the surface each vote is a matter of chance. NaN: outside.
+/// the more rays are replaced. On the surface each vote is a matter of chance. A point with NaN:
+/// outside. A vertex with NaN: the answer means nothing.
 /// @param margin of the barycentric weights
 /// @param seed of the directions: the same seed, the same answer on every machine
 template <std::floating_point S>

@@ -187,7 +187,9 @@ std::vector<char> one_of_each_component(const Prepared<S>& a) {
 /// each face whose box it touches. Exact; touching counts, also at a vertex and along an edge.
 ///
 /// Both ways around, a against b and b against a, it finds whether the surfaces meet: where two
-/// triangles meet, an edge of one meets the other. It does not find a polyhedron inside another.
+/// triangles with area meet, an edge of one meets the other. Triangles without area have edges but
+/// no face: two meshes that have no others may cross unfound. It does not find a polyhedron inside
+/// another.
 /// A mesh without triangles, or with one that is not finite: nothing.
 ///
 /// Source: *Interaction and Normals*, slide "Collision detection: polyhedra".
@@ -219,7 +221,7 @@ enum class DecidedBy {
   vertex_of_b,  ///< a vertex of b is in a
   edge_of_a,    ///< an edge of a meets a face of b
   edge_of_b,    ///< an edge of b meets a face of a
-  all           ///< every test was made, and none found a common point
+  all           ///< no test that was made found a common point
 };
 
 /// Which tests are made, and in which order.
@@ -246,7 +248,8 @@ struct PolyhedraTest {
 /// the rest.
 ///
 /// With the orders `lecture` and `edges_first` the answer is right for closed, oriented meshes
-/// with finite vertices, concave and of several components: if the surfaces meet, an edge of one
+/// with finite vertices in which each component has a triangle with area, concave and of several
+/// components: if the surfaces meet, an edge of one
 /// meets a face of the other; if they do not, each component of a surface is in the other solid as
 /// a whole or not at all, so one vertex of it decides, and if none is, the solids are apart. A
 /// solid here is what the surface has a winding number other than 0 around, and the surface itself.

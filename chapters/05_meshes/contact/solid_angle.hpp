@@ -23,7 +23,8 @@ struct SolidAngleWinding {
   double winding = 0;  ///< the sum of the solid angles, divided by 4π
   double bound = 0;    ///< the exact value differs from it by at most this; may be infinite
 
-  /// The winding number, if the bound proves it: there is only one whole number within the bound.
+  /// For a closed mesh the winding number, if the bound proves it: there is only one whole number
+  /// within the bound. For an open mesh it means nothing.
   std::optional<int> certain() const {
     if (!(bound < 0.5)) return std::nullopt;
     const double nearest = std::round(winding);
@@ -87,7 +88,7 @@ BoundedAngle solid_angle(const Vector3<S>& a, const Vector3<S>& b, const Vector3
 /// as seen from the point, divided by 4π.
 ///
 /// Every direction counts, so there is no ray that could meet an edge. Each triangle costs an arc
-/// tangent and three roots, and no box spares a triangle: the slowest method.
+/// tangent and three roots, and no box spares a triangle, so it is slow for every point.
 ///
 /// Limits: the bound is proved at `solid_angle`. If `bound` is below 1/2, the nearest whole number
 /// is the winding number of the closed mesh, and the point is not on the surface. Measured on a box
@@ -124,7 +125,9 @@ SolidAngleWinding winding_by_solid_angles(const Vector3<S>& point, const Mesh<S>
 /// Inside if the nearest whole number is not 0: two answers, whatever the bound.
 ///
 /// Limits: on a face half a turn is lost or gained by chance, and near an edge or a vertex several
-/// triangles can be wrong by a whole turn.
+/// triangles can be wrong by a whole turn. The product of the three distances from the point to a
+/// triangle's vertices may overflow or underflow, for sizes beyond about 1e±100 in double and 1e±12
+/// in float: then even the centre may be outside.
 template <FloatOrDouble S>
 Where where_by_solid_angles(const Vector3<S>& point, const Mesh<S>& mesh) {
   const double winding = winding_by_solid_angles(point, mesh).winding;

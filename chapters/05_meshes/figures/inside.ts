@@ -221,11 +221,11 @@ export default defineFigure<Input, Output>({
     const wrong = METHODS.filter((_, i) => output.wrong[i]);
     const others = wrong.length
       ? `Wrong here: ${wrong.join(", ")}.`
-      : "Every method is right here.";
+      : "Every method says so.";
     const seen =
       method === 2 || method === 3
         ? " Triangles seen from behind count as positive, those seen from the front as negative."
         : "";
-    return `p is ${WHERE[output.where]}. ${others} In the section y = ${pretty(p[1])} m, the chosen method is wrong at ${count(output.missed_points)} of ${count(output.missed.length)} points.${seen}`;
+    return `p is ${WHERE[output.where]}. ${others} Of ${count(output.missed.length)} other points in the section y = ${pretty(p[1])} m, the chosen method is wrong at ${count(output.missed_points)}.${seen}`;
   },
 });
