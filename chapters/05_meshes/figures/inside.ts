@@ -219,9 +219,7 @@ export default defineFigure<Input, Output>({
   describe(input, output) {
     const { method, p } = input;
     const wrong = METHODS.filter((_, i) => output.wrong[i]);
-    const others = wrong.length
-      ? `Wrong here: ${wrong.join(", ")}.`
-      : "Every method says so.";
+    const others = wrong.length ? `Wrong here: ${wrong.join(", ")}.` : "Every method says so.";
     const seen =
       method === 2 || method === 3
         ? " Triangles seen from behind count as positive, those seen from the front as negative."
