@@ -63,6 +63,16 @@ Mesh<double> sheared(Mesh<double> mesh) {
   return mesh;
 }
 
+/// A polygon's fan of triangles, and the same from behind: closed, without volume.
+Mesh<double> sheet(const std::vector<Vector3<double>>& outline) {
+  Mesh<double> mesh{outline, {}};
+  for (int i = 1; i + 1 < int(outline.size()); ++i) {
+    mesh.triangles.push_back({0, i, i + 1});
+    mesh.triangles.push_back({0, i + 1, i});
+  }
+  return mesh;
+}
+
 struct Solid {
   std::string name;
   Mesh<double> mesh;
@@ -118,6 +128,18 @@ std::vector<Solid> solids() {
        0},
       {"tiny", contact::star_mesh(1e-150, 2e-150, 0), 0},
       {"flat", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}, 0},
+      {"flat, across its box", sheet({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}}), 0},
+      {"flat tetrahedron, across its box",
+       {{{0, 0, 0}, {2, 0, 2}, {0, 2, 2}, {2, 2, 4}}, {{0, 1, 2}, {3, 2, 1}, {0, 3, 1}, {0, 2, 3}}},
+       0},
+      {"bent sheet", sheet({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}, {0, 1, 3}}), 0},
+      {"box and a sheet beside it", contact::joined(box, sheet({{4, 4, 4}, {5, 4, 5}, {4, 5, 5}})),
+       0},
+      {"sheet in a box", contact::joined(box, sheet({{1, 1, 1}, {2, 1, 2}, {1, 2, 2}})), 0},
+      {"sheet across a box",
+       contact::joined(box, sheet({{0, 0, 0}, {4, 0, 4}, {4, 4, 4}, {0, 4, 0}})), 0},
+      {"sheet in a face of a box", contact::joined(box, sheet({{1, 1, 0}, {2, 1, 0}, {1, 2, 0}})),
+       1},
       {"nothing", {}, 0},
   };
 }
@@ -225,6 +247,30 @@ TEST_CASE("random sets of cubes: the volume is their number") {
     const ExactFraction volume = contact::volume_of_pieces(pieces);
     REQUIRE(volume == volume_by_mesh(mesh));
     REQUIRE(volume == ExactFraction(int(cubes.size()) * (i % 2 == 1 ? 8 : 1)));
+    require_partition(pieces, mesh, random, 10);
+  }
+}
+
+TEST_CASE("sheets without volume, wherever they are, change no volume") {
+  Random random(544);
+  for (int i = 0; i < generators::tried(60); ++i) {
+    Cubes cubes;
+    const double share = i % 3 == 0 ? 0 : random.uniform(0.2, 0.9);
+    for (const auto& cube : block({0, 0, 0}, {2, 2, 2})) {
+      if (random.chance(share)) cubes.insert(cube);
+    }
+    Mesh<double> mesh = of_cubes(cubes);
+    const int sheets = random.integer(1, 3);
+    for (int k = 0; k < sheets; ++k) {
+      std::vector<Vector3<double>> outline(std::size_t(random.integer(3, 4)));
+      for (Vector3<double>& v : outline) {
+        for (int axis = 0; axis < 3; ++axis) v[axis] = random.integer(0, 4) / 2.0;
+      }
+      mesh = contact::joined(mesh, sheet(outline));
+    }
+    const std::vector<ConvexPiece> pieces = contact::convex_pieces(mesh);
+    for (const ConvexPiece& piece : pieces) require_convex(piece);
+    REQUIRE(contact::volume_of_pieces(pieces) == ExactFraction(int(cubes.size())));
     require_partition(pieces, mesh, random, 10);
   }
 }

@@ -146,6 +146,10 @@ TEST_CASE("what the shapes refuse") {
   CHECK_THROWS_AS(contact::ball_mesh(1, 10), std::invalid_argument);
   CHECK_THROWS_AS(contact::star_mesh(1, 2, 9), std::invalid_argument);
   CHECK_THROWS_AS(contact::torus_mesh(1, 1, 5, 5), std::invalid_argument);
+  CHECK_THROWS_AS(contact::torus_mesh(1.5e308, 1e308, 3, 3), std::invalid_argument);
+  for (const Vector3<double>& v : contact::torus_mesh(1e308, 0.7e308, 7, 5).vertices) {
+    CHECK(contact::all_finite(v));
+  }
   CHECK_THROWS_AS(contact::torus_mesh(3, 1, 2, 5), std::invalid_argument);
   CHECK_THROWS_AS(contact::torus_mesh(3, 1, 5, 10001), std::invalid_argument);
   CHECK_THROWS_AS(contact::prism_mesh({{0, 0}, {1, 0}, {0, 1}}, 1, 1), std::invalid_argument);

@@ -11,6 +11,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -346,6 +347,36 @@ TEST_CASE("the chord bound is attained by each of its terms") {
     within_four += deviation(some, path) * 4 > contact::chord_bound(some, path) ? 1 : 0;
   }
   CHECK(within_four > 900);
+}
+
+TEST_CASE("the chord bound scales with the lengths, and is infinite if a number is not finite") {
+  Random random(513);
+  for (int i = 0; i < 300; ++i) {
+    RigidMotion<double> motion = drawn_motion(random, 3);
+    Segment<double> path = drawn_path(random, 4);
+    const double bound = contact::chord_bound(motion, path);
+    const int power = random.integer(-900, 900);
+    for (Vector3<double>* v :
+         {&motion.start.origin, &motion.displacement, &path.start, &path.end}) {
+      for (int k = 0; k < 3; ++k) (*v)[k] = std::ldexp((*v)[k], power);
+    }
+    REQUIRE(contact::chord_bound(motion, path) == std::ldexp(bound, power));
+  }
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    for (int where = 0; where < 18; ++where) {
+      RigidMotion<double> motion = drawn_motion(random, 3);
+      Segment<double> path = drawn_path(random, 4);
+      const std::array<Vector3<double>*, 5> vectors{&motion.rotation, &motion.displacement,
+                                                    &motion.start.origin, &path.start, &path.end};
+      if (where < 15) {
+        (*vectors[std::size_t(where / 3)])[where % 3] = bad;
+      } else {
+        motion.start.axes(where - 15, where - 15) = bad;
+      }
+      REQUIRE(contact::chord_bound(motion, path) == std::numeric_limits<double>::infinity());
+    }
+  }
 }
 
 TEST_CASE("translations have a bound of exactly 0, and a straight path") {

@@ -263,8 +263,8 @@ class BoxTreeBuilder {
 }  // namespace detail
 
 // [build-box-tree]
-/// Builds a tree of boxes. From the root down, each range of items is split between two of up
-/// to 16 bins of their centres, along the axis and at the bin with the lowest sum of surface × number.
+/// Builds a tree of boxes. From the root down, each range of items is split between two of up to 16
+/// bins of their centres, along the axis and at the bin with the lowest sum of surface × number.
 ///
 /// O(n log n) for all practical input; the depth is at most 96 for every input.
 /// @param boxes made by the functions of aabb.hpp, finite

@@ -407,8 +407,7 @@ class SolidCutter {
         most = std::max(most, side);
       }
       if (least < 0 && most > 0) continue;
-      if (least != most) return std::nullopt;
-      if (least == 0) return std::nullopt;
+      if (least != most || least == 0) return std::nullopt;
       const Vector3<Exact> across = corner[1].cross(corner[2]);
       if (Exact(corner[0].dot(across)).sign() == least) winding += least;
     }

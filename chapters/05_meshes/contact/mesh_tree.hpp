@@ -35,8 +35,8 @@ struct TreeCounts {
 /// Any mesh will do: open, with triangles that cross, without area or twice the same. A triangle
 /// with a coordinate that is not finite is left out of the tree, and no query finds it.
 ///
-/// Limits: a ray that starts about 10^12 mesh sizes away, or one through many parallel slivers along
-/// a diagonal, whose boxes overlap, tests every triangle.
+/// Limits: a ray that starts about 10^12 mesh sizes away, or one through many parallel slivers
+/// along a diagonal, whose boxes overlap, tests every triangle.
 template <FloatOrDouble S>
 class MeshTree {
  public:

@@ -27,8 +27,7 @@ namespace contact {
 /// none, and a point near a face is on either side of it. A concave mesh: inside is only what is
 /// behind every face, so points inside are called outside. A mesh without volume: every point of
 /// its plane is on it. Triangles whose rounded normal is 0 are left out; if all planes are left
-/// out, every point is inside. No triangles, or a point with NaN: outside. A vertex with NaN: the
-/// answer means nothing.
+/// out, every point is inside. No triangles, or NaN: outside.
 ///
 /// Source: *Interaction and Normals*, slide "Collision detection: polyhedra": a vertex is inside a
 /// convex polyhedron if it is on the inside of all faces.
@@ -53,8 +52,9 @@ Where in_convex_by_planes(const Vector3<S>& point, const Mesh<S>& mesh) {
 /// volume.
 ///
 /// Triangles without area are left out. Coplanar triangles agree exactly. The first face with the
-/// point in front of it decides, so a point far outside costs few tests; one just in front of a face
-/// may cost as many as a point inside: one for each triangle. A point or a vertex that is not finite: outside.
+/// point in front of it decides, so a point far outside costs few tests; one just in front of a
+/// face may cost as many as a point inside: one for each triangle. A point or a vertex that is not
+/// finite: outside.
 template <FloatOrDouble S>
 Where in_convex(const Vector3<S>& point, const Mesh<S>& mesh) {
   const Vector3<double> p = point.template cast<double>();

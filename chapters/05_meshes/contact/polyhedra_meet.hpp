@@ -249,13 +249,12 @@ struct PolyhedraTest {
 ///
 /// With the orders `lecture` and `edges_first` the answer is right for closed, oriented meshes
 /// with finite vertices in which each component has a triangle with area, concave and of several
-/// components: if the surfaces meet, an edge of one
-/// meets a face of the other; if they do not, each component of a surface is in the other solid as
-/// a whole or not at all, so one vertex of it decides, and if none is, the solids are apart. A
-/// solid here is what the surface has a winding number other than 0 around, and the surface itself.
-/// Touching counts. `vertices` and `edges` show what a test alone misses. A mesh that is
-/// not closed: only what edges against faces find means anything. A mesh without triangles, or with
-/// a vertex that is not finite: they do not meet.
+/// components: if the surfaces meet, an edge of one meets a face of the other; if they do not, each
+/// component of a surface is in the other solid as a whole or not at all, so one vertex of it
+/// decides, and if none is, the solids are apart. A solid here is what the surface has a winding
+/// number other than 0 around, and the surface itself. Touching counts. `vertices` and `edges` show
+/// what a test alone misses. A mesh that is not closed: only what edges against faces find means
+/// anything. A mesh without triangles, or with a vertex that is not finite: they do not meet.
 ///
 /// Limits: the time grows as the product of the numbers of edges and faces, because no tree is
 /// used.
