@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import textwrap
 from pathlib import Path
@@ -65,6 +66,11 @@ def without_times(result: Result) -> Result:
     kept["tests"] = [
         {key: value for key, value in test.items() if key != "seconds"} for test in kept["tests"]
     ]
+    # A check of one's own stops an endless loop sooner than a grading does.
+    for test in kept["tests"]:
+        if "reason" in test.get("failure", {}):
+            reason = re.sub(r"after [\d.]+ seconds?", "after a time", test["failure"]["reason"])
+            test["failure"] = {**test["failure"], "reason": reason}
     kept["diagnostics"] = [{**remark, "file": ""} for remark in result["diagnostics"]]
     return kept
 
@@ -105,7 +111,8 @@ def test_answers_of_the_book_get_the_verdict_of_a_check(exercise: str) -> None:
     assert len(checked) == len(graded) == len(files) > 2
     for file, one, other in zip(files, checked, graded, strict=True):
         assert without_times(other) == without_times(one), file
-        assert not other["near_limit"], file
+        # An answer that is stopped has reached the limit.
+        assert "stopped" in statuses(other) or not other["near_limit"], file
     assert [result["verdict"] for result in graded[:2]] == ["passed", "not_attempted"]
 
 
