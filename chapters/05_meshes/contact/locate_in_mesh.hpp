@@ -164,7 +164,7 @@ inline MeshLocation off_surface(int winding, Rule rule) {
 /// The location from all triangles of a mesh; counts those that were tested by orientations.
 template <FloatOrDouble S>
 MeshLocation locate(const Vector3<S>& point, const Mesh<S>& mesh, Rule rule, long& tested) {
-  const Vector3<double> p = point.template cast<double>();
+  const Vector3<double>& p = point.template cast<double>();
   if (!all_finite(p)) return {};
   int winding = 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -244,7 +244,7 @@ MeshLocation locate_in_mesh(const Vector3<S>& point, const MeshTree<S>& tree,
                             Rule rule = Rule::non_zero, TreeCounts* counts = nullptr) {
   using namespace mesh_location_detail;
   if (!all_finite(point) || tree.boxes().nodes.empty()) return {};
-  const Vector3<double> p = point.template cast<double>();
+  const Vector3<double>& p = point.template cast<double>();
   const S x = point.x(), y = point.y(), z = point.z();
   const auto in_column = [x, y](const Aabb<S>& box) {
     return int{box.low.x() <= x} & int{x <= box.high.x()} & int{box.low.y() <= y} &
