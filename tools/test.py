@@ -411,11 +411,16 @@ def examples_of(slug: str) -> list[str]:
     return [f"example_{slug}_{file.stem}" for file in ROOT.glob(f"chapters/{slug}/examples/*.cpp")]
 
 
+def tests_of(chapters: Sequence[str]) -> str:
+    """A pattern of the names that CTest gives to all tests of these chapters."""
+    slugs = "|".join(chapters)
+    names = rf"reference_tests_({slugs}):|hard_cases_({slugs})$|example_({slugs})_"
+    return rf"^({names}|contract_(linked|proxy)_({slugs})_)"
+
+
 def native_tests() -> Iterator[Check]:
     if asked := chapters_asked_for():
-        slugs = "|".join(asked)
-        names = rf"reference_tests_({slugs}): |hard_cases_({slugs})$|example_({slugs})_"
-        yield ctest("dev", "--tests-regex", rf"^({names}|contract_(linked|proxy)_({slugs})_)")
+        yield ctest("dev", "--tests-regex", tests_of(asked))
         yield from what_pages_tell("dev", asked)
         return
     taken = {

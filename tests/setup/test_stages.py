@@ -278,3 +278,21 @@ def test_a_stage_needs_only_what_comes_before_it() -> None:
     order = [stage.name for stage in checks.STAGES]
     for stage in checks.STAGES:
         assert all(order.index(need) < order.index(stage.name) for need in stage.needs)
+
+
+@pytest.mark.parametrize(
+    ("test", "asked"),
+    [
+        # CMake has the space after the colon in its command, and CTest not in its list.
+        ("reference_tests_05_meshes:the tree answers as all triangles one by one", True),
+        ("reference_tests_05_meshes: the tree answers as all triangles one by one", True),
+        ("hard_cases_05_meshes", True),
+        ("example_05_meshes_check", True),
+        ("contract_proxy_05_meshes_inside_convex", True),
+        ("reference_tests_04_rays:a ray against a ball", False),
+        ("example_04_rays_slabs", False),
+        ("support_tests:a square root", False),
+    ],
+)
+def test_a_chapter_is_checked_by_its_own_tests(test: str, asked: bool) -> None:
+    assert bool(re.search(checks.tests_of(["05_meshes"]), test)) == asked
